@@ -1,0 +1,21 @@
+# Compiler settings that every target of the project shares.
+add_library(elsie_compiler INTERFACE)
+target_compile_features(elsie_compiler INTERFACE cxx_std_20)
+target_compile_options(
+  elsie_compiler
+  INTERFACE -Wall
+            -Wextra
+            -Wpedantic
+            -Wshadow
+            -Wconversion
+            -Wnon-virtual-dtor
+            -Wold-style-cast
+            -Woverloaded-virtual
+            -Werror
+            # Bit-identical runs: no fused multiply-add that one compiler makes and another does not.
+            -ffp-contract=off)
+if(ELSIE_SANITIZE)
+  target_compile_options(elsie_compiler INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
+                                                  -fno-sanitize-recover=undefined)
+  target_link_options(elsie_compiler INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,58 @@
+// The ABI word: everything that must be the same on both sides before a plugin and its host may
+// exchange a C++ object.
+//
+// It is text of the form "key=value;key=value;...", so that a refusal can name the flag that
+// differs. Each plugin library carries it in an ELF note, which the host reads from the file before
+// it loads anything of it.
+#pragma once
+
+#include <version>  // the standard library's own macros
+
+/// The version of the plugin interface. A host loads plugins of its own major version whose minor
+/// version is not above its own. Before 1.0, any change that breaks a plugin raises the minor
+/// version and older plugins are refused too.
+#define ELSIE_API_MAJOR 0
+#define ELSIE_API_MINOR 1
+
+#define ELSIE_ABI_TEXT_(x) #x
+#define ELSIE_ABI_TEXT(x) ELSIE_ABI_TEXT_(x)
+
+#define ELSIE_ABI_API "api=" ELSIE_ABI_TEXT(ELSIE_API_MAJOR) "." ELSIE_ABI_TEXT(ELSIE_API_MINOR)
+
+#if defined(_LIBCPP_VERSION)
+#define ELSIE_ABI_RUNTIME ";runtime=libc++"
+#elif defined(__GLIBCXX__) && _GLIBCXX_USE_CXX11_ABI
+#define ELSIE_ABI_RUNTIME ";runtime=libstdc++-cxx11"
+#elif defined(__GLIBCXX__)
+#define ELSIE_ABI_RUNTIME ";runtime=libstdc++-cxx98"
+#else
+#define ELSIE_ABI_RUNTIME ";runtime=unknown"
+#endif
+
+#if defined(_GLIBCXX_DEBUG)
+#define ELSIE_ABI_CONTAINERS ";containers=debug"
+#else
+#define ELSIE_ABI_CONTAINERS ";containers=plain"
+#endif
+
+#if defined(__SANITIZE_ADDRESS__)
+#define ELSIE_ABI_SANITIZER ";sanitizer=address"
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define ELSIE_ABI_SANITIZER ";sanitizer=address"
+#else
+#define ELSIE_ABI_SANITIZER ";sanitizer=none"
+#endif
+#else
+#define ELSIE_ABI_SANITIZER ";sanitizer=none"
+#endif
+
+#define ELSIE_ABI_POINTER ";pointer=" ELSIE_ABI_TEXT(__SIZEOF_POINTER__)
+
+/// The ABI word of this translation unit.
+#define ELSIE_ABI_WORD \
+  ELSIE_ABI_API ELSIE_ABI_RUNTIME ELSIE_ABI_CONTAINERS ELSIE_ABI_SANITIZER ELSIE_ABI_POINTER
+
+/// Owner and type of the ELF note that carries the word.
+#define ELSIE_ABI_NOTE_OWNER "elsie"
+#define ELSIE_ABI_NOTE_TYPE 1

@@ -1,0 +1,77 @@
+// A behaviour: one small, complete reason to move.
+//
+// A behaviour maps what the robot senses at this instant to a motor command and to events. It holds
+// no model of the world and does not know which other behaviours run beside it; it may keep state
+// of its own. What becomes of its command is for the robot's coordinator to decide: it may win, be
+// blended with others', be suppressed, or not be asked for at all.
+//
+// Once every control period, for every robot:
+//
+//   sensors are read  ->  the coordinator asks its behaviours, in its own order, each at most once:
+//   respond()
+//                     ->  for behaviours that answered, and only if the coordinator's scheme needs
+//                     it:
+//                         rate() and command_sets(), which refer to the answer just given
+//                     ->  the coordinator's command goes to the wheels
+//
+// A coordinator that picks one behaviour by a fixed priority runs that one only; so do not count
+// calls to keep time: take `now.time_s()`.
+//
+// A whole plugin: see examples/ for ones that are built and run with the tests.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "elsie/api/component.h"
+#include "elsie/api/event.h"
+#include "elsie/api/fuzzy_set.h"
+#include "elsie/api/motor_command.h"
+#include "elsie/api/perception.h"
+#include "elsie/api/registration.h"
+
+namespace elsie {
+
+/// A behaviour's answer. A bare MotorCommand converts to one.
+struct Response {
+  Response() = default;
+  Response(const MotorCommand& wish) : command(wish) {}  // NOLINT(google-explicit-constructor)
+
+  MotorCommand command;
+  /// How much the behaviour has to say now, in [0, 1]. Zero: not active; subsumption and action
+  /// selection pass it over.
+  double activation = 1.0;
+  /// How firmly it stands by its command, in [0, 1], for coordinators that resolve by strength.
+  double strength = 1.0;
+  /// Asks the simulator to charge the battery. Granted while the robot is at a charger of its team.
+  bool charge = false;
+  /// What the behaviour says has happened. Empty costs nothing.
+  std::vector<Event> events;
+};
+
+class Behavior : public Component {
+ public:
+  /// The answer to what is perceived now. Finite wheel rates; anything else ends the run and names
+  /// the plugin.
+  virtual Response respond(const Perception& now) = 0;
+
+  /// How good each of the candidate commands would be to this behaviour now, each in [0, 1];
+  /// `desirability` has the size of `candidates`. `given` is what respond() answered in this step.
+  /// By default a bump around the given command: 1 at the command, exp(-(d / 5 rad/s)^2 / 2) at a
+  /// distance d in the plane of wheel rates.
+  virtual void rate(const Response& given, std::span<const MotorCommand> candidates,
+                    std::span<double> desirability) const;
+
+  /// The wishes for each wheel as fuzzy sets, before defuzzification. Behaviours that are fuzzy
+  /// hand over their own; the default is a triangle of half width 5 rad/s around the given command.
+  virtual CommandSets command_sets(const Response& given) const;
+};
+
+/// Makes a behaviour class a plugin:
+///   ELSIE_BEHAVIOR(Class, "name", "one line that says what it does", items...)
+/// Items: elsie::parameter(), elsie::needs<Reading>(), elsie::raises(), elsie::version(); see
+/// declaration.h.
+#define ELSIE_BEHAVIOR(Class, ...) \
+  ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::behavior, Class, __VA_ARGS__)
+
+}  // namespace elsie

@@ -1,0 +1,29 @@
+// What all plugin objects have in common.
+#pragma once
+
+namespace elsie {
+
+/// A sensor, behaviour or coordinator at run time. Life of one:
+///
+///   constructed -> parameters set -> configured() -> { reset() -> many steps }... -> destroyed
+///
+/// It belongs to one robot; instances share nothing. It is called from one thread at a time,
+/// perhaps not always the same one. Exceptions thrown anywhere are caught by the simulator, which
+/// names the plugin, the robot and the step, and ends the run in an orderly way.
+class Component {
+ public:
+  Component() = default;
+  Component(const Component&) = delete;
+  Component& operator=(const Component&) = delete;
+  virtual ~Component() = default;
+
+  /// Called after the parameters were set, and again whenever one was changed. Check here what no
+  /// single range can say, read files, build tables. Throw (std::invalid_argument, with a sentence)
+  /// when the parameters do not fit together.
+  virtual void configured() {}
+
+  /// Called before each run: forget what the last run left.
+  virtual void reset() {}
+};
+
+}  // namespace elsie

@@ -1,0 +1,99 @@
+// A coordinator: it decides which behaviours run this step and turns their wishes into one wheel
+// command.
+//
+// One per robot. It is handed its members in the order of the world file and asks those that it
+// wants to hear. A member's behaviour runs at most once a step, when first asked; what was not
+// asked does not run and costs nothing.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "elsie/api/behavior.h"
+#include "elsie/api/component.h"
+#include "elsie/api/motor_command.h"
+#include "elsie/api/perception.h"
+#include "elsie/api/registration.h"
+
+namespace elsie {
+
+/// What a coordinator noted about one of its behaviours in one step: a row of the trace. The member
+/// fills the first part itself when it is asked; the rest is the coordinator's to fill.
+struct TraceRow {
+  bool asked = false;       // whether respond() ran in this step
+  MotorCommand command;     // what it wished for
+  double activation = 0.0;  // as the behaviour reported it
+  double weight = 0.0;      // what the coordinator multiplied its wish with
+  double share = 0.0;       // its part in the result, in [0, 1]
+  int inhibited_by = -1;    // index of the member that silenced it; -1: none
+  const char* reason = "";  // in a word or two; a literal: "highest priority"
+};
+
+/// One behaviour as its coordinator sees it.
+class Member {
+ public:
+  /// Runs a behaviour on the simulator's side: measures, checks, and names the culprit when
+  /// something is thrown.
+  class Runner {
+   public:
+    virtual const Response& run(Member& member) = 0;
+
+   protected:
+    ~Runner() = default;
+  };
+
+  Member(std::string_view name, double priority, Behavior& behavior, Runner& runner)
+      : name_(name), priority_(priority), behavior_(&behavior), runner_(&runner) {}
+
+  /// Its id in the world file: the plugin's name, unless the file gives another.
+  std::string_view name() const { return name_; }
+  /// As the user set it; default 1.
+  double priority() const { return priority_; }
+  /// The behaviour's answer to this step's perception; it runs on the first call of a step only.
+  const Response& respond() {
+    if (!response_) {
+      response_ = &runner_->run(*this);
+      trace.asked = true;
+      trace.command = response_->command;
+      trace.activation = response_->activation;
+    }
+    return *response_;
+  }
+  /// How desirable each candidate is to the behaviour: Behavior::rate().
+  void rate(std::span<const MotorCommand> candidates, std::span<double> desirability) {
+    behavior_->rate(respond(), candidates, desirability);
+  }
+  /// The behaviour's fuzzy sets over wheel rates: Behavior::command_sets().
+  CommandSets command_sets() { return behavior_->command_sets(respond()); }
+
+  TraceRow trace;
+
+  // The simulator's side.
+  Behavior& behavior() { return *behavior_; }
+  void set_priority(double priority) { priority_ = priority; }
+  void begin_step() {
+    response_ = nullptr;
+    trace = {};
+  }
+
+ private:
+  std::string_view name_;
+  double priority_;
+  Behavior* behavior_;
+  Runner* runner_;
+  const Response* response_ = nullptr;
+};
+
+class Coordinator : public Component {
+ public:
+  /// The command for this control period. `members` is in file order and may be empty: answer zero
+  /// then. Fill the weight, share and reason of each member's trace; the rows were cleared before
+  /// the call.
+  virtual MotorCommand coordinate(std::span<Member> members, const Perception& now) = 0;
+};
+
+/// Makes a coordinator class a plugin; see ELSIE_BEHAVIOR.
+#define ELSIE_COORDINATOR(Class, ...) \
+  ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::coordinator, Class, __VA_ARGS__)
+
+}  // namespace elsie

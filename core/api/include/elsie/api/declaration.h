@@ -1,0 +1,227 @@
+// What a plugin says of itself, once. Reading XML, checking, the schema, `elsie describe`, the
+// reference pages and forms all use this one declaration.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "elsie/api/component.h"
+#include "elsie/api/reading.h"
+
+namespace elsie {
+
+enum class PluginKind { sensor, behavior, coordinator };
+
+/// A parameter that names a data file. In a world file the path is resolved against the folder of
+/// the file that it stands in, then against the data directories; the member holds the resolved
+/// path.
+struct FilePath {
+  std::string path;
+};
+
+enum class ParameterType { real, integer, boolean, text, file, reals };
+
+/// A value of any parameter type; `text` and `file` are both held as a string.
+using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
+
+/// What one may say of a parameter besides its name; the order is that of designated initialisers.
+struct ParameterFacts {
+  std::string unit{};                                       // "rad/s"; "" for a pure number
+  double min = -std::numeric_limits<double>::infinity();    // smallest allowed value
+  double above = -std::numeric_limits<double>::infinity();  // the value must be larger than this
+  double max = std::numeric_limits<double>::infinity();     // largest allowed value
+  std::vector<std::string> choices{};                       // of a text: the only allowed values
+  std::string meaning{};                                    // one line
+};
+
+/// A parameter, bound to a member of the plugin's class: its type and default come from the member.
+struct ParameterDeclaration {
+  std::string name;
+  ParameterType type = ParameterType::real;
+  ParameterFacts facts;
+  ParameterValue default_value;
+  /// Writes the member. `value` holds the alternative that belongs to `type`.
+  std::function<void(Component&, const ParameterValue& value)> set;
+  /// Reads the member.
+  std::function<ParameterValue(const Component&)> get;
+};
+
+/// An event that a plugin may raise.
+struct EventDeclaration {
+  std::string name;
+  std::string meaning;
+};
+
+/// A kind of reading that a plugin needs or produces.
+struct ReadingDeclaration {
+  std::string kind;
+  std::size_t size = 0;  // bytes of the struct, to detect headers of different versions
+};
+
+struct Declaration {
+  PluginKind kind = PluginKind::behavior;
+  std::string name;
+  std::string version = "1.0";
+  std::string description;
+  std::vector<ParameterDeclaration> parameters;
+  std::vector<ReadingDeclaration> needs;     // behaviours: a robot without such a sensor is refused
+  std::vector<ReadingDeclaration> produces;  // sensors: exactly one
+  std::vector<EventDeclaration> events;
+  /// Makes an object with every parameter at its default; configured() has not been called yet.
+  std::function<std::unique_ptr<Component>()> create;
+};
+
+// The items of a declaration. Each is applied to the declaration under construction; `Class` is the
+// plugin's class.
+
+template <class Class, class Value>
+struct ParameterItem {
+  std::string name;
+  Value Class::*member;
+  ParameterFacts facts;
+};
+
+/// A parameter `name` bound to a member of type double, float, bool, an integer, std::string,
+/// FilePath or std::vector<double>.
+template <class Class, class Value>
+ParameterItem<Class, Value> parameter(const char* name, Value Class::*member,
+                                      ParameterFacts facts = {}) {
+  return {name, member, std::move(facts)};
+}
+
+struct NeedsItem {
+  ReadingDeclaration reading;
+};
+/// The behaviour is refused on a robot that has no sensor making such readings.
+template <class Reading>
+NeedsItem needs() {
+  return {{Reading::kind, sizeof(Reading)}};
+}
+
+struct ProducesItem {
+  ReadingDeclaration reading;
+};
+/// What a sensor makes; ELSIE_SENSOR adds it.
+template <class Reading>
+ProducesItem produces() {
+  return {{Reading::kind, sizeof(Reading)}};
+}
+
+struct RaisesItem {
+  EventDeclaration event;
+};
+/// An event that the plugin may raise.
+inline RaisesItem raises(const char* name, const char* meaning) { return {{name, meaning}}; }
+
+struct VersionItem {
+  std::string version;
+};
+/// The plugin's own version; "1.0" unless it says otherwise.
+inline VersionItem version(const char* version) { return {version}; }
+
+namespace detail {
+
+template <class Value>
+constexpr ParameterType type_of() {
+  if constexpr (std::is_same_v<Value, bool>) {
+    return ParameterType::boolean;
+  } else if constexpr (std::is_integral_v<Value>) {
+    return ParameterType::integer;
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    return ParameterType::real;
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    return ParameterType::text;
+  } else if constexpr (std::is_same_v<Value, FilePath>) {
+    return ParameterType::file;
+  } else {
+    static_assert(
+        std::is_same_v<Value, std::vector<double>>,
+        "a parameter is a number, bool, std::string, elsie::FilePath or std::vector<double>");
+    return ParameterType::reals;
+  }
+}
+
+template <class Value>
+ParameterValue to_value(const Value& value) {
+  if constexpr (std::is_same_v<Value, bool>) {
+    return value;
+  } else if constexpr (std::is_integral_v<Value>) {
+    return static_cast<std::int64_t>(value);
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    return static_cast<double>(value);
+  } else if constexpr (std::is_same_v<Value, FilePath>) {
+    return value.path;
+  } else {
+    return value;
+  }
+}
+
+template <class Value>
+void from_value(const ParameterValue& value, Value& member) {
+  if constexpr (std::is_same_v<Value, bool>) {
+    member = std::get<bool>(value);
+  } else if constexpr (std::is_integral_v<Value>) {
+    member = static_cast<Value>(std::get<std::int64_t>(value));
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    member = static_cast<Value>(std::get<double>(value));
+  } else if constexpr (std::is_same_v<Value, FilePath>) {
+    member.path = std::get<std::string>(value);
+  } else {
+    member = std::get<Value>(value);
+  }
+}
+
+template <class Plugin, class Class, class Value>
+void apply(Declaration& declaration, const Plugin& defaults, ParameterItem<Class, Value> item) {
+  static_assert(std::is_base_of_v<Class, Plugin>,
+                "a parameter must be a member of the plugin's class");
+  const auto member = item.member;
+  declaration.parameters.push_back({std::move(item.name), type_of<Value>(), std::move(item.facts),
+                                    to_value(defaults.*member),
+                                    [member](Component& object, const ParameterValue& value) {
+                                      from_value(value, static_cast<Plugin&>(object).*member);
+                                    },
+                                    [member](const Component& object) {
+                                      return to_value(static_cast<const Plugin&>(object).*member);
+                                    }});
+}
+template <class Plugin>
+void apply(Declaration& declaration, const Plugin&, NeedsItem item) {
+  declaration.needs.push_back(std::move(item.reading));
+}
+template <class Plugin>
+void apply(Declaration& declaration, const Plugin&, ProducesItem item) {
+  declaration.produces.push_back(std::move(item.reading));
+}
+template <class Plugin>
+void apply(Declaration& declaration, const Plugin&, RaisesItem item) {
+  declaration.events.push_back(std::move(item.event));
+}
+template <class Plugin>
+void apply(Declaration& declaration, const Plugin&, VersionItem item) {
+  declaration.version = std::move(item.version);
+}
+
+}  // namespace detail
+
+/// The declaration of a plugin class; what the ELSIE_... macros call.
+template <class Plugin, class... Items>
+Declaration declare(PluginKind kind, const char* name, const char* description, Items... items) {
+  Declaration declaration;
+  declaration.kind = kind;
+  declaration.name = name;
+  declaration.description = description;
+  declaration.create = [] { return std::make_unique<Plugin>(); };
+  const Plugin defaults;
+  (detail::apply(declaration, defaults, std::move(items)), ...);
+  return declaration;
+}
+
+}  // namespace elsie

@@ -1,0 +1,15 @@
+// Named events.
+#pragma once
+
+#include <string_view>
+
+namespace elsie {
+
+/// Something that a behaviour, a sensor or the simulator says has happened: an element of the
+/// finite event space of a robot. `name` refers to text that lives as long as the plugin, in
+/// practice a literal that the plugin's declaration names too.
+struct Event {
+  std::string_view name;
+};
+
+}  // namespace elsie

@@ -1,0 +1,193 @@
+// What a behaviour sees.
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "elsie/api/event.h"
+#include "elsie/api/geometry.h"
+#include "elsie/api/motor_command.h"
+#include "elsie/api/random.h"
+#include "elsie/api/reading.h"
+
+namespace elsie {
+
+/// Where a sensor sits: its position and direction in the robot's frame (origin on the floor below
+/// the middle of the axle, x forward, y left).
+struct Mounting {
+  Vector3 position;          // m
+  double azimuth_rad = 0.0;  // from the robot's forward axis, counter-clockwise, in (-pi, pi]
+  double pitch_rad = 0.0;    // positive looks up
+};
+
+/// The state of the robot's own body.
+struct OwnState {
+  std::string_view id;
+  Pose pose;                     // ground truth
+  MotorCommand wheel_rates;      // measured, rad/s
+  double speed_m_s = 0.0;        // along the heading, measured
+  double turn_rate_rad_s = 0.0;  // counter-clockwise, measured
+  double wheel_radius_m = 0.02;
+  double half_axle_m = 0.045;  // half the distance between the wheels
+  double length_m = 0.08;      // of the chassis, along the heading
+  double width_m = 0.08;       // of the chassis
+  double max_speed_m_s = 0.5;
+  double coverage_m = 0.5;  // communication radius
+  bool is_leader = false;
+  double energy = 5000.0;    // units
+  double capacity = 5000.0;  // units
+  bool charging = false;
+
+  /// The largest wheel rate that the robot obeys, rad/s.
+  double max_wheel_rate() const { return max_speed_m_s / wheel_radius_m; }
+
+  /// The wheel rates that drive the body at `forward` m/s while it turns at `turn` rad/s
+  /// (counter-clockwise): the inverse kinematics of the differential drive.
+  MotorCommand command_for(double forward_m_s, double turn_rad_s) const {
+    return {(forward_m_s - half_axle_m * turn_rad_s) / wheel_radius_m,
+            (forward_m_s + half_axle_m * turn_rad_s) / wheel_radius_m};
+  }
+};
+
+/// Another robot of the same team within communication coverage.
+struct TeamMate {
+  std::string_view id;
+  Pose pose;
+  double distance_m = 0.0;
+  double bearing_rad = 0.0;  // from the own heading, positive to the left
+  bool is_leader = false;
+};
+
+struct TeamState {
+  std::string_view name;
+  std::span<const TeamMate> mates;  // within the own coverage, in file order
+  std::optional<Vector2> charger;   // the team's nearest charger
+
+  /// The nearest leader within coverage, or none.
+  const TeamMate* leader() const {
+    const TeamMate* nearest = nullptr;
+    for (const TeamMate& mate : mates) {
+      if (mate.is_leader && (!nearest || mate.distance_m < nearest->distance_m)) {
+        nearest = &mate;
+      }
+    }
+    return nearest;
+  }
+};
+
+/// One sensor's current reading, with the type left out.
+struct SensedReading {
+  const void* value = nullptr;
+  const Mounting* mounting = nullptr;
+  std::string_view sensor;  // its id
+};
+
+/// All readings of one kind, in the order of the sensors in the world file.
+struct ReadingGroup {
+  ReadingKind kind;
+  std::span<const SensedReading> readings;
+};
+
+/// One reading of a known type: `beam->distance_m`, `beam.azimuth_rad()`.
+template <class Reading>
+class Sensed {
+ public:
+  explicit Sensed(const SensedReading& sensed) : sensed_(&sensed) {}
+  const Reading& operator*() const { return *static_cast<const Reading*>(sensed_->value); }
+  const Reading* operator->() const { return static_cast<const Reading*>(sensed_->value); }
+  const Mounting& mounting() const { return *sensed_->mounting; }
+  double azimuth_rad() const { return sensed_->mounting->azimuth_rad; }
+  std::string_view sensor() const { return sensed_->sensor; }
+
+ private:
+  const SensedReading* sensed_;
+};
+
+/// A view of the readings of one type, to loop over.
+template <class Reading>
+class Readings {
+ public:
+  class Iterator {
+   public:
+    using value_type = Sensed<Reading>;
+    using difference_type = std::ptrdiff_t;
+    Iterator() = default;
+    explicit Iterator(const SensedReading* at) : at_(at) {}
+    Sensed<Reading> operator*() const { return Sensed<Reading>(*at_); }
+    Iterator& operator++() {
+      ++at_;
+      return *this;
+    }
+    Iterator operator++(int) { return Iterator(at_++); }
+    friend bool operator==(const Iterator&, const Iterator&) = default;
+
+   private:
+    const SensedReading* at_ = nullptr;
+  };
+
+  Readings() = default;
+  explicit Readings(std::span<const SensedReading> all) : all_(all) {}
+  Iterator begin() const { return Iterator(all_.data()); }
+  Iterator end() const { return Iterator(all_.data() + all_.size()); }
+  std::size_t size() const { return all_.size(); }
+  bool empty() const { return all_.empty(); }
+  Sensed<Reading> operator[](std::size_t i) const { return Sensed<Reading>(all_[i]); }
+
+ private:
+  std::span<const SensedReading> all_;
+};
+
+/// Everything that a behaviour or a coordinator is told at one instant, and nothing else: no world,
+/// no other behaviour. It is a view onto memory of the simulator and valid during the call only.
+/// Making and reading one allocates nothing.
+class Perception {
+ public:
+  /// The memory behind a perception; the simulator fills it, and so does a test that hands a
+  /// behaviour made-up readings.
+  struct Data {
+    double time_s = 0.0;
+    double period_s = 0.01;
+    std::span<const ReadingGroup> groups;
+    const OwnState* self = nullptr;
+    const TeamState* team = nullptr;
+    std::span<const Event> events;
+  };
+
+  Perception(const Data& data, Random& random) : data_(&data), random_(&random) {}
+
+  /// Simulated time since the start of the run.
+  double time_s() const { return data_->time_s; }
+  /// The control period: time from one decision to the next.
+  double period_s() const { return data_->period_s; }
+  /// The readings of one kind, e.g. `readings<elsie::RangeReading>()`; empty when no sensor makes
+  /// such.
+  template <class Reading>
+  Readings<Reading> readings() const {
+    constexpr ReadingKind wanted = ReadingKind::of<Reading>();
+    for (const ReadingGroup& group : data_->groups) {
+      if (group.kind == wanted) {
+        return Readings<Reading>(group.readings);
+      }
+    }
+    return {};
+  }
+  const OwnState& self() const { return *data_->self; }
+  const TeamState& team() const { return *data_->team; }
+  /// What was raised on this robot during the last control step, by behaviours and by the
+  /// simulator.
+  std::span<const Event> events() const { return data_->events; }
+  /// The stream of the behaviour (or coordinator) that is being asked.
+  Random& random() const { return *random_; }
+
+  /// The same perception with another stream: each behaviour draws from its own.
+  Perception with_random(Random& random) const { return {*data_, random}; }
+
+ private:
+  const Data* data_;
+  Random* random_;
+};
+
+}  // namespace elsie

@@ -1,0 +1,50 @@
+// What sensors hand to behaviours.
+//
+// A *kind* of reading is a plain struct that names itself:
+//
+//   struct LightReading {
+//     static constexpr const char* kind = "light";
+//     double lux = 0.0;
+//   };
+//
+// A sensor plugin produces readings of one kind, a behaviour asks for them by that type. The core
+// knows no kind by name: a plugin brings a new one in a header of its own, and both sides include
+// it. Name and size of the struct are compared when a world is loaded, so that two plugins built
+// against different versions of that header refuse each other.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+namespace elsie {
+
+/// Distance to the nearest surface along a ray.
+struct RangeReading {
+  static constexpr const char* kind = "range";
+  double distance_m = 0.0;  // max_range_m when nothing was hit
+  double max_range_m = 0.0;
+  bool hit = false;  // whether there was a surface within range
+};
+
+/// Whether anything is inside a volume.
+struct ProximityReading {
+  static constexpr const char* kind = "proximity";
+  bool detected = false;
+  double max_range_m = 0.0;
+};
+
+/// The identity of a kind of reading.
+struct ReadingKind {
+  const char* name = "";
+  std::size_t size = 0;
+
+  template <class Reading>
+  static constexpr ReadingKind of() {
+    return {Reading::kind, sizeof(Reading)};
+  }
+  friend bool operator==(const ReadingKind& a, const ReadingKind& b) {
+    return a.size == b.size && (a.name == b.name || std::strcmp(a.name, b.name) == 0);
+  }
+};
+
+}  // namespace elsie

@@ -1,0 +1,89 @@
+// A sensor: it asks the world a question from where it is mounted and answers with a reading of its
+// kind.
+//
+// Once every control period all sensors of all robots are updated, each from the same instant,
+// before any behaviour is asked. A sensor adds its own noise, from its own random stream.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "elsie/api/component.h"
+#include "elsie/api/geometry.h"
+#include "elsie/api/perception.h"
+#include "elsie/api/random.h"
+#include "elsie/api/reading.h"
+#include "elsie/api/registration.h"
+
+namespace elsie {
+
+/// A rectangular pyramid: its apex at the frame's origin, looking along the frame's forward axis.
+struct Pyramid {
+  Frame frame;                    // in the world
+  double horizontal_fov_rad = 0;  // the full angle
+  double vertical_fov_rad = 0;    // the full angle
+  double range_m = 0;             // height of the pyramid, along its axis
+};
+
+/// What a sensor may ask of the world. The robot that carries the sensor is never part of an
+/// answer.
+class Surroundings {
+ public:
+  /// Distance in metres from `origin` to the first surface that range sensors see, along
+  /// `direction` (a unit vector), both in the world frame; none beyond `max_range_m`.
+  virtual std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
+                                         double max_range_m) const = 0;
+  /// Whether any body that proximity sensors see reaches into the volume. The floor does not count.
+  virtual bool anything_in(const Pyramid& pyramid) const = 0;
+  /// The carrier's own true pose.
+  virtual Pose pose() const = 0;
+  /// The nearest other robot, of any team, within the radius around the carrier: for radio or
+  /// infra-red beacons.
+  virtual std::optional<TeamMate> nearest_robot(double radius_m) const = 0;
+
+ protected:
+  ~Surroundings() = default;
+};
+
+/// The instant at which a sensor is updated.
+struct SensorContext {
+  double time_s = 0.0;
+  double period_s = 0.0;
+  Frame frame;               // the sensor in the world: forward is where it looks
+  const Mounting* mounting;  // the sensor on the robot
+  const Surroundings* world;
+  Random* random;
+};
+
+/// A sensor with the type of its reading left out. Derive from SensorOf<Reading> instead.
+class Sensor : public Component {
+ public:
+  /// Takes a new reading.
+  virtual void update(const SensorContext& now) = 0;
+  /// The memory of the current reading; the same address for the whole life of the sensor.
+  virtual const void* reading() const = 0;
+};
+
+/// A sensor that produces readings of one kind.
+template <class Reading>
+class SensorOf : public Sensor {
+ public:
+  using ReadingType = Reading;
+
+  /// What is sensed now.
+  virtual Reading sense(const SensorContext& now) = 0;
+
+  void update(const SensorContext& now) final { reading_ = sense(now); }
+  const void* reading() const final { return &reading_; }
+
+ private:
+  Reading reading_{};
+};
+
+/// Makes a sensor class a plugin; see ELSIE_BEHAVIOR. The kind of reading that it produces is taken
+/// from its base.
+#define ELSIE_SENSOR(Class, name, description, ...)                             \
+  ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::sensor, Class, name, description, \
+                         ::elsie::produces<Class::ReadingType>() __VA_OPT__(, ) __VA_ARGS__)
+
+}  // namespace elsie

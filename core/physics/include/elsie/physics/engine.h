@@ -1,0 +1,97 @@
+// The physics engine as the simulation sees it. The ODE engine is one implementation; a planar one
+// for very many robots can stand beside it. Lengths in m, times in s, rates in rad/s, in the
+// world's frame.
+//
+// An engine is built up once (robots and boxes are added), then stepped. Two engines in one process
+// do not know of each other. The same calls on two engines give bit-identical states.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "elsie/api/geometry.h"
+#include "elsie/api/motor_command.h"
+#include "elsie/api/sensor.h"
+#include "elsie/world/description.h"
+
+namespace elsie::physics {
+
+/// A robot or a box, by its place in the order in which they were added. Walls are bodies too.
+enum class BodyKind : std::uint8_t { robot, box, wall };
+struct Body {
+  BodyKind kind = BodyKind::wall;
+  std::size_t index = 0;  // among its kind
+
+  friend auto operator<=>(const Body&, const Body&) = default;
+};
+
+/// The state of a robot's body.
+struct RobotState {
+  Frame frame;  // origin on the floor side: below the middle of the axle, at wheel-bottom height
+  Pose pose;    // the same on the floor
+  MotorCommand wheel_rates;  // measured
+  double speed = 0.0;        // m/s along the heading
+  double turn_rate = 0.0;    // rad/s counter-clockwise
+};
+
+/// Two bodies that touched during the last step; a < b. Each pair once, in ascending order. The
+/// floor is not listed.
+struct Touch {
+  Body a;
+  Body b;
+};
+
+struct RayHit {
+  double distance = 0.0;
+  Body body;
+  bool floor = false;  // then `body` means nothing
+};
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  /// Adds a robot that stands at the pose; returns its index.
+  virtual std::size_t add_robot(const world::RobotBody& body, const Pose& pose, double z = 0.0) = 0;
+  /// Adds a box; returns its index. Resources are fixed boxes until they are removed.
+  virtual std::size_t add_box(const world::Box& box) = 0;
+  /// Takes a box out of the world; its index stays taken.
+  virtual void remove_box(std::size_t box) = 0;
+
+  /// What the motors are to hold from now on; the caller has limited it to the maximum speed.
+  virtual void set_wheel_rates(std::size_t robot, const MotorCommand& rates) = 0;
+  /// Where a moving box is to be and how fast it moves there (m/s), whatever stands in its way;
+  /// before each step.
+  virtual void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) = 0;
+
+  /// One step of the length in world::Physics.
+  virtual void step() = 0;
+
+  virtual RobotState robot(std::size_t robot) const = 0;
+  virtual Frame box(std::size_t box) const = 0;  // origin in the middle of its bottom
+  virtual bool has_box(std::size_t box) const = 0;
+  /// Contacts of the last step.
+  virtual std::span<const Touch> touches() const = 0;
+
+  /// The first surface along a ray (`direction` a unit vector), as range sensors see the world:
+  /// floor, walls, boxes that are visible to them, robots with the sensor deck on top. The robot
+  /// `except` is left out.
+  virtual std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction,
+                                         double max_range, std::size_t except) const = 0;
+  /// Whether a wall, a visible box or a robot other than `except` reaches into the pyramid.
+  virtual bool anything_in(const Pyramid& pyramid, std::size_t except) const = 0;
+  /// No robot is left out of a query.
+  static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
+
+  /// FNV-1a (64 bits) over position, orientation, linear and angular velocity of every body,
+  /// continuing from `hash`.
+  virtual std::uint64_t hash_state(std::uint64_t hash = 0xcbf29ce484222325ULL) const = 0;
+};
+
+/// The ODE engine: hinged wheels, casters on ball joints, contacts with slip.
+std::unique_ptr<Engine> make_ode_engine(const world::Arena& arena, const world::Physics& physics);
+
+}  // namespace elsie::physics

@@ -1,0 +1,219 @@
+// The description of a world as plain data: what a world file says, checked and complete, templates
+// merged in.
+//
+// Units as in the file where the name says so (degrees), SI elsewhere. Every value has its default
+// here and nowhere else.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "elsie/api/declaration.h"
+#include "elsie/api/geometry.h"
+
+namespace elsie::world {
+
+/// Where in which file something stands, for messages.
+struct Location {
+  std::string file;
+  int line = 0;
+};
+
+struct Arena {
+  double length = 10.0;         // m, along x; the arena's middle is the origin
+  double width = 10.0;          // m, along y
+  double wall_height = 0.3;     // m
+  double wall_thickness = 0.1;  // m, outside of the area
+  bool walls = true;
+};
+
+struct Physics {
+  double gravity = -9.81;  // m/s2
+  double step = 0.01;      // s
+  int control_steps = 1;   // steps in one control period
+  double erp = 0.2;        // error reduction of ODE, in (0, 1]
+  double cfm = 1e-5;       // constraint force mixing of ODE
+  /// Spring and damping constant instead of erp and cfm, which then follow from them and the step:
+  /// erp = h kp / (h kp + kd), cfm = 1 / (h kp + kd) (ODE manual, "Spring and damper constants").
+  std::optional<double> kp;
+  std::optional<double> kd;
+  double friction = 1.0;     // Coulomb coefficient of contacts between bodies and with the floor
+  double wheel_slip = 1e-3;  // force-dependent slip of a wheel on the floor, m/s per N
+  double bounce = 0.0;       // restitution, in [0, 1]
+
+  double effective_erp() const { return kp && kd ? step * *kp / (step * *kp + *kd) : erp; }
+  double effective_cfm() const { return kp && kd ? 1.0 / (step * *kp + *kd) : cfm; }
+};
+
+struct Colour {
+  std::uint8_t red = 128, green = 128, blue = 128;
+
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+struct Team {
+  std::string id;
+  Colour colour;
+};
+
+enum class BoxKind { fixed, dynamic, moving, resource };  // `fixed` is "static" in the file
+
+/// An upright box that stands on the floor, or floats when z is positive.
+struct Box {
+  std::string id;
+  BoxKind kind = BoxKind::fixed;
+  double x = 0.0, y = 0.0, z = 0.0;  // m, the middle of its bottom
+  double heading_deg = 0.0;
+  double length = 0.2;  // m, along its own x
+  double width = 0.2;   // m
+  double height = 0.2;  // m
+  std::optional<Colour> colour;
+  bool seen_by_range_sensors = true;
+  double mass = 0.2;  // kg; dynamic boxes
+  // Moving boxes: from the start through the waypoints and back to the start, round and round; or
+  // to and fro.
+  std::vector<Vector2> waypoints;
+  double speed = 0.2;  // m/s
+  bool round_trip = true;
+  // Resources.
+  std::string team;        // empty: any team may take it
+  double energy = 1000.0;  // units
+  Location location;
+};
+
+/// A mark on the floor where a team's robots charge.
+struct Charger {
+  std::string id;
+  std::string team;  // empty: any team
+  double x = 0.0, y = 0.0;
+  double radius = 0.15;                // m: how near a robot must be
+  double rate = 2500.0;                // units per second: 25 in each control step of 0.01 s
+  bool seen_by_range_sensors = false;  // then it is a box of 0.1 m edge instead of a mark
+  Location location;
+};
+
+/// A plugin in use: which one, and what the file says of its parameters. What it does not say keeps
+/// the declared default.
+struct PluginUse {
+  std::string plugin;
+  std::string id;  // unique within the robot's sensors, behaviours...; the plugin's name unless the
+                   // file says otherwise
+  std::map<std::string, ParameterValue>
+      parameters;  // checked against the declaration; file paths resolved
+  Location location;
+};
+
+struct SensorUse : PluginUse {
+  // In the robot's frame. What is not given takes the chassis' front edge and top.
+  std::optional<double> x, y, z;
+  double yaw_deg = 0.0;
+  double pitch_deg = 0.0;
+  double energy_cost = 1.0;  // units per second
+};
+
+struct BehaviorUse : PluginUse {
+  double priority = 1.0;
+};
+
+/// The body of a two-wheel differential drive: a box on two wheels and two casters. The origin of
+/// its frame is on the floor below the middle of the axle, which is also the middle of the chassis.
+struct RobotBody {
+  double length = 0.08;        // m, chassis along the heading
+  double width = 0.08;         // m, chassis
+  double height = 0.08;        // m, chassis
+  double clearance = 0.01;     // m, from the floor to the chassis
+  double wheel_radius = 0.02;  // m
+  double wheel_width = 0.01;   // m
+  std::optional<double>
+      axle;  // m between the middles of the wheels; default: wheels just outside the chassis
+  double mass = 0.1;           // kg, chassis
+  double wheel_mass = 0.05;    // kg, each
+  double wheel_torque = 0.01;  // N m that each motor can give
+
+  double half_axle() const { return 0.5 * axle.value_or(width + wheel_width); }
+  double top() const { return clearance + height; }
+};
+
+struct Robot {
+  std::string id;
+  std::string team;
+  double x = 0.0, y = 0.0, z = 0.0;  // m
+  double heading_deg = 0.0;
+  double max_speed = 0.5;  // m/s
+  double coverage = 0.5;   // m, communication radius
+  bool leader = false;
+  double battery = 5000.0;       // units when full
+  std::optional<double> energy;  // units at the start; default: full
+  RobotBody body;
+  std::vector<SensorUse> sensors;
+  std::vector<BehaviorUse> behaviors;
+  std::optional<PluginUse> coordinator;
+  Location location;
+};
+
+// Goals. A run succeeds at the first instant at which all goals to reach are met, and fails at the
+// first at which a goal to keep is broken. With goals to keep only, it succeeds at the time limit.
+
+/// To reach: all resources (of one team, or all) are collected.
+struct CollectGoal {
+  std::string team;  // empty: every resource
+};
+/// To reach: a robot is within `radius` of a place.
+struct ReachGoal {
+  std::string robot;
+  double x = 0.0, y = 0.0, radius = 0.2;
+};
+/// To reach: a box (a dynamic one, in general) has its middle within `radius` of a place.
+struct PushGoal {
+  std::string box;
+  double x = 0.0, y = 0.0, radius = 0.2;
+};
+/// To reach: every robot of a team is within `distance` of another one or of its leader.
+struct GatherGoal {
+  std::string team;
+  double distance = 0.5;
+};
+/// To reach: a robot (empty: every robot) has driven at least this far, m.
+struct TravelGoal {
+  std::string robot;
+  double distance = 10.0;
+};
+/// To reach: this much simulated time has passed, s.
+struct EndureGoal {
+  double time = 60.0;
+};
+/// To keep: a robot (empty: every robot) touches nothing but the floor and its resources.
+struct NoCollisionGoal {
+  std::string robot;
+};
+/// To keep: the battery of a robot (empty: every robot) is never empty.
+struct BatteryGoal {
+  std::string robot;
+};
+using Goal = std::variant<CollectGoal, ReachGoal, PushGoal, GatherGoal, TravelGoal, EndureGoal,
+                          NoCollisionGoal, BatteryGoal>;
+
+struct Limits {
+  double time = 60.0;               // s, simulated
+  std::optional<double> wall_time;  // s on the clock
+};
+
+struct World {
+  std::string name;
+  std::string description;
+  std::string file;  // it was read from
+  Arena arena;
+  Physics physics;
+  std::vector<Team> teams;
+  std::vector<Box> boxes;
+  std::vector<Charger> chargers;
+  std::vector<Robot> robots;
+  std::vector<Goal> goals;
+  Limits limits;
+};
+
+}  // namespace elsie::world
