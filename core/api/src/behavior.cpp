@@ -8,6 +8,8 @@ namespace {
 constexpr double kBumpWidth = 5.0;  // rad/s
 }
 
+void Behavior::equipped(const Perception&) {}
+
 void Behavior::rate(const Response& given, std::span<const MotorCommand> candidates,
                     std::span<double> desirability) const {
   for (std::size_t i = 0; i < candidates.size(); ++i) {

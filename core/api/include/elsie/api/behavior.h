@@ -51,6 +51,11 @@ struct Response {
 
 class Behavior : public Component {
  public:
+  /// Called once after configured(), when the robot is complete: `example` has every reading that
+  /// the robot will ever have, with values that mean nothing yet. Throw (std::invalid_argument,
+  /// with a sentence) when the parameters do not fit the sensors.
+  virtual void equipped(const Perception& example);
+
   /// The answer to what is perceived now. Finite wheel rates; anything else ends the run and names
   /// the plugin.
   virtual Response respond(const Perception& now) = 0;

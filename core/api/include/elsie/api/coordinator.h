@@ -18,7 +18,8 @@
 namespace elsie {
 
 /// What a coordinator noted about one of its behaviours in one step: a row of the trace. The member
-/// fills the first part itself when it is asked; the rest is the coordinator's to fill.
+/// fills the first part itself when it is asked (asked, command, activation, time); the rest is the
+/// coordinator's to fill.
 struct TraceRow {
   bool asked = false;       // whether respond() ran in this step
   MotorCommand command;     // what it wished for
@@ -26,6 +27,7 @@ struct TraceRow {
   double weight = 0.0;      // what the coordinator multiplied its wish with
   double share = 0.0;       // its part in the result, in [0, 1]
   int inhibited_by = -1;    // index of the member that silenced it; -1: none
+  double time_s = 0.0;      // how long respond() took on the clock; 0 unless it is being measured
   const char* reason = "";  // in a word or two; a literal: "highest priority"
 };
 
@@ -70,7 +72,6 @@ class Member {
 
   // The simulator's side.
   Behavior& behavior() { return *behavior_; }
-  void set_priority(double priority) { priority_ = priority; }
   void begin_step() {
     response_ = nullptr;
     trace = {};
@@ -86,6 +87,10 @@ class Member {
 
 class Coordinator : public Component {
  public:
+  /// Called once after configured(), when the robot is complete; see Behavior::equipped(). Do not
+  /// ask the members here.
+  virtual void equipped(std::span<const Member> members, const Perception& example);
+
   /// The command for this control period. `members` is in file order and may be empty: answer zero
   /// then. Fill the weight, share and reason of each member's trace; the rows were cleared before
   /// the call.

@@ -5,7 +5,11 @@
 //   struct LightReading {
 //     static constexpr const char* kind = "light";
 //     double lux = 0.0;
+//     template <class Visitor>
+//     void visit(Visitor&& visitor) const { visitor("lux", lux); }
 //   };
+//
+// visit() is optional: it lists the numbers that recordings and live plots show.
 //
 // A sensor plugin produces readings of one kind, a behaviour asks for them by that type. The core
 // knows no kind by name: a plugin brings a new one in a header of its own, and both sides include
@@ -31,6 +35,17 @@ struct ProximityReading {
   static constexpr const char* kind = "proximity";
   bool detected = false;
   double max_range_m = 0.0;
+
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("detected", detected);
+  }
+};
+
+/// A number of a reading, by name, for recordings and plots.
+struct NamedValue {
+  const char* name = "";
+  double value = 0.0;
 };
 
 /// The identity of a kind of reading.

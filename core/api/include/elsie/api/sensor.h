@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "elsie/api/component.h"
 #include "elsie/api/geometry.h"
@@ -58,10 +59,14 @@ struct SensorContext {
 /// A sensor with the type of its reading left out. Derive from SensorOf<Reading> instead.
 class Sensor : public Component {
  public:
+  /// What kind of reading it makes.
+  virtual ReadingKind kind() const = 0;
   /// Takes a new reading.
   virtual void update(const SensorContext& now) = 0;
   /// The memory of the current reading; the same address for the whole life of the sensor.
   virtual const void* reading() const = 0;
+  /// Appends the numbers of the current reading: always the same names in the same order.
+  virtual void list_values(std::vector<NamedValue>& values) const = 0;
 };
 
 /// A sensor that produces readings of one kind.
@@ -73,8 +78,17 @@ class SensorOf : public Sensor {
   /// What is sensed now.
   virtual Reading sense(const SensorContext& now) = 0;
 
+  ReadingKind kind() const final { return ReadingKind::of<Reading>(); }
   void update(const SensorContext& now) final { reading_ = sense(now); }
   const void* reading() const final { return &reading_; }
+  void list_values(std::vector<NamedValue>& values) const final {
+    const auto add = [&values](const char* name, auto value) {
+      values.push_back({name, static_cast<double>(value)});
+    };
+    if constexpr (requires { reading_.visit(add); }) {
+      reading_.visit(add);
+    }
+  }
 
  private:
   Reading reading_{};

@@ -1,0 +1,21 @@
+// Watching a simulation without touching it.
+#pragma once
+
+namespace elsie::simulation {
+
+class Simulation;
+
+/// Called by Simulation::run(). An observer sees a const simulation: whether one watches or not,
+/// the run is the same, bit for bit. What an observer throws ends the run.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  /// After the reset, before the first step.
+  virtual void started(const Simulation&) {}
+  /// After every step.
+  virtual void stepped(const Simulation&) {}
+  /// After the last step; also when a plugin failed.
+  virtual void ended(const Simulation&) {}
+};
+
+}  // namespace elsie::simulation

@@ -1,0 +1,40 @@
+// Recording a run as a table.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "elsie/simulation/observer.h"
+
+namespace elsie::simulation {
+
+/// Writes one row per robot and sample, comma-separated, with a heading line. Columns:
+///
+///   time_s, robot, x_m, y_m, heading_rad, speed_m_s, turn_rate_rad_s, distance_m, energy,
+///   command_left, command_right sensor[ID].VALUE                 each number of each sensor's
+///   reading behavior[ID].asked .left .right .activation .weight .share .inhibited_by .reason
+///                                    the coordinator's trace of its last decision (.time_s too
+///                                    when time is measured)
+///
+/// Columns of what a robot does not have stay empty. Numbers are written so that reading them back
+/// gives the same number, bit for bit. The file is written as the run goes: what is there when a
+/// plugin fails is valid.
+class CsvRecorder final : public Observer {
+ public:
+  /// Creates the file at once; throws std::runtime_error with a sentence when that cannot be done.
+  /// `rate_hz`: samples per simulated second, rounded to whole steps, at most one a step; must be
+  /// positive.
+  CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times = false);
+  ~CsvRecorder() override;
+
+  void started(const Simulation& simulation) override;
+  void stepped(const Simulation& simulation) override;
+  /// Throws std::runtime_error when the file could not be written to its end (a full disk).
+  void ended(const Simulation& simulation) override;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace elsie::simulation

@@ -1,0 +1,47 @@
+// What a run came to.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "elsie/api/geometry.h"
+
+namespace elsie::simulation {
+
+enum class Outcome { running, success, failure, time_limit };
+
+/// "success", "failure", "time_limit"; "running" before the end.
+const char* to_string(Outcome outcome);
+
+/// Something that happened: raised by the simulator or by a plugin.
+struct EventRecord {
+  double time_s = 0.0;
+  std::string robot;
+  std::string name;    // "collision", "collected", "battery_empty", or an event of a plugin
+  std::string detail;  // with what, which resource...; may be empty
+};
+
+struct RobotResult {
+  std::string id;
+  std::string team;
+  double distance_m = 0.0;  // length of the path driven
+  int collected = 0;        // resources
+  double energy = 0.0;      // units left
+  Pose pose;                // at the end
+  int collisions = 0;  // with walls, obstacles and robots; a touch counts anew after 0.2 s apart
+};
+
+struct RunResult {
+  Outcome outcome = Outcome::running;
+  std::string reason;  // one sentence: which goal was broken, which limit was met
+  std::uint64_t seed = 0;
+  double simulated_s = 0.0;
+  double wall_s = 0.0;
+  std::uint64_t steps = 0;
+  std::uint64_t state_hash = 0;  // over the state of all bodies and batteries at the end
+  std::vector<RobotResult> robots;
+  std::vector<EventRecord> events;
+};
+
+}  // namespace elsie::simulation

@@ -1,0 +1,249 @@
+#include "elsie/simulation/recording.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "elsie/simulation/simulation.h"
+
+namespace elsie::simulation {
+namespace {
+
+constexpr const char* kBodyColumns =
+    "time_s,robot,x_m,y_m,heading_rad,speed_m_s,turn_rate_rad_s,distance_m,energy,"
+    "command_left,command_right";
+constexpr std::size_t kTraceColumns = 8;
+constexpr const char* kTraceNames[kTraceColumns] = {"asked",  "left",  "right",        "activation",
+                                                    "weight", "share", "inhibited_by", "reason"};
+
+/// One line in the making.
+class Line {
+ public:
+  void text(std::string_view value) {
+    separate();
+    if (value.find_first_of(",\"\n\r") == std::string_view::npos) {
+      line_ += value;
+      return;
+    }
+    line_ += '"';
+    for (const char c : value) {
+      line_ += c;
+      if (c == '"') {
+        line_ += c;
+      }
+    }
+    line_ += '"';
+  }
+  void number(double value) {
+    separate();
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof(digits), value).ptr;
+    line_.append(digits, end);
+  }
+  void empty() { separate(); }
+  std::string take() {
+    line_ += '\n';
+    first_ = true;
+    return std::exchange(line_, {});
+  }
+
+ private:
+  void separate() {
+    if (!first_) {
+      line_ += ',';
+    }
+    first_ = false;
+  }
+
+  std::string line_;
+  bool first_ = true;
+};
+
+std::size_t place_of(std::vector<std::string>& columns, const std::string& name) {
+  const auto at = std::find(columns.begin(), columns.end(), name);
+  if (at != columns.end()) {
+    return static_cast<std::size_t>(at - columns.begin());
+  }
+  columns.push_back(name);
+  return columns.size() - 1;
+}
+
+}  // namespace
+
+class CsvRecorder::Impl {
+ public:
+  Impl(const std::filesystem::path& file, double rate_hz, bool with_times)
+      : file_(file), rate_hz_(rate_hz), with_times_(with_times) {
+    if (!(rate_hz > 0.0) || !std::isfinite(rate_hz)) {
+      throw std::runtime_error("a recording needs a positive number of samples a second");
+    }
+    out_.open(file, std::ios::binary | std::ios::trunc);
+    check("cannot be created");
+  }
+
+  void start(const Simulation& simulation) {
+    const double per_sample = 1.0 / (rate_hz_ * simulation.world().physics.step);
+    every_ = static_cast<std::uint64_t>(std::max(1.0, std::round(per_sample)));
+    lay_out(simulation);
+    std::string all = kBodyColumns;
+    for (const std::string& name : reading_columns_) {
+      all += ',' + quoted(name);
+    }
+    for (const std::string& behavior : behaviors_) {
+      for (const char* name : kTraceNames) {
+        all += ',' + quoted("behavior[" + behavior + "]." + name);
+      }
+      if (with_times_) {
+        all += ',' + quoted("behavior[" + behavior + "].time_s");
+      }
+    }
+    out_ << all << '\n';
+    sample(simulation);
+  }
+
+  void step(const Simulation& simulation) {
+    if (simulation.steps() % every_ == 0) {
+      sample(simulation);
+    }
+  }
+
+  void end() {
+    out_.flush();
+    check("could not be written to its end");
+    out_.close();
+  }
+
+ private:
+  /// Where each robot's readings and behaviours go in a row.
+  struct Places {
+    std::vector<std::size_t> readings;   // of each number, sensors in order
+    std::vector<std::size_t> behaviors;  // of each member
+  };
+
+  static std::string quoted(const std::string& name) {
+    Line line;
+    line.text(name);
+    std::string text = line.take();
+    text.pop_back();
+    return text;
+  }
+
+  void lay_out(const Simulation& simulation) {
+    places_.clear();
+    reading_columns_.clear();
+    behaviors_.clear();
+    for (std::size_t r = 0; r < simulation.robots(); ++r) {
+      Places places;
+      for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
+        const SensorView sensor = simulation.sensor(r, s);
+        values_.clear();
+        sensor.sensor->list_values(values_);
+        for (const NamedValue& value : values_) {
+          places.readings.push_back(
+              place_of(reading_columns_, "sensor[" + std::string(sensor.id) + "]." + value.name));
+        }
+      }
+      for (const Member& member : simulation.robot(r).members) {
+        places.behaviors.push_back(place_of(behaviors_, std::string(member.name())));
+      }
+      places_.push_back(std::move(places));
+    }
+  }
+
+  void sample(const Simulation& simulation) {
+    for (std::size_t r = 0; r < simulation.robots(); ++r) {
+      const RobotView robot = simulation.robot(r);
+      line_.number(simulation.time_s());
+      line_.text(robot.description->id);
+      for (const double value :
+           {robot.state->pose.x, robot.state->pose.y, robot.state->pose.heading_rad,
+            robot.state->speed_m_s, robot.state->turn_rate_rad_s, robot.distance_m,
+            robot.state->energy, robot.command.left, robot.command.right}) {
+        line_.number(value);
+      }
+      write_readings(simulation, r);
+      write_trace(robot, places_[r]);
+      out_ << line_.take();
+    }
+    check("could not be written");
+  }
+
+  void write_readings(const Simulation& simulation, std::size_t r) {
+    values_.clear();
+    for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
+      simulation.sensor(r, s).sensor->list_values(values_);
+    }
+    row_.assign(reading_columns_.size(), nullptr);
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      row_[places_[r].readings[i]] = &values_[i];
+    }
+    for (const NamedValue* value : row_) {
+      value ? line_.number(value->value) : line_.empty();
+    }
+  }
+
+  void write_trace(const RobotView& robot, const Places& places) {
+    std::vector<const TraceRow*>& rows = trace_;
+    rows.assign(behaviors_.size(), nullptr);
+    for (std::size_t i = 0; i < robot.members.size(); ++i) {
+      rows[places.behaviors[i]] = &robot.members[i].trace;
+    }
+    for (const TraceRow* trace : rows) {
+      if (!trace) {
+        for (std::size_t i = 0; i < kTraceColumns + (with_times_ ? 1 : 0); ++i) {
+          line_.empty();
+        }
+        continue;
+      }
+      for (const double value :
+           {trace->asked ? 1.0 : 0.0, trace->command.left, trace->command.right, trace->activation,
+            trace->weight, trace->share}) {
+        line_.number(value);
+      }
+      trace->inhibited_by >= 0
+          ? line_.text(robot.members[static_cast<std::size_t>(trace->inhibited_by)].name())
+          : line_.empty();
+      line_.text(trace->reason);
+      if (with_times_) {
+        line_.number(trace->time_s);
+      }
+    }
+  }
+
+  void check(const char* what) const {
+    if (!out_) {
+      throw std::runtime_error("recording '" + file_.string() + "' " + what + ": " +
+                               std::generic_category().message(errno));
+    }
+  }
+
+  std::filesystem::path file_;
+  double rate_hz_;
+  bool with_times_;
+  std::ofstream out_;
+  std::uint64_t every_ = 1;
+  std::vector<std::string> reading_columns_;
+  std::vector<std::string> behaviors_;
+  std::vector<Places> places_;
+  std::vector<NamedValue> values_;
+  std::vector<const NamedValue*> row_;
+  std::vector<const TraceRow*> trace_;
+  Line line_;
+};
+
+CsvRecorder::CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times)
+    : impl_(std::make_unique<Impl>(file, rate_hz, with_times)) {}
+CsvRecorder::~CsvRecorder() = default;
+void CsvRecorder::started(const Simulation& simulation) { impl_->start(simulation); }
+void CsvRecorder::stepped(const Simulation& simulation) { impl_->step(simulation); }
+void CsvRecorder::ended(const Simulation&) { impl_->end(); }
+
+}  // namespace elsie::simulation

@@ -1,0 +1,403 @@
+#include "elsie/simulation/simulation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "elsie/physics/engine.h"
+
+#include "box_path.h"
+#include "goals.h"
+#include "robot.h"
+
+namespace elsie::simulation {
+namespace {
+
+/// Bodies that touch again within this time are still the same collision.
+constexpr double kSameCollision = 0.2;  // s
+
+/// A charger that range sensors are to see stands there as a box.
+constexpr double kChargerEdge = 0.1;  // m
+
+/// FNV-1a, as physics::Engine::hash_state() continues it.
+std::uint64_t hash_of(std::uint64_t hash, double value) {
+  std::uint64_t bits = 0;
+  static_assert(sizeof(bits) == sizeof(value));
+  __builtin_memcpy(&bits, &value, sizeof(bits));
+  for (int shift = 0; shift < 64; shift += 8) {
+    hash = (hash ^ ((bits >> shift) & 0xff)) * 0x100000001b3ULL;
+  }
+  return hash;
+}
+
+}  // namespace
+
+const char* to_string(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::success:
+      return "success";
+    case Outcome::failure:
+      return "failure";
+    case Outcome::time_limit:
+      return "time_limit";
+    case Outcome::running:
+      break;
+  }
+  return "running";
+}
+
+class Simulation::Impl {
+ public:
+  Impl(world::World world, const plugin::Host& host, const Options& options)
+      : world_(std::move(world)), seed_(options.seed) {
+    for (const world::Robot& robot : world_.robots) {
+      robots_.push_back(std::make_unique<Robot>(robot, host, options.measure_time));
+    }
+    for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
+      if (world_.boxes[i].kind == world::BoxKind::moving) {
+        moving_.push_back({i, BoxPath(world_.boxes[i])});
+      }
+    }
+  }
+
+  void reset(std::uint64_t seed) {
+    seed_ = seed;
+    // A new engine: ODE keeps nothing from the last run then.
+    engine_ = physics::make_ode_engine(world_.arena, world_.physics);
+    for (const world::Box& box : world_.boxes) {
+      engine_->add_box(box);
+    }
+    for (const world::Charger& charger : world_.chargers) {
+      if (charger.seen_by_range_sensors) {
+        world::Box box;
+        box.x = charger.x;
+        box.y = charger.y;
+        box.length = box.width = box.height = kChargerEdge;
+        engine_->add_box(box);
+      }
+    }
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      const world::Robot& d = world_.robots[i];
+      engine_->add_robot(d.body, {d.x, d.y, wrap_angle(radians(d.heading_deg))}, d.z);
+      robots_[i]->reset(seed);
+      robots_[i]->set_body(engine_->robot(i));
+    }
+    steps_ = 0;
+    wall_s_ = 0.0;
+    verdict_ = {};
+    last_touch_.clear();
+    events_.clear();
+  }
+
+  void step(const Simulation& self) {
+    const double h = world_.physics.step;
+    const auto control_steps = static_cast<std::uint64_t>(world_.physics.control_steps);
+    if (steps_ % control_steps == 0) {
+      control(h * static_cast<double>(control_steps));
+    }
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      engine_->set_wheel_rates(i, robots_[i]->command());
+    }
+    drive_boxes();
+    engine_->step();
+    ++steps_;
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      robots_[i]->moved(engine_->robot(i));
+    }
+    handle_touches();
+    for (const auto& robot : robots_) {
+      robot->take_log(time_s(), events_);
+    }
+    if (verdict_.outcome == Outcome::running) {
+      verdict_ = judge(self);
+    }
+  }
+
+  void stop(Outcome outcome, std::string reason) { verdict_ = {outcome, std::move(reason)}; }
+
+  double time_s() const { return static_cast<double>(steps_) * world_.physics.step; }
+
+  std::uint64_t state_hash() const {
+    std::uint64_t hash = engine_->hash_state();
+    for (const auto& robot : robots_) {
+      hash = hash_of(hash, robot->state().energy);
+    }
+    return hash;
+  }
+
+  std::optional<Pose> box(std::size_t index) const {
+    if (!engine_->has_box(index)) {
+      return std::nullopt;
+    }
+    const Frame frame = engine_->box(index);
+    return Pose{frame.origin.x, frame.origin.y, std::atan2(frame.forward.y, frame.forward.x)};
+  }
+
+  world::World world_;
+  std::uint64_t seed_;
+  std::vector<std::unique_ptr<Robot>> robots_;
+  std::uint64_t steps_ = 0;
+  double wall_s_ = 0.0;
+  Verdict verdict_;
+  std::vector<EventRecord> events_;
+
+ private:
+  /// The world as one robot's sensors may ask it.
+  class Carrier final : public Surroundings {
+   public:
+    Carrier(const Impl& simulation, std::size_t robot) : simulation_(simulation), robot_(robot) {}
+
+    std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
+                                   double max_range_m) const override {
+      const auto hit = simulation_.engine_->cast_ray(origin, direction, max_range_m, robot_);
+      return hit ? std::optional(hit->distance) : std::nullopt;
+    }
+    bool anything_in(const Pyramid& pyramid) const override {
+      return simulation_.engine_->anything_in(pyramid, robot_);
+    }
+    Pose pose() const override { return simulation_.robots_[robot_]->state().pose; }
+    std::optional<TeamMate> nearest_robot(double radius_m) const override {
+      std::optional<TeamMate> nearest;
+      for (std::size_t i = 0; i < simulation_.robots_.size(); ++i) {
+        if (i == robot_) {
+          continue;
+        }
+        const TeamMate other = simulation_.seen_from(robot_, i);
+        if (other.distance_m <= radius_m && (!nearest || other.distance_m < nearest->distance_m)) {
+          nearest = other;
+        }
+      }
+      return nearest;
+    }
+
+   private:
+    const Impl& simulation_;
+    std::size_t robot_;
+  };
+
+  struct MovingBox {
+    std::size_t index;
+    BoxPath path;
+  };
+
+  TeamMate seen_from(std::size_t observer, std::size_t other) const {
+    const Pose& from = robots_[observer]->state().pose;
+    const OwnState& state = robots_[other]->state();
+    return {state.id, state.pose, distance(from, state.pose),
+            bearing(from, state.pose.x, state.pose.y), state.is_leader};
+  }
+
+  /// Sense and decide, all robots from the same instant.
+  void control(double period_s) {
+    const Instant now{time_s(), period_s, steps_};
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      robots_[i]->sense(Carrier(*this, i), now);
+      update_team(i);
+    }
+    for (const auto& robot : robots_) {
+      robot->decide(now);
+    }
+    for (const auto& robot : robots_) {
+      robot->use_energy(period_s, charger_rate(*robot));
+    }
+  }
+
+  void update_team(std::size_t index) {
+    Robot& robot = *robots_[index];
+    const Pose& pose = robot.state().pose;
+    const double reach = robot.state().coverage_m;
+    robot.mates().clear();
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      const Pose& other = robots_[i]->state().pose;
+      // The rough test first: most robots are out of reach.
+      if (i != index && std::abs(other.x - pose.x) <= reach &&
+          std::abs(other.y - pose.y) <= reach && robots_[i]->team().name == robot.team().name &&
+          distance(pose, other) <= reach) {
+        robot.mates().push_back(seen_from(index, i));
+      }
+    }
+    robot.team().charger.reset();
+    double nearest = 0.0;
+    for (const world::Charger& charger : world_.chargers) {
+      const double away = std::hypot(charger.x - pose.x, charger.y - pose.y);
+      if (serves(charger, robot) && (!robot.team().charger || away < nearest)) {
+        robot.team().charger = Vector2{charger.x, charger.y};
+        nearest = away;
+      }
+    }
+  }
+
+  static bool serves(const world::Charger& charger, const Robot& robot) {
+    return charger.team.empty() || charger.team == robot.description().team;
+  }
+
+  double charger_rate(const Robot& robot) const {
+    const Pose& pose = robot.state().pose;
+    for (const world::Charger& charger : world_.chargers) {
+      if (serves(charger, robot) &&
+          std::hypot(charger.x - pose.x, charger.y - pose.y) <= charger.radius) {
+        return charger.rate;
+      }
+    }
+    return 0.0;
+  }
+
+  void drive_boxes() {
+    const double h = world_.physics.step;
+    for (const MovingBox& box : moving_) {
+      const Vector2 from = box.path.position(time_s());
+      const Vector2 to = box.path.position(time_s() + h);
+      engine_->drive_box(box.index, from, {(to.x - from.x) / h, (to.y - from.y) / h});
+    }
+  }
+
+  void handle_touches() {
+    for (const physics::Touch& touch : engine_->touches()) {
+      if (touch.a.kind == physics::BodyKind::robot) {
+        if (!collects(touch)) {
+          collide(touch);
+        }
+      }
+    }
+  }
+
+  /// Whether the touch is a robot's with a resource that it may take; then it does.
+  bool collects(const physics::Touch& touch) {
+    if (touch.b.kind != physics::BodyKind::box || touch.b.index >= world_.boxes.size()) {
+      return false;
+    }
+    const world::Box& box = world_.boxes[touch.b.index];
+    Robot& robot = *robots_[touch.a.index];
+    if (box.kind != world::BoxKind::resource ||
+        !(box.team.empty() || box.team == robot.description().team)) {
+      return false;
+    }
+    if (engine_->has_box(touch.b.index)) {  // else another robot took it in the same step
+      engine_->remove_box(touch.b.index);
+      robot.collect(box.energy);
+      robot.raise("collected", box.id);
+    }
+    return true;
+  }
+
+  void collide(const physics::Touch& touch) {
+    const auto [entry, is_new] = last_touch_.try_emplace({touch.a, touch.b}, time_s());
+    if (is_new || time_s() - entry->second > kSameCollision) {
+      robots_[touch.a.index]->count_collision();
+      robots_[touch.a.index]->raise("collision", name_of(touch.b));
+      if (touch.b.kind == physics::BodyKind::robot) {
+        robots_[touch.b.index]->count_collision();
+        robots_[touch.b.index]->raise("collision", name_of(touch.a));
+      }
+    }
+    entry->second = time_s();
+  }
+
+  std::string name_of(const physics::Body& body) const {
+    switch (body.kind) {
+      case physics::BodyKind::robot:
+        return world_.robots[body.index].id;
+      case physics::BodyKind::box:
+        return body.index < world_.boxes.size() ? world_.boxes[body.index].id : "charger";
+      case physics::BodyKind::wall:
+        break;
+    }
+    return "wall";
+  }
+
+  std::unique_ptr<physics::Engine> engine_;
+  std::vector<MovingBox> moving_;
+  std::map<std::pair<physics::Body, physics::Body>, double> last_touch_;
+};
+
+Simulation::Simulation(world::World world, const plugin::Host& host, const Options& options)
+    : impl_(std::make_unique<Impl>(std::move(world), host, options)) {
+  impl_->reset(options.seed);
+}
+
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation::~Simulation() = default;
+
+void Simulation::reset(std::optional<std::uint64_t> seed) {
+  impl_->reset(seed.value_or(impl_->seed_));
+}
+
+void Simulation::step() { impl_->step(*this); }
+
+RunResult Simulation::run(std::span<Observer* const> observers) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const auto wall = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  for (Observer* observer : observers) {
+    observer->started(*this);
+  }
+  const auto end = [&] {
+    impl_->wall_s_ = wall();
+    for (Observer* observer : observers) {
+      observer->ended(*this);
+    }
+  };
+  try {
+    while (outcome() == Outcome::running) {
+      step();
+      for (Observer* observer : observers) {
+        observer->stepped(*this);
+      }
+      const auto& limit = world().limits.wall_time;
+      if (limit && wall() >= *limit && outcome() == Outcome::running) {
+        impl_->stop(Outcome::time_limit, "the limit of time on the clock was met");
+      }
+    }
+  } catch (const PluginFault&) {
+    end();
+    throw;
+  }
+  end();
+  return result();
+}
+
+RunResult Simulation::result() const {
+  RunResult result;
+  result.outcome = outcome();
+  result.reason = impl_->verdict_.reason;
+  result.seed = impl_->seed_;
+  result.simulated_s = time_s();
+  result.wall_s = impl_->wall_s_;
+  result.steps = steps();
+  result.state_hash = state_hash();
+  for (const auto& robot : impl_->robots_) {
+    result.robots.push_back({robot->description().id, robot->description().team,
+                             robot->distance_m(), robot->collected(), robot->state().energy,
+                             robot->state().pose, robot->collisions()});
+  }
+  result.events = impl_->events_;
+  return result;
+}
+
+const world::World& Simulation::world() const { return impl_->world_; }
+double Simulation::time_s() const { return impl_->time_s(); }
+std::uint64_t Simulation::steps() const { return impl_->steps_; }
+Outcome Simulation::outcome() const { return impl_->verdict_.outcome; }
+std::uint64_t Simulation::state_hash() const { return impl_->state_hash(); }
+std::span<const EventRecord> Simulation::events() const { return impl_->events_; }
+
+std::size_t Simulation::robots() const { return impl_->robots_.size(); }
+RobotView Simulation::robot(std::size_t index) const {
+  const Robot& robot = *impl_->robots_[index];
+  return {&robot.description(), &robot.state(),     robot.command(), robot.members(),
+          robot.distance_m(),   robot.collisions(), robot.empty()};
+}
+std::size_t Simulation::sensors(std::size_t robot) const {
+  return impl_->robots_[robot]->sensor_count();
+}
+SensorView Simulation::sensor(std::size_t robot, std::size_t index) const {
+  return impl_->robots_[robot]->sensor(index);
+}
+Frame Simulation::sensor_frame(std::size_t robot, std::size_t index) const {
+  return impl_->robots_[robot]->sensor_frame(index);
+}
+std::optional<Pose> Simulation::box(std::size_t index) const { return impl_->box(index); }
+
+}  // namespace elsie::simulation

@@ -1,0 +1,44 @@
+// A single beam: a laser, or a sonar so narrow that it counts as one.
+#include <algorithm>
+
+#include <elsie/api/sensor.h>
+
+namespace {
+
+class BeamRange final : public elsie::SensorOf<elsie::RangeReading> {
+ public:
+  double max_range = 1.0;
+  double error = 0.0;
+  double error_m = 0.0;
+
+  elsie::RangeReading sense(const elsie::SensorContext& now) override {
+    const auto surface = now.world->cast_ray(now.frame.origin, now.frame.forward, max_range);
+    if (!surface) {
+      return {max_range, max_range, false};
+    }
+    double measured = *surface;
+    if (error > 0.0) {
+      measured += now.random->normal(0.0, error * *surface);
+    }
+    if (error_m > 0.0) {
+      measured += now.random->normal(0.0, error_m);
+    }
+    return {std::clamp(measured, 0.0, max_range), max_range, true};
+  }
+};
+
+}  // namespace
+
+ELSIE_SENSOR(
+    BeamRange, "beam_range", "Measures the distance to the nearest surface along a ray",
+    elsie::parameter("max_range", &BeamRange::max_range,
+                     {.unit = "m", .above = 0, .meaning = "reads this when nothing is nearer"}),
+    elsie::parameter("error", &BeamRange::error,
+                     {.min = 0,
+                      .max = 1,
+                      .meaning = "standard deviation of the noise, as a fraction of the distance"}),
+    elsie::parameter(
+        "error_m", &BeamRange::error_m,
+        {.unit = "m",
+         .min = 0,
+         .meaning = "standard deviation of noise that does not depend on the distance"}));
