@@ -28,6 +28,12 @@ struct RangeReading {
   double distance_m = 0.0;  // max_range_m when nothing was hit
   double max_range_m = 0.0;
   bool hit = false;  // whether there was a surface within range
+
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("distance_m", distance_m);
+    visitor("hit", hit);
+  }
 };
 
 /// Whether anything is inside a volume.

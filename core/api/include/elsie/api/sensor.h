@@ -85,12 +85,17 @@ class SensorOf : public Sensor {
     const auto add = [&values](const char* name, auto value) {
       values.push_back({name, static_cast<double>(value)});
     };
-    if constexpr (requires { reading_.visit(add); }) {
+    if constexpr (kVisitable) {
       reading_.visit(add);
     }
   }
 
  private:
+  static constexpr bool kVisitable =
+      requires(const Reading& reading, void (*visitor)(const char*, double)) {
+    reading.visit(visitor);
+  };
+
   Reading reading_{};
 };
 
