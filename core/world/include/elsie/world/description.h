@@ -41,7 +41,8 @@ struct Physics {
   /// erp = h kp / (h kp + kd), cfm = 1 / (h kp + kd) (ODE manual, "Spring and damper constants").
   std::optional<double> kp;
   std::optional<double> kd;
-  double friction = 1.0;     // Coulomb coefficient of contacts between bodies and with the floor
+  double friction = 0.3;     // Coulomb coefficient of contacts between bodies and with the floor;
+                             // tyres hold three times as well
   double wheel_slip = 1e-3;  // force-dependent slip of a wheel on the floor, m/s per N
   double bounce = 0.0;       // restitution, in [0, 1]
 

@@ -1,0 +1,39 @@
+#include "grid.h"
+
+#include <algorithm>
+
+namespace elsie::physics {
+namespace {
+
+// A few robots wide: a ray of a metre crosses few cells, and a cell holds few bodies.
+constexpr double kCellSize = 0.4;        // m
+constexpr double kMostCellsASide = 200;  // then the cells grow
+
+}  // namespace
+
+Grid::Grid(double length, double width)
+    : cell_size_(std::max(kCellSize, std::max(length, width) / kMostCellsASide)),
+      per_cell_(1.0 / cell_size_),
+      left_(-0.5 * length),
+      bottom_(-0.5 * width),
+      columns_(std::max(1, static_cast<int>(std::ceil(length / cell_size_)))),
+      rows_(std::max(1, static_cast<int>(std::ceil(width / cell_size_)))),
+      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+
+void Grid::insert(Id id, const Block& block) {
+  for (int y = block.y0; y <= block.y1; ++y) {
+    for (int x = block.x0; x <= block.x1; ++x) {
+      cells_[static_cast<std::size_t>(y * columns_ + x)].push_back(id);
+    }
+  }
+}
+
+void Grid::erase(Id id, const Block& block) {
+  for (int y = block.y0; y <= block.y1; ++y) {
+    for (int x = block.x0; x <= block.x1; ++x) {
+      std::erase(cells_[static_cast<std::size_t>(y * columns_ + x)], id);
+    }
+  }
+}
+
+}  // namespace elsie::physics

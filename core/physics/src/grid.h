@@ -1,0 +1,63 @@
+// A uniform grid over the floor that keeps, for each of its cells, who is there.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shapes.h"
+
+namespace elsie::physics {
+
+/// Cells at the border reach out to infinity, so that whoever leaves the arena is still found.
+class Grid {
+ public:
+  using Id = std::uint32_t;
+
+  /// A block of cells, bounds included.
+  struct Block {
+    int x0 = 0, y0 = 0, x1 = -1, y1 = -1;
+
+    friend bool operator==(const Block&, const Block&) = default;
+  };
+
+  /// Over the rectangle of this size in m around the origin.
+  Grid(double length, double width);
+
+  Block block(const Aabb& bounds) const {
+    return {column(bounds.lower.x), row(bounds.lower.y), column(bounds.upper.x),
+            row(bounds.upper.y)};
+  }
+  void insert(Id id, const Block& block);
+  void erase(Id id, const Block& block);
+
+  std::span<const Id> cell(int x, int y) const {
+    return cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(x)];
+  }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  int column(double x) const { return clamped((x - left_) * per_cell_, columns_); }
+  int row(double y) const { return clamped((y - bottom_) * per_cell_, rows_); }
+  /// The x (y) of the border between column (row) i - 1 and i.
+  double column_border(int i) const { return left_ + i * cell_size_; }
+  double row_border(int i) const { return bottom_ + i * cell_size_; }
+
+ private:
+  static int clamped(double place, int count) {
+    // In this order a place that is not a number lands in the first cell.
+    if (!(place > 0.0)) return 0;
+    return place < count ? static_cast<int>(place) : count - 1;
+  }
+
+  double cell_size_;
+  double per_cell_;
+  double left_;
+  double bottom_;
+  int columns_;
+  int rows_;
+  std::vector<std::vector<Id>> cells_;
+};
+
+}  // namespace elsie::physics

@@ -1,0 +1,133 @@
+#include "ode_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace elsie::physics {
+namespace {
+
+// Rubber tyres hold better than chassis and boxes glide, or else no robot could push a box of its
+// own weight.
+constexpr double kTyreGrip = 3.0;
+
+// Two contacts more than needed to carry a body share its weight by their softness.
+constexpr double kLeastCfm = 1e-10;
+
+// ODE's solver gives up where two contacts of the same body reach their limits at the same instant,
+// as they do on anything symmetrical. So no two contacts that follow each other are quite equal.
+constexpr int kTies = 7;
+
+}  // namespace
+
+OdeContacts::OdeContacts(dWorldID world, const world::Physics& physics)
+    : world_(world),
+      group_(dJointGroupCreate(0)),
+      step_(physics.step),
+      cfm_(std::max(physics.effective_cfm(), kLeastCfm)),
+      gravity_(std::abs(physics.gravity)),
+      friction_(physics.friction),
+      tyre_friction_(kTyreGrip * physics.friction),
+      slip_(physics.wheel_slip),
+      bounce_(physics.bounce),
+      bounce_threshold_(2.0 * gravity_ * step_) {}
+
+double OdeContacts::margin(double speed) const {
+  // What is to bounce must hit first.
+  if (bounce_ > 0.0 && speed > bounce_threshold_) return 0.0;
+  return kSlack + (std::max(0.0, speed) + gravity_ * step_) * step_;
+}
+
+void OdeContacts::clear(double softer) {
+  dJointGroupEmpty(group_.get());
+  softer_ = softer;
+  made_ = 0;
+}
+
+void OdeContacts::attach(dBodyID a, dBodyID b, dContact& contact, double gap) {
+  dSurfaceParameters& surface = contact.surface;
+  const double unequal = made_++ % kTies;
+  surface.mode |= dContactApprox1 | dContactSoftCFM;
+  surface.soft_cfm = softer_ * cfm_ * (1.0 + 1e-3 * unequal);
+  surface.mu *= 1.0 + 1e-6 * unequal;
+  contact.geom.depth = std::max(0.0, -gap);
+  if (gap > 0.0) {
+    surface.mode |= dContactMotionN;
+    surface.motionN = -gap / step_;
+  } else if (bounce_ > 0.0) {
+    surface.mode |= dContactBounce;
+    surface.bounce = bounce_;
+    surface.bounce_vel = bounce_threshold_;
+  }
+  dJointAttach(dJointCreateContact(world_, group_.get(), &contact), a, b);
+}
+
+dContact OdeContacts::on_floor(const Vector3& point, double friction) const {
+  dContact contact{};
+  contact.surface.mu = friction;
+  contact.geom.pos[0] = point.x;
+  contact.geom.pos[1] = point.y;
+  contact.geom.pos[2] = point.z;
+  contact.geom.normal[2] = 1.0;
+  return contact;
+}
+
+void OdeContacts::wheel_on_floor(dBodyID wheel, const Vector3& lowest, const Vector3& rolling) {
+  dContact contact = on_floor(lowest, tyre_friction_);
+  contact.surface.mode = dContactFDir1 | dContactSlip1 | dContactSlip2;
+  contact.surface.slip1 = slip_;
+  contact.surface.slip2 = slip_;
+  contact.fdir1[0] = rolling.x;
+  contact.fdir1[1] = rolling.y;
+  attach(wheel, nullptr, contact, lowest.z);
+}
+
+void OdeContacts::caster_on_floor(dBodyID caster, const Vector3& lowest) {
+  dContact contact = on_floor(lowest, 0.0);
+  attach(caster, nullptr, contact, lowest.z);
+}
+
+void OdeContacts::box_on_floor(dBodyID body, const OrientedBox& box) {
+  const auto& [a, b, c] = box.axes;
+  const Vector3 &half = box.half, w = to_vector(dBodyGetAngularVel(body));
+  // As fast as any corner can sink.
+  const double size = half.x + half.y + half.z;
+  const double sinking = -dBodyGetLinearVel(body)[2] + size * (std::abs(w.x) + std::abs(w.y));
+  const double reach = margin(sinking);
+  const double lowest =
+      box.center.z - std::abs(a.z) * half.x - std::abs(b.z) * half.y - std::abs(c.z) * half.z;
+  if (lowest > reach) return;
+  // Of a flat box the upper corners come near the floor as well, but never first.
+  const double highest = std::min(reach, box.center.z);
+  for (const double x : {-half.x, half.x}) {
+    for (const double y : {-half.y, half.y}) {
+      for (const double z : {-half.z, half.z}) {
+        const Vector3 corner = box.center + x * a + y * b + z * c;
+        if (corner.z > highest) continue;
+        dContact contact = on_floor(corner, friction_);
+        attach(body, nullptr, contact, corner.z);
+      }
+    }
+  }
+}
+
+void OdeContacts::between(dBodyID a, dBodyID b, const Vector3& point, const Vector3& normal,
+                          double gap) {
+  dContact contact{};
+  contact.surface.mu = friction_;
+  contact.geom.pos[0] = point.x;
+  contact.geom.pos[1] = point.y;
+  contact.geom.pos[2] = point.z;
+  contact.geom.normal[0] = normal.x;
+  contact.geom.normal[1] = normal.y;
+  contact.geom.normal[2] = normal.z;
+  attach(a, b, contact, gap);
+}
+
+void OdeContacts::between(dBodyID a, dBodyID b, const dContactGeom& found) {
+  dContact contact{};
+  contact.surface.mu = friction_;
+  contact.geom = found;
+  attach(a, b, contact, -found.depth);
+}
+
+}  // namespace elsie::physics

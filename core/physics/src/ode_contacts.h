@@ -1,0 +1,58 @@
+// Contact joints of one step.
+#pragma once
+
+#include "elsie/api/geometry.h"
+#include "elsie/world/description.h"
+
+#include "ode_handles.h"
+#include "shapes.h"
+
+namespace elsie::physics {
+
+/// Makes contact joints that live for one step.
+///
+/// A contact may be made while there is still a gap. It then only forbids the bodies to come closer
+/// in this step than to the surface: what rests on the floor does not lose touch with it and fall
+/// back for a step, and what comes fast stops at a wall instead of in it.
+class OdeContacts {
+ public:
+  OdeContacts(dWorldID world, const world::Physics& physics);
+
+  /// Up to which gap, in m, a body that comes nearer at `speed` m/s needs a contact.
+  double margin(double speed) const;
+
+  /// A wheel on the floor; `rolling` is the horizontal unit vector along which it rolls.
+  void wheel_on_floor(dBodyID wheel, const Vector3& lowest, const Vector3& rolling);
+  /// A sphere that glides on the floor without friction.
+  void caster_on_floor(dBodyID caster, const Vector3& lowest);
+  /// The corners of a box that are on the floor or about to reach it.
+  void box_on_floor(dBodyID body, const OrientedBox& box);
+  /// Two bodies, of which `b` may be null for one that stands fast. `normal` points from b into a.
+  void between(dBodyID a, dBodyID b, const Vector3& point, const Vector3& normal, double gap);
+  /// The same as found by one of ODE's colliders.
+  void between(dBodyID a, dBodyID b, const dContactGeom& found);
+
+  /// Forgets the contacts of the step. Those made from now on are `softer` times as soft.
+  void clear(double softer = 1.0);
+
+ private:
+  static constexpr double kSlack = 1e-4;  // m
+
+  void attach(dBodyID a, dBodyID b, dContact& contact, double gap);
+  dContact on_floor(const Vector3& point, double friction) const;
+
+  dWorldID world_;
+  OdeJointGroup group_;
+  double step_;
+  double cfm_;
+  double softer_ = 1.0;
+  int made_ = 0;  // since the last clear()
+  double gravity_;
+  double friction_;
+  double tyre_friction_;
+  double slip_;
+  double bounce_;
+  double bounce_threshold_;  // m/s: what rests shall not hop
+};
+
+}  // namespace elsie::physics

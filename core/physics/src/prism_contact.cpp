@@ -1,0 +1,98 @@
+#include "prism_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace elsie::physics {
+namespace {
+
+// A face of b must be better by this much than one of a to be taken, so that rounding does not make
+// the contact jump between them.
+constexpr double kPreference = 1e-7;  // m
+
+double dot(const Vector2& a, const Vector2& b) { return a.x * b.x + a.y * b.y; }
+Vector2 left_of(const Vector2& v) { return {-v.y, v.x}; }
+
+struct Face {
+  double gap = 0.0;
+  Vector2 normal;         // outward
+  double distance = 0.0;  // of the face from the middle
+  double half_edge = 0.0;
+};
+
+double reach_along(const Rectangle& r, const Vector2& axis) {
+  return r.half_length * std::abs(dot(r.along, axis)) +
+         r.half_width * std::abs(dot(left_of(r.along), axis));
+}
+
+/// The face of `r` that separates it best from `other`.
+Face best_face(const Rectangle& r, const Rectangle& other) {
+  const Vector2 between{other.center.x - r.center.x, other.center.y - r.center.y};
+  const auto face = [&](const Vector2& axis, double distance, double half_edge) {
+    const double side = dot(between, axis) < 0.0 ? -1.0 : 1.0;
+    return Face{std::abs(dot(between, axis)) - distance - reach_along(other, axis),
+                {side * axis.x, side * axis.y},
+                distance,
+                half_edge};
+  };
+  const Face front = face(r.along, r.half_length, r.half_width);
+  const Face flank = face(left_of(r.along), r.half_width, r.half_length);
+  return flank.gap > front.gap ? flank : front;
+}
+
+}  // namespace
+
+PlanarManifold meet(const Rectangle& a, const Rectangle& b, double margin) {
+  const Face of_a = best_face(a, b);
+  if (of_a.gap > margin) return {};
+  const Face of_b = best_face(b, a);
+  if (of_b.gap > margin) return {};
+  const bool face_of_b = of_b.gap > of_a.gap + kPreference;
+  const Face& face = face_of_b ? of_b : of_a;
+  const Rectangle& standing = face_of_b ? b : a;
+  const Rectangle& coming = face_of_b ? a : b;
+
+  // The edge of the other one that faces this face most.
+  const Vector2 side = left_of(coming.along);
+  const double to_front = dot(coming.along, face.normal), to_side = dot(side, face.normal);
+  const bool by_front = std::abs(to_front) > std::abs(to_side);
+  const Vector2 out = by_front ? coming.along : side;
+  const double out_by = (by_front ? coming.half_length : coming.half_width) *
+                        ((by_front ? to_front : to_side) > 0.0 ? -1.0 : 1.0);
+  const Vector2 edge = by_front ? side : coming.along;
+  const double half_edge = by_front ? coming.half_width : coming.half_length;
+  const Vector2 middle{coming.center.x - standing.center.x + out_by * out.x,
+                       coming.center.y - standing.center.y + out_by * out.y};
+
+  // Both as functions of the place s in [-half_edge, half_edge] on that edge; keep the part that
+  // lies in front of the face.
+  const Vector2 tangent = left_of(face.normal);
+  const double place = dot(middle, tangent), per_s = dot(edge, tangent);
+  double from = -half_edge, to = half_edge;
+  if (per_s != 0.0) {
+    const double s0 = (-face.half_edge - place) / per_s, s1 = (face.half_edge - place) / per_s;
+    from = std::max(from, std::min(s0, s1));
+    to = std::min(to, std::max(s0, s1));
+  } else if (std::abs(place) > face.half_edge) {
+    return {};
+  }
+  if (from > to) return {};
+
+  PlanarManifold manifold;
+  const double sign = face_of_b ? 1.0 : -1.0;
+  manifold.normal = {sign * face.normal.x, sign * face.normal.y};
+  const auto add = [&](double s) {
+    const Vector2 point{middle.x + s * edge.x, middle.y + s * edge.y};
+    const double gap = dot(point, face.normal) - face.distance;
+    if (gap > margin) return;
+    manifold.points[static_cast<std::size_t>(manifold.count++)] = {
+        {standing.center.x + point.x - 0.5 * gap * face.normal.x,
+         standing.center.y + point.y - 0.5 * gap * face.normal.y},
+        gap};
+  };
+  add(from);
+  if (to - from > 1e-6) add(to);
+  return manifold;
+}
+
+}  // namespace elsie::physics

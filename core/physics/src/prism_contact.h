@@ -1,0 +1,39 @@
+// Where two upright prisms meet, gaps included.
+//
+// Nearly everything in a world stands upright: walls, boxes, the chassis and wheels of a robot. Two
+// of these meet in the plane. Unlike a collider for boxes in space this one also tells of bodies
+// that are still a gap apart, so that they can be stopped at the surface instead of behind it, and
+// never mistakes the top of a low box for its side.
+#pragma once
+
+#include <array>
+
+#include "shapes.h"
+
+namespace elsie::physics {
+
+/// A rectangle seen from above.
+struct Rectangle {
+  Vector2 center;
+  Vector2 along;  // unit vector; the other edge is at its left
+  double half_length = 0.0;
+  double half_width = 0.0;
+};
+
+struct PlanarContact {
+  Vector2 point;
+  double gap = 0.0;  // m, negative where they overlap
+};
+
+/// Up to two points at which rectangles meet.
+struct PlanarManifold {
+  Vector2 normal;  // unit vector, from b into a
+  std::array<PlanarContact, 2> points;
+  int count = 0;
+};
+
+/// Points of contact with a gap of at most `margin` m (separating axes, then clipping of the facing
+/// edges).
+PlanarManifold meet(const Rectangle& a, const Rectangle& b, double margin);
+
+}  // namespace elsie::physics

@@ -1,0 +1,31 @@
+// Whether a body reaches into the volume of a proximity sensor.
+#pragma once
+
+#include <array>
+
+#include "elsie/api/sensor.h"
+
+#include "shapes.h"
+
+namespace elsie::physics {
+
+/// A sensor's pyramid ready to be tested against many boxes: the sensor's base point and the four
+/// corner points of its far face, which lies at distance `range_m` along the axis.
+class PyramidTest {
+ public:
+  explicit PyramidTest(const Pyramid& pyramid);
+
+  const Aabb& bounds() const { return bounds_; }
+  /// Exact test by separating axes (Gottschalk, Lin and Manocha 1996). Touching counts.
+  bool meets(const OrientedBox& box) const;
+
+ private:
+  bool separated_along(const Vector3& axis, const OrientedBox& box) const;
+
+  std::array<Vector3, 5> points_;
+  std::array<Vector3, 5> normals_;
+  std::array<Vector3, 6> edges_;
+  Aabb bounds_;
+};
+
+}  // namespace elsie::physics

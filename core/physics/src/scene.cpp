@@ -1,0 +1,167 @@
+#include "scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pyramid_test.h"
+#include "ray_tests.h"
+
+namespace elsie::physics {
+namespace {
+
+constexpr double kHair = 1e-9;  // m
+
+double distance_to_robot(const Ray& ray, const OrientedBox& chassis,
+                         const std::array<Cylinder, 2>& wheels, double wheels_top) {
+  double nearest = distance_to_box(ray, chassis);
+  // Most beams are level and above the wheels.
+  if (ray.direction.z < 0.0 || ray.origin.z <= wheels_top) {
+    for (const Cylinder& wheel : wheels) {
+      nearest = std::min(nearest, distance_to_cylinder(ray, wheel));
+    }
+  }
+  return nearest;
+}
+
+OrientedBox box_around(const Cylinder& wheel, const OrientedBox& chassis) {
+  return {wheel.center, chassis.axes, {wheel.radius, wheel.half_length, wheel.radius}};
+}
+
+}  // namespace
+
+Scene::Scene(const world::Arena& arena) : grid_(arena.length, arena.width) {}
+
+Scene::Id Scene::add(Body body, bool sensed) {
+  Entry entry;
+  entry.body = body;
+  entry.sensed = sensed;
+  entry.is_robot = body.kind == BodyKind::robot;
+  entries_.push_back(entry);
+  return static_cast<Id>(entries_.size() - 1);
+}
+
+void Scene::place(Id id, const Aabb& bounds, double reach) {
+  Entry& entry = entries_[id];
+  entry.bounds = bounds.grown(kHair);
+  entry.reach = reach;
+  const Grid::Block block = grid_.block(entry.bounds.grown(reach));
+  if (entry.placed && block == entry.block) return;
+  if (entry.placed) grid_.erase(id, entry.block);
+  grid_.insert(id, block);
+  entry.block = block;
+  entry.placed = true;
+}
+
+void Scene::place_box(Id id, const OrientedBox& box, double reach) {
+  entries_[id].box = box;
+  place(id, bounds(box), reach);
+}
+
+void Scene::place_robot(Id id, const OrientedBox& sensed, const std::array<Cylinder, 2>& wheels,
+                        const OrientedBox& enclosing, double reach) {
+  Entry& entry = entries_[id];
+  entry.box = sensed;
+  entry.wheels = wheels;
+  entry.wheels_top = std::max(wheels[0].center.z + wheels[0].radius + wheels[0].half_length,
+                              wheels[1].center.z + wheels[1].radius + wheels[1].half_length);
+  place(id, bounds(enclosing), reach);
+}
+
+void Scene::remove(Id id) {
+  Entry& entry = entries_[id];
+  if (entry.placed) grid_.erase(id, entry.block);
+  entry.placed = false;
+}
+
+void Scene::neighbors(Id id, std::vector<Id>& found) const {
+  found.clear();
+  const Entry& self = entries_[id];
+  for (int y = self.block.y0; y <= self.block.y1; ++y) {
+    for (int x = self.block.x0; x <= self.block.x1; ++x) {
+      for (const Id other : grid_.cell(x, y)) {
+        const Entry& entry = entries_[other];
+        if (other != id && entry.bounds.overlaps(self.bounds, self.reach + entry.reach)) {
+          found.push_back(other);
+        }
+      }
+    }
+  }
+  if (found.size() < 2) return;
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+}
+
+std::optional<RayHit> Scene::cast_ray(const Vector3& origin, const Vector3& direction,
+                                      double max_range, std::size_t except) const {
+  if (!std::isfinite(dot(origin, origin) + dot(direction, direction))) return std::nullopt;
+  const Ray ray(origin, direction);
+  RayHit best;
+  best.distance = max_range;
+  bool found = false;
+  if (direction.z < 0.0) {
+    // The floor is seen from above; from below it, at once.
+    const double distance = std::max(0.0, -origin.z / direction.z);
+    if (distance <= max_range) {
+      best = {distance, {}, true};
+      found = true;
+    }
+  }
+
+  // From cell to cell along the ray (Amanatides and Woo 1987).
+  int x = grid_.column(origin.x), y = grid_.row(origin.y);
+  const int step_x = direction.x > 0.0 ? 1 : -1, step_y = direction.y > 0.0 ? 1 : -1;
+  const auto leave_column = [&] {
+    if (direction.x == 0.0 || (step_x > 0 ? x + 1 >= grid_.columns() : x == 0)) return kMiss;
+    return (grid_.column_border(step_x > 0 ? x + 1 : x) - origin.x) * ray.inverse.x;
+  };
+  const auto leave_row = [&] {
+    if (direction.y == 0.0 || (step_y > 0 ? y + 1 >= grid_.rows() : y == 0)) return kMiss;
+    return (grid_.row_border(step_y > 0 ? y + 1 : y) - origin.y) * ray.inverse.y;
+  };
+  double at_column_end = leave_column(), at_row_end = leave_row();
+  while (true) {
+    for (const Id id : grid_.cell(x, y)) {
+      const Entry& entry = entries_[id];
+      if (!is_seen(entry, except) || !meets_bounds(ray, entry.bounds, best.distance)) continue;
+      const double distance =
+          entry.is_robot ? distance_to_robot(ray, entry.box, entry.wheels, entry.wheels_top)
+                         : distance_to_box(ray, entry.box);
+      if (distance > best.distance) continue;
+      const bool wins = distance < best.distance || !found || best.floor || entry.body < best.body;
+      if (!wins) continue;
+      best = {distance, entry.body, false};
+      found = true;
+    }
+    if (best.distance <= std::min(at_column_end, at_row_end)) break;
+    if (at_column_end < at_row_end) {
+      x += step_x;
+      at_column_end = leave_column();
+    } else {
+      y += step_y;
+      at_row_end = leave_row();
+    }
+  }
+  return found ? std::optional(best) : std::nullopt;
+}
+
+bool Scene::anything_in(const Pyramid& pyramid, std::size_t except) const {
+  if (!(pyramid.range_m > 0.0)) return false;
+  const PyramidTest test(pyramid);
+  const Grid::Block block = grid_.block(test.bounds());
+  for (int y = block.y0; y <= block.y1; ++y) {
+    for (int x = block.x0; x <= block.x1; ++x) {
+      for (const Id id : grid_.cell(x, y)) {
+        const Entry& entry = entries_[id];
+        if (!is_seen(entry, except) || !entry.bounds.overlaps(test.bounds(), 0.0)) continue;
+        if (test.meets(entry.box)) return true;
+        if (entry.is_robot && (test.meets(box_around(entry.wheels[0], entry.box)) ||
+                               test.meets(box_around(entry.wheels[1], entry.box)))) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace elsie::physics

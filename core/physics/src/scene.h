@@ -1,0 +1,68 @@
+// Where all bodies are: finds those near each other, and answers the questions of sensors. Knows
+// nothing of dynamics.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "elsie/api/sensor.h"
+#include "elsie/physics/engine.h"
+
+#include "grid.h"
+#include "shapes.h"
+
+namespace elsie::physics {
+
+class Scene {
+ public:
+  using Id = Grid::Id;
+
+  explicit Scene(const world::Arena& arena);
+
+  /// A new body, nowhere yet. Only bodies that are `sensed` take part in rays and pyramids.
+  Id add(Body body, bool sensed);
+  /// Puts a box somewhere. `reach` is how far it may come in the next step, m.
+  void place_box(Id id, const OrientedBox& box, double reach);
+  /// Puts a robot somewhere: what sensors see of it (chassis with sensor deck, and wheels), and a
+  /// box that encloses all of it.
+  void place_robot(Id id, const OrientedBox& sensed, const std::array<Cylinder, 2>& wheels,
+                   const OrientedBox& enclosing, double reach);
+  void remove(Id id);
+
+  const Body& body(Id id) const { return entries_[id].body; }
+  double reach(Id id) const { return entries_[id].reach; }
+
+  /// All others whose bounds come within both reaches; ascending, each once.
+  void neighbors(Id id, std::vector<Id>& found) const;
+
+  std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
+                                 std::size_t except) const;
+  bool anything_in(const Pyramid& pyramid, std::size_t except) const;
+
+ private:
+  struct Entry {
+    Aabb bounds;  // of the body; a hair larger, so that rounding never hides it
+    double reach = 0.0;
+    Body body;
+    bool sensed = false;
+    bool placed = false;
+    bool is_robot = false;
+    OrientedBox box;                 // as sensors see it
+    std::array<Cylinder, 2> wheels;  // of a robot
+    double wheels_top = 0.0;
+    Grid::Block block;
+  };
+
+  void place(Id id, const Aabb& bounds, double reach);
+  bool is_seen(const Entry& entry, std::size_t except) const {
+    return entry.sensed && !(entry.is_robot && entry.body.index == except);
+  }
+
+  Grid grid_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace elsie::physics

@@ -1,0 +1,56 @@
+// The shapes of bodies as queries and collision detection see them.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "elsie/api/geometry.h"
+
+namespace elsie::physics {
+
+struct OrientedBox {
+  Vector3 center;
+  std::array<Vector3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // unit vectors
+  Vector3 half;                                                    // half the edges along the axes
+};
+
+/// A box that stands upright: the middle of its bottom, its heading and its edges.
+inline OrientedBox upright_box(const Vector3& bottom, double heading_rad, double length,
+                               double width, double height) {
+  const double c = std::cos(heading_rad), s = std::sin(heading_rad);
+  return {{bottom.x, bottom.y, bottom.z + 0.5 * height},
+          {{{c, s, 0.0}, {-s, c, 0.0}, {0.0, 0.0, 1.0}}},
+          {0.5 * length, 0.5 * width, 0.5 * height}};
+}
+
+struct Cylinder {
+  Vector3 center;
+  Vector3 axis;  // unit vector
+  double radius = 0.0;
+  double half_length = 0.0;
+};
+
+struct Aabb {
+  Vector3 lower;
+  Vector3 upper;
+
+  bool overlaps(const Aabb& other, double margin) const {
+    return lower.x <= other.upper.x + margin && other.lower.x <= upper.x + margin &&
+           lower.y <= other.upper.y + margin && other.lower.y <= upper.y + margin &&
+           lower.z <= other.upper.z + margin && other.lower.z <= upper.z + margin;
+  }
+  Aabb grown(double by) const {
+    return {{lower.x - by, lower.y - by, lower.z - by}, {upper.x + by, upper.y + by, upper.z + by}};
+  }
+};
+
+inline Aabb bounds(const OrientedBox& box) {
+  const auto& [a, b, c] = box.axes;
+  const Vector3& h = box.half;
+  const Vector3 e{std::abs(a.x) * h.x + std::abs(b.x) * h.y + std::abs(c.x) * h.z,
+                  std::abs(a.y) * h.x + std::abs(b.y) * h.y + std::abs(c.y) * h.z,
+                  std::abs(a.z) * h.x + std::abs(b.z) * h.y + std::abs(c.z) * h.z};
+  return {box.center - e, box.center + e};
+}
+
+}  // namespace elsie::physics
