@@ -1,0 +1,15 @@
+// From statements to a model: everything is checked here that is not grammar.
+#pragma once
+
+#include <memory>
+
+#include "ast.h"
+#include "model_data.h"
+#include "problems.h"
+
+namespace elsie::fuzzy {
+
+/// Reports what does not fit together; the result is a model only when there are no problems.
+std::shared_ptr<const ModelData> build(const ast::FunctionBlock& block, Problems& problems);
+
+}  // namespace elsie::fuzzy

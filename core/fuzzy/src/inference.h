@@ -1,0 +1,23 @@
+// From inputs to degrees, and from degrees to sets and numbers.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "model_data.h"
+#include "workspace.h"
+
+namespace elsie::fuzzy {
+
+/// From memory.inputs to the degrees of rules and slots.
+void fire_rules(const ModelData& model, Workspace::Memory& memory);
+
+/// The number for an output; none when no rule fires on it.
+std::optional<double> defuzzified(const ModelData& model, std::size_t output,
+                                  Workspace::Memory& memory);
+
+/// The accumulated set of an output; without points when no rule fires on it.
+void accumulated(const ModelData& model, std::size_t output, Workspace::Memory& memory,
+                 FuzzySet& set);
+
+}  // namespace elsie::fuzzy

@@ -1,0 +1,543 @@
+#include "parser.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "lexer.h"
+#include "text.h"
+
+namespace elsie::fuzzy {
+
+namespace {
+
+/// Parentheses nested deeper than this are taken for a mistake.
+constexpr int kDeepest = 100;
+/// After so many mistakes the rest of the file tells nothing new.
+constexpr std::size_t kMostProblems = 100;
+
+/// Thrown by the functions below when a statement cannot be read, after the problem was noted.
+struct StatementLost {};
+/// Thrown to give up on the file.
+struct FileLost {};
+
+/// Words that begin or end something; where a statement went wrong, reading goes on at one.
+constexpr std::array kLandmarks = {
+    "function_block", "end_function_block", "var_input", "var_output", "end_var",
+    "fuzzify",        "end_fuzzify",        "defuzzify", "ruleblock",  "end_defuzzify",
+    "end_ruleblock",
+};
+/// Words that begin a statement.
+constexpr std::array kStatements = {"term", "method", "accu", "default", "range",
+                                    "rule", "and",    "or",   "act",     "enabled"};
+/// Words that cannot be names.
+constexpr std::array kReserved = {"if", "then", "is", "not", "and", "or", "with"};
+
+template <class List>
+bool contains(const List& list, std::string_view text) {
+  const std::string word = lower(text);
+  return std::any_of(list.begin(), list.end(), [&](const char* item) { return word == item; });
+}
+
+class Parser {
+ public:
+  Parser(std::string_view text, Problems& problems)
+      : tokens_(tokenize(text, problems)), problems_(problems) {}
+
+  ast::FunctionBlock run() {
+    try {
+      file();
+    } catch (const FileLost&) {
+    }
+    return std::move(block_);
+  }
+
+ private:
+  // --- tokens ---
+
+  const Token& now() const { return tokens_[at_]; }
+  const Token& next() const { return tokens_[std::min(at_ + 1, tokens_.size() - 1)]; }
+  const Token& take() {
+    const Token& token = tokens_[at_];
+    if (token.kind != TokenKind::end) {
+      ++at_;
+    }
+    return token;
+  }
+  bool at_end() const { return now().kind == TokenKind::end; }
+  bool at_word(std::string_view word) const {
+    return now().kind == TokenKind::word && same_name(now().text, word);
+  }
+  bool at_symbol(std::string_view symbol) const {
+    return now().kind == TokenKind::symbol && now().text == symbol;
+  }
+  bool accept_word(std::string_view word) { return at_word(word) && (take(), true); }
+  bool accept_symbol(std::string_view symbol) { return at_symbol(symbol) && (take(), true); }
+
+  std::string found() const {
+    return at_end() ? std::string("the end of the file") : "'" + std::string(now().text) + "'";
+  }
+
+  // --- mistakes ---
+
+  void note(int line, const std::string& message) {
+    problems_.add(line, message);
+    if (problems_.size() >= kMostProblems) {
+      throw FileLost();
+    }
+  }
+  [[noreturn]] void lose(const std::string& message) {
+    note(now().line, message);
+    throw StatementLost();
+  }
+  [[noreturn]] void lose_expecting(const std::string& expected) {
+    lose("Found " + found() + ", expected " + expected + ".");
+  }
+  void expect_symbol(std::string_view symbol, const std::string& where) {
+    if (!accept_symbol(symbol)) {
+      lose_expecting("'" + std::string(symbol) + "' " + where);
+    }
+  }
+  void expect_semicolon(const std::string& statement) {
+    if (accept_symbol(";")) {
+      return;
+    }
+    const Token& last = tokens_[at_ - 1];
+    note(last.line, "Expected ';' at the end of the " + statement + " statement, after '" +
+                        std::string(last.text) + "', found " + found() + ".");
+    throw StatementLost();
+  }
+
+  /// Goes on after the statement that was lost.
+  void recover() {
+    while (!at_end()) {
+      if (accept_symbol(";")) {
+        return;
+      }
+      if (now().kind == TokenKind::word &&
+          (contains(kLandmarks, now().text) ||
+           (now().first_on_line && contains(kStatements, now().text)))) {
+        return;
+      }
+      take();
+    }
+  }
+
+  /// Reads statements until the end word of a block; `statement` must consume something or throw.
+  template <class Statement>
+  void block(const std::string& opening, const std::string& closing, Statement statement) {
+    const int line = tokens_[at_ - 1].line;
+    while (true) {
+      if (accept_word(closing)) {
+        accept_symbol(";");
+        return;
+      }
+      if (at_end() || (now().kind == TokenKind::word && contains(kLandmarks, now().text))) {
+        note(now().line, "Found " + found() + ", but the " + opening + " that begins in line " +
+                             std::to_string(line) + " is not closed. Write " + closing +
+                             " before it.");
+        return;
+      }
+      try {
+        statement();
+      } catch (const StatementLost&) {
+        recover();
+      }
+    }
+  }
+
+  // --- pieces ---
+
+  ast::Name name(const std::string& what) {
+    if (now().kind != TokenKind::word) {
+      lose_expecting(what);
+    }
+    if (contains(kReserved, now().text) || contains(kLandmarks, now().text)) {
+      lose("Found the keyword " + upper(now().text) + ", expected " + what + ".");
+    }
+    const Token& token = take();
+    return {std::string(token.text), token.line};
+  }
+
+  double number(const std::string& what) {
+    double sign = 1.0;
+    if (at_symbol("-") || at_symbol("+")) {
+      sign = take().text == "-" ? -1.0 : 1.0;
+    }
+    if (now().kind != TokenKind::number) {
+      lose_expecting(what);
+    }
+    return sign * take().value;
+  }
+
+  /// RANGE := (low .. high); after the word RANGE.
+  ast::RangeStatement range() {
+    ast::RangeStatement statement;
+    statement.line = tokens_[at_ - 1].line;
+    accept_symbol(":=");
+    expect_symbol("(", "before the lower end of RANGE, as in RANGE := (0 .. 1)");
+    statement.range.low = number("the lower end of RANGE, a number");
+    expect_symbol("..", "between the two ends of RANGE");
+    statement.range.high = number("the upper end of RANGE, a number");
+    expect_symbol(")", "after the upper end of RANGE");
+    return statement;
+  }
+
+  /// Takes a statement's value unless the block has one already.
+  template <class Value>
+  void set_once(std::optional<Value>& place, Value value, int line, const std::string& keyword) {
+    if (place) {
+      note(line, keyword + " is set a second time in this block. Remove one of the two.");
+    } else {
+      place = std::move(value);
+    }
+  }
+
+  /// KEYWORD : WORD ;
+  void option(std::optional<ast::Name>& place, const std::string& keyword) {
+    const int line = take().line;
+    if (!accept_symbol(":=")) {
+      expect_symbol(":", "after " + keyword);
+    }
+    ast::Name value = name("the name of an algorithm after " + keyword);
+    expect_semicolon(keyword);
+    set_once(place, std::move(value), line, keyword);
+  }
+
+  // --- the file ---
+
+  void file() {
+    if (at_end()) {
+      note(now().line, "The file is empty. Expected FUNCTION_BLOCK.");
+      return;
+    }
+    if (!accept_word("function_block")) {
+      note(now().line, "Found " + found() + ", expected FUNCTION_BLOCK at the beginning.");
+      return;
+    }
+    if (now().kind == TokenKind::word && !contains(kLandmarks, now().text)) {
+      block_.name = name("the name of the function block");
+    }
+    while (!at_end() && !at_word("end_function_block")) {
+      section();
+    }
+    if (!accept_word("end_function_block")) {
+      note(now().line, "The file ends before END_FUNCTION_BLOCK. Is it complete?");
+      return;
+    }
+    accept_symbol(";");
+    if (at_word("function_block")) {
+      note(now().line,
+           "A second FUNCTION_BLOCK begins here. A model is one function block: move this one "
+           "into a file of its own.");
+    } else if (!at_end()) {
+      note(now().line,
+           "Found " + found() + " after END_FUNCTION_BLOCK, expected the end of the file.");
+    }
+  }
+
+  void section() {
+    try {
+      if (accept_word("var_input")) {
+        block("VAR_INPUT", "END_VAR", [this] { declaration(block_.inputs); });
+      } else if (accept_word("var_output")) {
+        block("VAR_OUTPUT", "END_VAR", [this] { declaration(block_.outputs); });
+      } else if (at_word("fuzzify") || at_word("defuzzify")) {
+        variable_block();
+      } else if (accept_word("ruleblock")) {
+        rule_block();
+      } else if (now().kind == TokenKind::word && contains(kLandmarks, now().text)) {
+        note(now().line, "Found " + found() + ", but no such block is open here. Remove it.");
+        take();
+      } else {
+        lose_expecting(
+            "VAR_INPUT, VAR_OUTPUT, FUZZIFY, DEFUZZIFY, RULEBLOCK or "
+            "END_FUNCTION_BLOCK");
+      }
+    } catch (const StatementLost&) {
+      skip_to_landmark();
+    }
+  }
+
+  void skip_to_landmark() {
+    while (!at_end() && !(now().kind == TokenKind::word && contains(kLandmarks, now().text))) {
+      take();
+    }
+  }
+
+  /// a, b : REAL RANGE := (0 .. 1);
+  void declaration(std::vector<ast::VariableDeclaration>& into) {
+    std::vector<ast::VariableDeclaration> declared;
+    do {
+      declared.push_back({name("the name of a variable"), std::nullopt});
+    } while (accept_symbol(","));
+    expect_symbol(":", "between the name of a variable and its type");
+    if (!at_word("real") && !at_word("lreal")) {
+      lose("Found " + found() + ", expected the type REAL: fuzzy models work on real numbers.");
+    }
+    take();
+    std::optional<ast::RangeStatement> stated;
+    if (accept_word("range")) {
+      stated = range();
+    }
+    expect_semicolon("variable");
+    for (ast::VariableDeclaration& variable : declared) {
+      variable.range = stated;
+      into.push_back(std::move(variable));
+    }
+  }
+
+  void variable_block() {
+    const bool output = at_word("defuzzify");
+    const std::string keyword = output ? "DEFUZZIFY" : "FUZZIFY";
+    take();
+    ast::VariableBlock variable;
+    variable.name = name("the name of a variable after " + keyword);
+    block(keyword, "END_" + keyword, [&] {
+      if (accept_word("term")) {
+        variable.terms.push_back(term());
+        expect_semicolon("TERM");
+      } else if (at_word("range")) {
+        const int line = take().line;
+        const ast::RangeStatement stated = range();
+        expect_semicolon("RANGE");
+        set_once(variable.range, stated, line, "RANGE");
+      } else if (output && at_word("method")) {
+        option(variable.method, "METHOD");
+      } else if (output && at_word("accu")) {
+        option(variable.accumulation, "ACCU");
+      } else if (output && at_word("default")) {
+        default_value(variable);
+      } else {
+        lose_expecting(output ? "TERM, METHOD, ACCU, DEFAULT, RANGE or END_DEFUZZIFY"
+                              : "TERM, RANGE or END_FUZZIFY");
+      }
+    });
+    (output ? block_.defuzzify : block_.fuzzify).push_back(std::move(variable));
+  }
+
+  /// DEFAULT := 0.5;   DEFAULT := NC;   DEFAULT := 0.5 | NC;   DEFAULT := nan;
+  void default_value(ast::VariableBlock& variable) {
+    ast::DefaultStatement statement;
+    statement.line = take().line;
+    expect_symbol(":=", "after DEFAULT");
+    if (accept_word("nc")) {
+      statement.no_change = true;
+    } else {
+      if (!accept_word("nan")) {
+        statement.value = number("a number or NC after DEFAULT");
+      }
+      if (accept_symbol("|")) {
+        if (!accept_word("nc")) {
+          lose_expecting("NC after '|'");
+        }
+        statement.no_change = true;
+      }
+    }
+    expect_semicolon("DEFAULT");
+    set_once(variable.default_value, statement, statement.line, "DEFAULT");
+  }
+
+  /// name := (x, y) (x, y);   name := 5;   name := Triangle 0 1 2;   after the word TERM.
+  ast::Term term() {
+    ast::Term result;
+    result.name = name("the name of a term");
+    expect_symbol(":=", "after the name of the term");
+    if (at_symbol("(")) {
+      while (accept_symbol("(")) {
+        FuzzySet::Point point;
+        point.x = number("the x of a point, a number");
+        expect_symbol(",", "between x and degree of a point");
+        point.degree = number("the degree of a point, a number");
+        expect_symbol(")", "after the degree of a point");
+        result.points.push_back(point);
+        accept_symbol(",");
+      }
+    } else if (now().kind == TokenKind::word && !contains(kLandmarks, now().text)) {
+      result.shape = take().text;
+      while (now().kind == TokenKind::number || at_symbol("-") || at_symbol("+") ||
+             at_word("inf") || at_symbol(",")) {
+        if (accept_symbol(",")) {
+          continue;
+        }
+        result.parameters.push_back(parameter());
+      }
+    } else {
+      result.singleton = number("points (x, y), a number or a shape such as Triangle 0 1 2");
+    }
+    return result;
+  }
+
+  double parameter() {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (accept_word("inf")) {
+      return kInfinity;
+    }
+    if ((at_symbol("-") || at_symbol("+")) && next().kind == TokenKind::word &&
+        same_name(next().text, "inf")) {
+      const bool negative = take().text == "-";
+      take();
+      return negative ? -kInfinity : kInfinity;
+    }
+    return number("a number");
+  }
+
+  void rule_block() {
+    ast::RuleBlock rules;
+    rules.name.line = tokens_[at_ - 1].line;
+    if (now().kind == TokenKind::word && next().text != ":" && next().text != ":=" &&
+        !contains(kLandmarks, now().text) && !at_word("rule")) {
+      rules.name = name("the name of the rule block");
+    }
+    block("RULEBLOCK", "END_RULEBLOCK", [&] {
+      if (at_word("and")) {
+        option(rules.conjunction, "AND");
+      } else if (at_word("or")) {
+        option(rules.disjunction, "OR");
+      } else if (at_word("act")) {
+        option(rules.activation, "ACT");
+      } else if (at_word("accu")) {
+        option(rules.accumulation, "ACCU");
+      } else if (accept_word("rule")) {
+        rules.rules.push_back(rule());
+      } else {
+        lose_expecting("AND, OR, ACT, ACCU, RULE or END_RULEBLOCK");
+      }
+    });
+    block_.rule_blocks.push_back(std::move(rules));
+  }
+
+  // --- rules ---
+
+  /// label : IF condition THEN conclusion, conclusion WITH weight;   after the word RULE.
+  ast::Rule rule() {
+    ast::Rule result;
+    result.label.line = tokens_[at_ - 1].line;
+    if (now().kind != TokenKind::number && now().kind != TokenKind::word) {
+      lose_expecting("the number or name of the rule");
+    }
+    result.label = {std::string(now().text), now().line};
+    take();
+    expect_symbol(":", "after the number of the rule");
+    if (!accept_word("if")) {
+      lose_expecting("IF at the beginning of the rule");
+    }
+    result.condition = disjunction(0);
+    if (!accept_word("then")) {
+      lose_expecting("AND, OR or THEN after a condition");
+    }
+    do {
+      result.conclusions.push_back(conclusion());
+    } while (accept_symbol(",") || accept_word("and"));
+    if (accept_word("with")) {
+      result.weight = number("the weight of the rule after WITH, a number");
+    }
+    // fuzzylite ends its rules with the line.
+    const bool line_ends_it = now().first_on_line && (at_word("rule") || at_word("end_ruleblock"));
+    if (!line_ends_it) {
+      expect_semicolon("RULE");
+    }
+    return result;
+  }
+
+  ast::Condition disjunction(int depth) {
+    return chain(ast::Condition::disjunction, "or", depth,
+                 [this, depth] { return conjunction(depth); });
+  }
+
+  ast::Condition conjunction(int depth) {
+    return chain(ast::Condition::conjunction, "and", depth,
+                 [this, depth] { return factor(depth); });
+  }
+
+  template <class Operand>
+  ast::Condition chain(ast::Condition::Kind kind, std::string_view word, int depth,
+                       Operand operand) {
+    if (depth > kDeepest) {
+      lose("Parentheses and NOT are nested more than " + std::to_string(kDeepest) +
+           " deep here. Simplify the condition.");
+    }
+    ast::Condition first = operand();
+    if (!at_word(word)) {
+      return first;
+    }
+    ast::Condition result;
+    result.kind = kind;
+    result.operands.push_back(std::move(first));
+    while (accept_word(word)) {
+      result.operands.push_back(operand());
+    }
+    return result;
+  }
+
+  ast::Condition factor(int depth) {
+    if (depth > kDeepest) {
+      lose("Parentheses and NOT are nested more than " + std::to_string(kDeepest) +
+           " deep here. Simplify the condition.");
+    }
+    if (accept_word("not")) {
+      ast::Condition result;
+      result.kind = ast::Condition::negation;
+      result.operands.push_back(factor(depth + 1));
+      return result;
+    }
+    if (accept_symbol("(")) {
+      ast::Condition result = disjunction(depth + 1);
+      if (!accept_symbol(")")) {
+        lose_expecting("AND, OR or ')' after a condition");
+      }
+      return result;
+    }
+    ast::Condition result;
+    result.variable = name("a condition such as 'range IS near'");
+    if (!accept_word("is")) {
+      lose_expecting("IS after the variable '" + result.variable.text + "'");
+    }
+    if (accept_word("not")) {
+      result.kind = ast::Condition::is_not;
+    }
+    result.term = name("the name of a term after IS");
+    refuse_hedge(result.term);
+    return result;
+  }
+
+  ast::Conclusion conclusion() {
+    ast::Conclusion result;
+    result.variable = name("a conclusion such as 'speed IS slow'");
+    if (!accept_word("is")) {
+      lose_expecting("IS after the variable '" + result.variable.text + "'");
+    }
+    if (at_word("not")) {
+      lose("Found NOT in a conclusion, which says nothing definite. Name the term that is meant.");
+    }
+    result.term = name("the name of a term after IS");
+    refuse_hedge(result.term);
+    return result;
+  }
+
+  /// `range IS very near`: some tools write this.
+  void refuse_hedge(const ast::Name& term) {
+    if (now().kind == TokenKind::word && !now().first_on_line && !at_word("and") &&
+        !at_word("or") && !at_word("then") && !at_word("with") &&
+        !contains(kLandmarks, now().text)) {
+      lose("Found " + found() + " after the term '" + term.text +
+           "'. A condition has one term; FCL knows no hedges such as 'very': define a term of its "
+           "own for that.");
+    }
+  }
+
+  std::vector<Token> tokens_;
+  Problems& problems_;
+  std::size_t at_ = 0;
+  ast::FunctionBlock block_;
+};
+
+}  // namespace
+
+ast::FunctionBlock parse(std::string_view text, Problems& problems) {
+  return Parser(text, problems).run();
+}
+
+}  // namespace elsie::fuzzy

@@ -1,0 +1,36 @@
+// Collects what is wrong with a file while it is read.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elsie/fuzzy/error.h"
+
+namespace elsie::fuzzy {
+
+class Problems {
+ public:
+  explicit Problems(std::string file) : file_(std::move(file)) {}
+
+  void add(int line, std::string message) { all_.push_back({file_, line, std::move(message)}); }
+  bool empty() const { return all_.empty(); }
+  std::size_t size() const { return all_.size(); }
+
+  /// Throws FclError when there is any.
+  void throw_if_any() {
+    if (all_.empty()) {
+      return;
+    }
+    std::stable_sort(all_.begin(), all_.end(),
+                     [](const Problem& a, const Problem& b) { return a.line < b.line; });
+    throw FclError(std::move(all_));
+  }
+
+ private:
+  std::string file_;
+  std::vector<Problem> all_;
+};
+
+}  // namespace elsie::fuzzy
