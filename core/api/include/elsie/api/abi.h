@@ -56,3 +56,17 @@
 /// Owner and type of the ELF note that carries the word.
 #define ELSIE_ABI_NOTE_OWNER "elsie"
 #define ELSIE_ABI_NOTE_TYPE 1
+
+/// Places an ELF note with the given word (a literal) into the library, for registration.h. Layout
+/// after the System V ABI: sizes of owner and text, type, then both, padded to four bytes.
+#define ELSIE_EMIT_ABI_NOTE_(word) \
+  asm(".pushsection .note.elsie, \"a\", %note\n"                       \
+      ".balign 4\n"                                                   \
+      ".long 2f - 1f\n"                                               \
+      ".long 4f - 3f\n"                                               \
+      ".long " ELSIE_ABI_TEXT(ELSIE_ABI_NOTE_TYPE) "\n"               \
+      "1: .asciz \"" ELSIE_ABI_NOTE_OWNER "\"\n"                      \
+      "2: .balign 4\n"                                                \
+      "3: .asciz \"" word "\"\n"                                      \
+      "4: .balign 4\n"                                                \
+      ".popsection")

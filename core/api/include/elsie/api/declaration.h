@@ -51,6 +51,9 @@ struct ParameterDeclaration {
   std::function<void(Component&, const ParameterValue& value)> set;
   /// Reads the member.
   std::function<ParameterValue(const Component&)> get;
+  // The numbers that the member's type can hold, whatever `facts` allow.
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
 };
 
 /// An event that a plugin may raise.
@@ -148,6 +151,18 @@ constexpr ParameterType type_of() {
   }
 }
 
+/// Sets the limits of a number type narrower than that of the value it is set from.
+template <class Value>
+void limit(ParameterDeclaration& declaration) {
+  if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool> &&
+                (sizeof(Value) < sizeof(double) || std::is_unsigned_v<Value>)) {
+    declaration.lowest = static_cast<double>(std::numeric_limits<Value>::lowest());
+    if constexpr (sizeof(Value) < sizeof(double)) {
+      declaration.highest = static_cast<double>(std::numeric_limits<Value>::max());
+    }
+  }
+}
+
 template <class Value>
 ParameterValue to_value(const Value& value) {
   if constexpr (std::is_same_v<Value, bool>) {
@@ -183,14 +198,18 @@ void apply(Declaration& declaration, const Plugin& defaults, ParameterItem<Class
   static_assert(std::is_base_of_v<Class, Plugin>,
                 "a parameter must be a member of the plugin's class");
   const auto member = item.member;
-  declaration.parameters.push_back({std::move(item.name), type_of<Value>(), std::move(item.facts),
-                                    to_value(defaults.*member),
-                                    [member](Component& object, const ParameterValue& value) {
-                                      from_value(value, static_cast<Plugin&>(object).*member);
-                                    },
-                                    [member](const Component& object) {
-                                      return to_value(static_cast<const Plugin&>(object).*member);
-                                    }});
+  ParameterDeclaration& parameter = declaration.parameters.emplace_back();
+  parameter.name = std::move(item.name);
+  parameter.type = type_of<Value>();
+  parameter.facts = std::move(item.facts);
+  parameter.default_value = to_value(defaults.*member);
+  parameter.set = [member](Component& object, const ParameterValue& value) {
+    from_value(value, static_cast<Plugin&>(object).*member);
+  };
+  parameter.get = [member](const Component& object) {
+    return to_value(static_cast<const Plugin&>(object).*member);
+  };
+  limit<Value>(parameter);
 }
 template <class Plugin>
 void apply(Declaration& declaration, const Plugin&, NeedsItem item) {

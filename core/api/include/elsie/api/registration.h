@@ -83,17 +83,8 @@ elsie_plugin_library() {
 }
 }
 
-namespace elsie::detail {
-/// The layout of an ELF note (System V ABI): sizes of owner and text, type, then both, padded to
-/// four bytes.
-struct AbiNote {
-  unsigned owner_size = sizeof(ELSIE_ABI_NOTE_OWNER);
-  unsigned text_size = sizeof(ELSIE_ABI_WORD);
-  unsigned type = ELSIE_ABI_NOTE_TYPE;
-  alignas(4) char owner[(sizeof(ELSIE_ABI_NOTE_OWNER) + 3) / 4 * 4] = ELSIE_ABI_NOTE_OWNER;
-  alignas(4) char text[(sizeof(ELSIE_ABI_WORD) + 3) / 4 * 4] = ELSIE_ABI_WORD;
-};
-__attribute__((section(".note.elsie"), visibility("hidden"),
-               used)) inline constexpr AbiNote abi_note{};
-}  // namespace elsie::detail
+// In assembly, because a variable placed in a section of this name gets no note of it: g++ 12 gives
+// the section the type "progbits", and then the linker makes no note segment. Every translation
+// unit adds a note of its own, and the host sees when parts of one library do not fit together.
+ELSIE_EMIT_ABI_NOTE_(ELSIE_ABI_WORD);
 #endif
