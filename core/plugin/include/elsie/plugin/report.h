@@ -35,7 +35,7 @@ struct FileReport {
 
 struct DirectoryReport {
   SearchDirectory directory;
-  std::string problem;  // "does not exist"...; empty when it was searched
+  std::string problem;            // "does not exist"...; empty when it was searched
   std::vector<FileReport> files;  // in the order of their names
 };
 

@@ -1,0 +1,156 @@
+#include "elsie/plugin/declaration_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/parameters.h"
+
+namespace elsie::plugin {
+namespace {
+
+/// Collects the faults of one declaration.
+class Checker {
+ public:
+  explicit Checker(const Declaration& declaration) : declaration_(declaration) {}
+
+  std::vector<std::string> faults() && {
+    check_plugin();
+    for (const ParameterDeclaration& parameter : declaration_.parameters) {
+      check_parameter(parameter);
+    }
+    check_readings();
+    for (const EventDeclaration& event : declaration_.events) {
+      check_name("event", event.name);
+    }
+    check_unique("parameter", declaration_.parameters, &ParameterDeclaration::name);
+    check_unique("event", declaration_.events, &EventDeclaration::name);
+    check_unique("needed reading", declaration_.needs, &ReadingDeclaration::kind);
+    return std::move(faults_);
+  }
+
+ private:
+  void fault(const std::string& text) {
+    faults_.push_back(std::string(kind_name(declaration_.kind)) + " '" + declaration_.name +
+                      "': " + text);
+  }
+
+  void check_name(const char* what, const std::string& name) {
+    if (!is_plain_name(name)) {
+      fault("the name of " + std::string(what) + " '" + name +
+            "' must be a small letter followed by small letters, digits and underscores");
+    }
+  }
+
+  template <class Item>
+  void check_unique(const char* what, const std::vector<Item>& items, std::string Item::*name) {
+    std::set<std::string> seen;
+    for (const Item& item : items) {
+      if (!seen.insert(item.*name).second) {
+        fault(std::string(what) + " '" + item.*name + "' is declared twice");
+      }
+    }
+  }
+
+  void check_plugin() {
+    if (declaration_.kind != PluginKind::sensor && declaration_.kind != PluginKind::behavior &&
+        declaration_.kind != PluginKind::coordinator) {
+      fault("it is neither a sensor nor a behavior nor a coordinator");
+    }
+    check_name("the plugin", declaration_.name);
+    if (declaration_.version.empty()) {
+      fault("its version is empty");
+    }
+    if (declaration_.description.empty()) {
+      fault("it has no description");
+    }
+    if (!declaration_.create) {
+      fault("it has no function that makes an object");
+    }
+  }
+
+  void check_parameter(const ParameterDeclaration& parameter) {
+    const ParameterFacts& facts = parameter.facts;
+    check_name("parameter", parameter.name);
+    const std::string subject = "parameter '" + parameter.name + "' ";
+    if (!parameter.set || !parameter.get) {
+      fault(subject + "is not bound to a member");
+    }
+    if (std::isnan(facts.min) || std::isnan(facts.above) || std::isnan(facts.max) ||
+        facts.min > facts.max || facts.above >= facts.max) {
+      fault(subject + "has a range that no number is in");
+      return;
+    }
+    if (!facts.choices.empty() && parameter.type != ParameterType::text) {
+      fault(subject + "has choices, which only a text may have");
+    }
+    const bool has_range =
+        std::isfinite(facts.min) || std::isfinite(facts.above) || std::isfinite(facts.max);
+    if (has_range &&
+        (parameter.type == ParameterType::text || parameter.type == ParameterType::file ||
+         parameter.type == ParameterType::boolean)) {
+      fault(subject + "has a range, which only numbers may have");
+    }
+    if (const auto wrong = check_value(parameter, parameter.default_value)) {
+      fault("the default of " + *wrong);
+    }
+  }
+
+  void check_readings() {
+    const auto check = [this](const ReadingDeclaration& reading) {
+      check_name("reading", reading.kind);
+      if (reading.size == 0) {
+        fault("reading '" + reading.kind + "' has no size");
+      }
+    };
+    std::for_each(declaration_.needs.begin(), declaration_.needs.end(), check);
+    std::for_each(declaration_.produces.begin(), declaration_.produces.end(), check);
+    const bool is_sensor = declaration_.kind == PluginKind::sensor;
+    const std::size_t produced = declaration_.produces.size();
+    if (is_sensor && produced != 1) {
+      fault("a sensor must produce one kind of reading, not " + std::to_string(produced));
+    }
+    if (is_sensor && !declaration_.needs.empty()) {
+      fault("a sensor is not given readings, so it cannot need any");
+    }
+    if (!is_sensor && produced != 0) {
+      fault("only a sensor produces readings");
+    }
+  }
+
+  const Declaration& declaration_;
+  std::vector<std::string> faults_;
+};
+
+}  // namespace
+
+bool is_plain_name(std::string_view name) {
+  const auto is_small_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  return !name.empty() && is_small_letter(name.front()) &&
+         std::all_of(name.begin(), name.end(), [&](char c) {
+           return is_small_letter(c) || (c >= '0' && c <= '9') || c == '_';
+         });
+}
+
+std::vector<std::string> check_declaration(const Declaration& declaration) {
+  return Checker(declaration).faults();
+}
+
+std::vector<std::string> check_declarations(std::span<const Declaration> declarations) {
+  std::vector<std::string> faults;
+  std::set<std::pair<PluginKind, std::string>> seen;
+  for (const Declaration& declaration : declarations) {
+    std::vector<std::string> more = check_declaration(declaration);
+    faults.insert(faults.end(), std::make_move_iterator(more.begin()),
+                  std::make_move_iterator(more.end()));
+    if (!seen.emplace(declaration.kind, declaration.name).second) {
+      faults.push_back(std::string(kind_name(declaration.kind)) + " '" + declaration.name +
+                       "' is declared twice");
+    }
+  }
+  return faults;
+}
+
+}  // namespace elsie::plugin

@@ -1,0 +1,284 @@
+#include "elsie/plugin/host.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include <sys/stat.h>
+
+#include "elsie/plugin/abi_word.h"
+#include "elsie/plugin/declaration_check.h"
+#include "elsie/plugin/error.h"
+#include "elsie/plugin/inspection.h"
+#include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/near_name.h"
+
+#include "library.h"
+#include "text.h"
+
+namespace elsie::plugin {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A plugin in use. The declaration is made of the library's code: it is destroyed first, being the
+/// later member.
+struct Entry {
+  std::shared_ptr<const Library> library;
+  fs::path file;
+  Declaration declaration;
+};
+
+using Registry = std::map<std::string, Entry, std::less<>>;
+using FileId = std::pair<dev_t, ino_t>;  // the same whatever the path
+
+constexpr std::array kKinds{PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator};
+
+std::string title(PluginKind kind, std::string_view name) {
+  return std::string(kind_name(kind)) + " '" + std::string(name) + "'";
+}
+
+}  // namespace
+
+struct Host::State {
+  std::array<Registry, kKinds.size()> registries;
+  std::map<FileId, fs::path> seen;  // directories and libraries
+  Report report;
+
+  Registry& registry(PluginKind kind) { return registries[static_cast<std::size_t>(kind)]; }
+  const Registry& registry(PluginKind kind) const {
+    return registries[static_cast<std::size_t>(kind)];
+  }
+  const Entry* entry(PluginKind kind, std::string_view name) const {
+    const auto at = registry(kind).find(name);
+    return at == registry(kind).end() ? nullptr : &at->second;
+  }
+
+  void search(SearchDirectory directory);
+  std::string list(const SearchDirectory& directory, std::vector<fs::path>& files);
+  FileReport examine(const fs::path& file);
+  void load(FileReport& file);
+  void enter(LoadedLibrary loaded, FileReport& file);
+};
+
+/// Lists the directory's files in the order of their names; a sentence when that is not to be done.
+std::string Host::State::list(const SearchDirectory& directory, std::vector<fs::path>& files) {
+  struct stat status {};
+  if (stat(directory.path.c_str(), &status) != 0) {
+    return errno == ENOENT ? "does not exist"
+                           : "cannot be read: " + std::generic_category().message(errno);
+  }
+  if (!S_ISDIR(status.st_mode)) {
+    return "is not a directory";
+  }
+  const auto [known, is_new] = seen.try_emplace({status.st_dev, status.st_ino}, directory.path);
+  if (!is_new) {
+    return "is the same directory as " + known->second.string();
+  }
+  std::error_code error;
+  for (fs::directory_iterator at(directory.path, error), end; !error && at != end;
+       at.increment(error)) {
+    files.push_back(at->path());
+  }
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return a.filename().native() < b.filename().native();
+  });
+  return error ? "cannot be read: " + error.message() : "";
+}
+
+void Host::State::search(SearchDirectory directory) {
+  DirectoryReport found{std::move(directory), "", {}};
+  std::vector<fs::path> files;
+  found.problem = list(found.directory, files);
+  for (const fs::path& file : files) {
+    FileReport& result = found.files.emplace_back(examine(file));
+    if (result.status == FileStatus::refused) {
+      report.warnings.push_back(file.string() + ": " + result.sentence);
+    }
+  }
+  report.directories.push_back(std::move(found));
+}
+
+FileReport Host::State::examine(const fs::path& path) {
+  FileReport file;
+  file.path = path;
+  if (path.extension() != ".so") {
+    file.sentence = "its name does not end in .so";
+    return file;
+  }
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) {
+    file.status = FileStatus::refused;
+    file.sentence = errno == ENOENT ? "is a link to a file that does not exist"
+                                    : "cannot be read: " + std::generic_category().message(errno);
+    return file;
+  }
+  if (S_ISREG(status.st_mode)) {
+    const auto [known, is_new] = seen.try_emplace({status.st_dev, status.st_ino}, path);
+    if (!is_new) {
+      file.sentence = "is the same file as " + known->second.string();
+      return file;
+    }
+  }
+  load(file);
+  return file;
+}
+
+void Host::State::load(FileReport& file) {
+  Inspection inspection = inspect_file(file.path);
+  file.abi_word = std::move(inspection.abi_word);
+  if (inspection.kind != FileKind::plugin_library) {
+    file.status = inspection.kind == FileKind::other ? FileStatus::ignored : FileStatus::refused;
+    file.sentence = std::move(inspection.sentence);
+    return;
+  }
+  file.status = FileStatus::refused;
+  if (auto mismatch = abi_mismatch(host_abi_word(), file.abi_word)) {
+    file.sentence = std::move(*mismatch);
+    return;
+  }
+  LoadedLibrary loaded = load_library(file.path, file.abi_word);
+  if (!loaded.problem.empty()) {
+    file.sentence = std::move(loaded.problem);
+  } else if (loaded.declarations.empty()) {
+    file.sentence =
+        "declares no plugin; is an ELSIE_SENSOR, ELSIE_BEHAVIOR or "
+        "ELSIE_COORDINATOR missing?";
+  } else if (const auto faults = check_declarations(loaded.declarations); !faults.empty()) {
+    file.sentence = "is declared wrongly: " + joined(faults, "; ");
+  } else {
+    enter(std::move(loaded), file);
+  }
+}
+
+void Host::State::enter(LoadedLibrary loaded, FileReport& file) {
+  std::size_t used = 0;
+  for (Declaration& declaration : loaded.declarations) {
+    FoundPlugin& plugin = file.plugins.emplace_back();
+    plugin.kind = declaration.kind;
+    plugin.name = declaration.name;
+    plugin.version = declaration.version;
+    if (const Entry* const first = entry(plugin.kind, plugin.name)) {
+      plugin.shadowed_by = first->file;
+      report.warnings.push_back(title(plugin.kind, plugin.name) + " is in both " +
+                                first->file.string() + " and " + file.path.string() +
+                                "; the first one is used");
+      continue;
+    }
+    registry(plugin.kind)
+        .emplace(plugin.name, Entry{loaded.library, file.path, std::move(declaration)});
+    ++used;
+  }
+  file.status = used > 0 ? FileStatus::loaded : FileStatus::ignored;
+  if (used == 0) {
+    file.sentence = "has only plugins that other libraries have too, which come first";
+  }
+}
+
+Host::Host() : state_(std::make_unique<State>()) {}
+
+Host::Host(std::vector<SearchDirectory> directories) : Host() {
+  for (SearchDirectory& directory : directories) {
+    state_->search(std::move(directory));
+  }
+}
+
+Host::Host(Host&&) noexcept = default;
+Host& Host::operator=(Host&&) noexcept = default;
+Host::~Host() = default;
+
+const Declaration* Host::find(PluginKind kind, std::string_view name) const {
+  const Entry* const entry = state_->entry(kind, name);
+  return entry ? &entry->declaration : nullptr;
+}
+
+std::vector<const Declaration*> Host::all(PluginKind kind) const {
+  std::vector<const Declaration*> declarations;
+  for (const auto& [name, entry] : state_->registry(kind)) {
+    declarations.push_back(&entry.declaration);
+  }
+  return declarations;
+}
+
+fs::path Host::file_of(PluginKind kind, std::string_view name) const {
+  const Entry* const entry = state_->entry(kind, name);
+  return entry ? entry->file : fs::path();
+}
+
+std::string Host::explain_missing(PluginKind kind, std::string_view name) const {
+  std::vector<std::string_view> names;
+  for (const auto& [known, entry] : state_->registry(kind)) {
+    names.push_back(known);
+  }
+  std::string text = "there is no " + title(kind, name);
+  const std::string hint = did_you_mean(name, names);
+  if (!hint.empty()) {
+    return text + hint;
+  }
+  for (const PluginKind other : kKinds) {
+    if (other != kind && find(other, name)) {
+      text += "; '" + std::string(name) + "' is a " + std::string(kind_name(other));
+    }
+  }
+  std::vector<std::string> searched;
+  std::vector<std::string> refused;
+  for (const DirectoryReport& directory : state_->report.directories) {
+    const std::string problem = directory.problem.empty() ? "" : " (" + directory.problem + ")";
+    searched.push_back(directory.directory.path.string() + problem);
+    for (const FileReport& file : directory.files) {
+      if (file.status == FileStatus::refused) {
+        refused.push_back(file.path.string() + " " + file.sentence);
+      }
+    }
+  }
+  text +=
+      searched.empty() ? "; no directory was searched" : "; searched were " + enumeration(searched);
+  text += refused.empty() ? "" : "; refused there: " + joined(refused, "; ");
+  return text;
+}
+
+Object<Component> Host::create_component(PluginKind kind, std::string_view name) const {
+  const Entry* const entry = state_->entry(kind, name);
+  if (!entry) {
+    throw PluginError(explain_missing(kind, name));
+  }
+  std::optional<std::string> problem;
+  try {
+    if (std::unique_ptr<Component> object = entry->declaration.create()) {
+      return {object.release(), Release{entry->library}};
+    }
+    problem = "it made no object";
+  } catch (...) {
+    problem = current_exception_text();
+  }
+  // Thrown here, where nothing of the plugin's own exception is left.
+  const std::string file = entry->file.empty() ? "" : " (" + entry->file.string() + ")";
+  throw PluginError(title(kind, name) + file + " could not be made: " + *problem);
+}
+
+void Host::refuse_class(PluginKind kind, std::string_view name) const {
+  throw PluginError(title(kind, name) +
+                    " could not be made: its class is not derived from that of " + "a " +
+                    std::string(kind_name(kind)));
+}
+
+void Host::add(Declaration declaration) {
+  if (const auto faults = check_declaration(declaration); !faults.empty()) {
+    throw PluginError(joined(faults, "; "));
+  }
+  const PluginKind kind = declaration.kind;
+  const std::string name = declaration.name;
+  if (find(kind, name)) {
+    throw PluginError(title(kind, name) + " is there already");
+  }
+  state_->registry(kind).emplace(name, Entry{nullptr, {}, std::move(declaration)});
+}
+
+const Report& Host::report() const { return state_->report; }
+
+}  // namespace elsie::plugin

@@ -1,0 +1,313 @@
+#include "elsie/plugin/inspection.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <elf.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "elsie/api/abi.h"
+
+namespace elsie::plugin {
+namespace {
+
+#if defined(__x86_64__)
+constexpr unsigned kMachine = EM_X86_64;
+#elif defined(__aarch64__)
+constexpr unsigned kMachine = EM_AARCH64;
+#else
+#error "plugin libraries are known for x86-64 and 64-bit ARM only"
+#endif
+
+constexpr std::string_view kOwner{ELSIE_ABI_NOTE_OWNER, sizeof(ELSIE_ABI_NOTE_OWNER)};  // with NUL
+constexpr std::size_t kLongestWord = 4096;
+constexpr std::size_t kMostSegments = 1024;
+constexpr std::size_t kMostNoteBytes = 64 * 1024;
+
+/// Random access to the bytes of a file, wherever they are.
+class Source {
+ public:
+  virtual ~Source() = default;
+  virtual std::uint64_t size() const = 0;
+
+  /// Whether the file reaches that far.
+  bool contains(std::uint64_t offset, std::uint64_t count) const {
+    return offset <= size() && count <= size() - offset;
+  }
+  /// False when there are not as many bytes there, or when they cannot be read.
+  bool read(std::uint64_t offset, void* to, std::size_t count) const {
+    return contains(offset, count) && read_inside(offset, to, count);
+  }
+  template <class Struct>
+  std::optional<Struct> get(std::uint64_t offset) const {
+    Struct result;
+    return read(offset, &result, sizeof result) ? std::optional(result) : std::nullopt;
+  }
+
+ private:
+  virtual bool read_inside(std::uint64_t offset, void* to, std::size_t count) const = 0;
+};
+
+class MemorySource final : public Source {
+ public:
+  explicit MemorySource(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  std::uint64_t size() const override { return bytes_.size(); }
+
+ private:
+  bool read_inside(std::uint64_t offset, void* to, std::size_t count) const override {
+    std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(offset), count,
+                static_cast<std::byte*>(to));
+    return true;
+  }
+
+  std::span<const std::byte> bytes_;
+};
+
+/// A file by its descriptor, read piece by piece: a library may be large, and what is looked at is
+/// little. Not mapped into memory: a file that shrinks meanwhile would kill the program.
+class FileSource final : public Source {
+ public:
+  FileSource(int descriptor, std::uint64_t size) : descriptor_(descriptor), size_(size) {}
+  FileSource(const FileSource&) = delete;
+  FileSource& operator=(const FileSource&) = delete;
+  ~FileSource() override { close(descriptor_); }
+  std::uint64_t size() const override { return size_; }
+
+ private:
+  bool read_inside(std::uint64_t offset, void* to, std::size_t count) const override {
+    auto* at = static_cast<std::byte*>(to);
+    while (count > 0) {
+      const ssize_t got = pread(descriptor_, at, count, static_cast<off_t>(offset));
+      if (got < 0 && errno == EINTR) {
+        continue;
+      }
+      if (got <= 0) {
+        return false;
+      }
+      at += got;
+      offset += static_cast<std::uint64_t>(got);
+      count -= static_cast<std::size_t>(got);
+    }
+    return true;
+  }
+
+  int descriptor_;
+  std::uint64_t size_;
+};
+
+/// Ends the inspection: thrown by the steps below, caught by inspect().
+struct Verdict {
+  FileKind kind;
+  const char* sentence;
+};
+
+[[noreturn]] void other(const char* sentence) { throw Verdict{FileKind::other, sentence}; }
+[[noreturn]] void damaged(const char* sentence) { throw Verdict{FileKind::damaged, sentence}; }
+
+constexpr const char* kCutShort =
+    "is a library that was cut short; build or copy it again, and mind the space on the disk";
+
+/// The file's header, if it is that of a shared library of this word size and byte order.
+Elf64_Ehdr read_header(const Source& file) {
+  unsigned char identity[EI_NIDENT] = {};
+  const std::size_t known = std::min<std::uint64_t>(file.size(), sizeof identity);
+  if (known == 0) {
+    damaged("is empty");
+  }
+  if (!file.read(0, identity, known)) {
+    damaged("cannot be read");
+  }
+  if (std::memcmp(identity, ELFMAG, std::min<std::size_t>(known, SELFMAG)) != 0) {
+    other("is not a shared library");
+  }
+  if (known < sizeof identity) {
+    damaged(kCutShort);
+  }
+  if (identity[EI_CLASS] != ELFCLASS64) {
+    other("is not a 64-bit library");
+  }
+  if (identity[EI_DATA] != ELFDATA2LSB) {
+    other("is not a library for a little-endian processor");
+  }
+  const auto header = file.get<Elf64_Ehdr>(0);
+  if (!header) {
+    damaged(kCutShort);
+  }
+  if (header->e_type != ET_DYN) {
+    other("is an ELF file, but not a shared library");
+  }
+  return *header;
+}
+
+std::vector<Elf64_Phdr> read_segments(const Source& file, const Elf64_Ehdr& header) {
+  if (header.e_phentsize != sizeof(Elf64_Phdr) || header.e_phnum == 0 ||
+      header.e_phnum > kMostSegments) {
+    damaged("is a damaged library: its list of segments makes no sense; build or copy it again");
+  }
+  std::vector<Elf64_Phdr> segments(header.e_phnum);
+  if (!file.read(header.e_phoff, segments.data(), segments.size() * sizeof(Elf64_Phdr))) {
+    damaged(kCutShort);
+  }
+  return segments;
+}
+
+/// Whether all that the loader is going to map is there.
+void check_segments(const Source& file, const std::vector<Elf64_Phdr>& segments) {
+  bool has_code = false;
+  bool has_symbols = false;
+  for (const Elf64_Phdr& segment : segments) {
+    if (segment.p_type == PT_NULL) {
+      continue;
+    }
+    if (segment.p_filesz > 0 && !file.contains(segment.p_offset, segment.p_filesz)) {
+      damaged(kCutShort);
+    }
+    if (segment.p_type == PT_LOAD && segment.p_filesz > segment.p_memsz) {
+      damaged("is a damaged library: a segment is larger in the file than in memory");
+    }
+    has_code = has_code || segment.p_type == PT_LOAD;
+    has_symbols = has_symbols || segment.p_type == PT_DYNAMIC;
+  }
+  if (!has_code || !has_symbols) {
+    damaged("is a damaged library: it has nothing to load; build or copy it again");
+  }
+}
+
+/// The linker writes the section headers last, so that they tell whether the end is there. (A
+/// library may do without any.)
+void check_end(const Source& file, const Elf64_Ehdr& header) {
+  if (header.e_shoff == 0 || header.e_shnum == 0) {
+    return;
+  }
+  const std::uint64_t bytes = std::uint64_t{header.e_shnum} * sizeof(Elf64_Shdr);
+  if (header.e_shentsize != sizeof(Elf64_Shdr)) {
+    damaged("is a damaged library: its list of sections makes no sense; build or copy it again");
+  }
+  if (!file.contains(header.e_shoff, bytes)) {
+    damaged(kCutShort);
+  }
+  if (header.e_shstrndx != SHN_UNDEF && header.e_shstrndx < header.e_shnum) {
+    const auto names = file.get<Elf64_Shdr>(header.e_shoff +
+                                            std::uint64_t{header.e_shstrndx} * sizeof(Elf64_Shdr));
+    if (!names || names->sh_type != SHT_STRTAB ||
+        !file.contains(names->sh_offset, names->sh_size)) {
+      damaged("is a library whose end was never written; build or copy it again");
+    }
+  }
+}
+
+std::uint64_t padded(std::uint64_t size, std::uint64_t alignment) {
+  return (size + alignment - 1) / alignment * alignment;
+}
+
+/// The text of a note that carries an ABI word.
+std::string word_of(std::string_view text) {
+  text = text.substr(0, text.find('\0'));
+  const bool is_printable =
+      std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+  if (text.empty() || text.size() > kLongestWord || !is_printable) {
+    damaged("is a damaged plugin library: its ABI word cannot be read; build it again");
+  }
+  return std::string(text);
+}
+
+/// Adds the ABI words in a segment of notes. What does not look like a note ends the search: other
+/// tools' notes are not ours to judge.
+void find_words(std::string_view notes, std::uint64_t alignment, std::vector<std::string>& words) {
+  std::uint64_t at = 0;
+  Elf64_Nhdr note;
+  while (at <= notes.size() && notes.size() - at >= sizeof note) {
+    std::memcpy(&note, notes.data() + at, sizeof note);
+    // Sizes are 32 bits wide: the sums cannot overflow.
+    const std::uint64_t owner = at + sizeof note;
+    const std::uint64_t text = at + padded(sizeof note + std::uint64_t{note.n_namesz}, alignment);
+    const std::uint64_t end = text + note.n_descsz;
+    if (owner + note.n_namesz > notes.size() || end > notes.size()) {
+      return;
+    }
+    if (note.n_type == ELSIE_ABI_NOTE_TYPE && notes.substr(owner, note.n_namesz) == kOwner) {
+      words.push_back(word_of(notes.substr(text, note.n_descsz)));
+    }
+    at = at + padded(end - at, alignment);
+  }
+}
+
+/// The ABI word, or none.
+std::optional<std::string> read_word(const Source& file, const std::vector<Elf64_Phdr>& segments) {
+  std::vector<std::string> words;
+  for (const Elf64_Phdr& segment : segments) {
+    if (segment.p_type != PT_NOTE || segment.p_filesz > kMostNoteBytes) {
+      continue;
+    }
+    std::string notes(segment.p_filesz, '\0');
+    if (!file.read(segment.p_offset, notes.data(), notes.size())) {
+      damaged(kCutShort);
+    }
+    find_words(notes, segment.p_align == 8 ? 8 : 4, words);
+  }
+  if (words.empty()) {
+    return std::nullopt;
+  }
+  if (std::adjacent_find(words.begin(), words.end(), std::not_equal_to<>()) != words.end()) {
+    damaged("is put together from parts of different ABI words; rebuild it from scratch");
+  }
+  return std::move(words.front());
+}
+
+Inspection inspect(const Source& file) {
+  Inspection result;
+  try {
+    const Elf64_Ehdr header = read_header(file);
+    const std::vector<Elf64_Phdr> segments = read_segments(file, header);
+    check_segments(file, segments);
+    check_end(file, header);
+    const auto word = read_word(file, segments);
+    if (!word) {
+      other("is a shared library, but no plugin library of Elsie");
+    }
+    result.abi_word = *word;
+    if (header.e_machine != kMachine) {
+      throw Verdict{FileKind::foreign, "is a plugin library for another processor; rebuild it"};
+    }
+    result.kind = FileKind::plugin_library;
+  } catch (const Verdict& verdict) {
+    result.kind = verdict.kind;
+    result.sentence = verdict.sentence;
+  }
+  return result;
+}
+
+}  // namespace
+
+Inspection inspect_file(const std::filesystem::path& file) {
+  const auto unreadable = [] {
+    return Inspection{FileKind::damaged, "", std::string("cannot be read: ") + strerror(errno)};
+  };
+  // Without O_NONBLOCK, opening a named pipe waits for a writer.
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) {
+    return unreadable();
+  }
+  struct stat status {};
+  if (fstat(descriptor, &status) != 0) {
+    close(descriptor);
+    return unreadable();
+  }
+  const FileSource source(descriptor, static_cast<std::uint64_t>(status.st_size));
+  if (!S_ISREG(status.st_mode)) {
+    return {FileKind::other, "", S_ISDIR(status.st_mode) ? "is a directory" : "is not a file"};
+  }
+  return inspect(source);
+}
+
+Inspection inspect_bytes(std::span<const std::byte> bytes) { return inspect(MemorySource(bytes)); }
+
+}  // namespace elsie::plugin

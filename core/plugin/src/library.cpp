@@ -1,0 +1,101 @@
+#include "library.h"
+
+#include <system_error>
+#include <utility>
+
+#include <dlfcn.h>
+#include <link.h>
+
+#define BOOST_DLL_USE_STD_FS
+#include <boost/dll/shared_library.hpp>
+
+#include "elsie/api/registration.h"
+
+#include "text.h"
+
+namespace elsie::plugin {
+
+struct Library::System {
+  boost::dll::shared_library library;
+};
+
+Library::Library(std::unique_ptr<System> system) : system_(std::move(system)) {}
+Library::~Library() = default;
+
+namespace {
+
+/// What the loader says of its last failure, without the path that it begins with.
+std::string loader_message(const std::filesystem::path& file) {
+  const char* const message = dlerror();
+  std::string text = message ? demangled(message) : "the loader gives no reason";
+  const std::string prefix = file.string() + ": ";
+  if (text.starts_with(prefix)) {
+    text.erase(0, prefix.size());
+  }
+  return text;
+}
+
+/// The entry point, if it is this library's own. A look-up by handle would find that of a library
+/// which this one depends on as well.
+PluginEntry own_entry(void* handle) {
+  void* const symbol = dlsym(handle, ELSIE_PLUGIN_ENTRY);
+  Dl_info info{};
+  void* owner = nullptr;
+  link_map* library = nullptr;
+  if (!symbol || dladdr1(symbol, &info, &owner, RTLD_DL_LINKMAP) == 0 ||
+      dlinfo(handle, RTLD_DI_LINKMAP, &library) != 0 || owner != library) {
+    return nullptr;
+  }
+  return reinterpret_cast<PluginEntry>(symbol);
+}
+
+/// Fills in the declarations; a sentence when that fails.
+std::string read_declarations(void* handle, std::string_view abi_word,
+                              std::vector<Declaration>& declarations) {
+  const PluginEntry entry = own_entry(handle);
+  if (!entry) {
+    return "carries Elsie's ABI word, but has no entry point '" ELSIE_PLUGIN_ENTRY
+           "' of its own; build it with elsie_add_plugin()";
+  }
+  try {
+    const PluginLibrary* const found = entry();
+    if (!found || !found->abi_word || abi_word != found->abi_word) {
+      return "says one ABI word in its file and another when loaded (" +
+             std::string(found && found->abi_word ? found->abi_word : "none") +
+             "); rebuild it from scratch";
+    }
+    if (!found->declare) {
+      return "has no function that declares its plugins; build it with elsie_add_plugin()";
+    }
+    found->declare(declarations);
+  } catch (...) {
+    return "failed while it declared its plugins: " + current_exception_text();
+  }
+  return "";
+}
+
+}  // namespace
+
+LoadedLibrary load_library(const std::filesystem::path& file, std::string_view abi_word) {
+  namespace dll = boost::dll;
+  LoadedLibrary loaded;
+  auto system = std::make_unique<Library::System>();
+  std::error_code error;
+  // All symbols are bound at once, so that a missing one is found here and not in the middle of a
+  // run; none is offered to libraries loaded later.
+  system->library.load(file, dll::load_mode::rtld_now | dll::load_mode::rtld_local, error);
+  if (error) {
+    loaded.problem = "cannot be loaded: " + loader_message(file);
+    return loaded;
+  }
+  void* const handle = system->library.native();
+  loaded.library = std::make_shared<const Library>(std::move(system));
+  loaded.problem = read_declarations(handle, abi_word, loaded.declarations);
+  if (!loaded.problem.empty()) {
+    loaded.declarations.clear();
+    loaded.library.reset();
+  }
+  return loaded;
+}
+
+}  // namespace elsie::plugin

@@ -1,0 +1,41 @@
+// A loaded plugin library.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elsie/api/declaration.h"
+
+namespace elsie::plugin {
+
+/// Keeps a library in memory; its destructor closes it. Whatever was made by the library's code
+/// must be gone by then.
+class Library {
+ public:
+  struct System;  // what Boost.DLL knows of it
+
+  explicit Library(std::unique_ptr<System> system);
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+  ~Library();
+
+ private:
+  std::unique_ptr<System> system_;
+};
+
+/// What came of loading a library. The order of the members is that of their making: declarations
+/// hold functions of the library, and are destroyed before it.
+struct LoadedLibrary {
+  std::shared_ptr<const Library> library;
+  std::vector<Declaration> declarations;
+  std::string problem;  // a sentence when it was refused; nothing of it is left loaded then
+};
+
+/// Loads a file that was inspected and found to be a plugin library with this ABI word, and has it
+/// declare its plugins. Throws nothing because of what the library does, short of crashing.
+LoadedLibrary load_library(const std::filesystem::path& file, std::string_view abi_word);
+
+}  // namespace elsie::plugin

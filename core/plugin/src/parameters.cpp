@@ -1,0 +1,242 @@
+#include "elsie/plugin/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "elsie/plugin/error.h"
+#include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/near_name.h"
+
+#include "text.h"
+
+namespace elsie::plugin {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool is_number(ParameterType type) {
+  return type == ParameterType::real || type == ParameterType::integer ||
+         type == ParameterType::reals;
+}
+
+bool has_type(ParameterType type, const ParameterValue& value) {
+  switch (type) {
+    case ParameterType::real:
+      return std::holds_alternative<double>(value);
+    case ParameterType::integer:
+      return std::holds_alternative<std::int64_t>(value);
+    case ParameterType::boolean:
+      return std::holds_alternative<bool>(value);
+    case ParameterType::text:
+    case ParameterType::file:
+      return std::holds_alternative<std::string>(value);
+    case ParameterType::reals:
+      return std::holds_alternative<std::vector<double>>(value);
+  }
+  return false;
+}
+
+std::string quoted(std::string_view text) { return std::string("'").append(text).append("'"); }
+
+std::string value_text(const ParameterValue& value) {
+  struct Writer {
+    std::string operator()(bool flag) const { return flag ? "true" : "false"; }
+    std::string operator()(std::int64_t number) const { return std::to_string(number); }
+    std::string operator()(double number) const { return number_text(number); }
+    std::string operator()(const std::string& text) const { return quoted(text); }
+    std::string operator()(const std::vector<double>& numbers) const {
+      std::vector<std::string> texts;
+      std::transform(numbers.begin(), numbers.end(), std::back_inserter(texts), number_text);
+      return quoted(joined(texts, " "));
+    }
+  };
+  return value.valueless_by_exception() ? "nothing" : std::visit(Writer{}, value);
+}
+
+bool in_range(const ParameterFacts& facts, double value) {
+  return value >= facts.min && value > facts.above && value <= facts.max;
+}
+
+/// Whether the member can hold the number.
+bool is_holdable(const ParameterDeclaration& parameter, double value) {
+  return value >= parameter.lowest && value <= parameter.highest;
+}
+
+bool is_allowed(const ParameterDeclaration& parameter, double value) {
+  return std::isfinite(value) && in_range(parameter.facts, value) && is_holdable(parameter, value);
+}
+
+bool is_allowed(const ParameterDeclaration& parameter, const ParameterValue& value) {
+  switch (parameter.type) {
+    case ParameterType::real:
+      return is_allowed(parameter, std::get<double>(value));
+    case ParameterType::integer:
+      return is_allowed(parameter, static_cast<double>(std::get<std::int64_t>(value)));
+    case ParameterType::reals: {
+      const auto& numbers = std::get<std::vector<double>>(value);
+      return std::all_of(numbers.begin(), numbers.end(),
+                         [&](double number) { return is_allowed(parameter, number); });
+    }
+    case ParameterType::text: {
+      const auto& choices = parameter.facts.choices;
+      return choices.empty() || std::find(choices.begin(), choices.end(),
+                                          std::get<std::string>(value)) != choices.end();
+    }
+    case ParameterType::boolean:
+    case ParameterType::file:
+      return true;
+  }
+  return false;
+}
+
+std::string type_text(ParameterType type) {
+  switch (type) {
+    case ParameterType::real:
+      return "a number";
+    case ParameterType::integer:
+      return "a whole number";
+    case ParameterType::boolean:
+      return "true or false";
+    case ParameterType::text:
+      return "a text";
+    case ParameterType::file:
+      return "the path of a file";
+    case ParameterType::reals:
+      return "a list of numbers";
+  }
+  return "a value";
+}
+
+/// "above 0", "at most 50".
+std::vector<std::string> limit_texts(const ParameterDeclaration& parameter) {
+  const ParameterFacts& facts = parameter.facts;
+  // What the member's type rules out goes without saying, but for a sign.
+  const double min = parameter.lowest == 0.0 ? std::max(facts.min, 0.0) : facts.min;
+  std::vector<std::string> limits;
+  if (facts.above > -kInfinity && facts.above >= min) {
+    limits.push_back("above " + number_text(facts.above));
+  } else if (min > -kInfinity) {
+    limits.push_back("at least " + number_text(min));
+  }
+  if (facts.max < kInfinity) {
+    limits.push_back("at most " + number_text(facts.max));
+  }
+  return limits;
+}
+
+/// Why a single number is refused, when allowed_values() does not say it.
+std::string refusal_of(const ParameterDeclaration& parameter, double value) {
+  if (!std::isfinite(value)) {
+    return ", which is not finite";
+  }
+  if (in_range(parameter.facts, value) && !is_holdable(parameter, value)) {
+    return ", which is beyond what the plugin can hold (" + number_text(parameter.lowest) + " to " +
+           number_text(parameter.highest) + ")";
+  }
+  return "";
+}
+
+std::string refusal_of(const ParameterDeclaration& parameter, const ParameterValue& value) {
+  if (const auto* const number = std::get_if<double>(&value)) {
+    return refusal_of(parameter, *number);
+  }
+  if (const auto* const whole = std::get_if<std::int64_t>(&value)) {
+    return refusal_of(parameter, static_cast<double>(*whole));
+  }
+  if (const auto* const numbers = std::get_if<std::vector<double>>(&value)) {
+    const bool finite = std::all_of(numbers->begin(), numbers->end(),
+                                    [](double number) { return std::isfinite(number); });
+    return finite ? "" : ", of which not every number is finite";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string allowed_values(const ParameterDeclaration& parameter) {
+  const std::vector<std::string>& choices = parameter.facts.choices;
+  if (parameter.type == ParameterType::text && !choices.empty()) {
+    std::vector<std::string> names;
+    std::transform(choices.begin(), choices.end(), std::back_inserter(names), quoted);
+    return (names.size() == 1 ? "" : "one of ") + joined(names, ", ");
+  }
+  std::string text = type_text(parameter.type);
+  if (!is_number(parameter.type)) {
+    return text;
+  }
+  const std::vector<std::string> limits = limit_texts(parameter);
+  const std::string& unit = parameter.facts.unit;
+  if (!limits.empty()) {
+    text += (parameter.type == ParameterType::reals ? ", each " : " ") + enumeration(limits);
+    text += unit.empty() ? "" : " " + unit;
+  } else if (!unit.empty()) {
+    text += " in " + unit;
+  }
+  return text;
+}
+
+std::optional<std::string> check_value(const ParameterDeclaration& parameter,
+                                       const ParameterValue& value) {
+  const bool right_type = has_type(parameter.type, value);
+  if (right_type && is_allowed(parameter, value)) {
+    return std::nullopt;
+  }
+  std::string sentence = parameter.name + " is " + value_text(value);
+  if (right_type) {
+    sentence += refusal_of(parameter, value);
+  }
+  sentence += ", but must be " + allowed_values(parameter);
+  if (const auto* const text = std::get_if<std::string>(&value); right_type && text) {
+    sentence += did_you_mean(*text, parameter.facts.choices);
+  }
+  return sentence;
+}
+
+void apply_parameters(const Declaration& declaration, Component& object,
+                      const std::map<std::string, ParameterValue>& parameters) {
+  std::vector<std::string> errors;
+  std::vector<std::string_view> names;
+  for (const ParameterDeclaration& parameter : declaration.parameters) {
+    names.push_back(parameter.name);
+  }
+  for (const auto& [name, value] : parameters) {
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end()) {
+      errors.push_back("it has no parameter '" + name + "'" + did_you_mean(name, names));
+      continue;
+    }
+    const auto& parameter = declaration.parameters[static_cast<std::size_t>(at - names.begin())];
+    if (auto error = check_value(parameter, value)) {
+      errors.push_back(std::move(*error));
+    }
+  }
+  const auto fail = [&declaration](const std::string& why) {
+    throw PluginError(std::string(kind_name(declaration.kind)) + " '" + declaration.name +
+                      "': " + why);
+  };
+  if (!errors.empty()) {
+    fail(joined(errors, "; "));
+  }
+  // In the order of the declaration, whatever order they are given in.
+  std::optional<std::string> problem;
+  try {
+    for (const ParameterDeclaration& parameter : declaration.parameters) {
+      if (const auto given = parameters.find(parameter.name); given != parameters.end()) {
+        parameter.set(object, given->second);
+      }
+    }
+    object.configured();
+  } catch (...) {
+    problem = current_exception_text();
+  }
+  if (problem) {
+    fail(*problem);
+  }
+}
+
+}  // namespace elsie::plugin
