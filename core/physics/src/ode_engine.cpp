@@ -148,6 +148,7 @@ class OdeEngine final : public Engine {
   bool is_mobile(const Body& body) {
     return body.kind == BodyKind::robot || is_mobile(box_of(body));
   }
+  void take_step();
   void remember();
   void go_back();
   void start_moving_boxes();
@@ -155,7 +156,7 @@ class OdeEngine final : public Engine {
   bool meet(const Body& a, const Body& b);
   void settle();
   void settle_box(BoxBody& box, std::size_t index);
-  [[noreturn]] void fail(const std::string& who) const;
+  [[noreturn]] void fail(const std::string& what) const;
 
   world::Physics physics_;
   double time_ = 0.0;
@@ -174,24 +175,16 @@ class OdeEngine final : public Engine {
   std::vector<Scene::Id> neighbors_;  // of the one at hand; kept to reuse its memory
 };
 
-dWorldID make_world(const world::Physics& physics) {
-  prepare_ode();
-  const dWorldID world = dWorldCreate();
-  dWorldSetGravity(world, 0.0, 0.0, physics.gravity);
-  // Joints take these over when they are made: they are set before any is.
-  dWorldSetERP(world, physics.effective_erp());
-  dWorldSetCFM(world, physics.effective_cfm());
-  dWorldSetAutoDisableFlag(world, 0);
-  dWorldSetContactMaxCorrectingVel(world, kMaxCorrectingSpeed);
-  return world;
-}
-
 OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
     : physics_((check(arena, physics), physics)),
-      world_(make_world(physics)),
       contacts_(world_.get(), physics),
       floor_(dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0)),
       scene_(arena) {
+  dWorldSetGravity(world_.get(), 0.0, 0.0, physics.gravity);
+  // Joints take these over when they are made.
+  dWorldSetERP(world_.get(), physics.effective_erp());
+  dWorldSetCFM(world_.get(), physics.effective_cfm());
+  dWorldSetContactMaxCorrectingVel(world_.get(), kMaxCorrectingSpeed);
   if (!arena.walls) return;
   // Outside of the area, the ones along x long enough to close the corners: east, north, west,
   // south.
@@ -296,11 +289,19 @@ Frame OdeEngine::box(std::size_t box) const {
 
 void OdeEngine::step() {
   prepare_ode();
+  try {
+    take_step();
+  } catch (const OdeFailure& failure) {
+    fail("its solver stopped (" + std::string(failure.what()) + ")");
+  }
+}
+
+void OdeEngine::take_step() {
   start_moving_boxes();
   remember();
   for (int attempt = 1;; ++attempt) {
     find_contacts();
-    const bool solved = step_ode(world_.get(), physics_.step);
+    const bool solved = world_.step(physics_.step);
     contacts_.clear(solved ? 1.0 : std::pow(kSofter, attempt));
     if (solved || attempt > kMostAttempts) break;
     go_back();
@@ -396,7 +397,8 @@ bool OdeEngine::meet(const Body& a, const Body& b) {
 
 void OdeEngine::settle() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (!robots_[i].settle(physics_.step)) fail("robot " + std::to_string(i));
+    if (!robots_[i].settle(physics_.step))
+      fail("the state of robot " + std::to_string(i) + " is no longer finite");
     robots_[i].place_in(scene_, robot_ids_[i], physics_.step);
   }
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
@@ -422,16 +424,16 @@ void OdeEngine::settle_box(BoxBody& box, std::size_t index) {
   const double speed = std::sqrt(dot(v, v)) + (half.x + half.y + half.z) * std::sqrt(dot(w, w));
   const Vector3& c = box.shape.center;
   if (!std::isfinite(c.x + c.y + c.z + r[0] + r[5] + r[10] + speed)) {
-    fail("box " + std::to_string(index));
+    fail("the state of box " + std::to_string(index) + " is no longer finite");
   }
   scene_.place_box(box.id, box.shape, physics_.step * speed + kSlack);
 }
 
-void OdeEngine::fail(const std::string& who) const {
+void OdeEngine::fail(const std::string& what) const {
   throw std::runtime_error("The physics became unstable after " + std::to_string(time_) +
-                           " s: the state of " + who +
-                           " is no longer finite. A smaller step, a larger cfm, or less extreme "
-                           "masses, torques and speeds may help.");
+                           " s: " + what +
+                           ". A smaller step, a larger cfm, or less extreme masses, torques and "
+                           "speeds may help.");
 }
 
 std::uint64_t OdeEngine::hash_state(std::uint64_t hash) const {

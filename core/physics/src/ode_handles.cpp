@@ -1,7 +1,10 @@
 #include "ode_handles.h"
 
+#include <array>
+#include <cstdio>
+#include <mutex>
 #include <new>
-#include <stdexcept>
+#include <vector>
 
 namespace elsie::physics {
 namespace {
@@ -12,9 +15,27 @@ thread_local bool solver_gave_up = false;
 
 void note_message(int, const char*, va_list) { solver_gave_up = true; }
 
+[[noreturn]] void fail(int, const char* format, va_list arguments) {
+  std::array<char, 256> text{};
+  std::vsnprintf(text.data(), text.size(), format, arguments);
+  throw OdeFailure(text.data());
+}
+
+/// A scheduler with a job left in it cannot be freed: ODE would end the process. It is kept
+/// instead.
+void abandon(dThreadingImplementationID scheduler) {
+  static std::mutex guard;
+  static auto* const abandoned = new std::vector<dThreadingImplementationID>;
+  const std::lock_guard lock(guard);
+  abandoned->push_back(scheduler);
+}
+
 bool start_ode() {
   if (!dInitODE2(0)) throw std::runtime_error("The physics library ODE could not be started.");
   dSetMessageHandler(note_message);
+  // Failed assertions come by the one, other errors by the other.
+  dSetDebugHandler(fail);
+  dSetErrorHandler(fail);
   return true;
 }
 
@@ -30,9 +51,34 @@ void prepare_ode() {
   }
 }
 
-bool step_ode(dWorldID world, double step) {
+OdeWorld::OdeWorld() {
+  prepare_ode();
+  // ODE's default is one scheduler for all worlds of the process, which fails when two worlds are
+  // stepped in two threads.
+  threading_ = dThreadingAllocateSelfThreadedImplementation();
+  if (!threading_) throw std::bad_alloc();
+  world_ = dWorldCreate();
+  dWorldSetStepThreadingImplementation(world_, dThreadingImplementationGetFunctions(threading_),
+                                       threading_);
+}
+
+OdeWorld::~OdeWorld() {
+  dWorldDestroy(world_);
+  if (stopped_) {
+    abandon(threading_);
+  } else {
+    dThreadingFreeImplementation(threading_);
+  }
+}
+
+bool OdeWorld::step(double step) {
   solver_gave_up = false;
-  if (!dWorldStep(world, step)) throw std::bad_alloc();
+  try {
+    if (!dWorldStep(world_, step)) throw std::bad_alloc();
+  } catch (const OdeFailure&) {
+    stopped_ = true;
+    throw;
+  }
   return !solver_gave_up;
 }
 

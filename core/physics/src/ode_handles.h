@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <type_traits>
 
 #include <ode/ode.h>
@@ -13,19 +14,39 @@ namespace elsie::physics {
 /// Makes ODE ready for the calling thread; to be called before any other use of ODE in it.
 void prepare_ode();
 
-/// Steps the world. False if ODE's solver gave up: then the world has moved, but bodies may have
-/// been let through their contacts.
-bool step_ode(dWorldID world, double step);
+/// What ODE says when it cannot go on. It would end the process otherwise.
+class OdeFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A world with its bodies and joints.
+class OdeWorld {
+ public:
+  OdeWorld();
+  ~OdeWorld();
+  OdeWorld(const OdeWorld&) = delete;
+  OdeWorld& operator=(const OdeWorld&) = delete;
+
+  dWorldID get() const { return world_; }
+
+  /// Takes a step. False if ODE's solver gave up: then the world has moved, but bodies may have
+  /// been let through their contacts. Throws OdeFailure if it stopped half way; the world can then
+  /// only be destroyed.
+  bool step(double step);
+
+ private:
+  bool stopped_ = false;
+  dThreadingImplementationID threading_;
+  dWorldID world_;
+};
 
 inline Vector3 to_vector(const dReal* v) { return {v[0], v[1], v[2]}; }
 
 struct DestroyOde {
-  void operator()(dWorldID world) const { dWorldDestroy(world); }
   void operator()(dJointGroupID group) const { dJointGroupDestroy(group); }
   void operator()(dGeomID geom) const { dGeomDestroy(geom); }
 };
-/// A world owns its bodies and joints.
-using OdeWorld = std::unique_ptr<std::remove_pointer_t<dWorldID>, DestroyOde>;
 using OdeJointGroup = std::unique_ptr<std::remove_pointer_t<dJointGroupID>, DestroyOde>;
 using OdeGeom = std::unique_ptr<std::remove_pointer_t<dGeomID>, DestroyOde>;
 

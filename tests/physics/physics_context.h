@@ -1,0 +1,90 @@
+// A small world for one test: set it up, step it, look at what happened.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "elsie/physics/engine.h"
+
+namespace elsie::physics {
+
+struct PhysicsContext {
+  explicit PhysicsContext(const world::Physics& with = {}, const world::Arena& in = {})
+      : physics(with), arena(in), engine(make_ode_engine(in, with)) {}
+
+  std::size_t robot(double x, double y, double heading_deg = 0.0, const world::RobotBody& body = {},
+                    double z = 0.0) {
+    return engine->add_robot(body, {x, y, radians(heading_deg)}, z);
+  }
+
+  std::size_t box(world::BoxKind kind, double x, double y, const Vector3& size,
+                  double heading_deg = 0.0, double z = 0.0) {
+    world::Box box;
+    box.kind = kind;
+    box.x = x;
+    box.y = y;
+    box.z = z;
+    box.length = size.x;
+    box.width = size.y;
+    box.height = size.z;
+    box.heading_deg = heading_deg;
+    return engine->add_box(box);
+  }
+
+  /// Steps for a time, and calls `each` after every step.
+  void run(
+      double seconds, const std::function<void()>& each = [] {}) {
+    const long steps = std::lround(seconds / physics.step);
+    for (long i = 0; i < steps; ++i) {
+      engine->step();
+      each();
+    }
+  }
+
+  Pose pose(std::size_t robot) const { return engine->robot(robot).pose; }
+
+  bool touching(const Body& a, const Body& b) const {
+    for (const Touch& touch : engine->touches()) {
+      if ((touch.a == a && touch.b == b) || (touch.a == b && touch.b == a)) return true;
+    }
+    return false;
+  }
+
+  /// Moves a moving box along at a velocity for a time.
+  void drive(
+      std::size_t box, const Vector2& velocity, double seconds,
+      const std::function<void()>& each = [] {}) {
+    Vector3 at = engine->box(box).origin;
+    const long steps = std::lround(seconds / physics.step);
+    for (long i = 0; i < steps; ++i) {
+      at = at + physics.step * Vector3{velocity.x, velocity.y, 0.0};
+      engine->drive_box(box, {at.x, at.y}, velocity);
+      engine->step();
+      each();
+    }
+  }
+
+  world::Physics physics;
+  world::Arena arena;
+  std::unique_ptr<Engine> engine;
+};
+
+inline Body robot_body(std::size_t index) { return {BodyKind::robot, index}; }
+inline Body box_body(std::size_t index) { return {BodyKind::box, index}; }
+inline Body wall_body(std::size_t index) { return {BodyKind::wall, index}; }
+
+inline world::Physics with_step(double step) {
+  world::Physics physics;
+  physics.step = step;
+  return physics;
+}
+
+inline world::Arena open_field(double size = 40.0) {
+  world::Arena arena;
+  arena.length = arena.width = size;
+  arena.walls = false;
+  return arena;
+}
+
+}  // namespace elsie::physics

@@ -1,0 +1,299 @@
+// Bodies that meet.
+#include <algorithm>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "physics_context.h"
+
+using namespace elsie;
+using namespace elsie::physics;
+using world::BoxKind;
+
+TEST_CASE("A dynamic box is pushed, and comes to rest when the robot stops") {
+  const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
+  CAPTURE(step);
+  PhysicsContext context(with_step(step));
+  const std::size_t robot = context.robot(0, 0);
+  const std::size_t box = context.box(BoxKind::dynamic, 0.3, 0.0, {0.2, 0.2, 0.2});
+  context.engine->set_wheel_rates(robot, {10, 10});
+  context.run(5.0);
+  const Vector3 pushed = context.engine->box(box).origin;
+  CHECK(pushed.x > 0.8);
+  CHECK(std::abs(pushed.z) < 1e-3);
+  CHECK(context.touching(robot_body(robot), box_body(box)));
+  context.engine->set_wheel_rates(robot, {0, 0});
+  context.run(1.0);
+  const Vector3 stopped = context.engine->box(box).origin;
+  context.run(5.0);
+  const Vector3 end = context.engine->box(box).origin;
+  CHECK(std::hypot(end.x - stopped.x, end.y - stopped.y) < 1e-4);
+}
+
+TEST_CASE("A dynamic box at rest does not creep") {
+  const double step = GENERATE(0.001, 0.01, 0.02);
+  PhysicsContext context(with_step(step));
+  const std::size_t box = context.box(BoxKind::dynamic, 1.0, 2.0, {0.1, 0.2, 0.3}, 25);
+  context.run(60.0);
+  const Frame end = context.engine->box(box);
+  CHECK(std::hypot(end.origin.x - 1.0, end.origin.y - 2.0) < 1e-4);
+  CHECK(std::abs(end.origin.z) < 1e-4);
+  CHECK(std::atan2(end.forward.y, end.forward.x) == Approx(radians(25)).margin(1e-4));
+}
+
+TEST_CASE("A moving box takes a robot along, whatever stands in its way") {
+  const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
+  const double heading = GENERATE(0.0, 45.0, 90.0);
+  CAPTURE(step, heading);
+  PhysicsContext context(with_step(step));
+  const std::size_t robot = context.robot(0.5, 0, heading);
+  const std::size_t box = context.box(BoxKind::moving, 0.0, 0.0, {0.2, 0.4, 0.2});
+  bool touched = false;
+  context.drive(box, {0.2, 0.0}, 5.0,
+                [&] { touched = touched || context.touching(robot_body(robot), box_body(box)); });
+  CHECK(touched);
+  CHECK(context.engine->box(box).origin.x == Approx(1.0));
+  CHECK(context.engine->box(box).origin.y == 0.0);
+  const RobotState state = context.engine->robot(robot);
+  // In front of the box; a robot that was hit askew may have slipped off its end.
+  CHECK(state.pose.x > 1.0 + 0.1 + 0.03);
+  CHECK(state.frame.up.z > 0.99);
+  CHECK(std::abs(state.frame.origin.z) < 2e-3);
+}
+
+TEST_CASE("A moving box rests when it is not driven") {
+  PhysicsContext context;
+  const std::size_t box = context.box(BoxKind::moving, 0.0, 0.0, {0.2, 0.2, 0.2}, 30);
+  context.drive(box, {0.3, 0.1}, 1.0);
+  const Frame there = context.engine->box(box);
+  CHECK(there.origin.x == Approx(0.3));
+  CHECK(there.origin.y == Approx(0.1));
+  context.run(1.0);
+  CHECK(context.engine->box(box).origin == there.origin);
+  CHECK(std::atan2(there.forward.y, there.forward.x) == Approx(radians(30)));
+}
+
+TEST_CASE("Nothing goes through a thin wall at full speed") {
+  const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
+  const double heading = GENERATE(0.0, 20.0, 45.0);
+  CAPTURE(step, heading);
+  PhysicsContext context(with_step(step));
+  const std::size_t robot = context.robot(-1.0, 0, heading);
+  const double s = std::sin(radians(heading)), c = std::cos(radians(heading));
+  const std::size_t wall = context.box(BoxKind::fixed, -1.0 + 0.7, 0.7 * s / c, {0.002, 3.0, 0.3});
+  context.engine->set_wheel_rates(robot, {25, 25});
+  bool touched = false;
+  double furthest = -1.0;
+  context.run(6.0, [&] {
+    touched = touched || context.touching(robot_body(robot), box_body(wall));
+    furthest = std::max(furthest, context.pose(robot).x);
+  });
+  CHECK(touched);
+  CHECK(furthest < -0.3 - 0.03);
+  CHECK(context.engine->robot(robot).frame.up.z > 0.99);
+}
+
+TEST_CASE("A robot at 2 m/s does not go through a box of 5 cm, nor over it") {
+  const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
+  const double height = GENERATE(0.05, 0.2);
+  CAPTURE(step, height);
+  PhysicsContext context(with_step(step));
+  const std::size_t robot = context.robot(-2.0, 0);
+  const std::size_t box = context.box(BoxKind::fixed, 0.0, 0.0, {0.05, 0.05, height});
+  context.engine->set_wheel_rates(robot, {100, 100});
+  bool touched = false;
+  context.run(1.6, [&] {
+    touched = touched || context.touching(robot_body(robot), box_body(box));
+    CHECK(context.pose(robot).x < -0.06);
+    CHECK(std::abs(context.engine->robot(robot).frame.origin.z) < 0.005);
+  });
+  CHECK(touched);
+}
+
+TEST_CASE("Walls of the arena hold robots and boxes") {
+  const double step = GENERATE(0.001, 0.01, 0.02);
+  CAPTURE(step);
+  world::Arena arena;
+  arena.length = arena.width = 2.0;
+  arena.wall_thickness = 0.005;
+  PhysicsContext context(with_step(step), arena);
+  std::vector<std::size_t> robots;
+  for (int i = 0; i < 8; ++i) {
+    robots.push_back(context.robot(0.5 * std::cos(i), 0.5 * std::sin(i), degrees(i)));
+    context.engine->set_wheel_rates(robots.back(), {25, 23.0 + 0.5 * i});
+  }
+  const std::size_t box = context.box(BoxKind::dynamic, 0.8, 0.0, {0.1, 0.1, 0.1});
+  context.run(10.0, [&] {
+    for (const std::size_t robot : robots) {
+      const Pose pose = context.pose(robot);
+      CHECK(std::max(std::abs(pose.x), std::abs(pose.y)) < 1.0);
+    }
+  });
+  CHECK(std::abs(context.engine->box(box).origin.x) < 0.96);
+  for (const std::size_t robot : robots) {
+    CHECK(context.engine->robot(robot).frame.up.z > 0.9);
+  }
+}
+
+TEST_CASE("Touches name each pair once, in order") {
+  PhysicsContext context;
+  // A row from the east wall: wall 0, box 0, box 1, robot 0, robot 1; all pressed together.
+  const std::size_t first = context.box(BoxKind::dynamic, 4.9, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t second = context.box(BoxKind::fixed, 4.7, 0.5, {0.2, 0.2, 0.2});
+  const std::size_t ahead = context.robot(4.75, 0.0);
+  const std::size_t behind = context.robot(4.66, 0.0);
+  const std::size_t aside = context.robot(0.0, 0.0);
+  context.engine->set_wheel_rates(ahead, {10, 10});
+  context.engine->set_wheel_rates(behind, {10, 10});
+  context.run(1.0);
+  std::vector<std::pair<Body, Body>> found;
+  for (const Touch& touch : context.engine->touches()) {
+    CHECK(touch.a < touch.b);
+    found.emplace_back(touch.a, touch.b);
+  }
+  const std::vector<std::pair<Body, Body>> expected{
+      {robot_body(ahead), robot_body(behind)},
+      {robot_body(ahead), box_body(first)},
+      {box_body(first), wall_body(0)},
+  };
+  CHECK(found == expected);
+  static_cast<void>(second);
+  static_cast<void>(aside);
+}
+
+TEST_CASE("Bodies that are apart do not touch, and a touch ends") {
+  PhysicsContext context;
+  const std::size_t robot = context.robot(0.0, 0.0);
+  const std::size_t box = context.box(BoxKind::fixed, 0.3, 0.0, {0.2, 0.2, 0.2});
+  context.run(0.5, [&] { CHECK(context.engine->touches().empty()); });
+  context.engine->set_wheel_rates(robot, {25, 25});
+  context.run(1.0);
+  CHECK(context.touching(robot_body(robot), box_body(box)));
+  context.engine->set_wheel_rates(robot, {-25, -25});
+  context.run(0.5);
+  CHECK(context.engine->touches().empty());
+}
+
+TEST_CASE("A wheel that grazes a wall touches it") {
+  PhysicsContext context;
+  const std::size_t robot = context.robot(0.0, 0.0);
+  // The wheels' outer faces are at y = 0.05.
+  const std::size_t box = context.box(BoxKind::fixed, 0.0, 0.15, {1.0, 0.2, 0.2});
+  context.run(0.1);
+  CHECK(context.touching(robot_body(robot), box_body(box)));
+}
+
+TEST_CASE("Two robots that drive into each other stop") {
+  const double step = GENERATE(0.001, 0.01, 0.02);
+  const double aside = GENERATE(0.0, 0.03, 0.07);
+  CAPTURE(step, aside);
+  PhysicsContext context(with_step(step));
+  const std::size_t a = context.robot(-0.5, 0.0, 0);
+  const std::size_t b = context.robot(0.5, aside, 180);
+  context.engine->set_wheel_rates(a, {25, 25});
+  context.engine->set_wheel_rates(b, {25, 25});
+  bool touched = false;
+  context.run(2.0, [&] {
+    touched = touched || context.touching(robot_body(a), robot_body(b));
+    CHECK(distance(context.pose(a), context.pose(b)) > 0.07);
+  });
+  CHECK(touched);
+}
+
+TEST_CASE("A box that is taken away is gone") {
+  PhysicsContext context;
+  const std::size_t robot = context.robot(0.0, 0.0);
+  const BoxKind kind = GENERATE(BoxKind::fixed, BoxKind::resource, BoxKind::dynamic);
+  const std::size_t box = context.box(kind, 0.5, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t other = context.box(BoxKind::fixed, 0.5, 1.0, {0.2, 0.2, 0.2});
+  CHECK(context.engine->has_box(box));
+  CHECK(context.engine->cast_ray({0, 0, 0.1}, {1, 0, 0}, 1, Engine::kNobody).has_value());
+  context.engine->remove_box(box);
+  CHECK_FALSE(context.engine->has_box(box));
+  CHECK(context.engine->has_box(other));
+  context.engine->remove_box(box);  // twice is once
+  CHECK_FALSE(context.engine->cast_ray({0, 0, 0.1}, {1, 0, 0}, 1, robot).has_value());
+  context.engine->set_wheel_rates(robot, {25, 25});
+  context.run(2.0);
+  CHECK(context.pose(robot).x > 0.8);
+  CHECK(context.box(BoxKind::fixed, 2, 2, {0.1, 0.1, 0.1}) == 2);
+}
+
+TEST_CASE("A resource stands fast until it is taken") {
+  PhysicsContext context;
+  const std::size_t robot = context.robot(0.0, 0.0);
+  const std::size_t box = context.box(BoxKind::resource, 0.3, 0.0, {0.1, 0.1, 0.1});
+  context.engine->set_wheel_rates(robot, {25, 25});
+  context.run(1.0);
+  CHECK(context.touching(robot_body(robot), box_body(box)));
+  CHECK(context.engine->box(box).origin.x == Approx(0.3));
+}
+
+TEST_CASE("Boxes fall and stack, fixed ones float") {
+  const double step = GENERATE(0.001, 0.01, 0.02);
+  CAPTURE(step);
+  PhysicsContext context(with_step(step));
+  const std::size_t lower = context.box(BoxKind::dynamic, 0, 0, {0.2, 0.2, 0.2}, 0, 0.05);
+  const std::size_t upper = context.box(BoxKind::dynamic, 0.02, 0, {0.2, 0.2, 0.1}, 10, 0.3);
+  const std::size_t floating = context.box(BoxKind::fixed, 2, 0, {0.2, 0.2, 0.1}, 0, 0.5);
+  context.run(3.0);
+  CHECK(context.engine->box(lower).origin.z == Approx(0.0).margin(1e-3));
+  CHECK(context.engine->box(upper).origin.z == Approx(0.2).margin(2e-3));
+  CHECK(context.engine->box(floating).origin.z == 0.5);
+}
+
+TEST_CASE("A tall box that is hit high up falls over and stays above the floor") {
+  PhysicsContext context;
+  const std::size_t tall = context.box(BoxKind::dynamic, 0.0, 0.0, {0.04, 0.2, 0.5});
+  const std::size_t ram = context.box(BoxKind::moving, -0.3, 0.0, {0.2, 0.2, 0.1}, 0, 0.35);
+  context.drive(ram, {0.3, 0.0}, 2.0);
+  context.run(2.0);
+  const Frame lying = context.engine->box(tall);
+  CHECK(lying.up.z < 0.1);
+  const Vector3 center = lying.point({0, 0, 0.25});
+  CHECK(center.z == Approx(0.02).margin(2e-3));
+}
+
+TEST_CASE("A robot that is tipped over lies on the floor") {
+  PhysicsContext context;
+  const std::size_t robot = context.robot(0.0, 0.0, 90);
+  const std::size_t ram = context.box(BoxKind::moving, -0.25, 0.0, {0.2, 0.2, 0.1}, 0, 0.075);
+  context.drive(ram, {1.5, 0.0}, 0.25);
+  context.run(3.0, [&] {
+    // No part of it sinks: the middle of the chassis is at least half an edge above the floor.
+    const Frame frame = context.engine->robot(robot).frame;
+    CHECK(frame.point({0, 0, 0.05}).z > 0.035);
+  });
+}
+
+TEST_CASE("A robot is squeezed between a moving box and a wall without harm to the world") {
+  const double step = GENERATE(0.001, 0.01, 0.02);
+  PhysicsContext context(with_step(step));
+  const std::size_t robot = context.robot(4.8, 0.0, 0);
+  const std::size_t bystander = context.robot(0.0, 0.0, 0);
+  const std::size_t ram = context.box(BoxKind::moving, 4.5, 0.0, {0.2, 0.2, 0.2});
+  context.drive(ram, {0.2, 0.0}, 3.0);
+  const RobotState state = context.engine->robot(robot);
+  CHECK(std::isfinite(state.pose.x));
+  CHECK(std::abs(state.frame.origin.z) < 5.0);
+  CHECK(context.pose(bystander).x == Approx(0).margin(1e-4));
+}
+
+TEST_CASE("What bounces comes back") {
+  world::Physics physics;
+  physics.step = 0.001;
+  physics.bounce = GENERATE(0.0, 0.7);
+  PhysicsContext context(physics);
+  const std::size_t box = context.box(BoxKind::dynamic, 0, 0, {0.2, 0.2, 0.2}, 0, 0.5);
+  double lowest = 1.0, highest_after = 0.0;
+  context.run(1.0, [&] {
+    const double z = context.engine->box(box).origin.z;
+    lowest = std::min(lowest, z);
+    if (lowest < 0.01) highest_after = std::max(highest_after, z);
+  });
+  if (physics.bounce > 0.0) {
+    CHECK(highest_after == Approx(0.5 * 0.49).epsilon(0.15));
+  } else {
+    CHECK(highest_after < 0.012);
+  }
+}
