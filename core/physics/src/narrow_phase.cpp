@@ -16,10 +16,6 @@ constexpr double kTouching = 2e-5;  // m
 // A body counts as upright up to about 6 degrees.
 constexpr double kUpright = 0.995;
 
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 struct Span {
   double lower, upper;
 };

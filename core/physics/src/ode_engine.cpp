@@ -1,6 +1,5 @@
 // The engine on ODE: bodies are added, contacts are found, ODE solves.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -8,11 +7,13 @@
 
 #include "elsie/physics/engine.h"
 
+#include "checks.h"
 #include "narrow_phase.h"
 #include "ode_contacts.h"
 #include "ode_handles.h"
 #include "ode_robot.h"
 #include "scene.h"
+#include "state_hash.h"
 
 namespace elsie::physics {
 namespace {
@@ -23,77 +24,10 @@ constexpr double kSlack = 1e-3;  // m
 // Bodies that were put into each other, or squeezed, come apart no faster than this.
 constexpr double kMaxCorrectingSpeed = 0.5;  // m/s
 
-void require(bool holds, const std::string& sentence) {
-  if (!holds) throw std::invalid_argument(sentence);
-}
-
-bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
-
-void check(const world::Arena& arena, const world::Physics& physics) {
-  require(is_positive(arena.length) && is_positive(arena.width),
-          "The arena's length and width must be positive and finite.");
-  require(!arena.walls || (is_positive(arena.wall_height) && is_positive(arena.wall_thickness)),
-          "The height and thickness of the arena's walls must be positive and finite.");
-  require(is_positive(physics.step), "The step of the physics must be positive and finite.");
-  require(std::isfinite(physics.gravity), "Gravity must be finite.");
-  const double erp = physics.effective_erp(), cfm = physics.effective_cfm();
-  require(erp > 0.0 && erp <= 1.0, "The error reduction (erp) of the physics must be in (0, 1].");
-  require(std::isfinite(cfm) && cfm >= 0.0,
-          "The constraint force mixing (cfm) of the physics must be finite and not negative.");
-  require(std::isfinite(physics.friction) && physics.friction >= 0.0 &&
-              std::isfinite(physics.wheel_slip) && physics.wheel_slip >= 0.0,
-          "Friction and wheel slip must be finite and not negative.");
-  require(physics.bounce >= 0.0 && physics.bounce <= 1.0, "Bounce must be in [0, 1].");
-}
-
-void check(const world::RobotBody& body, const Pose& pose, double z) {
-  for (const double size :
-       {body.length, body.width, body.height, body.clearance, body.wheel_radius, body.wheel_width,
-        body.half_axle(), body.mass, body.wheel_mass, body.wheel_torque}) {
-    require(is_positive(size),
-            "All lengths, masses and the torque of a robot's body must be positive and finite.");
-  }
-  require(std::isfinite(pose.x + pose.y + pose.heading_rad + z),
-          "The pose of a robot must be finite.");
-}
-
-void check(const world::Box& box) {
-  require(is_positive(box.length) && is_positive(box.width) && is_positive(box.height),
-          "The length, width and height of a box must be positive and finite.");
-  require(box.kind != world::BoxKind::dynamic || is_positive(box.mass),
-          "The mass of a dynamic box must be positive and finite.");
-  require(std::isfinite(box.x + box.y + box.z + box.heading_deg),
-          "The place and heading of a box must be finite.");
-}
-
 // Where ODE's solver gives up, the step is taken again with contacts softer by this factor, and by
 // more if need be.
 constexpr double kSofter = 3.0;
 constexpr int kMostAttempts = 4;
-
-class Hash {
- public:
-  explicit Hash(std::uint64_t start) : value_(start) {}
-
-  void add(const dReal* numbers, int count) {
-    for (int i = 0; i < count; ++i) add(std::bit_cast<std::uint64_t>(numbers[i]));
-  }
-  void add(std::uint64_t word) {
-    for (int i = 0; i < 8; ++i) {
-      value_ = (value_ ^ ((word >> (8 * i)) & 0xff)) * 0x100000001b3ULL;
-    }
-  }
-  void add_body(dBodyID body) {
-    add(dBodyGetPosition(body), 3);
-    add(dBodyGetQuaternion(body), 4);
-    add(dBodyGetLinearVel(body), 3);
-    add(dBodyGetAngularVel(body), 3);
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_;
-};
 
 class OdeEngine final : public Engine {
  public:
@@ -437,7 +371,7 @@ void OdeEngine::fail(const std::string& what) const {
 }
 
 std::uint64_t OdeEngine::hash_state(std::uint64_t hash) const {
-  Hash all(hash);
+  StateHash all(hash);
   for (const OdeRobot& robot : robots_) {
     for (int part = 0; part < OdeRobot::part_count; ++part) {
       all.add_body(robot.body(static_cast<OdeRobot::Part>(part)));

@@ -22,10 +22,6 @@ constexpr double kTieBreaker = 1e-6;
 
 constexpr double kHalfSqrt2 = 0.5 * std::numbers::sqrt2;
 
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 bool is_finite(const Vector3& v) { return std::isfinite(v.x + v.y + v.z); }
 
 /// The orientation of a wheel that is turned by `angle` about the robot's y axis, in the robot's

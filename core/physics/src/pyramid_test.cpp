@@ -6,10 +6,6 @@
 namespace elsie::physics {
 namespace {
 
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 Vector3 normalized(const Vector3& v) {
   const double length = std::sqrt(dot(v, v));
   return length > 0.0 ? (1.0 / length) * v : v;

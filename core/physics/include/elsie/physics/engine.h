@@ -19,7 +19,8 @@
 
 namespace elsie::physics {
 
-/// A robot or a box, by its place in the order in which they were added. Walls are bodies too.
+/// A robot or a box, by its place in the order in which they were added. Walls are bodies too: 0 to
+/// the east (+x), 1 north (+y), 2 west, 3 south, all outside of the arena's area.
 enum class BodyKind : std::uint8_t { robot, box, wall };
 struct Body {
   BodyKind kind = BodyKind::wall;
@@ -38,36 +39,42 @@ struct RobotState {
 };
 
 /// Two bodies that touched during the last step; a < b. Each pair once, in ascending order. The
-/// floor is not listed.
+/// floor is not listed. Bodies touch when there is no gap between them at the beginning of the step
+/// (to within 0.02 mm); what comes to a stop at a wall touches it in the step after.
 struct Touch {
   Body a;
   Body b;
 };
 
 struct RayHit {
-  double distance = 0.0;
+  double distance = 0.0;  // m; 0 for a ray that starts inside of a body
   Body body;
   bool floor = false;  // then `body` means nothing
 };
 
+/// Indices are those that add_robot() and add_box() returned; any other is a std::out_of_range.
+/// Questions (const functions) may be asked from several threads at once between steps.
 class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Adds a robot that stands at the pose; returns its index.
+  /// Adds a robot that stands at the pose, its wheels `z` m above the floor; returns its index.
+  /// Throws std::invalid_argument for dimensions and masses that are not positive and finite.
   virtual std::size_t add_robot(const world::RobotBody& body, const Pose& pose, double z = 0.0) = 0;
-  /// Adds a box; returns its index. Resources are fixed boxes until they are removed.
+  /// Adds a box; returns its index. Resources are fixed boxes until they are removed. Fixed and
+  /// moving boxes float where z is positive, dynamic ones fall. Throws as add_robot() does.
   virtual std::size_t add_box(const world::Box& box) = 0;
   /// Takes a box out of the world; its index stays taken.
   virtual void remove_box(std::size_t box) = 0;
 
   /// What the motors are to hold from now on; the caller has limited it to the maximum speed.
   virtual void set_wheel_rates(std::size_t robot, const MotorCommand& rates) = 0;
-  /// Where a moving box is to be and how fast it moves there (m/s), whatever stands in its way;
-  /// before each step.
+  /// Where a moving box is to be at the end of the next step and how fast it moves there (m/s),
+  /// whatever stands in its way; before each step. Without it the box rests in that step.
   virtual void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) = 0;
 
-  /// One step of the length in world::Physics.
+  /// One step of the length in world::Physics. Throws std::runtime_error, with a sentence, when the
+  /// state of a body is no longer finite; the engine can then only be destroyed.
   virtual void step() = 0;
 
   virtual RobotState robot(std::size_t robot) const = 0;
@@ -76,12 +83,16 @@ class Engine {
   /// Contacts of the last step.
   virtual std::span<const Touch> touches() const = 0;
 
-  /// The first surface along a ray (`direction` a unit vector), as range sensors see the world:
-  /// floor, walls, boxes that are visible to them, robots with the sensor deck on top. The robot
-  /// `except` is left out.
+  /// The first surface along a ray (`direction` a unit vector), no further away than `max_range`,
+  /// as range sensors see the world: floor (from above), walls, boxes that are visible to them, and
+  /// robots: wheels, and the chassis with a sensor deck of 2 cm on top, so that sensors at the top
+  /// of a chassis see robots of the same size. The robot `except` is left out. Of bodies at the
+  /// same distance the first in their order is met.
   virtual std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction,
                                          double max_range, std::size_t except) const = 0;
-  /// Whether a wall, a visible box or a robot other than `except` reaches into the pyramid.
+  /// Whether a wall, a visible box or a robot other than `except` reaches into the pyramid, whose
+  /// far face is flat, at the distance `range_m` along its axis. Robots are seen as by rays, but
+  /// with the boxes around their wheels. The floor does not count.
   virtual bool anything_in(const Pyramid& pyramid, std::size_t except) const = 0;
   /// No robot is left out of a query.
   static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
@@ -91,7 +102,9 @@ class Engine {
   virtual std::uint64_t hash_state(std::uint64_t hash = 0xcbf29ce484222325ULL) const = 0;
 };
 
-/// The ODE engine: hinged wheels, casters on ball joints, contacts with slip.
+/// The ODE engine: hinged wheels, casters on ball joints, contacts with slip. Throws
+/// std::invalid_argument for an arena or parameters that it cannot work with (a step that is not
+/// positive, an erp outside of (0, 1]...).
 std::unique_ptr<Engine> make_ode_engine(const world::Arena& arena, const world::Physics& physics);
 
 }  // namespace elsie::physics

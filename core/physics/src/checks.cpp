@@ -1,0 +1,55 @@
+#include "checks.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace elsie::physics {
+
+void require(bool holds, const std::string& sentence) {
+  if (!holds) throw std::invalid_argument(sentence);
+}
+
+namespace {
+
+bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
+
+}  // namespace
+
+void check(const world::Arena& arena, const world::Physics& physics) {
+  require(is_positive(arena.length) && is_positive(arena.width),
+          "The arena's length and width must be positive and finite.");
+  require(!arena.walls || (is_positive(arena.wall_height) && is_positive(arena.wall_thickness)),
+          "The height and thickness of the arena's walls must be positive and finite.");
+  require(is_positive(physics.step), "The step of the physics must be positive and finite.");
+  require(std::isfinite(physics.gravity), "Gravity must be finite.");
+  const double erp = physics.effective_erp(), cfm = physics.effective_cfm();
+  require(erp > 0.0 && erp <= 1.0, "The error reduction (erp) of the physics must be in (0, 1].");
+  require(std::isfinite(cfm) && cfm >= 0.0,
+          "The constraint force mixing (cfm) of the physics must be finite and not negative.");
+  require(std::isfinite(physics.friction) && physics.friction >= 0.0 &&
+              std::isfinite(physics.wheel_slip) && physics.wheel_slip >= 0.0,
+          "Friction and wheel slip must be finite and not negative.");
+  require(physics.bounce >= 0.0 && physics.bounce <= 1.0, "Bounce must be in [0, 1].");
+}
+
+void check(const world::RobotBody& body, const Pose& pose, double z) {
+  for (const double size :
+       {body.length, body.width, body.height, body.clearance, body.wheel_radius, body.wheel_width,
+        body.half_axle(), body.mass, body.wheel_mass, body.wheel_torque}) {
+    require(is_positive(size),
+            "All lengths, masses and the torque of a robot's body must be positive and finite.");
+  }
+  require(std::isfinite(pose.x + pose.y + pose.heading_rad + z),
+          "The pose of a robot must be finite.");
+}
+
+void check(const world::Box& box) {
+  require(is_positive(box.length) && is_positive(box.width) && is_positive(box.height),
+          "The length, width and height of a box must be positive and finite.");
+  require(box.kind != world::BoxKind::dynamic || is_positive(box.mass),
+          "The mass of a dynamic box must be positive and finite.");
+  require(std::isfinite(box.x + box.y + box.z + box.heading_deg),
+          "The place and heading of a box must be finite.");
+}
+
+}  // namespace elsie::physics
