@@ -59,6 +59,7 @@ struct Colour {
 struct Team {
   std::string id;
   Colour colour;
+  Location location{};
 };
 
 enum class BoxKind { fixed, dynamic, moving, resource };  // `fixed` is "static" in the file
@@ -141,7 +142,7 @@ struct RobotBody {
 
 struct Robot {
   std::string id;
-  std::string team;
+  std::string team = "red";
   double x = 0.0, y = 0.0, z = 0.0;  // m
   double heading_deg = 0.0;
   double max_speed = 0.5;  // m/s
@@ -162,38 +163,46 @@ struct Robot {
 /// To reach: all resources (of one team, or all) are collected.
 struct CollectGoal {
   std::string team;  // empty: every resource
+  Location location{};
 };
 /// To reach: a robot is within `radius` of a place.
 struct ReachGoal {
   std::string robot;
   double x = 0.0, y = 0.0, radius = 0.2;
+  Location location{};
 };
 /// To reach: a box (a dynamic one, in general) has its middle within `radius` of a place.
 struct PushGoal {
   std::string box;
   double x = 0.0, y = 0.0, radius = 0.2;
+  Location location{};
 };
 /// To reach: every robot of a team is within `distance` of another one or of its leader.
 struct GatherGoal {
   std::string team;
   double distance = 0.5;
+  Location location{};
 };
 /// To reach: a robot (empty: every robot) has driven at least this far, m.
 struct TravelGoal {
   std::string robot;
   double distance = 10.0;
+  Location location{};
 };
 /// To reach: this much simulated time has passed, s.
 struct EndureGoal {
   double time = 60.0;
+  Location location{};
 };
 /// To keep: a robot (empty: every robot) touches nothing but the floor and its resources.
 struct NoCollisionGoal {
   std::string robot;
+  Location location{};
 };
 /// To keep: the battery of a robot (empty: every robot) is never empty.
 struct BatteryGoal {
   std::string robot;
+  Location location{};
 };
 using Goal = std::variant<CollectGoal, ReachGoal, PushGoal, GatherGoal, TravelGoal, EndureGoal,
                           NoCollisionGoal, BatteryGoal>;

@@ -1,0 +1,256 @@
+#include "checks.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elsie/plugin/host.h"
+#include "elsie/plugin/near_name.h"
+
+#include "values.h"
+
+namespace elsie::world {
+
+namespace {
+
+std::string number(double value) { return format_value(ParameterValue(value)); }
+
+std::string on_line(const Location& where, const Location& from) {
+  return where.line == 0           ? " (" + where.file + ")"
+         : where.file == from.file ? " (line " + std::to_string(where.line) + ")"
+                                   : " (" + where.file + ":" + std::to_string(where.line) + ")";
+}
+
+// No two of the elements in these lists have the same id.
+void check_unique(const std::vector<const Element*>& lists, const std::string& what,
+                  Problems& problems) {
+  std::map<std::string, Location> first;
+  for (const Element* list : lists) {
+    if (!list) {
+      continue;
+    }
+    for (const Element& child : list->children) {
+      const Attribute* id = child.find("id");
+      if (!id) {
+        continue;
+      }
+      const auto [known, fresh] = first.emplace(id->value, id->where);
+      if (!fresh) {
+        problems.add(id->where, "a second " + what + " with the id '" + id->value +
+                                    "'; the first is there already" +
+                                    on_line(known->second, id->where));
+      }
+    }
+  }
+}
+
+void check_ids(const Element& root, Problems& problems) {
+  check_unique({root.child("teams")}, "team", problems);
+  check_unique({root.child("obstacles"), root.child("resources")}, "box", problems);
+  check_unique({root.child("chargers")}, "charger", problems);
+  const Element* robots = root.child("robots");
+  check_unique({robots}, "robot", problems);
+  if (robots) {
+    for (const Element& robot : robots->children) {
+      check_unique({robot.child("sensors")}, "sensor of this robot", problems);
+      check_unique({robot.child("behaviors")}, "behavior of this robot", problems);
+    }
+  }
+}
+
+void check_mentions(const Reading& reading, Problems& problems) {
+  std::vector<std::string> teams, robots, boxes;
+  for (const Team& team : reading.world.teams) {
+    teams.push_back(team.id);
+  }
+  for (const Robot& robot : reading.world.robots) {
+    robots.push_back(robot.id);
+  }
+  for (const Box& box : reading.world.boxes) {
+    boxes.push_back(box.id);
+  }
+  for (const Mention& mention : reading.mentions) {
+    const auto& [what, ids] = mention.kind == Reference::team    ? std::pair("team", &teams)
+                              : mention.kind == Reference::robot ? std::pair("robot", &robots)
+                                                                 : std::pair("box", &boxes);
+    if (std::find(ids->begin(), ids->end(), mention.id) == ids->end()) {
+      problems.add(mention.where, mention.in_words + ": there is no such " + what +
+                                      plugin::did_you_mean(mention.id, *ids));
+    }
+  }
+}
+
+void check_physics(const Element& root, const Physics& physics, Problems& problems) {
+  const Element* element = root.child("physics");
+  if (!element) {
+    return;
+  }
+  const Attribute* kp = element->find("kp");
+  const Attribute* kd = element->find("kd");
+  if (!kp != !kd) {
+    problems.add((kp ? kp : kd)->where, std::string("<physics> has '") + (kp ? "kp" : "kd") +
+                                            "' without '" + (kp ? "kd" : "kp") +
+                                            "'; give both, or erp and cfm instead");
+  }
+  for (const char* name : {"erp", "cfm"}) {
+    const Attribute* attribute = element->find(name);
+    if (attribute && kp && kd) {
+      problems.add(attribute->where, std::string("<physics> has '") + name +
+                                         "' beside kp and kd, from which it follows; take it out");
+    }
+  }
+  const double period = physics.step * physics.control_steps;
+  if (period > 1.0) {
+    problems.add(element->where, "the control period, step times control_steps, is " +
+                                     number(period) + " s; expected at most 1 s");
+  }
+}
+
+// Whether the robot's sensors make the readings that a behaviour or the coordinator needs.
+void check_needs(const Robot& robot, const PluginUse& use, const Declaration& declaration,
+                 const plugin::Host& host, Problems& problems) {
+  for (const ReadingDeclaration& need : declaration.needs) {
+    bool met = false;
+    const SensorUse* other_version = nullptr;
+    for (const SensorUse& sensor : robot.sensors) {
+      const Declaration* made = host.find(PluginKind::sensor, sensor.plugin);
+      for (const ReadingDeclaration& reading : made->produces) {
+        if (reading.kind == need.kind) {
+          met |= reading.size == need.size;
+          other_version = reading.size == need.size ? other_version : &sensor;
+        }
+      }
+    }
+    const std::string what = "'" + use.plugin + "' needs readings of the kind '" + need.kind + "'";
+    if (other_version) {
+      problems.add(use.location, what + " as it was built with, but those of the sensor '" +
+                                     other_version->plugin +
+                                     "' have another layout; build both plugins anew against the "
+                                     "same header");
+    } else if (!met) {
+      std::string makers;
+      for (const Declaration* sensor : host.all(PluginKind::sensor)) {
+        for (const ReadingDeclaration& reading : sensor->produces) {
+          if (reading.kind == need.kind && reading.size == need.size) {
+            makers += (makers.empty() ? "" : " or ") + ("<" + sensor->name + ">");
+          }
+        }
+      }
+      problems.add(use.location,
+                   what + ", but the robot '" + robot.id + "' has no sensor that makes them" +
+                       (makers.empty() ? "; no plugin that was found does" : "; add " + makers));
+    }
+  }
+}
+
+void check_robot(const Reading& reading, const Robot& robot, const plugin::Host& host,
+                 Problems& problems) {
+  if (robot.energy && *robot.energy > robot.battery && reading.sound(robot.location)) {
+    problems.add(robot.location, "the robot '" + robot.id + "' starts with energy " +
+                                     number(*robot.energy) + ", but its battery holds " +
+                                     number(robot.battery));
+  }
+  if (reading.incomplete_robots.contains(robot.id)) {
+    return;
+  }
+  if (!robot.behaviors.empty() && !robot.coordinator) {
+    problems.add(robot.location, "the robot '" + robot.id +
+                                     "' has behaviours but no coordinator; add a <coordinator>");
+  }
+  for (const BehaviorUse& use : robot.behaviors) {
+    check_needs(robot, use, *host.find(PluginKind::behavior, use.plugin), host, problems);
+  }
+  if (robot.coordinator) {
+    check_needs(robot, *robot.coordinator,
+                *host.find(PluginKind::coordinator, robot.coordinator->plugin), host, problems);
+  }
+}
+
+struct GoalCheck {
+  const World& world;
+  Problems& problems;
+
+  void operator()(const CollectGoal& goal) const {
+    const bool any = std::any_of(world.boxes.begin(), world.boxes.end(), [&](const Box& box) {
+      return box.kind == BoxKind::resource && (goal.team.empty() || box.team == goal.team);
+    });
+    if (!any) {
+      problems.add(goal.location,
+                   goal.team.empty()
+                       ? "<collect> has nothing to collect; expected a <resource> in <resources>"
+                       : "<collect> has nothing to collect; expected a <resource> of the team '" +
+                             goal.team + "' in <resources>");
+    }
+  }
+  void operator()(const ReachGoal& goal) const {
+    check_place("<reach>", goal.x, goal.y, goal.location);
+  }
+  void operator()(const PushGoal& goal) const {
+    check_place("<push>", goal.x, goal.y, goal.location);
+    for (const Box& box : world.boxes) {
+      if (box.id == goal.box && box.kind != BoxKind::dynamic) {
+        problems.add(goal.location, "<push>: the box '" + goal.box +
+                                        "' cannot be pushed; expected a <dynamic_box>");
+      }
+    }
+  }
+  void operator()(const GatherGoal& goal) const {
+    const auto size = std::count_if(world.robots.begin(), world.robots.end(),
+                                    [&](const Robot& robot) { return robot.team == goal.team; });
+    if (size < 2) {
+      problems.add(goal.location, "<gather> needs at least two robots of the team '" + goal.team +
+                                      "'; there " + (size == 1 ? "is 1" : "are none"));
+    }
+  }
+  void operator()(const TravelGoal&) const {}
+  void operator()(const EndureGoal& goal) const {
+    if (goal.time > world.limits.time) {
+      problems.add(goal.location, "<endure> lasts " + number(goal.time) +
+                                      " s, but the run ends after " + number(world.limits.time) +
+                                      " s; see <limits>");
+    }
+  }
+  void operator()(const NoCollisionGoal&) const {}
+  void operator()(const BatteryGoal&) const {}
+
+  void check_place(const std::string& what, double x, double y, const Location& where) const {
+    if (std::abs(x) > 0.5 * world.arena.length || std::abs(y) > 0.5 * world.arena.width) {
+      problems.add(where, what + ": the place (" + number(x) + ", " + number(y) +
+                              ") is outside of the arena");
+    }
+  }
+};
+
+}  // namespace
+
+void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
+                 Problems& problems) {
+  check_ids(root, problems);
+  check_mentions(reading, problems);
+  check_physics(root, reading.world.physics, problems);
+  for (const Robot& robot : reading.world.robots) {
+    check_robot(reading, robot, host, problems);
+  }
+  // With any mistake in the file's sizes, what follows would be about defaults.
+  if (const auto locate =
+          [&](const char* name) {
+            const Element* element = root.child(name);
+            return !element || reading.sound(element->where);
+          };
+      locate("arena") && locate("limits")) {
+    for (const Goal& goal : reading.world.goals) {
+      std::visit(
+          [&](const auto& each) {
+            if (reading.sound(each.location)) {
+              GoalCheck{reading.world, problems}(each);
+            }
+          },
+          goal);
+    }
+    check_places(reading, problems);
+  }
+}
+
+}  // namespace elsie::world

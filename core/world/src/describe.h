@@ -1,0 +1,245 @@
+// How the table of vocabulary.cpp is put together: an element is described by the class of the
+// objects that it stands for, an attribute by the member that it fills.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "elsie/world/vocabulary.h"
+
+#include "values.h"
+
+namespace elsie::world {
+
+/// What may be said of an attribute besides its facts.
+struct AttributeExtras {
+  TextForm form = TextForm::any;
+  Reference refers_to = Reference::none;
+  bool required = false;
+};
+
+template <class Value>
+struct OptionalOf {
+  using type = Value;
+  static constexpr bool value = false;
+};
+template <class Value>
+struct OptionalOf<std::optional<Value>> {
+  using type = Value;
+  static constexpr bool value = true;
+};
+
+template <class Object>
+class Describe {
+ public:
+  Describe(std::string name, std::string meaning) {
+    spec_.name = std::move(name);
+    spec_.meaning = std::move(meaning);
+  }
+
+  /// An attribute held by a member of type double, int, bool, std::string, Colour or an optional of
+  /// these. Its default is the member's in a default-constructed object.
+  template <class Owner, class Member>
+  Describe&& attribute(const char* name, Member Owner::*member, ParameterFacts facts,
+                       AttributeExtras extras = {}) && {
+    using Value = typename OptionalOf<Member>::type;
+    const auto set = [member](void* object, const ParameterValue& value) {
+      static_cast<Object*>(object)->*member = from_parameter<Value>(value);
+    };
+    const auto get = [member](const void* object) -> std::optional<ParameterValue> {
+      const Member& held = static_cast<const Object*>(object)->*member;
+      if constexpr (OptionalOf<Member>::value) {
+        return held ? std::optional(to_parameter(*held)) : std::nullopt;
+      } else {
+        return to_parameter(held);
+      }
+    };
+    if constexpr (std::is_same_v<Value, Colour>) {
+      extras.form = TextForm::colour;
+    }
+    return std::move(*this).attribute(name, parameter_type<Value>(), std::move(facts), extras, set,
+                                      get);
+  }
+
+  /// An attribute with a way of its own from and to the object.
+  Describe&& attribute(const char* name, ParameterType type, ParameterFacts facts,
+                       AttributeExtras extras, decltype(AttributeSpec::set) set,
+                       decltype(AttributeSpec::get) get) && {
+    AttributeSpec attribute;
+    attribute.name = name;
+    attribute.type = type;
+    attribute.facts = std::move(facts);
+    attribute.form = extras.form;
+    attribute.refers_to = extras.refers_to;
+    attribute.required = extras.required;
+    if (get && !extras.required) {
+      const Object defaults{};
+      attribute.default_value = get(&defaults);
+    }
+    attribute.set = std::move(set);
+    attribute.get = std::move(get);
+    spec_.attributes.push_back(std::move(attribute));
+    return std::move(*this);
+  }
+
+  /// An attribute that is dealt with before objects are made: by templates.
+  Describe&& attribute_before_reading(const char* name, ParameterType type,
+                                      ParameterFacts facts) && {
+    return std::move(*this).attribute(name, type, std::move(facts), {}, nullptr, nullptr);
+  }
+
+  /// At most one element, which describes a member that is always there.
+  template <class Child>
+  Describe&& one(ElementSpec child, Child Object::*member) && {
+    child.make = [member](void* parent, const Location&) -> void* {
+      return &(static_cast<Object*>(parent)->*member);
+    };
+    child.parts = [member](const void* parent) {
+      return std::vector<Part>{{0, &(static_cast<const Object*>(parent)->*member)}};
+    };
+    spec_.children.push_back(std::move(child));
+    return std::move(*this);
+  }
+
+  /// At most one element that only holds others; they describe parts of this same object.
+  Describe&& group(ElementSpec child) && {
+    child.group = true;
+    child.make = [](void* parent, const Location&) { return parent; };
+    child.parts = [](const void* parent) { return std::vector<Part>{{0, parent}}; };
+    spec_.children.push_back(std::move(child));
+    return std::move(*this);
+  }
+
+  /// Elements that each describe one object in a list of this one. `is` tells them from others in
+  /// the same list; `begin` sets what it tells them by.
+  template <class Child>
+  Describe&& each(
+      ElementSpec child, std::vector<Child> Object::*list,
+      std::function<bool(const Child&)> is = [](const Child&) { return true; },
+      std::function<void(Child&)> begin = [](Child&) {}) && {
+    child.at_most = ElementSpec::kAnyNumber;
+    child.make = [list, begin](void* parent, const Location& where) -> void* {
+      Child& made = (static_cast<Object*>(parent)->*list).emplace_back();
+      note(made, where);
+      begin(made);
+      return &made;
+    };
+    child.parts = [list, is](const void* parent) {
+      const auto& objects = static_cast<const Object*>(parent)->*list;
+      std::vector<Part> parts;
+      for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (is(objects[i])) {
+          parts.push_back({i, &objects[i]});
+        }
+      }
+      return parts;
+    };
+    spec_.children.push_back(std::move(child));
+    return std::move(*this);
+  }
+
+  /// Elements that each describe one alternative in a list of variants.
+  template <class Alternative, class Variant>
+  Describe&& each_of(ElementSpec child, std::vector<Variant> Object::*list) && {
+    child.at_most = ElementSpec::kAnyNumber;
+    child.make = [list](void* parent, const Location&) -> void* {
+      auto& objects = static_cast<Object*>(parent)->*list;
+      return &std::get<Alternative>(objects.emplace_back(Alternative{}));
+    };
+    child.parts = [list](const void* parent) {
+      const auto& objects = static_cast<const Object*>(parent)->*list;
+      std::vector<Part> parts;
+      for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (const auto* object = std::get_if<Alternative>(&objects[i])) {
+          parts.push_back({i, object});
+        }
+      }
+      return parts;
+    };
+    spec_.children.push_back(std::move(child));
+    return std::move(*this);
+  }
+
+  /// At most one element, which describes a member that may be there.
+  template <class Child>
+  Describe&& optional(ElementSpec child, std::optional<Child> Object::*member) && {
+    child.make = [member](void* parent, const Location& where) -> void* {
+      Child& made = (static_cast<Object*>(parent)->*member).emplace();
+      note(made, where);
+      return &made;
+    };
+    child.parts = [member](const void* parent) {
+      const auto& held = static_cast<const Object*>(parent)->*member;
+      return held ? std::vector<Part>{{0, &*held}} : std::vector<Part>{};
+    };
+    spec_.children.push_back(std::move(child));
+    return std::move(*this);
+  }
+
+  /// The element's name is that of a plugin of this kind.
+  Describe&& plugins(PluginKind kind) && {
+    spec_.plugins = kind;
+    spec_.use = [](const void* object) -> const PluginUse* {
+      return static_cast<const Object*>(object);
+    };
+    return std::move(*this);
+  }
+
+  /// It must stand in its parent at least once.
+  Describe&& required() && {
+    spec_.at_least = 1;
+    return std::move(*this);
+  }
+
+  /// What a path calls any child of this group.
+  Describe&& members(const char* name) && {
+    spec_.members = name;
+    return std::move(*this);
+  }
+
+  operator ElementSpec() && { return std::move(spec_); }  // NOLINT(google-explicit-constructor)
+
+ private:
+  template <class Made>
+  static void note(Made& made, const Location& where) {
+    if constexpr (requires { made.location; }) {
+      made.location = where;
+    }
+  }
+
+  template <class Value>
+  static constexpr ParameterType parameter_type() {
+    if constexpr (std::is_same_v<Value, Colour>) {
+      return ParameterType::text;
+    } else {
+      return detail::type_of<Value>();
+    }
+  }
+
+  template <class Value>
+  static Value from_parameter(const ParameterValue& value) {
+    if constexpr (std::is_same_v<Value, Colour>) {
+      return colour_of(std::get<std::string>(value));
+    } else {
+      Value result{};
+      detail::from_value(value, result);
+      return result;
+    }
+  }
+
+  template <class Value>
+  static ParameterValue to_parameter(const Value& value) {
+    if constexpr (std::is_same_v<Value, Colour>) {
+      return format_colour(value);
+    } else {
+      return detail::to_value(value);
+    }
+  }
+
+  ElementSpec spec_;
+};
+
+}  // namespace elsie::world

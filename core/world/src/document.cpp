@@ -1,0 +1,288 @@
+#include "elsie/world/document.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "elsie/world/error.h"
+
+#include "ids.h"
+#include "markup.h"
+#include "path.h"
+#include "tags.h"
+
+namespace elsie::world {
+
+namespace {
+
+// An element in the text: its start tag, and its end tag, which is the same when it is empty.
+struct ElementTags {
+  Tag start;
+  Tag end;
+};
+
+// By Element::number.
+std::vector<ElementTags> elements_of(const std::vector<Tag>& tags) {
+  std::vector<ElementTags> elements;
+  std::vector<std::size_t> open;
+  for (const Tag& tag : tags) {
+    if (tag.kind == Tag::Kind::end) {
+      elements[open.back()].end = tag;
+      open.pop_back();
+      continue;
+    }
+    if (tag.kind == Tag::Kind::start) {
+      open.push_back(elements.size());
+    }
+    elements.push_back({tag, tag});
+  }
+  return elements;
+}
+
+struct Edit {
+  Span span;
+  std::string text;
+};
+
+std::string edited(std::string text, std::vector<Edit> edits) {
+  std::sort(edits.begin(), edits.end(),
+            [](const Edit& a, const Edit& b) { return a.span.begin > b.span.begin; });
+  for (const Edit& edit : edits) {
+    text.replace(edit.span.begin, edit.span.end - edit.span.begin, edit.text);
+  }
+  return text;
+}
+
+Element parse_with_ids(const std::string& text, const std::string& file) {
+  Element root = parse_markup(text, file);
+  complete_world_ids(root);
+  return root;
+}
+
+Path attribute_path(std::string_view text) {
+  Path path = parse_path(text);
+  if (path.attribute.empty()) {
+    throw std::invalid_argument("the path '" + std::string(text) +
+                                "' leads to an element; expected an attribute at its end");
+  }
+  return path;
+}
+
+Path element_path(std::string_view text) {
+  Path path = text.empty() ? Path{} : parse_path(text);
+  if (!path.attribute.empty()) {
+    throw std::invalid_argument("the path '" + std::string(text) +
+                                "' leads to an attribute; expected an element at its end");
+  }
+  return path;
+}
+
+const Element* parent_of(const Element& root, const Element& element) {
+  for (const Element& child : root.children) {
+    if (&child == &element) {
+      return &root;
+    }
+    if (const Element* found = parent_of(child, element)) {
+      return found;
+    }
+  }
+  return nullptr;
+}
+
+const TagAttribute* attribute_of(const Tag& tag, const std::string& name) {
+  const auto found = std::find_if(tag.attributes.begin(), tag.attributes.end(),
+                                  [&](const TagAttribute& a) { return a.name == name; });
+  return found == tag.attributes.end() ? nullptr : &*found;
+}
+
+std::size_t line_start(const std::string& text, std::size_t place) {
+  const std::size_t newline = place == 0 ? std::string::npos : text.rfind('\n', place - 1);
+  return newline == std::string::npos ? 0 : newline + 1;
+}
+
+// The blanks that the line begins with.
+std::string indent_at(const std::string& text, std::size_t place) {
+  const std::size_t begin = line_start(text, place);
+  const std::size_t end = std::min(text.find_first_not_of(" \t", begin), text.size());
+  return text.substr(begin, std::min(end, place) - begin);
+}
+
+bool is_blank_before(const std::string& text, std::size_t place) {
+  return line_start(text, place) + indent_at(text, place).size() == place;
+}
+
+std::string indented(std::string_view markup, const std::string& indent) {
+  std::string result = indent;
+  for (const char c : markup) {
+    result += c;
+    if (c == '\n') {
+      result += indent;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Document::Document(std::string text, std::string file)
+    : text_(std::move(text)), file_(std::move(file)) {
+  parse_markup(text_, file_);
+}
+
+Document Document::load(const std::string& file) { return {read_text(file), file}; }
+
+std::optional<std::string> Document::attribute(std::string_view path) const {
+  const Path parsed = attribute_path(path);
+  Element root = parse_with_ids(text_, file_);
+  const std::vector<Element*> elements = select(root, parsed);
+  if (elements.size() != 1) {
+    throw std::invalid_argument("the path '" + std::string(path) +
+                                "' leads to more than one element");
+  }
+  const Attribute* found = elements.front()->find(parsed.attribute);
+  return found ? std::optional(found->value) : std::nullopt;
+}
+
+void Document::set(std::string_view path, std::string_view value) {
+  const Path parsed = attribute_path(path);
+  Document changed = *this;
+  changed.add_missing(parsed);
+  Element root = parse_with_ids(changed.text_, file_);
+  const auto tags = elements_of(scan_tags(changed.text_, file_));
+  std::vector<Edit> edits;
+  for (const Element* element : select(root, parsed)) {
+    const Tag& tag = tags[element->number].start;
+    const std::string quoted = "\"" + escaped(value) + "\"";
+    if (const TagAttribute* there = attribute_of(tag, parsed.attribute)) {
+      edits.push_back({{there->value.begin - 1, there->value.end + 1}, quoted});
+    } else {
+      const std::size_t end = tag.attributes.empty() ? tag.span.begin + 1 + tag.name.size()
+                                                     : tag.attributes.back().whole.end;
+      edits.push_back({{end, end}, " " + parsed.attribute + "=" + quoted});
+    }
+  }
+  replace(edited(changed.text_, std::move(edits)));
+}
+
+void Document::reset(std::string_view path) {
+  const Path parsed = attribute_path(path);
+  Element root = parse_with_ids(text_, file_);
+  const auto tags = elements_of(scan_tags(text_, file_));
+  std::vector<Edit> edits;
+  for (const Element* element : select(root, parsed)) {
+    if (element->number == Element::kMade) {
+      continue;
+    }
+    if (const auto* there = attribute_of(tags[element->number].start, parsed.attribute)) {
+      edits.push_back({there->whole, ""});
+    }
+  }
+  replace(edited(text_, std::move(edits)));
+}
+
+void Document::insert(std::string_view path, std::string_view markup) {
+  const Path parsed = element_path(path);
+  Document changed = *this;
+  changed.add_missing(parsed);
+  Element root = parse_with_ids(changed.text_, file_);
+  const std::vector<Element*> elements = select(root, parsed);
+  if (elements.size() != 1) {
+    throw std::invalid_argument("the path '" + std::string(path) +
+                                "' leads to more than one element");
+  }
+  changed.insert_into(*elements.front(), markup);
+  *this = std::move(changed);
+}
+
+void Document::erase(std::string_view path) {
+  const Path parsed = element_path(path);
+  Element root = parse_with_ids(text_, file_);
+  const auto tags = elements_of(scan_tags(text_, file_));
+  std::vector<Edit> edits;
+  for (const Element* element : select(root, parsed)) {
+    if (element->number == Element::kMade) {
+      continue;
+    }
+    const ElementTags& both = tags[element->number];
+    Span span{both.start.span.begin, both.end.span.end};
+    const std::size_t next = text_.find_first_not_of(" \t\r", span.end);
+    if (is_blank_before(text_, span.begin) && next != std::string::npos && text_[next] == '\n') {
+      span = {line_start(text_, span.begin), next + 1};
+    }
+    edits.push_back({span, ""});
+  }
+  replace(edited(text_, std::move(edits)));
+}
+
+void Document::save(const std::string& file) const {
+  const std::string draft = file + ".part";
+  std::error_code error;
+  {
+    std::ofstream stream(draft, std::ios::binary | std::ios::trunc);
+    stream << text_;
+    stream.flush();
+    if (!stream) {
+      std::filesystem::remove(draft, error);
+      throw WorldError({{file, 0, "the file cannot be written"}});
+    }
+  }
+  std::filesystem::rename(draft, file, error);
+  if (error) {
+    const std::string reason = error.message();
+    std::filesystem::remove(draft, error);
+    throw WorldError({{file, 0, "the file cannot be written: " + reason}});
+  }
+}
+
+// Adds the elements on the way that the path may take for granted.
+void Document::add_missing(const Path& path) {
+  while (true) {
+    Element root = parse_with_ids(text_, file_);
+    const std::vector<Element*> elements = select(root, path);
+    const auto made = std::find_if(elements.begin(), elements.end(), [](const Element* element) {
+      return element->number == Element::kMade;
+    });
+    if (made == elements.end()) {
+      return;
+    }
+    const Element* missing = *made;
+    const Element* parent = parent_of(root, *missing);
+    while (parent->number == Element::kMade) {
+      missing = parent;
+      parent = parent_of(root, *missing);
+    }
+    insert_into(*parent, "<" + missing->name + "/>");
+  }
+}
+
+void Document::insert_into(const Element& parent, std::string_view markup) {
+  const auto tags = elements_of(scan_tags(text_, file_));
+  const ElementTags& both = tags[parent.number];
+  const std::string outer = indent_at(text_, both.start.span.begin);
+  const std::string lines = indented(markup, outer + "  ") + "\n";
+  Edit edit;
+  if (both.start.kind == Tag::Kind::empty) {
+    const std::size_t end = both.start.span.end;
+    edit = {{end - 2, end}, ">\n" + lines + outer + "</" + parent.name + ">"};
+  } else if (const std::size_t end = both.end.span.begin; is_blank_before(text_, end)) {
+    edit = {{line_start(text_, end), line_start(text_, end)}, lines};
+  } else {
+    edit = {{end, end}, "\n" + lines + outer};
+  }
+  replace(edited(text_, {edit}));
+}
+
+void Document::replace(std::string text) {
+  try {
+    parse_markup(text, file_);
+  } catch (const WorldError& error) {
+    throw std::invalid_argument("this change would not leave well-formed XML: " +
+                                error.problems().front().message);
+  }
+  text_ = std::move(text);
+}
+
+}  // namespace elsie::world

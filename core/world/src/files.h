@@ -1,0 +1,41 @@
+// Finding the files that a world file names.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elsie/world/description.h"
+
+namespace elsie::world {
+
+class Files {
+ public:
+  Files(std::string main_file, std::vector<std::string> data_directories)
+      : main_file_(std::move(main_file)), data_directories_(std::move(data_directories)) {}
+
+  const std::string& main_file() const { return main_file_; }
+
+  /// The regular file called `name` in the text at `from`: in the folder of that file (for an
+  /// override: of the world file), else in the data directories. Its path is as short as the names
+  /// that it was made of.
+  std::optional<std::string> find(const std::string& name, const Location& from) const;
+  /// The same in the data directories only: for defaults, which no file names.
+  std::optional<std::string> find_data(const std::string& name) const;
+
+  /// Where find() looked, in words.
+  std::string places(const Location& from) const;
+  /// Where find_data() looked, in words.
+  std::string data_places() const;
+
+  /// The one absolute path of a file that exists.
+  static std::string absolute(const std::string& file);
+
+ private:
+  std::string folder(const Location& from) const;
+
+  std::string main_file_;
+  std::vector<std::string> data_directories_;
+};
+
+}  // namespace elsie::world

@@ -1,0 +1,53 @@
+#include "ids.h"
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace elsie::world {
+
+void complete_ids(Element& list, bool numbered) {
+  std::set<std::string> taken;
+  for (const Element& child : list.children) {
+    if (const Attribute* id = child.find("id")) {
+      taken.insert(id->value);
+    }
+  }
+  std::map<std::string, int> count;
+  for (Element& child : list.children) {
+    int number = ++count[child.name];
+    if (child.find("id")) {
+      continue;
+    }
+    const auto name = [&] {
+      return number == 1 && !numbered ? child.name : child.name + "_" + std::to_string(number);
+    };
+    while (!taken.insert(name()).second) {
+      ++number;
+    }
+    child.set("id", name(), child.where);
+  }
+}
+
+void complete_robot_ids(Element& robot) {
+  for (const char* list : {"sensors", "behaviors", "coordinator"}) {
+    if (Element* found = robot.child(list)) {
+      complete_ids(*found, false);
+    }
+  }
+}
+
+void complete_world_ids(Element& world) {
+  for (const char* list : {"obstacles", "resources", "chargers"}) {
+    if (Element* found = world.child(list)) {
+      complete_ids(*found, true);
+    }
+  }
+  if (Element* robots = world.child("robots")) {
+    for (Element& robot : robots->children) {
+      complete_robot_ids(robot);
+    }
+  }
+}
+
+}  // namespace elsie::world

@@ -1,0 +1,288 @@
+#include "markup.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include <tinyxml2.h>
+
+#include "elsie/plugin/near_name.h"
+#include "elsie/world/error.h"
+
+#include "tags.h"
+
+namespace elsie::world {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& file, int line, const std::string& message) {
+  throw WorldError({{file, line, message}});
+}
+
+int line_of(std::string_view text, std::size_t place) {
+  return 1 +
+         static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(place), '\n'));
+}
+
+// Where the text stops being UTF-8 (RFC 3629); its size when it never does.
+std::size_t first_not_utf8(std::string_view text) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const auto lead = static_cast<unsigned char>(text[at]);
+    const std::size_t length = lead < 0x80             ? 1
+                               : lead >> 5 == 0b110    ? 2
+                               : lead >> 4 == 0b1110   ? 3
+                               : lead >> 3 == 0b1'1110 ? 4
+                                                       : 0;
+    if (length == 0 || at + length > text.size()) {
+      return at;
+    }
+    for (std::size_t i = 1; i < length; ++i) {
+      if (static_cast<unsigned char>(text[at + i]) >> 6 != 0b10) {
+        return at;
+      }
+    }
+    at += length;
+  }
+  return at;
+}
+
+void check_characters(std::string_view text, const std::string& file) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    fail(file, 0, "this file is in UTF-16; save it as UTF-8");
+  }
+  const std::size_t zero = text.find('\0');
+  if (zero != std::string_view::npos) {
+    fail(file, line_of(text, zero), "this is not an XML file: it holds a zero byte");
+  }
+  const std::size_t bad = first_not_utf8(text);
+  if (bad < text.size()) {
+    fail(file, line_of(text, bad), "this is not UTF-8 text; save the file as UTF-8");
+  }
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    if (c < 0x20 && c != '\t' && c != '\n' && c != '\r') {
+      fail(file, line_of(text, i),
+           "this is not an XML file: it holds the control character " + std::to_string(c));
+    }
+  }
+}
+
+// <?xml ... encoding="..."?>
+void check_encoding(const tinyxml2::XMLDocument& document, const std::string& file) {
+  const tinyxml2::XMLNode* first = document.FirstChild();
+  const tinyxml2::XMLDeclaration* declaration = first ? first->ToDeclaration() : nullptr;
+  const std::string_view text = declaration ? declaration->Value() : "";
+  const std::size_t key = text.find("encoding");
+  if (!text.starts_with("xml") || key == std::string_view::npos) {
+    return;
+  }
+  const std::size_t open = text.find_first_of("\"'", key);
+  const std::size_t close =
+      open == std::string_view::npos ? open : text.find_first_of("\"'", open + 1);
+  if (close == std::string_view::npos) {
+    return;
+  }
+  const std::string encoding(text.substr(open + 1, close - open - 1));
+  std::string lower = encoding;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (lower != "utf-8" && lower != "us-ascii") {
+    fail(file, declaration->GetLineNum(),
+         "the encoding '" + encoding + "' is not supported; save the file as UTF-8");
+  }
+}
+
+// That every element is closed by its own tag, that there is one root, and that nothing is nested
+// deeper than what is parsed by recursion later can bear.
+void check_nesting(const std::vector<Tag>& tags, std::string_view text, const std::string& file) {
+  constexpr std::size_t kDeepest = 50;
+  std::vector<const Tag*> open;
+  bool rooted = false;
+  for (const Tag& tag : tags) {
+    const int line = line_of(text, tag.span.begin);
+    const std::string name(tag.name);
+    if (tag.kind == Tag::Kind::end) {
+      if (open.empty()) {
+        fail(file, line, "</" + name + "> closes nothing");
+      }
+      if (open.back()->name != tag.name) {
+        const std::string expected(open.back()->name);
+        fail(file, line,
+             "</" + name + "> stands where </" + expected + "> was expected: <" + expected +
+                 "> starts on line " + std::to_string(line_of(text, open.back()->span.begin)));
+      }
+      open.pop_back();
+      continue;
+    }
+    if (open.empty() && rooted) {
+      fail(file, line, "a second root element, <" + name + ">; a file holds one");
+    }
+    rooted = true;
+    if (tag.kind == Tag::Kind::start) {
+      open.push_back(&tag);
+      if (open.size() > kDeepest) {
+        fail(file, line,
+             "elements are nested deeper than " + std::to_string(kDeepest) +
+                 " levels; no world needs more than five");
+      }
+    }
+  }
+  if (!open.empty()) {
+    const std::string name(open.back()->name);
+    fail(file, line_of(text, open.back()->span.begin),
+         "<" + name + "> is never closed; expected </" + name + ">");
+  }
+  if (!rooted) {
+    fail(file, 0, "the file is empty; expected <world format=\"1\"> ... </world>");
+  }
+}
+
+Element converted(const tinyxml2::XMLElement& source, const std::string& file,
+                  std::size_t& counter) {
+  Element element;
+  element.name = source.Name();
+  element.where = {file, source.GetLineNum()};
+  element.number = counter++;
+  for (const auto* a = source.FirstAttribute(); a; a = a->Next()) {
+    element.attributes.push_back({a->Name(), a->Value(), {file, a->GetLineNum()}});
+  }
+  for (const auto* node = source.FirstChild(); node; node = node->NextSibling()) {
+    if (const auto* child = node->ToElement()) {
+      element.children.push_back(converted(*child, file, counter));
+    } else if (const auto* text = node->ToText(); text && element.text.empty()) {
+      element.text = text->Value();
+    }
+  }
+  return element;
+}
+
+}  // namespace
+
+const Attribute* Element::find(std::string_view attribute) const {
+  const auto found = std::find_if(attributes.begin(), attributes.end(),
+                                  [&](const Attribute& a) { return a.name == attribute; });
+  return found == attributes.end() ? nullptr : &*found;
+}
+
+std::string Element::value(std::string_view attribute) const {
+  const Attribute* found = find(attribute);
+  return found ? found->value : std::string();
+}
+
+void Element::set(std::string_view attribute, std::string value, const Location& place) {
+  for (Attribute& a : attributes) {
+    if (a.name == attribute) {
+      a.value = std::move(value);
+      a.where = place;
+      return;
+    }
+  }
+  attributes.push_back({std::string(attribute), std::move(value), place});
+}
+
+void Element::erase(std::string_view attribute) {
+  std::erase_if(attributes, [&](const Attribute& a) { return a.name == attribute; });
+}
+
+Element* Element::child(std::string_view child_name) {
+  return const_cast<Element*>(std::as_const(*this).child(child_name));
+}
+
+const Element* Element::child(std::string_view child_name) const {
+  const auto found = std::find_if(children.begin(), children.end(),
+                                  [&](const Element& e) { return e.name == child_name; });
+  return found == children.end() ? nullptr : &*found;
+}
+
+std::string read_text(const std::string& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) {
+    std::vector<std::string> neighbours;
+    const fs::path folder = fs::path(file).parent_path();
+    for (fs::directory_iterator i(folder.empty() ? "." : folder, error), end; !error && i != end;
+         i.increment(error)) {
+      neighbours.push_back(i->path().filename().string());
+    }
+    std::sort(neighbours.begin(), neighbours.end());
+    fail(file, 0,
+         "there is no such file" +
+             plugin::did_you_mean(fs::path(file).filename().string(), neighbours));
+  }
+  if (!fs::is_regular_file(status)) {
+    fail(file, 0,
+         fs::is_directory(status) ? "this is a directory; expected an XML file"
+                                  : "this is not a file; expected an XML file");
+  }
+  if (fs::file_size(file, error) > kLargestFile) {
+    fail(file, 0, "the file is larger than 32 MiB; no world is");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    fail(file, 0, "the file cannot be opened; check its permissions");
+  }
+  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  if (stream.bad()) {
+    fail(file, 0, "the file cannot be read");
+  }
+  return text;
+}
+
+Element parse_markup(std::string_view text, const std::string& file) {
+  check_characters(text, file);
+  check_nesting(scan_tags(text, file), text, file);
+
+  tinyxml2::XMLDocument document;
+  document.Parse(text.data(), text.size());
+  if (document.Error() || !document.RootElement()) {
+    fail(file, document.ErrorLineNum(), "this is not well-formed XML");
+  }
+  check_encoding(document, file);
+  for (const auto* node = document.FirstChild(); node; node = node->NextSibling()) {
+    if (node->ToText()) {
+      fail(file, node->GetLineNum(), "there is text outside of the root element");
+    }
+  }
+  std::size_t counter = 0;
+  return converted(*document.RootElement(), file, counter);
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\n':
+        result += "&#10;";
+        break;
+      case '\r':
+        result += "&#13;";
+        break;
+      case '\t':
+        result += "&#9;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace elsie::world

@@ -1,0 +1,52 @@
+// XML as a light tree of elements, each with its place in the file. Comments and blanks are left
+// out; Document keeps those.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elsie/world/description.h"
+
+namespace elsie::world {
+
+struct Attribute {
+  std::string name;
+  std::string value;
+  Location where;
+};
+
+struct Element {
+  static constexpr std::size_t kMade = static_cast<std::size_t>(-1);
+
+  std::string name;
+  Location where;
+  std::vector<Attribute> attributes;
+  std::vector<Element> children;
+  std::string text{};          // what stands between its tags besides elements, unless it is blank
+  std::size_t number = kMade;  // its start tag's among the start tags of the file
+  bool incomplete = false;     // its template could not be read: what is missing may stand there
+
+  const Attribute* find(std::string_view attribute) const;
+  std::string value(std::string_view attribute) const;  // "" when it is not there
+  void set(std::string_view attribute, std::string value, const Location& where);
+  void erase(std::string_view attribute);
+  Element* child(std::string_view child_name);
+  const Element* child(std::string_view child_name) const;
+};
+
+/// The content of a file. Throws WorldError when it is not there, not a file, not readable or
+/// larger than a world can be (kLargestFile).
+std::string read_text(const std::string& file);
+inline constexpr std::size_t kLargestFile = std::size_t{32} << 20;  // bytes
+
+/// The root element. Throws WorldError when the text is not well-formed XML in UTF-8, has a
+/// document type declaration (entities could make a small file huge) or is nested deeper than any
+/// world.
+Element parse_markup(std::string_view text, const std::string& file);
+
+/// The text as an attribute's value between double quotes.
+std::string escaped(std::string_view text);
+
+}  // namespace elsie::world

@@ -1,0 +1,236 @@
+#include "path.h"
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+#include "elsie/plugin/near_name.h"
+#include "elsie/world/vocabulary.h"
+
+namespace elsie::world {
+
+namespace {
+
+struct Place {
+  Element* element;
+  const ElementSpec* spec;
+};
+
+[[noreturn]] void fail(const std::string& message) { throw std::invalid_argument(message); }
+
+// The children of a group that a step of this name means.
+void collect_members(Element& group, const ElementSpec& spec, const std::string& name,
+                     std::vector<Place>& found) {
+  for (Element& child : group.children) {
+    const ElementSpec* child_spec =
+        spec.children.front().plugins ? &spec.children.front() : spec.child(child.name);
+    if (child_spec && (name == spec.members || name == child.name)) {
+      found.push_back({&child, child_spec});
+    }
+  }
+}
+
+std::vector<Place> children(const Place& place, const std::string& name) {
+  std::vector<Place> found;
+  for (const ElementSpec& spec : place.spec->children) {
+    for (Element& child : place.element->children) {
+      if (child.name != spec.name) {
+        continue;
+      }
+      if (name == spec.name && name != spec.members) {
+        found.push_back({&child, &spec});
+      } else if (spec.group) {
+        collect_members(child, spec, name, found);
+      }
+    }
+  }
+  if (place.spec->group) {
+    collect_members(*place.element, *place.spec, name, found);
+  }
+  // "coordinator/fusion_vector_summation": the coordinator, named once more.
+  if (found.empty() && place.spec->plugins && place.element->name == name) {
+    found.push_back(place);
+  }
+  return found;
+}
+
+// What a step may be called here.
+std::vector<std::string> names_at(const Place& place) {
+  std::vector<std::string> names;
+  for (const ElementSpec& spec : place.spec->children) {
+    names.push_back(spec.name);
+    if (spec.group && spec.members != spec.name) {
+      names.push_back(spec.members);
+    }
+  }
+  for (Element& child : place.element->children) {
+    for (const Element& member : child.children) {
+      names.push_back(member.name);
+    }
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+std::string text_of(const PathStep& step) {
+  return step.key.empty() ? step.name : step.name + "[" + step.key + "]";
+}
+
+// The one meant by the step's key.
+std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step) {
+  if (step.key == "*") {
+    return places;
+  }
+  std::vector<std::string> ids;
+  for (const Place& place : places) {
+    ids.push_back(place.element->value("id"));
+    if (!step.key.empty() && ids.back() == step.key) {
+      return {place};
+    }
+  }
+  ids.erase(std::remove(ids.begin(), ids.end(), ""), ids.end());
+  std::string there;
+  for (const std::string& id : ids) {
+    there += (there.empty() ? "" : ", ") + id;
+  }
+  const std::string count = std::to_string(places.size());
+  if (step.key.empty()) {
+    if (places.size() == 1) {
+      return places;
+    }
+    fail("'" + step.name + "' could be any of " + count + "; say which, as in " + step.name + "[" +
+         (ids.empty() ? "1" : ids.front()) + "], or " + step.name + "[*] for all of them");
+  }
+  std::size_t number = 0;
+  const char* end = step.key.data() + step.key.size();
+  const auto parsed = std::from_chars(step.key.data(), end, number);
+  if (parsed.ec == std::errc() && parsed.ptr == end) {
+    if (number >= 1 && number <= places.size()) {
+      return {places[number - 1]};
+    }
+    fail("there is no " + text_of(step) + "; they are numbered from 1 to " + count);
+  }
+  fail("there is no " + text_of(step) + plugin::did_you_mean(step.key, ids) +
+       (there.empty() ? "" : "; there are: " + there));
+}
+
+std::vector<Place> step_from(const Place& place, const PathStep& step) {
+  std::vector<Place> found = children(place, step.name);
+  if (!found.empty()) {
+    return chosen(found, step);
+  }
+  const ElementSpec* spec = place.spec->child(step.name);
+  if (spec && spec->name != spec->members && !spec->plugins && spec->at_most == 1 &&
+      step.key.empty()) {
+    Element made;
+    made.name = step.name;
+    made.where = place.element->where;
+    place.element->children.push_back(std::move(made));
+    return {{&place.element->children.back(), spec}};
+  }
+  return {};
+}
+
+// What belongs to a robot, named without one: that of every robot.
+std::vector<Place> step_from_robots(const Place& world, const PathStep& step) {
+  std::vector<Place> result;
+  for (const Place& robot : children(world, "robot")) {
+    const auto found = step_from(robot, step);
+    result.insert(result.end(), found.begin(), found.end());
+  }
+  return result;
+}
+
+}  // namespace
+
+Path parse_path(std::string_view text) {
+  Path path;
+  const std::string whole(text);
+  while (true) {
+    if (text.starts_with('@')) {
+      path.attribute = text.substr(1);
+      if (path.attribute.empty() || path.attribute.find_first_of("/[]@") != std::string::npos) {
+        fail("expected the name of an attribute after \"@\", at the end of the path");
+      }
+      return path;
+    }
+    PathStep step;
+    const std::size_t end = std::min(text.find_first_of("[/"), text.size());
+    step.name = text.substr(0, end);
+    text.remove_prefix(end);
+    if (text.starts_with('[')) {
+      const std::size_t close = text.find(']');
+      if (close == std::string_view::npos || close == 1) {
+        fail("expected an id, a number or * in the brackets after '" + step.name + "'");
+      }
+      step.key = text.substr(1, close - 1);
+      text.remove_prefix(close + 1);
+    }
+    if (step.name.empty()) {
+      fail("a step of the path is empty; a path looks like robot[r1]/@max_speed");
+    }
+    path.steps.push_back(std::move(step));
+    if (text.empty()) {
+      return path;
+    }
+    if (!text.starts_with('/')) {
+      fail("expected \"/\" before '" + std::string(text) + "'");
+    }
+    text.remove_prefix(1);
+  }
+}
+
+std::vector<Element*> select(Element& world, const Path& path) {
+  std::vector<Place> places{{&world, &vocabulary()}};
+  for (const PathStep& step : path.steps) {
+    std::vector<Place> next;
+    for (const Place& place : places) {
+      const auto found = step_from(place, step);
+      next.insert(next.end(), found.begin(), found.end());
+    }
+    if (next.empty() && places.front().spec == &vocabulary()) {
+      next = step_from_robots(places.front(), step);
+    }
+    if (next.empty()) {
+      const auto names = names_at(places.front());
+      const std::string near = plugin::did_you_mean(step.name, names);
+      const bool known = std::find(names.begin(), names.end(), step.name) != names.end();
+      fail("there is no '" + step.name + "' in <" + places.front().element->name + ">" +
+           (known ? " of this world" : near));
+    }
+    places = std::move(next);
+  }
+  std::vector<Element*> elements;
+  for (const Place& place : places) {
+    elements.push_back(place.element);
+  }
+  return elements;
+}
+
+bool concerns_templates(const std::string& override) {
+  return override.find("/@template=") != std::string::npos;
+}
+
+void apply_override(Element& world, const std::string& override, Problems& problems) {
+  const Location where{"--set " + override, 0};
+  try {
+    const std::size_t equals = override.find('=');
+    if (equals == std::string::npos) {
+      fail("expected PATH=VALUE, as in robot[r1]/@max_speed=0.3");
+    }
+    const Path path = parse_path(std::string_view(override).substr(0, equals));
+    if (path.attribute.empty()) {
+      fail(
+          "the path leads to an element; expected an attribute at its end, as in "
+          "robot[r1]/@max_speed");
+    }
+    for (Element* element : select(world, path)) {
+      element->set(path.attribute, override.substr(equals + 1), where);
+    }
+  } catch (const std::invalid_argument& error) {
+    problems.add(where, error.what());
+  }
+}
+
+}  // namespace elsie::world

@@ -1,0 +1,57 @@
+#include "problems.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace elsie::world {
+
+namespace {
+
+std::string joined(const std::vector<Problem>& problems) {
+  std::string text;
+  for (const Problem& problem : problems) {
+    text += (text.empty() ? "" : "\n") + problem.text();
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string Problem::text() const {
+  return line > 0 ? file + ":" + std::to_string(line) + ": " + message : file + ": " + message;
+}
+
+WorldError::WorldError(std::vector<Problem> problems)
+    : std::runtime_error(joined(problems)), problems_(std::move(problems)) {}
+
+void Problems::add(const Location& where, std::string message) {
+  Problem problem{where.file, where.line, std::move(message)};
+  // A mistake in a template is met once for every robot that uses it.
+  if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end()) {
+    problems_.push_back(std::move(problem));
+  }
+}
+
+void Problems::add(const WorldError& error) {
+  for (const Problem& problem : error.problems()) {
+    add({problem.file, problem.line}, problem.message);
+  }
+}
+
+void Problems::raise(const std::string& main_file) const {
+  if (problems_.empty()) {
+    return;
+  }
+  std::map<std::string, std::size_t> order{{main_file, 0}};
+  for (const Problem& problem : problems_) {
+    order.emplace(problem.file, order.size());
+  }
+  std::vector<Problem> sorted = problems_;
+  std::stable_sort(sorted.begin(), sorted.end(), [&](const Problem& a, const Problem& b) {
+    return std::pair(order.at(a.file), a.line) < std::pair(order.at(b.file), b.line);
+  });
+  throw WorldError(std::move(sorted));
+}
+
+}  // namespace elsie::world

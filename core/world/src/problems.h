@@ -1,0 +1,28 @@
+// Collecting problems, so that all of a file are reported in one go.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "elsie/world/description.h"
+#include "elsie/world/error.h"
+
+namespace elsie::world {
+
+class Problems {
+ public:
+  void add(const Location& where, std::string message);
+  /// Takes over what a file that could not be parsed had to say.
+  void add(const WorldError& error);
+  std::size_t size() const { return problems_.size(); }
+  bool empty() const { return problems_.empty(); }
+  /// Throws them as a WorldError, sorted by line, those of `main_file` first; does nothing when
+  /// there are none.
+  void raise(const std::string& main_file) const;
+
+ private:
+  std::vector<Problem> problems_;
+};
+
+}  // namespace elsie::world

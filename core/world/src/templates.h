@@ -1,0 +1,41 @@
+// Robot templates: a robot element names a file, and what that file says stands where the element
+// says nothing itself.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "files.h"
+#include "markup.h"
+#include "problems.h"
+
+namespace elsie::world {
+
+class Templates {
+ public:
+  Templates(const Files& files, Problems& problems) : files_(files), problems_(problems) {}
+
+  /// Merges the templates of all robots in the world into them.
+  ///
+  /// The robot's attributes override the template's, and so do those of its body. Sensors and
+  /// behaviours are matched by id (default ids included): the same id overrides, a new one adds,
+  /// remove="true" takes away. A coordinator of the same plugin overrides, another one replaces.
+  /// A template may name a template itself.
+  void merge_all(Element& world);
+
+ private:
+  void merge(Element& robot);
+  const Element* load(const std::string& file, const Location& from);
+  void overlay(Element& robot, const Element& base);
+  void overlay_list(Element& list, const Element& base);
+  void drop_removals(Element& list);
+
+  const Files& files_;
+  Problems& problems_;
+  std::map<std::string, std::optional<Element>> loaded_;  // by absolute path; none: it has problems
+  std::vector<std::string> open_;                         // being loaded, outermost first
+};
+
+}  // namespace elsie::world

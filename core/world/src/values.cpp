@@ -1,0 +1,218 @@
+#include "values.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+#include "elsie/plugin/near_name.h"
+
+namespace elsie::world {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr const char* kHex = "0123456789abcdefABCDEF";
+
+template <class Number>
+std::string format_number(Number value) {
+  std::array<char, 32> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+bool is_id(std::string_view text) {
+  return !text.empty() && is_letter(text[0]) && std::all_of(text.begin(), text.end(), [](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '.';
+  });
+}
+
+bool is_colour(std::string_view text) {
+  return text.size() == 7 && text[0] == '#' &&
+         text.substr(1).find_first_not_of(kHex) == std::string_view::npos;
+}
+
+bool in_range(const ParameterFacts& facts, double value) {
+  return value >= facts.min && value > facts.above && value <= facts.max;
+}
+
+template <class Number>
+Parsed parse_number(const Field& field, std::string_view text) {
+  Number number{};
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, number);
+  std::string hint;
+  if (result.ec == std::errc::result_out_of_range) {
+    hint = "; this number is too large or too small to be represented";
+  } else if (result.ec != std::errc() || result.ptr != end) {
+    hint = text.find(',') != std::string_view::npos
+               ? "; decimals are written with a point, as in 1.5"
+           : text.empty()                                            ? ""
+           : text.find_first_of(" \t\n\r") != std::string_view::npos ? "; without blanks"
+                                                                     : "";
+  } else if (std::isfinite(static_cast<double>(number)) &&
+             in_range(field.facts, static_cast<double>(number))) {
+    return {ParameterValue(number), ""};
+  }
+  return {std::nullopt, "expected " + expectation(field) + hint};
+}
+
+Parsed parse_list(const Field& field, std::string_view text) {
+  std::vector<double> numbers;
+  std::size_t at = 0;
+  while (true) {
+    at = text.find_first_not_of(" \t\n\r", at);
+    if (at == std::string_view::npos) {
+      return {ParameterValue(std::move(numbers)), ""};
+    }
+    const std::size_t end = std::min(text.find_first_of(" \t\n\r", at), text.size());
+    const std::string_view word = text.substr(at, end - at);
+    const Parsed number = parse_number<double>(field, word);
+    if (!number.value) {
+      return {std::nullopt, number.problem + "; '" + std::string(word) + "' is not one"};
+    }
+    numbers.push_back(std::get<double>(*number.value));
+    at = end;
+  }
+}
+
+Parsed parse_text(const Field& field, std::string_view text) {
+  const auto& choices = field.facts.choices;
+  const bool good = !choices.empty()
+                        ? std::find(choices.begin(), choices.end(), text) != choices.end()
+                    : field.form == TextForm::id     ? is_id(text)
+                    : field.form == TextForm::colour ? is_colour(text)
+                                                     : true;
+  if (good) {
+    return {ParameterValue(std::string(text)), ""};
+  }
+  return {std::nullopt,
+          "expected " + expectation(field) + plugin::did_you_mean(std::string(text), choices)};
+}
+
+std::string quoted_list(const std::vector<std::string>& words) {
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    list += (i == 0 ? "'" : i + 1 == words.size() ? " or '" : ", '") + words[i] + "'";
+  }
+  return list;
+}
+
+}  // namespace
+
+Field field_of(const ParameterDeclaration& parameter) {
+  Field field;
+  field.name = parameter.name;
+  field.type = parameter.type;
+  field.facts = parameter.facts;
+  field.default_value = parameter.default_value;
+  return field;
+}
+
+Parsed parse_value(const Field& field, std::string_view text) {
+  switch (field.type) {
+    case ParameterType::real:
+      return parse_number<double>(field, text);
+    case ParameterType::integer:
+      return parse_number<std::int64_t>(field, text);
+    case ParameterType::boolean:
+      if (text == "true" || text == "false") {
+        return {ParameterValue(text == "true"), ""};
+      }
+      return {std::nullopt, "expected " + expectation(field)};
+    case ParameterType::reals:
+      return parse_list(field, text);
+    case ParameterType::file:
+    case ParameterType::text:
+      break;
+  }
+  return parse_text(field, text);
+}
+
+std::string format_value(const ParameterValue& value) {
+  struct Format {
+    std::string operator()(bool flag) const { return flag ? "true" : "false"; }
+    std::string operator()(std::int64_t number) const { return format_number(number); }
+    std::string operator()(double number) const { return format_number(number); }
+    std::string operator()(const std::string& text) const { return text; }
+    std::string operator()(const std::vector<double>& numbers) const {
+      std::string list;
+      for (const double number : numbers) {
+        list += (list.empty() ? "" : " ") + format_number(number);
+      }
+      return list;
+    }
+  };
+  return std::visit(Format{}, value);
+}
+
+std::string range_in_words(const ParameterFacts& facts) {
+  std::string range;
+  if (facts.above > -kInfinity && facts.above >= facts.min) {
+    range = "above " + format_number(facts.above);
+  } else if (facts.min > -kInfinity && facts.max < kInfinity) {
+    return "from " + format_number(facts.min) + " to " + format_number(facts.max);
+  } else if (facts.min > -kInfinity) {
+    range = "at least " + format_number(facts.min);
+  }
+  if (facts.max < kInfinity) {
+    range += (range.empty() ? "at most " : " and at most ") + format_number(facts.max);
+  }
+  return range;
+}
+
+std::string expectation(const Field& field) {
+  const std::string range = range_in_words(field.facts);
+  const std::string suffix = (range.empty() ? "" : " " + range) +
+                             (field.facts.unit.empty() ? "" : " (" + field.facts.unit + ")");
+  switch (field.type) {
+    case ParameterType::real:
+      return "a number" + suffix;
+    case ParameterType::integer:
+      return "a whole number" + suffix;
+    case ParameterType::boolean:
+      return "'true' or 'false'";
+    case ParameterType::reals:
+      return "numbers separated by blanks, each" + (suffix.empty() ? " finite" : suffix);
+    case ParameterType::file:
+      return "the path of a file";
+    case ParameterType::text:
+      break;
+  }
+  if (!field.facts.choices.empty()) {
+    return quoted_list(field.facts.choices);
+  }
+  switch (field.form) {
+    case TextForm::id:
+      return "a name that starts with a letter or underscore and goes on with letters, digits, "
+             "'_', '-' or '.'";
+    case TextForm::colour:
+      return "a colour like '#d03030' (red, green and blue, two hexadecimal digits each)";
+    case TextForm::any:
+      break;
+  }
+  return "a text";
+}
+
+std::string format_colour(const Colour& colour) {
+  std::string text = "#";
+  for (const unsigned part : {colour.red, colour.green, colour.blue}) {
+    text += kHex[part / 16];
+    text += kHex[part % 16];
+  }
+  return text;
+}
+
+Colour colour_of(std::string_view text) {
+  const auto part = [&](std::size_t at) {
+    std::uint8_t value = 0;
+    std::from_chars(text.data() + at, text.data() + at + 2, value, 16);
+    return value;
+  };
+  return {part(1), part(3), part(5)};
+}
+
+}  // namespace elsie::world

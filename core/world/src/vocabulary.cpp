@@ -1,0 +1,409 @@
+#include "elsie/world/vocabulary.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "describe.h"
+
+namespace elsie::world {
+
+namespace {
+
+constexpr AttributeExtras kId{.form = TextForm::id};
+constexpr AttributeExtras kRequiredId{.form = TextForm::id, .required = true};
+constexpr AttributeExtras kTeam{.form = TextForm::id, .refers_to = Reference::team};
+constexpr AttributeExtras kRobot{.form = TextForm::id, .refers_to = Reference::robot};
+constexpr AttributeExtras kRequired{.required = true};
+
+ParameterFacts fact(std::string meaning) { return {.meaning = std::move(meaning)}; }
+ParameterFacts metres(std::string meaning) {
+  return {.unit = "m", .min = -1e4, .max = 1e4, .meaning = std::move(meaning)};
+}
+ParameterFacts size(std::string meaning, double max = 1e3) {
+  return {.unit = "m", .above = 0, .max = max, .meaning = std::move(meaning)};
+}
+ParameterFacts angle(std::string meaning) {
+  return {.unit = "deg", .min = -360, .max = 360, .meaning = std::move(meaning)};
+}
+
+// The version of the vocabulary, on the root element; the reader looks at it before anything else.
+template <class Object>
+Describe<Object> root(const char* name, const char* meaning) {
+  return Describe<Object>(name, meaning)
+      .attribute(
+          "format", ParameterType::text,
+          {.choices = {std::to_string(kFormat)}, .meaning = "version of this vocabulary"},
+          kRequired, [](void*, const ParameterValue&) {},
+          [](const void*) -> std::optional<ParameterValue> { return std::to_string(kFormat); });
+}
+
+ElementSpec arena() {
+  return Describe<Arena>("arena", "The flat rectangular area; its middle is the origin")
+      .attribute("length", &Arena::length, size("along x, between the walls", 1e4))
+      .attribute("width", &Arena::width, size("along y, between the walls", 1e4))
+      .attribute("wall_height", &Arena::wall_height, size("height of the walls", 100))
+      .attribute("wall_thickness", &Arena::wall_thickness,
+                 size("thickness of the walls, outside of the area", 100))
+      .attribute("walls", &Arena::walls, fact("whether there are walls around it"));
+}
+
+ElementSpec physics() {
+  return Describe<Physics>("physics", "Parameters of the physics engine")
+      .attribute("step", &Physics::step,
+                 {.unit = "s", .above = 0, .max = 0.1, .meaning = "length of a step"})
+      .attribute("control_steps", &Physics::control_steps,
+                 {.min = 1, .max = 1000, .meaning = "steps in one control period"})
+      .attribute("gravity", &Physics::gravity,
+                 {.unit = "m/s2", .min = -100, .max = 0, .meaning = "along z"})
+      .attribute("erp", &Physics::erp,
+                 {.above = 0,
+                  .max = 1,
+                  .meaning = "error reduction of joints and contacts; useful from 0.1 to 0.8"})
+      .attribute("cfm", &Physics::cfm,
+                 {.min = 0, .max = 1, .meaning = "constraint force mixing: how soft contacts are"})
+      .attribute("kp", &Physics::kp,
+                 {.unit = "N/m",
+                  .above = 0,
+                  .max = 1e12,
+                  .meaning = "spring constant, with kd, instead of erp and cfm"})
+      .attribute("kd", &Physics::kd,
+                 {.unit = "N s/m",
+                  .min = 0,
+                  .max = 1e12,
+                  .meaning = "damping constant, with kp, instead of erp and cfm"})
+      .attribute("friction", &Physics::friction,
+                 {.min = 0, .max = 1000, .meaning = "Coulomb friction of contacts"})
+      .attribute("wheel_slip", &Physics::wheel_slip,
+                 {.unit = "m/(s N)",
+                  .min = 0,
+                  .max = 10,
+                  .meaning = "how fast a wheel slips sideways for each newton"})
+      .attribute("bounce", &Physics::bounce,
+                 {.min = 0, .max = 1, .meaning = "restitution of contacts"});
+}
+
+ElementSpec team() {
+  return Describe<Team>("team", "A team of robots; \"red\" and \"blue\" are there by themselves")
+      .attribute("id", &Team::id, fact("its name"), kRequiredId)
+      .attribute("colour", &Team::colour, fact("of its robots and resources in pictures"));
+}
+
+// What all boxes have in common.
+Describe<Box> box(const char* name, const char* meaning) {
+  return Describe<Box>(name, meaning)
+      .attribute("id", &Box::id, fact("its name; by default its element's, with a number"), kId)
+      .attribute("x", &Box::x, metres("its middle, east"))
+      .attribute("y", &Box::y, metres("its middle, north"))
+      .attribute("z", &Box::z, {.unit = "m", .min = 0, .max = 100, .meaning = "its bottom"})
+      .attribute("heading_deg", &Box::heading_deg, angle("counter-clockwise from east"))
+      .attribute("length", &Box::length, size("along its own x"))
+      .attribute("width", &Box::width, size("along its own y"))
+      .attribute("height", &Box::height, size("along z"))
+      .attribute("colour", &Box::colour, fact("in pictures; by default that of its kind"))
+      .attribute("seen_by_range_sensors", &Box::seen_by_range_sensors,
+                 fact("whether range and proximity sensors see it"));
+}
+
+ElementSpec waypoint() {
+  return Describe<Vector2>("waypoint", "A place that a moving box passes")
+      .required()
+      .attribute("x", &Vector2::x, metres("east"), kRequired)
+      .attribute("y", &Vector2::y, metres("north"), kRequired);
+}
+
+ElementSpec static_box() { return box("static_box", "An obstacle that nothing moves: a brick"); }
+
+ElementSpec dynamic_box() {
+  return box("dynamic_box", "An obstacle that can be pushed")
+      .attribute("mass", &Box::mass, {.unit = "kg", .above = 0, .max = 1e6, .meaning = "its mass"});
+}
+
+ElementSpec moving_box() {
+  return box("moving_box",
+             "An obstacle that follows a path of its own, whatever pushes it: from where it "
+             "stands through its waypoints")
+      .attribute("speed", &Box::speed,
+                 {.unit = "m/s", .above = 0, .max = 100, .meaning = "along its path"})
+      .attribute(
+          "path", ParameterType::text,
+          {.choices = {"round", "to_and_fro"},
+           .meaning = "whether it goes from the last waypoint straight to its start or back the "
+                      "way it came"},
+          {},
+          [](void* object, const ParameterValue& value) {
+            static_cast<Box*>(object)->round_trip = std::get<std::string>(value) == "round";
+          },
+          [](const void* object) -> std::optional<ParameterValue> {
+            return static_cast<const Box*>(object)->round_trip ? "round" : "to_and_fro";
+          })
+      .each(waypoint(), &Box::waypoints);
+}
+
+ElementSpec resource() {
+  return box("resource", "A box that a robot collects by touching it")
+      .attribute("team", &Box::team, fact("whose robots may take it; by default any"), kTeam)
+      .attribute("energy", &Box::energy,
+                 {.unit = "units",
+                  .min = 0,
+                  .max = 1e12,
+                  .meaning = "what the collector's battery gains"});
+}
+
+ElementSpec charger() {
+  return Describe<Charger>("charger", "A mark on the floor where robots charge")
+      .attribute("id", &Charger::id, fact("its name; by default its element's, with a number"), kId)
+      .attribute("team", &Charger::team, fact("whose robots may charge; by default any"), kTeam)
+      .attribute("x", &Charger::x, metres("its middle, east"))
+      .attribute("y", &Charger::y, metres("its middle, north"))
+      .attribute("radius", &Charger::radius, size("how near a robot must be"))
+      .attribute(
+          "rate", &Charger::rate,
+          {.unit = "units/s", .above = 0, .max = 1e12, .meaning = "what a robot's battery gains"})
+      .attribute("seen_by_range_sensors", &Charger::seen_by_range_sensors,
+                 fact("then it is a box of 0.1 m edge instead of a mark"));
+}
+
+ElementSpec body() {
+  return Describe<RobotBody>("body", "A box chassis on two driven wheels and two casters")
+      .attribute("length", &RobotBody::length, size("chassis, along the heading", 10))
+      .attribute("width", &RobotBody::width, size("chassis, across", 10))
+      .attribute("height", &RobotBody::height, size("chassis", 10))
+      .attribute("clearance", &RobotBody::clearance, size("from the floor to the chassis", 10))
+      .attribute("wheel_radius", &RobotBody::wheel_radius, size("radius of the wheels", 10))
+      .attribute("wheel_width", &RobotBody::wheel_width, size("width of the wheels", 10))
+      .attribute("axle", &RobotBody::axle,
+                 size("between the middles of the wheels; by default the wheels stand just outside "
+                      "the chassis",
+                      10))
+      .attribute("mass", &RobotBody::mass,
+                 {.unit = "kg", .above = 0, .max = 1e4, .meaning = "of the chassis"})
+      .attribute("wheel_mass", &RobotBody::wheel_mass,
+                 {.unit = "kg", .above = 0, .max = 1e4, .meaning = "of each wheel"})
+      .attribute("wheel_torque", &RobotBody::wheel_torque,
+                 {.unit = "N m", .above = 0, .max = 1e4, .meaning = "what each motor can give"});
+}
+
+ParameterFacts removal() {
+  return fact("takes away what the template has under this id; nothing else may be said then");
+}
+
+ElementSpec sensors() {
+  ElementSpec sensor =
+      Describe<SensorUse>("sensor", "A sensor: the element has the name of its plugin")
+          .plugins(PluginKind::sensor)
+          .attribute("id", &SensorUse::id,
+                     fact("its name on this robot; by default the plugin's, with a number if there "
+                          "are several"),
+                     kId)
+          .attribute("x", &SensorUse::x,
+                     metres("where it is mounted, ahead; by default the chassis' front"))
+          .attribute("y", &SensorUse::y,
+                     metres("where it is mounted, to the left; by default the middle"))
+          .attribute("z", &SensorUse::z,
+                     metres("where it is mounted, up; by default the chassis' top"))
+          .attribute("yaw_deg", &SensorUse::yaw_deg, angle("where it looks, to the left"))
+          .attribute("pitch_deg", &SensorUse::pitch_deg, angle("where it looks, upwards"))
+          .attribute("energy_cost", &SensorUse::energy_cost,
+                     {.unit = "units/s", .min = 0, .max = 1e12, .meaning = "what it uses"})
+          .attribute_before_reading("remove", ParameterType::boolean, removal());
+  return Describe<Robot>("sensors", "The robot's sensors")
+      .members("sensor")
+      .each(std::move(sensor), &Robot::sensors);
+}
+
+ElementSpec behaviors() {
+  ElementSpec behavior =
+      Describe<BehaviorUse>("behavior", "A behaviour: the element has the name of its plugin")
+          .plugins(PluginKind::behavior)
+          .attribute("id", &BehaviorUse::id,
+                     fact("its name on this robot; by default the plugin's, with a number if there "
+                          "are several"),
+                     kId)
+          .attribute("priority", &BehaviorUse::priority,
+                     {.min = -1e6,
+                      .max = 1e6,
+                      .meaning = "its weight or rank, as the coordinator takes it"})
+          .attribute_before_reading("remove", ParameterType::boolean, removal());
+  return Describe<Robot>("behaviors", "The robot's behaviours, in the order of their rank in ties")
+      .members("behavior")
+      .each(std::move(behavior), &Robot::behaviors);
+}
+
+ElementSpec coordinator() {
+  ElementSpec use =
+      Describe<PluginUse>("coordinator", "A coordinator: the element has the name of its plugin")
+          .plugins(PluginKind::coordinator)
+          .attribute("id", &PluginUse::id, fact("its name on this robot; by default the plugin's"),
+                     kId)
+          .attribute_before_reading("remove", ParameterType::boolean, removal());
+  return Describe<Robot>("coordinator", "What turns the behaviours' wishes into one command")
+      .members("coordinator")
+      .optional(std::move(use), &Robot::coordinator);
+}
+
+// What robots and templates of robots have in common.
+ElementSpec with_robot_content(Describe<Robot> robot) {
+  return std::move(robot)
+      .attribute_before_reading(
+          "template", ParameterType::file,
+          fact("a file with a <robot_template>, whose content this element overrides"))
+      .attribute("team", &Robot::team, fact("the team that it belongs to"), kTeam)
+      .attribute("x", &Robot::x, metres("east"))
+      .attribute("y", &Robot::y, metres("north"))
+      .attribute("z", &Robot::z,
+                 {.unit = "m", .min = 0, .max = 100, .meaning = "the bottom of its wheels"})
+      .attribute("heading_deg", &Robot::heading_deg, angle("counter-clockwise from east"))
+      .attribute(
+          "max_speed", &Robot::max_speed,
+          {.unit = "m/s", .min = 0, .max = 100, .meaning = "no wheel rolls faster than this"})
+      .attribute("coverage", &Robot::coverage,
+                 {.unit = "m", .min = 0, .max = 1e4, .meaning = "radius of its communication"})
+      .attribute("leader", &Robot::leader, fact("whether it leads its team"))
+      .attribute("battery", &Robot::battery,
+                 {.unit = "units", .above = 0, .max = 1e12, .meaning = "its battery when full"})
+      .attribute("energy", &Robot::energy,
+                 {.unit = "units",
+                  .min = 0,
+                  .max = 1e12,
+                  .meaning = "in the battery at the start; by default it is full"})
+      .one(body(), &Robot::body)
+      .group(sensors())
+      .group(behaviors())
+      .group(coordinator());
+}
+
+ElementSpec robot() {
+  return with_robot_content(Describe<Robot>("robot", "A two-wheel differential drive")
+                                .attribute("id", &Robot::id, fact("its name"), kRequiredId));
+}
+
+ElementSpec goals() {
+  const auto radius = size("how near is near enough");
+  return Describe<World>("goals",
+                         "What makes a run a success. All goals to reach must be met, no goal to "
+                         "keep may be broken")
+      .members("goal")
+      .each_of<CollectGoal>(
+          Describe<CollectGoal>("collect", "To reach: all resources are collected")
+              .attribute("team", &CollectGoal::team, fact("only those of this team"), kTeam),
+          &World::goals)
+      .each_of<ReachGoal>(Describe<ReachGoal>("reach", "To reach: a robot is at a place")
+                              .attribute("robot", &ReachGoal::robot, fact("which one"),
+                                         {TextForm::id, Reference::robot, true})
+                              .attribute("x", &ReachGoal::x, metres("the place, east"), kRequired)
+                              .attribute("y", &ReachGoal::y, metres("the place, north"), kRequired)
+                              .attribute("radius", &ReachGoal::radius, radius),
+                          &World::goals)
+      .each_of<PushGoal>(Describe<PushGoal>("push", "To reach: a box is at a place")
+                             .attribute("box", &PushGoal::box, fact("which one"),
+                                        {TextForm::id, Reference::box, true})
+                             .attribute("x", &PushGoal::x, metres("the place, east"), kRequired)
+                             .attribute("y", &PushGoal::y, metres("the place, north"), kRequired)
+                             .attribute("radius", &PushGoal::radius, radius),
+                         &World::goals)
+      .each_of<GatherGoal>(
+          Describe<GatherGoal>("gather",
+                               "To reach: every robot of a team is near another one or its leader")
+              .attribute("team", &GatherGoal::team, fact("which one"),
+                         {TextForm::id, Reference::team, true})
+              .attribute("distance", &GatherGoal::distance, radius),
+          &World::goals)
+      .each_of<TravelGoal>(
+          Describe<TravelGoal>("travel", "To reach: a robot has driven this far")
+              .attribute("robot", &TravelGoal::robot, fact("which one; by default every robot"),
+                         kRobot)
+              .attribute("distance", &TravelGoal::distance, size("along its way", 1e9)),
+          &World::goals)
+      .each_of<EndureGoal>(
+          Describe<EndureGoal>("endure", "To reach: this much simulated time has passed")
+              .attribute("time", &EndureGoal::time,
+                         {.unit = "s", .above = 0, .max = 1e9, .meaning = "how much"}),
+          &World::goals)
+      .each_of<NoCollisionGoal>(
+          Describe<NoCollisionGoal>(
+              "no_collision", "To keep: a robot touches nothing but the floor and its resources")
+              .attribute("robot", &NoCollisionGoal::robot,
+                         fact("which one; by default every robot"), kRobot),
+          &World::goals)
+      .each_of<BatteryGoal>(
+          Describe<BatteryGoal>("battery", "To keep: a robot's battery is never empty")
+              .attribute("robot", &BatteryGoal::robot, fact("which one; by default every robot"),
+                         kRobot),
+          &World::goals);
+}
+
+ElementSpec limits() {
+  return Describe<Limits>("limits", "What ends a run that has not ended by itself")
+      .attribute("time", &Limits::time,
+                 {.unit = "s", .above = 0, .max = 1e9, .meaning = "simulated time"})
+      .attribute("wall_time", &Limits::wall_time,
+                 {.unit = "s", .above = 0, .max = 1e9, .meaning = "time on the clock"});
+}
+
+ElementSpec boxes(Describe<World> group, std::vector<std::pair<ElementSpec, BoxKind>> kinds) {
+  for (auto& [spec, kind] : kinds) {
+    group = std::move(group).each<Box>(
+        std::move(spec), &World::boxes, [kind = kind](const Box& b) { return b.kind == kind; },
+        [kind = kind](Box& b) { b.kind = kind; });
+  }
+  return std::move(group);
+}
+
+ElementSpec world() {
+  return root<World>("world", "A world: everything that a run needs")
+      .attribute("name", &World::name, fact("its title"))
+      .attribute("description", &World::description, fact("what it is for"))
+      .one(arena(), &World::arena)
+      .one(physics(), &World::physics)
+      .group(Describe<World>("teams", "The teams").members("team").each(team(), &World::teams))
+      .group(boxes(Describe<World>("obstacles", "Boxes that stand in the way").members("obstacle"),
+                   {{static_box(), BoxKind::fixed},
+                    {dynamic_box(), BoxKind::dynamic},
+                    {moving_box(), BoxKind::moving}}))
+      .group(boxes(Describe<World>("resources", "Boxes to be collected").members("resource"),
+                   {{resource(), BoxKind::resource}}))
+      .group(Describe<World>("chargers", "Where robots charge")
+                 .members("charger")
+                 .each(charger(), &World::chargers))
+      .group(Describe<World>("robots", "The robots").members("robot").each(robot(), &World::robots))
+      .group(goals())
+      .one(limits(), &World::limits);
+}
+
+}  // namespace
+
+const AttributeSpec* ElementSpec::attribute(const std::string& attribute_name) const {
+  const auto found = std::find_if(attributes.begin(), attributes.end(),
+                                  [&](const AttributeSpec& a) { return a.name == attribute_name; });
+  return found == attributes.end() ? nullptr : &*found;
+}
+
+const ElementSpec* ElementSpec::child(const std::string& child_name) const {
+  const auto found = std::find_if(children.begin(), children.end(),
+                                  [&](const ElementSpec& e) { return e.name == child_name; });
+  return found == children.end() ? nullptr : &*found;
+}
+
+const ElementSpec& vocabulary() {
+  static const ElementSpec table = world();
+  return table;
+}
+
+const ElementSpec& template_vocabulary() {
+  static const ElementSpec table = with_robot_content(
+      root<Robot>("robot_template", "A robot without an id, to be used in many places"));
+  return table;
+}
+
+const ElementSpec& vocabulary_at(const std::vector<std::string>& names) {
+  const ElementSpec* spec = &vocabulary();
+  for (const std::string& name : names) {
+    spec = spec->child(name);
+    if (!spec) {
+      throw std::out_of_range("the vocabulary has no element '" + name + "' there");
+    }
+  }
+  return *spec;
+}
+
+}  // namespace elsie::world

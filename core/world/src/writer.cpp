@@ -1,0 +1,75 @@
+#include "elsie/world/writer.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "elsie/world/vocabulary.h"
+
+#include "markup.h"
+#include "values.h"
+
+namespace elsie::world {
+
+namespace {
+
+void append_attribute(std::string& text, const std::string& name, const ParameterValue& value) {
+  text += " " + name + "=\"" + escaped(format_value(value)) + "\"";
+}
+
+std::string element(const ElementSpec& spec, const void* object, bool needed, std::size_t depth);
+
+std::string children(const ElementSpec& spec, const void* object, std::size_t depth) {
+  // Elements of several kinds may stand for the objects of one list: written in its order.
+  std::vector<std::pair<Part, const ElementSpec*>> parts;
+  for (const ElementSpec& child : spec.children) {
+    for (const Part& part : child.parts(object)) {
+      parts.push_back({part, &child});
+    }
+  }
+  if (spec.group) {
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const auto& a, const auto& b) { return a.first.order < b.first.order; });
+  }
+  std::string text;
+  for (const auto& [part, child] : parts) {
+    const bool is_listed = spec.group || child->at_most > 1;
+    text += element(*child, part.object, is_listed, depth);
+  }
+  return text;
+}
+
+// "" when it is not needed and has nothing to say: everything is as it would be without it.
+std::string element(const ElementSpec& spec, const void* object, bool needed, std::size_t depth) {
+  const std::string indent(2 * depth, ' ');
+  const PluginUse* use = spec.plugins ? spec.use(object) : nullptr;
+  const std::string& name = use ? use->plugin : spec.name;
+  std::string attributes;
+  if (!spec.group) {
+    for (const AttributeSpec& attribute : spec.attributes) {
+      const auto value = attribute.get ? attribute.get(object) : std::nullopt;
+      if (value && value != attribute.default_value) {
+        append_attribute(attributes, attribute.name, *value);
+      }
+    }
+  }
+  if (use) {
+    for (const auto& [parameter, value] : use->parameters) {
+      append_attribute(attributes, parameter, value);
+    }
+  }
+  const std::string content = children(spec, object, depth + 1);
+  if (!needed && attributes.empty() && content.empty()) {
+    return "";
+  }
+  return indent + "<" + name + attributes +
+         (content.empty() ? "/>\n" : ">\n" + content + indent + "</" + name + ">\n");
+}
+
+}  // namespace
+
+std::string write_world(const World& world) {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + element(vocabulary(), &world, true, 0);
+}
+
+}  // namespace elsie::world
