@@ -75,6 +75,10 @@ class Describe {
     attribute.form = extras.form;
     attribute.refers_to = extras.refers_to;
     attribute.required = extras.required;
+    if (type == ParameterType::integer) {
+      attribute.lowest = std::numeric_limits<int>::min();
+      attribute.highest = std::numeric_limits<int>::max();
+    }
     if (get && !extras.required) {
       const Object defaults{};
       attribute.default_value = get(&defaults);
@@ -118,8 +122,9 @@ class Describe {
   template <class Child>
   Describe&& each(
       ElementSpec child, std::vector<Child> Object::*list,
-      std::function<bool(const Child&)> is = [](const Child&) { return true; },
-      std::function<void(Child&)> begin = [](Child&) {}) && {
+      const std::type_identity_t<std::function<bool(const Child&)>>& is =
+          [](const Child&) { return true; },
+      const std::type_identity_t<std::function<void(Child&)>>& begin = [](Child&) {}) && {
     child.at_most = ElementSpec::kAnyNumber;
     child.make = [list, begin](void* parent, const Location& where) -> void* {
       Child& made = (static_cast<Object*>(parent)->*list).emplace_back();

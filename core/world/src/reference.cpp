@@ -11,40 +11,18 @@ namespace elsie::world {
 
 namespace {
 
-std::string type_name(const Field& field) {
-  switch (field.type) {
-    case ParameterType::real:
-      return "number";
-    case ParameterType::integer:
-      return "whole number";
-    case ParameterType::boolean:
-      return "true or false";
-    case ParameterType::reals:
-      return "numbers";
-    case ParameterType::file:
-      return "file";
-    case ParameterType::text:
+std::string value_in_words(const Field& field) {
+  switch (field.refers_to) {
+    case Reference::team:
+      return "the id of a team";
+    case Reference::robot:
+      return "the id of a robot";
+    case Reference::box:
+      return "the id of a box";
+    case Reference::none:
       break;
   }
-  if (!field.facts.choices.empty()) {
-    std::string list;
-    for (const std::string& choice : field.facts.choices) {
-      list += (list.empty() ? "`" : ", `") + choice + "`";
-    }
-    return list;
-  }
-  switch (field.form) {
-    case TextForm::id:
-      return field.refers_to == Reference::team    ? "id of a team"
-             : field.refers_to == Reference::robot ? "id of a robot"
-             : field.refers_to == Reference::box   ? "id of a box"
-                                                   : "id";
-    case TextForm::colour:
-      return "colour `#rrggbb`";
-    case TextForm::any:
-      break;
-  }
-  return "text";
+  return field.form == TextForm::id ? "an id" : expectation(field);
 }
 
 std::string cell(const std::string& text) {
@@ -67,12 +45,10 @@ std::string table(const std::vector<Field>& fields) {
   if (fields.empty()) {
     return "";
   }
-  std::string text =
-      "\n| attribute | type | unit | default | range | meaning |\n|---|---|---|---|---|---|\n";
+  std::string text = "\n| attribute | value | default | meaning |\n|---|---|---|---|\n";
   for (const Field& field : fields) {
-    text += "| `" + field.name + "` | " + cell(type_name(field)) + " | " + field.facts.unit +
-            " | " + cell(default_text(field)) + " | " + range_in_words(field.facts) + " | " +
-            cell(field.facts.meaning) + " |\n";
+    text += "| `" + field.name + "` | " + cell(value_in_words(field)) + " | " +
+            cell(default_text(field)) + " | " + cell(field.facts.meaning) + " |\n";
   }
   return text;
 }

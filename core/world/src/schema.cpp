@@ -1,6 +1,8 @@
 #include "elsie/world/schema.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <vector>
@@ -56,38 +58,43 @@ std::string basic_types() {
          type("colour", restriction("xs:string", facet("pattern", "#[0-9a-fA-F]{6}")));
 }
 
-std::string range_facets(const ParameterFacts& facts, bool whole) {
-  // A bound between two whole numbers says the same as the next one inside.
-  const auto low = [&](double bound) { return whole ? std::ceil(bound) : bound; };
-  const auto high = [&](double bound) { return whole ? std::floor(bound) : bound; };
-  const auto text = [&](double bound) {
-    return whole ? format_value(ParameterValue(static_cast<std::int64_t>(bound))) : number(bound);
+std::string range_facets(const Field& field) {
+  const ParameterFacts& facts = field.facts;
+  const double low = std::max(facts.min, field.lowest);
+  const double high = std::min(facts.max, field.highest);
+  std::string range;
+  if (facts.above > -kInfinity && facts.above >= low) {
+    range += facet("minExclusive", number(facts.above));
+  } else if (low > -kInfinity) {
+    range += facet("minInclusive", number(low));
+  }
+  return high < kInfinity ? range + facet("maxInclusive", number(high)) : range;
+}
+
+// The same for whole numbers, whose bounds must be whole: a bound between two of them says the same
+// as the next one inside. Beyond 9e18 lies what no number here can be.
+std::string whole_facets(const Field& field) {
+  const auto whole = [](double bound) {
+    return format_value(ParameterValue(static_cast<std::int64_t>(bound)));
   };
-  const double limit = whole ? 9e18 : kLargest;
-  std::string facets_text;
-  if (facts.above > -kInfinity && facts.above >= facts.min) {
-    facets_text += whole ? facet("minInclusive", text(std::floor(facts.above) + 1))
-                         : facet("minExclusive", text(facts.above));
-  } else if (facts.min > -limit) {
-    facets_text += facet("minInclusive", text(low(facts.min)));
-  }
-  if (facts.max < limit) {
-    facets_text += facet("maxInclusive", text(high(facts.max)));
-  }
-  return facets_text;
+  const ParameterFacts& facts = field.facts;
+  const double low = std::max({std::ceil(facts.min), std::floor(facts.above) + 1, field.lowest});
+  const double high = std::min(std::floor(facts.max), field.highest);
+  return (low > -9e18 ? facet("minInclusive", whole(low)) : "") +
+         (high < 9e18 ? facet("maxInclusive", whole(high)) : "");
 }
 
 // The content of a simpleType.
 std::string value_type(const Field& field) {
   switch (field.type) {
     case ParameterType::real:
-      return restriction("number", range_facets(field.facts, false));
+      return restriction("number", range_facets(field));
     case ParameterType::integer:
-      return restriction("whole_number", range_facets(field.facts, true));
+      return restriction("whole_number", whole_facets(field));
     case ParameterType::boolean:
       return restriction("truth", "");
     case ParameterType::reals:
-      return "<xs:list><xs:simpleType>" + restriction("number", range_facets(field.facts, false)) +
+      return "<xs:list><xs:simpleType>" + restriction("number", range_facets(field)) +
              "</xs:simpleType></xs:list>";
     case ParameterType::text:
     case ParameterType::file:

@@ -7,12 +7,12 @@
 #include <system_error>
 
 #include "elsie/plugin/near_name.h"
+#include "elsie/plugin/parameters.h"
 
 namespace elsie::world {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr const char* kHex = "0123456789abcdefABCDEF";
 
 template <class Number>
@@ -35,8 +35,10 @@ bool is_colour(std::string_view text) {
          text.substr(1).find_first_not_of(kHex) == std::string_view::npos;
 }
 
-bool in_range(const ParameterFacts& facts, double value) {
-  return value >= facts.min && value > facts.above && value <= facts.max;
+bool in_range(const Field& field, double value) {
+  const ParameterFacts& facts = field.facts;
+  return std::isfinite(value) && value >= facts.min && value > facts.above && value <= facts.max &&
+         value >= field.lowest && value <= field.highest;
 }
 
 template <class Number>
@@ -53,8 +55,7 @@ Parsed parse_number(const Field& field, std::string_view text) {
            : text.empty()                                            ? ""
            : text.find_first_of(" \t\n\r") != std::string_view::npos ? "; without blanks"
                                                                      : "";
-  } else if (std::isfinite(static_cast<double>(number)) &&
-             in_range(field.facts, static_cast<double>(number))) {
+  } else if (in_range(field, static_cast<double>(number))) {
     return {ParameterValue(number), ""};
   }
   return {std::nullopt, "expected " + expectation(field) + hint};
@@ -93,14 +94,6 @@ Parsed parse_text(const Field& field, std::string_view text) {
           "expected " + expectation(field) + plugin::did_you_mean(std::string(text), choices)};
 }
 
-std::string quoted_list(const std::vector<std::string>& words) {
-  std::string list;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    list += (i == 0 ? "'" : i + 1 == words.size() ? " or '" : ", '") + words[i] + "'";
-  }
-  return list;
-}
-
 }  // namespace
 
 Field field_of(const ParameterDeclaration& parameter) {
@@ -109,6 +102,8 @@ Field field_of(const ParameterDeclaration& parameter) {
   field.type = parameter.type;
   field.facts = parameter.facts;
   field.default_value = parameter.default_value;
+  field.lowest = parameter.lowest;
+  field.highest = parameter.highest;
   return field;
 }
 
@@ -149,52 +144,24 @@ std::string format_value(const ParameterValue& value) {
   return std::visit(Format{}, value);
 }
 
-std::string range_in_words(const ParameterFacts& facts) {
-  std::string range;
-  if (facts.above > -kInfinity && facts.above >= facts.min) {
-    range = "above " + format_number(facts.above);
-  } else if (facts.min > -kInfinity && facts.max < kInfinity) {
-    return "from " + format_number(facts.min) + " to " + format_number(facts.max);
-  } else if (facts.min > -kInfinity) {
-    range = "at least " + format_number(facts.min);
-  }
-  if (facts.max < kInfinity) {
-    range += (range.empty() ? "at most " : " and at most ") + format_number(facts.max);
-  }
-  return range;
-}
-
 std::string expectation(const Field& field) {
-  const std::string range = range_in_words(field.facts);
-  const std::string suffix = (range.empty() ? "" : " " + range) +
-                             (field.facts.unit.empty() ? "" : " (" + field.facts.unit + ")");
-  switch (field.type) {
-    case ParameterType::real:
-      return "a number" + suffix;
-    case ParameterType::integer:
-      return "a whole number" + suffix;
-    case ParameterType::boolean:
-      return "'true' or 'false'";
-    case ParameterType::reals:
-      return "numbers separated by blanks, each" + (suffix.empty() ? " finite" : suffix);
-    case ParameterType::file:
-      return "the path of a file";
-    case ParameterType::text:
-      break;
-  }
-  if (!field.facts.choices.empty()) {
-    return quoted_list(field.facts.choices);
-  }
   switch (field.form) {
     case TextForm::id:
-      return "a name that starts with a letter or underscore and goes on with letters, digits, "
-             "'_', '-' or '.'";
+      return "a name that starts with a letter or '_' and goes on with letters, digits, '_', '-' "
+             "or '.'";
     case TextForm::colour:
       return "a colour like '#d03030' (red, green and blue, two hexadecimal digits each)";
     case TextForm::any:
       break;
   }
-  return "a text";
+  ParameterDeclaration parameter;
+  parameter.name = field.name;
+  parameter.type = field.type;
+  parameter.facts = field.facts;
+  parameter.lowest = field.lowest;
+  parameter.highest = field.highest;
+  return plugin::allowed_values(parameter) +
+         (field.type == ParameterType::reals ? ", separated by blanks" : "");
 }
 
 std::string format_colour(const Colour& colour) {

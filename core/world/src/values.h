@@ -22,10 +22,8 @@ Parsed parse_value(const Field& field, std::string_view text);
 /// The text that parse_value() turns into the same value; numbers with as few digits as that takes.
 std::string format_value(const ParameterValue& value);
 
-/// What a field accepts, in words: "a number above 0 and at most 10 (m)".
+/// What a field accepts, in words: "a number above 0 and at most 10 m".
 std::string expectation(const Field& field);
-/// Only its range: "above 0 and at most 10", or "".
-std::string range_in_words(const ParameterFacts& facts);
 
 std::string format_colour(const Colour& colour);
 /// The text must have passed parse_value().

@@ -340,13 +340,25 @@ ElementSpec limits() {
                  {.unit = "s", .above = 0, .max = 1e9, .meaning = "time on the clock"});
 }
 
-ElementSpec boxes(Describe<World> group, std::vector<std::pair<ElementSpec, BoxKind>> kinds) {
-  for (auto& [spec, kind] : kinds) {
-    group = std::move(group).each<Box>(
-        std::move(spec), &World::boxes, [kind = kind](const Box& b) { return b.kind == kind; },
-        [kind = kind](Box& b) { b.kind = kind; });
-  }
-  return std::move(group);
+std::function<bool(const Box&)> is(BoxKind kind) {
+  return [kind](const Box& box) { return box.kind == kind; };
+}
+std::function<void(Box&)> becomes(BoxKind kind) {
+  return [kind](Box& box) { box.kind = kind; };
+}
+
+ElementSpec obstacles() {
+  return Describe<World>("obstacles", "Boxes that stand in the way")
+      .members("obstacle")
+      .each(static_box(), &World::boxes, is(BoxKind::fixed), becomes(BoxKind::fixed))
+      .each(dynamic_box(), &World::boxes, is(BoxKind::dynamic), becomes(BoxKind::dynamic))
+      .each(moving_box(), &World::boxes, is(BoxKind::moving), becomes(BoxKind::moving));
+}
+
+ElementSpec resources() {
+  return Describe<World>("resources", "Boxes to be collected")
+      .members("resource")
+      .each(resource(), &World::boxes, is(BoxKind::resource), becomes(BoxKind::resource));
 }
 
 ElementSpec world() {
@@ -356,12 +368,8 @@ ElementSpec world() {
       .one(arena(), &World::arena)
       .one(physics(), &World::physics)
       .group(Describe<World>("teams", "The teams").members("team").each(team(), &World::teams))
-      .group(boxes(Describe<World>("obstacles", "Boxes that stand in the way").members("obstacle"),
-                   {{static_box(), BoxKind::fixed},
-                    {dynamic_box(), BoxKind::dynamic},
-                    {moving_box(), BoxKind::moving}}))
-      .group(boxes(Describe<World>("resources", "Boxes to be collected").members("resource"),
-                   {{resource(), BoxKind::resource}}))
+      .group(obstacles())
+      .group(resources())
       .group(Describe<World>("chargers", "Where robots charge")
                  .members("charger")
                  .each(charger(), &World::chargers))

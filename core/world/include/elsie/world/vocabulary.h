@@ -38,6 +38,9 @@ struct Field {
   ParameterFacts facts;
   /// None: nothing is set unless the file says so.
   std::optional<ParameterValue> default_value;
+  // The numbers that the member's type can hold, whatever `facts` allow.
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
   TextForm form = TextForm::any;
   Reference refers_to = Reference::none;
   bool required = false;
