@@ -150,9 +150,11 @@ class Describe {
   template <class Alternative, class Variant>
   Describe&& each_of(ElementSpec child, std::vector<Variant> Object::*list) && {
     child.at_most = ElementSpec::kAnyNumber;
-    child.make = [list](void* parent, const Location&) -> void* {
+    child.make = [list](void* parent, const Location& where) -> void* {
       auto& objects = static_cast<Object*>(parent)->*list;
-      return &std::get<Alternative>(objects.emplace_back(Alternative{}));
+      auto& made = std::get<Alternative>(objects.emplace_back(Alternative{}));
+      note(made, where);
+      return &made;
     };
     child.parts = [list](const void* parent) {
       const auto& objects = static_cast<const Object*>(parent)->*list;
