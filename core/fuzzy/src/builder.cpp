@@ -653,6 +653,9 @@ bool Builder::comparison(const ast::Condition& condition, bool negated,
                                            " Its terms are " + one_of(names) + ".");
     return false;
   }
+  if (term->set.points.empty()) {
+    return false;  // reported with the term
+  }
   const auto index = static_cast<std::size_t>(term - input.terms.data());
   into.push_back({Operator::leaf, leaf(declared->index, index, negated)});
   return true;

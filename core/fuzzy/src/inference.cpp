@@ -85,7 +85,14 @@ class Walk {
         if (slots_[s].scales) {
           memory_.active.push_back({line.y0 * degree, line.y1 * degree, kNoCut});
         } else {
-          memory_.active.push_back({line.y0, line.y1, degree});
+          Active active{line.y0, line.y1, degree};
+          const double t = split(active);
+          if (t >= 1.0 && active.y1 < degree) {
+            active.y1 = degree;  // cut so low that only rounding keeps the end from being cut too
+          } else if (t == 0.0 && active.y0 < degree) {
+            active.y0 = degree;
+          }
+          memory_.active.push_back(active);
         }
       }
     }
@@ -136,9 +143,9 @@ class Walk {
                std::min(active.cut, t1 == 1.0 ? active.y1 : active.y0 + t1 * rise)});
         }
         stretch(x0, x1);
-        t0 = t1;
-        x0 = x1;
       }
+      t0 = t1;
+      x0 = x1;
     }
   }
 

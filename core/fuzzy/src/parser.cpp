@@ -35,6 +35,10 @@ constexpr std::array kStatements = {"term", "method", "accu", "default", "range"
 /// Words that cannot be names.
 constexpr std::array kReserved = {"if", "then", "is", "not", "and", "or", "with"};
 
+/// Words that other tools let stand before a term.
+constexpr std::array kHedges = {"very", "extremely", "somewhat", "seldom",
+                                "any",  "slightly",  "more",     "indeed"};
+
 template <class List>
 bool contains(const List& list, std::string_view text) {
   const std::string word = lower(text);
@@ -140,9 +144,13 @@ class Parser {
                              " before it.");
         return;
       }
+      const std::size_t start = at_;
       try {
         statement();
       } catch (const StatementLost&) {
+        if (at_ == start) {
+          take();
+        }
         recover();
       }
     }
@@ -210,15 +218,19 @@ class Parser {
 
   void file() {
     if (at_end()) {
-      note(now().line, "The file is empty. Expected FUNCTION_BLOCK.");
+      note(now().line, "The file says nothing. Expected FUNCTION_BLOCK.");
       return;
     }
     if (!accept_word("function_block")) {
       note(now().line, "Found " + found() + ", expected FUNCTION_BLOCK at the beginning.");
       return;
     }
-    if (now().kind == TokenKind::word && !contains(kLandmarks, now().text)) {
-      block_.name = name("the name of the function block");
+    try {
+      if (now().kind == TokenKind::word && !contains(kLandmarks, now().text)) {
+        block_.name = name("the name of the function block");
+      }
+    } catch (const StatementLost&) {
+      skip_to_landmark();
     }
     while (!at_end() && !at_word("end_function_block")) {
       section();
@@ -519,12 +531,10 @@ class Parser {
 
   /// `range IS very near`: some tools write this.
   void refuse_hedge(const ast::Name& term) {
-    if (now().kind == TokenKind::word && !now().first_on_line && !at_word("and") &&
-        !at_word("or") && !at_word("then") && !at_word("with") &&
-        !contains(kLandmarks, now().text)) {
-      lose("Found " + found() + " after the term '" + term.text +
-           "'. A condition has one term; FCL knows no hedges such as 'very': define a term of its "
-           "own for that.");
+    if (contains(kHedges, term.text) && now().kind == TokenKind::word && !now().first_on_line &&
+        !contains(kReserved, now().text)) {
+      lose("Found the hedge '" + term.text + "' before '" + std::string(now().text) +
+           "'. FCL knows no hedges: define a term of its own for what is meant.");
     }
   }
 

@@ -174,9 +174,13 @@ namespace {
 
 std::optional<MaximaSink> maxima(const FuzzySet& set) {
   MaximaSink sink;
-  each_line(set, sink);
-  for (const FuzzySet::Point& point : set.points) {
-    sink.peak(point.x, point.degree);
+  for (std::size_t i = 0; i < set.points.size(); ++i) {
+    const auto& point = set.points[i];
+    if (i > 0 && set.points[i - 1].x < point.x) {
+      sink.line(set.points[i - 1].x, point.x, set.points[i - 1].degree, point.degree);
+    } else {
+      sink.peak(point.x, point.degree);  // a spike, a step or the first point
+    }
   }
   return sink.highest > 0.0 ? std::optional(sink) : std::nullopt;
 }

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
-#include <limits>
+#include <iterator>
 #include <numbers>
 #include <stdexcept>
 
@@ -197,8 +196,11 @@ FuzzySet Shape::make() {
     return same_name(candidate.name, name_);
   });
   if (named == kinds().end()) {
+    std::vector<std::string> full_names;  // the others are short for these
+    std::copy_if(shape_names().begin(), shape_names().end(), std::back_inserter(full_names),
+                 [](const std::string& name) { return name[0] >= 'A' && name[0] <= 'Z'; });
     refuse("Found the shape '" + name_ + "', which is not known." +
-           did_you_mean(name_, shape_names()) + " Known are " + one_of(shape_names()) + ".");
+           did_you_mean(name_, shape_names()) + " Known are " + one_of(full_names) + ".");
   }
   name_ = named->name;
   const Kind& kind = named->kind;
@@ -366,7 +368,7 @@ void draw_curve(const std::function<double(double)>& function, std::span<const d
   // is at most twice the one in the middle. Each stretch between knots is cut up beforehand, so
   // that a point of inflection that is not among the knots falls into a short piece.
   constexpr int kPieces = 8;
-  constexpr int kDeepest = 10;
+  constexpr int kDeepest = 40;
   struct Drawer {
     const std::function<double(double)>& function;
     std::vector<FuzzySet::Point>& points;

@@ -1,0 +1,66 @@
+// An evaluation allocates nothing once its workspace has met the model.
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/api/random.h"
+#include "elsie/fuzzy/fcl.h"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+}  // namespace
+
+// Counts for the whole program; the library's calls arrive here too.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+using namespace elsie::fuzzy;
+
+TEST_CASE("Nothing is allocated in an evaluation after the first") {
+  const std::string methods[] = {"COG", "COA", "LM", "RM", "MM"};
+  for (const char* accumulation : {"MAX", "BSUM", "NSUM", "ASUM"}) {
+    for (const std::string& method : methods) {
+      const Model model = parse_fcl(
+          "FUNCTION_BLOCK VAR_INPUT x, y : REAL; END_VAR VAR_OUTPUT z : REAL; END_VAR "
+          "FUZZIFY x RANGE := (0 .. 1); TERM low := Ramp 1 0; TERM high := Gaussian 1 0.4; "
+          "END_FUZZIFY FUZZIFY y RANGE := (0 .. 1); TERM low := Ramp 1 0; TERM high := Ramp 0 1; "
+          "END_FUZZIFY DEFUZZIFY z RANGE := (0 .. 6); TERM a := Triangle 0 2 4; TERM b := Triangle "
+          "2 4 6; TERM c := Trapezoid 1 2 4 6; METHOD : " +
+          method + "; ACCU : " + accumulation +
+          "; END_DEFUZZIFY RULEBLOCK RULE 1 : IF NOT (x IS high AND y IS low) THEN z IS a;"
+          "RULE 2 : IF x IS low OR y IS high THEN z IS b;"
+          "RULE 3 : IF (x IS high OR y IS low) AND (x IS low OR y IS high) THEN z IS c WITH 0.7;"
+          "RULE 4 : IF x IS high THEN z IS c; END_RULEBLOCK END_FUNCTION_BLOCK");
+      Workspace workspace;
+      double inputs[] = {0.5, 0.5};
+      double z = 0.0;
+      model.evaluate(inputs, {&z, 1}, workspace);
+      elsie::Random random(1);
+      const long before = allocations;
+      double sum = 0.0;
+      for (int i = 0; i < 200; ++i) {
+        inputs[0] = random.uniform();
+        inputs[1] = random.uniform();
+        model.evaluate(inputs, {&z, 1}, workspace);
+        sum += z;
+      }
+      const long during = allocations - before;
+      INFO(accumulation << " " << method);
+      CHECK(during == 0);
+      CHECK(sum > 0.0);
+    }
+  }
+}
