@@ -25,10 +25,9 @@ std::optional<std::size_t> index_of(const std::vector<Named>& all, std::string_v
   return std::nullopt;
 }
 
-void check_size(std::size_t size, std::size_t expected, const std::string& what,
-                const ModelData& model) {
+void check_size(std::size_t size, std::size_t expected, const char* what, const ModelData& model) {
   if (size != expected) {
-    throw std::invalid_argument("Found " + std::to_string(size) + " " + what +
+    throw std::invalid_argument("Found " + std::to_string(size) + " " + std::string(what) +
                                 ", but the fuzzy model '" + model.name + "' has " +
                                 std::to_string(expected) + ".");
   }
