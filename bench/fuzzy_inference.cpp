@@ -152,13 +152,13 @@ class RatioReporter : public benchmark::ConsoleReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (run.run_type == Run::RT_Iteration) {
-        times_.emplace_back(run.benchmark_name(), run.GetAdjustedRealTime());
+        times_.emplace_back(run.benchmark_name(), run.GetAdjustedCPUTime());
       }
     }
     ConsoleReporter::ReportRuns(runs);
   }
 
-  /// The best time of all repetitions.
+  /// The best processor time of all repetitions.
   double time(const std::string& name) const {
     double best = 0.0;
     for (const auto& [run, time] : times_) {
