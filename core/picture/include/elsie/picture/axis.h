@@ -1,0 +1,44 @@
+// Axes: which numbers to write beside one, and where a point lands.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "elsie/api/geometry.h"
+
+namespace elsie::picture {
+
+/// Places on an axis for marks and their labels, ascending.
+struct Ticks {
+  std::vector<double> at;
+  double step = 0.0;
+};
+
+/// The step nearest to span / about among 1, 2 and 5 times the powers of ten; 1 for a span that is
+/// not positive and finite.
+double nice_step(double span, int about);
+
+/// The multiples of a nice step within [low, high], about `about` of them. None for an interval
+/// that is empty or not finite.
+Ticks nice_ticks(double low, double high, int about);
+
+/// A tick as text, with as many decimals as the step asks for and a true minus sign; the same in
+/// every locale.
+std::string tick_label(double value, double step);
+
+/// From the plane of two axes to the picture, whose x goes right and y down, in pixels.
+struct PlaneMap {
+  double scale_x = 1.0;  // pixels per unit
+  double scale_y = -1.0;
+  double origin_x = 0.0;  // where (0, 0) lands
+  double origin_y = 0.0;
+
+  Vector2 pixel(const Vector2& point) const {
+    return {origin_x + scale_x * point.x, origin_y + scale_y * point.y};
+  }
+  Vector2 point(const Vector2& pixel) const {
+    return {(pixel.x - origin_x) / scale_x, (pixel.y - origin_y) / scale_y};
+  }
+};
+
+}  // namespace elsie::picture

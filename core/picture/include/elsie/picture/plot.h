@@ -1,0 +1,95 @@
+// Plots: line charts, heat maps and surfaces over two axes, in rows on a page.
+//
+// A page is plain data: fill it in and save it. Colours and dashes are chosen to be told apart by
+// colour-blind readers and in grey.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "elsie/api/geometry.h"
+#include "elsie/picture/size.h"
+
+namespace elsie::picture {
+
+struct Axis {
+  std::string label{};
+  std::string unit{};  // "" for a pure number
+  // Empty: from the data.
+  std::optional<double> low{};
+  std::optional<double> high{};
+};
+
+/// One curve. A point that is not finite interrupts it.
+struct Series {
+  std::string name{};
+  std::vector<Vector2> points{};  // x and y in the units of the axes
+  bool filled = false;            // tinted down to zero, or to the axis
+};
+
+/// Where the names of the series stand.
+enum class Naming {
+  legend,   // in a line above the chart; a single series without a name has none
+  at_peak,  // above the highest place of each curve
+};
+
+struct LineChart {
+  std::string title{};
+  Axis x{};
+  Axis y{};
+  std::vector<Series> series{};
+  Naming naming = Naming::legend;
+};
+
+/// A number over a regular grid of two axes.
+struct Field {
+  Axis x{};  // low and high must be given
+  Axis y{};
+  Axis z{};
+  std::size_t columns = 0;       // along x, at least 2
+  std::size_t rows = 0;          // along y, at least 2
+  std::vector<double> values{};  // rows * columns, row by row from the lowest y; NaN: unknown
+};
+
+/// A field in colours with contour lines and a colour bar.
+struct HeatMap {
+  std::string title{};
+  Field field{};
+};
+
+/// A field as a surface in space, seen from above at an angle.
+struct Mesh {
+  std::string title{};
+  Field field{};
+};
+
+using Panel = std::variant<LineChart, HeatMap, Mesh>;
+
+struct Row {
+  std::vector<Panel> panels{};  // side by side, equally wide
+  std::string title{};          // above them all
+  /// Height of the row, less the titles and names above the plots, as a part of one panel's width;
+  /// 0: what suits the panels.
+  double aspect = 0.0;
+};
+
+struct Page {
+  std::string title{};
+  std::vector<std::string> subtitles{};
+  std::vector<Row> rows{};
+};
+
+/// Draws the page into a file whose suffix, .png or .svg, says of which type. The same page gives
+/// the same bytes. With a height of 0 it is as high as its rows need; otherwise the rows share what
+/// is there.
+///
+/// Throws std::invalid_argument for any other suffix, a size out of range, an axis whose low is not
+/// below its high, or a field whose size is not that of its values; std::runtime_error when the
+/// file cannot be written; then a file that was there before is unchanged.
+void save_page(const Page& page, const std::filesystem::path& file, const Size& size = {});
+
+}  // namespace elsie::picture

@@ -1,0 +1,45 @@
+// Colours of the pictures: safe for colour-blind readers where the choice is ours.
+#pragma once
+
+#include <cstddef>
+
+#include "elsie/world/description.h"
+
+namespace elsie::picture {
+
+struct Ink {
+  double red = 0.0, green = 0.0, blue = 0.0;  // in [0, 1], sRGB
+  double alpha = 1.0;
+
+  Ink with_alpha(double new_alpha) const { return {red, green, blue, new_alpha}; }
+};
+
+constexpr Ink hex(unsigned rgb) {
+  return {static_cast<double>((rgb >> 16U) & 0xffU) / 255.0,
+          static_cast<double>((rgb >> 8U) & 0xffU) / 255.0,
+          static_cast<double>(rgb & 0xffU) / 255.0};
+}
+
+inline constexpr Ink kPaper = hex(0xffffff);
+inline constexpr Ink kText = hex(0x22262b);
+inline constexpr Ink kFaintText = hex(0x5c636b);
+inline constexpr Ink kGrid = hex(0xe7e9ec);
+inline constexpr Ink kFrame = hex(0x4a5058);
+
+Ink ink(const world::Colour& colour);
+/// `part` of b in a, in [0, 1].
+Ink mix(const Ink& a, const Ink& b, double part);
+/// The colour turned and lightened in the OKLCH space (Ottosson, 2020), so that equal steps look
+/// equal.
+Ink shifted(const Ink& base, double lightness, double hue_rad);
+/// Darkened, if need be, until it reads as text on white.
+Ink readable(const Ink& base);
+
+/// The nth of a set of colours for curves (Okabe and Ito, 2008); they repeat after seven.
+Ink series_ink(std::size_t index);
+inline constexpr std::size_t kSeriesInks = 7;
+
+/// The colour map "viridis" (Smith and van der Walt, 2015) at `part` in [0, 1].
+Ink viridis(double part);
+
+}  // namespace elsie::picture

@@ -1,0 +1,23 @@
+// Picture files: their type by suffix, their size, and writing them whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "elsie/picture/size.h"
+
+namespace elsie::picture {
+
+enum class FileType { png, svg };
+
+/// Throws std::invalid_argument when the suffix is neither .png nor .svg, in any case of letters.
+FileType file_type(const std::filesystem::path& file);
+
+/// Throws std::invalid_argument for a size out of range.
+void check_size(const Size& size);
+
+/// Writes into a new file beside `file`, then gives it that name. Throws std::runtime_error with
+/// file and reason; then `file` is as it was and nothing is left over.
+void write_whole(const std::filesystem::path& file, const std::string& content);
+
+}  // namespace elsie::picture

@@ -1,0 +1,240 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "elsie/picture/plot.h"
+
+#include "panel.h"
+#include "text.h"
+
+namespace elsie::picture {
+namespace {
+
+constexpr double kMargin = 18.0;
+constexpr double kGap = 22.0;  // between panels
+constexpr double kRowTitle = kPanelTitle + 14;
+
+double header_height(const Page& page) {
+  double height = kMargin;
+  if (!page.title.empty()) height += kPageTitle + 10;
+  height += 19.0 * static_cast<double>(page.subtitles.size());
+  if (!page.subtitles.empty()) height += 12;
+  return height;
+}
+
+double panel_width(const Row& row, double width) {
+  const auto count = static_cast<double>(row.panels.size());
+  return (width - 2 * kMargin - kGap * (count - 1)) / count;
+}
+
+// The largest head among the panels, so that plots side by side line up.
+double row_head(const Canvas& canvas, const Row& row, double width) {
+  double head = 0.0;
+  for (const Panel& panel : row.panels) {
+    head = std::max(head, std::visit(
+                              [&](const auto& shown) {
+                                return head_height(canvas, shown, panel_width(row, width));
+                              },
+                              panel));
+  }
+  return head;
+}
+
+// Below the heads.
+double row_height(const Row& row, double width) {
+  if (row.panels.empty()) return 0.0;
+  double aspect = row.aspect;
+  if (aspect <= 0.0) {
+    for (const Panel& panel : row.panels) aspect = std::max(aspect, natural_aspect(panel));
+  }
+  return aspect * panel_width(row, width);
+}
+
+void draw_header(Canvas& canvas, const Page& page, double width) {
+  double y = kMargin;
+  if (!page.title.empty()) {
+    const TextStyle style{.size = kPageTitle, .bold = true, .down = Down::top};
+    canvas.text(canvas.fitted(page.title, style, width - 2 * kMargin), {kMargin, y}, style);
+    y += kPageTitle + 10;
+  }
+  const TextStyle style{.size = 14, .ink = kFaintText, .down = Down::top};
+  for (const std::string& line : page.subtitles) {
+    canvas.text(canvas.fitted(line, style, width - 2 * kMargin), {kMargin, y}, style);
+    y += 19;
+  }
+}
+
+void check_axis(const Axis& axis) {
+  const bool finite =
+      (!axis.low || std::isfinite(*axis.low)) && (!axis.high || std::isfinite(*axis.high));
+  if (finite && (!axis.low || !axis.high || *axis.low < *axis.high)) return;
+  throw std::invalid_argument("The axis '" + clean_text(axis.label) +
+                              "' cannot be drawn: its borders must be finite and the lower one " +
+                              "below the upper one.");
+}
+
+void check_field(const Field& field) {
+  check_axis(field.x);
+  check_axis(field.y);
+  check_axis(field.z);
+  if (!field.x.low || !field.x.high || !field.y.low || !field.y.high) {
+    throw std::invalid_argument("A field needs the borders of both of its axes.");
+  }
+  if (field.columns < 2 || field.rows < 2 || field.values.size() != field.columns * field.rows) {
+    throw std::invalid_argument("A field of " + std::to_string(field.columns) + " x " +
+                                std::to_string(field.rows) + " cannot be drawn from " +
+                                std::to_string(field.values.size()) +
+                                " values: it needs at least 2 x 2, and one value for each.");
+  }
+}
+
+}  // namespace
+
+void check_panel(const Panel& panel) {
+  if (const auto* chart = std::get_if<LineChart>(&panel)) {
+    check_axis(chart->x);
+    check_axis(chart->y);
+  } else if (const auto* map = std::get_if<HeatMap>(&panel)) {
+    check_field(map->field);
+  } else {
+    check_field(std::get<Mesh>(panel).field);
+  }
+}
+
+double natural_aspect(const Panel& panel) {
+  if (std::holds_alternative<LineChart>(panel)) return 0.5;
+  return 0.85;
+}
+
+Interval interval_of(const Axis& axis, const Interval& otherwise) {
+  Interval result{axis.low.value_or(otherwise.low), axis.high.value_or(otherwise.high)};
+  if (result.low < result.high) return result;
+  // Only one border was given, and the data lie beyond it.
+  const double span = std::max(1.0, std::abs(result.low) * 0.1);
+  if (axis.low) return {result.low, result.low + span};
+  return {result.high - span, result.high};
+}
+
+Interval interval_of(const Field& field) {
+  bool any = false;
+  Interval range{0.0, 0.0};
+  for (const double value : field.values) {
+    if (!std::isfinite(value)) continue;
+    range = any ? Interval{std::min(range.low, value), std::max(range.high, value)}
+                : Interval{value, value};
+    any = true;
+  }
+  if (!(range.low < range.high)) {
+    const double half = range.low == 0.0 ? 1.0 : std::abs(range.low) * 0.1;
+    range = {range.low - half, range.high + half};
+  }
+  return interval_of(field.z, range);
+}
+
+PlaneMap map_to(const Rect& plot, const Interval& x, const Interval& y) {
+  PlaneMap map;
+  map.scale_x = plot.width / x.span();
+  map.scale_y = -plot.height / y.span();
+  map.origin_x = plot.x - map.scale_x * x.low;
+  map.origin_y = plot.bottom() - map.scale_y * y.low;
+  return map;
+}
+
+double y_labels_width(const Canvas& canvas, const Interval& range, double height) {
+  const Ticks ticks = nice_ticks(range.low, range.high, std::max(2, static_cast<int>(height / 45)));
+  double widest = 0.0;
+  for (const double tick : ticks.at) {
+    widest = std::max(widest, canvas.text_width(tick_label(tick, ticks.step), {.size = kTick}));
+  }
+  return widest;
+}
+
+void draw_axes(Canvas& canvas, const Rect& plot, const Axis& x, const Interval& x_range,
+               const Axis& y, const Interval& y_range, const AxesStyle& style) {
+  const PlaneMap map = map_to(plot, x_range, y_range);
+  const Ticks across = nice_ticks(x_range.low, x_range.high,
+                                  std::max(2, static_cast<int>(plot.width / style.x_room)));
+  const Ticks up = nice_ticks(y_range.low, y_range.high,
+                              std::max(2, static_cast<int>(plot.height / style.y_room)));
+  constexpr double kMark = 4.0;
+  const double left = canvas.crisp(plot.x), bottom = canvas.crisp(plot.bottom());
+
+  for (const double tick : across.at) {
+    const double at = canvas.crisp(map.pixel({tick, 0}).x);
+    if (style.grid) {
+      canvas.line({at, plot.y}, {at, plot.bottom()}).stroke(kGrid, {.width = 1});
+    }
+    canvas.line({at, bottom}, {at, bottom + kMark}).stroke(kFrame, {.width = 1});
+    canvas.text(tick_label(tick, across.step), {at, plot.bottom() + 8},
+                {.size = kTick, .across = Across::centre, .down = Down::top});
+  }
+  double widest = 0.0;
+  for (const double tick : up.at) {
+    const double at = canvas.crisp(map.pixel({0, tick}).y);
+    if (style.grid) {
+      canvas.line({plot.x, at}, {plot.right(), at}).stroke(kGrid, {.width = 1});
+    }
+    canvas.line({left - kMark, at}, {left, at}).stroke(kFrame, {.width = 1});
+    const TextStyle text{.size = kTick, .across = Across::right, .down = Down::middle};
+    const std::string label = tick_label(tick, up.step);
+    widest = std::max(widest, canvas.text_width(label, text));
+    canvas.text(label, {plot.x - 8, at}, text);
+  }
+  canvas.move_to({left, plot.y}).line_to({left, bottom}).line_to({plot.right(), bottom});
+  canvas.stroke(kFrame, {.width = 1});
+
+  const TextStyle below{.size = kLabel, .across = Across::centre, .down = Down::top};
+  canvas.text(canvas.fitted(with_unit(x.label, x.unit), below, plot.width),
+              {plot.centre().x, plot.bottom() + 27}, below);
+  const TextStyle beside{.size = kLabel, .across = Across::centre, .angle = -std::numbers::pi / 2};
+  canvas.text(canvas.fitted(with_unit(y.label, y.unit), beside, plot.height),
+              {plot.x - 16 - widest, plot.centre().y}, beside);
+}
+
+void save_page(const Page& page, const std::filesystem::path& file, const Size& size) {
+  const FileType type = file_type(file);
+  check_size(size);
+  for (const Row& row : page.rows) {
+    for (const Panel& panel : row.panels) check_panel(panel);
+  }
+
+  const double zoom = zoom_for_width(size.width);
+  const double width = size.width / zoom;
+  const double header = header_height(page);
+  const Canvas ruler(FileType::png, 1, 1, zoom);
+  double rows = 0.0, gaps = 0.0;  // what stretches with the height and what does not
+  for (const Row& row : page.rows) {
+    if (row.panels.empty()) continue;
+    rows += row_height(row, width);
+    gaps += kGap + row_head(ruler, row, width) + (row.title.empty() ? 0.0 : kRowTitle);
+  }
+  const double wanted = header + rows + gaps - (gaps > 0 ? kGap : 0) + kMargin;
+  // A page of very many rows is pressed into the largest picture there can be.
+  const int height = size.height > 0
+                         ? size.height
+                         : static_cast<int>(std::clamp(std::ceil(wanted * zoom), 100.0, 16000.0));
+  const double stretch = rows > 0 ? std::max(0.05, (height / zoom - (wanted - rows)) / rows) : 1.0;
+
+  Canvas canvas(type, size.width, height, zoom);
+  draw_header(canvas, page, width);
+  double y = header;
+  for (const Row& row : page.rows) {
+    if (row.panels.empty()) continue;
+    if (!row.title.empty()) {
+      const TextStyle style{.size = kPanelTitle, .bold = true, .down = Down::top};
+      canvas.text(canvas.fitted(row.title, style, width - 2 * kMargin), {kMargin, y}, style);
+      y += kRowTitle;
+    }
+    const double head = row_head(canvas, row, width);
+    Rect area{kMargin, y, panel_width(row, width), head + stretch * row_height(row, width)};
+    y += area.height + kGap;
+    for (const Panel& panel : row.panels) {
+      std::visit([&](const auto& shown) { draw(canvas, shown, area, head); }, panel);
+      area.x += area.width + kGap;
+    }
+  }
+  write_whole(file, canvas.finish());
+}
+
+}  // namespace elsie::picture

@@ -1,0 +1,142 @@
+#include "elsie/picture/top_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "text.h"
+#include "top_view_parts.h"
+
+namespace elsie::picture {
+namespace {
+
+const world::Robot* find_robot(const world::World& world, const std::string& id) {
+  const auto found = std::find_if(world.robots.begin(), world.robots.end(),
+                                  [&](const world::Robot& robot) { return robot.id == id; });
+  return found == world.robots.end() ? nullptr : &*found;
+}
+
+// Members of a team differ in lightness and a little in hue: still one team, yet told apart.
+Ink member_ink(const Ink& team, std::size_t index, std::size_t members) {
+  if (members < 2) return team;
+  constexpr std::array<double, 4> kLightness = {0.0, 0.13, -0.12, 0.06};
+  const auto others = static_cast<double>(members - 1);
+  const double spread = radians(std::min(50.0, 10.0 * others));
+  const double part = static_cast<double>(index) / others - 0.5;
+  return shifted(team, kLightness[index % kLightness.size()], part * spread);
+}
+
+void give_colours(const world::World& world, std::vector<DrawnRobot>& robots) {
+  std::map<std::string, std::size_t> members, seen;
+  for (const DrawnRobot& robot : robots) ++members[robot.team_id];
+  for (DrawnRobot& robot : robots) {
+    robot.team = team_ink(world, robot.team_id);
+    robot.ink = member_ink(robot.team, seen[robot.team_id]++, members[robot.team_id]);
+  }
+}
+
+// A round time that gives the longest path about as many marks as one can still see apart.
+double mark_interval(const Scene& scene) {
+  std::size_t longest = 0;
+  for (const DrawnRobot& robot : scene.robots) {
+    longest = std::max(longest, robot.track.path.size());
+  }
+  if (!(scene.path_period_s > 0.0) || longest < 2) return 0.0;
+  const double duration = scene.path_period_s * static_cast<double>(longest - 1);
+  const double most = scene.robots.size() > 4 ? 6.0 : 12.0;
+  constexpr std::array<double, 15> kIntervals = {0.1, 0.2, 0.5, 1,   2,   5,    10,  20,
+                                                 30,  60,  120, 300, 600, 1200, 3600};
+  for (const double interval : kIntervals) {
+    if (duration / interval <= most) return interval;
+  }
+  return 3600.0 * std::ceil(duration / most / 3600.0);
+}
+
+}  // namespace
+
+Ink team_ink(const world::World& world, const std::string& team) {
+  if (team.empty()) return kNobody;
+  for (const world::Team& known : world.teams) {
+    if (known.id == team) return ink(known.colour);
+  }
+  if (team == "red") return hex(0xd0311e);
+  if (team == "blue") return hex(0x1f5fbf);
+  return kNobody;
+}
+
+Scene complete(const TopView& view) {
+  Scene scene{view.world, {}, view.boxes, view.title, view.subtitles, view.path_period_s, 0.0};
+  for (const RobotTrack& track : view.robots) {
+    DrawnRobot robot{track, {}, {}, {}, {}};
+    if (const world::Robot* known = find_robot(view.world, track.id)) {
+      robot.body = known->body;
+      robot.team_id = known->team;
+    }
+    scene.robots.push_back(std::move(robot));
+  }
+  for (const world::Robot& robot : view.world.robots) {
+    const bool tracked = std::any_of(view.robots.begin(), view.robots.end(),
+                                     [&](const RobotTrack& track) { return track.id == robot.id; });
+    if (tracked) continue;
+    RobotTrack track;
+    track.id = robot.id;
+    track.now = {robot.x, robot.y, radians(robot.heading_deg)};
+    scene.robots.push_back({std::move(track), robot.body, {}, {}, robot.team});
+  }
+  give_colours(view.world, scene.robots);
+
+  const std::size_t given = std::min(view.boxes.size(), view.world.boxes.size());
+  scene.boxes.resize(given);
+  for (std::size_t i = given; i < view.world.boxes.size(); ++i) {
+    const world::Box& box = view.world.boxes[i];
+    scene.boxes.emplace_back(Pose{box.x, box.y, radians(box.heading_deg)});
+  }
+  if (scene.title.empty()) scene.title = view.world.name.empty() ? "World" : view.world.name;
+  scene.mark_every_s = mark_interval(scene);
+  return scene;
+}
+
+PlaneMap top_view_map(const TopView& view, const Size& size) {
+  check_size(size);
+  const Scene scene = complete(view);
+  const Layout layout = lay_out(scene, legend_of(scene), size);
+  PlaneMap map = layout.map;
+  map.scale_x *= layout.zoom;
+  map.scale_y *= layout.zoom;
+  map.origin_x *= layout.zoom;
+  map.origin_y *= layout.zoom;
+  return map;
+}
+
+void save_top_view(const TopView& view, const std::filesystem::path& file, const Size& size) {
+  const FileType type = file_type(file);
+  check_size(size);
+  const Scene scene = complete(view);
+  const std::vector<LegendEntry> legend = legend_of(scene);
+  const Layout layout = lay_out(scene, legend, size);
+
+  Canvas canvas(type, layout.width, layout.height, layout.zoom);
+  LabelPlacer labels(layout.arena);
+  draw_frame(canvas, scene, layout);
+  draw_legend(canvas, legend, layout.legend, layout.legend_corner);
+  {
+    canvas.rectangle(layout.plot);
+    const Clip clip(canvas);
+    draw_floor(canvas, scene, layout);
+    draw_goals(canvas, scene, layout);
+    draw_chargers(canvas, scene, layout);
+    draw_boxes(canvas, scene, layout, labels);
+    draw_walls(canvas, scene, layout);
+    draw_paths(canvas, scene, layout, labels);
+    draw_beams(canvas, scene, layout, labels);
+    draw_robots(canvas, scene, layout, labels);
+    draw_touches(canvas, scene, layout);
+    draw_robot_labels(canvas, scene, layout, labels);
+    draw_goal_labels(canvas, scene, layout, labels);
+  }
+  write_whole(file, canvas.finish());
+}
+
+}  // namespace elsie::picture

@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "text.h"
+#include "top_view_parts.h"
+
+namespace elsie::picture {
+namespace {
+
+constexpr double kLine = 24.0;
+constexpr double kBesideSymbol = 7.0;
+constexpr double kGap = 24.0;
+constexpr TextStyle kStyle{.size = 12.5, .down = Down::middle};
+
+Rect box_symbol(const Vector2& at) { return {at.x - 8, at.y - 6, 16, 12}; }
+
+bool has_box(const Scene& scene, world::BoxKind kind) {
+  return std::any_of(scene.world.boxes.begin(), scene.world.boxes.end(),
+                     [&](const world::Box& box) { return box.kind == kind; });
+}
+
+template <class Predicate>
+bool any_robot(const Scene& scene, Predicate predicate) {
+  return std::any_of(scene.robots.begin(), scene.robots.end(),
+                     [&](const DrawnRobot& robot) { return predicate(robot.track); });
+}
+
+void add_robots(const Scene& scene, std::vector<LegendEntry>& entries) {
+  std::vector<std::string> teams;
+  for (const DrawnRobot& robot : scene.robots) {
+    if (std::find(teams.begin(), teams.end(), robot.team_id) != teams.end()) continue;
+    teams.push_back(robot.team_id);
+    const std::string name =
+        robot.team_id.empty() ? "robot" : "robot, team " + clean_text(robot.team_id, 24);
+    entries.push_back({name, 32, [colour = robot.team](Canvas& canvas, const Vector2& at) {
+                         draw_robot_symbol(canvas, {at.x - 4, at.y}, 0.0, colour);
+                       }});
+  }
+  if (any_robot(scene, [](const RobotTrack& track) { return track.path.size() > 1; })) {
+    const Ink colour = scene.robots.front().team;
+    std::string text = "path, from its start";
+    const bool marks = scene.mark_every_s > 0.0;
+    if (marks) text += ", a mark every " + number_text(scene.mark_every_s) + " s";
+    entries.push_back({text, 34, [colour, marks](Canvas& canvas, const Vector2& at) {
+                         canvas.line({at.x - 13, at.y}, {at.x + 13, at.y});
+                         canvas.stroke(colour, {.width = 2});
+                         canvas.rectangle({at.x - 16.5, at.y - 3.5, 7, 7}).fill_keep(kPaper);
+                         canvas.stroke(colour, {.width = 1.8});
+                         if (!marks) return;
+                         canvas.circle({at.x + 4, at.y}, 3).fill_keep(kPaper);
+                         canvas.stroke(colour, {.width = 1.5});
+                       }});
+  }
+  const auto beams = [&](bool hit) {
+    return any_robot(scene, [&](const RobotTrack& track) {
+      return std::any_of(track.beams.begin(), track.beams.end(),
+                         [&](const Beam& beam) { return beam.hit == hit; });
+    });
+  };
+  if (beams(true)) {
+    entries.push_back({"beam that hits", 30, [](Canvas& canvas, const Vector2& at) {
+                         canvas.line({at.x - 14, at.y}, {at.x + 12, at.y});
+                         canvas.stroke(kBeam, {.width = 1.2});
+                         canvas.circle({at.x + 12, at.y}, 2.6).fill(kBeam);
+                       }});
+  }
+  if (beams(false)) {
+    entries.push_back({"beam without a hit", 30, [](Canvas& canvas, const Vector2& at) {
+                         canvas.line({at.x - 14, at.y}, {at.x + 14, at.y});
+                         canvas.stroke(kBeam.with_alpha(0.7), {.width = 1, .dash = {4, 3}});
+                       }});
+  }
+  if (any_robot(scene, [](const RobotTrack& track) { return !track.touches.empty(); })) {
+    entries.push_back(
+        {"touch", 20, [](Canvas& canvas, const Vector2& at) { draw_touch(canvas, at); }});
+  }
+}
+
+void add_boxes(const Scene& scene, std::vector<LegendEntry>& entries) {
+  if (has_box(scene, world::BoxKind::fixed)) {
+    entries.push_back({"static box", 20, [](Canvas& canvas, const Vector2& at) {
+                         canvas.rectangle(box_symbol(at)).fill_keep(kFixedBox);
+                         canvas.stroke(kFixedEdge, {.width = 1});
+                       }});
+  }
+  if (has_box(scene, world::BoxKind::dynamic)) {
+    entries.push_back(
+        {"dynamic box, dashed where it started", 32, [](Canvas& canvas, const Vector2& at) {
+           canvas.rectangle(box_symbol({at.x - 5, at.y}));
+           canvas.stroke(kDynamicEdge, {.width = 1, .dash = {3, 2}});
+           const Rect now = box_symbol({at.x + 7, at.y});
+           canvas.rectangle(now);
+           fill_hatched(canvas, now, kDynamicBox, kDynamicEdge);
+           canvas.rectangle(now).stroke(kDynamicEdge, {.width = 1.2});
+         }});
+  }
+  if (has_box(scene, world::BoxKind::moving)) {
+    entries.push_back(
+        {"moving box and its way", 34, [](Canvas& canvas, const Vector2& at) {
+           canvas.line({at.x, at.y}, {at.x + 16, at.y});
+           canvas.stroke(kMovingEdge, {.width = 1.6, .dash = {0.1, 4}, .round = true});
+           const Rect box = box_symbol({at.x - 7, at.y});
+           canvas.rectangle(box).fill_keep(kMovingBox);
+           canvas.stroke(kMovingEdge, {.width = 1.2});
+         }});
+  }
+  const world::Box* resource = nullptr;
+  bool there = false, collected = false;
+  for (std::size_t i = 0; i < scene.world.boxes.size(); ++i) {
+    if (scene.world.boxes[i].kind != world::BoxKind::resource) continue;
+    resource = &scene.world.boxes[i];
+    (scene.boxes[i] ? there : collected) = true;
+  }
+  const Ink colour = resource != nullptr ? team_ink(scene.world, resource->team) : kNobody;
+  if (there) {
+    entries.push_back({"resource", 20, [colour](Canvas& canvas, const Vector2& at) {
+                         canvas.rectangle({at.x - 7, at.y - 7, 14, 14}).fill(colour);
+                         draw_resource_mark(canvas, at, 4.5, kPaper);
+                       }});
+  }
+  if (collected) {
+    entries.push_back({"collected", 20, [colour](Canvas& canvas, const Vector2& at) {
+                         canvas.rectangle({at.x - 7, at.y - 7, 14, 14}).fill_keep(kPaper);
+                         canvas.stroke(colour, {.width = 1.3, .dash = {3, 2}});
+                       }});
+  }
+}
+
+void add_marks(const Scene& scene, std::vector<LegendEntry>& entries) {
+  if (!scene.world.chargers.empty()) {
+    const Ink colour = team_ink(scene.world, scene.world.chargers.front().team);
+    entries.push_back({"charger", 20, [colour](Canvas& canvas, const Vector2& at) {
+                         canvas.circle(at, 9).fill_keep(mix(kPaper, colour, 0.18));
+                         canvas.stroke(colour, {.width = 1.4});
+                         draw_bolt(canvas, at, 7, colour);
+                       }});
+  }
+  const bool places =
+      std::any_of(scene.world.goals.begin(), scene.world.goals.end(), [](const world::Goal& goal) {
+        return std::holds_alternative<world::ReachGoal>(goal) ||
+               std::holds_alternative<world::PushGoal>(goal);
+      });
+  if (places) {
+    entries.push_back({"goal", 20, [](Canvas& canvas, const Vector2& at) {
+                         canvas.circle(at, 9).fill_keep(kGoal.with_alpha(0.08));
+                         canvas.stroke(kGoal, {.width = 1.6, .dash = {4, 3}});
+                       }});
+  }
+}
+
+}  // namespace
+
+std::vector<LegendEntry> legend_of(const Scene& scene) {
+  std::vector<LegendEntry> entries;
+  add_robots(scene, entries);
+  add_boxes(scene, entries);
+  add_marks(scene, entries);
+  return entries;
+}
+
+LegendLayout lay_out_legend(const Canvas& canvas, const std::vector<LegendEntry>& entries,
+                            double width) {
+  LegendLayout layout;
+  if (entries.empty()) return layout;
+  Vector2 at;
+  for (const LegendEntry& entry : entries) {
+    const double entry_width = entry.width + kBesideSymbol + canvas.text_width(entry.text, kStyle);
+    if (at.x > 0.0 && at.x + entry_width > width) at = {0.0, at.y + kLine};
+    layout.places.push_back(at);
+    at.x += entry_width + kGap;
+  }
+  layout.height = at.y + kLine + 6;
+  return layout;
+}
+
+void draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries,
+                 const LegendLayout& layout, const Vector2& corner) {
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const Vector2 at{corner.x + layout.places[i].x, corner.y + layout.places[i].y + kLine / 2};
+    entries[i].draw(canvas, {at.x + entries[i].width / 2, at.y});
+    canvas.text(entries[i].text, {at.x + entries[i].width + kBesideSymbol, at.y}, kStyle);
+  }
+}
+
+}  // namespace elsie::picture

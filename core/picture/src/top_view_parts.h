@@ -1,0 +1,124 @@
+// The parts of the top view: where things land, and who draws what.
+//
+// Drawing runs from the floor upwards: grid, floor marks (goals, chargers), boxes, paths, beams,
+// robots, touches, walls, labels.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "elsie/picture/axis.h"
+#include "elsie/picture/top_view.h"
+#include "elsie/world/description.h"
+
+#include "canvas.h"
+#include "label_placer.h"
+
+namespace elsie::picture {
+
+/// A robot with all that drawing it needs.
+struct DrawnRobot {
+  RobotTrack track;
+  world::RobotBody body;
+  Ink ink;   // its team's colour, varied from one member to the next
+  Ink team;  // the team's colour itself
+  std::string team_id;
+};
+
+/// A view, completed from its world.
+struct Scene {
+  const world::World& world;
+  std::vector<DrawnRobot> robots;
+  std::vector<std::optional<Pose>> boxes;  // one for each box of the world
+  std::string title;
+  std::vector<std::string> subtitles;
+  double path_period_s = 0.0;
+  /// Time between two marks on the paths, s; 0: none.
+  double mark_every_s = 0.0;
+};
+Scene complete(const TopView& view);
+
+/// The colour of a team of the world; of red and blue when the world does not list them; grey for
+/// no team.
+Ink team_ink(const world::World& world, const std::string& team);
+
+/// An entry of the legend: `draw` paints its symbol around the given middle.
+struct LegendEntry {
+  std::string text;
+  double width = 20.0;  // of the symbol
+  std::function<void(Canvas&, const Vector2&)> draw;
+};
+std::vector<LegendEntry> legend_of(const Scene& scene);
+/// Where each entry begins, in units from the legend's upper left corner.
+struct LegendLayout {
+  std::vector<Vector2> places;
+  double height = 0.0;
+};
+LegendLayout lay_out_legend(const Canvas& canvas, const std::vector<LegendEntry>& entries,
+                            double width);
+void draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries,
+                 const LegendLayout& layout, const Vector2& corner);
+
+/// Where everything lies, in units of the drawing.
+struct Layout {
+  double zoom = 1.0;
+  int width = 0, height = 0;  // of the picture, pixels
+  Rect plot;                  // what is shown of the world
+  Rect arena;                 // inside of the walls
+  PlaneMap map;               // from m to units
+  LegendLayout legend;
+  Vector2 legend_corner;
+};
+Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, const Size& size);
+
+/// The corners of an upright box of this size, seen from above.
+std::vector<Vector2> outline(const PlaneMap& map, const Pose& pose, double length, double width);
+
+// The drawers. All take the labels that they need room for, or give what labels should keep off.
+void draw_floor(Canvas& canvas, const Scene& scene, const Layout& layout);
+void draw_walls(Canvas& canvas, const Scene& scene, const Layout& layout);
+void draw_frame(Canvas& canvas, const Scene& scene, const Layout& layout);
+void draw_goals(Canvas& canvas, const Scene& scene, const Layout& layout);
+void draw_chargers(Canvas& canvas, const Scene& scene, const Layout& layout);
+void draw_boxes(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels);
+void draw_paths(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels);
+void draw_beams(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels);
+void draw_robots(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels);
+void draw_touches(Canvas& canvas, const Scene& scene, const Layout& layout);
+void draw_robot_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
+                       LabelPlacer& labels);
+void draw_goal_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
+                      LabelPlacer& labels);
+
+// Symbols that legend and drawing share.
+void draw_resource_mark(Canvas& canvas, const Vector2& at, double radius, const Ink& ink);
+void draw_bolt(Canvas& canvas, const Vector2& at, double radius, const Ink& ink);
+void draw_touch(Canvas& canvas, const Vector2& at);
+void draw_robot_symbol(Canvas& canvas, const Vector2& at, double heading_rad, const Ink& ink);
+/// A filled arrow head whose tip is at `tip`; angle of its direction in the picture.
+void draw_arrow_head(Canvas& canvas, const Vector2& tip, double angle, double length,
+                     const Ink& ink);
+/// Fills the path under construction and hatches it within `box`.
+void fill_hatched(Canvas& canvas, const Rect& box, const Ink& ground, const Ink& lines);
+
+inline constexpr Ink kFloor = hex(0xfafaf8);
+inline constexpr Ink kWall = hex(0x4a4f57);
+inline constexpr Ink kFixedBox = hex(0xa89d90);
+inline constexpr Ink kFixedEdge = hex(0x6f655a);
+inline constexpr Ink kDynamicBox = hex(0xf3e3bd);
+inline constexpr Ink kDynamicEdge = hex(0x8a6a14);
+inline constexpr Ink kMovingBox = hex(0xcbb3dd);
+inline constexpr Ink kMovingEdge = hex(0x6b3f8f);
+inline constexpr Ink kGoal = hex(0x00805c);
+inline constexpr Ink kBeam = hex(0xb07500);
+inline constexpr Ink kTouch = hex(0xc4002f);
+inline constexpr Ink kNobody = hex(0x6b727a);  // no team
+
+/// The half width from which a chassis shows its own shape; smaller ones get a ring.
+inline constexpr double kLegibleChassis = 11.0;
+inline constexpr double kRing = 10.0;
+/// Room around a robot that labels keep off.
+double robot_radius(const DrawnRobot& robot, const Layout& layout);
+
+}  // namespace elsie::picture

@@ -1,0 +1,265 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "text.h"
+#include "top_view_parts.h"
+
+namespace elsie::picture {
+namespace {
+
+bool finite(const Pose& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.heading_rad);
+}
+
+Vector2 at(const Layout& layout, const Pose& pose) { return layout.map.pixel({pose.x, pose.y}); }
+
+double length(const Vector2& a, const Vector2& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+// A point of a path in the picture, with the part of the path's time at which it was passed.
+struct Step {
+  Vector2 at;
+  double part = 0.0;
+};
+
+// The path without the points that would change nothing to be seen: a run of ten minutes has tens
+// of thousands.
+std::vector<Step> visible_steps(const Layout& layout, const RobotTrack& track) {
+  constexpr double kApart = 1.2;
+  std::vector<Step> steps;
+  const std::size_t count = track.path.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pose& pose = track.path[i];
+    if (!std::isfinite(pose.x) || !std::isfinite(pose.y)) continue;
+    const Vector2 here = at(layout, pose);
+    if (!steps.empty() && i + 1 < count && length(steps.back().at, here) < kApart) continue;
+    steps.push_back(
+        {here, static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(count - 1, 1))});
+  }
+  return steps;
+}
+
+double path_length(const std::vector<Step>& steps) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < steps.size(); ++i) sum += length(steps[i - 1].at, steps[i].at);
+  return sum;
+}
+
+// Old parts are pale. Drawn in pieces, each with a rim that sets it off from what it crosses.
+void draw_line(Canvas& canvas, const std::vector<Step>& steps, const Ink& ink, double width) {
+  constexpr int kPieces = 40;
+  constexpr double kPalest = 0.58;
+  std::size_t first = 0;
+  while (first + 1 < steps.size()) {
+    const int piece = std::min(kPieces - 1, static_cast<int>(steps[first].part * kPieces));
+    std::size_t last = first + 1;
+    while (last + 1 < steps.size() &&
+           std::min(kPieces - 1, static_cast<int>(steps[last].part * kPieces)) == piece) {
+      ++last;
+    }
+    std::vector<Vector2> points;
+    for (std::size_t i = first; i <= last; ++i) points.push_back(steps[i].at);
+    const double age = 1.0 - (piece + 1.0) / kPieces;
+    canvas.polyline(points).stroke(kFloor.with_alpha(0.75), {.width = width + 2});
+    canvas.polyline(points).stroke(mix(ink, kFloor, kPalest * age),
+                                   {.width = width, .dash = {}, .round = true});
+    first = last;
+  }
+}
+
+void draw_directions(Canvas& canvas, const std::vector<Step>& steps, const Ink& ink, double apart,
+                     double size) {
+  double since = apart * 0.5;
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    since += length(steps[i - 1].at, steps[i].at);
+    if (since < apart) continue;
+    since = 0.0;
+    const Vector2& to = steps[i].at;
+    const Vector2& from = steps[i - 1].at;
+    draw_arrow_head(canvas, to, std::atan2(to.y - from.y, to.x - from.x), size,
+                    mix(ink, kText, 0.12));
+  }
+}
+
+void draw_time_marks(Canvas& canvas, const Scene& scene, const Layout& layout,
+                     const DrawnRobot& robot) {
+  const auto& path = robot.track.path;
+  const double poses_apart = scene.mark_every_s / scene.path_period_s;
+  for (double i = poses_apart; i < static_cast<double>(path.size()); i += poses_apart) {
+    const Pose& pose = path[static_cast<std::size_t>(i + 1e-6)];
+    canvas.circle(at(layout, pose), 2.8).fill_keep(kPaper);
+    canvas.stroke(robot.ink, {.width = 1.5});
+  }
+}
+
+void draw_body(Canvas& canvas, const DrawnRobot& robot, const Layout& layout) {
+  const Pose& pose = robot.track.now;
+  const world::RobotBody& body = robot.body;
+  const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
+  const auto beside = [&](double aside) {
+    return Pose{pose.x - s * aside, pose.y + c * aside, pose.heading_rad};
+  };
+  for (const double side : {-1.0, 1.0}) {
+    canvas.polygon(outline(layout.map, beside(side * body.half_axle()), 2 * body.wheel_radius,
+                           body.wheel_width));
+    canvas.fill(kText);
+  }
+  canvas.polygon(outline(layout.map, pose, body.length, body.width)).fill_keep(robot.ink);
+  canvas.stroke(mix(robot.ink, kText, 0.45), {.width = 1});
+}
+
+// The nose of a robot that is large enough: a wedge in the front half of the chassis.
+void draw_nose(Canvas& canvas, const DrawnRobot& robot, const Layout& layout) {
+  const Pose& pose = robot.track.now;
+  const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
+  const auto point = [&](double along, double aside) {
+    const double x = along * robot.body.length, y = aside * robot.body.width;
+    return layout.map.pixel({pose.x + c * x - s * y, pose.y + s * x + c * y});
+  };
+  const std::array<Vector2, 3> wedge{point(0.44, 0.0), point(0.12, 0.3), point(0.12, -0.3)};
+  canvas.polygon(wedge).fill(kPaper.with_alpha(0.92));
+}
+
+// Around a robot that is too small to be seen: a ring with a tip that points ahead.
+void draw_ring(Canvas& canvas, const Vector2& middle, double heading_rad, const Ink& ink) {
+  const double angle = -heading_rad;  // y points down in the picture
+  const Vector2 tip{middle.x + (kRing + 9) * std::cos(angle),
+                    middle.y + (kRing + 9) * std::sin(angle)};
+  canvas.circle(middle, kRing + 1.8).fill(kPaper.with_alpha(0.85));
+  canvas.circle(middle, kRing).fill_keep(mix(kPaper, ink, 0.16));
+  canvas.stroke(ink, {.width = 2});
+  draw_arrow_head(canvas, tip, angle, 11, mix(ink, kText, 0.2));
+}
+
+double chassis_size(const DrawnRobot& robot, const Layout& layout) {
+  return 0.5 * layout.map.scale_x * std::min(robot.body.length, robot.body.width);
+}
+
+}  // namespace
+
+double robot_radius(const DrawnRobot& robot, const Layout& layout) {
+  const double half_width =
+      std::max(robot.body.width / 2, robot.body.half_axle() + robot.body.wheel_width / 2);
+  const double own = layout.map.scale_x * std::hypot(robot.body.length / 2, half_width);
+  return chassis_size(robot, layout) < kLegibleChassis ? std::max(own, kRing + 2) : own;
+}
+
+void draw_robot_symbol(Canvas& canvas, const Vector2& middle, double heading_rad, const Ink& ink) {
+  const double angle = -heading_rad;
+  canvas.circle(middle, 7.5).fill_keep(mix(kPaper, ink, 0.16));
+  canvas.stroke(ink, {.width = 1.8});
+  canvas.rectangle({middle.x - 3.5, middle.y - 3.5, 7, 7}).fill(ink);
+  draw_arrow_head(canvas, {middle.x + 15.5 * std::cos(angle), middle.y + 15.5 * std::sin(angle)},
+                  angle, 8.5, mix(ink, kText, 0.2));
+}
+
+void draw_touch(Canvas& canvas, const Vector2& middle) {
+  constexpr double kArm = 4.5;
+  for (const auto& [ink, width] : {std::pair{kPaper, 4.2}, std::pair{kTouch, 2.0}}) {
+    canvas.line({middle.x - kArm, middle.y - kArm}, {middle.x + kArm, middle.y + kArm});
+    canvas.line({middle.x - kArm, middle.y + kArm}, {middle.x + kArm, middle.y - kArm});
+    canvas.stroke(ink, {.width = width, .dash = {}, .round = true});
+  }
+}
+
+void draw_paths(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels) {
+  std::vector<std::vector<Step>> paths;
+  double total = 0.0;
+  for (const DrawnRobot& robot : scene.robots) {
+    paths.push_back(visible_steps(layout, robot.track));
+    total += path_length(paths.back());
+  }
+  // The fuller the floor, the thinner the lines and the fewer the arrows.
+  const double area = layout.plot.width * layout.plot.height;
+  const double fullness = total / std::max(area, 1.0);
+  const double width = std::clamp(2.4 - 60.0 * fullness, 1.1, 2.2);
+  const double size = std::clamp(9.5 - 120.0 * fullness, 6.0, 8.5);
+  constexpr int kArrows = 60;  // in the whole picture
+  const double apart = std::max(110.0, total / kArrows);
+
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    draw_line(canvas, paths[i], scene.robots[i].ink, width);
+    for (const Step& step : paths[i]) labels.avoid_spot(step.at);
+  }
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const DrawnRobot& robot = scene.robots[i];
+    if (paths[i].size() < 2) continue;
+    draw_directions(canvas, paths[i], robot.ink, apart, size);
+    if (scene.mark_every_s > 0.0) draw_time_marks(canvas, scene, layout, robot);
+    const Vector2& start = paths[i].front().at;
+    canvas.rectangle({start.x - 3.8, start.y - 3.8, 7.6, 7.6}).fill_keep(kPaper);
+    canvas.stroke(robot.ink, {.width = 2});
+  }
+}
+
+void draw_beams(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels) {
+  const double dot = std::clamp(0.035 * layout.map.scale_x, 1.7, 2.6);
+  for (const DrawnRobot& robot : scene.robots) {
+    for (const Beam& beam : robot.track.beams) {
+      const Vector2 from = layout.map.pixel(beam.from), to = layout.map.pixel(beam.to);
+      for (const double part : {0.2, 0.4, 0.6, 0.8, 1.0}) {
+        labels.avoid_spot({from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)});
+      }
+      canvas.line(from, to);
+      if (beam.hit) {
+        canvas.stroke(kBeam.with_alpha(0.9), {.width = 1.1});
+      } else {
+        canvas.stroke(kBeam.with_alpha(0.55), {.width = 0.9, .dash = {4, 3}});
+      }
+    }
+  }
+  for (const DrawnRobot& robot : scene.robots) {
+    for (const Beam& beam : robot.track.beams) {
+      if (!beam.hit) continue;
+      canvas.circle(layout.map.pixel(beam.to), dot + 0.8).fill(kPaper.with_alpha(0.9));
+      canvas.circle(layout.map.pixel(beam.to), dot).fill(kBeam);
+    }
+  }
+}
+
+void draw_robots(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels) {
+  for (const DrawnRobot& robot : scene.robots) {
+    if (!finite(robot.track.now)) continue;
+    const Vector2 middle = at(layout, robot.track.now);
+    const bool small = chassis_size(robot, layout) < kLegibleChassis;
+    if (small) draw_ring(canvas, middle, robot.track.now.heading_rad, robot.ink);
+    draw_body(canvas, robot, layout);
+    // In a very large arena the chassis is less than a pixel or two.
+    if (chassis_size(robot, layout) < 3.0) canvas.circle(middle, 3.0).fill(robot.ink);
+    if (!small) draw_nose(canvas, robot, layout);
+    const double r = robot_radius(robot, layout) + (small ? 4.0 : 0.0);
+    labels.avoid({middle.x - r, middle.y - r, 2 * r, 2 * r}, 6.0);
+  }
+}
+
+void draw_touches(Canvas& canvas, const Scene& scene, const Layout& layout) {
+  for (const DrawnRobot& robot : scene.robots) {
+    for (const Vector2& touch : robot.track.touches) draw_touch(canvas, layout.map.pixel(touch));
+  }
+}
+
+void draw_robot_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
+                       LabelPlacer& labels) {
+  constexpr std::size_t kMostLabels = 120, kMostCharacters = 18;
+  if (scene.robots.size() > kMostLabels) return;
+  for (const DrawnRobot& robot : scene.robots) {
+    const std::string text = clean_text(robot.track.id, kMostCharacters);
+    if (text.empty() || !finite(robot.track.now)) continue;
+    const Vector2 middle = at(layout, robot.track.now);
+    const Ink colour = readable(mix(robot.ink, kText, 0.25));
+    const TextStyle style{.size = 13, .bold = true, .ink = colour, .halo = 2.5};
+    const double radius = robot_radius(robot, layout);
+    const auto place = labels.place(middle, radius, canvas.text_width(text, style), 13);
+    if (place.apart) {
+      const Vector2 to{std::clamp(middle.x, place.rect.x, place.rect.right()),
+                       std::clamp(middle.y, place.rect.y, place.rect.bottom())};
+      const double off = length(middle, to);
+      const Vector2 from{middle.x + radius * (to.x - middle.x) / off,
+                         middle.y + radius * (to.y - middle.y) / off};
+      canvas.line(from, to).stroke(colour.with_alpha(0.7), {.width = 1});
+    }
+    canvas.text(text, {place.rect.x, place.rect.bottom() - 1.8}, style);
+  }
+}
+
+}  // namespace elsie::picture

@@ -1,0 +1,233 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "text.h"
+#include "top_view_parts.h"
+
+namespace elsie::picture {
+namespace {
+
+constexpr double kSmallestBox = 4.0;        // edge in the picture
+constexpr double kSmallestResource = 13.0;  // so that its mark can be seen
+
+Pose start_of(const world::Box& box) { return {box.x, box.y, radians(box.heading_deg)}; }
+
+Rect bounds_of(const std::vector<Vector2>& corners) {
+  double left = corners.front().x, right = left, top = corners.front().y, bottom = top;
+  for (const Vector2& corner : corners) {
+    left = std::min(left, corner.x);
+    right = std::max(right, corner.x);
+    top = std::min(top, corner.y);
+    bottom = std::max(bottom, corner.y);
+  }
+  return {left, top, right - left, bottom - top};
+}
+
+// The box from above, enlarged to the least size that can be seen.
+std::vector<Vector2> box_outline(const Layout& layout, const world::Box& box, const Pose& pose) {
+  const double least = box.kind == world::BoxKind::resource ? kSmallestResource : kSmallestBox;
+  const double scale = layout.map.scale_x;
+  return outline(layout.map, pose, std::max(box.length, least / scale),
+                 std::max(box.width, least / scale));
+}
+
+bool finite(const Pose& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading_rad);
+}
+
+void draw_way(Canvas& canvas, const Layout& layout, const world::Box& box) {
+  std::vector<Vector2> way{layout.map.pixel({box.x, box.y})};
+  for (const Vector2& point : box.waypoints) way.push_back(layout.map.pixel(point));
+  if (way.size() < 2) return;
+  if (box.round_trip && way.size() > 2) way.push_back(way.front());
+  canvas.polyline(way).stroke(kMovingEdge.with_alpha(0.8),
+                              {.width = 1.8, .dash = {0.1, 5}, .round = true});
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    const Vector2& a = way[i];
+    const Vector2& b = way[i + 1];
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    if (length < 30.0) continue;
+    const double part = 0.5 + 5.0 / length;
+    const double angle = std::atan2(b.y - a.y, b.x - a.x);
+    draw_arrow_head(canvas, {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)}, angle, 10,
+                    kMovingEdge);
+  }
+}
+
+void draw_moved(Canvas& canvas, const Layout& layout, const world::Box& box, const Pose& now) {
+  const Pose start = start_of(box);
+  const Vector2 a = layout.map.pixel({start.x, start.y}), b = layout.map.pixel({now.x, now.y});
+  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  const bool turned = std::abs(wrap_angle(now.heading_rad - start.heading_rad)) > 0.05;
+  if (length < 2.0 && !turned) return;
+  canvas.polygon(box_outline(layout, box, start));
+  canvas.stroke(kDynamicEdge, {.width = 1.1, .dash = {4, 3}});
+  if (length < 18.0) return;
+  canvas.line(a, b).stroke(kDynamicEdge.with_alpha(0.7), {.width = 1.1});
+  canvas.circle(a, 2).fill(kDynamicEdge);
+}
+
+void draw_collected(Canvas& canvas, const Layout& layout, const world::Box& box, const Ink& ink) {
+  canvas.polygon(box_outline(layout, box, start_of(box)));
+  canvas.stroke(ink, {.width = 1.4, .dash = {3, 2.5}});
+}
+
+void draw_box(Canvas& canvas, const Scene& scene, const Layout& layout, const world::Box& box,
+              const std::vector<Vector2>& corners) {
+  const Rect bounds = bounds_of(corners);
+  const auto own = [&](const Ink& otherwise) { return box.colour ? ink(*box.colour) : otherwise; };
+  switch (box.kind) {
+    case world::BoxKind::fixed:
+      canvas.polygon(corners).fill_keep(own(kFixedBox));
+      canvas.stroke(box.colour ? mix(ink(*box.colour), kText, 0.4) : kFixedEdge, {.width = 1});
+      return;
+    case world::BoxKind::dynamic: {
+      const Ink edge = box.colour ? mix(ink(*box.colour), kText, 0.3) : kDynamicEdge;
+      canvas.polygon(corners);
+      fill_hatched(canvas, bounds, box.colour ? mix(kPaper, ink(*box.colour), 0.45) : kDynamicBox,
+                   edge);
+      canvas.polygon(corners).stroke(edge, {.width = 1.3});
+      return;
+    }
+    case world::BoxKind::moving:
+      canvas.polygon(corners).fill_keep(own(kMovingBox));
+      canvas.stroke(kMovingEdge, {.width = 1.3});
+      return;
+    case world::BoxKind::resource: {
+      const Ink team = own(team_ink(scene.world, box.team));
+      canvas.polygon(corners).fill_keep(team);
+      canvas.stroke(mix(team, kText, 0.35), {.width = 1});
+      const double edge = layout.map.scale_x * std::min(box.length, box.width);
+      draw_resource_mark(canvas, bounds.centre(), std::max(kSmallestResource, edge) * 0.32, kPaper);
+      return;
+    }
+  }
+}
+
+// Calls with each goal that is a place: its middle, radius in the picture, and what it is for.
+template <class Visitor>
+void each_place(const Scene& scene, const Layout& layout, Visitor visit) {
+  constexpr double kSmallest = 9.0;
+  const auto show = [&](double x, double y, double radius, const std::string& text) {
+    visit(layout.map.pixel({x, y}), std::max(kSmallest, radius * layout.map.scale_x), text);
+  };
+  for (const world::Goal& goal : scene.world.goals) {
+    if (const auto* reach = std::get_if<world::ReachGoal>(&goal)) {
+      show(reach->x, reach->y, reach->radius, "goal of " + clean_text(reach->robot, 16));
+    } else if (const auto* push = std::get_if<world::PushGoal>(&goal)) {
+      show(push->x, push->y, push->radius, "goal for " + clean_text(push->box, 16));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Vector2> outline(const PlaneMap& map, const Pose& pose, double length, double width) {
+  const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
+  std::vector<Vector2> corners;
+  for (const auto& [along, across] :
+       std::array<std::array<double, 2>, 4>{{{0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}, {0.5, -0.5}}}) {
+    const double x = along * length, y = across * width;
+    corners.push_back(map.pixel({pose.x + c * x - s * y, pose.y + s * x + c * y}));
+  }
+  return corners;
+}
+
+void draw_arrow_head(Canvas& canvas, const Vector2& tip, double angle, double length,
+                     const Ink& ink) {
+  const auto point = [&](double back, double aside) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return Vector2{tip.x - back * c - aside * s, tip.y - back * s + aside * c};
+  };
+  const std::array<Vector2, 4> head{tip, point(length, 0.42 * length), point(0.72 * length, 0),
+                                    point(length, -0.42 * length)};
+  canvas.polygon(head).fill(ink);
+}
+
+void fill_hatched(Canvas& canvas, const Rect& box, const Ink& ground, const Ink& lines) {
+  canvas.fill_keep(ground);
+  const Clip clip(canvas);
+  constexpr double kApart = 6.0;
+  for (double x = box.x - box.height; x < box.right(); x += kApart) {
+    canvas.line({x, box.bottom()}, {x + box.height, box.y});
+  }
+  canvas.stroke(lines.with_alpha(0.65), {.width = 0.9});
+}
+
+void draw_resource_mark(Canvas& canvas, const Vector2& at, double radius, const Ink& ink) {
+  const std::array<Vector2, 4> diamond{Vector2{at.x, at.y - radius}, Vector2{at.x + radius, at.y},
+                                       Vector2{at.x, at.y + radius}, Vector2{at.x - radius, at.y}};
+  canvas.polygon(diamond).fill(ink.with_alpha(0.92));
+}
+
+void draw_bolt(Canvas& canvas, const Vector2& at, double radius, const Ink& ink) {
+  constexpr std::array<Vector2, 6> kShape{
+      {{0.18, -0.95}, {-0.55, 0.15}, {-0.06, 0.15}, {-0.18, 0.95}, {0.55, -0.15}, {0.06, -0.15}}};
+  std::array<Vector2, 6> bolt{};
+  std::transform(kShape.begin(), kShape.end(), bolt.begin(), [&](const Vector2& p) {
+    return Vector2{at.x + radius * p.x, at.y + radius * p.y};
+  });
+  canvas.polygon(bolt).fill(ink);
+}
+
+void draw_goals(Canvas& canvas, const Scene& scene, const Layout& layout) {
+  each_place(scene, layout, [&](const Vector2& at, double radius, const std::string&) {
+    canvas.circle(at, radius).fill_keep(kGoal.with_alpha(0.08));
+    canvas.stroke(kGoal, {.width = 1.8, .dash = {6, 4}});
+    canvas.line({at.x - 4, at.y}, {at.x + 4, at.y}).line({at.x, at.y - 4}, {at.x, at.y + 4});
+    canvas.stroke(kGoal.with_alpha(0.8), {.width = 1.2});
+  });
+}
+
+void draw_goal_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
+                      LabelPlacer& labels) {
+  const TextStyle style{.size = 12, .ink = kGoal, .halo = 2.5};
+  each_place(scene, layout, [&](const Vector2& at, double radius, const std::string& text) {
+    const auto place = labels.place(at, radius, canvas.text_width(text, style), 12);
+    canvas.text(text, {place.rect.x, place.rect.bottom() - 1.5}, style);
+  });
+}
+
+void draw_chargers(Canvas& canvas, const Scene& scene, const Layout& layout) {
+  constexpr double kSmallest = 9.0, kSolidEdge = 0.1;  // m, world::Charger
+  for (const world::Charger& charger : scene.world.chargers) {
+    const Ink colour = team_ink(scene.world, charger.team);
+    const Vector2 at = layout.map.pixel({charger.x, charger.y});
+    const double radius = std::max(kSmallest, charger.radius * layout.map.scale_x);
+    canvas.circle(at, radius).fill_keep(mix(kFloor, colour, 0.16));
+    canvas.stroke(colour, {.width = 1.5});
+    if (charger.seen_by_range_sensors) {
+      canvas.polygon(outline(layout.map, {charger.x, charger.y, 0.0}, kSolidEdge, kSolidEdge));
+      canvas.fill_keep(mix(kFloor, colour, 0.4));
+      canvas.stroke(colour, {.width = 1});
+    }
+    draw_bolt(canvas, at, std::min(0.75 * radius, 20.0), colour);
+  }
+}
+
+void draw_boxes(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels) {
+  const auto& boxes = scene.world.boxes;
+  // What is flat on the floor lies below all that stands on it.
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const std::optional<Pose>& now = scene.boxes[i];
+    if (boxes[i].kind == world::BoxKind::moving) draw_way(canvas, layout, boxes[i]);
+    if (boxes[i].kind == world::BoxKind::dynamic && now && finite(*now)) {
+      draw_moved(canvas, layout, boxes[i], *now);
+    }
+    if (!now) {
+      const bool resource = boxes[i].kind == world::BoxKind::resource;
+      draw_collected(canvas, layout, boxes[i],
+                     resource ? team_ink(scene.world, boxes[i].team) : kFixedEdge);
+    }
+  }
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const std::optional<Pose>& now = scene.boxes[i];
+    if (!now || !finite(*now)) continue;
+    const std::vector<Vector2> corners = box_outline(layout, boxes[i], *now);
+    draw_box(canvas, scene, layout, boxes[i], corners);
+    labels.avoid(bounds_of(corners), 0.6);
+  }
+}
+
+}  // namespace elsie::picture

@@ -1,0 +1,102 @@
+// What the tests of the pictures share: a folder of their own, and the pixels of a PNG file.
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include <cairo.h>
+#include <unistd.h>
+
+#include "elsie/api/geometry.h"
+
+namespace elsie::picture::test {
+
+/// An empty folder that goes with the object.
+class Folder {
+ public:
+  Folder() {
+    std::string pattern =
+        (std::filesystem::temp_directory_path() / "elsie-picture-test-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = pattern;
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  std::ptrdiff_t files() const {
+    return std::distance(std::filesystem::directory_iterator(path_), {});
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+struct Pixel {
+  int red = 0, green = 0, blue = 0;
+
+  bool reddish() const { return red > green + 60 && red > blue + 60; }
+  bool bluish() const { return blue > red + 60; }
+  bool greenish() const { return green > red + 30 && green > blue; }
+  bool light() const { return red > 225 && green > 225 && blue > 225; }
+  bool dark() const { return red < 110 && green < 110 && blue < 110; }
+};
+
+class Image {
+ public:
+  explicit Image(const std::filesystem::path& file)
+      : surface_(cairo_image_surface_create_from_png(file.c_str())) {
+    if (cairo_surface_status(surface_) != CAIRO_STATUS_SUCCESS) {
+      throw std::runtime_error("not a PNG file: " + file.string());
+    }
+  }
+  ~Image() { cairo_surface_destroy(surface_); }
+  Image(const Image&) = delete;
+  Image& operator=(const Image&) = delete;
+
+  int width() const { return cairo_image_surface_get_width(surface_); }
+  int height() const { return cairo_image_surface_get_height(surface_); }
+
+  /// The pixel that holds this point.
+  Pixel at(const Vector2& point) const {
+    const int x = static_cast<int>(point.x), y = static_cast<int>(point.y);
+    if (x < 0 || y < 0 || x >= width() || y >= height()) throw std::out_of_range("pixel");
+    const unsigned char* row =
+        cairo_image_surface_get_data(surface_) + y * cairo_image_surface_get_stride(surface_);
+    std::uint32_t value = 0;
+    std::copy_n(row + 4 * x, 4, reinterpret_cast<unsigned char*>(&value));
+    return {static_cast<int>((value >> 16U) & 0xffU), static_cast<int>((value >> 8U) & 0xffU),
+            static_cast<int>(value & 0xffU)};
+  }
+
+  /// How many pixels within `reach` of the point satisfy the predicate.
+  template <class Predicate>
+  int count(const Vector2& around, int reach, Predicate predicate) const {
+    int found = 0;
+    for (int dy = -reach; dy <= reach; ++dy) {
+      for (int dx = -reach; dx <= reach; ++dx) {
+        found += predicate(at({around.x + dx, around.y + dy})) ? 1 : 0;
+      }
+    }
+    return found;
+  }
+
+ private:
+  cairo_surface_t* surface_;
+};
+
+}  // namespace elsie::picture::test

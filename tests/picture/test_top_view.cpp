@@ -1,0 +1,273 @@
+#include <cmath>
+#include <limits>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/picture/top_view.h"
+#include "elsie/world/description.h"
+
+#include "support.h"
+
+using namespace elsie;
+using namespace elsie::picture;
+using picture::test::Folder;
+using picture::test::Image;
+using picture::test::Pixel;
+
+namespace {
+
+const auto kReddish = [](const Pixel& pixel) { return pixel.reddish(); };
+
+// A world to be filled, and its picture.
+struct Scene {
+  Folder folder;
+  world::World world;
+  TopView view{world};
+
+  Scene() { world.teams = {{"red", {220, 30, 20}}, {"blue", {20, 60, 200}}}; }
+
+  world::Robot& add_robot(const std::string& id, const std::string& team, Pose pose) {
+    world::Robot robot;
+    robot.id = id;
+    robot.team = team;
+    robot.x = pose.x;
+    robot.y = pose.y;
+    robot.heading_deg = degrees(pose.heading_rad);
+    world.robots.push_back(robot);
+    return world.robots.back();
+  }
+  world::Box& add_box(world::BoxKind kind, double x, double y, double edge) {
+    world::Box box;
+    box.kind = kind;
+    box.x = x;
+    box.y = y;
+    box.length = box.width = edge;
+    world.boxes.push_back(box);
+    return world.boxes.back();
+  }
+  Image image(const Size& size = {}) {
+    save_top_view(view, folder / "view.png", size);
+    return Image(folder / "view.png");
+  }
+  Vector2 place(double x, double y, const Size& size = {}) {
+    return top_view_map(view, size).pixel({x, y});
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Lengths are to scale, x goes right and y up") {
+  Scene scene;
+  const PlaneMap map = top_view_map(scene.view);
+  CHECK(map.scale_x == -map.scale_y);
+  CHECK(map.scale_x > 80);  // 10 m fill 1000 pixels but for the margins
+  const Vector2 corner = map.pixel({-5, 5});
+  CHECK(corner.x > 50);
+  CHECK(corner.y > 30);
+  const Image image = scene.image();
+  CHECK(image.at(scene.place(-5.05, 0)).dark());  // walls
+  CHECK(image.at(scene.place(5.05, 0)).dark());
+  CHECK(image.at(scene.place(0, 5.05)).dark());
+  CHECK(image.at(scene.place(0, -5.05)).dark());
+  CHECK(image.at(scene.place(0.5, 0.5)).light());
+}
+
+TEST_CASE("Places keep their meaning at every size and shape of the arena") {
+  for (const auto& [length, width] :
+       {std::pair{10.0, 10.0}, {20.0, 2.0}, {3.0, 14.0}, {0.5, 0.5}, {300.0, 200.0}}) {
+    for (const Size size : {Size{}, Size{400, 0}, Size{1920, 1080}, Size{300, 1200}}) {
+      Scene scene;
+      scene.world.arena.length = length;
+      scene.world.arena.width = width;
+      const double x = 0.3 * length, y = -0.3 * width;
+      scene.add_robot("r", "red", {x, y, 0}).body.length = 0.02 * length;
+      const Image image = scene.image(size);
+      INFO(length << " x " << width << " in " << size.width << " x " << size.height);
+      CHECK(image.at(scene.place(x, y, size)).reddish());
+      CHECK(image.count(scene.place(-x, -y, size), 3, kReddish) == 0);
+    }
+  }
+}
+
+TEST_CASE("A robot shows where it is and where it looks, however large the arena") {
+  for (const double edge : {2.0, 10.0, 30.0, 100.0}) {
+    Scene scene;
+    scene.world.arena.length = scene.world.arena.width = edge;
+    scene.add_robot("", "red", {0, 0, radians(180)});
+    const Image image = scene.image();
+    const Vector2 middle = scene.place(0, 0);
+    INFO(edge);
+    CHECK(image.at(middle).reddish());
+    CHECK(image.count(middle, 30, kReddish) > 60);
+    if (edge < 10) continue;
+    // Small ones have a ring with a tip that points ahead, here to the left.
+    const auto tip = [&](double side) {
+      return image.count({middle.x + side * 15.5, middle.y}, 2, kReddish);
+    };
+    CHECK(tip(-1) > 5);
+    CHECK(tip(1) == 0);
+  }
+}
+
+TEST_CASE(
+    "A robot is where its track says, in its team's colour; one without a track at its start") {
+  Scene scene;
+  scene.add_robot("a", "blue", {-3, -3, 0});
+  scene.add_robot("b", "red", {3, 3, 0});
+  scene.view.robots = {{"a", {}, {1, -2, 1.0}, {}, {}}};
+  const Image image = scene.image();
+  CHECK(image.at(scene.place(1, -2)).bluish());
+  CHECK(image.at(scene.place(-3, -3)).light());
+  CHECK(image.at(scene.place(3, 3)).reddish());
+}
+
+TEST_CASE("Robots of one team are told apart by their tints") {
+  Scene scene;
+  std::vector<Pixel> tints;
+  for (int i = 0; i < 10; ++i) {
+    scene.add_robot("", "red", {i - 4.5, 0, 0}).body.length = 0.5;
+    scene.world.robots.back().id = std::string(1, static_cast<char>('a' + i));
+    scene.world.robots.back().body.width = 0.5;
+  }
+  const Image image = scene.image();
+  for (int i = 0; i < 10; ++i) tints.push_back(image.at(scene.place(i - 4.6, 0)));
+  for (std::size_t i = 0; i < tints.size(); ++i) {
+    CHECK(tints[i].red > tints[i].blue);
+    for (std::size_t j = 0; j < i; ++j) {
+      const int apart = std::abs(tints[i].red - tints[j].red) +
+                        std::abs(tints[i].green - tints[j].green) +
+                        std::abs(tints[i].blue - tints[j].blue);
+      INFO(i << " and " << j);
+      CHECK(apart >= 20);
+    }
+  }
+}
+
+TEST_CASE("The path is drawn, paler where it is old") {
+  Scene scene;
+  scene.add_robot("r", "red", {0, 0, 0});
+  RobotTrack track{"r", {}, {4, 0, 0}, {}, {}};
+  for (int i = 0; i <= 800; ++i) track.path.push_back({-4 + 0.01 * i, 0, 0});
+  scene.view.robots = {track};
+  const Image image = scene.image();
+  const auto greenest = [&](double x) {
+    int least = 255;
+    for (int dy = -2; dy <= 2; ++dy) {
+      const Vector2 at = scene.place(x, 0);
+      least = std::min(least, image.at({at.x, at.y + dy}).green);
+    }
+    return least;
+  };
+  CHECK(greenest(-3.6) < 200);
+  CHECK(greenest(3.6) < greenest(-3.6) - 40);
+  CHECK(image.at(scene.place(0, 0.3)).light());
+}
+
+TEST_CASE("A beam that hits ends in a dot; one that does not, does not") {
+  Scene scene;
+  scene.add_robot("r", "blue", {0, 0, 0});
+  scene.view.robots = {
+      {"r", {}, {}, {{{0, 0}, {1.5, 0.5}, true}, {{0, 0}, {1.5, -1.5}, false}}, {}}};
+  const Image image = scene.image();
+  const auto ochre = [](const Pixel& p) { return p.red > p.blue + 90 && p.green > p.blue + 40; };
+  CHECK(image.count(scene.place(1.5, 0.5), 2, ochre) >= 15);
+  CHECK(image.count(scene.place(1.5, -1.5), 2, ochre) < 5);
+  CHECK(image.count(scene.place(0.75, 0.25), 2, ochre) >= 3);
+}
+
+TEST_CASE("A touch is a small red cross") {
+  Scene scene;
+  scene.add_robot("r", "blue", {0, 0, 0});
+  scene.view.robots = {{"r", {}, {}, {}, {{2.5, 2.5}}}};
+  const Image image = scene.image();
+  const Vector2 at = scene.place(2.5, 2.5);
+  CHECK(image.at(at).reddish());
+  CHECK(image.count({at.x + 3, at.y + 3}, 1, kReddish) >= 2);
+  CHECK(image.count({at.x, at.y - 7}, 1, kReddish) == 0);
+}
+
+TEST_CASE("A resource is filled in its team's colour, and hollow where it was collected") {
+  Scene scene;
+  scene.add_box(world::BoxKind::resource, -2, 0, 0.4).team = "red";
+  scene.add_box(world::BoxKind::resource, 2, 0, 0.4).team = "red";
+  scene.view.boxes = {Pose{-2, 0, 0}, std::nullopt};
+  const Image image = scene.image();
+  CHECK(image.at(scene.place(-2 + 0.16, 0.16)).reddish());
+  CHECK(image.at(scene.place(-2, 0)).light());  // its mark
+  CHECK(image.at(scene.place(2 + 0.13, 0.13)).light());
+  CHECK(image.count(scene.place(2.2, 0), 4, kReddish) > 3);  // its outline
+}
+
+TEST_CASE("A box that was pushed is drawn where it is, with an outline where it started") {
+  Scene scene;
+  scene.add_box(world::BoxKind::dynamic, -2.5, 0.5, 0.6);
+  scene.view.boxes = {Pose{1.5, 0.5, 0}};
+  const Image image = scene.image();
+  const auto ochre = [](const Pixel& p) { return p.red > p.blue + 30; };
+  CHECK(image.count(scene.place(1.5, 0.5), 15, ochre) > 800);
+  CHECK(image.count(scene.place(-2.5, 0.65), 8, ochre) == 0);
+  CHECK(image.count(scene.place(-2.5, 0.8), 6, ochre) > 5);
+}
+
+TEST_CASE("Boxes show their kinds, and a fixed one its own colour") {
+  Scene scene;
+  scene.add_box(world::BoxKind::fixed, -3.5, 0.5, 0.6);
+  scene.add_box(world::BoxKind::moving, -0.5, 0.5, 0.6);
+  scene.add_box(world::BoxKind::fixed, 2.5, 0.5, 0.6).colour = world::Colour{0, 160, 60};
+  scene.view.boxes = {};
+  const Image image = scene.image();
+  const Pixel fixed = image.at(scene.place(-3.5, 0.5)), moving = image.at(scene.place(-0.5, 0.5));
+  CHECK(fixed.red > fixed.blue + 10);
+  CHECK(moving.blue > moving.green + 15);
+  CHECK(image.at(scene.place(2.5, 0.5)).greenish());
+}
+
+TEST_CASE("Goals and chargers are marked on the floor") {
+  Scene scene;
+  scene.world.goals = {world::ReachGoal{"r", 2.5, 2.5, 0.5}};
+  world::Charger charger;
+  charger.team = "blue";
+  charger.x = -2.5;
+  charger.y = 2.5;
+  charger.radius = 0.4;
+  scene.world.chargers = {charger};
+  const Image image = scene.image();
+  const auto greenish = [](const Pixel& p) { return p.greenish(); };
+  CHECK(image.count(scene.place(2.5, 3.0), 6, greenish) > 8);
+  CHECK(image.count(scene.place(-2.5, 2.5), 5, [](const Pixel& p) { return p.bluish(); }) > 8);
+  CHECK(image.at(scene.place(-2.5, 3.0)).light());
+}
+
+TEST_CASE("Without walls, robots that drove out of the arena are still in the picture") {
+  Scene scene;
+  scene.world.arena.walls = false;
+  scene.add_robot("r", "red", {0, 0, 0});
+  scene.view.robots = {{"r", {{0, 0, 0}, {8, 0, 0}}, {8, 0, 0}, {}, {}}};
+  CHECK(scene.image().at(scene.place(8, 0)).reddish());
+  // One that is hopelessly far does not shrink all else to nothing.
+  scene.view.robots[0].now = {1e9, 0, 0};
+  CHECK(top_view_map(scene.view).scale_x > 25);
+}
+
+TEST_CASE("Positions that are not finite are left out") {
+  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  Scene scene;
+  scene.add_robot("r", "red", {0, 0, 0});
+  scene.add_robot("s", "red", {2, 2, 0});
+  scene.add_box(world::BoxKind::dynamic, 1, 1, 0.3);
+  scene.view.robots = {{"r",
+                        {{0, 0, 0}, {nan, 0, 0}, {1, infinity, 0}, {1e300, 0, 0}, {1, 1, 0}},
+                        {nan, nan, nan},
+                        {{{nan, 0}, {0, infinity}, true}, {{0, 0}, {1e200, -1e200}, false}},
+                        {{nan, nan}}}};
+  scene.view.boxes = {Pose{nan, infinity, 0}};
+  scene.view.path_period_s = 1.0;
+  CHECK(scene.image().at(scene.place(2, 2)).reddish());
+}
+
+TEST_CASE("A world without anything in it is a picture too") {
+  Scene scene;
+  const Image image = scene.image();
+  CHECK(image.width() == 1000);
+  CHECK(image.at(scene.place(0.5, -0.5)).light());
+}
