@@ -31,6 +31,17 @@ double near(double coordinate) { return std::clamp(coordinate, -1e5, 1e5); }
 
 bool finite(const Vector2& point) { return std::isfinite(point.x) && std::isfinite(point.y); }
 
+// cairo names the sheet after a counter of the process. Nothing refers to it, and without the
+// number the same drawing is the same file.
+void forget_number(std::string& svg) {
+  const std::string name = "id=\"surface";
+  const std::size_t found = svg.find(name);
+  if (found == std::string::npos) return;
+  const std::size_t digits = found + name.size();
+  const std::size_t end = svg.find_first_not_of("0123456789", digits);
+  if (end != std::string::npos) svg.erase(digits, end - digits);
+}
+
 }  // namespace
 
 struct Canvas::Impl {
@@ -208,6 +219,7 @@ std::string Canvas::finish() {
   }
   cairo_surface_finish(impl_->surface);
   check(cairo_surface_status(impl_->surface));
+  forget_number(impl_->svg);
   return std::move(impl_->svg);
 }
 

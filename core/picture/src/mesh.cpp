@@ -57,7 +57,7 @@ void draw_walls(Canvas& canvas, const View& view, const Ticks& x, const Interval
 
 void draw_surface(Canvas& canvas, const View& view, const Field& field, const Interval& range) {
   // A coarse net reads better than a fine one; the borders always belong to it.
-  constexpr std::size_t kLines = 41;
+  constexpr std::size_t kLines = 31;
   const auto pick = [](std::size_t i, std::size_t count, std::size_t of) {
     return i * (count - 1) / (of - 1);
   };
