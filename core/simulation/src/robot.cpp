@@ -61,8 +61,9 @@ Robot::Robot(const world::Robot& description, const plugin::Host& host, bool mea
   for (const world::BehaviorUse& use : description.behaviors) {
     behaviors_.push_back({&use, make<Behavior>(host, PluginKind::behavior, use), Random(), {}});
   }
+  Member::Runner& runner = *this;
   for (BehaviorSlot& slot : behaviors_) {
-    members_.emplace_back(slot.use->id, slot.use->priority, *slot.object, *this);
+    members_.emplace_back(slot.use->id, slot.use->priority, *slot.object, runner);
   }
   if (description.coordinator) {
     coordinator_ = make<Coordinator>(host, PluginKind::coordinator, *description.coordinator);

@@ -249,7 +249,7 @@ class Simulation::Impl {
     for (const MovingBox& box : moving_) {
       const Vector2 from = box.path.position(time_s());
       const Vector2 to = box.path.position(time_s() + h);
-      engine_->drive_box(box.index, from, {(to.x - from.x) / h, (to.y - from.y) / h});
+      engine_->drive_box(box.index, to, {(to.x - from.x) / h, (to.y - from.y) / h});
     }
   }
 
@@ -350,7 +350,7 @@ RunResult Simulation::run(std::span<Observer* const> observers) {
         impl_->stop(Outcome::time_limit, "the limit of time on the clock was met");
       }
     }
-  } catch (const PluginFault&) {
+  } catch (...) {
     end();
     throw;
   }

@@ -14,7 +14,7 @@ class Observer {
   virtual void started(const Simulation&) {}
   /// After every step.
   virtual void stepped(const Simulation&) {}
-  /// After the last step; also when a plugin failed.
+  /// After the last step; also when a plugin failed or an observer threw.
   virtual void ended(const Simulation&) {}
 };
 

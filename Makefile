@@ -1,0 +1,41 @@
+# The two commands of the README are `make demo` and `make test`. Both install what is missing on Debian 12 first.
+PRESET ?= release
+BUILD := build/$(PRESET)
+ELSIE := $(BUILD)/bin/elsie
+
+.PHONY: all demo test sanitize bench format lint dependencies configure clean
+
+all: configure
+	cmake --build --preset $(PRESET)
+
+dependencies:
+	@scripts/install-dependencies
+
+configure: dependencies
+	@cmake --preset $(PRESET) --log-level=WARNING
+
+# Builds everything and runs the main job: a robot that wanders through clutter for ten simulated minutes.
+demo: all
+	@mkdir -p out
+	$(ELSIE) run worlds/clutter.xml --seed 1 --picture out/clutter.png --record out/clutter.csv
+	@echo "Look at out/clutter.png; every step is in out/clutter.csv."
+
+test: all
+	ctest --preset $(PRESET)
+
+# The unit tests under the address and undefined-behaviour sanitizers.
+sanitize: dependencies
+	@$(MAKE) --no-print-directory test PRESET=asan
+
+bench: all
+	scripts/benchmark $(BUILD)
+
+format:
+	git ls-files '*.cpp' '*.h' | xargs clang-format -i
+
+lint: configure
+	git ls-files '*.cpp' '*.h' | xargs clang-format --dry-run -Werror
+	git ls-files 'core/*.cpp' 'plugins/*.cpp' 'apps/*.cpp' | xargs -n 4 -P 2 clang-tidy --quiet -p $(BUILD)
+
+clean:
+	rm -rf build out

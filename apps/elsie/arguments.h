@@ -1,0 +1,16 @@
+// Checks of what stands on the command line.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace CLI {
+class Validator;
+}
+
+/// A whole text as a finite number, or none: no "1,5", "3abc" or "nan".
+std::optional<double> parse_number(std::string_view text);
+
+/// For options that take a finite number above zero.
+CLI::Validator positive_number();

@@ -1,0 +1,88 @@
+#include "environment.h"
+
+#include <cstdlib>
+
+#include <CLI/CLI.hpp>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include "command.h"
+
+namespace fs = std::filesystem;
+
+void PluginOptions::add_to(CLI::App& command) {
+  command
+      .add_option("--plugin-path", directories,
+                  "Directory with plugin libraries, searched before all others; may be repeated")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+}
+
+elsie::plugin::Host load_plugins(const PluginOptions& options) {
+  std::vector<fs::path> extra;
+  for (const std::string& directory : options.directories) {
+    if (!fs::is_directory(directory)) {
+      throw BadInput("--plugin-path: '" + directory + "' is not a directory");
+    }
+    extra.emplace_back(directory);
+  }
+  elsie::plugin::Host host(elsie::plugin::default_search_path(extra));
+  for (const std::string& warning : host.report().warnings) {
+    spdlog::warn(warning);
+  }
+  for (const auto& directory : host.report().directories) {
+    for (const auto& file : directory.files) {
+      spdlog::debug("{}: {}", file.path.string(), file.sentence.empty() ? "loaded" : file.sentence);
+    }
+  }
+  return host;
+}
+
+std::vector<std::string> data_directories() {
+  std::vector<std::string> directories;
+  if (const char* path = std::getenv("ELSIE_DATA_PATH")) {
+    for (const std::string& directory : CLI::detail::split(path, ':')) {
+      if (!directory.empty()) {
+        directories.push_back(directory);
+      }
+    }
+  }
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    directories.push_back((program.parent_path().parent_path() / "share" / "elsie").string());
+  }
+  return directories;
+}
+
+elsie::world::ReadOptions read_options(const std::vector<std::string>& overrides) {
+  elsie::world::ReadOptions options;
+  options.overrides = overrides;
+  options.data_directories = data_directories();
+  options.check_plugins = true;
+  return options;
+}
+
+void require_writable(const fs::path& file, const char* option) {
+  const std::string what = std::string(option) + ": cannot write '" + file.string() + "': ";
+  std::error_code error;
+  if (file.empty() || fs::is_directory(file, error)) {
+    throw BadInput(what + "it must be the name of a file");
+  }
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, error)) {
+    throw BadInput(what + "there is no folder '" + folder.string() + "'; make it first");
+  }
+  const bool exists = fs::exists(file, error);
+  if (access(exists ? file.c_str() : folder.c_str(), W_OK) != 0) {
+    throw BadInput(what + "permission denied");
+  }
+}
+
+void require_picture(const fs::path& file, const char* option) {
+  if (file.extension() != ".png" && file.extension() != ".svg") {
+    throw BadInput(std::string(option) + ": a picture's name must end in .png or .svg, but '" +
+                   file.string() + "' does not");
+  }
+  require_writable(file, option);
+}

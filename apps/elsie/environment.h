@@ -1,0 +1,36 @@
+// Where the program finds plugins and data.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "elsie/plugin/host.h"
+#include "elsie/world/reader.h"
+
+namespace CLI {
+class App;
+}
+
+/// The options of every subcommand that needs plugins.
+struct PluginOptions {
+  std::vector<std::string> directories;
+
+  void add_to(CLI::App& command);
+};
+
+/// Loads the plugins; warnings go to the log. Throws BadInput for a directory on the command line
+/// that is not there.
+elsie::plugin::Host load_plugins(const PluginOptions& options);
+
+/// ELSIE_DATA_PATH, then share/elsie beside the program's directory.
+std::vector<std::string> data_directories();
+
+/// How worlds are read here: with the data directories, and every plugin asked about its
+/// parameters.
+elsie::world::ReadOptions read_options(const std::vector<std::string>& overrides = {});
+
+/// Checks, before any work is done, that a file can be written there. Throws BadInput.
+void require_writable(const std::filesystem::path& file, const char* option);
+/// The same for a picture: its name must end in .png or .svg.
+void require_picture(const std::filesystem::path& file, const char* option);

@@ -1,0 +1,276 @@
+// elsie fuzzy: shows a fuzzy model, evaluates it and draws it.
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "elsie/fuzzy/fcl.h"
+#include "elsie/picture/fuzzy_plot.h"
+
+#include "arguments.h"
+#include "command.h"
+#include "environment.h"
+
+namespace {
+
+using elsie::fuzzy::Model;
+using elsie::fuzzy::OutputVariable;
+using elsie::fuzzy::Variable;
+
+struct FuzzyOptions {
+  std::string model;
+  std::vector<std::string> inputs;
+  std::string picture;
+  bool json = false;
+};
+
+struct Evaluation {
+  std::vector<double> inputs;
+  std::vector<double> outputs;
+  std::vector<double> degrees;  // of the rules
+};
+
+std::string number(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof(buffer), "%.6g", value);
+  return buffer;
+}
+
+std::string names_of(std::span<const Variable> variables) {
+  std::string names;
+  for (const Variable& variable : variables) {
+    names += (names.empty() ? "" : ", ") + variable.name;
+  }
+  return names;
+}
+
+double middle(const Variable& variable) { return 0.5 * (variable.range.low + variable.range.high); }
+
+/// The inputs in the model's order; every one must be given.
+std::vector<double> parse_inputs(const Model& model, const std::vector<std::string>& given) {
+  std::map<std::size_t, double> values;
+  for (const std::string& text : given) {
+    const std::size_t equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    const auto index = model.input_index(name);
+    if (equals == std::string::npos || !index) {
+      throw BadInput(
+          "--input: '" + text +
+          "' is not NAME=VALUE with an input of the model; it has: " + names_of(model.inputs()));
+    }
+    const auto value = parse_number(std::string_view(text).substr(equals + 1));
+    if (!value) {
+      throw BadInput("--input: '" + text + "': the value must be a finite number such as 0.5");
+    }
+    if (!values.emplace(*index, *value).second) {
+      throw BadInput("--input: '" + name + "' is given twice");
+    }
+  }
+  std::vector<double> inputs;
+  for (std::size_t i = 0; i < model.inputs().size(); ++i) {
+    if (!values.contains(i)) {
+      throw BadInput("--input: the model needs a value for '" + model.inputs()[i].name + "' too");
+    }
+    inputs.push_back(values[i]);
+  }
+  return inputs;
+}
+
+Evaluation evaluate(const Model& model, const std::vector<double>& inputs) {
+  elsie::fuzzy::Workspace workspace;
+  Evaluation evaluation{inputs, std::vector<double>(model.outputs().size(), 0.0),
+                        std::vector<double>(model.rules().size())};
+  model.evaluate(inputs, evaluation.outputs, workspace);
+  model.rule_degrees(inputs, evaluation.degrees, workspace);
+  return evaluation;
+}
+
+void print_variable(const char* kind, const Variable& variable) {
+  std::cout << kind << ' ' << variable.name << " in [" << number(variable.range.low) << ", "
+            << number(variable.range.high) << "]\n";
+  for (const elsie::fuzzy::Term& term : variable.terms) {
+    std::cout << "  " << term.name << ":";
+    if (term.singleton) {
+      std::cout << ' ' << number(*term.singleton);
+    } else if (constexpr std::size_t kShown = 12; term.set.points.size() > kShown) {
+      std::cout << " a curve from " << number(term.set.points.front().x) << " to "
+                << number(term.set.points.back().x);
+    } else {
+      for (const auto& point : term.set.points) {
+        std::cout << " (" << number(point.x) << ", " << number(point.degree) << ')';
+      }
+    }
+    std::cout << '\n';
+  }
+}
+
+void print(const Model& model, const std::optional<Evaluation>& evaluation) {
+  std::cout << "model " << model.name() << '\n';
+  for (const Variable& input : model.inputs()) {
+    print_variable("input", input);
+  }
+  for (const OutputVariable& output : model.outputs()) {
+    print_variable("output", output);
+  }
+  std::cout << "rules\n";
+  for (std::size_t i = 0; i < model.rules().size(); ++i) {
+    const elsie::fuzzy::Rule& rule = model.rules()[i];
+    std::cout << "  " << rule.label << ": " << rule.text;
+    if (rule.weight != 1.0) {
+      std::cout << " WITH " << number(rule.weight);
+    }
+    if (evaluation) {
+      std::cout << "   [" << number(evaluation->degrees[i]) << ']';
+    }
+    std::cout << '\n';
+  }
+  if (evaluation) {
+    std::cout << "result\n";
+    for (std::size_t i = 0; i < model.outputs().size(); ++i) {
+      std::cout << "  " << model.outputs()[i].name << " = " << number(evaluation->outputs[i])
+                << '\n';
+    }
+  }
+}
+
+nlohmann::ordered_json to_json(const Variable& variable) {
+  nlohmann::ordered_json terms = nlohmann::ordered_json::object();
+  for (const elsie::fuzzy::Term& term : variable.terms) {
+    auto points = nlohmann::ordered_json::array();
+    for (const auto& point : term.set.points) {
+      points.push_back({point.x, point.degree});
+    }
+    terms[term.name] = points;
+  }
+  return {{"name", variable.name},
+          {"range", {variable.range.low, variable.range.high}},
+          {"terms", terms}};
+}
+
+void print_json(const Model& model, const std::optional<Evaluation>& evaluation) {
+  nlohmann::ordered_json object{{"model", model.name()}};
+  object["inputs"] = nlohmann::ordered_json::array();
+  for (const Variable& input : model.inputs()) {
+    object["inputs"].push_back(to_json(input));
+  }
+  object["outputs"] = nlohmann::ordered_json::array();
+  for (const OutputVariable& output : model.outputs()) {
+    object["outputs"].push_back(to_json(output));
+  }
+  object["rules"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < model.rules().size(); ++i) {
+    const elsie::fuzzy::Rule& rule = model.rules()[i];
+    nlohmann::ordered_json entry{{"block", rule.block}, {"label", rule.label}, {"text", rule.text}};
+    entry["weight"] = rule.weight;
+    if (evaluation) {
+      entry["degree"] = evaluation->degrees[i];
+    }
+    object["rules"].push_back(entry);
+  }
+  if (evaluation) {
+    object["result"] = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < model.outputs().size(); ++i) {
+      object["result"][model.outputs()[i].name] = evaluation->outputs[i];
+    }
+  }
+  std::cout << object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
+elsie::picture::SurfaceVariable axis(const Variable& variable) {
+  return {variable.name, "", variable.range.low, variable.range.high};
+}
+
+/// The surface of one output over the first two inputs; further inputs stay at the middle of their
+/// range.
+elsie::picture::ControlSurface surface(const Model& model, std::size_t output) {
+  elsie::picture::ControlSurface surface;
+  surface.x = axis(model.inputs()[0]);
+  if (model.inputs().size() > 1) {
+    surface.y = axis(model.inputs()[1]);
+  }
+  surface.output = axis(model.outputs()[output]);
+  std::vector<double> inputs;
+  for (std::size_t i = 0; i < model.inputs().size(); ++i) {
+    inputs.push_back(middle(model.inputs()[i]));
+    if (i > 1) {
+      surface.held.push_back({model.inputs()[i].name, "", inputs.back()});
+    }
+  }
+  auto workspace = std::make_shared<elsie::fuzzy::Workspace>();
+  surface.value = [model, output, inputs, workspace](double x, double y) mutable {
+    inputs[0] = x;
+    if (inputs.size() > 1) {
+      inputs[1] = y;
+    }
+    std::vector<double> outputs(model.outputs().size(), 0.0);
+    model.evaluate(inputs, outputs, *workspace);
+    return outputs[output];
+  };
+  return surface;
+}
+
+elsie::picture::MembershipPanel panel(const Variable& variable) {
+  elsie::picture::MembershipPanel panel{
+      variable.name, "", variable.range.low, variable.range.high, {}};
+  for (const elsie::fuzzy::Term& term : variable.terms) {
+    panel.terms.emplace_back(term.name, term.set);
+  }
+  return panel;
+}
+
+void draw(const Model& model, const std::string& file) {
+  elsie::picture::FuzzyPicture picture;
+  picture.title = model.name();
+  for (const Variable& input : model.inputs()) {
+    picture.variables.push_back(panel(input));
+  }
+  for (std::size_t i = 0; i < model.outputs().size(); ++i) {
+    picture.variables.push_back(panel(model.outputs()[i]));
+    picture.surfaces.push_back(surface(model, i));
+  }
+  elsie::picture::save_fuzzy_picture(picture, file);
+}
+
+int fuzzy(const FuzzyOptions& options) {
+  if (!options.picture.empty()) {
+    require_picture(options.picture, "--picture");
+  }
+  const Model model = elsie::fuzzy::read_fcl(options.model);
+  std::optional<Evaluation> evaluation;
+  if (!options.inputs.empty()) {
+    evaluation = evaluate(model, parse_inputs(model, options.inputs));
+  }
+  if (!options.picture.empty()) {
+    draw(model, options.picture);
+  }
+  options.json ? print_json(model, evaluation) : print(model, evaluation);
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_fuzzy_command(CLI::App& program, Job& job) {
+  CLI::App* command =
+      program.add_subcommand("fuzzy", "Show a fuzzy model (FCL), evaluate it, draw it");
+  command->footer(
+      "\nExamples:\n  elsie fuzzy fuzzy_models/avoid_obstacle_left.fcl\n"
+      "  elsie fuzzy fuzzy_models/avoid_obstacle_left.fcl --input range=0.3 --input azimuth=20\n"
+      "  elsie fuzzy fuzzy_models/avoid_obstacle_left.fcl --picture left.png\n");
+  auto options = std::make_shared<FuzzyOptions>();
+  command->add_option("MODEL", options->model, "Fuzzy model, a file in Fuzzy Control Language")
+      ->required();
+  command
+      ->add_option("--input", options->inputs,
+                   "Value of an input, to evaluate the model; one for each input")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
+  command
+      ->add_option("--picture", options->picture,
+                   "Draw the membership functions and the control surface")
+      ->type_name("FILE.png|FILE.svg");
+  command->callback([&job, options] { job = [options] { return fuzzy(*options); }; });
+}

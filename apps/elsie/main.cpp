@@ -1,0 +1,80 @@
+// The command-line program: elsie SUBCOMMAND ...
+#include <cstdlib>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include "elsie/fuzzy/error.h"
+#include "elsie/simulation/fault.h"
+#include "elsie/world/error.h"
+
+#include "command.h"
+
+namespace {
+
+constexpr const char* kExamples = R"(
+Examples:
+  elsie run worlds/clutter.xml --seed 7 --picture clutter.png
+  elsie run worlds/maze.xml --set 'robot[r1]/@max_speed=0.3' --json
+  elsie check worlds/*.xml
+  elsie describe wander
+
+Exit codes: 0 success; 1 the run ended without reaching its goal; 2 bad input or usage;
+3 a plugin failed; 4 anything else.
+`elsie SUBCOMMAND --help` has examples for each subcommand.)";
+
+void set_up_log() {
+  auto log = spdlog::stderr_color_mt("elsie");
+  log->set_pattern("elsie: %^%l%$: %v");
+  spdlog::set_default_logger(log);
+  const char* level = std::getenv("ELSIE_LOG");
+  spdlog::set_level(level ? spdlog::level::from_str(level) : spdlog::level::warn);
+}
+
+/// Runs the job; every error becomes a message and an exit code.
+int finish(const Job& job) {
+  try {
+    return job();
+  } catch (const elsie::world::WorldError& error) {
+    std::cerr << error.what() << '\n';
+    return kBadInput;
+  } catch (const elsie::fuzzy::FclError& error) {
+    std::cerr << error.what() << '\n';
+    return kBadInput;
+  } catch (const BadInput& error) {
+    std::cerr << "elsie: " << error.what() << '\n';
+    return kBadInput;
+  } catch (const elsie::simulation::PluginFault& fault) {
+    std::cerr << "elsie: " << fault.what() << '\n';
+    return kPluginFailed;
+  } catch (const std::exception& error) {
+    std::cerr << "elsie: " << error.what() << '\n';
+    return kOtherFailure;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  set_up_log();
+  CLI::App program("Elsie: behaviour-based mobile robot control", "elsie");
+  program.set_version_flag("--version", "elsie " ELSIE_VERSION);
+  program.require_subcommand(1);
+  program.footer(kExamples);
+  Job job;
+  add_run_command(program, job);
+  add_check_command(program, job);
+  add_picture_command(program, job);
+  add_plugins_command(program, job);
+  add_describe_command(program, job);
+  add_schema_command(program, job);
+  add_fuzzy_command(program, job);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? kSuccess : kBadInput;
+  }
+  return finish(job);
+}

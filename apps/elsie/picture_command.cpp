@@ -1,0 +1,59 @@
+// elsie picture: a world file as a picture, at the start of a run.
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/reader.h"
+
+#include "command.h"
+#include "environment.h"
+#include "top_view.h"
+
+namespace {
+
+struct PictureOptions {
+  PluginOptions plugins;
+  std::string world;
+  std::string output;
+  std::vector<std::string> overrides;
+  int width = 1000;
+};
+
+int picture(const PictureOptions& options) {
+  const std::filesystem::path file =
+      options.output.empty() ? std::filesystem::path(options.world).stem().string() + ".png"
+                             : options.output;
+  require_picture(file, "--output");
+  const elsie::plugin::Host host = load_plugins(options.plugins);
+  elsie::simulation::Simulation simulation(
+      elsie::world::read_world(options.world, host, read_options(options.overrides)), host);
+  simulation.step();  // so that the sensors have looked once
+  draw(simulation, nullptr, {}, file, options.width);
+  std::cout << "wrote " << file.string() << '\n';
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_picture_command(CLI::App& program, Job& job) {
+  CLI::App* command = program.add_subcommand("picture", "Draw a world from above");
+  command->footer(
+      "\nExamples:\n  elsie picture worlds/maze.xml\n"
+      "  elsie picture worlds/maze.xml --output maze.svg\n");
+  auto options = std::make_shared<PictureOptions>();
+  command->add_option("WORLD", options->world, "World file")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Picture file, .png or .svg; default: the world's name with .png, here")
+      ->type_name("FILE");
+  command->add_option("--set", options->overrides, "Change an attribute first; may be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--width", options->width, "Width in pixels")
+      ->check(CLI::Range(200, 8000))
+      ->capture_default_str();
+  options->plugins.add_to(*command);
+  command->callback([&job, options] { job = [options] { return picture(*options); }; });
+}

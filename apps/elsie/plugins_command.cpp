@@ -1,0 +1,259 @@
+// elsie plugins and elsie describe: which plugins there are, and what one of them is.
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/near_name.h"
+#include "elsie/world/reference.h"
+
+#include "command.h"
+#include "environment.h"
+
+namespace {
+
+using elsie::Declaration;
+using elsie::ParameterDeclaration;
+using elsie::PluginKind;
+using elsie::plugin::DirectoryReport;
+using elsie::plugin::FileReport;
+using elsie::plugin::FileStatus;
+using elsie::plugin::Host;
+using elsie::plugin::kind_name;
+using nlohmann::ordered_json;
+
+constexpr PluginKind kKinds[] = {PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator};
+
+struct PluginsOptions {
+  PluginOptions plugins;
+  bool check = false;
+  bool json = false;
+};
+
+struct DescribeOptions {
+  PluginOptions plugins;
+  std::string name;
+  bool json = false;
+};
+
+const char* to_string(FileStatus status) {
+  switch (status) {
+    case FileStatus::loaded:
+      return "loaded";
+    case FileStatus::ignored:
+      return "ignored";
+    case FileStatus::refused:
+      break;
+  }
+  return "refused";
+}
+
+void print_list(const Host& host) {
+  std::size_t width = 0;
+  for (const PluginKind kind : kKinds) {
+    for (const Declaration* plugin : host.all(kind)) {
+      width = std::max(width, plugin->name.size());
+    }
+  }
+  for (const PluginKind kind : kKinds) {
+    std::cout << kind_name(kind) << "s\n";
+    for (const Declaration* plugin : host.all(kind)) {
+      std::cout << "  " << plugin->name << std::string(width + 2 - plugin->name.size(), ' ')
+                << plugin->description << '\n';
+    }
+  }
+}
+
+void print_check(const Host& host) {
+  for (const DirectoryReport& directory : host.report().directories) {
+    std::cout << directory.directory.path.string() << " (" << directory.directory.origin << ")"
+              << (directory.problem.empty() ? "" : ": " + directory.problem) << '\n';
+    for (const FileReport& file : directory.files) {
+      std::cout << "  " << file.path.filename().string() << ": " << to_string(file.status);
+      if (!file.sentence.empty()) {
+        std::cout << ": " << file.sentence;
+      }
+      const char* separator = ": ";
+      for (const auto& plugin : file.plugins) {
+        std::cout << separator << kind_name(plugin.kind) << ' ' << plugin.name << ' '
+                  << plugin.version;
+        if (!plugin.shadowed_by.empty()) {
+          std::cout << " (not used: " << plugin.shadowed_by.string() << " has one of that name)";
+        }
+        separator = ", ";
+      }
+      std::cout << '\n';
+    }
+  }
+}
+
+ordered_json to_json(const elsie::ParameterValue& value) {
+  return std::visit([](const auto& v) { return ordered_json(v); }, value);
+}
+
+const char* type_name(elsie::ParameterType type) {
+  switch (type) {
+    case elsie::ParameterType::real:
+      return "number";
+    case elsie::ParameterType::integer:
+      return "integer";
+    case elsie::ParameterType::boolean:
+      return "boolean";
+    case elsie::ParameterType::text:
+      return "text";
+    case elsie::ParameterType::file:
+      return "file";
+    case elsie::ParameterType::reals:
+      break;
+  }
+  return "numbers";
+}
+
+ordered_json to_json(const ParameterDeclaration& parameter) {
+  ordered_json json{{"name", parameter.name},
+                    {"type", type_name(parameter.type)},
+                    {"unit", parameter.facts.unit},
+                    {"default", to_json(parameter.default_value)},
+                    {"meaning", parameter.facts.meaning}};
+  const auto bound = [&json](const char* name, double value) {
+    if (std::isfinite(value)) {
+      json[name] = value;
+    }
+  };
+  bound("min", parameter.facts.min);
+  bound("above", parameter.facts.above);
+  bound("max", parameter.facts.max);
+  if (!parameter.facts.choices.empty()) {
+    json["choices"] = parameter.facts.choices;
+  }
+  return json;
+}
+
+ordered_json to_json(const Host& host, const Declaration& plugin) {
+  ordered_json json{{"kind", kind_name(plugin.kind)},
+                    {"name", plugin.name},
+                    {"version", plugin.version},
+                    {"description", plugin.description},
+                    {"library", host.file_of(plugin.kind, plugin.name).string()}};
+  json["parameters"] = ordered_json::array();
+  for (const ParameterDeclaration& parameter : plugin.parameters) {
+    json["parameters"].push_back(to_json(parameter));
+  }
+  const auto kinds = [](const std::vector<elsie::ReadingDeclaration>& readings) {
+    ordered_json names = ordered_json::array();
+    for (const auto& reading : readings) {
+      names.push_back(reading.kind);
+    }
+    return names;
+  };
+  json["needs"] = kinds(plugin.needs);
+  json["produces"] = kinds(plugin.produces);
+  json["events"] = ordered_json::array();
+  for (const auto& event : plugin.events) {
+    json["events"].push_back({{"name", event.name}, {"meaning", event.meaning}});
+  }
+  return json;
+}
+
+void print_json(const Host& host) {
+  ordered_json json;
+  json["plugins"] = ordered_json::array();
+  for (const PluginKind kind : kKinds) {
+    for (const Declaration* plugin : host.all(kind)) {
+      json["plugins"].push_back(to_json(host, *plugin));
+    }
+  }
+  json["directories"] = ordered_json::array();
+  for (const DirectoryReport& directory : host.report().directories) {
+    ordered_json files = ordered_json::array();
+    for (const FileReport& file : directory.files) {
+      files.push_back({{"path", file.path.string()},
+                       {"status", to_string(file.status)},
+                       {"abi", file.abi_word},
+                       {"message", file.sentence}});
+    }
+    json["directories"].push_back({{"path", directory.directory.path.string()},
+                                   {"origin", directory.directory.origin},
+                                   {"problem", directory.problem},
+                                   {"files", files}});
+  }
+  std::cout << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+}
+
+int plugins(const PluginsOptions& options) {
+  const Host host = load_plugins(options.plugins);
+  if (options.json) {
+    print_json(host);
+  } else {
+    options.check ? print_check(host) : print_list(host);
+  }
+  return kSuccess;
+}
+
+int describe(const DescribeOptions& options) {
+  if (options.name == "world") {
+    std::cout << elsie::world::world_reference();
+    return kSuccess;
+  }
+  const Host host = load_plugins(options.plugins);
+  bool found = false;
+  std::vector<std::string> names;
+  ordered_json all = ordered_json::array();
+  for (const PluginKind kind : kKinds) {
+    for (const Declaration* plugin : host.all(kind)) {
+      names.push_back(plugin->name);
+    }
+    if (const Declaration* plugin = host.find(kind, options.name)) {
+      found = true;
+      if (options.json) {
+        all.push_back(to_json(host, *plugin));
+      } else {
+        std::cout << elsie::world::plugin_reference(*plugin);
+      }
+    }
+  }
+  if (!found) {
+    throw BadInput("there is no plugin '" + options.name + "'" +
+                   elsie::plugin::did_you_mean(options.name, names) +
+                   "\n`elsie plugins` lists all that were found");
+  }
+  if (options.json) {
+    const ordered_json& json = all.size() == 1 ? all[0] : all;
+    std::cout << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_plugins_command(CLI::App& program, Job& job) {
+  CLI::App* command = program.add_subcommand("plugins", "List the plugins that were found");
+  command->footer(
+      "\nExamples:\n  elsie plugins\n"
+      "  elsie plugins --check --plugin-path build/my_plugins\n  elsie plugins --json\n");
+  auto options = std::make_shared<PluginsOptions>();
+  command->add_flag("--check", options->check,
+                    "For every file in every directory: what it is, or why it was refused");
+  command->add_flag("--json", options->json, "Print everything as one JSON object");
+  options->plugins.add_to(*command);
+  command->callback([&job, options] { job = [options] { return plugins(*options); }; });
+}
+
+void add_describe_command(CLI::App& program, Job& job) {
+  CLI::App* command = program.add_subcommand(
+      "describe",
+      "Print what a plugin does, its parameters with defaults and ranges, its events; or the "
+      "vocabulary of world files");
+  command->footer("\nExamples:\n  elsie describe beam_range\n  elsie describe world\n");
+  auto options = std::make_shared<DescribeOptions>();
+  command
+      ->add_option("PLUGIN", options->name, "Name of a sensor, behavior or coordinator; or 'world'")
+      ->required();
+  command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
+  options->plugins.add_to(*command);
+  command->callback([&job, options] { job = [options] { return describe(*options); }; });
+}

@@ -1,0 +1,52 @@
+#include "top_view.h"
+
+#include <utility>
+
+#include "elsie/picture/top_view.h"
+
+namespace {
+
+using elsie::RangeReading;
+using elsie::ReadingKind;
+
+std::vector<elsie::picture::Beam> beams(const elsie::simulation::Simulation& simulation,
+                                        std::size_t robot) {
+  std::vector<elsie::picture::Beam> beams;
+  for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {
+    const elsie::simulation::SensorView sensor = simulation.sensor(robot, i);
+    if (sensor.sensor->kind() != ReadingKind::of<RangeReading>()) {
+      continue;
+    }
+    const auto& reading = *static_cast<const RangeReading*>(sensor.sensor->reading());
+    const elsie::Frame frame = simulation.sensor_frame(robot, i);
+    const elsie::Vector3 end = frame.point({reading.distance_m, 0.0, 0.0});
+    beams.push_back({{frame.origin.x, frame.origin.y}, {end.x, end.y}, reading.hit});
+  }
+  return beams;
+}
+
+}  // namespace
+
+void draw(const elsie::simulation::Simulation& simulation,
+          const elsie::simulation::TrackRecorder* tracks, const std::vector<std::string>& subtitles,
+          const std::filesystem::path& file, int width) {
+  elsie::picture::TopView view{simulation.world()};
+  for (std::size_t i = 0; i < simulation.robots(); ++i) {
+    const elsie::simulation::RobotView robot = simulation.robot(i);
+    elsie::picture::RobotTrack track;
+    track.id = robot.description->id;
+    track.now = robot.state->pose;
+    track.beams = beams(simulation, i);
+    if (tracks) {
+      track.path = tracks->tracks()[i].path;
+      track.touches = tracks->tracks()[i].touches;
+    }
+    view.robots.push_back(std::move(track));
+  }
+  for (std::size_t i = 0; i < simulation.world().boxes.size(); ++i) {
+    view.boxes.push_back(simulation.box(i));
+  }
+  view.subtitles = subtitles;
+  view.path_period_s = tracks ? tracks->period_s() : 0.0;
+  elsie::picture::save_top_view(view, file, {width, 0});
+}

@@ -1,0 +1,205 @@
+// Robot-steps per second of a whole simulation (sensors, behaviours, coordinator, physics) against
+// a bare ODE loop that does the same work, in one run; memory; the time to load a world of 100
+// robots.
+//
+//   robot_steps [--repeats N]
+//
+// World: 10 m x 10 m with walls, 20 boxes, robots with 8 beams of 1 m, crisp avoidance (a
+// Braitenberg vehicle), 100 Hz. Both sides get the same poses, the same boxes and the same rule.
+// The two are run in turn, and the ratio is taken pair by pair, because machines drift. Prints a
+// table in Markdown.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <sys/resource.h>
+
+#include "elsie/plugin/host.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/reader.h"
+#include "elsie/world/writer.h"
+
+#include "bare_ode.h"
+
+namespace {
+
+using elsie::MotorCommand;
+using elsie::Pose;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kAzimuthsDeg[8] = {12, -12, 40, -40, 80, -80, 130, -130};
+constexpr double kBase = 10.0;      // rad/s
+constexpr double kWeight = 12.0;    // rad/s
+constexpr double kMaxRange = 1.0;   // m
+constexpr int kStepsInAll = 40000;  // robot-steps of one measurement
+
+/// Left and right weight of a beam: the wiring of the braitenberg behaviour.
+MotorCommand weights(double azimuth_deg) {
+  const double ahead = std::max(0.0, std::cos(elsie::radians(azimuth_deg)));
+  const double own = 0.5 * kWeight * ahead;
+  const double other = -1.5 * kWeight * ahead;
+  return azimuth_deg > 0 ? MotorCommand{own, other} : MotorCommand{other, own};
+}
+
+MotorCommand rule(const double ranges[8]) {
+  static const std::vector<MotorCommand> matrix = [] {
+    std::vector<MotorCommand> all;
+    for (const double azimuth : kAzimuthsDeg) {
+      all.push_back(weights(azimuth));
+    }
+    return all;
+  }();
+  MotorCommand command{kBase, kBase};
+  for (std::size_t i = 0; i < 8; ++i) {
+    command += (1.0 - ranges[i] / kMaxRange) * matrix[i];
+  }
+  return command;
+}
+
+/// Robots on a grid, boxes between them.
+elsie::world::World world(int robots) {
+  elsie::world::World world;
+  world.name = "benchmark";
+  world.limits.time = 1e6;
+  world.teams = {{"red", {}}, {"blue", {}}};
+  for (int i = 0; i < 20; ++i) {
+    elsie::world::Box box;
+    box.id = "b" + std::to_string(i);
+    box.x = -4.0 + 2.0 * (i % 5) - 0.5;
+    box.y = -3.6 + 2.4 * (i / 5);
+    box.heading_deg = 17.0 * i;
+    box.length = 0.3;
+    box.width = 0.2;
+    world.boxes.push_back(box);
+  }
+  const int side = static_cast<int>(std::ceil(std::sqrt(robots)));
+  for (int i = 0; i < robots; ++i) {
+    elsie::world::Robot robot;
+    robot.id = "r" + std::to_string(i);
+    robot.team = "red";
+    robot.x = -4.5 + 9.0 * (i % side + 0.5) / side;
+    robot.y = -4.5 + 9.0 * (i / side + 0.5) / side;
+    robot.heading_deg = 37.0 * i;
+    robot.battery = 1e9;
+    robot.coverage = 0.0;
+    for (const double azimuth : kAzimuthsDeg) {
+      elsie::world::SensorUse beam;
+      beam.plugin = "beam_range";
+      beam.id = "beam" + std::to_string(robot.sensors.size());
+      beam.yaw_deg = azimuth;
+      robot.sensors.push_back(beam);
+    }
+    elsie::world::BehaviorUse avoid;
+    avoid.plugin = avoid.id = "braitenberg";
+    robot.behaviors.push_back(avoid);
+    robot.coordinator.emplace();
+    robot.coordinator->plugin = robot.coordinator->id = "arbiter_suppression";
+    world.robots.push_back(robot);
+  }
+  return world;
+}
+
+double seconds(Clock::time_point since) {
+  return std::chrono::duration<double>(Clock::now() - since).count();
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// Peak memory of the process so far, MiB.
+double peak_memory_mib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+void compare(const elsie::plugin::Host& host, int robots, int repeats) {
+  const elsie::world::World description = world(robots);
+  std::vector<Pose> poses;
+  for (const auto& robot : description.robots) {
+    poses.push_back({robot.x, robot.y, elsie::radians(robot.heading_deg)});
+  }
+  const double memory_before = peak_memory_mib();
+  elsie::simulation::Simulation simulation(description, host);
+  const double memory = peak_memory_mib() - memory_before;
+  std::vector<double> azimuths;
+  for (const double azimuth : kAzimuthsDeg) {
+    azimuths.push_back(elsie::radians(azimuth));
+  }
+  const double top_speed =
+      description.robots[0].max_speed / description.robots[0].body.wheel_radius;
+  elsie::bench::BareOde bare(
+      poses, description.boxes, azimuths, description.physics, description.arena,
+      [top_speed](const double ranges[8]) {
+        const MotorCommand command = rule(ranges);
+        const double largest = std::max(std::abs(command.left), std::abs(command.right));
+        return largest > top_speed ? (top_speed / largest) * command : command;
+      });
+  const int steps = kStepsInAll / robots;
+  const auto rate = [&](auto& side) {
+    const auto start = Clock::now();
+    for (int i = 0; i < steps; ++i) {
+      side.step();
+    }
+    return static_cast<double>(steps) * robots / seconds(start);
+  };
+  rate(simulation);  // warm up: let the robots spread
+  rate(bare);
+  std::vector<double> ours, theirs, ratios;
+  for (int i = 0; i < repeats; ++i) {
+    ours.push_back(rate(simulation));
+    theirs.push_back(rate(bare));
+    ratios.push_back(ours.back() / theirs.back());
+  }
+  const auto [low, high] = std::minmax_element(ratios.begin(), ratios.end());
+  std::printf("| %d | %.0f | %.0f | %.2f | %.2f to %.2f | %.1f |\n", robots, median(ours),
+              median(theirs), median(ratios), *low, *high, memory);
+  std::fflush(stdout);
+}
+
+void measure_loading(const elsie::plugin::Host& host, int repeats) {
+  const auto file = std::filesystem::temp_directory_path() / "elsie-bench-world.xml";
+  std::ofstream(file) << elsie::world::write_world(world(100));
+  std::vector<double> reading, making;
+  for (int i = 0; i < repeats; ++i) {
+    auto start = Clock::now();
+    elsie::world::World read = elsie::world::read_world(file.string(), host);
+    reading.push_back(1e3 * seconds(start));
+    start = Clock::now();
+    const elsie::simulation::Simulation simulation(std::move(read), host);
+    making.push_back(1e3 * seconds(start));
+  }
+  std::filesystem::remove(file);
+  std::printf(
+      "\nA world of 100 robots with 8 beams each: read and checked in %.1f ms, put together in "
+      "%.1f ms (medians of %d).\n",
+      median(reading), median(making), repeats);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int repeats = argc == 3 && std::string(argv[1]) == "--repeats" ? std::atoi(argv[2]) : 15;
+  if (repeats < 1) {
+    std::fprintf(stderr, "usage: robot_steps [--repeats N]\n");
+    return 2;
+  }
+  const elsie::plugin::Host host(elsie::plugin::default_search_path());
+  std::printf(
+      "| robots | Elsie, robot-steps/s | bare ODE, robot-steps/s | ratio | spread of the ratio | "
+      "memory MiB |\n");
+  std::printf("|---|---|---|---|---|---|\n");
+  for (const int robots : {1, 10, 100}) {
+    compare(host, robots, repeats);
+  }
+  measure_loading(host, repeats);
+  return 0;
+}

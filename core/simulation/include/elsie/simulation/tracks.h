@@ -1,0 +1,42 @@
+// Where the robots went: what pictures of a run are made of.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "elsie/api/geometry.h"
+#include "elsie/simulation/observer.h"
+
+namespace elsie::simulation {
+
+/// The way of one robot.
+struct Track {
+  std::vector<Pose> path;        // a pose per period, the first at the start
+  std::vector<Vector2> touches;  // where it was when it collided
+};
+
+/// Keeps the way of every robot.
+class TrackRecorder final : public Observer {
+ public:
+  /// `period_s`: simulated time from one pose to the next, rounded to whole steps.
+  explicit TrackRecorder(double period_s = 0.1) : asked_period_s_(period_s) {}
+
+  void started(const Simulation& simulation) override;
+  void stepped(const Simulation& simulation) override;
+
+  /// In the order of the world's robots.
+  const std::vector<Track>& tracks() const { return tracks_; }
+  /// Time between two poses, s.
+  double period_s() const { return period_s_; }
+
+ private:
+  void sample(const Simulation& simulation);
+
+  double asked_period_s_;
+  double period_s_ = 0.0;
+  std::uint64_t every_ = 1;
+  std::vector<Track> tracks_;
+  std::vector<int> collisions_;
+};
+
+}  // namespace elsie::simulation

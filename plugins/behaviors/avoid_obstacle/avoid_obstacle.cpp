@@ -1,0 +1,24 @@
+// Slows down near obstacles and turns away from the nearer side. For every beam a pair of fuzzy
+// controllers, one for each wheel; the pair of the nearest beam counts twice, and the sum is
+// divided by the number of beams plus one.
+#include "beam_steering.h"
+
+namespace {
+
+class AvoidObstacle final : public BeamSteering {
+ public:
+  AvoidObstacle()
+      : BeamSteering("fuzzy_models/avoid_obstacle_left.fcl",
+                     "fuzzy_models/avoid_obstacle_right.fcl", true) {}
+};
+
+}  // namespace
+
+ELSIE_BEHAVIOR(
+    AvoidObstacle, "avoid_obstacle",
+    "Slows down near obstacles and turns away from the nearer side",
+    elsie::parameter(
+        "left_model", &AvoidObstacle::left_model,
+        {.meaning = "fuzzy model (FCL) of the left wheel: inputs range and azimuth, output speed"}),
+    elsie::parameter("right_model", &AvoidObstacle::right_model,
+                     {.meaning = "fuzzy model (FCL) of the right wheel"}));

@@ -1,0 +1,80 @@
+#include "beam_steering.h"
+
+#include <stdexcept>
+
+#include <elsie/fuzzy/fcl.h>
+#include <elsie/fuzzy/sets.h>
+
+namespace {
+
+std::size_t input_of(const elsie::fuzzy::Model& model, const char* name, const std::string& file) {
+  const auto index = model.input_index(name);
+  if (!index || model.inputs().size() != 2 || model.outputs().size() != 1) {
+    throw std::invalid_argument("the fuzzy model '" + file +
+                                "' must have the two inputs 'range' (m) and 'azimuth' (deg) and "
+                                "one output, the wheel's speed (rad/s)");
+  }
+  return *index;
+}
+
+}  // namespace
+
+BeamController::BeamController(const std::string& file)
+    : model_(elsie::fuzzy::read_fcl(file)),
+      range_(input_of(model_, "range", file)),
+      azimuth_(input_of(model_, "azimuth", file)) {}
+
+std::array<double, 2> BeamController::inputs(double range_m, double azimuth_deg) const {
+  std::array<double, 2> values{};
+  values[range_] = range_m;
+  values[azimuth_] = azimuth_deg;
+  return values;
+}
+
+double BeamController::speed(double range_m, double azimuth_deg) const {
+  double speed = 0.0;
+  model_.evaluate(inputs(range_m, azimuth_deg), {&speed, 1}, workspace_);
+  return speed;
+}
+
+elsie::FuzzySet BeamController::wish(double range_m, double azimuth_deg) const {
+  return model_.output_set(0, inputs(range_m, azimuth_deg), workspace_);
+}
+
+void BeamSteering::configured() {
+  left_.emplace(left_model.path);
+  right_.emplace(right_model.path);
+}
+
+elsie::Response BeamSteering::respond(const elsie::Perception& now) {
+  beams_.clear();
+  elsie::MotorCommand sum, nearest;
+  double nearest_m = 0.0;
+  for (const auto& beam : now.readings<elsie::RangeReading>()) {
+    const elsie::Vector2 seen{beam->distance_m, elsie::degrees(beam.azimuth_rad())};
+    const elsie::MotorCommand wish{left_->speed(seen.x, seen.y), right_->speed(seen.x, seen.y)};
+    sum += wish;
+    if (beams_.empty() || seen.x < nearest_m) {
+      nearest_m = seen.x;
+      nearest = wish;
+    }
+    beams_.push_back(seen);
+  }
+  if (beams_.empty()) {
+    return elsie::MotorCommand{};
+  }
+  const double beams = static_cast<double>(beams_.size());
+  return nearest_counts_twice_ ? (sum + nearest) / (beams + 1.0) : sum / beams;
+}
+
+elsie::CommandSets BeamSteering::command_sets(const elsie::Response& given) const {
+  if (beams_.empty()) {
+    return Behavior::command_sets(given);
+  }
+  elsie::CommandSets sets;
+  for (const elsie::Vector2& beam : beams_) {
+    sets.left = elsie::fuzzy::union_of(sets.left, left_->wish(beam.x, beam.y));
+    sets.right = elsie::fuzzy::union_of(sets.right, right_->wish(beam.x, beam.y));
+  }
+  return sets;
+}

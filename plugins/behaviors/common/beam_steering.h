@@ -1,0 +1,54 @@
+// A pair of fuzzy controllers, one for each wheel, that are asked about every beam of a robot: what
+// avoid_obstacle, turn_left and turn_right have in common.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <elsie/api/behavior.h>
+#include <elsie/fuzzy/model.h>
+
+/// One wheel: a model with inputs `range` (m) and `azimuth` (deg, positive to the left) and the
+/// output `speed` (rad/s).
+class BeamController {
+ public:
+  /// Throws fuzzy::FclError, or std::invalid_argument when the inputs and the output are not these.
+  explicit BeamController(const std::string& file);
+
+  double speed(double range_m, double azimuth_deg) const;
+  /// The wish before defuzzification.
+  elsie::FuzzySet wish(double range_m, double azimuth_deg) const;
+
+ private:
+  std::array<double, 2> inputs(double range_m, double azimuth_deg) const;
+
+  elsie::fuzzy::Model model_;
+  mutable elsie::fuzzy::Workspace workspace_;
+  std::size_t range_;
+  std::size_t azimuth_;
+};
+
+/// A behaviour that sums what both controllers answer to each beam.
+class BeamSteering : public elsie::Behavior {
+ public:
+  elsie::FilePath left_model;
+  elsie::FilePath right_model;
+
+  void configured() override;
+  elsie::Response respond(const elsie::Perception& now) override;
+  /// For each wheel the union of its controller's sets for every beam.
+  elsie::CommandSets command_sets(const elsie::Response& given) const override;
+
+ protected:
+  BeamSteering(const char* left, const char* right, bool nearest_counts_twice)
+      : left_model{left}, right_model{right}, nearest_counts_twice_(nearest_counts_twice) {}
+
+ private:
+  bool nearest_counts_twice_;
+  std::optional<BeamController> left_;
+  std::optional<BeamController> right_;
+  std::vector<elsie::Vector2> beams_;  // range and azimuth of each beam in this step
+};

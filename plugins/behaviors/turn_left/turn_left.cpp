@@ -1,0 +1,23 @@
+// Turns left, away from obstacles on the right. Fuzzy controllers for each wheel, averaged over the
+// beams.
+#include "beam_steering.h"
+
+namespace {
+
+class TurnLeft final : public BeamSteering {
+ public:
+  TurnLeft()
+      : BeamSteering("fuzzy_models/turn_left_left.fcl", "fuzzy_models/turn_left_right.fcl", false) {
+  }
+};
+
+}  // namespace
+
+ELSIE_BEHAVIOR(
+    TurnLeft, "turn_left",
+    "Turns left, away from obstacles on the right, and ignores those on the left",
+    elsie::parameter(
+        "left_model", &TurnLeft::left_model,
+        {.meaning = "fuzzy model (FCL) of the left wheel: inputs range and azimuth, output speed"}),
+    elsie::parameter("right_model", &TurnLeft::right_model,
+                     {.meaning = "fuzzy model (FCL) of the right wheel"}));

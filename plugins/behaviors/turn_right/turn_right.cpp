@@ -1,0 +1,22 @@
+// Turns right, away from obstacles on the left: the mirror image of turn_left.
+#include "beam_steering.h"
+
+namespace {
+
+class TurnRight final : public BeamSteering {
+ public:
+  TurnRight()
+      : BeamSteering("fuzzy_models/turn_right_left.fcl", "fuzzy_models/turn_right_right.fcl",
+                     false) {}
+};
+
+}  // namespace
+
+ELSIE_BEHAVIOR(
+    TurnRight, "turn_right",
+    "Turns right, away from obstacles on the left, and ignores those on the right",
+    elsie::parameter(
+        "left_model", &TurnRight::left_model,
+        {.meaning = "fuzzy model (FCL) of the left wheel: inputs range and azimuth, output speed"}),
+    elsie::parameter("right_model", &TurnRight::right_model,
+                     {.meaning = "fuzzy model (FCL) of the right wheel"}));

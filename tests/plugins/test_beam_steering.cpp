@@ -1,0 +1,119 @@
+#include <catch2/catch.hpp>
+
+#include "elsie/fuzzy/fcl.h"
+
+#include "shipped.h"
+#include "situation.h"
+
+using namespace elsie;
+using elsie::test::Situation;
+
+namespace {
+
+plugin::Object<Behavior> behavior(const char* name) {
+  return test::make<Behavior>(PluginKind::behavior, name);
+}
+
+MotorCommand answer(const char* name, Situation& now) {
+  return behavior(name)->respond(now.perception()).command;
+}
+
+/// What the pair of models says of one beam.
+MotorCommand pair(const std::string& name, double range, double azimuth) {
+  const double inputs[] = {range, azimuth};
+  MotorCommand command;
+  fuzzy::Workspace workspace;
+  const auto evaluate = [&](const char* wheel, double& rate) {
+    const fuzzy::Model model = fuzzy::read_fcl(test::source_path("fuzzy_models/" + name + wheel));
+    REQUIRE(*model.input_index("range") == 0);
+    model.evaluate(inputs, {&rate, 1}, workspace);
+  };
+  evaluate("_left.fcl", command.left);
+  evaluate("_right.fcl", command.right);
+  return command;
+}
+
+void check_equal(const MotorCommand& a, const MotorCommand& b) {
+  CHECK(a.left == Approx(b.left).margin(1e-9));
+  CHECK(a.right == Approx(b.right).margin(1e-9));
+}
+
+}  // namespace
+
+TEST_CASE(
+    "avoid_obstacle sums over the beams, counts the nearest twice, divides by their number plus "
+    "one") {
+  Situation now;
+  now.beam(30, 0.3).beam(-30, 0.8).beam(0, 0.6);
+  const MotorCommand near = pair("avoid_obstacle", 0.3, 30);
+  const MotorCommand sum =
+      near + near + pair("avoid_obstacle", 0.8, -30) + pair("avoid_obstacle", 0.6, 0);
+  check_equal(answer("avoid_obstacle", now), sum / 4);
+}
+
+TEST_CASE("turn_left and turn_right are means over the beams") {
+  for (const char* name : {"turn_left", "turn_right"}) {
+    Situation now;
+    now.beam(30, 0.3).beam(-30, 0.8);
+    check_equal(answer(name, now), (pair(name, 0.3, 30) + pair(name, 0.8, -30)) / 2);
+  }
+}
+
+TEST_CASE("Without beams the command of the three is zero") {
+  for (const char* name : {"avoid_obstacle", "turn_left", "turn_right"}) {
+    Situation now;
+    now.proximity(0, true);
+    CHECK(answer(name, now) == MotorCommand{});
+  }
+}
+
+TEST_CASE("avoid_obstacle turns away from the nearer side and slows down with distance") {
+  Situation left, right, far, near;
+  left.beam(30, 0.2).beam(-30, 1.0);
+  right.beam(30, 1.0).beam(-30, 0.2);
+  far.beam(30, 1.0).beam(-30, 1.0);
+  near.beam(30, 0.4).beam(-30, 0.4);
+  const MotorCommand from_left = answer("avoid_obstacle", left);
+  CHECK(from_left.left > from_left.right);
+  const MotorCommand from_right = answer("avoid_obstacle", right);
+  check_equal({from_right.right, from_right.left}, from_left);
+  const MotorCommand ahead = answer("avoid_obstacle", far);
+  CHECK(ahead.left == Approx(ahead.right));
+  CHECK(ahead.left == Approx(20).margin(2));
+  const MotorCommand slow = answer("avoid_obstacle", near);
+  CHECK(slow.left + slow.right < ahead.left + ahead.right);
+}
+
+TEST_CASE("turn_left sees obstacles on the right only, turn_right those on the left only") {
+  Situation left, right, clear;
+  left.beam(45, 0.2);
+  right.beam(-45, 0.2);
+  clear.beam(45, 1.0);
+  const MotorCommand turned = answer("turn_left", right);
+  CHECK(turned.right > turned.left);
+  check_equal(answer("turn_left", left), answer("turn_left", clear));
+  const MotorCommand mirrored = answer("turn_right", left);
+  check_equal({mirrored.right, mirrored.left}, turned);
+  check_equal(answer("turn_right", right), answer("turn_right", clear));
+}
+
+TEST_CASE("The fuzzy behaviours hand over their sets before defuzzification") {
+  Situation now;
+  now.beam(20, 0.3);
+  const auto avoid = behavior("avoid_obstacle");
+  const Response given = avoid->respond(now.perception());
+  const CommandSets sets = avoid->command_sets(given);
+  // With one beam the command is the centroid of the sets.
+  const fuzzy::Model model =
+      fuzzy::read_fcl(test::source_path("fuzzy_models/avoid_obstacle_left.fcl"));
+  fuzzy::Workspace workspace;
+  const double inputs[] = {0.3, 20};
+  CHECK(sets.left == model.output_set(0, inputs, workspace));
+}
+
+TEST_CASE("A model with other inputs is refused with a sentence") {
+  CHECK_THROWS_WITH(
+      test::make<Behavior>(PluginKind::behavior, "avoid_obstacle",
+                           {{"left_model", test::source_path("tests/plugins/one_input.fcl")}}),
+      Catch::Contains("must have the two inputs 'range' (m) and 'azimuth' (deg) and one output"));
+}

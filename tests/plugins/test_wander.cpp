@@ -1,0 +1,36 @@
+#include <catch2/catch.hpp>
+
+#include "shipped.h"
+#include "situation.h"
+
+using namespace elsie;
+using elsie::test::Situation;
+
+TEST_CASE("Wander keeps its mean speed and changes its mind now and then") {
+  const auto wander = test::make<Behavior>(PluginKind::behavior, "wander",
+                                           {{"speed", 12.0}, {"restlessness", 2.0}, {"turn", 4.0}});
+  Situation now;
+  int changes = 0;
+  double bias = 0.0;
+  const int steps = 100000;  // of 0.01 s
+  for (int i = 0; i < steps; ++i) {
+    const MotorCommand command = wander->respond(now.perception()).command;
+    REQUIRE(command.left + command.right == Approx(24.0));
+    const double new_bias = 0.5 * (command.right - command.left);
+    REQUIRE(std::abs(new_bias) <= 4.0);
+    changes += new_bias != bias;
+    bias = new_bias;
+  }
+  // Two a second on average, over 1000 s; the standard deviation of the count is about 45.
+  CHECK(changes == Approx(2000).margin(200));
+}
+
+TEST_CASE("Wander goes straight on after a reset") {
+  const auto wander =
+      test::make<Behavior>(PluginKind::behavior, "wander", {{"restlessness", 1000.0}});
+  Situation now;
+  CHECK(wander->respond(now.perception()).command.left != 10.0);
+  wander->reset();
+  const auto calm = test::make<Behavior>(PluginKind::behavior, "wander", {{"restlessness", 0.0}});
+  CHECK(calm->respond(now.perception()).command == MotorCommand{10, 10});
+}

@@ -1,0 +1,118 @@
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+
+#include "program.h"
+
+using elsie::test::Workplace;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<fs::path> pages() {
+  std::vector<fs::path> pages{fs::path(ELSIE_SOURCE_DIR) / "README.md"};
+  for (const auto& entry : fs::directory_iterator(fs::path(ELSIE_SOURCE_DIR) / "docs")) {
+    if (entry.path().extension() == ".md") {
+      pages.push_back(entry.path());
+    }
+  }
+  std::sort(pages.begin(), pages.end());
+  return pages;
+}
+
+/// The fenced blocks of a page that are in the given language.
+std::vector<std::string> blocks(const std::string& page, const std::string& language) {
+  std::vector<std::string> blocks;
+  std::istringstream lines(page);
+  std::string block;
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (!inside && line == "```" + language) {
+      inside = true;
+      block.clear();
+    } else if (inside && line == "```") {
+      inside = false;
+      blocks.push_back(block);
+    } else if (inside) {
+      block += line + '\n';
+    }
+  }
+  return blocks;
+}
+
+}  // namespace
+
+TEST_CASE("Every command in the docs runs") {
+  for (const fs::path& page : pages()) {
+    Workplace here;
+    for (const std::string& block : blocks(read(page), "sh")) {
+      if (block.find("make ") != std::string::npos) {
+        continue;  // what builds the program that is being tested
+      }
+      // A goal that is missed (1) is no fault of the command.
+      std::istringstream lines(block);
+      for (std::string line; std::getline(lines, line);) {
+        CAPTURE(page.filename().string(), line);
+        const auto run = here.sh(line);
+        CAPTURE(run.err);
+        CHECK((run.exit_code == 0 || run.exit_code == 1));
+        CHECK(run.err.empty());
+      }
+    }
+  }
+}
+
+TEST_CASE("Every world in the docs is in order") {
+  for (const fs::path& page : pages()) {
+    for (const std::string& block : blocks(read(page), "xml")) {
+      if (block.find("<world") == std::string::npos) {
+        continue;  // a part of one
+      }
+      CAPTURE(page.filename().string(), block);
+      Workplace here;
+      here.write("worlds.xml", block);
+      const auto run = here.elsie("check worlds.xml --plugin-path " ELSIE_EXAMPLE_PLUGIN_DIR);
+      CAPTURE(run.err);
+      CHECK(run.exit_code == 0);
+    }
+  }
+}
+
+TEST_CASE("The page on behaviours quotes the example as it is built") {
+  const fs::path source(ELSIE_SOURCE_DIR);
+  const auto code = blocks(read(source / "docs" / "writing-a-behavior.md"), "cpp");
+  REQUIRE_FALSE(code.empty());
+  CHECK(code[0] == read(source / "examples" / "01-first-behavior" / "shy.cpp"));
+}
+
+TEST_CASE("The first example is a plugin of at most 30 lines that does its job") {
+  const fs::path source = fs::path(ELSIE_SOURCE_DIR) / "examples" / "01-first-behavior" / "shy.cpp";
+  const std::string code = read(source);
+  CHECK(std::count(code.begin(), code.end(), '\n') <= 30);
+  Workplace here;
+  const auto run = here.elsie(
+      "run examples/01-first-behavior/world.xml --plugin-path " ELSIE_EXAMPLE_PLUGIN_DIR);
+  CAPTURE(run.out, run.err);
+  CHECK(run.exit_code == 0);
+}
+
+TEST_CASE("Links between the docs lead somewhere") {
+  for (const fs::path& page : pages()) {
+    const std::string text = read(page);
+    for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
+      const std::string link = text.substr(at + 2, text.find(')', at) - at - 2);
+      if (link.find("://") != std::string::npos || link.starts_with('#')) {
+        continue;
+      }
+      CAPTURE(page.string(), link);
+      CHECK(fs::exists(page.parent_path() / link.substr(0, link.find('#'))));
+    }
+  }
+}

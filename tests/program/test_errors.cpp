@@ -1,0 +1,95 @@
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "program.h"
+
+using elsie::test::Workplace;
+
+TEST_CASE("Wrong usage ends with exit code 2 and says what is wrong") {
+  Workplace here;
+  for (const char* arguments :
+       {"", "fly", "run", "run worlds/maze.xml --sed 3", "run worlds/maze.xml --seed x",
+        "run worlds/maze.xml --seed -1", "run worlds/maze.xml --seed 1.5",
+        "run worlds/maze.xml --duration nan", "run worlds/maze.xml --duration 0",
+        "run worlds/maze.xml --duration 1,5", "run worlds/maze.xml --record-rate -2",
+        "run worlds/maze.xml worlds/clutter.xml", "picture worlds/maze.xml --width 3", "describe",
+        "fuzzy"}) {
+    CAPTURE(arguments);
+    const auto run = here.elsie(arguments);
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    CHECK_FALSE(run.err.empty());
+  }
+}
+
+TEST_CASE("Bad input ends with exit code 2, a sentence, and nothing on standard output") {
+  Workplace here;
+  here.write("broken.xml", "<world format=\"1\">\n  <arena length=\"1,5\"/>\n</world>\n");
+  here.write("broken.fcl", "FUNCTION_BLOCK x\n  VAR_INPUT\n");
+  const auto expect = [&](const std::string& arguments, const std::string& sentence) {
+    CAPTURE(arguments);
+    const auto run = here.elsie(arguments);
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    CHECK_THAT(run.err, Catch::Contains(sentence));
+  };
+  expect("run nowhere.xml --json", "nowhere.xml");
+  expect("run broken.xml", "broken.xml:2:");
+  expect("check broken.xml", "1,5");
+  expect("picture broken.xml", "broken.xml:2:");
+  expect("run worlds/maze.xml --set 'robot[r9]/@x=1'", "r9");
+  expect("run worlds/maze.xml --set 'robot[r1]/@max_speed=fast'", "fast");
+  expect("run worlds/maze.xml --picture maze.gif", "must end in .png or .svg");
+  expect("run worlds/maze.xml --picture nowhere/maze.png", "there is no folder 'nowhere'");
+  expect("run worlds/maze.xml --record nowhere/maze.csv", "there is no folder 'nowhere'");
+  expect("run worlds/maze.xml --record worlds", "it must be the name of a file");
+  expect("run worlds/maze.xml --plugin-path nowhere", "'nowhere' is not a directory");
+  expect("describe wandr", "did you mean 'wander'?");
+  expect("fuzzy broken.fcl", "broken.fcl:");
+  expect("fuzzy nowhere.fcl", "nowhere.fcl");
+  expect("fuzzy fuzzy_models/avoid_obstacle_left.fcl --input range=0.5",
+         "needs a value for 'azimuth'");
+  expect("fuzzy fuzzy_models/avoid_obstacle_left.fcl --input range=nan --input azimuth=0",
+         "must be a finite number");
+  expect("fuzzy fuzzy_models/avoid_obstacle_left.fcl --input rnge=1", "it has: range, azimuth");
+}
+
+TEST_CASE("A plugin that fails ends the run with exit code 3; it is named and the recording kept") {
+  Workplace here;
+  for (const std::string plugin : {"throwing", "not_a_number"}) {
+    here.write("world.xml", R"(<world format="1"><robots><robot id="r1" team="red"><behaviors><)" +
+                                plugin +
+                                R"(/></behaviors><coordinator><arbiter_suppression/></coordinator>
+                            </robot></robots></world>)");
+    const auto run = here.elsie("run world.xml --plugin-path " ELSIE_FAULTY_PLUGIN_DIR
+                                " --record run.csv --record-rate 100 --picture run.png --json");
+    CHECK(run.exit_code == 3);
+    CHECK(run.out.empty());
+    CHECK_THAT(run.err,
+               Catch::Contains("plugin '" + plugin + "' of robot 'r1' failed in step 50: "));
+    const std::string table = here.read("run.csv");
+    CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 51);
+    CHECK_FALSE(here.read("run.png").empty());
+  }
+}
+
+TEST_CASE("A recording that cannot be written to its end is exit code 4") {
+  Workplace here;
+  const auto run = here.elsie("run worlds/open_arena.xml --duration 5 --record /dev/full");
+  CHECK(run.exit_code == 4);
+  CHECK_THAT(run.err, Catch::Contains("recording '/dev/full' could not be written"));
+}
+
+TEST_CASE("Junk among the plugins never stops a run, and plugins --check tells of it") {
+  Workplace here;
+  std::filesystem::create_directory(here.file("junk"));
+  here.write("junk/noise.so", "this is no library");
+  here.write("junk/empty.so", "");
+  const auto run = here.elsie("run worlds/open_arena.xml --duration 1 --plugin-path junk --quiet");
+  CHECK(run.exit_code == 1);
+  const auto check = here.elsie("plugins --check --plugin-path junk");
+  CHECK(check.exit_code == 0);
+  CHECK_THAT(check.out, Catch::Contains("noise.so: ") && Catch::Contains("empty.so: "));
+  CHECK_THAT(check.out, Catch::Contains("wander.so: loaded: behavior wander 1.0"));
+}

@@ -1,0 +1,93 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+using elsie::test::Workplace;
+using nlohmann::json;
+
+TEST_CASE("run --json prints one object and nothing else") {
+  Workplace here;
+  const auto run = here.elsie("run worlds/open_arena.xml --duration 5 --seed 9 --json");
+  CHECK(run.exit_code == 1);  // five seconds are not enough for its goals
+  CHECK(run.err.empty());
+  const json result = json::parse(run.out);
+  CHECK(result.at("outcome") == "time_limit");
+  CHECK(result.at("seed") == 9);
+  CHECK(result.at("simulated_s") == Approx(5.0));
+  CHECK(result.at("steps") == 500);
+  CHECK(result.at("wall_s").get<double>() > 0.0);
+  CHECK(result.at("state_hash").get<std::string>().size() == 16);
+  REQUIRE(result.at("robots").size() == 1);
+  const json& robot = result.at("robots")[0];
+  CHECK(robot.at("id") == "r1");
+  CHECK(robot.at("team") == "red");
+  CHECK(robot.at("distance_m").get<double>() > 0.1);
+  CHECK(robot.at("collected") == 0);
+  CHECK(robot.at("energy").get<double>() < 5000);
+  CHECK(robot.at("pose").size() == 3);
+  CHECK(robot.at("collisions") == 0);
+  CHECK(result.at("events").is_array());
+}
+
+TEST_CASE("The same seed gives the same result, recorded or not; another seed another one") {
+  Workplace here;
+  const auto hash = [&](const std::string& options) {
+    const auto run = here.elsie("run worlds/clutter_moving.xml --duration 20 --json " + options);
+    return json::parse(run.out).at("state_hash").get<std::string>();
+  };
+  const std::string first = hash("--seed 3");
+  CHECK(hash("--seed 3") == first);
+  CHECK(hash("--seed 3 --record run.csv --record-rate 100 --record-times --picture run.png") ==
+        first);
+  CHECK(hash("--seed 4") != first);
+}
+
+TEST_CASE("run prints a short table and exits with 0 when the goals are reached") {
+  Workplace here;
+  const auto run = here.elsie("run worlds/pushing.xml");
+  CHECK(run.exit_code == 0);
+  CHECK_THAT(run.out, Catch::StartsWith("success after "));
+  CHECK_THAT(run.out, Catch::Contains("robot  team  distance m  collected  energy  collisions"));
+  CHECK(run.err.empty());  // no progress bar where there is no terminal
+  CHECK(here.elsie("run worlds/pushing.xml --quiet").out.empty());
+}
+
+TEST_CASE("run records and draws") {
+  Workplace here;
+  const auto run = here.elsie(
+      "run worlds/ten_robots.xml --duration 3 --record run.csv --record-rate 5 --picture run.png "
+      "--quiet");
+  CHECK(run.exit_code == 1);
+  const std::string table = here.read("run.csv");
+  CHECK_THAT(table, Catch::StartsWith("time_s,robot,x_m,y_m,heading_rad"));
+  CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 10 * 16);
+  CHECK_THAT(here.read("run.png"), Catch::StartsWith("\x89PNG"));
+}
+
+TEST_CASE("--set changes any attribute by its path") {
+  Workplace here;
+  const auto distance = [&](const std::string& options) {
+    const auto run = here.elsie("run worlds/open_arena.xml --duration 3 --json " + options);
+    return json::parse(run.out).at("robots")[0].at("distance_m").get<double>();
+  };
+  CHECK(distance("--set 'robot[r1]/@max_speed=0.05'") < 0.4 * distance(""));
+  CHECK(distance("--set 'robot[r1]/behavior[wander]/@speed=0' "
+                 "--set 'robot[r1]/behavior[avoid_obstacle]/@priority=0'") < 0.001);
+  const auto run = here.elsie("run worlds/open_arena.xml --json --set limits/@time=0.5");
+  CHECK(json::parse(run.out).at("simulated_s") == Approx(0.5));
+}
+
+TEST_CASE("An interrupted run ends in order and keeps what was recorded") {
+  Workplace here;
+  const auto run = here.sh(
+      "elsie run worlds/clutter.xml --set limits/@time=100000 --set 'robot[r1]/@battery=1e9' "
+      "--record run.csv --quiet & pid=$!\n"
+      "while ! [ -s run.csv ]; do :; done\n"
+      "kill -TERM $pid\n"
+      "wait $pid");
+  CHECK(run.exit_code == 4);
+  CHECK_THAT(run.err, Catch::Contains("interrupted after"));
+  const std::string table = here.read("run.csv");
+  CHECK(table.back() == '\n');
+}

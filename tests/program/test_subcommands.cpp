@@ -1,0 +1,88 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+using elsie::test::Workplace;
+using nlohmann::json;
+
+TEST_CASE("plugins lists what was found") {
+  Workplace here;
+  const auto run = here.elsie("plugins");
+  CHECK(run.exit_code == 0);
+  for (const char* name :
+       {"beam_range", "proximity", "avoid_obstacle", "turn_left", "turn_right", "wander",
+        "go_to_point", "braitenberg", "arbiter_suppression", "fusion_vector_summation"}) {
+    CHECK_THAT(run.out, Catch::Contains(name));
+  }
+  const json all = json::parse(here.elsie("plugins --json").out);
+  CHECK(all.at("plugins").size() >= 10);
+  CHECK_FALSE(all.at("directories").empty());
+}
+
+TEST_CASE("describe tells of parameters, defaults, ranges and events") {
+  Workplace here;
+  const auto run = here.elsie("describe go_to_point");
+  CHECK(run.exit_code == 0);
+  CHECK_THAT(run.out,
+             Catch::Contains("tolerance") && Catch::Contains("0.05") && Catch::Contains("arrived"));
+  const json plugin = json::parse(here.elsie("describe beam_range --json").out);
+  CHECK(plugin.at("kind") == "sensor");
+  CHECK(plugin.at("produces")[0] == "range");
+  CHECK(plugin.at("parameters")[0].at("name") == "max_range");
+  CHECK(plugin.at("parameters")[0].at("default") == 1.0);
+  CHECK(plugin.at("parameters")[0].at("above") == 0.0);
+  CHECK_THAT(here.elsie("describe world").out, Catch::Contains("static_box"));
+}
+
+TEST_CASE("The schema accepts the shipped worlds") {
+  Workplace here;
+  const auto run = here.sh(
+      "elsie schema > world.xsd\n"
+      "xmllint --noout --schema world.xsd worlds/*.xml");
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 0);
+}
+
+TEST_CASE("check says of each world whether it is in order") {
+  Workplace here;
+  const auto run = here.elsie("check worlds/*.xml");
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 0);
+  CHECK_THAT(run.out, Catch::Contains("worlds/maze.xml: in order: 1 robot, "));
+  CHECK(here.elsie("check worlds/*.xml --quiet").out.empty());
+}
+
+TEST_CASE("picture draws a world, as PNG or SVG") {
+  Workplace here;
+  CHECK(here.elsie("picture worlds/maze.xml").exit_code == 0);
+  CHECK_THAT(here.read("maze.png"), Catch::StartsWith("\x89PNG"));
+  CHECK(here.elsie("picture worlds/maze.xml -o m.svg --width 600").exit_code == 0);
+  CHECK(here.sh("xmllint --noout m.svg").exit_code == 0);
+}
+
+TEST_CASE("fuzzy shows a model, evaluates it and draws it") {
+  Workplace here;
+  const std::string model = "fuzzy fuzzy_models/avoid_obstacle_left.fcl ";
+  CHECK_THAT(here.elsie(model).out, Catch::Contains("input range in [") && Catch::Contains("IF "));
+  const auto evaluated = here.elsie(model + "--input range=1 --input azimuth=15");
+  CHECK_THAT(evaluated.out, Catch::Contains("speed = "));
+  const json result = json::parse(
+      here.elsie(model + "--input range=1 --input azimuth=15 --json --picture left.png").out);
+  CHECK(result.at("result").at("speed").get<double>() == Approx(20).margin(2));
+  CHECK(result.at("rules")[0].contains("degree"));
+  CHECK_THAT(here.read("left.png"), Catch::StartsWith("\x89PNG"));
+}
+
+TEST_CASE("Help has examples and exit codes") {
+  Workplace here;
+  CHECK_THAT(here.elsie("--help").out,
+             Catch::Contains("Examples:") && Catch::Contains("Exit codes:"));
+  for (const char* subcommand :
+       {"run", "check", "picture", "plugins", "describe", "schema", "fuzzy"}) {
+    const auto help = here.elsie(std::string(subcommand) + " --help");
+    CHECK(help.exit_code == 0);
+    CHECK_THAT(help.out, Catch::Contains("Example"));
+  }
+  CHECK_THAT(here.elsie("--version").out, Catch::StartsWith("elsie 0."));
+}

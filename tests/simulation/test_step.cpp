@@ -1,0 +1,213 @@
+#include <catch2/catch.hpp>
+
+#include "world_builder.h"
+
+using namespace elsie;
+using namespace elsie::test;
+using simulation::Simulation;
+
+TEST_CASE("A behaviour perceives the robot's own state, and its command moves the robot") {
+  std::vector<Pose> seen;
+  ScriptedHost scripted([&](const Perception& now) {
+    seen.push_back(now.self().pose);
+    CHECK(now.self().id == "r1");
+    CHECK(now.team().name == "red");
+    CHECK(now.period_s() == Approx(0.01));
+    return MotorCommand{10, 10};
+  });
+  world::World world;
+  world.robots.push_back(robot("r1", 1, 2, 90, behavior("scripted")));
+  Simulation simulation(world, scripted.host);
+  for (int i = 0; i < 500; ++i) {
+    simulation.step();
+  }
+  REQUIRE(seen.size() == 500);
+  CHECK(seen[0].x == Approx(1).margin(1e-6));
+  CHECK(seen[0].y == Approx(2).margin(1e-6));
+  const auto view = simulation.robot(0);
+  CHECK(view.state->pose.x == Approx(1).margin(0.01));
+  CHECK(view.state->pose.y == Approx(2 + 5 * 0.2).epsilon(0.01));
+  CHECK(view.distance_m == Approx(1.0).epsilon(0.02));
+  CHECK(view.state->speed_m_s == Approx(0.2).epsilon(0.01));
+  CHECK(view.state->wheel_rates.left == Approx(10).epsilon(0.01));
+}
+
+TEST_CASE("A command is scaled, both wheels alike, to the maximum speed") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{100, 50}; });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world.robots[0].max_speed = 0.3;
+  Simulation simulation(world, scripted.host);
+  simulation.step();
+  CHECK(simulation.robot(0).command == MotorCommand{15, 7.5});
+}
+
+TEST_CASE(
+    "Sensing and deciding happen once every control period, and the command holds in between") {
+  int asked = 0;
+  std::vector<double> times;
+  ScriptedHost scripted([&](const Perception& now) {
+    times.push_back(now.time_s());
+    CHECK(now.period_s() == Approx(0.05));
+    return MotorCommand{static_cast<double>(++asked), 0};
+  });
+  world::World world;
+  world.physics.control_steps = 5;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  Simulation simulation(world, scripted.host);
+  for (int i = 0; i < 11; ++i) {
+    simulation.step();
+    CHECK(simulation.robot(0).command.left == 1 + i / 5);
+  }
+  REQUIRE(times.size() == 3);
+  CHECK(times[1] == Approx(0.05));
+  CHECK(times[2] == Approx(0.10));
+}
+
+TEST_CASE("All robots decide on the same instant, before any of them moves") {
+  std::vector<std::pair<std::string, double>> seen;
+  ScriptedHost scripted([&](const Perception& now) {
+    REQUIRE(now.team().mates.size() == 1);
+    seen.emplace_back(now.self().id, now.team().mates[0].distance_m);
+    return MotorCommand{20, 20};
+  });
+  world::World world;
+  world.robots.push_back(robot("a", 0, 0, 180, behavior("scripted")));
+  world.robots.push_back(robot("b", 0.3, 0, 0, behavior("scripted")));
+  world.robots[0].coverage = world.robots[1].coverage = 5;
+  Simulation simulation(world, scripted.host);
+  for (int i = 0; i < 50; ++i) {
+    seen.clear();
+    simulation.step();
+    REQUIRE(seen.size() == 2);
+    CHECK(seen[0].first == "a");
+    CHECK(seen[0].second == seen[1].second);
+  }
+}
+
+TEST_CASE("A robot sees the mates of its team within its coverage, and its leader") {
+  int mates = -1;
+  std::string leader;
+  ScriptedHost scripted([&](const Perception& now) {
+    if (now.self().id == "watcher") {
+      mates = static_cast<int>(now.team().mates.size());
+      const TeamMate* found = now.team().leader();
+      leader = found ? std::string(found->id) : "";
+      if (found) {
+        CHECK(found->distance_m == Approx(0.4));
+        CHECK(degrees(found->bearing_rad) == Approx(90));
+      }
+    }
+    return MotorCommand{};
+  });
+  world::World world;
+  world.robots.push_back(robot("watcher", 0, 0, 0, behavior("scripted")));
+  world.robots.push_back(robot("leader", 0, 0.4, 0, behavior("scripted")));
+  world.robots.back().leader = true;
+  world.robots.push_back(robot("mate", 0.3, 0, 0, behavior("scripted")));
+  world.robots.push_back(robot("far", -0.6, 0, 0, behavior("scripted")));
+  world.robots.push_back(robot("other", -0.2, 0, 0, behavior("scripted")));
+  world.robots.back().team = "blue";
+  Simulation(world, scripted.host).step();
+  CHECK(mates == 2);
+  CHECK(leader == "leader");
+}
+
+TEST_CASE("Beams read the distance from where they are mounted") {
+  double ahead = 0, left = 0;
+  ScriptedHost scripted([&](const Perception& now) {
+    const auto beams = now.readings<RangeReading>();
+    REQUIRE(beams.size() == 2);
+    ahead = beams[0]->distance_m;
+    left = beams[1]->distance_m;
+    return MotorCommand{};
+  });
+  world::World world;
+  world.boxes.push_back(box("b", world::BoxKind::fixed, 0.6, 0));
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world.robots[0].sensors.push_back(beam("ahead", 0));
+  world.robots[0].sensors.push_back(beam("left", 90, {{"max_range", 8.0}}));
+  Simulation(world, scripted.host).step();
+  // The box is 0.2 m long and the sensor sits on the front edge, at x = 0.04.
+  CHECK(ahead == Approx(0.5 - 0.04).margin(1e-4));
+  CHECK(left == Approx(5.0).margin(1e-3));
+}
+
+TEST_CASE("A resource is collected at a touch: by its team, or by any when it has none") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{20, 20}; });
+  const auto run = [&](const std::string& team) {
+    world::World world;
+    world.boxes.push_back(box("gold", world::BoxKind::resource, 0.5, 0));
+    world.boxes[0].team = team;
+    world.boxes[0].energy = 700;
+    world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+    world.robots[0].energy = 1000;
+    world.limits.time = 3;
+    return Simulation(world, scripted.host).run();
+  };
+  for (const char* team : {"red", ""}) {
+    const auto result = run(team);
+    CHECK(result.robots[0].collected == 1);
+    CHECK(result.robots[0].energy == Approx(1700));
+    CHECK(result.robots[0].collisions == 0);
+    CHECK(result.robots[0].pose.x > 0.8);
+    REQUIRE(result.events.size() == 1);
+    CHECK(result.events[0].name == "collected");
+    CHECK(result.events[0].detail == "gold");
+  }
+  const auto result = run("blue");
+  CHECK(result.robots[0].collected == 0);
+  CHECK(result.robots[0].collisions == 1);
+  CHECK(result.robots[0].pose.x < 0.4);
+  CHECK(result.events[0].name == "collision");
+  CHECK(result.events[0].detail == "gold");
+}
+
+TEST_CASE("A touch that lasts is one collision, and both robots of one count it") {
+  ScriptedHost scripted([](const Perception& now) {
+    return now.self().id == "ram" ? MotorCommand{20, 20} : MotorCommand{};
+  });
+  world::World world;
+  world.robots.push_back(robot("ram", 0, 0, 0, behavior("scripted")));
+  world.robots.push_back(robot("ox", 0.3, 0, 90, behavior("scripted")));
+  world.limits.time = 1;
+  const auto result = Simulation(world, scripted.host).run();
+  CHECK(result.robots[0].collisions == 1);
+  CHECK(result.robots[1].collisions == 1);
+}
+
+TEST_CASE("What a behaviour raises is logged, and perceived at the next step") {
+  int seen = 0;
+  ScriptedHost scripted([&](const Perception& now) {
+    Response response;
+    seen += !now.events().empty() && now.events()[0].name == "hello";
+    if (now.time_s() == 0.0) {
+      response.events.push_back({"hello"});
+    }
+    return response;
+  });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  Simulation simulation(world, scripted.host);
+  for (int i = 0; i < 5; ++i) {
+    simulation.step();
+  }
+  CHECK(seen == 1);
+  REQUIRE(simulation.events().size() == 1);
+  CHECK(simulation.events()[0].robot == "r1");
+}
+
+TEST_CASE("A moving obstacle goes its way") {
+  world::World world;
+  world.boxes.push_back(box("shuttle", world::BoxKind::moving, -1, 1));
+  world.boxes[0].waypoints = {{1, 1}};
+  world.boxes[0].speed = 0.5;
+  Simulation simulation(world, shipped());
+  for (int i = 0; i < 600; ++i) {
+    simulation.step();
+  }
+  const auto pose = simulation.box(0);
+  REQUIRE(pose);
+  CHECK(pose->x == Approx(0).margin(1e-6));  // 3 m of a way of 2 m there and 2 m back
+  CHECK(pose->y == Approx(1));
+}

@@ -1,0 +1,91 @@
+// Small worlds put together in code, and plugins of a few lines to live in them.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "elsie/api/behavior.h"
+#include "elsie/plugin/host.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/description.h"
+
+#include "shipped.h"
+
+namespace elsie::test {
+
+/// A behaviour whose answer a test hands in.
+class Scripted final : public Behavior {
+ public:
+  using Answer = std::function<Response(const Perception&)>;
+  explicit Scripted(std::shared_ptr<Answer> answer) : answer_(std::move(answer)) {}
+  Response respond(const Perception& now) override { return (*answer_)(now); }
+
+ private:
+  std::shared_ptr<Answer> answer_;
+};
+
+/// A host with the shipped plugins and a behaviour "scripted" with the given answer.
+class ScriptedHost {
+ public:
+  explicit ScriptedHost(Scripted::Answer answer) : host(shipped_directory()) {
+    auto shared = std::make_shared<Scripted::Answer>(std::move(answer));
+    Declaration declaration;
+    declaration.kind = PluginKind::behavior;
+    declaration.name = "scripted";
+    declaration.description = "Answers what the test says";
+    declaration.create = [shared] { return std::make_unique<Scripted>(shared); };
+    host.add(std::move(declaration));
+  }
+  plugin::Host host;
+};
+
+inline world::BehaviorUse behavior(const std::string& plugin, double priority = 1.0,
+                                   Parameters parameters = {}) {
+  world::BehaviorUse use;
+  use.plugin = use.id = plugin;
+  use.parameters = std::move(parameters);
+  use.priority = priority;
+  return use;
+}
+
+inline world::SensorUse beam(const std::string& id, double yaw_deg, Parameters parameters = {}) {
+  world::SensorUse use;
+  use.plugin = "beam_range";
+  use.id = id;
+  use.yaw_deg = yaw_deg;
+  use.parameters = std::move(parameters);
+  return use;
+}
+
+/// A robot whose only behaviour decides.
+inline world::Robot robot(const std::string& id, double x, double y, double heading_deg,
+                          const world::BehaviorUse& only) {
+  world::Robot robot;
+  robot.id = id;
+  robot.team = "red";
+  robot.x = x;
+  robot.y = y;
+  robot.heading_deg = heading_deg;
+  robot.behaviors.push_back(only);
+  robot.coordinator.emplace();
+  robot.coordinator->plugin = robot.coordinator->id = "arbiter_suppression";
+  return robot;
+}
+
+inline world::Box box(const std::string& id, world::BoxKind kind, double x, double y) {
+  world::Box box;
+  box.id = id;
+  box.kind = kind;
+  box.x = x;
+  box.y = y;
+  return box;
+}
+
+/// Fuzzy models of the behaviours that have some.
+inline Parameters models(const std::string& name) {
+  return {{"left_model", source_path("fuzzy_models/" + name + "_left.fcl")},
+          {"right_model", source_path("fuzzy_models/" + name + "_right.fcl")}};
+}
+
+}  // namespace elsie::test

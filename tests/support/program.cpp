@@ -1,0 +1,56 @@
+#include "program.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+#include <sys/wait.h>
+
+namespace fs = std::filesystem;
+
+namespace elsie::test {
+namespace {
+
+std::string read_file(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+Workplace::Workplace() {
+  std::string name = (fs::temp_directory_path() / "elsie-test-XXXXXX").string();
+  if (!mkdtemp(name.data())) {
+    throw std::runtime_error("cannot make a folder for the test");
+  }
+  folder_ = name;
+  for (const char* data : {"worlds", "robots", "fuzzy_models", "examples"}) {
+    fs::create_directory_symlink(fs::path(ELSIE_SOURCE_DIR) / data, folder_ / data);
+  }
+}
+
+Workplace::~Workplace() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+ProgramRun Workplace::sh(const std::string& command) const {
+  write(".command", command + '\n');
+  const std::string bin = fs::path(ELSIE_PROGRAM).parent_path().string();
+  const std::string line = "cd '" + folder_.string() + "' && PATH='" + bin +
+                           "':\"$PATH\" sh -e .command >.out 2>.err </dev/null";
+  const int status = std::system(line.c_str());
+  ProgramRun run;
+  run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  run.out = read(".out");
+  run.err = read(".err");
+  return run;
+}
+
+void Workplace::write(const std::string& name, const std::string& text) const {
+  std::ofstream(folder_ / name, std::ios::binary) << text;
+}
+
+std::string Workplace::read(const std::string& name) const { return read_file(folder_ / name); }
+
+}  // namespace elsie::test

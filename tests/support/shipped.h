@@ -1,0 +1,46 @@
+// The plugins that Elsie ships, from the build tree.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "elsie/api/declaration.h"
+#include "elsie/plugin/host.h"
+#include "elsie/plugin/parameters.h"
+
+namespace elsie::test {
+
+/// Where the shipped plugins are.
+inline std::vector<plugin::SearchDirectory> shipped_directory() {
+  return {{ELSIE_PLUGIN_DIR, "the build tree"}};
+}
+
+/// The host with all shipped plugins.
+const plugin::Host& shipped();
+
+/// The path of a file in the source tree.
+inline std::string source_path(const std::string& file) { return ELSIE_SOURCE_DIR "/" + file; }
+
+/// Parameters as a world file would give them: fuzzy models and other files found in the source
+/// tree.
+using Parameters = std::map<std::string, ParameterValue>;
+
+/// Makes a configured object of a shipped plugin.
+template <class Kind>
+plugin::Object<Kind> make(PluginKind kind, const std::string& name, Parameters parameters = {}) {
+  const Declaration* declaration = shipped().find(kind, name);
+  if (!declaration) {
+    throw std::runtime_error("no shipped plugin '" + name + "'");
+  }
+  for (const ParameterDeclaration& parameter : declaration->parameters) {
+    if (parameter.type == ParameterType::file && !parameters.contains(parameter.name)) {
+      parameters[parameter.name] = source_path(std::get<std::string>(parameter.default_value));
+    }
+  }
+  auto object = shipped().create<Kind>(kind, name);
+  plugin::apply_parameters(*declaration, *object, parameters);
+  return object;
+}
+
+}  // namespace elsie::test
