@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: all demo test sanitize bench format lint dependencies configure clean
+.PHONY: all demo test sanitize bench figures format lint dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -27,8 +27,13 @@ test: all
 sanitize: dependencies
 	@$(MAKE) --no-print-directory test PRESET=asan
 
+# Benchmarks: docs/performance.md.
 bench: all
 	scripts/benchmark $(BUILD)
+
+# What the shipped worlds come to over 20 seeds: docs/shipped-worlds.md.
+figures: all
+	scripts/world-figures $(BUILD)
 
 format:
 	git ls-files '*.cpp' '*.h' | xargs clang-format -i

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -85,7 +86,7 @@ elsie::world::World world(int robots) {
     robot.team = "red";
     robot.x = -4.5 + 9.0 * (i % side + 0.5) / side;
     robot.y = -4.5 + 9.0 * (i / side + 0.5) / side;
-    robot.heading_deg = 37.0 * i;
+    robot.heading_deg = (37 * i) % 360;
     robot.battery = 1e9;
     robot.coverage = 0.0;
     for (const double azimuth : kAzimuthsDeg) {
@@ -186,7 +187,7 @@ void measure_loading(const elsie::plugin::Host& host, int repeats) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   const int repeats = argc == 3 && std::string(argv[1]) == "--repeats" ? std::atoi(argv[2]) : 15;
   if (repeats < 1) {
     std::fprintf(stderr, "usage: robot_steps [--repeats N]\n");
@@ -202,4 +203,7 @@ int main(int argc, char** argv) {
   }
   measure_loading(host, repeats);
   return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 2;
 }
