@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 #include <CLI/CLI.hpp>
 
@@ -21,4 +22,16 @@ CLI::Validator positive_number() {
         return value && *value > 0.0 ? "" : "'" + text + "' is not a number above zero";
       },
       "NUMBER > 0");
+}
+
+CLI::Validator seed_number() {
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        std::uint64_t value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        return error == std::errc() && end == text.data() + text.size()
+                   ? ""
+                   : "'" + text + "' is not a whole number from 0 to 18446744073709551615";
+      },
+      "UINT");
 }

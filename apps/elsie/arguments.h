@@ -14,3 +14,6 @@ std::optional<double> parse_number(std::string_view text);
 
 /// For options that take a finite number above zero.
 CLI::Validator positive_number();
+
+/// For seeds: a whole number of 64 bits, without a sign.
+CLI::Validator seed_number();

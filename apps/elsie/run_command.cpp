@@ -129,6 +129,7 @@ void add_run_command(CLI::App& program, Job& job) {
   auto options = std::make_shared<RunOptions>();
   command->add_option("WORLD", options->world, "World file")->required();
   command->add_option("--seed", options->seed, "Seed of all randomness in the run")
+      ->check(seed_number())
       ->capture_default_str();
   command
       ->add_option("--duration", options->duration,

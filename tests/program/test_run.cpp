@@ -74,7 +74,7 @@ TEST_CASE("--set changes any attribute by its path") {
   CHECK(distance("--set 'robot[r1]/@max_speed=0.05'") < 0.4 * distance(""));
   CHECK(distance("--set 'robot[r1]/behavior[wander]/@speed=0' "
                  "--set 'robot[r1]/behavior[avoid_obstacle]/@priority=0'") < 0.001);
-  const auto run = here.elsie("run worlds/open_arena.xml --json --set limits/@time=0.5");
+  const auto run = here.elsie("run worlds/pushing.xml --json --set limits/@time=0.5");
   CHECK(json::parse(run.out).at("simulated_s") == Approx(0.5));
 }
 
