@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "elsie/plugin/host.h"
-#include "elsie/plugin/near_name.h"
 
 #include "values.h"
 
@@ -77,7 +76,7 @@ void check_mentions(const Reading& reading, Problems& problems) {
                                                                  : std::pair("box", &boxes);
     if (std::find(ids->begin(), ids->end(), mention.id) == ids->end()) {
       problems.add(mention.where, mention.in_words + ": there is no such " + what +
-                                      plugin::did_you_mean(mention.id, *ids));
+                                      near_or_all(mention.id, *ids, "there are"));
     }
   }
 }

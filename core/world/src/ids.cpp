@@ -15,8 +15,9 @@ void complete_ids(Element& list, bool numbered) {
   }
   std::map<std::string, int> count;
   for (Element& child : list.children) {
-    int number = ++count[child.name];
-    if (child.find("id")) {
+    const bool named = child.find("id") != nullptr;
+    int number = named && !numbered ? 0 : ++count[child.name];
+    if (named) {
       continue;
     }
     const auto name = [&] {

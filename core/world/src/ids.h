@@ -5,8 +5,9 @@
 
 namespace elsie::world {
 
-/// Gives each child without an id one of its own: its element's name, then that with _2, _3 ...;
-/// `numbered`: with _1, _2, _3 ... from the first on, counting the elements of that name.
+/// Gives each child without an id one of its own: its element's name, the next one that name with
+/// _2, and so on. `numbered`: its element's name with its number among all elements of that name.
+/// Ids that are given elsewhere in the list are passed over.
 void complete_ids(Element& list, bool numbered);
 
 /// The same for the obstacles, resources, chargers, sensors, behaviours and coordinators of a

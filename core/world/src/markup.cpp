@@ -156,7 +156,10 @@ Element converted(const tinyxml2::XMLElement& source, const std::string& file,
     if (const auto* child = node->ToElement()) {
       element.children.push_back(converted(*child, file, counter));
     } else if (const auto* text = node->ToText(); text && element.text.empty()) {
-      element.text = text->Value();
+      const std::string_view found = text->Value();
+      const std::size_t begin = std::min(found.find_first_not_of(" \t\r\n"), found.size());
+      element.text = found.substr(begin, found.find_last_not_of(" \t\r\n") + 1 - begin);
+      element.text_line = text->GetLineNum();  // of the first that is not blank
     }
   }
   return element;
@@ -240,6 +243,13 @@ Element parse_markup(std::string_view text, const std::string& file) {
 
   tinyxml2::XMLDocument document;
   document.Parse(text.data(), text.size());
+  if (document.ErrorID() == tinyxml2::XML_ERROR_PARSING_TEXT) {
+    fail(file, document.ErrorLineNum(), "there is text outside of the root element");
+  }
+  if (document.ErrorID() == tinyxml2::XML_ERROR_PARSING_DECLARATION) {
+    fail(file, document.ErrorLineNum(),
+         "a processing instruction <?...?> may stand at the top of the file only");
+  }
   if (document.Error() || !document.RootElement()) {
     fail(file, document.ErrorLineNum(), "this is not well-formed XML");
   }

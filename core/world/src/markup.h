@@ -24,7 +24,9 @@ struct Element {
   Location where;
   std::vector<Attribute> attributes;
   std::vector<Element> children;
-  std::string text{};          // what stands between its tags besides elements, unless it is blank
+  // What stands between its tags besides elements, unless it is blank, and on which line.
+  std::string text{};
+  int text_line = 0;
   std::size_t number = kMade;  // its start tag's among the start tags of the file
   bool incomplete = false;     // its template could not be read: what is missing may stand there
 

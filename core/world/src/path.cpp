@@ -4,7 +4,6 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "elsie/plugin/near_name.h"
 #include "elsie/world/vocabulary.h"
 
 namespace elsie::world {
@@ -90,10 +89,6 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
     }
   }
   ids.erase(std::remove(ids.begin(), ids.end(), ""), ids.end());
-  std::string there;
-  for (const std::string& id : ids) {
-    there += (there.empty() ? "" : ", ") + id;
-  }
   const std::string count = std::to_string(places.size());
   if (step.key.empty()) {
     if (places.size() == 1) {
@@ -111,8 +106,9 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
     }
     fail("there is no " + text_of(step) + "; they are numbered from 1 to " + count);
   }
-  fail("there is no " + text_of(step) + plugin::did_you_mean(step.key, ids) +
-       (there.empty() ? "" : "; there are: " + there));
+  // A few are best listed, of many the nearest is told.
+  fail("there is no " + text_of(step) +
+       (ids.size() > 10 ? near_or_all(step.key, ids, "there are") : "; there are: " + listed(ids)));
 }
 
 std::vector<Place> step_from(const Place& place, const PathStep& step) {
@@ -194,10 +190,9 @@ std::vector<Element*> select(Element& world, const Path& path) {
     }
     if (next.empty()) {
       const auto names = names_at(places.front());
-      const std::string near = plugin::did_you_mean(step.name, names);
       const bool known = std::find(names.begin(), names.end(), step.name) != names.end();
       fail("there is no '" + step.name + "' in <" + places.front().element->name + ">" +
-           (known ? " of this world" : near));
+           (known ? " of this world" : near_or_all(step.name, names, "there are")));
     }
     places = std::move(next);
   }

@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "elsie/plugin/near_name.h"
+
 namespace elsie::world {
 
 namespace {
@@ -52,6 +54,22 @@ void Problems::raise(const std::string& main_file) const {
     return std::pair(order.at(a.file), a.line) < std::pair(order.at(b.file), b.line);
   });
   throw WorldError(std::move(sorted));
+}
+
+std::string near_or_all(const std::string& wrong, const std::vector<std::string>& names,
+                        const std::string& before_all) {
+  const std::string near = plugin::did_you_mean(wrong, names);
+  return !near.empty() || names.empty() ? near : "; " + before_all + ": " + listed(names);
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 20;
+  std::string list;
+  for (std::size_t i = 0; i < names.size() && i < kMost; ++i) {
+    list += (list.empty() ? "" : ", ") + names[i];
+  }
+  return names.size() > kMost ? list + " and " + std::to_string(names.size() - kMost) + " more"
+                              : list;
 }
 
 }  // namespace elsie::world

@@ -25,4 +25,11 @@ class Problems {
   std::vector<Problem> problems_;
 };
 
+/// What something may be called instead of a wrong name, for the end of a sentence: "; did you mean
+/// 'speed'?" when a name is near, else all of them: "; it may have: x, y" for "it may have".
+std::string near_or_all(const std::string& wrong, const std::vector<std::string>& names,
+                        const std::string& before_all);
+/// "a, b, c"
+std::string listed(const std::vector<std::string>& names);
+
 }  // namespace elsie::world

@@ -9,7 +9,6 @@
 #include "elsie/api/component.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/plugin/near_name.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/vocabulary.h"
 
@@ -37,19 +36,6 @@ std::string group_of(PluginKind kind) {
 
 std::string in_words(const Attribute& attribute, const Element& element) {
   return attribute.name + "=\"" + attribute.value + "\" of <" + element.name + ">";
-}
-
-// What an element or attribute may be called instead: the nearest name, or else all there are.
-std::string instead(const std::string& wrong, const std::vector<std::string>& names) {
-  const std::string near = plugin::did_you_mean(wrong, names);
-  if (!near.empty() || names.empty()) {
-    return near;
-  }
-  std::string list;
-  for (const std::string& name : names) {
-    list += (list.empty() ? "" : ", ") + name;
-  }
-  return "; it may have: " + list;
 }
 
 // Walks the tree and the vocabulary side by side and fills the objects.
@@ -105,7 +91,7 @@ class Reader {
     void* object = spec.make(parent, element.where);
     const bool sound =
         spec.plugins ? read_use(spec, element, object) : read_object(spec, element, object);
-    if (!sound) {
+    if (!sound && !spec.plugins) {
       reading_.unsound.emplace(element.where.file, element.where.line);
     }
     if (element.incomplete) {
@@ -116,11 +102,10 @@ class Reader {
 
   void refuse_text(const Element& element) {
     if (!element.text.empty()) {
-      const auto begin = element.text.find_first_not_of(" \t\r\n");
-      const auto end = element.text.find_first_of("\r\n", begin);
-      problems_.add(element.where, "found the text '" + element.text.substr(begin, end - begin) +
-                                       "' in <" + element.name +
-                                       ">; expected elements and comments only");
+      const std::string line = element.text.substr(0, element.text.find_first_of("\r\n"));
+      problems_.add({element.where.file, element.text_line},
+                    "found the text '" + line + "' in <" + element.name +
+                        ">; expected elements and comments only");
     }
   }
 
@@ -137,7 +122,8 @@ class Reader {
       }
       problems_.add(child.where, "<" + parent.name + "> may not hold <" + child.name + ">" +
                                      (names.empty() ? "; expected nothing in it"
-                                                    : instead("<" + child.name + ">", names)));
+                                                    : near_or_all("<" + child.name + ">", names,
+                                                                  "it may hold")));
     }
     return spec;
   }
@@ -168,7 +154,7 @@ class Reader {
         names.push_back(each.name);
       }
       problems_.add(attribute.where, "<" + element.name + "> has no attribute '" + attribute.name +
-                                         "'" + instead(attribute.name, names));
+                                         "'" + near_or_all(attribute.name, names, "it may have"));
       return false;
     }
     const Parsed parsed = parse_value(*known, attribute.value);
@@ -251,7 +237,7 @@ class Reader {
         names.push_back(each.name);
       }
       problems_.add(attribute.where, "<" + element.name + "> has no attribute '" + attribute.name +
-                                         "'" + instead(attribute.name, names));
+                                         "'" + near_or_all(attribute.name, names, "it may have"));
       return false;
     }
     Parsed parsed = parse_value(field_of(*parameter), attribute.value);
@@ -297,7 +283,7 @@ class Reader {
       plugin::apply_parameters(declaration, *object, use.parameters);
       return true;
     } catch (const std::exception& error) {
-      problems_.add(element.where, "<" + element.name + ">: " + error.what());
+      problems_.add(element.where, error.what());
       return false;
     }
   }

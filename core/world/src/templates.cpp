@@ -82,16 +82,16 @@ const Element* Templates::load(const std::string& file, const Location& from) {
   std::optional<Element>& result = loaded_[key];
   try {
     Element root = parse_markup(read_text(file), file);
+    const std::string format = root.value("format");
+    const std::string right = "<robot_template format=\"" + std::to_string(kFormat) + "\">";
     if (root.name != "robot_template") {
-      problems_.add(root.where, "found <" + root.name +
-                                    "> as the root of a template; expected "
-                                    "<robot_template format=\"1\">");
+      problems_.add(from, "the file '" + file + "' is no template: it begins with <" + root.name +
+                              ">; expected " + right);
       return nullptr;
     }
-    const std::string format = root.value("format");
     if (format != std::to_string(kFormat)) {
-      problems_.add(root.where, "expected <robot_template format=\"" + std::to_string(kFormat) +
-                                    "\">, found format=\"" + format + "\"");
+      problems_.add(
+          from, "the template '" + file + "' has the format \"" + format + "\"; expected " + right);
       return nullptr;
     }
     root.erase("format");

@@ -35,10 +35,12 @@ bool is_colour(std::string_view text) {
          text.substr(1).find_first_not_of(kHex) == std::string_view::npos;
 }
 
+bool in_range(const ParameterFacts& facts, double value) {
+  return std::isfinite(value) && value >= facts.min && value > facts.above && value <= facts.max;
+}
+
 bool in_range(const Field& field, double value) {
-  const ParameterFacts& facts = field.facts;
-  return std::isfinite(value) && value >= facts.min && value > facts.above && value <= facts.max &&
-         value >= field.lowest && value <= field.highest;
+  return in_range(field.facts, value) && value >= field.lowest && value <= field.highest;
 }
 
 template <class Number>
@@ -57,6 +59,8 @@ Parsed parse_number(const Field& field, std::string_view text) {
                                                                      : "";
   } else if (in_range(field, static_cast<double>(number))) {
     return {ParameterValue(number), ""};
+  } else if (in_range(field.facts, static_cast<double>(number))) {
+    hint = "; this number is beyond what can be stored";
   }
   return {std::nullopt, "expected " + expectation(field) + hint};
 }
@@ -73,7 +77,8 @@ Parsed parse_list(const Field& field, std::string_view text) {
     const std::string_view word = text.substr(at, end - at);
     const Parsed number = parse_number<double>(field, word);
     if (!number.value) {
-      return {std::nullopt, number.problem + "; '" + std::string(word) + "' is not one"};
+      return {std::nullopt,
+              "expected " + expectation(field) + "; '" + std::string(word) + "' is none of those"};
     }
     numbers.push_back(std::get<double>(*number.value));
     at = end;

@@ -11,7 +11,7 @@ namespace elsie::world {
 struct Path;
 struct Element;
 
-/// Paths are those of overrides (docs/world-paths.md) and address what stands in this file, not
+/// Paths are those of ReadOptions::overrides and address what stands in this file, not
 /// what a template brings in. All members that change something throw std::invalid_argument with a
 /// sentence, and leave the text as it was, when a path leads nowhere or the result would not be
 /// well-formed. A document is checked as a world by parse_world(document.text(), ...) only.

@@ -15,8 +15,22 @@ class Host;
 namespace elsie::world {
 
 struct ReadOptions {
-  /// Attributes to change before anything is checked, each "PATH=VALUE"; see docs/world-paths.md
-  /// for the paths, e.g. "robot[r1]/behavior[avoid_obstacle]/@priority=3".
+  /// Attributes to change, each "PATH=VALUE", after templates are merged in and before anything is
+  /// checked (the attribute `template` itself: before they are merged).
+  ///
+  ///   @name                                    of <world>
+  ///   physics/@step                            of an element that stands once; made when missing
+  ///   robot[r1]/@max_speed                     of the robot with this id
+  ///   robot[2]/@max_speed                      of the second one
+  ///   robot[*]/@max_speed                      of all
+  ///   robot[r1]/behavior[roam]/@priority       of a behaviour, by its id
+  ///   robot[r1]/sensor[1]/@yaw_deg             of the first sensor
+  ///   robot[r1]/coordinator/@weighted          of the one coordinator
+  ///   coordinator/@weighted                    of every robot's
+  ///   obstacle[3]/@x, goal[1]/@radius          of any child of <obstacles>, <goals>
+  ///
+  /// Groups (<robots>, <sensors>...) may be left out or named; a member is called by its element's
+  /// name or by its group's word for it. A step that could mean several elements needs brackets.
   std::vector<std::string> overrides;
   /// Where templates and data files are looked for when they are not beside the file that names
   /// them, in this order.

@@ -1,0 +1,208 @@
+// What a world file says, and what it need not say.
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "equal.h"
+#include "fixture.h"
+
+using namespace elsie;
+using namespace elsie::test;
+using Catch::Matchers::Contains;
+
+TEST_CASE("An empty world has the default of everything") {
+  const world::World world = read("");
+  CHECK(same(world.arena, world::Arena{}));
+  CHECK(same(world.physics, world::Physics{}));
+  CHECK(same(world.limits, world::Limits{}));
+  CHECK(world.robots.empty());
+  CHECK(world.boxes.empty());
+  REQUIRE(world.teams.size() == 2);
+  CHECK(world.teams[0].id == "red");
+  CHECK(world.teams[1].id == "blue");
+}
+
+TEST_CASE("A world says everything") {
+  const world::World w = world::read_world(kFolder + "data/everything.xml", host(), options());
+  CHECK(w.name == "Everything & more");
+  CHECK(w.description == "Two lines,\nwith \"quotes\" and ünïcode");
+  CHECK(w.file == kFolder + "data/everything.xml");
+  CHECK(w.arena.length == 12);
+  CHECK_FALSE(w.arena.walls);
+  CHECK(w.physics.kp == 20000.0);
+  CHECK(w.physics.control_steps == 4);
+
+  REQUIRE(w.teams.size() == 3);
+  CHECK(w.teams[1].colour == world::Colour{0, 0, 255});
+  CHECK(w.teams[2].id == "green");
+
+  // Obstacles in file order, then resources, whatever stands first in the file.
+  REQUIRE(w.boxes.size() == 7);
+  CHECK(w.boxes[0].id == "patrol");
+  CHECK(w.boxes[0].kind == world::BoxKind::moving);
+  CHECK_FALSE(w.boxes[0].round_trip);
+  REQUIRE(w.boxes[0].waypoints.size() == 2);
+  CHECK(w.boxes[0].waypoints[1] == Vector2{2, 3.25});
+  CHECK(w.boxes[1].id == "static_box_1");
+  CHECK(w.boxes[1].colour == world::Colour{0x12, 0x34, 0x56});
+  CHECK(w.boxes[2].kind == world::BoxKind::dynamic);
+  CHECK(w.boxes[2].mass == 0.123456789012345);
+  CHECK(w.boxes[3].id == "static_box_2");
+  CHECK(w.boxes[4].id == "moving_box_2");
+  CHECK(w.boxes[5].kind == world::BoxKind::resource);
+  CHECK(w.boxes[5].team == "green");
+  CHECK(w.boxes[5].energy == 12.5);
+  CHECK(w.boxes[6].id == "resource_2");
+  CHECK(w.chargers.at(1).id == "charger_2");
+
+  REQUIRE(w.robots.size() == 2);
+  const world::Robot& r = w.robots[0];
+  CHECK(r.location.line == 30);
+  CHECK(r.leader);
+  CHECK(r.energy == 50.0);
+  CHECK(r.body.axle == 0.11);
+  REQUIRE(r.sensors.size() == 3);
+  CHECK(r.sensors[0].id == "beam");
+  CHECK(r.sensors[0].pitch_deg == -3);
+  CHECK(r.sensors[0].z == 0.03);
+  CHECK(std::get<double>(r.sensors[0].parameters.at("max_range")) == 1.5);
+  CHECK(r.sensors[1].id == "beam_2");
+  CHECK_FALSE(r.sensors[1].x);
+  CHECK(r.sensors[1].parameters.empty());
+  CHECK(r.sensors[2].plugin == "bumper");
+  REQUIRE(r.behaviors.size() == 3);
+  CHECK(r.behaviors[0].priority == 2.5);
+  CHECK(r.behaviors[1].id == "stroll");
+  CHECK(std::get<std::int64_t>(r.behaviors[1].parameters.at("patience")) == 7);
+  CHECK(std::get<bool>(r.behaviors[1].parameters.at("shy")));
+  CHECK(std::get<std::string>(r.behaviors[1].parameters.at("motto")) == "slow < steady");
+  CHECK(std::get<std::vector<double>>(r.behaviors[1].parameters.at("weights")) ==
+        std::vector<double>{0.1, -0.002, 3});
+  CHECK(r.behaviors[2].id == "roam");
+  CHECK(r.coordinator->id == "head");
+
+  REQUIRE(w.goals.size() == 10);
+  CHECK(std::get<world::ReachGoal>(w.goals[2]).radius == 0.4);
+  CHECK(std::get<world::TravelGoal>(w.goals[6]).robot == "r2");
+  CHECK(w.limits.wall_time == 10.0);
+}
+
+TEST_CASE("File parameters are absolute paths of files that exist") {
+  const world::World w = world::read_world(kFolder + "data/everything.xml", host(), options());
+  const std::string data = std::filesystem::canonical(kFolder + "data").string();
+  SECTION("beside the file that names them") {
+    CHECK(std::get<std::string>(w.robots[0].behaviors[1].parameters.at("song")) ==
+          data + "/songs/one.txt");
+  }
+  SECTION("defaults in a data directory") {
+    CHECK(std::get<std::string>(w.robots[0].behaviors[0].parameters.at("model")) ==
+          data + "/fuzzy_models/avoid.fcl");
+  }
+  SECTION("else in a data directory") {
+    const world::World other = read(R"(<robots><robot id="r"><behaviors>
+        <roam song="songs/one.txt"/></behaviors><coordinator><pick/></coordinator></robot></robots>)");
+    CHECK(std::get<std::string>(other.robots[0].behaviors[0].parameters.at("song")) ==
+          data + "/songs/one.txt");
+  }
+}
+
+TEST_CASE("All mistakes of a file are reported, in the order of their lines") {
+  CHECK(problems("\n<limits time='-1'/>\n"
+                 "<robots>\n"
+                 "<robot id='r1' team='gren' x='0' colour='red'>\n"
+                 "<behaviors><raom/><roam speed='x'/></behaviors></robot>\n"
+                 "<robot id='r1' x='20'/>\n"
+                 "</robots>\n"
+                 "<arena length='nan'\n walls='maybe'/>") ==
+        "world.xml:2: time=\"-1\" of <limits>: expected a number above 0 and at most 1e+09 s\n"
+        "world.xml:4: <robot> has no attribute 'colour'; it may have: id, template, team, x, y, z, "
+        "heading_deg, max_speed, coverage, leader, battery, energy\n"
+        "world.xml:4: team=\"gren\" of <robot>: there is no such team; there are: red, blue\n"
+        "world.xml:5: there is no behavior 'raom'; did you mean 'roam'?\n"
+        "world.xml:5: speed=\"x\" of <roam>: expected a number at least 0 and at most 50 rad/s\n"
+        "world.xml:6: a second robot with the id 'r1'; the first is there already (line 4)\n"
+        "world.xml:8: length=\"nan\" of <arena>: expected a number above 0 and at most 10000 m\n"
+        "world.xml:9: walls=\"maybe\" of <arena>: expected true or false");
+}
+
+TEST_CASE("A mistake is not reported again as what follows from it") {
+  // With x at its default, the robot would stand in the box.
+  CHECK(problems("<obstacles><static_box/></obstacles><robots><robot id='r' x='a'/></robots>") ==
+        "world.xml:1: x=\"a\" of <robot>: expected a number at least -10000 and at most 10000 m");
+  // Whether a sensor that is not known makes the readings is not known.
+  CHECK(problems("<robots><robot id='r'><sensors><beem/></sensors><behaviors><avoid/></behaviors>"
+                 "<coordinator><pick/></coordinator></robot></robots>") ==
+        "world.xml:1: there is no sensor 'beem'; did you mean 'beam'?");
+}
+
+TEST_CASE("Mistakes in different parts of one robot are all reported") {
+  CHECK(problems("<robots><robot id='r' x='4.99'><sensors><beam max_range='0'/></sensors></robot>"
+                 "</robots>") ==
+        "world.xml:1: max_range=\"0\" of <beam>: expected a number above 0 and at most 100 m\n"
+        "world.xml:1: the robot 'r' reaches 0.03 m into the east wall");
+}
+
+TEST_CASE("An error holds each problem with its file and line") {
+  try {
+    read("\n<arena lenght='3'/>");
+    FAIL("accepted");
+  } catch (const world::WorldError& error) {
+    REQUIRE(error.problems().size() == 1);
+    CHECK(error.problems()[0].file == kFolder + "world.xml");
+    CHECK(error.problems()[0].line == 2);
+    CHECK(error.problems()[0].message ==
+          "<arena> has no attribute 'lenght'; did you mean 'length'?");
+  }
+}
+
+TEST_CASE("What may stand where") {
+  SECTION("static boxes may overlap one another and the walls: mazes are built so") {
+    CHECK(problems("<obstacles><static_box x='1'/><static_box x='1.1'/><static_box x='5'/>"
+                   "</obstacles>") == "");
+  }
+  SECTION("what touches does not overlap") {
+    CHECK(problems("<obstacles><static_box x='1'/><dynamic_box x='1.2'/></obstacles>") == "");
+  }
+  SECTION("turned boxes are judged by their corners") {
+    const std::string robot = "<robots><robot id='r' x='0.18' y='0.18'/></robots>";
+    CHECK(problems("<obstacles><static_box heading_deg='45'/></obstacles>" + robot) == "");
+    CHECK_THAT(problems("<obstacles><static_box length='0.3' width='0.3'/></obstacles>" + robot),
+               Contains("the robot 'r' overlaps the box 'static_box_1' (line 1)"));
+  }
+  SECTION("a bridge may stand over a robot") {
+    CHECK(
+        problems("<obstacles><static_box z='0.2'/></obstacles><robots><robot id='r'/></robots>") ==
+        "");
+  }
+  SECTION("without walls there is none to stand in") {
+    CHECK(problems("<arena walls='false'/><robots><robot id='r' x='4.99'/></robots>") == "");
+  }
+}
+
+TEST_CASE("Default ids keep clear of those that are given") {
+  const world::World w = read(
+      "<obstacles><static_box x='1'/><static_box id='static_box_1' x='2'/><static_box x='3'/>"
+      "</obstacles>");
+  CHECK(w.boxes[0].id == "static_box_2");
+  CHECK(w.boxes[1].id == "static_box_1");
+  CHECK(w.boxes[2].id == "static_box_3");
+}
+
+TEST_CASE("What plugins say of their parameters is heard only when asked for") {
+  const std::string text =
+      "<world format='1'><robots><robot id='r'><behaviors><roam shy='true' mood='bold'/>"
+      "</behaviors><coordinator><pick/></coordinator></robot></robots></world>";
+  world::ReadOptions trusting = options();
+  trusting.check_plugins = false;
+  CHECK_NOTHROW(world::parse_world(text, "world.xml", host(), trusting));
+  CHECK_THROWS_WITH(world::parse_world(text, "world.xml", host(), options()),
+                    "world.xml:1: behavior 'roam': shy and bold do not go together");
+}
+
+TEST_CASE("Markup that is unusual but right is accepted") {
+  CHECK_NOTHROW(
+      world::parse_world("\xEF\xBB\xBF<?xml version='1.0' encoding='utf-8'?>\r\n"
+                         "<?xml-model href='world.xsd'?><!-- a --><world\r\n format = '1'"
+                         " name='&#x41;&lt;&gt;'><![CDATA[ ]]></world ><!-- b -->\n",
+                         "world.xml", host()));
+}

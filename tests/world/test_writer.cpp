@@ -1,0 +1,74 @@
+// A world that was read can be written, and read again.
+#include <random>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/world/writer.h"
+
+#include "equal.h"
+#include "fixture.h"
+
+using namespace elsie;
+using namespace elsie::test;
+
+namespace {
+
+world::World again(const world::World& w) {
+  return world::parse_world(world::write_world(w), kFolder + "again.xml", host(), options());
+}
+
+}  // namespace
+
+TEST_CASE("Nothing is lost in writing and reading") {
+  const world::World w = world::read_world(kFolder + "data/everything.xml", host(), options());
+  const world::World copy = again(w);
+  CHECK(same(w.arena, copy.arena));
+  CHECK(same(w.physics, copy.physics));
+  CHECK(same(w.teams, copy.teams));
+  CHECK(same(w.boxes, copy.boxes));
+  CHECK(same(w.chargers, copy.chargers));
+  CHECK(same(w.robots, copy.robots));
+  CHECK(same(w.goals, copy.goals));
+  CHECK(same(w, copy));
+  CHECK(world::write_world(copy) == world::write_world(w));
+}
+
+TEST_CASE("The comparison of these tests sees a difference") {
+  const world::World w = world::read_world(kFolder + "data/everything.xml", host(), options());
+  for (const char* change :
+       {"robot[r1]/beam[1]/@max_range=3", "robot[r1]/body/@mass=2", "goal[3]/@radius=1",
+        "moving_box[patrol]/waypoint[2]/@y=3", "charger[dock]/@rate=3",
+        "team[blue]/@colour=#000000", "limits/@time=200", "@name=x", "physics/@bounce=0",
+        "arena/@wall_height=1"}) {
+    CAPTURE(change);
+    CHECK_FALSE(
+        same(w, world::read_world(kFolder + "data/everything.xml", host(), options({change}))));
+  }
+}
+
+TEST_CASE("What is the default is not written") {
+  CHECK(world::write_world(read("")) ==
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<world format=\"1\">\n"
+        "  <teams>\n"
+        "    <team id=\"red\" colour=\"#d03030\"/>\n"
+        "    <team id=\"blue\" colour=\"#3060d0\"/>\n"
+        "  </teams>\n"
+        "</world>\n");
+}
+
+TEST_CASE("Numbers survive to the last bit") {
+  std::mt19937_64 bits(1);
+  for (int i = 0; i < 200; ++i) {
+    world::World w;
+    w.boxes.resize(1);
+    w.boxes[0].id = "b";
+    w.boxes[0].x = std::uniform_real_distribution<double>(-5, 5)(bits);
+    w.boxes[0].length = std::exp(std::uniform_real_distribution<double>(-200, 2)(bits));
+    w.physics.cfm = std::exp(std::uniform_real_distribution<double>(-600, 0)(bits));
+    const world::World copy = again(w);
+    CHECK(copy.boxes.at(0).x == w.boxes[0].x);
+    CHECK(copy.boxes.at(0).length == w.boxes[0].length);
+    CHECK(copy.physics.cfm == w.physics.cfm);
+  }
+}

@@ -1,0 +1,86 @@
+// The worlds in wrong/ have one mistake each; beside each lies the message that it must give.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "fixture.h"
+
+using namespace elsie;
+using namespace elsie::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string message_of(const std::string& file) {
+  world::ReadOptions reading;
+  reading.data_directories = {kFolder + "data"};
+  reading.check_plugins = true;
+  try {
+    world::read_world(file, host(), reading);
+    return "accepted";
+  } catch (const world::WorldError& error) {
+    std::string text = error.what();
+    for (std::size_t at; (at = text.find(kFolder)) != std::string::npos;) {
+      text.erase(at, kFolder.size());
+    }
+    return text;
+  }
+}
+
+// A file for one test.
+class Draft {
+ public:
+  explicit Draft(const std::string& text) { std::ofstream(path_, std::ios::binary) << text; }
+  ~Draft() { fs::remove(path_); }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_ = ELSIE_BINARY_DIR "/wrong_world.xml";
+};
+
+}  // namespace
+
+TEST_CASE("Each wrong world gives its message") {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(kFolder + "wrong")) {
+    fs::path file = entry.path();
+    if (file.extension() == ".xml") {
+      ++count;
+      CAPTURE(file.filename().string());
+      const std::string message = message_of(file.string());
+      CHECK(message + "\n" == text_of(file.replace_extension(".txt").string()));
+      CHECK(std::count(message.begin(), message.end(), '\n') == 0);
+    }
+  }
+  CHECK(count >= 100);
+}
+
+TEST_CASE("Nesting of any depth is refused in words") {
+  for (const int depth : {60, 10'000, 100'000}) {
+    std::string text;
+    for (int i = 0; i < depth; ++i) {
+      text += "<world>";
+    }
+    CHECK_THROWS_WITH(
+        world::parse_world(text, "deep.xml", host()),
+        "deep.xml:1: elements are nested deeper than 50 levels; no world needs more than five");
+  }
+}
+
+TEST_CASE("What is no file is refused in words") {
+  CHECK(message_of(kFolder + "wrong") == "wrong: this is a directory; expected an XML file");
+  CHECK(message_of(kFolder + "data/everythin.xml") ==
+        "data/everythin.xml: there is no such file; did you mean 'everything.xml'?");
+  CHECK(message_of(kFolder + "nowhere/at_all.xml") == "nowhere/at_all.xml: there is no such file");
+  CHECK(message_of("/dev/null") == "/dev/null: this is not a file; expected an XML file");
+  CHECK(message_of("") == ": there is no such file");
+}
+
+TEST_CASE("A file that no world can fill is not read") {
+  const Draft draft("<world format='1'/>");
+  fs::resize_file(draft.path(), (std::uintmax_t{32} << 20) + 1);
+  CHECK_THAT(message_of(draft.path()),
+             Catch::EndsWith(": the file is larger than 32 MiB; no world is"));
+}
