@@ -25,7 +25,10 @@ class Path {
   void add(const fs::path& directory, const char* origin) {
     std::error_code ignored;
     // For comparing only; what the user wrote is what the user is told.
-    const fs::path canonical = fs::weakly_canonical(directory, ignored);
+    fs::path canonical = fs::weakly_canonical(directory, ignored);
+    if (!canonical.has_filename()) {
+      canonical = canonical.parent_path();  // it ends with a slash
+    }
     if (std::find(canonical_.begin(), canonical_.end(), canonical) == canonical_.end()) {
       canonical_.push_back(canonical);
       directories_.push_back({directory, origin});

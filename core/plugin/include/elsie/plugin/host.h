@@ -10,9 +10,11 @@
 // can guard against is a well-formed plugin library whose static constructors do harm.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "elsie/api/declaration.h"
@@ -27,7 +29,11 @@ class Library;
 struct Release {
   std::shared_ptr<const Library> library;  // none for plugins that are linked into the program
 
-  void operator()(Component* object) const { delete object; }
+  void operator()(Component* object) {
+    // An emptied pointer keeps its deleter, and must not keep the library with it.
+    const std::shared_ptr<const Library> last = std::move(library);
+    delete object;
+  }
 };
 
 /// A plugin's object. It may outlive the host: its library stays until the last object is gone.

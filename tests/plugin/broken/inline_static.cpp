@@ -1,0 +1,17 @@
+// An inline static in a template: without -fno-gnu-unique, the library would never be unloaded.
+#include "elsie/api/behavior.h"
+
+template <class T>
+struct Counter {
+  inline static int count = 0;
+};
+
+class CountsObjects final : public elsie::Behavior {
+ public:
+  CountsObjects() { ++Counter<int>::count; }
+  elsie::Response respond(const elsie::Perception&) override {
+    return elsie::MotorCommand{static_cast<double>(Counter<int>::count), 0};
+  }
+};
+
+ELSIE_BEHAVIOR(CountsObjects, "inline_static", "Counts its objects");

@@ -1,0 +1,2 @@
+// A plugin library in which somebody forgot the declaration.
+#include "elsie/api/behavior.h"

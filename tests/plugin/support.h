@@ -1,0 +1,57 @@
+// A folder for plugin libraries that a test puts together.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elsie/api/behavior.h"
+#include "elsie/plugin/host.h"
+
+namespace elsie::plugin::test {
+
+/// The library of a fixture (a source file in tests/plugin/broken), where it was built.
+std::filesystem::path fixture(const std::string& name);
+
+std::vector<std::byte> bytes_of(const std::filesystem::path& file);
+void write(const std::filesystem::path& file, std::span<const std::byte> bytes);
+void write(const std::filesystem::path& file, std::string_view text);
+
+/// A new, empty folder, which goes with the object.
+class Folder {
+ public:
+  Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder();
+
+  /// Copies fixtures into the folder; the first form under the same name.
+  Folder& with(const std::string& name);
+  Folder& with(const std::string& name, const std::string& file_name);
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A host that looks into these folders.
+template <class... Folders>
+Host host_of(const Folders&... folders) {
+  return Host({SearchDirectory{folders.path(), "given"}...});
+}
+
+/// What the report says of a file, by its name; fails when it says nothing.
+FileReport report_of(const Host& host, const std::string& file_name);
+
+/// Whether the file is in memory as a library.
+bool is_loaded(const std::filesystem::path& file);
+
+/// A behaviour's answer to nothing.
+MotorCommand answer(Behavior& behavior);
+
+}  // namespace elsie::plugin::test

@@ -1,0 +1,143 @@
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/api/behavior.h"
+#include "elsie/api/sensor.h"
+#include "elsie/plugin/declaration_check.h"
+
+using namespace elsie;
+using Catch::Matchers::Contains;
+using elsie::plugin::check_declaration;
+using elsie::plugin::check_declarations;
+using elsie::plugin::is_plain_name;
+
+namespace {
+
+class Plain final : public Behavior {
+ public:
+  double speed = 1.0;
+  std::string mode = "low";
+  Response respond(const Perception&) override { return MotorCommand{}; }
+};
+
+class Ranger final : public SensorOf<RangeReading> {
+ public:
+  RangeReading sense(const SensorContext&) override { return {}; }
+};
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+Declaration behavior() {
+  return declare<Plain>(PluginKind::behavior, "plain", "Stands still",
+                        parameter("speed", &Plain::speed, {.unit = "m/s", .min = 0, .max = 2}),
+                        parameter("mode", &Plain::mode, {.choices = {"low", "high"}}),
+                        needs<RangeReading>(), raises("stuck", "it cannot go on"));
+}
+
+Declaration sensor() {
+  return declare<Ranger>(PluginKind::sensor, "ranger", "Measures", produces<RangeReading>());
+}
+
+}  // namespace
+
+TEST_CASE("Sound declarations have no faults") {
+  CHECK(check_declaration(behavior()).empty());
+  CHECK(check_declaration(sensor()).empty());
+  CHECK(check_declarations(std::vector{behavior(), sensor()}).empty());
+}
+
+TEST_CASE("Each fault of a declaration is found and named") {
+  struct Case {
+    std::string words;
+    std::function<void(Declaration&)> spoil;
+  };
+  const std::vector<Case> cases{
+      {"the name of the plugin 'Plain' must be", [](Declaration& d) { d.name = "Plain"; }},
+      {"the name of the plugin '' must be", [](Declaration& d) { d.name = ""; }},
+      {"its version is empty", [](Declaration& d) { d.version = ""; }},
+      {"it has no description", [](Declaration& d) { d.description = ""; }},
+      {"it has no function that makes", [](Declaration& d) { d.create = nullptr; }},
+      {"neither a sensor nor", [](Declaration& d) { d.kind = static_cast<PluginKind>(7); }},
+      {"the name of parameter 'max speed' must be",
+       [](Declaration& d) { d.parameters[0].name = "max speed"; }},
+      {"parameter 'speed' is declared twice",
+       [](Declaration& d) { d.parameters[1].name = "speed"; }},
+      {"parameter 'speed' is not bound", [](Declaration& d) { d.parameters[0].set = nullptr; }},
+      {"parameter 'speed' is not bound", [](Declaration& d) { d.parameters[0].get = nullptr; }},
+      {"parameter 'speed' has a range that no number is in",
+       [](Declaration& d) { d.parameters[0].facts.min = 3; }},
+      {"parameter 'speed' has a range that no number is in",
+       [](Declaration& d) { d.parameters[0].facts.above = 2; }},
+      {"parameter 'speed' has a range that no number is in",
+       [](Declaration& d) { d.parameters[0].facts.max = kNan; }},
+      {"parameter 'speed' has choices",
+       [](Declaration& d) { d.parameters[0].facts.choices = {"a"}; }},
+      {"parameter 'mode' has a range", [](Declaration& d) { d.parameters[1].facts.max = 1; }},
+      {"the default of speed is 3, but must be a number at least 0 and at most 2 m/s",
+       [](Declaration& d) { d.parameters[0].default_value = 3.0; }},
+      {"the default of speed is nan, which is not finite",
+       [](Declaration& d) { d.parameters[0].default_value = kNan; }},
+      {"the default of speed is 'fast', but must be a number",
+       [](Declaration& d) { d.parameters[0].default_value = std::string("fast"); }},
+      {"the default of mode is 'medium', but must be one of 'low', 'high'",
+       [](Declaration& d) { d.parameters[1].default_value = std::string("medium"); }},
+      {"the name of event 'is stuck' must be",
+       [](Declaration& d) { d.events[0].name = "is stuck"; }},
+      {"event 'stuck' is declared twice", [](Declaration& d) { d.events.push_back(d.events[0]); }},
+      {"the name of reading '' must be", [](Declaration& d) { d.needs[0].kind = ""; }},
+      {"reading 'range' has no size", [](Declaration& d) { d.needs[0].size = 0; }},
+      {"needed reading 'range' is declared twice",
+       [](Declaration& d) { d.needs.push_back(d.needs[0]); }},
+      {"only a sensor produces readings", [](Declaration& d) { d.produces = d.needs; }},
+  };
+  for (const Case& c : cases) {
+    INFO(c.words);
+    Declaration declaration = behavior();
+    c.spoil(declaration);
+    const auto faults = check_declaration(declaration);
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(faults[0], Contains(c.words));
+    CHECK_THAT(faults[0], Contains("'" + declaration.name + "'"));
+  }
+}
+
+TEST_CASE("A sensor produces one kind of reading and needs none") {
+  Declaration none = sensor();
+  none.produces.clear();
+  CHECK_THAT(check_declaration(none).at(0), Contains("must produce one kind of reading, not 0"));
+  Declaration two = sensor();
+  two.produces.push_back({"light", 8});
+  CHECK_THAT(check_declaration(two).at(0), Contains("must produce one kind of reading, not 2"));
+  Declaration needy = sensor();
+  needy.needs.push_back({"light", 8});
+  CHECK_THAT(check_declaration(needy).at(0), Contains("cannot need any"));
+}
+
+TEST_CASE("One library must not declare a plugin twice") {
+  const auto faults = check_declarations(std::vector{behavior(), sensor(), behavior()});
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0] == "behavior 'plain' is declared twice");
+}
+
+TEST_CASE("All faults are told at once") {
+  Declaration declaration = behavior();
+  declaration.version = "";
+  declaration.events[0].name = "Stuck";
+  declaration.parameters[0].default_value = -1.0;
+  CHECK(check_declaration(declaration).size() == 3);
+}
+
+TEST_CASE("Plain names are small letters, digits and underscores") {
+  for (const char* const name : {"a", "a1", "avoid_obstacle", "x_"}) {
+    INFO(name);
+    CHECK(is_plain_name(name));
+  }
+  for (const char* const name : {"", "A", "1a", "_a", "a-b", "a b", "a.b", "\xc3\xa4", "aB"}) {
+    INFO(name);
+    CHECK_FALSE(is_plain_name(name));
+  }
+}
