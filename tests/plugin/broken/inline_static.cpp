@@ -1,8 +1,9 @@
 // An inline static in a template: without -fno-gnu-unique, the library would never be unloaded.
+// (Hidden visibility would do as well, but templates of the standard library are not hidden.)
 #include "elsie/api/behavior.h"
 
 template <class T>
-struct Counter {
+struct __attribute__((visibility("default"))) Counter {
   inline static int count = 0;
 };
 
