@@ -85,7 +85,8 @@ LoadedLibrary load_library(const std::filesystem::path& file, std::string_view a
   // run; none is offered to libraries loaded later.
   system->library.load(file, dll::load_mode::rtld_now | dll::load_mode::rtld_local, error);
   if (error) {
-    loaded.problem = "cannot be loaded: " + loader_message(file);
+    loaded.problem = "cannot be loaded: " + loader_message(file) +
+                     "; link it with all that it uses, and build it against this version of Elsie";
     return loaded;
   }
   void* const handle = system->library.native();

@@ -9,12 +9,12 @@
 
 namespace elsie::plugin {
 
-/// What the parameter takes, in words: "a number of at least 0 and at most 50 rad/s", "one of
+/// What the parameter takes, in words: "a number at least 0 and at most 50 rad/s", "one of
 /// 'low', 'high'".
 std::string allowed_values(const ParameterDeclaration& parameter);
 
 /// A sentence when the parameter must not have this value: of another type than declared, out of
-/// range, not among the choices, not finite. "speed is 60 rad/s, but must be a number of at least 0
+/// range, not among the choices, not finite. "speed is 60 rad/s, but must be a number at least 0
 /// and at most 50 rad/s". None when the value is fine.
 std::optional<std::string> check_value(const ParameterDeclaration& parameter,
                                        const ParameterValue& value);
