@@ -11,6 +11,7 @@
 
 #include "elsie/fuzzy/sets.h"
 
+#include "compile.h"
 #include "coverage.h"
 #include "shapes.h"
 #include "text.h"
@@ -124,8 +125,6 @@ class Builder {
   std::size_t leaf(std::size_t input, std::size_t term, bool complement);
   std::string condition_text(const ast::Condition& condition) const;
 
-  void assign_slots();
-  void compile_output(std::size_t output);
   void check_coverage();
 
   const ast::FunctionBlock& block_;
@@ -134,13 +133,6 @@ class Builder {
   std::map<std::string, Declared> variables_;  // by name in lower case
   std::map<std::tuple<std::size_t, std::size_t, bool>, std::size_t> leaves_;
 
-  /// Conclusions before they have slots: of rule, on term of output.
-  struct Conclusion {
-    std::size_t rule;
-    std::size_t output;
-    std::size_t term;
-    bool scales;
-  };
   std::vector<Conclusion> conclusions_;
 };
 
@@ -183,10 +175,7 @@ std::shared_ptr<const ModelData> Builder::run() {
   if (!problems_.empty()) {
     return nullptr;
   }
-  assign_slots();
-  for (std::size_t i = 0; i < model_->outputs.size(); ++i) {
-    compile_output(i);
-  }
+  compile_outputs(conclusions_, *model_);
   check_coverage();
   return model_;
 }
@@ -695,80 +684,6 @@ std::string Builder::condition_text(const ast::Condition& condition) const {
     text += parentheses ? "(" + condition_text(operand) + ")" : condition_text(operand);
   }
   return text;
-}
-
-// --- the form for inference ---
-
-void Builder::assign_slots() {
-  // Slots of one output lie together, and within it those of one term.
-  std::stable_sort(
-      conclusions_.begin(), conclusions_.end(), [](const Conclusion& a, const Conclusion& b) {
-        return std::tuple(a.output, a.term, a.scales) < std::tuple(b.output, b.term, b.scales);
-      });
-  model_->compiled_outputs.resize(model_->outputs.size());
-  const Conclusion* last = nullptr;
-  for (const Conclusion& conclusion : conclusions_) {
-    const Accumulation accumulation = model_->outputs[conclusion.output].accumulation;
-    // Two cuts of one term: with the maximum the higher one counts, else both. Scaled terms may be
-    // added before they are scaled.
-    const bool may_share = accumulation == Accumulation::max ||
-                           (conclusion.scales && accumulation != Accumulation::algebraic_sum);
-    const bool shares = may_share && last && last->output == conclusion.output &&
-                        last->term == conclusion.term && last->scales == conclusion.scales;
-    if (!shares) {
-      model_->slots.push_back({conclusion.term, conclusion.scales});
-    }
-    CompiledOutput& output = model_->compiled_outputs[conclusion.output];
-    if (!last || last->output != conclusion.output) {
-      output.first_slot = model_->slots.size() - 1;
-    }
-    output.end_slot = model_->slots.size();
-    model_->compiled_rules[conclusion.rule].targets.push_back(
-        {conclusion.output, model_->slots.size() - 1});
-    last = &conclusion;
-  }
-}
-
-void Builder::compile_output(std::size_t index) {
-  const OutputVariable& variable = model_->outputs[index];
-  CompiledOutput& output = model_->compiled_outputs[index];
-  output.singletons = variable.terms.front().singleton.has_value();
-  model_->most_slots = std::max(model_->most_slots, output.end_slot - output.first_slot);
-  if (output.singletons) {
-    return;
-  }
-  const Range& range = variable.range;
-  std::set<double> places{range.low, range.high};
-  std::vector<std::pair<std::size_t, std::size_t>> slots_of(variable.terms.size());
-  for (std::size_t s = output.first_slot; s < output.end_slot; ++s) {
-    auto& [first, end] = slots_of[model_->slots[s].term];
-    first = end == 0 ? s : first;
-    end = s + 1;
-  }
-  for (std::size_t t = 0; t < variable.terms.size(); ++t) {
-    if (slots_of[t].second == 0) {
-      continue;  // no rule concludes it
-    }
-    for (const FuzzySet::Point& point : variable.terms[t].set.points) {
-      if (point.x > range.low && point.x < range.high) {
-        places.insert(point.x);
-      }
-    }
-  }
-  for (auto left = places.begin(), right = std::next(left); right != places.end();
-       ++left, ++right) {
-    Cell cell{*left, *right, output.lines.size(), 0};
-    for (std::size_t t = 0; t < variable.terms.size(); ++t) {
-      const auto& [first, end] = slots_of[t];
-      const double y0 = degree_after(variable.terms[t].set, *left);
-      const double y1 = degree_before(variable.terms[t].set, *right);
-      if (end != 0 && (y0 > 0.0 || y1 > 0.0)) {
-        output.lines.push_back({y0, y1, first, end});
-      }
-    }
-    cell.end_line = output.lines.size();
-    output.cells.push_back(cell);
-  }
 }
 
 void Builder::check_coverage() {
