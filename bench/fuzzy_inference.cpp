@@ -3,10 +3,11 @@
 //
 // fuzzylite samples the output set, at 100 places unless told otherwise; ours is exact.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>

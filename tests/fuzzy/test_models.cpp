@@ -1,0 +1,142 @@
+// The models that come with the program: what a beam at a place wants of the wheels.
+#include <filesystem>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/fuzzy/fcl.h"
+
+using elsie::fuzzy::Model;
+using elsie::fuzzy::Workspace;
+
+namespace {
+
+const std::string kFolder = ELSIE_SOURCE_DIR "/fuzzy_models/";
+
+struct Rates {
+  double left = 0.0;
+  double right = 0.0;
+};
+
+/// The two models of a behaviour.
+class Pair {
+ public:
+  explicit Pair(const std::string& behavior)
+      : left_(elsie::fuzzy::read_fcl(kFolder + behavior + "_left.fcl")),
+        right_(elsie::fuzzy::read_fcl(kFolder + behavior + "_right.fcl")) {}
+
+  Rates operator()(double range_m, double azimuth_deg) {
+    const double inputs[] = {range_m, azimuth_deg};
+    Rates rates;
+    left_.evaluate(inputs, {&rates.left, 1}, workspace_);
+    right_.evaluate(inputs, {&rates.right, 1}, workspace_);
+    return rates;
+  }
+
+ private:
+  Model left_;
+  Model right_;
+  Workspace workspace_;
+};
+
+}  // namespace
+
+TEST_CASE("Every model takes range and azimuth and answers with a speed, everywhere") {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    INFO(entry.path());
+    const Model model = elsie::fuzzy::read_fcl(entry.path().string());
+    CHECK(model.name() == entry.path().stem().string());
+    REQUIRE(model.inputs().size() == 2);
+    CHECK(model.inputs()[0].name == "range");
+    CHECK(model.inputs()[1].name == "azimuth");
+    REQUIRE(model.outputs().size() == 1);
+    CHECK(model.outputs()[0].name == "speed");
+    CHECK_FALSE(model.outputs()[0].default_value);  // some rule decides wherever the beam looks
+    ++count;
+  }
+  CHECK(count == 6);
+}
+
+TEST_CASE("avoid_obstacle drives on at 20 rad/s where nothing is in reach") {
+  Pair avoid("avoid_obstacle");
+  for (double azimuth = -180; azimuth <= 180; azimuth += 5) {
+    CHECK(avoid(1.0, azimuth).left == Approx(20));
+    CHECK(avoid(1.0, azimuth).right == Approx(20));
+  }
+}
+
+TEST_CASE("avoid_obstacle turns away from the nearer side, and slows down with nearness") {
+  Pair avoid("avoid_obstacle");
+  for (const double azimuth : {15.0, 35.0, 45.0}) {
+    double last_mean = 20.0;
+    double last_turn = 0.0;
+    for (const double range : {0.7, 0.6, 0.5, 0.4, 0.3, 0.25, 0.2, 0.15, 0.1}) {
+      const Rates rates = avoid(range, azimuth);
+      CHECK(rates.left > rates.right);
+      CHECK(rates.left - rates.right >= last_turn - 1e-9);
+      CHECK(0.5 * (rates.left + rates.right) <= last_mean + 1e-9);
+      last_mean = 0.5 * (rates.left + rates.right);
+      last_turn = rates.left - rates.right;
+    }
+  }
+  CHECK(avoid(0.2, 90).left > avoid(0.2, 90).right);
+  CHECK(avoid(0.2, -90).left < avoid(0.2, -90).right);
+}
+
+TEST_CASE("avoid_obstacle is the same on both sides, but for what is very near in front") {
+  Pair avoid("avoid_obstacle");
+  for (const double azimuth : {15.0, 35.0, 45.0, 60.0, 90.0, 135.0, 180.0}) {
+    for (const double range : {0.3, 0.35, 0.4, 0.5, 0.65, 0.8, 1.0}) {
+      CHECK(avoid(range, azimuth).left == Approx(avoid(range, -azimuth).right));
+      CHECK(avoid(range, azimuth).right == Approx(avoid(range, -azimuth).left));
+    }
+  }
+  CHECK(avoid(0.1, 90).left == Approx(avoid(0.1, -90).right));
+}
+
+TEST_CASE("Very near in front the robot spins to the right, on whichever side it is") {
+  Pair avoid("avoid_obstacle");
+  for (const double azimuth : {-35.0, -15.0, 0.0, 15.0, 35.0}) {
+    CHECK(avoid(0.1, azimuth).left - avoid(0.1, azimuth).right > 40);
+    CHECK(avoid(0.1, azimuth).right < -25);
+  }
+}
+
+TEST_CASE("What is behind matters little") {
+  Pair avoid("avoid_obstacle");
+  for (const double azimuth : {-180.0, -150.0, -110.0, 110.0, 150.0}) {
+    CHECK(avoid(0.05, azimuth).left == Approx(20));
+    CHECK(avoid(0.05, azimuth).right == Approx(20));
+  }
+}
+
+TEST_CASE("turn_left and turn_right mirror each other") {
+  Pair left("turn_left");
+  Pair right("turn_right");
+  for (double azimuth = -180; azimuth <= 180; azimuth += 7.5) {
+    for (double range = 0; range <= 1; range += 0.05) {
+      CHECK(left(range, azimuth).left == Approx(right(range, -azimuth).right));
+      CHECK(left(range, azimuth).right == Approx(right(range, -azimuth).left));
+    }
+  }
+}
+
+TEST_CASE("turn_left turns left from what is on the right, and from nothing else") {
+  Pair turn("turn_left");
+  for (const double azimuth : {0.0, 15.0, 35.0, 90.0, 150.0, -150.0}) {
+    CHECK(turn(0.05, azimuth).left == Approx(20));
+    CHECK(turn(0.05, azimuth).right == Approx(20));
+  }
+  for (const double azimuth : {-15.0, -35.0, -60.0, -90.0}) {
+    double last_turn = 0.0;
+    for (const double range : {0.45, 0.4, 0.3, 0.2, 0.1}) {
+      const Rates rates = turn(range, azimuth);
+      CHECK(rates.right > rates.left);
+      CHECK(rates.right - rates.left >= last_turn - 1.0);
+      last_turn = rates.right - rates.left;
+    }
+  }
+  CHECK(turn(0.1, -30).left < 0);
+  CHECK(turn(1.0, -30).left == Approx(20));
+}
