@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
 #include "elsie/plugin/near_name.h"
 #include "elsie/plugin/parameters.h"
@@ -43,6 +44,19 @@ bool in_range(const Field& field, double value) {
   return in_range(field.facts, value) && value >= field.lowest && value <= field.highest;
 }
 
+template <class Value>
+Parsed accepted(Value value) {
+  Parsed parsed;
+  parsed.value.emplace(std::move(value));
+  return parsed;
+}
+
+Parsed refused(std::string problem) {
+  Parsed parsed;
+  parsed.problem = std::move(problem);
+  return parsed;
+}
+
 template <class Number>
 Parsed parse_number(const Field& field, std::string_view text) {
   Number number{};
@@ -58,11 +72,11 @@ Parsed parse_number(const Field& field, std::string_view text) {
            : text.find_first_of(" \t\n\r") != std::string_view::npos ? "; without blanks"
                                                                      : "";
   } else if (in_range(field, static_cast<double>(number))) {
-    return {ParameterValue(number), ""};
+    return accepted(number);
   } else if (in_range(field.facts, static_cast<double>(number))) {
     hint = "; this number is beyond what can be stored";
   }
-  return {std::nullopt, "expected " + expectation(field) + hint};
+  return refused("expected " + expectation(field) + hint);
 }
 
 Parsed parse_list(const Field& field, std::string_view text) {
@@ -71,14 +85,14 @@ Parsed parse_list(const Field& field, std::string_view text) {
   while (true) {
     at = text.find_first_not_of(" \t\n\r", at);
     if (at == std::string_view::npos) {
-      return {ParameterValue(std::move(numbers)), ""};
+      return accepted(std::move(numbers));
     }
     const std::size_t end = std::min(text.find_first_of(" \t\n\r", at), text.size());
     const std::string_view word = text.substr(at, end - at);
     const Parsed number = parse_number<double>(field, word);
     if (!number.value) {
-      return {std::nullopt,
-              "expected " + expectation(field) + "; '" + std::string(word) + "' is none of those"};
+      return refused("expected " + expectation(field) + "; '" + std::string(word) +
+                     "' is none of those");
     }
     numbers.push_back(std::get<double>(*number.value));
     at = end;
@@ -93,10 +107,10 @@ Parsed parse_text(const Field& field, std::string_view text) {
                     : field.form == TextForm::colour ? is_colour(text)
                                                      : true;
   if (good) {
-    return {ParameterValue(std::string(text)), ""};
+    return accepted(std::string(text));
   }
-  return {std::nullopt,
-          "expected " + expectation(field) + plugin::did_you_mean(std::string(text), choices)};
+  return refused("expected " + expectation(field) +
+                 plugin::did_you_mean(std::string(text), choices));
 }
 
 }  // namespace
@@ -120,9 +134,9 @@ Parsed parse_value(const Field& field, std::string_view text) {
       return parse_number<std::int64_t>(field, text);
     case ParameterType::boolean:
       if (text == "true" || text == "false") {
-        return {ParameterValue(text == "true"), ""};
+        return accepted(text == "true");
       }
-      return {std::nullopt, "expected " + expectation(field)};
+      return refused("expected " + expectation(field));
     case ParameterType::reals:
       return parse_list(field, text);
     case ParameterType::file:
