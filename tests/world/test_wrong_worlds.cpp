@@ -84,3 +84,17 @@ TEST_CASE("A file that no world can fill is not read") {
   CHECK_THAT(message_of(draft.path()),
              Catch::EndsWith(": the file is larger than 32 MiB; no world is"));
 }
+
+TEST_CASE("A file with very many mistakes is reported in full, and soon") {
+  std::string text = "<world format='1'><obstacles>\n";
+  for (int i = 0; i < 30'000; ++i) {
+    text += "<static_box x='a'/>\n";
+  }
+  try {
+    world::parse_world(text + "</obstacles></world>", "many.xml", host());
+    FAIL("accepted");
+  } catch (const world::WorldError& error) {
+    REQUIRE(error.problems().size() == 30'000);
+    CHECK(error.problems().back().line == 30'001);
+  }
+}

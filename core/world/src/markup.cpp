@@ -100,12 +100,12 @@ void check_encoding(const tinyxml2::XMLDocument& document, const std::string& fi
 
 // That every element is closed by its own tag, that there is one root, and that nothing is nested
 // deeper than what is parsed by recursion later can bear.
-void check_nesting(const std::vector<Tag>& tags, std::string_view text, const std::string& file) {
+void check_nesting(const std::vector<Tag>& tags, const std::string& file) {
   constexpr std::size_t kDeepest = 50;
   std::vector<const Tag*> open;
   bool rooted = false;
   for (const Tag& tag : tags) {
-    const int line = line_of(text, tag.span.begin);
+    const int line = tag.line;
     const std::string name(tag.name);
     if (tag.kind == Tag::Kind::end) {
       if (open.empty()) {
@@ -115,7 +115,7 @@ void check_nesting(const std::vector<Tag>& tags, std::string_view text, const st
         const std::string expected(open.back()->name);
         fail(file, line,
              "</" + name + "> stands where </" + expected + "> was expected: <" + expected +
-                 "> starts on line " + std::to_string(line_of(text, open.back()->span.begin)));
+                 "> starts on line " + std::to_string(open.back()->line));
       }
       open.pop_back();
       continue;
@@ -135,8 +135,7 @@ void check_nesting(const std::vector<Tag>& tags, std::string_view text, const st
   }
   if (!open.empty()) {
     const std::string name(open.back()->name);
-    fail(file, line_of(text, open.back()->span.begin),
-         "<" + name + "> is never closed; expected </" + name + ">");
+    fail(file, open.back()->line, "<" + name + "> is never closed; expected </" + name + ">");
   }
   if (!rooted) {
     fail(file, 0, "the file is empty; expected <world format=\"1\"> ... </world>");
@@ -239,7 +238,7 @@ std::string read_text(const std::string& file) {
 
 Element parse_markup(std::string_view text, const std::string& file) {
   check_characters(text, file);
-  check_nesting(scan_tags(text, file), text, file);
+  check_nesting(scan_tags(text, file), file);
 
   tinyxml2::XMLDocument document;
   document.Parse(text.data(), text.size());

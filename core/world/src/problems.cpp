@@ -30,7 +30,7 @@ WorldError::WorldError(std::vector<Problem> problems)
 void Problems::add(const Location& where, std::string message) {
   Problem problem{where.file, where.line, std::move(message)};
   // A mistake in a template is met once for every robot that uses it.
-  if (std::find(problems_.begin(), problems_.end(), problem) == problems_.end()) {
+  if (known_.emplace(problem.file, problem.line, problem.message).second) {
     problems_.push_back(std::move(problem));
   }
 }

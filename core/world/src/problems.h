@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "elsie/world/description.h"
@@ -23,6 +25,7 @@ class Problems {
 
  private:
   std::vector<Problem> problems_;
+  std::set<std::tuple<std::string, int, std::string>> known_;  // to tell each only once
 };
 
 /// What something may be called instead of a wrong name, for the end of a sentence: "; did you mean

@@ -58,6 +58,14 @@ class Scanner {
   }
   [[noreturn]] void fail(const std::string& message) const { fail(message, at_); }
 
+  // Counts on from the tag before, so that a large file is gone through once.
+  int line_at_tag() {
+    line_ += static_cast<int>(std::count(text_.begin() + static_cast<long>(counted_),
+                                         text_.begin() + static_cast<long>(at_), '\n'));
+    counted_ = at_;
+    return line_;
+  }
+
   void skip_past(std::string_view end, const std::string& what) {
     const std::size_t found = text_.find(end, at_);
     if (found == std::string_view::npos) {
@@ -110,7 +118,9 @@ class Scanner {
 
   Tag tag() {
     Tag tag;
-    tag.span.begin = at_++;
+    tag.span.begin = at_;
+    tag.line = line_at_tag();
+    ++at_;
     if (at_ < text_.size() && text_[at_] == '/') {
       ++at_;
       tag.kind = Tag::Kind::end;
@@ -182,6 +192,8 @@ class Scanner {
   std::string_view text_;
   const std::string& file_;
   std::size_t at_ = 0;
+  std::size_t counted_ = 0;  // up to here, line_ has counted
+  int line_ = 1;
 };
 
 }  // namespace

@@ -25,6 +25,7 @@ struct Tag {
   Kind kind = Kind::start;
   std::string_view name;
   Span span;
+  int line = 0;  // where it begins
   std::vector<TagAttribute> attributes;
 };
 
