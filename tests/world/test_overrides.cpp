@@ -103,6 +103,7 @@ TEST_CASE("A path that leads nowhere says what is there instead") {
         "there is no sensor[4]; they are numbered from 1 to 3");
   CHECK(message("robot[r1]/sensor[0]/@x=1") ==
         "there is no sensor[0]; they are numbered from 1 to 3");
+  CHECK(message("goal[first]/@time=1") == "there is no goal[first]; they are numbered from 1 to 1");
   CHECK(message("robot/@x=1") ==
         "'robot' could be any of 2; say which, as in robot[r1], or robot[*] for all of them");
   CHECK(message("robt[r1]/@x=1") == "there is no 'robt' in <world>; did you mean 'robot'?");

@@ -135,6 +135,44 @@ TEST_CASE("A mistake is not reported again as what follows from it") {
         "world.xml:1: there is no sensor 'beem'; did you mean 'beam'?");
 }
 
+TEST_CASE("A robot with a bad id and unknown plugins is refused like any other") {
+  const std::string bad_id =
+      "world.xml:1: id=\"1 bad\" of <robot>: expected a name that starts with a letter or '_' and "
+      "goes on with letters, digits, '_', '-' or '.'\n";
+  const auto with = [](const std::string& parts) {
+    return problems("<robots><robot id='1 bad'>" + parts + "</robot></robots>");
+  };
+  CHECK(with("<behaviors><raom/></behaviors><coordinator><pick/></coordinator>") ==
+        bad_id + "world.xml:1: there is no behavior 'raom'; did you mean 'roam'?");
+  CHECK(with("<behaviors><roam/></behaviors><coordinator><pikc/></coordinator>") ==
+        bad_id + "world.xml:1: there is no coordinator 'pikc'; did you mean 'pick'?");
+  CHECK(with("<sensors><beem/></sensors><behaviors><avoid/></behaviors>"
+             "<coordinator><pick/></coordinator>") ==
+        bad_id + "world.xml:1: there is no sensor 'beem'; did you mean 'beam'?");
+  SECTION("what is known of it is judged all the same") {
+    CHECK(with("<behaviors><avoid/></behaviors>") ==
+          bad_id +
+              "world.xml:1: this robot has behaviours but no coordinator; add a <coordinator>\n"
+              "world.xml:1: 'avoid' needs readings of the kind 'range', but this robot has no "
+              "sensor that makes them; add <beam>");
+  }
+  SECTION("an unknown plugin of another robot with the same id is no excuse") {
+    CHECK(problems("<robots><robot id='r'><sensors><beem/></sensors></robot>\n"
+                   "<robot id='r' x='1'><behaviors><roam/></behaviors></robot></robots>") ==
+          "world.xml:1: there is no sensor 'beem'; did you mean 'beam'?\n"
+          "world.xml:2: a second robot with the id 'r'; the first is there already (line 1)\n"
+          "world.xml:2: the robot 'r' has behaviours but no coordinator; add a <coordinator>");
+  }
+}
+
+TEST_CASE("Where nothing can be meant, no empty list is offered") {
+  CHECK(problems("<goals><travel robot='r1'/></goals>") ==
+        "world.xml:1: robot=\"r1\" of <travel>: there is no such robot; the world has none");
+  CHECK_THAT(problems("<robots><robot id='1 bad'/></robots><goals><travel robot='r1'/></goals>"),
+             Catch::EndsWith("robot=\"r1\" of <travel>: there is no such robot; the world has none "
+                             "with a valid id"));
+}
+
 TEST_CASE("Mistakes in different parts of one robot are all reported") {
   CHECK(problems("<robots><robot id='r' x='4.99'><sensors><beam max_range='0'/></sensors></robot>"
                  "</robots>") ==

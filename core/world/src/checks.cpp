@@ -1,6 +1,8 @@
 #include "checks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <map>
 #include <string>
 #include <utility>
@@ -15,6 +17,10 @@ namespace elsie::world {
 namespace {
 
 std::string number(double value) { return format_value(ParameterValue(value)); }
+
+std::string in_words(const Robot& robot) {
+  return robot.id.empty() ? "this robot" : "the robot '" + robot.id + "'";
+}
 
 std::string on_line(const Location& where, const Location& from) {
   return where.line == 0           ? " (" + where.file + ")"
@@ -75,8 +81,13 @@ void check_mentions(const Reading& reading, Problems& problems) {
                               : mention.kind == Reference::robot ? std::pair("robot", &robots)
                                                                  : std::pair("box", &boxes);
     if (std::find(ids->begin(), ids->end(), mention.id) == ids->end()) {
-      problems.add(mention.where, mention.in_words + ": there is no such " + what +
-                                      near_or_all(mention.id, *ids, "there are"));
+      std::vector<std::string> valid = *ids;
+      std::erase(valid, "");
+      problems.add(mention.where,
+                   mention.in_words + ": there is no such " + what +
+                       (ids->empty()    ? "; the world has none"
+                        : valid.empty() ? "; the world has none with a valid id"
+                                        : near_or_all(mention.id, valid, "there are")));
     }
   }
 }
@@ -108,13 +119,20 @@ void check_physics(const Element& root, const Physics& physics, Problems& proble
 }
 
 // Whether the robot's sensors make the readings that a behaviour or the coordinator needs.
-void check_needs(const Robot& robot, const PluginUse& use, const Declaration& declaration,
+void check_needs(const Robot& robot, const PluginUse& use, PluginKind kind,
                  const plugin::Host& host, Problems& problems) {
-  for (const ReadingDeclaration& need : declaration.needs) {
+  const Declaration* declaration = host.find(kind, use.plugin);
+  if (!declaration) {
+    return;
+  }
+  for (const ReadingDeclaration& need : declaration->needs) {
     bool met = false;
     const SensorUse* other_version = nullptr;
     for (const SensorUse& sensor : robot.sensors) {
       const Declaration* made = host.find(PluginKind::sensor, sensor.plugin);
+      if (!made) {
+        continue;
+      }
       for (const ReadingDeclaration& reading : made->produces) {
         if (reading.kind == need.kind) {
           met |= reading.size == need.size;
@@ -138,32 +156,31 @@ void check_needs(const Robot& robot, const PluginUse& use, const Declaration& de
         }
       }
       problems.add(use.location,
-                   what + ", but the robot '" + robot.id + "' has no sensor that makes them" +
+                   what + ", but " + in_words(robot) + " has no sensor that makes them" +
                        (makers.empty() ? "; no plugin that was found does" : "; add " + makers));
     }
   }
 }
 
-void check_robot(const Reading& reading, const Robot& robot, const plugin::Host& host,
+void check_robot(const Reading& reading, std::size_t index, const plugin::Host& host,
                  Problems& problems) {
+  const Robot& robot = reading.world.robots[index];
   if (robot.energy && *robot.energy > robot.battery && reading.sound(robot.location)) {
-    problems.add(robot.location, "the robot '" + robot.id + "' starts with energy " +
-                                     number(*robot.energy) + ", but its battery holds " +
-                                     number(robot.battery));
+    problems.add(robot.location, in_words(robot) + " starts with energy " + number(*robot.energy) +
+                                     ", but its battery holds " + number(robot.battery));
   }
-  if (reading.incomplete_robots.contains(robot.id)) {
+  if (reading.incomplete_robots.contains(index)) {
     return;
   }
   if (!robot.behaviors.empty() && !robot.coordinator) {
-    problems.add(robot.location, "the robot '" + robot.id +
-                                     "' has behaviours but no coordinator; add a <coordinator>");
+    problems.add(robot.location,
+                 in_words(robot) + " has behaviours but no coordinator; add a <coordinator>");
   }
   for (const BehaviorUse& use : robot.behaviors) {
-    check_needs(robot, use, *host.find(PluginKind::behavior, use.plugin), host, problems);
+    check_needs(robot, use, PluginKind::behavior, host, problems);
   }
   if (robot.coordinator) {
-    check_needs(robot, *robot.coordinator,
-                *host.find(PluginKind::coordinator, robot.coordinator->plugin), host, problems);
+    check_needs(robot, *robot.coordinator, PluginKind::coordinator, host, problems);
   }
 }
 
@@ -229,8 +246,8 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
   check_ids(root, problems);
   check_mentions(reading, problems);
   check_physics(root, reading.world.physics, problems);
-  for (const Robot& robot : reading.world.robots) {
-    check_robot(reading, robot, host, problems);
+  for (std::size_t i = 0; i < reading.world.robots.size(); ++i) {
+    check_robot(reading, i, host, problems);
   }
   // With any mistake in the file's sizes, what follows would be about defaults.
   if (const auto locate =

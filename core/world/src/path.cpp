@@ -100,10 +100,11 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
   std::size_t number = 0;
   const char* end = step.key.data() + step.key.size();
   const auto parsed = std::from_chars(step.key.data(), end, number);
-  if (parsed.ec == std::errc() && parsed.ptr == end) {
-    if (number >= 1 && number <= places.size()) {
-      return {places[number - 1]};
-    }
+  const bool is_number = parsed.ec == std::errc() && parsed.ptr == end;
+  if (is_number && number >= 1 && number <= places.size()) {
+    return {places[number - 1]};
+  }
+  if (is_number || ids.empty()) {
     fail("there is no " + text_of(step) + "; they are numbered from 1 to " + count);
   }
   // A few are best listed, of many the nearest is told.

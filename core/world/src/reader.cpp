@@ -85,19 +85,21 @@ class Reader {
   }
 
   bool read_child(const ElementSpec& spec, const Element& element, void* parent) {
-    if (spec.name == "robot") {
-      robot_ = &element;
-    }
     void* object = spec.make(parent, element.where);
+    if (element.incomplete) {
+      mark_robot_incomplete();
+    }
     const bool sound =
         spec.plugins ? read_use(spec, element, object) : read_object(spec, element, object);
     if (!sound && !spec.plugins) {
       reading_.unsound.emplace(element.where.file, element.where.line);
     }
-    if (element.incomplete) {
-      reading_.incomplete_robots.insert(element.value("id"));
-    }
     return sound;
+  }
+
+  // The one that is being read.
+  void mark_robot_incomplete() {
+    reading_.incomplete_robots.insert(reading_.world.robots.size() - 1);
   }
 
   void refuse_text(const Element& element) {
@@ -179,7 +181,7 @@ class Reader {
     const Declaration* declaration = host_.find(*spec.plugins, element.name);
     if (!declaration) {
       problems_.add(element.where, explain_missing(*spec.plugins, element.name));
-      reading_.incomplete_robots.insert(robot_->value("id"));
+      mark_robot_incomplete();
       return false;
     }
     refuse_text(element);
@@ -293,7 +295,6 @@ class Reader {
   const bool check_plugins_;
   Problems& problems_;
   Reading reading_;
-  const Element* robot_ = nullptr;  // being read
 };
 
 // A file in another format has another vocabulary: nothing else in it is looked at.

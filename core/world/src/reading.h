@@ -1,6 +1,7 @@
 // A world that is being read: what checks need to know besides the world itself.
 #pragma once
 
+#include <cstddef>
 #include <set>
 #include <string>
 #include <utility>
@@ -25,8 +26,9 @@ struct Reading {
   /// Elements with mistakes of their own: what they describe has defaults where they are wrong, and
   /// is not to be judged by those.
   std::set<std::pair<std::string, int>> unsound;
-  /// Robots of which something could not be read: a template, or what plugin is meant.
-  std::set<std::string> incomplete_robots;
+  /// Robots of which something could not be read: a template, or what plugin is meant. By their
+  /// places in World::robots; their ids may be wrong.
+  std::set<std::size_t> incomplete_robots;
 
   bool sound(const Location& where) const { return !unsound.contains({where.file, where.line}); }
 };
