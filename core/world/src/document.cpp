@@ -62,6 +62,34 @@ Element parse_with_ids(const std::string& text, const std::string& file) {
   return root;
 }
 
+// What `edit_of` makes of each element in the text that the path leads to; those that only the path
+// takes for granted are not there to be edited.
+template <class EditOf>
+std::vector<Edit> edits_at(const std::string& text, const std::string& file, const Path& path,
+                           EditOf edit_of) {
+  Element root = parse_with_ids(text, file);
+  const std::vector<ElementTags> elements = elements_of(scan_tags(text, file));
+  std::vector<Edit> edits;
+  for (const Element* element : select(root, path)) {
+    if (element->number == Element::kMade) {
+      continue;
+    }
+    if (std::optional<Edit> edit = edit_of(elements[element->number])) {
+      edits.push_back(std::move(*edit));
+    }
+  }
+  return edits;
+}
+
+const Element& select_one(Element& root, const Path& path, std::string_view in_words) {
+  const std::vector<Element*> elements = select(root, path);
+  if (elements.size() != 1) {
+    throw std::invalid_argument("the path '" + std::string(in_words) +
+                                "' leads to more than one element");
+  }
+  return *elements.front();
+}
+
 Path attribute_path(std::string_view text) {
   Path path = parse_path(text);
   if (path.attribute.empty()) {
@@ -137,12 +165,7 @@ Document Document::load(const std::string& file) { return {read_text(file), file
 std::optional<std::string> Document::attribute(std::string_view path) const {
   const Path parsed = attribute_path(path);
   Element root = parse_with_ids(text_, file_);
-  const std::vector<Element*> elements = select(root, parsed);
-  if (elements.size() != 1) {
-    throw std::invalid_argument("the path '" + std::string(path) +
-                                "' leads to more than one element");
-  }
-  const Attribute* found = elements.front()->find(parsed.attribute);
+  const Attribute* found = select_one(root, parsed, path).find(parsed.attribute);
   return found ? std::optional(found->value) : std::nullopt;
 }
 
@@ -150,37 +173,26 @@ void Document::set(std::string_view path, std::string_view value) {
   const Path parsed = attribute_path(path);
   Document changed = *this;
   changed.add_missing(parsed);
-  Element root = parse_with_ids(changed.text_, file_);
-  const auto tags = elements_of(scan_tags(changed.text_, file_));
-  std::vector<Edit> edits;
-  for (const Element* element : select(root, parsed)) {
-    const Tag& tag = tags[element->number].start;
-    const std::string quoted = "\"" + escaped(value) + "\"";
+  const std::string quoted = "\"" + escaped(value) + "\"";
+  const auto with_value = [&](const ElementTags& element) {
+    const Tag& tag = element.start;
     if (const TagAttribute* there = attribute_of(tag, parsed.attribute)) {
-      edits.push_back({{there->value.begin - 1, there->value.end + 1}, quoted});
-    } else {
-      const std::size_t end = tag.attributes.empty() ? tag.span.begin + 1 + tag.name.size()
-                                                     : tag.attributes.back().whole.end;
-      edits.push_back({{end, end}, " " + parsed.attribute + "=" + quoted});
+      return std::optional(Edit{{there->value.begin - 1, there->value.end + 1}, quoted});
     }
-  }
-  replace(edited(changed.text_, std::move(edits)));
+    const std::size_t end = tag.attributes.empty() ? tag.span.begin + 1 + tag.name.size()
+                                                   : tag.attributes.back().whole.end;
+    return std::optional(Edit{{end, end}, " " + parsed.attribute + "=" + quoted});
+  };
+  replace(edited(changed.text_, edits_at(changed.text_, file_, parsed, with_value)));
 }
 
 void Document::reset(std::string_view path) {
   const Path parsed = attribute_path(path);
-  Element root = parse_with_ids(text_, file_);
-  const auto tags = elements_of(scan_tags(text_, file_));
-  std::vector<Edit> edits;
-  for (const Element* element : select(root, parsed)) {
-    if (element->number == Element::kMade) {
-      continue;
-    }
-    if (const auto* there = attribute_of(tags[element->number].start, parsed.attribute)) {
-      edits.push_back({there->whole, ""});
-    }
-  }
-  replace(edited(text_, std::move(edits)));
+  const auto without = [&](const ElementTags& element) {
+    const TagAttribute* there = attribute_of(element.start, parsed.attribute);
+    return there ? std::optional(Edit{there->whole, ""}) : std::nullopt;
+  };
+  replace(edited(text_, edits_at(text_, file_, parsed, without)));
 }
 
 void Document::insert(std::string_view path, std::string_view markup) {
@@ -188,33 +200,21 @@ void Document::insert(std::string_view path, std::string_view markup) {
   Document changed = *this;
   changed.add_missing(parsed);
   Element root = parse_with_ids(changed.text_, file_);
-  const std::vector<Element*> elements = select(root, parsed);
-  if (elements.size() != 1) {
-    throw std::invalid_argument("the path '" + std::string(path) +
-                                "' leads to more than one element");
-  }
-  changed.insert_into(*elements.front(), markup);
+  changed.insert_into(select_one(root, parsed, path), markup);
   *this = std::move(changed);
 }
 
 void Document::erase(std::string_view path) {
   const Path parsed = element_path(path);
-  Element root = parse_with_ids(text_, file_);
-  const auto tags = elements_of(scan_tags(text_, file_));
-  std::vector<Edit> edits;
-  for (const Element* element : select(root, parsed)) {
-    if (element->number == Element::kMade) {
-      continue;
-    }
-    const ElementTags& both = tags[element->number];
-    Span span{both.start.span.begin, both.end.span.end};
+  const auto without = [&](const ElementTags& element) {
+    Span span{element.start.span.begin, element.end.span.end};
     const std::size_t next = text_.find_first_not_of(" \t\r", span.end);
     if (is_blank_before(text_, span.begin) && next != std::string::npos && text_[next] == '\n') {
       span = {line_start(text_, span.begin), next + 1};
     }
-    edits.push_back({span, ""});
-  }
-  replace(edited(text_, std::move(edits)));
+    return std::optional(Edit{span, ""});
+  };
+  replace(edited(text_, edits_at(text_, file_, parsed, without)));
 }
 
 void Document::save(const std::string& file) const {

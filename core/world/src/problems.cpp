@@ -1,6 +1,7 @@
 #include "problems.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <utility>
 

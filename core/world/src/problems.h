@@ -1,7 +1,6 @@
 // Collecting problems, so that all of a file are reported in one go.
 #pragma once
 
-#include <cstddef>
 #include <set>
 #include <string>
 #include <tuple>
@@ -17,7 +16,6 @@ class Problems {
   void add(const Location& where, std::string message);
   /// Takes over what a file that could not be parsed had to say.
   void add(const WorldError& error);
-  std::size_t size() const { return problems_.size(); }
   bool empty() const { return problems_.empty(); }
   /// Throws them as a WorldError, sorted by line, those of `main_file` first; does nothing when
   /// there are none.
