@@ -27,7 +27,9 @@ inline auto members(const world::Box& b) {
 inline auto members(const world::Charger& c) {
   return std::tie(c.id, c.team, c.x, c.y, c.radius, c.rate, c.seen_by_range_sensors);
 }
-inline auto members(const world::PluginUse& u) { return std::tie(u.plugin, u.id, u.parameters); }
+inline auto members(const world::PluginUse& u) {
+  return std::tie(u.plugin, u.id, u.parameters, u.file_names);
+}
 inline auto members(const world::SensorUse& u) {
   return std::tuple_cat(members(static_cast<const world::PluginUse&>(u)),
                         std::tie(u.x, u.y, u.z, u.yaw_deg, u.pitch_deg, u.energy_cost));

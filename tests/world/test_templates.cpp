@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/world/writer.h"
+
 #include "equal.h"
 #include "fixture.h"
 
@@ -180,5 +182,51 @@ TEST_CASE("A mistake in a template is reported once, where it stands") {
     CHECK(found[1].line == 2);
     CHECK(found[1].message == "<body> has no attribute 'lenght'; did you mean 'length'?");
     CHECK(found[2].line == 3);
+  }
+}
+
+TEST_CASE("A written world finds the files that its templates name") {
+  const Files files{{"robots/singer.xml",
+                     "<robot_template format='1'><behaviors><roam song='song.txt'/></behaviors>"
+                     "<coordinator><pick/></coordinator></robot_template>"},
+                    {"robots/song.txt", "la"},
+                    {"worlds/song.txt", "another one"}};
+  const auto song_in = [](const world::World& w) {
+    const std::string text = world::write_world(w);
+    const std::size_t at = text.find(" song=\"") + 7;
+    return text.substr(at, text.find('"', at) - at);
+  };
+  const std::string robots = "<robots><robot id='r1' template='../robots/singer.xml'/></robots>";
+  const auto parse = [&](const std::string& text, const world::ReadOptions& reading) {
+    return world::parse_world(text, files.path("worlds/world.xml"), host(), reading);
+  };
+  const std::string world = "<world format='1'>" + robots + "</world>";
+  SECTION("from the world's folder") {
+    const world::World w = parse(world, options());
+    CHECK(song_in(w) == "../robots/song.txt");
+    CHECK(same(w, parse(world::write_world(w), options())));
+  }
+  SECTION("from a data directory that they lie in") {
+    world::ReadOptions reading = options();
+    reading.data_directories.push_back(files.path("robots/.."));
+    reading.data_directories.push_back(files.path(""));
+    const world::World w = parse(world, reading);
+    CHECK(song_in(w) == "robots/song.txt");
+    CHECK(same(w, parse(world::write_world(w), reading)));
+  }
+  SECTION("when the world's folder is a link to another place") {
+    fs::create_directories(files.path("far/away"));
+    fs::create_directory_symlink(files.path("worlds"), files.path("far/away/worlds"));
+    const std::string file = files.path("far/away/worlds/world.xml");
+    const std::string text = "<world format='1'><robots><robot id='r1' template='" +
+                             files.path("robots/singer.xml") + "'/></robots></world>";
+    const world::World w = world::parse_world(text, file, host(), options());
+    CHECK(same(w, world::parse_world(world::write_world(w), file, host(), options())));
+  }
+  SECTION("when the world is named from the current folder") {
+    const std::string file = fs::relative(files.path("worlds/world.xml")).string();
+    const world::World w = world::parse_world(world, file, host(), options());
+    CHECK(song_in(w) == "../robots/song.txt");
+    CHECK(same(w, world::parse_world(world::write_world(w), file, host(), options())));
   }
 }

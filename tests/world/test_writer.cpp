@@ -14,7 +14,7 @@ using namespace elsie::test;
 namespace {
 
 world::World again(const world::World& w) {
-  return world::parse_world(world::write_world(w), kFolder + "again.xml", host(), options());
+  return world::parse_world(world::write_world(w), kFolder + "data/again.xml", host(), options());
 }
 
 }  // namespace
@@ -71,4 +71,28 @@ TEST_CASE("Numbers survive to the last bit") {
     CHECK(copy.boxes.at(0).length == w.boxes[0].length);
     CHECK(copy.physics.cfm == w.physics.cfm);
   }
+}
+
+TEST_CASE("A written world names no place of this machine") {
+  const world::World w = world::read_world(kFolder + "data/everything.xml", host(), options());
+  const std::string text = world::write_world(w);
+  CHECK_THAT(text, Catch::Contains(" song=\"songs/one.txt\""));
+  CHECK_THAT(text, !Catch::Contains(" model="));  // its default
+  CHECK_THAT(text, !Catch::Contains(kFolder));
+}
+
+TEST_CASE("A file that the user names by an absolute path keeps it") {
+  const std::string song = kFolder + "data/songs/one.txt";
+  const world::World w = world::read_world(kFolder + "data/everything.xml", host(),
+                                           options({"roam[1]/@song=" + song}));
+  CHECK_THAT(world::write_world(w), Catch::Contains(" song=\"" + song + "\""));
+  CHECK(same(w, again(w)));
+}
+
+TEST_CASE("A file parameter that is changed after reading is written as it is") {
+  world::World w = world::read_world(kFolder + "data/everything.xml", host(), options());
+  w.robots[0].behaviors[1].parameters["song"] = std::string("other.txt");
+  w.robots[0].behaviors[0].parameters["model"] = std::string("mine.fcl");
+  CHECK_THAT(world::write_world(w),
+             Catch::Contains(" song=\"other.txt\"") && Catch::Contains(" model=\"mine.fcl\""));
 }

@@ -34,6 +34,34 @@ std::optional<std::string> Files::find_data(const std::string& name) const {
   return std::nullopt;
 }
 
+std::string Files::name_for_world(const std::string& found, const std::string& written) const {
+  const std::string target = absolute(found);
+  const auto leads_there = [&](const std::string& name) {
+    const auto file = find(name, Location{});
+    return file && absolute(*file) == target;
+  };
+  if (leads_there(written)) {
+    return written;
+  }
+  for (const std::string& directory : data_directories_) {
+    const std::string name =
+        fs::path(target).lexically_relative(absolute(directory)).generic_string();
+    if (!name.empty() && !name.starts_with("..") && leads_there(name)) {
+      return name;
+    }
+  }
+  // From where to where must be told in the same way: both absolute, or as the names say.
+  const fs::path from = folder(Location{});
+  for (const fs::path& name :
+       {fs::path(found).lexically_relative(from.lexically_normal()),
+        fs::path(target).lexically_relative(absolute(from.empty() ? "." : from.string()))}) {
+    if (!name.empty() && leads_there(name.generic_string())) {
+      return name.generic_string();
+    }
+  }
+  return target;
+}
+
 std::string Files::places(const Location& from) const {
   const std::string beside = folder(from);
   return "in the folder " + (beside.empty() ? "." : beside) +

@@ -14,14 +14,18 @@ class Files {
   Files(std::string main_file, std::vector<std::string> data_directories)
       : main_file_(std::move(main_file)), data_directories_(std::move(data_directories)) {}
 
-  const std::string& main_file() const { return main_file_; }
-
   /// The regular file called `name` in the text at `from`: in the folder of that file (for an
   /// override: of the world file), else in the data directories. Its path is as short as the names
   /// that it was made of.
   std::optional<std::string> find(const std::string& name, const Location& from) const;
   /// The same in the data directories only: for defaults, which no file names.
   std::optional<std::string> find_data(const std::string& name) const;
+
+  /// What the world file may call a file that find() found as `found` when some file (a template,
+  /// perhaps) called it `written`: that same name if it means the same file there, else one that
+  /// starts in a data directory or in the world's folder. Absolute only when `written` is, or
+  /// nothing else leads there.
+  std::string name_for_world(const std::string& found, const std::string& written) const;
 
   /// Where find() looked, in words.
   std::string places(const Location& from) const;

@@ -255,7 +255,9 @@ class Reader {
                                            files_.places(attribute.where));
         return false;
       }
-      parsed.value = Files::absolute(*file);
+      std::string path = Files::absolute(*file);
+      use.file_names[parameter->name] = {path, files_.name_for_world(*file, attribute.value)};
+      parsed.value = std::move(path);
     }
     use.parameters[parameter->name] = std::move(*parsed.value);
     return true;
@@ -268,7 +270,9 @@ class Reader {
       return true;
     }
     if (const auto file = files_.find_data(name)) {
-      use.parameters[parameter.name] = Files::absolute(*file);
+      const std::string path = Files::absolute(*file);
+      use.parameters[parameter.name] = path;
+      use.file_names[parameter.name] = {path, ""};
       return true;
     }
     problems_.add(element.where, "<" + element.name + "> takes '" + name + "' for its parameter '" +

@@ -17,6 +17,16 @@ void append_attribute(std::string& text, const std::string& name, const Paramete
   text += " " + name + "=\"" + escaped(format_value(value)) + "\"";
 }
 
+void append_parameter(std::string& text, const PluginUse& use, const std::string& name,
+                      const ParameterValue& value) {
+  const auto file = use.file_names.find(name);
+  if (file == use.file_names.end() || value != ParameterValue(file->second.path)) {
+    append_attribute(text, name, value);
+  } else if (!file->second.name.empty()) {
+    append_attribute(text, name, file->second.name);
+  }
+}
+
 std::string element(const ElementSpec& spec, const void* object, bool needed, std::size_t depth);
 
 std::string children(const ElementSpec& spec, const void* object, std::size_t depth) {
@@ -55,7 +65,7 @@ std::string element(const ElementSpec& spec, const void* object, bool needed, st
   }
   if (use) {
     for (const auto& [parameter, value] : use->parameters) {
-      append_attribute(attributes, parameter, value);
+      append_parameter(attributes, *use, parameter, value);
     }
   }
   const std::string content = children(spec, object, depth + 1);

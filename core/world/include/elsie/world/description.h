@@ -98,6 +98,15 @@ struct Charger {
   Location location;
 };
 
+/// How a world file names the file whose absolute path a parameter holds.
+struct FileName {
+  std::string path;  // the parameter's value that this is about; of no meaning for another one
+  std::string name;  // from the world's folder or a data directory where that can be; empty: the
+                     // file is the plugin's default, which a world need not name
+
+  friend bool operator==(const FileName&, const FileName&) = default;
+};
+
 /// A plugin in use: which one, and what the file says of its parameters. What it does not say keeps
 /// the declared default.
 struct PluginUse {
@@ -106,6 +115,7 @@ struct PluginUse {
                    // file says otherwise
   std::map<std::string, ParameterValue>
       parameters;  // checked against the declaration; file paths resolved
+  std::map<std::string, FileName> file_names;  // of file parameters that are not empty
   Location location;
 };
 

@@ -43,7 +43,8 @@ struct ReadOptions {
 /// Reads a world file, with its templates merged in, overrides applied and every default filled in.
 /// Throws WorldError with all the problems of the file; nothing half read is ever returned.
 ///
-/// The result's file parameters hold absolute paths of files that exist. Obstacles stand before
+/// The result's file parameters hold absolute paths of files that exist, and beside them stands how
+/// a world names these (PluginUse::file_names). Obstacles stand before
 /// resources in World::boxes.
 World read_world(const std::string& file, const plugin::Host& host,
                  const ReadOptions& options = {});
