@@ -71,8 +71,11 @@ ElementSpec physics() {
                   .min = 0,
                   .max = 1e12,
                   .meaning = "damping constant, with kp, instead of erp and cfm"})
-      .attribute("friction", &Physics::friction,
-                 {.min = 0, .max = 1000, .meaning = "Coulomb friction of contacts"})
+      .attribute(
+          "friction", &Physics::friction,
+          {.min = 0,
+           .max = 1000,
+           .meaning = "Coulomb friction of contacts; tyres on the floor hold three times as well"})
       .attribute("wheel_slip", &Physics::wheel_slip,
                  {.unit = "m/(s N)",
                   .min = 0,
