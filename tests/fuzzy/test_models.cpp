@@ -95,11 +95,18 @@ TEST_CASE("avoid_obstacle is the same on both sides, but for what is very near i
   CHECK(avoid(0.1, 90).left == Approx(avoid(0.1, -90).right));
 }
 
-TEST_CASE("Very near in front the robot spins to the right, on whichever side it is") {
+TEST_CASE("Very near in front the robot backs off and spins away, harder from the left side") {
   Pair avoid("avoid_obstacle");
-  for (const double azimuth : {-35.0, -15.0, 0.0, 15.0, 35.0}) {
-    CHECK(avoid(0.1, azimuth).left - avoid(0.1, azimuth).right > 40);
-    CHECK(avoid(0.1, azimuth).right < -25);
+  for (const double azimuth : {5.0, 15.0, 30.0, 50.0}) {
+    const Rates from_left = avoid(0.1, azimuth);
+    const Rates from_right = avoid(0.1, -azimuth);
+    CHECK(from_left.left < 0);
+    CHECK(from_left.right < -25);
+    CHECK(from_left.left - from_left.right > 40);
+    CHECK(from_right.right < 0);
+    if (azimuth > 10) {  // nearer to the middle, what is ahead is avoided to the right
+      CHECK(from_right.right - from_right.left > 5);
+    }
   }
 }
 
