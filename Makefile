@@ -18,7 +18,7 @@ configure: dependencies
 demo: all
 	@mkdir -p out
 	$(ELSIE) run worlds/clutter.xml --seed 1 --picture out/clutter.png --record out/clutter.csv
-	@echo "Look at out/clutter.png; every step is in out/clutter.csv."
+	@echo "Look at out/clutter.png; the whole run is in out/clutter.csv."
 
 test: all
 	ctest --preset $(PRESET)

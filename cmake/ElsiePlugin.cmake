@@ -18,6 +18,8 @@ function(elsie_add_plugin name)
   if(ELSIE_PLUGIN_OUTPUT_DIRECTORY)
     set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${ELSIE_PLUGIN_OUTPUT_DIRECTORY}")
   endif()
+  # Bit-identical runs: no fused multiply-add that one compiler makes and another does not.
+  target_compile_options(${name} PRIVATE -ffp-contract=off)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${name} PRIVATE -fno-gnu-unique)
   endif()

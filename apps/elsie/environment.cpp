@@ -67,7 +67,7 @@ void require_writable(const fs::path& file, const char* option) {
   const std::string what = std::string(option) + ": cannot write '" + file.string() + "': ";
   std::error_code error;
   if (file.empty() || fs::is_directory(file, error)) {
-    throw BadInput(what + "it must be the name of a file");
+    throw BadInput(what + (file.empty() ? "the name of a file is missing" : "it is a directory"));
   }
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) {
@@ -77,6 +77,17 @@ void require_writable(const fs::path& file, const char* option) {
   if (access(exists ? file.c_str() : folder.c_str(), W_OK) != 0) {
     throw BadInput(what + "permission denied");
   }
+}
+
+void require_recording(const fs::path& file, const char* option) {
+  // Devices such as /dev/stdout have no suffix, and nothing to lose.
+  std::error_code error;
+  const bool device = fs::is_character_file(file, error) || fs::is_fifo(file, error);
+  if (!device && file.extension() != ".csv") {
+    throw BadInput(std::string(option) + ": a recording's name must end in .csv, but '" +
+                   file.string() + "' does not");
+  }
+  require_writable(file, option);
 }
 
 void require_picture(const fs::path& file, const char* option) {

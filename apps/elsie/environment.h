@@ -32,5 +32,7 @@ elsie::world::ReadOptions read_options(const std::vector<std::string>& overrides
 
 /// Checks, before any work is done, that a file can be written there. Throws BadInput.
 void require_writable(const std::filesystem::path& file, const char* option);
+/// The same for a recording: its name must end in .csv, so that no input is overwritten by a slip.
+void require_recording(const std::filesystem::path& file, const char* option);
 /// The same for a picture: its name must end in .png or .svg.
 void require_picture(const std::filesystem::path& file, const char* option);

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -23,7 +24,7 @@ using elsie::fuzzy::Variable;
 struct FuzzyOptions {
   std::string model;
   std::vector<std::string> inputs;
-  std::string picture;
+  std::optional<std::string> picture;
   bool json = false;
 };
 
@@ -235,16 +236,16 @@ void draw(const Model& model, const std::string& file) {
 }
 
 int fuzzy(const FuzzyOptions& options) {
-  if (!options.picture.empty()) {
-    require_picture(options.picture, "--picture");
+  if (options.picture) {
+    require_picture(*options.picture, "--picture");
   }
   const Model model = elsie::fuzzy::read_fcl(options.model);
   std::optional<Evaluation> evaluation;
   if (!options.inputs.empty()) {
     evaluation = evaluate(model, parse_inputs(model, options.inputs));
   }
-  if (!options.picture.empty()) {
-    draw(model, options.picture);
+  if (options.picture) {
+    draw(model, *options.picture);
   }
   options.json ? print_json(model, evaluation) : print(model, evaluation);
   return kSuccess;

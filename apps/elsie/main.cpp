@@ -52,7 +52,20 @@ int finish(const Job& job) {
   } catch (const std::exception& error) {
     std::cerr << "elsie: " << error.what() << '\n';
     return kOtherFailure;
+  } catch (...) {
+    std::cerr << "elsie: something was thrown that is no std::exception\n";
+    return kOtherFailure;
   }
+}
+
+/// A result that did not reach its reader is no success.
+int with_output_written(int exit_code) {
+  std::cout.flush();
+  if (std::cout) {
+    return exit_code;
+  }
+  std::cerr << "elsie: standard output could not be written to its end\n";
+  return exit_code == kSuccess || exit_code == kGoalMissed ? int{kOtherFailure} : exit_code;
 }
 
 }  // namespace
@@ -74,7 +87,7 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? kSuccess : kBadInput;
+    return with_output_written(program.exit(error) == 0 ? kSuccess : kBadInput);
   }
-  return finish(job);
+  return with_output_written(finish(job));
 }

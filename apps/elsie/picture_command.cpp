@@ -1,6 +1,7 @@
 // elsie picture: a world file as a picture, at the start of a run.
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 
@@ -16,15 +17,14 @@ namespace {
 struct PictureOptions {
   PluginOptions plugins;
   std::string world;
-  std::string output;
+  std::optional<std::string> output;
   std::vector<std::string> overrides;
   int width = 1000;
 };
 
 int picture(const PictureOptions& options) {
   const std::filesystem::path file =
-      options.output.empty() ? std::filesystem::path(options.world).stem().string() + ".png"
-                             : options.output;
+      options.output.value_or(std::filesystem::path(options.world).stem().string() + ".png");
   require_picture(file, "--output");
   const elsie::plugin::Host host = load_plugins(options.plugins);
   elsie::simulation::Simulation simulation(

@@ -196,6 +196,11 @@ int plugins(const PluginsOptions& options) {
 
 int describe(const DescribeOptions& options) {
   if (options.name == "world") {
+    if (options.json) {
+      throw BadInput(
+          "the vocabulary of world files is not to be had as JSON; `elsie schema` prints its "
+          "schema");
+    }
     std::cout << elsie::world::world_reference();
     return kSuccess;
   }

@@ -26,10 +26,10 @@ struct RunOptions {
   std::uint64_t seed = 1;
   std::optional<double> duration;
   std::vector<std::string> overrides;
-  std::string record;
+  std::optional<std::string> record;
   double record_rate = 10.0;
   bool record_times = false;
-  std::string picture;
+  std::optional<std::string> picture;
   bool json = false;
   bool quiet = false;
 };
@@ -48,11 +48,11 @@ The run ends with exit code 0 when the world's goals are reached, 1 when they ar
 class Watchers {
  public:
   explicit Watchers(const RunOptions& options) {
-    if (!options.record.empty()) {
-      recorder_.emplace(options.record, options.record_rate, options.record_times);
+    if (options.record) {
+      recorder_.emplace(*options.record, options.record_rate, options.record_times);
       all_.push_back(&*recorder_);
     }
-    if (!options.picture.empty()) {
+    if (options.picture) {
       tracks_.emplace();
       all_.push_back(&*tracks_);
     }
@@ -77,11 +77,11 @@ class Watchers {
 };
 
 void check(const RunOptions& options) {
-  if (!options.record.empty()) {
-    require_writable(options.record, "--record");
+  if (options.record) {
+    require_recording(*options.record, "--record");
   }
-  if (!options.picture.empty()) {
-    require_picture(options.picture, "--picture");
+  if (options.picture) {
+    require_picture(*options.picture, "--picture");
   }
 }
 
@@ -97,8 +97,8 @@ int run(const RunOptions& options) {
                                            {options.seed, options.record_times});
   Watchers watchers(options);
   const auto draw_as = [&](const std::string& line) {
-    if (!options.picture.empty()) {
-      draw(simulation, watchers.tracks(), {line}, options.picture, 1000);
+    if (options.picture) {
+      draw(simulation, watchers.tracks(), {line}, *options.picture, 1000);
     }
   };
   try {
@@ -111,7 +111,11 @@ int run(const RunOptions& options) {
     }
     return result.outcome == elsie::simulation::Outcome::success ? kSuccess : kGoalMissed;
   } catch (const elsie::simulation::PluginFault& fault) {
-    draw_as(fault.what());
+    try {
+      draw_as(fault.what());
+    } catch (const std::exception& error) {
+      std::cerr << "elsie: " << error.what() << '\n';  // the fault is what counts
+    }
     throw;
   } catch (const Interrupted&) {
     draw_as("interrupted");
@@ -147,10 +151,13 @@ void add_run_command(CLI::App& program, Job& job) {
                    "Write poses, commands, readings and the coordinators' traces as a table")
       ->type_name("FILE.csv");
   command->add_option("--record-rate", options->record_rate, "Rows per simulated second and robot")
+      ->needs("--record")
       ->check(positive_number())
       ->capture_default_str();
-  command->add_flag("--record-times", options->record_times,
-                    "Record how long each behaviour takes, too (differs from run to run)");
+  command
+      ->add_flag("--record-times", options->record_times,
+                 "Record how long each behaviour takes, too (differs from run to run)")
+      ->needs("--record");
   command
       ->add_option("--picture", options->picture,
                    "Draw the world at the end of the run with the robots' trajectories")

@@ -30,7 +30,9 @@ TEST_CASE("Wander goes straight on after a reset") {
       test::make<Behavior>(PluginKind::behavior, "wander", {{"restlessness", 1000.0}});
   Situation now;
   CHECK(wander->respond(now.perception()).command.left != 10.0);
+  const Declaration* declaration = test::shipped().find(PluginKind::behavior, "wander");
+  plugin::apply_parameters(*declaration, *wander, {{"restlessness", 0.0}});
+  CHECK(wander->respond(now.perception()).command.left != 10.0);  // it keeps its direction
   wander->reset();
-  const auto calm = test::make<Behavior>(PluginKind::behavior, "wander", {{"restlessness", 0.0}});
-  CHECK(calm->respond(now.perception()).command == MotorCommand{10, 10});
+  CHECK(wander->respond(now.perception()).command == MotorCommand{10, 10});
 }

@@ -43,7 +43,12 @@ TEST_CASE("Bad input ends with exit code 2, a sentence, and nothing on standard 
   expect("run worlds/maze.xml --picture maze.gif", "must end in .png or .svg");
   expect("run worlds/maze.xml --picture nowhere/maze.png", "there is no folder 'nowhere'");
   expect("run worlds/maze.xml --record nowhere/maze.csv", "there is no folder 'nowhere'");
-  expect("run worlds/maze.xml --record worlds", "it must be the name of a file");
+  expect("run worlds/maze.xml --record worlds", "must end in .csv");
+  expect("run worlds/maze.xml --record worlds/maze.xml", "must end in .csv");
+  expect("run worlds/maze.xml --record ''", "must end in .csv");
+  expect("run worlds/maze.xml --record-rate 5", "--record");
+  expect("describe world --json", "not to be had as JSON");
+  expect("run worlds/maze.xml --set physics/@step=1e-300", "1e-300");
   expect("run worlds/maze.xml --plugin-path nowhere", "'nowhere' is not a directory");
   expect("describe wandr", "did you mean 'wander'?");
   expect("fuzzy broken.fcl", "broken.fcl:");
@@ -79,6 +84,16 @@ TEST_CASE("A recording that cannot be written to its end is exit code 4") {
   const auto run = here.elsie("run worlds/open_arena.xml --duration 5 --record /dev/full");
   CHECK(run.exit_code == 4);
   CHECK_THAT(run.err, Catch::Contains("recording '/dev/full' could not be written"));
+}
+
+TEST_CASE("A result that does not reach its reader is no success") {
+  Workplace here;
+  for (const char* command : {"run worlds/pushing.xml --json", "schema", "plugins", "--help"}) {
+    CAPTURE(command);
+    const auto run = here.sh("elsie " + std::string(command) + " > /dev/full");
+    CHECK(run.exit_code == 4);
+    CHECK_THAT(run.err, Catch::Contains("standard output could not be written to its end"));
+  }
 }
 
 TEST_CASE("Junk among the plugins never stops a run, and plugins --check tells of it") {

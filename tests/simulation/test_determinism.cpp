@@ -61,13 +61,12 @@ TEST_CASE("A reset in the same process brings back the same run") {
 }
 
 TEST_CASE("Watching, recording and timing a run does not change it") {
-  const auto file = std::filesystem::temp_directory_path() / "elsie-determinism.csv";
-  simulation::CsvRecorder recorder(file, 100, true);
+  TemporaryFile file;
+  simulation::CsvRecorder recorder(file.path, 100, true);
   simulation::TrackRecorder tracks;
   simulation::Observer* const observers[] = {&recorder, &tracks};
   Simulation simulation(lively(), shipped(), {5, true});
   CHECK(simulation.run(observers).state_hash == hash(5));
-  std::filesystem::remove(file);
 }
 
 TEST_CASE("Two simulations side by side do not disturb each other") {

@@ -86,3 +86,30 @@ TEST_CASE("Nobody is charged away from a charger, at another team's, or without 
   theirs.chargers[0].team = "blue";
   CHECK_FALSE(charged(theirs, true));
 }
+
+TEST_CASE("A robot that starts empty never moves, with or without sensors") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{10, 10}; });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world.robots[0].energy = 0.0;
+  world.limits.time = 1;
+  const auto result = Simulation(world, scripted.host).run();
+  CHECK(result.robots[0].distance_m < 1e-4);
+  REQUIRE(result.events.size() == 1);
+  CHECK(result.events[0].name == "battery_empty");
+}
+
+TEST_CASE("A resource fills the battery up to its capacity, and one robot only") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{20, 20}; });
+  world::World world;
+  world.boxes.push_back(box("gold", world::BoxKind::resource, 0, 0));
+  world.boxes[0].energy = 900;
+  world.robots.push_back(robot("r1", -0.5, 0, 0, behavior("scripted")));
+  world.robots.push_back(robot("r2", 0.5, 0, 180, behavior("scripted")));
+  world.robots[0].energy = world.robots[1].energy = 4500;
+  world.limits.time = 1.1;
+  const auto result = Simulation(world, scripted.host).run();
+  CHECK(result.robots[0].collected + result.robots[1].collected == 1);
+  CHECK(std::max(result.robots[0].energy, result.robots[1].energy) == 5000);
+  CHECK(std::min(result.robots[0].energy, result.robots[1].energy) == 4500);
+}

@@ -53,6 +53,129 @@ TEST_CASE("So is one that answers with something that is not a finite number") {
                   PluginFault);
 }
 
+TEST_CASE("An event that the declaration does not name is a fault") {
+  CHECK_THROWS_WITH(
+      run([] {
+        Response response;
+        response.events.push_back({"surprise"});
+        return response;
+      }),
+      Catch::Contains("raised the event 'surprise', which its declaration does not name"));
+}
+
+TEST_CASE("The message names the id of a plugin that has one") {
+  ScriptedHost scripted([](const Perception&) -> Response { throw std::runtime_error("no"); });
+  world::World world;
+  auto use = behavior("scripted");
+  use.id = "second";
+  world.robots.push_back(robot("r1", 0, 0, 0, use));
+  CHECK_THROWS_WITH(Simulation(world, scripted.host).run(),
+                    "plugin 'scripted' (id 'second') of robot 'r1' failed in step 0: no");
+}
+
+namespace {
+
+/// Catches everything that its members throw, and goes on.
+class Careless final : public Coordinator {
+ public:
+  MotorCommand coordinate(std::span<Member> members, const Perception&) override {
+    try {
+      return members[0].respond().command;
+    } catch (...) {
+      return {};
+    }
+  }
+};
+
+/// Asks for what it should not get: desirabilities out of range.
+class Rater final : public Coordinator {
+ public:
+  MotorCommand coordinate(std::span<Member> members, const Perception&) override {
+    const MotorCommand candidates[] = {{0, 0}};
+    double desirability[1];
+    members[0].rate(candidates, desirability);
+    return {};
+  }
+};
+
+class Enthusiast final : public Behavior {
+ public:
+  Response respond(const Perception&) override { return MotorCommand{}; }
+  void rate(const Response&, std::span<const MotorCommand>, std::span<double> d) const override {
+    d[0] = 2.0;
+  }
+};
+
+class Forgetful final : public Behavior {
+ public:
+  Response respond(const Perception&) override { return MotorCommand{}; }
+  void reset() override { throw std::runtime_error("cannot forget"); }
+};
+
+template <class Plugin>
+void add(plugin::Host& host, PluginKind kind, const char* name) {
+  host.add(declare<Plugin>(kind, name, "For a test"));
+}
+
+}  // namespace
+
+TEST_CASE("A coordinator cannot swallow the fault of a member") {
+  ScriptedHost scripted([](const Perception&) -> Response { throw std::runtime_error("ouch"); });
+  add<Careless>(scripted.host, PluginKind::coordinator, "careless");
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world.robots[0].coordinator->plugin = "careless";
+  Simulation simulation(world, scripted.host);
+  CHECK_THROWS_WITH(simulation.step(),
+                    Catch::Contains("plugin 'scripted'") && Catch::Contains("ouch"));
+}
+
+TEST_CASE("A behaviour that rates out of range, or throws in reset(), is named") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  add<Rater>(scripted.host, PluginKind::coordinator, "rater");
+  add<Enthusiast>(scripted.host, PluginKind::behavior, "enthusiast");
+  add<Forgetful>(scripted.host, PluginKind::behavior, "forgetful");
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("enthusiast")));
+  world.robots[0].coordinator->plugin = "rater";
+  Simulation simulation(world, scripted.host);
+  CHECK_THROWS_WITH(simulation.step(),
+                    Catch::Contains("plugin 'enthusiast'") && Catch::Contains("rates a command 2"));
+  world.robots[0] = robot("r1", 0, 0, 0, behavior("forgetful"));
+  CHECK_THROWS_WITH(Simulation(world, scripted.host), Catch::Contains("cannot forget"));
+}
+
+TEST_CASE("All plugins that refuse their parameters are reported at once") {
+  world::World world;
+  auto first = behavior("avoid_obstacle", 1, models("avoid_obstacle"));
+  first.parameters["left_model"] = source_path("tests/plugins/one_input.fcl");
+  world.robots.push_back(robot("r1", 0, 0, 0, first));
+  world.robots.push_back(robot("r2", 1, 0, 0, behavior("braitenberg")));
+  try {
+    Simulation simulation(world, shipped());
+    FAIL("was accepted");
+  } catch (const world::WorldError& error) {
+    CHECK(error.problems().size() == 2);
+  }
+}
+
+TEST_CASE("Every observer that heard of the start hears of the end, and the first failure counts") {
+  struct Failing : simulation::Observer {
+    void ended(const Simulation&) override { throw std::runtime_error("disk full"); }
+  } failing;
+  struct Listener : simulation::Observer {
+    int ended_count = 0;
+    void ended(const Simulation&) override { ++ended_count; }
+  } listener;
+  ScriptedHost scripted([](const Perception&) -> Response { throw std::runtime_error("first"); });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  Simulation simulation(world, scripted.host);
+  simulation::Observer* const observers[] = {&failing, &listener};
+  CHECK_THROWS_AS(simulation.run(observers), PluginFault);
+  CHECK(listener.ended_count == 1);
+}
+
 TEST_CASE("Observers hear the end of a run that a plugin ended") {
   struct Listener : simulation::Observer {
     int started_count = 0, steps = 0, ended_count = 0;

@@ -41,11 +41,6 @@ std::size_t column(const Table& table, const std::string& name) {
   return static_cast<std::size_t>(at - table[0].begin());
 }
 
-struct TemporaryFile {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "elsie-recording.csv";
-  ~TemporaryFile() { std::filesystem::remove(path); }
-};
-
 world::World two_robots() {
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("go_to_point", 2, {{"x", 3.0}})));
@@ -87,6 +82,43 @@ TEST_CASE(
   CHECK(other[column(table, "sensor[eye].distance_m")].empty());
   CHECK(other[column(table, "behavior[go_to_point].asked")].empty());
   CHECK(other[column(table, "behavior[wander].asked")] == "1");
+}
+
+TEST_CASE("The first row is before any decision: no readings, no trace") {
+  TemporaryFile file;
+  CsvRecorder recorder(file.path, 20);
+  simulation::Observer* const observers[] = {&recorder};
+  Simulation(two_robots(), shipped()).run(observers);
+  const Table table = read(file.path);
+  CHECK(table[1][column(table, "time_s")] == "0");
+  CHECK(table[1][column(table, "x_m")] == "0");
+  CHECK(table[1][column(table, "sensor[eye].distance_m")].empty());
+  CHECK(table[1][column(table, "behavior[wander].asked")].empty());
+}
+
+TEST_CASE("Recording after a reset gives the same bytes as recording a new simulation") {
+  const auto bytes = [](Simulation& simulation) {
+    TemporaryFile file;
+    CsvRecorder recorder(file.path, 100);
+    simulation::Observer* const observers[] = {&recorder};
+    simulation.run(observers);
+    std::ifstream in(file.path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  Simulation simulation(two_robots(), shipped());
+  const std::string first = bytes(simulation);
+  simulation.reset();
+  CHECK(bytes(simulation) == first);
+}
+
+TEST_CASE("A rate of next to nothing samples the start only, a very high one every step") {
+  for (const auto& [rate, rows] : {std::pair{1e-300, 1u}, std::pair{1e300, 101u}}) {
+    TemporaryFile file;
+    CsvRecorder recorder(file.path, rate);
+    simulation::Observer* const observers[] = {&recorder};
+    Simulation(two_robots(), shipped()).run(observers);
+    CHECK(read(file.path).size() == 1 + 2 * rows);
+  }
 }
 
 TEST_CASE("Recording the same run twice gives the same bytes") {

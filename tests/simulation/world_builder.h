@@ -1,9 +1,13 @@
 // Small worlds put together in code, and plugins of a few lines to live in them.
 #pragma once
 
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
+
+#include <unistd.h>
 
 #include "elsie/api/behavior.h"
 #include "elsie/plugin/host.h"
@@ -34,6 +38,7 @@ class ScriptedHost {
     declaration.kind = PluginKind::behavior;
     declaration.name = "scripted";
     declaration.description = "Answers what the test says";
+    declaration.events = {{"hello", "a test raises it"}};
     declaration.create = [shared] { return std::make_unique<Scripted>(shared); };
     host.add(std::move(declaration));
   }
@@ -57,6 +62,20 @@ inline world::SensorUse beam(const std::string& id, double yaw_deg, Parameters p
   use.parameters = std::move(parameters);
   return use;
 }
+
+/// A file of its own for each test, gone at the end.
+struct TemporaryFile {
+  TemporaryFile() {
+    std::string name = (std::filesystem::temp_directory_path() / "elsie-XXXXXX.csv").string();
+    close(mkstemps(name.data(), 4));
+    path = name;
+  }
+  ~TemporaryFile() { std::filesystem::remove(path); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  std::filesystem::path path;
+};
 
 /// A robot whose only behaviour decides.
 inline world::Robot robot(const std::string& id, double x, double y, double heading_deg,

@@ -95,7 +95,7 @@ class Team final : private Member::Runner {
   Team& member(const char* name, double priority, Response response) {
     behaviors_.emplace_back(std::move(response));
     Member::Runner& runner = *this;
-    members_.emplace_back(name, priority, behaviors_.back(), runner);
+    members_.emplace_back(name, priority, runner);
     return *this;
   }
   std::span<Member> members() { return members_; }
@@ -106,6 +106,16 @@ class Team final : private Member::Runner {
     const auto i = static_cast<std::size_t>(&member - members_.data());
     responses_.resize(members_.size());
     return responses_[i] = behaviors_[i].respond(situation_.perception());
+  }
+
+  void rate(Member& member, std::span<const MotorCommand> candidates,
+            std::span<double> desirability) override {
+    behaviors_[static_cast<std::size_t>(&member - members_.data())].rate(member.respond(),
+                                                                         candidates, desirability);
+  }
+  CommandSets command_sets(Member& member) override {
+    return behaviors_[static_cast<std::size_t>(&member - members_.data())].command_sets(
+        member.respond());
   }
 
   std::deque<Fixed> behaviors_;

@@ -72,7 +72,8 @@ TEST_CASE("A star leads to all, and so does what belongs to a robot when none is
 TEST_CASE("Overrides are applied in order, and checked like the file") {
   CHECK(with({"robot[r1]/@x=1", "robot[r1]/@x=3"}).robots[0].x == 3);
   CHECK(wrong("physics/@step=0") ==
-        "--set physics/@step=0: step=\"0\" of <physics>: expected a number above 0 and at most 0.1 "
+        "--set physics/@step=0: step=\"0\" of <physics>: expected a number at least 1e-06 and at "
+        "most 0.1 "
         "s");
   CHECK(wrong("robot[r1]/@max_sped=1") ==
         "--set robot[r1]/@max_sped=1: <robot> has no attribute 'max_sped'; did you mean "

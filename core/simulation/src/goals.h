@@ -14,8 +14,8 @@ struct Verdict {
   std::string reason;
 };
 
-/// Success when all goals to reach are met; failure when a goal to keep is broken, or is all that
-/// there is to be decided at the time limit; the simulated time limit of the world.
+/// Failure when a goal to keep is broken; success when all goals to reach are met, or at the time
+/// limit when there are only goals to keep; else time_limit at the world's limit of simulated time.
 Verdict judge(const Simulation& simulation);
 
 }  // namespace elsie::simulation

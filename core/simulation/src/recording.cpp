@@ -14,15 +14,18 @@
 
 #include "elsie/simulation/simulation.h"
 
+#include "sampling.h"
+
 namespace elsie::simulation {
 namespace {
 
 constexpr const char* kBodyColumns =
     "time_s,robot,x_m,y_m,heading_rad,speed_m_s,turn_rate_rad_s,distance_m,energy,"
     "command_left,command_right";
-constexpr std::size_t kTraceColumns = 8;
-constexpr const char* kTraceNames[kTraceColumns] = {"asked",  "left",  "right",        "activation",
-                                                    "weight", "share", "inhibited_by", "reason"};
+constexpr std::size_t kTraceColumns = 9;
+constexpr const char* kTraceNames[kTraceColumns] = {"asked",      "left",         "right",
+                                                    "activation", "strength",     "weight",
+                                                    "share",      "inhibited_by", "reason"};
 
 /// One line in the making.
 class Line {
@@ -90,8 +93,7 @@ class CsvRecorder::Impl {
   }
 
   void start(const Simulation& simulation) {
-    const double per_sample = 1.0 / (rate_hz_ * simulation.world().physics.step);
-    every_ = static_cast<std::uint64_t>(std::max(1.0, std::round(per_sample)));
+    every_ = steps_in(1.0 / rate_hz_, simulation.world().physics.step);
     lay_out(simulation);
     std::string all = kBodyColumns;
     for (const std::string& name : reading_columns_) {
@@ -145,7 +147,7 @@ class CsvRecorder::Impl {
       for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
         const SensorView sensor = simulation.sensor(r, s);
         values_.clear();
-        sensor.sensor->list_values(values_);
+        simulation.list_values(r, s, values_);
         for (const NamedValue& value : values_) {
           places.readings.push_back(
               place_of(reading_columns_, "sensor[" + std::string(sensor.id) + "]." + value.name));
@@ -170,7 +172,7 @@ class CsvRecorder::Impl {
         line_.number(value);
       }
       write_readings(simulation, r);
-      write_trace(robot, places_[r]);
+      write_trace(robot, places_[r], simulation.steps() > 0);
       out_ << line_.take();
     }
     check("could not be written");
@@ -179,10 +181,11 @@ class CsvRecorder::Impl {
   void write_readings(const Simulation& simulation, std::size_t r) {
     values_.clear();
     for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
-      simulation.sensor(r, s).sensor->list_values(values_);
+      simulation.list_values(r, s, values_);
     }
     row_.assign(reading_columns_.size(), nullptr);
-    for (std::size_t i = 0; i < values_.size(); ++i) {
+    const bool measured = simulation.steps() > 0;
+    for (std::size_t i = 0; measured && i < places_[r].readings.size(); ++i) {
       row_[places_[r].readings[i]] = &values_[i];
     }
     for (const NamedValue* value : row_) {
@@ -190,10 +193,10 @@ class CsvRecorder::Impl {
     }
   }
 
-  void write_trace(const RobotView& robot, const Places& places) {
+  void write_trace(const RobotView& robot, const Places& places, bool decided) {
     std::vector<const TraceRow*>& rows = trace_;
     rows.assign(behaviors_.size(), nullptr);
-    for (std::size_t i = 0; i < robot.members.size(); ++i) {
+    for (std::size_t i = 0; decided && i < robot.members.size(); ++i) {
       rows[places.behaviors[i]] = &robot.members[i].trace;
     }
     for (const TraceRow* trace : rows) {
@@ -205,7 +208,7 @@ class CsvRecorder::Impl {
       }
       for (const double value :
            {trace->asked ? 1.0 : 0.0, trace->command.left, trace->command.right, trace->activation,
-            trace->weight, trace->share}) {
+            trace->strength, trace->weight, trace->share}) {
         line_.number(value);
       }
       trace->inhibited_by >= 0

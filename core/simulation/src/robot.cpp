@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <utility>
 
 #include "elsie/plugin/parameters.h"
@@ -13,19 +15,27 @@ namespace {
 
 /// What a plugin object refuses while the robot is put together is a fault of the world file.
 template <class Action>
-auto blaming(const world::PluginUse& use, Action action) {
+auto blaming(const world::PluginUse& use, std::vector<world::Problem>& problems, Action action)
+    -> decltype(action()) {
+  const auto blame = [&](const std::string& problem) {
+    problems.push_back(
+        {use.location.file, use.location.line, "plugin '" + use.plugin + "': " + problem});
+  };
   try {
     return action();
   } catch (const std::exception& problem) {
-    throw world::WorldError(
-        {{use.location.file, use.location.line, "plugin '" + use.plugin + "': " + problem.what()}});
+    blame(problem.what());
+  } catch (...) {
+    blame("it threw something that is no std::exception");
   }
+  return decltype(action())();
 }
 
-/// Makes and configures one plugin object.
+/// Makes and configures one plugin object; none when that fails.
 template <class Kind>
-plugin::Object<Kind> make(const plugin::Host& host, PluginKind kind, const world::PluginUse& use) {
-  return blaming(use, [&] {
+plugin::Object<Kind> make(const plugin::Host& host, PluginKind kind, const world::PluginUse& use,
+                          std::vector<world::Problem>& problems) {
+  return blaming(use, problems, [&] {
     const Declaration* declaration = host.find(kind, use.plugin);
     if (!declaration) {
       throw std::invalid_argument("no such plugin was found");
@@ -36,10 +46,20 @@ plugin::Object<Kind> make(const plugin::Host& host, PluginKind kind, const world
   });
 }
 
+void throw_if_any(const std::vector<world::Problem>& problems) {
+  if (!problems.empty()) {
+    throw world::WorldError(problems);
+  }
+}
+
 Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) {
   return {{use.x.value_or(0.5 * body.length), use.y.value_or(0.0), use.z.value_or(body.top())},
           wrap_angle(radians(use.yaw_deg)),
           radians(use.pitch_deg)};
+}
+
+std::string text(const MotorCommand& command) {
+  return "left " + std::to_string(command.left) + ", right " + std::to_string(command.right);
 }
 
 MotorCommand limited(const MotorCommand& command, double max_rate) {
@@ -49,25 +69,43 @@ MotorCommand limited(const MotorCommand& command, double max_rate) {
 
 }  // namespace
 
+template <class Action>
+decltype(auto) Robot::guarded(const world::PluginUse& use, Action action) const {
+  try {
+    return action();
+  } catch (const PluginFault&) {
+    throw;  // of another plugin, which this one had called
+  } catch (const std::exception& problem) {
+    fail(use, problem.what());
+  } catch (...) {
+    fail(use, "it threw something that is no std::exception");
+  }
+}
+
 Robot::Robot(const world::Robot& description, const plugin::Host& host, bool measure_time)
     : description_(description), measure_time_(measure_time) {
+  std::vector<world::Problem> problems;
   for (const world::SensorUse& use : description.sensors) {
     const Mounting mounting = mounting_of(use, description.body);
-    sensors_.push_back({&use, make<Sensor>(host, PluginKind::sensor, use), mounting,
+    sensors_.push_back({&use, make<Sensor>(host, PluginKind::sensor, use, problems), mounting,
                         Frame::turned(mounting.position, mounting.azimuth_rad, mounting.pitch_rad),
                         Random()});
     sensor_cost_ += use.energy_cost;
   }
-  for (const world::BehaviorUse& use : description.behaviors) {
-    behaviors_.push_back({&use, make<Behavior>(host, PluginKind::behavior, use), Random(), {}});
-  }
   Member::Runner& runner = *this;
-  for (BehaviorSlot& slot : behaviors_) {
-    members_.emplace_back(slot.use->id, slot.use->priority, *slot.object, runner);
+  for (const world::BehaviorUse& use : description.behaviors) {
+    behaviors_.push_back({&use,
+                          make<Behavior>(host, PluginKind::behavior, use, problems),
+                          host.find(PluginKind::behavior, use.plugin),
+                          Random(),
+                          {}});
+    members_.emplace_back(use.id, use.priority, runner);
   }
   if (description.coordinator) {
-    coordinator_ = make<Coordinator>(host, PluginKind::coordinator, *description.coordinator);
+    coordinator_ =
+        make<Coordinator>(host, PluginKind::coordinator, *description.coordinator, problems);
   }
+  throw_if_any(problems);
   group_readings();
 
   state_.id = description.id;
@@ -87,14 +125,17 @@ Robot::Robot(const world::Robot& description, const plugin::Host& host, bool mea
 }
 
 void Robot::announce_equipment() {
+  std::vector<world::Problem> problems;
   Random random;
   const Perception example(perception_, random);
   for (const BehaviorSlot& slot : behaviors_) {
-    blaming(*slot.use, [&] { slot.object->equipped(example); });
+    blaming(*slot.use, problems, [&] { slot.object->equipped(example); });
   }
   if (coordinator_) {
-    blaming(*description_.coordinator, [&] { coordinator_->equipped(members_, example); });
+    blaming(*description_.coordinator, problems,
+            [&] { coordinator_->equipped(members_, example); });
   }
+  throw_if_any(problems);
 }
 
 void Robot::group_readings() {
@@ -122,22 +163,25 @@ void Robot::group_readings() {
 }
 
 void Robot::reset(std::uint64_t seed) {
+  step_ = 0;
+  fault_.reset();
   const std::string path = "robot[" + description_.id + "]/";
   for (SensorSlot& slot : sensors_) {
     slot.random = Random(seed, path + "sensor[" + slot.use->id + "]");
-    slot.object->reset();
+    slot.object->forget();
+    guarded(*slot.use, [&] { slot.object->reset(); });
   }
   for (BehaviorSlot& slot : behaviors_) {
     slot.random = Random(seed, path + "behavior[" + slot.use->id + "]");
     slot.response = {};
-    slot.object->reset();
+    guarded(*slot.use, [&] { slot.object->reset(); });
   }
   for (Member& member : members_) {
     member.begin_step();
   }
   if (coordinator_) {
     coordinator_random_ = Random(seed, path + "coordinator");
-    coordinator_->reset();
+    guarded(*description_.coordinator, [&] { coordinator_->reset(); });
   }
   state_.energy = description_.energy.value_or(description_.battery);
   state_.charging = false;
@@ -145,11 +189,12 @@ void Robot::reset(std::uint64_t seed) {
   perceived_events_.clear();
   raised_.clear();
   logged_ = 0;
+  charge_asked_ = false;
   empty_ = false;
   distance_m_ = 0.0;
   collected_ = 0;
   collisions_ = 0;
-  step_ = 0;
+  stop_when_empty();
 }
 
 void Robot::sense(const Surroundings& surroundings, const Instant& now) {
@@ -162,13 +207,7 @@ void Robot::sense(const Surroundings& surroundings, const Instant& now) {
     context.frame = body_frame_.frame(slot.frame);
     context.mounting = &slot.mounting;
     context.random = &slot.random;
-    try {
-      slot.object->update(context);
-    } catch (const std::exception& problem) {
-      fail(slot.use->plugin, problem.what());
-    } catch (...) {
-      fail(slot.use->plugin, "it threw something that is no std::exception");
-    }
+    guarded(*slot.use, [&] { slot.object->update(context); });
   }
 }
 
@@ -191,33 +230,25 @@ void Robot::decide(const Instant& now) {
   perception_.period_s = now.period_s;
   perception_.events = perceived_events_;
   team_.mates = mates_;
-  MotorCommand command;
-  try {
-    command = coordinator_->coordinate(members_, Perception(perception_, coordinator_random_));
-  } catch (const PluginFault&) {
-    throw;
-  } catch (const std::exception& problem) {
-    fail(description_.coordinator->plugin, problem.what());
-  } catch (...) {
-    fail(description_.coordinator->plugin, "it threw something that is no std::exception");
+  const MotorCommand command = guarded(*description_.coordinator, [&] {
+    return coordinator_->coordinate(members_, Perception(perception_, coordinator_random_));
+  });
+  if (fault_) {
+    throw *fault_;  // a member's, which the coordinator caught
   }
   if (!command.is_finite()) {
-    fail(description_.coordinator->plugin, "its command is not a finite number");
+    fail(*description_.coordinator, "its command is not a finite number: " + text(command));
   }
+  check_trace();
   command_ = limited(command, state_.max_wheel_rate());
 }
 
 const Response& Robot::run(Member& member) {
-  BehaviorSlot& slot = behaviors_[static_cast<std::size_t>(&member - members_.data())];
+  BehaviorSlot& slot = slot_of(member);
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = measure_time_ ? Clock::now() : Clock::time_point();
-  try {
-    slot.response = slot.object->respond(Perception(perception_, slot.random));
-  } catch (const std::exception& problem) {
-    fail(slot.use->plugin, problem.what());
-  } catch (...) {
-    fail(slot.use->plugin, "it threw something that is no std::exception");
-  }
+  slot.response = guarded(
+      *slot.use, [&] { return slot.object->respond(Perception(perception_, slot.random)); });
   if (measure_time_) {
     member.trace.time_s = std::chrono::duration<double>(Clock::now() - start).count();
   }
@@ -225,53 +256,111 @@ const Response& Robot::run(Member& member) {
   for (const Event& event : slot.response.events) {
     raise(event.name);
   }
-  if (slot.response.charge) {
-    charge_asked_ = true;
-  }
+  charge_asked_ = charge_asked_ || slot.response.charge;
   return slot.response;
+}
+
+void Robot::rate(Member& member, std::span<const MotorCommand> candidates,
+                 std::span<double> desirability) {
+  const BehaviorSlot& slot = slot_of(member);
+  guarded(*slot.use, [&] { slot.object->rate(slot.response, candidates, desirability); });
+  for (const double degree : desirability) {
+    if (!(degree >= 0.0 && degree <= 1.0)) {
+      fail(*slot.use, "it rates a command " + std::to_string(degree) + ", which is not in [0, 1]");
+    }
+  }
+}
+
+CommandSets Robot::command_sets(Member& member) {
+  const BehaviorSlot& slot = slot_of(member);
+  CommandSets sets = guarded(*slot.use, [&] { return slot.object->command_sets(slot.response); });
+  for (const FuzzySet* set : {&sets.left, &sets.right}) {
+    double last = -std::numeric_limits<double>::infinity();
+    for (const FuzzySet::Point& point : set->points) {
+      if (!std::isfinite(point.x) || point.x < last ||
+          !(point.degree >= 0.0 && point.degree <= 1.0)) {
+        fail(*slot.use,
+             "the points of its fuzzy sets are not in ascending order with degrees in [0, 1]");
+      }
+      last = point.x;
+    }
+  }
+  return sets;
+}
+
+void Robot::list_values(std::size_t sensor, std::vector<NamedValue>& values) const {
+  const SensorSlot& slot = sensors_[sensor];
+  guarded(*slot.use, [&] { slot.object->list_values(values); });
 }
 
 void Robot::check(const BehaviorSlot& slot, const Response& response) const {
   if (!response.command.is_finite()) {
-    fail(slot.use->plugin, "its command is not a finite number");
+    fail(*slot.use, "its command is not a finite number: " + text(response.command));
   }
-  if (!(response.activation >= 0.0 && response.activation <= 1.0)) {
-    fail(slot.use->plugin,
-         "its activation is " + std::to_string(response.activation) + ", which is not in [0, 1]");
-  }
-  if (!(response.strength >= 0.0 && response.strength <= 1.0)) {
-    fail(slot.use->plugin,
-         "its strength is " + std::to_string(response.strength) + ", which is not in [0, 1]");
+  const auto check_degree = [&](const char* what, double value) {
+    if (!(value >= 0.0 && value <= 1.0)) {
+      fail(*slot.use, std::string("its ") + what + " is " + std::to_string(value) +
+                          ", which is not in [0, 1]");
+    }
+  };
+  check_degree("activation", response.activation);
+  check_degree("strength", response.strength);
+  for (const Event& event : response.events) {
+    const auto& declared = slot.declaration->events;
+    if (std::none_of(declared.begin(), declared.end(),
+                     [&](const EventDeclaration& d) { return d.name == event.name; })) {
+      fail(*slot.use, "it raised the event '" + std::string(event.name) +
+                          "', which its declaration does not name; add elsie::raises() to it");
+    }
   }
 }
 
-void Robot::fail(const std::string& plugin, const std::string& problem) const {
-  throw PluginFault(plugin, description_.id, step_, problem);
+void Robot::check_trace() {
+  for (Member& member : members_) {
+    if (member.trace.inhibited_by >= static_cast<int>(members_.size())) {
+      fail(*description_.coordinator, "its trace says that member " +
+                                          std::to_string(member.trace.inhibited_by) +
+                                          " inhibits another, but there is none of that number");
+    }
+    if (!member.trace.reason) {
+      member.trace.reason = "";
+    }
+  }
 }
 
-void Robot::use_energy(double period_s, double at_charger_rate) {
-  if (empty_) {
-    return;
+void Robot::fail(const world::PluginUse& use, const std::string& problem) const {
+  fault_.emplace(use.plugin, use.id, description_.id, step_, problem);
+  throw *fault_;
+}
+
+void Robot::use_energy(double period_s) {
+  if (!empty_) {
+    state_.energy = std::max(0.0, state_.energy - sensor_cost_ * period_s);
+    stop_when_empty();
   }
-  if (charge_asked_ && !state_.charging && at_charger_rate > 0.0 &&
+}
+
+void Robot::stop_when_empty() {
+  if (state_.energy <= 0.0) {
+    empty_ = true;
+    command_ = {};
+    raise("battery_empty");
+  }
+}
+
+void Robot::charge(double period_s, double rate) {
+  if (charge_asked_ && !empty_ && !state_.charging && rate > 0.0 &&
       state_.energy < state_.capacity) {
     state_.charging = true;
     raise("charging_started");
   }
   charge_asked_ = false;
-  state_.energy -= sensor_cost_ * period_s;
   if (state_.charging) {
-    state_.energy += at_charger_rate * period_s;
-    if (state_.energy >= state_.capacity || at_charger_rate <= 0.0) {
+    state_.energy = std::min(state_.capacity, state_.energy + rate * period_s);
+    if (state_.energy >= state_.capacity || rate <= 0.0 || empty_) {
       state_.charging = false;
       raise("charging_ended");
     }
-  }
-  state_.energy = std::clamp(state_.energy, 0.0, state_.capacity);
-  if (state_.energy <= 0.0 && sensor_cost_ > 0.0) {
-    empty_ = true;
-    command_ = {};
-    raise("battery_empty");
   }
 }
 

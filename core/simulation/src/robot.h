@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,9 +39,11 @@ class Robot final : private Member::Runner {
   /// Asks the coordinator; the command, limited to the maximum speed, is in command() afterwards.
   /// Throws PluginFault.
   void decide(const Instant& now);
-  /// Discharges by what the sensors cost and charges while charging. `at_charger_rate`: units per
-  /// second to be had here, or 0.
-  void use_energy(double period_s, double at_charger_rate);
+  /// Discharges by what the sensors cost in a control period.
+  void use_energy(double period_s);
+  /// Charges for a control period, once a behaviour asked for it, until full. `rate`: units per
+  /// second to be had where the robot is, or 0.
+  void charge(double period_s, double rate);
   /// Takes over the body's state.
   void set_body(const physics::RobotState& state);
   /// The same after a step: counts the way too.
@@ -50,6 +53,8 @@ class Robot final : private Member::Runner {
 
   /// An event for the next perception and for the log.
   void raise(std::string_view name, std::string detail = {});
+  /// Appends the numbers of one sensor's reading. Throws PluginFault.
+  void list_values(std::size_t sensor, std::vector<NamedValue>& values) const;
   /// Appends to the log the events since the last call.
   void take_log(double time_s, std::vector<EventRecord>& log);
 
@@ -79,6 +84,7 @@ class Robot final : private Member::Runner {
   struct BehaviorSlot {
     const world::BehaviorUse* use;
     plugin::Object<Behavior> object;
+    const Declaration* declaration;
     Random random;
     Response response;
   };
@@ -88,10 +94,21 @@ class Robot final : private Member::Runner {
   };
 
   const Response& run(Member& member) override;
+  void rate(Member& member, std::span<const MotorCommand> candidates,
+            std::span<double> desirability) override;
+  CommandSets command_sets(Member& member) override;
   void check(const BehaviorSlot& slot, const Response& response) const;
   void group_readings();
   void announce_equipment();
-  [[noreturn]] void fail(const std::string& plugin, const std::string& problem) const;
+  void check_trace();
+  void stop_when_empty();
+  BehaviorSlot& slot_of(const Member& member) {
+    return behaviors_[static_cast<std::size_t>(&member - members_.data())];
+  }
+  /// Runs code of a plugin; whatever it throws becomes a PluginFault with the plugin's name.
+  template <class Action>
+  decltype(auto) guarded(const world::PluginUse& use, Action action) const;
+  [[noreturn]] void fail(const world::PluginUse& use, const std::string& problem) const;
 
   const world::Robot& description_;
   bool measure_time_;
@@ -115,6 +132,7 @@ class Robot final : private Member::Runner {
   Frame body_frame_;
   MotorCommand command_;
   std::uint64_t step_ = 0;
+  mutable std::optional<PluginFault> fault_;  // a coordinator may swallow it, but not the run
 
   bool charge_asked_ = false;
   bool empty_ = false;

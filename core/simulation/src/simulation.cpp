@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <map>
 #include <utility>
 
 #include "elsie/physics/engine.h"
+#include "elsie/world/error.h"
 
 #include "box_path.h"
 #include "goals.h"
@@ -52,8 +54,16 @@ class Simulation::Impl {
  public:
   Impl(world::World world, const plugin::Host& host, const Options& options)
       : world_(std::move(world)), seed_(options.seed) {
+    std::vector<world::Problem> problems;
     for (const world::Robot& robot : world_.robots) {
-      robots_.push_back(std::make_unique<Robot>(robot, host, options.measure_time));
+      try {
+        robots_.push_back(std::make_unique<Robot>(robot, host, options.measure_time));
+      } catch (const world::WorldError& error) {
+        problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+      }
+    }
+    if (!problems.empty()) {
+      throw world::WorldError(std::move(problems));
     }
     for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
       if (world_.boxes[i].kind == world::BoxKind::moving) {
@@ -89,27 +99,30 @@ class Simulation::Impl {
     verdict_ = {};
     last_touch_.clear();
     events_.clear();
+    log_events();
   }
 
   void step(const Simulation& self) {
     const double h = world_.physics.step;
     const auto control_steps = static_cast<std::uint64_t>(world_.physics.control_steps);
-    if (steps_ % control_steps == 0) {
-      control(h * static_cast<double>(control_steps));
-    }
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      engine_->set_wheel_rates(i, robots_[i]->command());
-    }
-    drive_boxes();
-    engine_->step();
-    ++steps_;
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      robots_[i]->moved(engine_->robot(i));
+    const bool decides = steps_ % control_steps == 0;
+    const double period = h * static_cast<double>(control_steps);
+    try {
+      if (decides) {
+        control(period);
+      }
+      move();
+    } catch (...) {
+      log_events();
+      throw;
     }
     handle_touches();
-    for (const auto& robot : robots_) {
-      robot->take_log(time_s(), events_);
+    if (decides) {
+      for (const auto& robot : robots_) {
+        robot->charge(period, charger_rate(*robot));
+      }
     }
+    log_events();
     if (verdict_.outcome == Outcome::running) {
       verdict_ = judge(self);
     }
@@ -200,7 +213,26 @@ class Simulation::Impl {
       robot->decide(now);
     }
     for (const auto& robot : robots_) {
-      robot->use_energy(period_s, charger_rate(*robot));
+      robot->use_energy(period_s);
+    }
+  }
+
+  /// Motors, physics.
+  void move() {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      engine_->set_wheel_rates(i, robots_[i]->command());
+    }
+    drive_boxes();
+    engine_->step();
+    ++steps_;
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      robots_[i]->moved(engine_->robot(i));
+    }
+  }
+
+  void log_events() {
+    for (const auto& robot : robots_) {
+      robot->take_log(time_s(), events_);
     }
   }
 
@@ -330,16 +362,13 @@ RunResult Simulation::run(std::span<Observer* const> observers) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const auto wall = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  for (Observer* observer : observers) {
-    observer->started(*this);
-  }
-  const auto end = [&] {
-    impl_->wall_s_ = wall();
-    for (Observer* observer : observers) {
-      observer->ended(*this);
-    }
-  };
+  std::size_t watching = 0;  // observers that heard of the start, and will hear of the end
+  std::exception_ptr failure;
   try {
+    for (Observer* observer : observers) {
+      observer->started(*this);
+      ++watching;
+    }
     while (outcome() == Outcome::running) {
       step();
       for (Observer* observer : observers) {
@@ -351,10 +380,19 @@ RunResult Simulation::run(std::span<Observer* const> observers) {
       }
     }
   } catch (...) {
-    end();
-    throw;
+    failure = std::current_exception();
   }
-  end();
+  impl_->wall_s_ = wall();
+  for (Observer* observer : observers.first(watching)) {
+    try {
+      observer->ended(*this);
+    } catch (...) {
+      failure = failure ? failure : std::current_exception();  // the first one counts
+    }
+  }
+  if (failure) {
+    std::rethrow_exception(failure);
+  }
   return result();
 }
 
@@ -394,6 +432,10 @@ std::size_t Simulation::sensors(std::size_t robot) const {
 }
 SensorView Simulation::sensor(std::size_t robot, std::size_t index) const {
   return impl_->robots_[robot]->sensor(index);
+}
+void Simulation::list_values(std::size_t robot, std::size_t sensor,
+                             std::vector<NamedValue>& values) const {
+  impl_->robots_[robot]->list_values(sensor, values);
 }
 Frame Simulation::sensor_frame(std::size_t robot, std::size_t index) const {
   return impl_->robots_[robot]->sensor_frame(index);

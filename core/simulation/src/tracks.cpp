@@ -1,15 +1,14 @@
 #include "elsie/simulation/tracks.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "elsie/simulation/simulation.h"
+
+#include "sampling.h"
 
 namespace elsie::simulation {
 
 void TrackRecorder::started(const Simulation& simulation) {
   const double step = simulation.world().physics.step;
-  every_ = static_cast<std::uint64_t>(std::max(1.0, std::round(asked_period_s_ / step)));
+  every_ = steps_in(asked_period_s_, step);
   period_s_ = static_cast<double>(every_) * step;
   tracks_.assign(simulation.robots(), {});
   collisions_.assign(simulation.robots(), 0);

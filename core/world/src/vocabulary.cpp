@@ -50,7 +50,7 @@ ElementSpec arena() {
 ElementSpec physics() {
   return Describe<Physics>("physics", "Parameters of the physics engine")
       .attribute("step", &Physics::step,
-                 {.unit = "s", .above = 0, .max = 0.1, .meaning = "length of a step"})
+                 {.unit = "s", .min = 1e-6, .max = 0.1, .meaning = "length of a step"})
       .attribute("control_steps", &Physics::control_steps,
                  {.min = 1, .max = 1000, .meaning = "steps in one control period"})
       .attribute("gravity", &Physics::gravity,

@@ -7,12 +7,11 @@
 //
 // Once every control period, for every robot:
 //
-//   sensors are read  ->  the coordinator asks its behaviours, in its own order, each at most once:
-//   respond()
-//                     ->  for behaviours that answered, and only if the coordinator's scheme needs
-//                     it:
-//                         rate() and command_sets(), which refer to the answer just given
-//                     ->  the coordinator's command goes to the wheels
+// 1. sensors are read;
+// 2. the coordinator asks its behaviours, in its own order, each at most once: respond();
+// 3. of behaviours that answered, and only if its scheme needs it, it asks further: rate() and
+//    command_sets(), which refer to the answer just given;
+// 4. the coordinator's command goes to the wheels.
 //
 // A coordinator that picks one behaviour by a fixed priority runs that one only; so do not count
 // calls to keep time: take `now.time_s()`.
@@ -51,7 +50,7 @@ struct Response {
 
 class Behavior : public Component {
  public:
-  /// Called once after configured(), when the robot is complete: `example` has every reading that
+  /// Called after configured(), when the robot is complete: `example` has every reading that
   /// the robot will ever have, with values that mean nothing yet. Throw (std::invalid_argument,
   /// with a sentence) when the parameters do not fit the sensors.
   virtual void equipped(const Perception& example);

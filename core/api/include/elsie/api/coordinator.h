@@ -18,12 +18,14 @@
 namespace elsie {
 
 /// What a coordinator noted about one of its behaviours in one step: a row of the trace. The member
-/// fills the first part itself when it is asked (asked, command, activation, time); the rest is the
+/// fills the first part itself when it is asked (asked, command, activation,
+/// strength, time); the rest is the
 /// coordinator's to fill.
 struct TraceRow {
   bool asked = false;       // whether respond() ran in this step
   MotorCommand command;     // what it wished for
   double activation = 0.0;  // as the behaviour reported it
+  double strength = 0.0;    // likewise
   double weight = 0.0;      // what the coordinator multiplied its wish with
   double share = 0.0;       // its part in the result, in [0, 1]
   int inhibited_by = -1;    // index of the member that silenced it; -1: none
@@ -34,18 +36,23 @@ struct TraceRow {
 /// One behaviour as its coordinator sees it.
 class Member {
  public:
-  /// Runs a behaviour on the simulator's side: measures, checks, and names the culprit when
-  /// something is thrown.
+  /// Runs the behaviours on the simulator's side: measures, checks the answers, and names the
+  /// culprit when something is thrown.
   class Runner {
    public:
     virtual const Response& run(Member& member) = 0;
+    virtual void rate(Member& member, std::span<const MotorCommand> candidates,
+                      std::span<double> desirability) = 0;
+    virtual CommandSets command_sets(Member& member) = 0;
 
    protected:
     ~Runner() = default;
   };
 
-  Member(std::string_view name, double priority, Behavior& behavior, Runner& runner)
-      : name_(name), priority_(priority), behavior_(&behavior), runner_(&runner) {}
+  Member(std::string_view name, double priority, Runner& runner)
+      : name_(name), priority_(priority), runner_(&runner) {}
+  Member(Member&&) = default;
+  Member& operator=(Member&&) = default;
 
   /// Its id in the world file: the plugin's name, unless the file gives another.
   std::string_view name() const { return name_; }
@@ -58,20 +65,25 @@ class Member {
       trace.asked = true;
       trace.command = response_->command;
       trace.activation = response_->activation;
+      trace.strength = response_->strength;
     }
     return *response_;
   }
-  /// How desirable each candidate is to the behaviour: Behavior::rate().
+  /// How desirable each candidate is to the behaviour, in [0, 1]: Behavior::rate(). Both spans have
+  /// one size.
   void rate(std::span<const MotorCommand> candidates, std::span<double> desirability) {
-    behavior_->rate(respond(), candidates, desirability);
+    respond();
+    runner_->rate(*this, candidates, desirability);
   }
   /// The behaviour's fuzzy sets over wheel rates: Behavior::command_sets().
-  CommandSets command_sets() { return behavior_->command_sets(respond()); }
+  CommandSets command_sets() {
+    respond();
+    return runner_->command_sets(*this);
+  }
 
   TraceRow trace;
 
-  // The simulator's side.
-  Behavior& behavior() { return *behavior_; }
+  /// Forgets the last answer; the simulator's call, before each decision.
   void begin_step() {
     response_ = nullptr;
     trace = {};
@@ -80,14 +92,13 @@ class Member {
  private:
   std::string_view name_;
   double priority_;
-  Behavior* behavior_;
   Runner* runner_;
   const Response* response_ = nullptr;
 };
 
 class Coordinator : public Component {
  public:
-  /// Called once after configured(), when the robot is complete; see Behavior::equipped(). Do not
+  /// Called after configured(), when the robot is complete; see Behavior::equipped(). Do not
   /// ask the members here.
   virtual void equipped(std::span<const Member> members, const Perception& example);
 

@@ -2,10 +2,11 @@
 //
 // A translation unit that uses one of the ELSIE_... macros gets:
 // - a node in a list of the library's plugins. The list is made of plain pointers and filled by
-// static initialisers that
-//   call nothing, so that loading a library runs no code that depends on the host's ABI;
+//   static initialisers that call nothing, so that loading a library runs no code that depends on
+//   the host's ABI;
 // - through this header, the library's one C entry point, elsie_plugin_library(), and the ELF note
-// with its ABI word. Parts of the program itself define ELSIE_BUILDING_CORE and get no entry point.
+//   with its ABI word.
+// Parts of the program itself define ELSIE_BUILDING_CORE and get no entry point.
 #pragma once
 
 #include <vector>

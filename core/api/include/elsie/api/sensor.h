@@ -65,6 +65,8 @@ class Sensor : public Component {
   virtual void update(const SensorContext& now) = 0;
   /// The memory of the current reading; the same address for the whole life of the sensor.
   virtual const void* reading() const = 0;
+  /// Forgets the current reading; the simulator's call, before each run.
+  virtual void forget() = 0;
   /// Appends the numbers of the current reading: always the same names in the same order.
   virtual void list_values(std::vector<NamedValue>& values) const = 0;
 };
@@ -81,6 +83,7 @@ class SensorOf : public Sensor {
   ReadingKind kind() const final { return ReadingKind::of<Reading>(); }
   void update(const SensorContext& now) final { reading_ = sense(now); }
   const void* reading() const final { return &reading_; }
+  void forget() final { reading_ = Reading{}; }
   void list_values(std::vector<NamedValue>& values) const final {
     const auto add = [&values](const char* name, auto value) {
       values.push_back({name, static_cast<double>(value)});

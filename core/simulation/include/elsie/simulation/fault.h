@@ -11,15 +11,20 @@ namespace elsie::simulation {
 /// the plugin, the robot and the step. What was recorded until then is valid.
 class PluginFault : public std::runtime_error {
  public:
-  PluginFault(std::string faulty_plugin, std::string on_robot, std::uint64_t at_step,
-              const std::string& problem)
-      : std::runtime_error("plugin '" + faulty_plugin + "' of robot '" + on_robot +
-                           "' failed in step " + std::to_string(at_step) + ": " + problem),
+  /// `at_id`: the plugin's id on the robot, its name unless the world file gives another.
+  PluginFault(std::string faulty_plugin, std::string at_id, std::string on_robot,
+              std::uint64_t at_step, const std::string& problem)
+      : std::runtime_error("plugin '" + faulty_plugin + "'" +
+                           (at_id == faulty_plugin ? "" : " (id '" + at_id + "')") + " of robot '" +
+                           on_robot + "' failed in step " + std::to_string(at_step) + ": " +
+                           problem),
         plugin(std::move(faulty_plugin)),
+        id(std::move(at_id)),
         robot(std::move(on_robot)),
         step(at_step) {}
 
   std::string plugin;
+  std::string id;
   std::string robot;
   std::uint64_t step;
 };

@@ -10,15 +10,16 @@ namespace elsie::simulation {
 
 /// Writes one row per robot and sample, comma-separated, with a heading line. Columns:
 ///
-///   time_s, robot, x_m, y_m, heading_rad, speed_m_s, turn_rate_rad_s, distance_m, energy,
-///   command_left, command_right sensor[ID].VALUE                 each number of each sensor's
-///   reading behavior[ID].asked .left .right .activation .weight .share .inhibited_by .reason
-///                                    the coordinator's trace of its last decision (.time_s too
-///                                    when time is measured)
+/// - time_s, robot, x_m, y_m, heading_rad, speed_m_s, turn_rate_rad_s, distance_m, energy,
+///   command_left, command_right;
+/// - sensor[ID].VALUE for each number of each sensor's reading;
+/// - behavior[ID].asked, .left, .right, .activation, .strength, .weight, .share, .inhibited_by,
+///   .reason (and .time_s when time is measured): the coordinator's trace of its last decision.
 ///
-/// Columns of what a robot does not have stay empty. Numbers are written so that reading them back
-/// gives the same number, bit for bit. The file is written as the run goes: what is there when a
-/// plugin fails is valid.
+/// Poses are those at time_s; readings, commands and traces those of the decision that led there,
+/// and empty in the first row, before any. Columns of what a robot does not have stay empty.
+/// Numbers are written so that reading them back gives the same number, bit for bit. The file is
+/// written as the run goes: what is there when a plugin fails is valid. A recorder serves one run.
 class CsvRecorder final : public Observer {
  public:
   /// Creates the file at once; throws std::runtime_error with a sentence when that cannot be done.

@@ -16,7 +16,7 @@ const char* to_string(Outcome outcome);
 
 /// Something that happened: raised by the simulator or by a plugin.
 struct EventRecord {
-  double time_s = 0.0;
+  double time_s = 0.0;  // end of the step in which it happened
   std::string robot;
   std::string name;    // "collision", "collected", "battery_empty", or an event of a plugin
   std::string detail;  // with what, which resource...; may be empty

@@ -85,6 +85,8 @@ class Simulation {
   RobotView robot(std::size_t index) const;
   std::size_t sensors(std::size_t robot) const;
   SensorView sensor(std::size_t robot, std::size_t index) const;
+  /// Appends the numbers of a sensor's current reading, by name. Throws PluginFault.
+  void list_values(std::size_t robot, std::size_t sensor, std::vector<NamedValue>& values) const;
   /// Where a sensor is in the world now.
   Frame sensor_frame(std::size_t robot, std::size_t index) const;
   /// Where a box is now; none when it was collected.
