@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include <sys/resource.h>
+#include <unistd.h>
 
 #include "elsie/plugin/host.h"
 #include "elsie/simulation/simulation.h"
@@ -72,8 +72,8 @@ elsie::world::World world(int robots) {
   for (int i = 0; i < 20; ++i) {
     elsie::world::Box box;
     box.id = "b" + std::to_string(i);
-    box.x = -4.0 + 2.0 * (i % 5) - 0.5;
-    box.y = -3.6 + 2.4 * (i / 5);
+    box.x = -3.6 + 1.8 * (i % 5);
+    box.y = -2.7 + 1.8 * (i / 5);
     box.heading_deg = 17.0 * i;
     box.length = 0.3;
     box.width = 0.2;
@@ -115,11 +115,12 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Peak memory of the process so far, MiB.
-double peak_memory_mib() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+/// Memory of the process now, MiB.
+double memory_mib() {
+  std::ifstream statm("/proc/self/statm");
+  double total_pages = 0.0, resident_pages = 0.0;
+  statm >> total_pages >> resident_pages;
+  return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
 }
 
 void compare(const elsie::plugin::Host& host, int robots, int repeats) {
@@ -128,9 +129,9 @@ void compare(const elsie::plugin::Host& host, int robots, int repeats) {
   for (const auto& robot : description.robots) {
     poses.push_back({robot.x, robot.y, elsie::radians(robot.heading_deg)});
   }
-  const double memory_before = peak_memory_mib();
+  const double memory_before = memory_mib();
   elsie::simulation::Simulation simulation(description, host);
-  const double memory = peak_memory_mib() - memory_before;
+  const double memory = memory_mib() - memory_before;
   std::vector<double> azimuths;
   for (const double azimuth : kAzimuthsDeg) {
     azimuths.push_back(elsie::radians(azimuth));
