@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: all demo test sanitize bench figures format lint dependencies configure clean
+.PHONY: tools all demo test sanitize bench figures format lint dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -15,7 +15,8 @@ configure: dependencies
 	@cmake --preset $(PRESET) --log-level=WARNING
 
 # Builds everything and runs the main job: a robot that wanders through clutter for ten simulated minutes.
-demo: all
+demo: configure
+	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	@mkdir -p out
 	$(ELSIE) run worlds/clutter.xml --seed 1 --picture out/clutter.png --record out/clutter.csv
 	@echo "Look at out/clutter.png; the whole run is in out/clutter.csv."
@@ -35,10 +36,13 @@ bench: all
 figures: all
 	scripts/world-figures $(BUILD)
 
-format:
+tools:
+	@scripts/install-dependencies --with-tools
+
+format: tools
 	git ls-files '*.cpp' '*.h' | xargs clang-format -i
 
-lint: configure
+lint: tools configure
 	git ls-files '*.cpp' '*.h' | xargs clang-format --dry-run -Werror
 	git ls-files 'core/*.cpp' 'plugins/*.cpp' 'apps/*.cpp' | xargs -n 4 -P 2 clang-tidy --quiet -p $(BUILD)
 

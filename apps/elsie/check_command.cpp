@@ -3,6 +3,7 @@
 #include <memory>
 
 #include <CLI/CLI.hpp>
+#include <spdlog/spdlog.h>
 
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/reader.h"
@@ -20,6 +21,9 @@ struct CheckOptions {
 };
 
 int check(const CheckOptions& options) {
+  if (options.quiet) {
+    spdlog::set_level(spdlog::level::err);
+  }
   const elsie::plugin::Host host = load_plugins(options.plugins);
   int wrong = 0;
   for (const std::string& file : options.worlds) {

@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 
 #include "elsie/fuzzy/error.h"
+#include "elsie/plugin/near_name.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/world/error.h"
 
@@ -31,6 +32,24 @@ void set_up_log() {
   spdlog::set_default_logger(log);
   const char* level = std::getenv("ELSIE_LOG");
   spdlog::set_level(level ? spdlog::level::from_str(level) : spdlog::level::warn);
+}
+
+/// The first argument must be a subcommand or an option; says which one was meant when it is not.
+void check_subcommand(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') {
+    return;
+  }
+  std::vector<std::string> names;
+  std::string list;
+  for (const CLI::App* command : program.get_subcommands({})) {
+    if (command->get_name() == argv[1]) {
+      return;
+    }
+    names.push_back(command->get_name());
+    list += (list.empty() ? "" : ", ") + command->get_name();
+  }
+  throw BadInput("there is no subcommand '" + std::string(argv[1]) + "'" +
+                 elsie::plugin::did_you_mean(argv[1], names) + "\nthere are: " + list);
 }
 
 /// Runs the job; every error becomes a message and an exit code.
@@ -85,7 +104,11 @@ int main(int argc, char** argv) {
   add_schema_command(program, job);
   add_fuzzy_command(program, job);
   try {
+    check_subcommand(program, argc, argv);
     program.parse(argc, argv);
+  } catch (const BadInput& error) {
+    std::cerr << "elsie: " << error.what() << '\n';
+    return kBadInput;
   } catch (const CLI::ParseError& error) {
     return with_output_written(program.exit(error) == 0 ? kSuccess : kBadInput);
   }

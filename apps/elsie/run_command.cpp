@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <CLI/CLI.hpp>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include "elsie/simulation/recording.h"
@@ -87,6 +88,9 @@ void check(const RunOptions& options) {
 
 int run(const RunOptions& options) {
   check(options);
+  if (options.quiet) {
+    spdlog::set_level(spdlog::level::err);
+  }
   const elsie::plugin::Host host = load_plugins(options.plugins);
   elsie::world::World world =
       elsie::world::read_world(options.world, host, read_options(options.overrides));

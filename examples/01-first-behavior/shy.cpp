@@ -1,6 +1,6 @@
-#include <elsie/api/behavior.h>
-
 #include <algorithm>
+
+#include <elsie/api/behavior.h>
 
 // Drives on, and backs away from what comes too near.
 class Shy final : public elsie::Behavior {

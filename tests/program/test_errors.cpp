@@ -50,6 +50,7 @@ TEST_CASE("Bad input ends with exit code 2, a sentence, and nothing on standard 
   expect("describe world --json", "not to be had as JSON");
   expect("run worlds/maze.xml --set physics/@step=1e-300", "1e-300");
   expect("run worlds/maze.xml --plugin-path nowhere", "'nowhere' is not a directory");
+  expect("chek worlds/maze.xml", "there is no subcommand 'chek'; did you mean 'check'?");
   expect("describe wandr", "did you mean 'wander'?");
   expect("fuzzy broken.fcl", "broken.fcl:");
   expect("fuzzy nowhere.fcl", "nowhere.fcl");

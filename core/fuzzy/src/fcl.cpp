@@ -1,5 +1,6 @@
 #include "elsie/fuzzy/fcl.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,6 +14,12 @@ namespace elsie::fuzzy {
 
 Model parse_fcl(std::string_view text, const std::string& name) {
   Problems problems(name);
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + zero, '\n');
+    problems.add(static_cast<int>(line),
+                 "This is not a text file, expected one in Fuzzy Control Language.");
+    problems.throw_if_any();
+  }
   const ast::FunctionBlock block = parse(text, problems);
   // What was not understood is missing from the block: checking that would find mistakes that are
   // none.

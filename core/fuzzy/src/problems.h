@@ -25,10 +25,17 @@ class Problems {
     }
     std::stable_sort(all_.begin(), all_.end(),
                      [](const Problem& a, const Problem& b) { return a.line < b.line; });
+    if (all_.size() > kMost) {
+      const std::string more = "... and " + std::to_string(all_.size() - kMost) + " more mistakes.";
+      all_.resize(kMost);
+      add(all_.back().line, more);
+    }
     throw FclError(std::move(all_));
   }
 
  private:
+  static constexpr std::size_t kMost = 200;  // reported; more help nobody
+
   std::string file_;
   std::vector<Problem> all_;
 };

@@ -163,7 +163,7 @@ class CsvRecorder::Impl {
   void sample(const Simulation& simulation) {
     for (std::size_t r = 0; r < simulation.robots(); ++r) {
       const RobotView robot = simulation.robot(r);
-      line_.number(simulation.time_s());
+      line_.number(std::round(simulation.time_s() * 1e9) / 1e9);  // 0.7, not 0.7000000000000001
       line_.text(robot.description->id);
       for (const double value :
            {robot.state->pose.x, robot.state->pose.y, robot.state->pose.heading_rad,

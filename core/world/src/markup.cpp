@@ -138,7 +138,7 @@ void check_nesting(const std::vector<Tag>& tags, const std::string& file) {
     fail(file, open.back()->line, "<" + name + "> is never closed; expected </" + name + ">");
   }
   if (!rooted) {
-    fail(file, 0, "the file is empty; expected <world format=\"1\"> ... </world>");
+    fail(file, 0, "there is no element in the file; expected <world format=\"1\"> ... </world>");
   }
 }
 
