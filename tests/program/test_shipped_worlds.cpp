@@ -21,3 +21,11 @@ TEST_CASE("The shipped worlds reach their goals") {
     CHECK(exit_code(world, 1) == 0);
   }
 }
+
+TEST_CASE(
+    "A robot lives ten minutes in the clutter, moving on and touching nothing, whatever the seed") {
+  for (int seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    CHECK(exit_code("clutter", seed) == 0);  // its goals: no collision, 40 m, 600 s
+  }
+}

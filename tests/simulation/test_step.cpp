@@ -211,3 +211,68 @@ TEST_CASE("A moving obstacle goes its way") {
   CHECK(pose->x == Approx(0).margin(1e-6));  // 3 m of a way of 2 m there and 2 m back
   CHECK(pose->y == Approx(1));
 }
+
+TEST_CASE("A beam looks from its own place, in its own direction") {
+  std::vector<double> read;
+  ScriptedHost scripted([&](const Perception& now) {
+    read.clear();
+    for (const auto& reading : now.readings<RangeReading>()) {
+      read.push_back(reading->distance_m);
+    }
+    return MotorCommand{};
+  });
+  world::World world;
+  world.boxes.push_back(box("b", world::BoxKind::fixed, 0, 0.6));
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world.robots[0].sensors.push_back(beam("down", 0));
+  world.robots[0].sensors.back().pitch_deg = -45;
+  world.robots[0].sensors.push_back(beam("aside", 90));
+  world.robots[0].sensors.back().x = 0.02;
+  world.robots[0].sensors.back().y = 0.3;
+  world.robots[0].sensors.back().z = 0.05;
+  Simulation(world, scripted.host).step();
+  REQUIRE(read.size() == 2);
+  CHECK(read[0] == Approx(0.09 * std::sqrt(2.0)).margin(1e-3));  // the floor, from the chassis' top
+  CHECK(read[1] == Approx(0.2).margin(1e-3));                    // from y = 0.3 to the box at 0.5
+}
+
+namespace {
+
+struct BeaconReading {
+  static constexpr const char* kind = "beacon";
+  bool heard = false;
+  double distance_m = 0.0;
+};
+
+/// A sensor with a kind of reading of its own, which the core has never heard of.
+class Beacon final : public SensorOf<BeaconReading> {
+ public:
+  BeaconReading sense(const SensorContext& now) override {
+    const auto robot = now.world->nearest_robot(0.5);
+    return {robot.has_value(), robot ? robot->distance_m : 0.0};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("A sensor of a new kind hears the nearest robot, and its reading reaches the behaviour") {
+  BeaconReading heard;
+  ScriptedHost scripted([&](const Perception& now) {
+    if (now.self().id == "r1") {
+      heard = *now.readings<BeaconReading>()[0];
+    }
+    return MotorCommand{};
+  });
+  scripted.host.add(
+      declare<Beacon>(PluginKind::sensor, "beacon", "For a test", produces<BeaconReading>()));
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world.robots[0].sensors.push_back(beam("b", 0));
+  world.robots[0].sensors[0].plugin = "beacon";
+  world.robots.push_back(robot("far", 0.45, 0, 0, behavior("scripted")));
+  world.robots.push_back(robot("near", 0, 0.3, 0, behavior("scripted")));
+  world.robots[2].team = "blue";
+  Simulation(world, scripted.host).step();
+  CHECK(heard.heard);
+  CHECK(heard.distance_m == Approx(0.3));
+}
