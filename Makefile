@@ -26,7 +26,9 @@ test: all
 
 # The unit tests under the address and undefined-behaviour sanitizers.
 sanitize: dependencies
-	@$(MAKE) --no-print-directory test PRESET=asan
+	@cmake --preset asan --log-level=WARNING
+	cmake --build --preset asan --target elsie_unit_tests
+	ctest --preset asan
 
 # Benchmarks: docs/performance.md.
 bench: all
