@@ -19,8 +19,8 @@ struct PluginOptions {
   void add_to(CLI::App& command);
 };
 
-/// Loads the plugins; warnings go to the log, unless it is set to errors only. Throws BadInput for a directory on the command line
-/// that is not there.
+/// Loads the plugins; warnings go to the log, unless it is set to errors only. Throws BadInput for
+/// a directory on the command line that is not there.
 elsie::plugin::Host load_plugins(const PluginOptions& options);
 
 /// ELSIE_DATA_PATH, then share/elsie beside the program's directory.
