@@ -58,8 +58,8 @@ __attribute__((visibility("hidden"))) inline void declare_plugins(
 }  // namespace detail
 }  // namespace elsie
 
-#define ELSIE_JOIN__(a, b) a##b
-#define ELSIE_JOIN_(a, b) ELSIE_JOIN__(a, b)
+#define ELSIE_JOIN_TOKENS_(a, b) a##b
+#define ELSIE_JOIN_(a, b) ELSIE_JOIN_TOKENS_(a, b)
 #define ELSIE_REGISTER_PLUGIN_(kind, Class, ...)                                            \
   namespace {                                                                               \
   ::elsie::detail::PluginNode ELSIE_JOIN_(elsie_plugin_node_, Class){                       \
