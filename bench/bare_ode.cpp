@@ -207,7 +207,19 @@ class BareOde::Impl {
     if (part == Part::deck || (!on_floor && part_of(b) == Part::deck)) return;
 
     std::array<dContact, kMostContacts> found;
-    const int count = dCollide(a, b, kMostContacts, &found[0].geom, sizeof(dContact));
+    int count = dCollide(a, b, kMostContacts, &found[0].geom, sizeof(dContact));
+    if (on_floor && part == Part::wheel && count > 1) {
+      // ODE finds both ends of the line on which a wheel stands. One contact in the middle is less
+      // work, and what Elsie does too.
+      dContactGeom& middle = found[0].geom;
+      for (int i = 1; i < count; ++i) {
+        const dContactGeom& other = found[static_cast<std::size_t>(i)].geom;
+        for (int axis = 0; axis < 3; ++axis) middle.pos[axis] += other.pos[axis];
+        middle.depth = std::max(middle.depth, other.depth);
+      }
+      for (int axis = 0; axis < 3; ++axis) middle.pos[axis] /= count;
+      count = 1;
+    }
     for (int i = 0; i < count; ++i) {
       dContact& contact = found[static_cast<std::size_t>(i)];
       dSurfaceParameters& surface = contact.surface;
