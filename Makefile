@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: tools all demo test sanitize bench figures format lint dependencies configure clean
+.PHONY: tools all demo test sanitize bench figures four-resources reference format lint dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -14,12 +14,13 @@ dependencies:
 configure: dependencies
 	@cmake --preset $(PRESET) --log-level=WARNING
 
-# Builds everything and runs the main job: a robot that wanders through clutter for ten simulated minutes.
+# Builds what it runs, and runs the main job: a robot whose behaviours are blended by a network collects four resources.
 demo: configure
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	@mkdir -p out
-	$(ELSIE) run worlds/clutter.xml --seed 1 --picture out/clutter.png --record out/clutter.csv
-	@echo "Look at out/clutter.png; the whole run is in out/clutter.csv."
+	$(ELSIE) run worlds/four_resources.xml --seed 1 --picture out/four_resources.png --record out/four_resources.csv --explain out/four_resources.trace
+	$(ELSIE) explain out/four_resources.trace --picture out/who_decided.png
+	@echo "Look at out/four_resources.png and out/who_decided.png; the whole run is in out/four_resources.csv."
 
 test: all
 	ctest --preset $(PRESET)
@@ -37,6 +38,15 @@ bench: all
 # What the shipped worlds come to over 20 seeds: docs/shipped-worlds.md.
 figures: all
 	scripts/world-figures $(BUILD)
+
+# The four-resource world with every coordinator, 20 seeds each: docs/four-resources.md.
+four-resources: all
+	scripts/coordination-figures $(BUILD)
+
+# The generated parts of the plugins' pages in docs/, from their declarations.
+reference: configure
+	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
+	scripts/reference $(BUILD)
 
 tools:
 	@scripts/install-dependencies --with-tools

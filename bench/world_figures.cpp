@@ -6,12 +6,10 @@
 // Seeds 1 to N (20); prints a table in Markdown, mean and standard deviation over the seeds; of
 // several robots the mean of all.
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -19,7 +17,11 @@
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/reader.h"
 
+#include "statistics.h"
+
 namespace {
+
+using elsie::bench::mean_and_deviation;
 
 struct Figures {
   std::vector<double> distance_m, contacts_per_minute, time_s;
@@ -46,25 +48,12 @@ Figures run(const elsie::world::World& world, const elsie::plugin::Host& host, i
   return figures;
 }
 
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double deviation(const std::vector<double>& values) {
-  const double middle = mean(values);
-  double squares = 0.0;
-  for (const double value : values) {
-    squares += (value - middle) * (value - middle);
-  }
-  return values.size() < 2 ? 0.0 : std::sqrt(squares / static_cast<double>(values.size() - 1));
-}
-
 void print(const std::string& name, const elsie::world::World& world, const Figures& figures) {
-  std::printf("| `%s` | %zu | %d of %zu | %.1f +- %.1f | %.2f +- %.2f | %.1f +- %.1f |\n",
-              name.c_str(), world.robots.size(), figures.successes, figures.time_s.size(),
-              mean(figures.time_s), deviation(figures.time_s), mean(figures.contacts_per_minute),
-              deviation(figures.contacts_per_minute), mean(figures.distance_m),
-              deviation(figures.distance_m));
+  std::printf("| `%s` | %zu | %d of %zu | %s | %s | %s |\n", name.c_str(), world.robots.size(),
+              figures.successes, figures.time_s.size(),
+              mean_and_deviation(figures.time_s, 1).c_str(),
+              mean_and_deviation(figures.contacts_per_minute, 2).c_str(),
+              mean_and_deviation(figures.distance_m, 1).c_str());
   std::fflush(stdout);
 }
 

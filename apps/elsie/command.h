@@ -36,3 +36,5 @@ void add_describe_command(CLI::App& program, Job& job);
 void add_schema_command(CLI::App& program, Job& job);
 void add_picture_command(CLI::App& program, Job& job);
 void add_fuzzy_command(CLI::App& program, Job& job);
+void add_explain_command(CLI::App& program, Job& job);
+void add_train_command(CLI::App& program, Job& job);

@@ -6,6 +6,8 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "elsie/simulation/trace.h"
+
 #include "command.h"
 
 namespace fs = std::filesystem;
@@ -79,15 +81,35 @@ void require_writable(const fs::path& file, const char* option) {
   }
 }
 
-void require_recording(const fs::path& file, const char* option) {
-  // Devices such as /dev/stdout have no suffix, and nothing to lose.
+namespace {
+
+/// Devices such as /dev/stdout have no suffix, and nothing to lose.
+bool is_device(const fs::path& file) {
   std::error_code error;
-  const bool device = fs::is_character_file(file, error) || fs::is_fifo(file, error);
-  if (!device && file.extension() != ".csv") {
+  return fs::is_character_file(file, error) || fs::is_fifo(file, error);
+}
+
+}  // namespace
+
+void require_recording(const fs::path& file, const char* option) {
+  if (!is_device(file) && file.extension() != ".csv") {
     throw BadInput(std::string(option) + ": a recording's name must end in .csv, but '" +
                    file.string() + "' does not");
   }
   require_writable(file, option);
+}
+
+void require_trace(const fs::path& file, const char* option) {
+  if (!is_device(file) && file.extension() != ".trace") {
+    throw BadInput(std::string(option) + ": a trace's name must end in .trace, but '" +
+                   file.string() + "' does not");
+  }
+  require_writable(file, option);
+  std::error_code error;
+  if (fs::is_regular_file(file, error) && !elsie::simulation::may_be_trace(file)) {
+    throw BadInput(std::string(option) + ": '" + file.string() +
+                   "' is there already and is no trace; remove it or choose another name");
+  }
 }
 
 void require_picture(const fs::path& file, const char* option) {

@@ -34,5 +34,8 @@ elsie::world::ReadOptions read_options(const std::vector<std::string>& overrides
 void require_writable(const std::filesystem::path& file, const char* option);
 /// The same for a recording: its name must end in .csv, so that no input is overwritten by a slip.
 void require_recording(const std::filesystem::path& file, const char* option);
+/// The same for a trace: its name must end in .trace, and what is there already must be a trace,
+/// too.
+void require_trace(const std::filesystem::path& file, const char* option);
 /// The same for a picture: its name must end in .png or .svg.
 void require_picture(const std::filesystem::path& file, const char* option);

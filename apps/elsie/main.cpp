@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 
 #include "elsie/fuzzy/error.h"
+#include "elsie/neural/error.h"
 #include "elsie/plugin/near_name.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/world/error.h"
@@ -19,6 +20,8 @@ constexpr const char* kExamples = R"(
 Examples:
   elsie run worlds/clutter.xml --seed 7 --picture clutter.png
   elsie run worlds/maze.xml --set 'robot[r1]/@max_speed=0.3' --json
+  elsie run worlds/clutter.xml --explain clutter.trace
+  elsie explain clutter.trace --picture clutter.png
   elsie check worlds/*.xml
   elsie describe wander
 
@@ -62,6 +65,9 @@ int finish(const Job& job) {
   } catch (const elsie::fuzzy::FclError& error) {
     std::cerr << error.what() << '\n';
     return kBadInput;
+  } catch (const elsie::neural::FileError& error) {
+    std::cerr << error.what() << '\n';
+    return kBadInput;
   } catch (const BadInput& error) {
     std::cerr << "elsie: " << error.what() << '\n';
     return kBadInput;
@@ -91,18 +97,23 @@ int with_output_written(int exit_code) {
 
 int main(int argc, char** argv) {
   set_up_log();
+  // Pictures of cameras are small: where Mesa draws them in software, handing them to threads costs
+  // more than it gains. Here, because nothing else runs yet that could look at the environment.
+  setenv("LP_NUM_THREADS", "0", 0);
   CLI::App program("Elsie: behaviour-based mobile robot control", "elsie");
   program.set_version_flag("--version", "elsie " ELSIE_VERSION);
   program.require_subcommand(1);
   program.footer(kExamples);
   Job job;
   add_run_command(program, job);
+  add_explain_command(program, job);
   add_check_command(program, job);
   add_picture_command(program, job);
   add_plugins_command(program, job);
   add_describe_command(program, job);
   add_schema_command(program, job);
   add_fuzzy_command(program, job);
+  add_train_command(program, job);
   try {
     check_subcommand(program, argc, argv);
     program.parse(argc, argv);

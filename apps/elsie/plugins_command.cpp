@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -37,7 +39,9 @@ struct PluginsOptions {
 struct DescribeOptions {
   PluginOptions plugins;
   std::string name;
+  std::optional<PluginKind> kind;  // of several plugins of that name; default: all
   bool json = false;
+  bool declaration = false;
 };
 
 const char* to_string(FileStatus status) {
@@ -52,6 +56,22 @@ const char* to_string(FileStatus status) {
   return "refused";
 }
 
+/// "<suppress>, <inhibit>": what may stand in a plugin's element.
+std::string contents_of(const Declaration& plugin) {
+  std::string list;
+  const auto add = [&list](const std::string& name) {
+    list += (list.empty() ? "<" : ", <") + name + ">";
+  };
+  for (const auto& element : plugin.elements) {
+    add(element.name);
+  }
+  if (plugin.hold) {
+    add("behaviors");
+    add("coordinator");
+  }
+  return list;
+}
+
 void print_list(const Host& host) {
   std::size_t width = 0;
   for (const PluginKind kind : kKinds) {
@@ -64,6 +84,9 @@ void print_list(const Host& host) {
     for (const Declaration* plugin : host.all(kind)) {
       std::cout << "  " << plugin->name << std::string(width + 2 - plugin->name.size(), ' ')
                 << plugin->description << '\n';
+      if (const std::string contents = contents_of(*plugin); !contents.empty()) {
+        std::cout << std::string(width + 4, ' ') << "holds " << contents << '\n';
+      }
     }
   }
 }
@@ -130,7 +153,26 @@ ordered_json to_json(const ParameterDeclaration& parameter) {
   if (!parameter.facts.choices.empty()) {
     json["choices"] = parameter.facts.choices;
   }
+  if (parameter.facts.required) {
+    json["required"] = true;
+  }
   return json;
+}
+
+ordered_json to_json(const std::vector<ParameterDeclaration>& parameters) {
+  ordered_json json = ordered_json::array();
+  for (const ParameterDeclaration& parameter : parameters) {
+    json.push_back(to_json(parameter));
+  }
+  return json;
+}
+
+ordered_json to_json(const elsie::ElementValue& value) {
+  ordered_json parameters = ordered_json::object();
+  for (const auto& [name, given] : value.parameters) {
+    parameters[name] = to_json(given);
+  }
+  return {{"name", value.element}, {"parameters", parameters}};
 }
 
 ordered_json to_json(const Host& host, const Declaration& plugin) {
@@ -139,10 +181,19 @@ ordered_json to_json(const Host& host, const Declaration& plugin) {
                     {"version", plugin.version},
                     {"description", plugin.description},
                     {"library", host.file_of(plugin.kind, plugin.name).string()}};
-  json["parameters"] = ordered_json::array();
-  for (const ParameterDeclaration& parameter : plugin.parameters) {
-    json["parameters"].push_back(to_json(parameter));
+  json["parameters"] = to_json(plugin.parameters);
+  json["elements"] = ordered_json::array();
+  for (const auto& element : plugin.elements) {
+    json["elements"].push_back({{"name", element.name},
+                                {"meaning", element.meaning},
+                                {"list", element.list},
+                                {"parameters", to_json(element.parameters)}});
   }
+  json["default_elements"] = ordered_json::array();
+  for (const auto& value : plugin.default_elements) {
+    json["default_elements"].push_back(to_json(value));
+  }
+  json["holds_behaviors"] = static_cast<bool>(plugin.hold);
   const auto kinds = [](const std::vector<elsie::ReadingDeclaration>& readings) {
     ordered_json names = ordered_json::array();
     for (const auto& reading : readings) {
@@ -209,6 +260,9 @@ int describe(const DescribeOptions& options) {
   std::vector<std::string> names;
   ordered_json all = ordered_json::array();
   for (const PluginKind kind : kKinds) {
+    if (options.kind && kind != *options.kind) {
+      continue;
+    }
     for (const Declaration* plugin : host.all(kind)) {
       names.push_back(plugin->name);
     }
@@ -217,13 +271,15 @@ int describe(const DescribeOptions& options) {
       if (options.json) {
         all.push_back(to_json(host, *plugin));
       } else {
-        std::cout << elsie::world::plugin_reference(*plugin);
+        std::cout << (options.declaration ? elsie::world::plugin_declaration(*plugin)
+                                          : elsie::world::plugin_reference(*plugin));
       }
     }
   }
   if (!found) {
-    throw BadInput("there is no plugin '" + options.name + "'" +
-                   elsie::plugin::did_you_mean(options.name, names) +
+    throw BadInput("there is no " +
+                   std::string(options.kind ? kind_name(*options.kind) : "plugin") + " '" +
+                   options.name + "'" + elsie::plugin::did_you_mean(options.name, names) +
                    "\n`elsie plugins` lists all that were found");
   }
   if (options.json) {
@@ -251,14 +307,30 @@ void add_plugins_command(CLI::App& program, Job& job) {
 void add_describe_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "describe",
-      "Print what a plugin does, its parameters with defaults and ranges, its events; or the "
-      "vocabulary of world files");
-  command->footer("\nExamples:\n  elsie describe beam_range\n  elsie describe world\n");
+      "Print what a plugin does, its parameters with defaults and ranges, what may stand in its "
+      "element, its events; or the vocabulary of world files");
+  command->footer(
+      "\nExamples:\n  elsie describe beam_range\n  elsie describe world\n"
+      "  elsie describe wander --kind behavior --declaration\n");
   auto options = std::make_shared<DescribeOptions>();
   command
       ->add_option("PLUGIN", options->name, "Name of a sensor, behavior or coordinator; or 'world'")
       ->required();
-  command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
+  std::map<std::string, PluginKind> kinds;
+  for (const PluginKind kind : kKinds) {
+    kinds.emplace(kind_name(kind), kind);
+  }
+  command
+      ->add_option("--kind", options->kind,
+                   "Which, when plugins of several kinds have that name: sensor, behavior or "
+                   "coordinator")
+      ->transform(CLI::CheckedTransformer(kinds));
+  CLI::Option* json =
+      command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
+  command
+      ->add_flag("--declaration", options->declaration,
+                 "Print it without a title: what a page of docs/ has between its marks")
+      ->excludes(json);
   options->plugins.add_to(*command);
   command->callback([&job, options] { job = [options] { return describe(*options); }; });
 }

@@ -20,6 +20,15 @@ void interrupt(int) { interrupted = 1; }
 
 }  // namespace
 
+std::string bar_text(double part) {
+  std::string bar(static_cast<std::size_t>(part * kBarWidth), '=');
+  bar += '>';
+  bar.resize(kBarWidth + 1, ' ');
+  char percent[16];
+  std::snprintf(percent, sizeof(percent), "%3.0f %%", 100.0 * part);
+  return "[" + bar + "] " + percent;
+}
+
 void ProgressBar::started(const elsie::simulation::Simulation&) {
   start_ = Clock::now();
   last_drawn_ = start_;
@@ -36,11 +45,7 @@ void ProgressBar::stepped(const elsie::simulation::Simulation& simulation) {
   last_drawn_ = now;
   const double part = std::min(1.0, simulation.time_s() / simulation.world().limits.time);
   const double speed = simulation.time_s() / std::chrono::duration<double>(now - start_).count();
-  const int filled = static_cast<int>(part * kBarWidth);
-  std::string bar(static_cast<std::size_t>(filled), '=');
-  bar += '>';
-  bar.resize(kBarWidth + 1, ' ');
-  std::fprintf(stderr, "\r[%s] %3.0f %%  %.1f s  %.0f x real time ", bar.c_str(), 100.0 * part,
+  std::fprintf(stderr, "\r%s  %.1f s  %.0f x real time ", bar_text(part).c_str(),
                simulation.time_s(), speed);
   std::fflush(stderr);
 }
@@ -62,7 +67,9 @@ InterruptGuard::~InterruptGuard() {
 }
 
 void InterruptGuard::stepped(const elsie::simulation::Simulation&) {
-  if (interrupted) {
+  if (is_interrupted()) {
     throw Interrupted();
   }
 }
+
+bool InterruptGuard::is_interrupted() { return interrupted != 0; }

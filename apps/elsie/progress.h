@@ -2,8 +2,12 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "elsie/simulation/observer.h"
+
+/// "[=====>    ]  42 %": how much of something is done, from 0 to 1.
+std::string bar_text(double part);
 
 /// Draws "[=====>    ]  42 %  252.0 s  31 x real time" on standard error while a run goes on, and
 /// wipes it at the end.
@@ -26,6 +30,8 @@ class InterruptGuard final : public elsie::simulation::Observer {
   InterruptGuard();
   ~InterruptGuard() override;
   void stepped(const elsie::simulation::Simulation& simulation) override;
+  /// Whether the work is to end.
+  static bool is_interrupted();
 };
 
 /// The user ended the run.

@@ -9,12 +9,14 @@
 
 #include "elsie/simulation/recording.h"
 #include "elsie/simulation/simulation.h"
+#include "elsie/simulation/trace_recorder.h"
 #include "elsie/simulation/tracks.h"
 #include "elsie/world/reader.h"
 
 #include "arguments.h"
 #include "command.h"
 #include "environment.h"
+#include "image_saver.h"
 #include "progress.h"
 #include "run_report.h"
 #include "top_view.h"
@@ -30,7 +32,11 @@ struct RunOptions {
   std::optional<std::string> record;
   double record_rate = 10.0;
   bool record_times = false;
+  std::optional<std::string> explain;
+  bool explain_times = false;
   std::optional<std::string> picture;
+  std::optional<std::string> image_folder;
+  double image_period_s = 0.0;
   bool json = false;
   bool quiet = false;
 };
@@ -40,6 +46,7 @@ Examples:
   elsie run worlds/clutter.xml
   elsie run worlds/clutter.xml --seed 7 --duration 60 --picture clutter.png
   elsie run worlds/clutter.xml --record clutter.csv --record-rate 20
+  elsie run worlds/clutter.xml --explain clutter.trace
   elsie run worlds/clutter.xml --set 'robot[r1]/behavior[wander]/@speed=15' --json
 
 The run ends with exit code 0 when the world's goals are reached, 1 when they are not.
@@ -52,6 +59,14 @@ class Watchers {
     if (options.record) {
       recorder_.emplace(*options.record, options.record_rate, options.record_times);
       all_.push_back(&*recorder_);
+    }
+    if (options.image_folder) {
+      images_.emplace(*options.image_folder, options.image_period_s);
+      all_.push_back(&*images_);
+    }
+    if (options.explain) {
+      trace_.emplace(*options.explain, options.explain_times);
+      all_.push_back(&*trace_);
     }
     if (options.picture) {
       tracks_.emplace();
@@ -71,6 +86,8 @@ class Watchers {
 
  private:
   std::optional<elsie::simulation::CsvRecorder> recorder_;
+  std::optional<ImageSaver> images_;
+  std::optional<elsie::simulation::TraceRecorder> trace_;
   std::optional<elsie::simulation::TrackRecorder> tracks_;
   std::optional<ProgressBar> progress_;
   InterruptGuard interrupt_;
@@ -81,8 +98,14 @@ void check(const RunOptions& options) {
   if (options.record) {
     require_recording(*options.record, "--record");
   }
+  if (options.explain) {
+    require_trace(*options.explain, "--explain");
+  }
   if (options.picture) {
     require_picture(*options.picture, "--picture");
+  }
+  if (options.image_folder) {
+    require_image_folder(*options.image_folder, "--save-images");
   }
 }
 
@@ -97,8 +120,8 @@ int run(const RunOptions& options) {
   if (options.duration) {
     world.limits.time = *options.duration;
   }
-  elsie::simulation::Simulation simulation(std::move(world), host,
-                                           {options.seed, options.record_times});
+  elsie::simulation::Simulation simulation(
+      std::move(world), host, {options.seed, options.record_times || options.explain_times});
   Watchers watchers(options);
   const auto draw_as = [&](const std::string& line) {
     if (options.picture) {
@@ -163,9 +186,29 @@ void add_run_command(CLI::App& program, Job& job) {
                  "Record how long each behaviour takes, too (differs from run to run)")
       ->needs("--record");
   command
+      ->add_option("--explain", options->explain,
+                   "Write every coordinator's decisions, for `elsie explain`")
+      ->type_name("FILE.trace");
+  command
+      ->add_flag("--explain-times", options->explain_times,
+                 "Add how long each behaviour takes (differs from run to run)")
+      ->needs("--explain");
+  command
       ->add_option("--picture", options->picture,
                    "Draw the world at the end of the run with the robots' trajectories")
       ->type_name("FILE.png|FILE.svg");
+  command
+      ->add_option("--save-images", options->image_folder,
+                   "Save what every camera sees, raw and processed, in this folder, as PNG files "
+                   "named after step, robot and sensor")
+      ->type_name("DIR");
+  command
+      ->add_option("--save-images-every", options->image_period_s,
+                   "Simulated time from one saved image of a camera to the next; default: every "
+                   "control period")
+      ->needs("--save-images")
+      ->check(positive_number())
+      ->type_name("SECONDS");
   command->add_flag("--json", options->json,
                     "Print the result as one JSON object, and nothing else");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");

@@ -9,16 +9,14 @@
 
 #include "elsie/api/geometry.h"
 
+#include "text_table.h"
+
 namespace {
 
 using elsie::simulation::RobotResult;
 using elsie::simulation::RunResult;
 
-std::string text(const char* format, double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof(buffer), format, value);
-  return buffer;
-}
+constexpr std::size_t kTextColumns = 2;  // id and team
 
 std::vector<std::string> row(const RobotResult& robot) {
   return {robot.id,
@@ -29,26 +27,6 @@ std::vector<std::string> row(const RobotResult& robot) {
           std::to_string(robot.collisions),
           text("%.2f", robot.pose.x) + ", " + text("%.2f", robot.pose.y) + ", " +
               text("%.0f", elsie::degrees(robot.pose.heading_rad))};
-}
-
-std::string laid_out(const std::vector<std::vector<std::string>>& rows) {
-  constexpr std::size_t kTextColumns = 2;  // id and team stand to the left, numbers to the right
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const auto& cells : rows) {
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      widths[i] = std::max(widths[i], cells[i].size());
-    }
-  }
-  std::string text;
-  for (const auto& cells : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const std::string padding(widths[i] - cells[i].size(), ' ');
-      line += (i ? "  " : "") + (i < kTextColumns ? cells[i] + padding : padding + cells[i]);
-    }
-    text += line + '\n';
-  }
-  return text;
 }
 
 /// JSON text must be UTF-8; ids come from XML, which is.
@@ -75,7 +53,13 @@ std::string table(const RunResult& result) {
     for (const RobotResult& robot : result.robots) {
       rows.push_back(row(robot));
     }
-    out += '\n' + laid_out(rows);
+    out += '\n' + laid_out(rows, kTextColumns);
+  }
+  if (!result.notes.empty()) {
+    out += '\n';
+    for (const auto& note : result.notes) {
+      out += note.robot + ", " + note.plugin + ": " + note.text + '\n';
+    }
   }
   std::map<std::string, int> counts;
   for (const auto& event : result.events) {
@@ -118,6 +102,11 @@ std::string json(const RunResult& result) {
                                 {"robot", event.robot},
                                 {"name", event.name},
                                 {"detail", event.detail}});
+  }
+  object["notes"] = nlohmann::ordered_json::array();
+  for (const auto& note : result.notes) {
+    object["notes"].push_back(
+        {{"robot", note.robot}, {"plugin", note.plugin}, {"text", note.text}});
   }
   return dumped(object) + '\n';
 }

@@ -36,6 +36,9 @@ void draw(const elsie::simulation::Simulation& simulation,
     elsie::picture::RobotTrack track;
     track.id = robot.description->id;
     track.now = robot.state->pose;
+    for (std::size_t k = 0; k < robot.description->segments.size(); ++k) {
+      track.segments.push_back(simulation.segment(i, k).pose);
+    }
     track.beams = beams(simulation, i);
     if (tracks) {
       track.path = tracks->tracks()[i].path;

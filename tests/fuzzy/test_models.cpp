@@ -41,9 +41,13 @@ class Pair {
 
 }  // namespace
 
-TEST_CASE("Every model takes range and azimuth and answers with a speed, everywhere") {
+TEST_CASE("Every model of a wheel takes range and azimuth and answers with a speed, everywhere") {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    const std::string name = entry.path().stem().string();
+    if (!name.ends_with("_left") && !name.ends_with("_right")) {
+      continue;
+    }
     INFO(entry.path());
     const Model model = elsie::fuzzy::read_fcl(entry.path().string());
     CHECK(model.name() == entry.path().stem().string());
@@ -55,7 +59,7 @@ TEST_CASE("Every model takes range and azimuth and answers with a speed, everywh
     CHECK_FALSE(model.outputs()[0].default_value);  // some rule decides wherever the beam looks
     ++count;
   }
-  CHECK(count == 6);
+  CHECK(count == 8);
 }
 
 TEST_CASE("avoid_obstacle drives on at 20 rad/s where nothing is in reach") {
@@ -146,4 +150,25 @@ TEST_CASE("turn_left turns left from what is on the right, and from nothing else
   }
   CHECK(turn(0.1, -30).left < 0);
   CHECK(turn(1.0, -30).left == Approx(20));
+}
+
+TEST_CASE("slow_down only ever drives on: the slower the nearer, away from the nearer side") {
+  Pair slow_down("slow_down");
+  for (double azimuth = 0.0; azimuth <= 180.0; azimuth += 15.0) {
+    double last = 0.0;
+    for (double range = 0.05; range <= 1.0; range += 0.05) {
+      const Rates left = slow_down(range, azimuth);
+      const Rates right = slow_down(range, -azimuth);
+      INFO(range << " m at " << azimuth << " deg");
+      CHECK(left.left + left.right > last);
+      CHECK(left.left >= 0.0);
+      CHECK(left.right >= 0.0);
+      CHECK(left.left == Approx(right.right).margin(1e-9));
+      CHECK(left.right == Approx(right.left).margin(1e-9));
+      CHECK(left.left >= left.right - 1e-9);
+      CHECK((azimuth == 0.0 || range > 0.85 || left.left > left.right));
+      last = left.left + left.right;
+    }
+  }
+  CHECK(slow_down(1.0, 15.0).left == Approx(20.0));
 }

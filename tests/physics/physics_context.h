@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "elsie/physics/engine.h"
 
@@ -16,6 +17,12 @@ struct PhysicsContext {
   std::size_t robot(double x, double y, double heading_deg = 0.0, const world::RobotBody& body = {},
                     double z = 0.0) {
     return engine->add_robot(body, {x, y, radians(heading_deg)}, z);
+  }
+
+  /// A robot that pulls segments.
+  std::size_t train(double x, double y, double heading_deg,
+                    const std::vector<world::Segment>& segments) {
+    return engine->add_robot({}, {x, y, radians(heading_deg)}, 0.0, segments);
   }
 
   std::size_t box(world::BoxKind kind, double x, double y, const Vector3& size,

@@ -56,17 +56,17 @@ struct Pixel {
   bool dark() const { return red < 110 && green < 110 && blue < 110; }
 };
 
-class Image {
+class Bitmap {
  public:
-  explicit Image(const std::filesystem::path& file)
+  explicit Bitmap(const std::filesystem::path& file)
       : surface_(cairo_image_surface_create_from_png(file.c_str())) {
     if (cairo_surface_status(surface_) != CAIRO_STATUS_SUCCESS) {
       throw std::runtime_error("not a PNG file: " + file.string());
     }
   }
-  ~Image() { cairo_surface_destroy(surface_); }
-  Image(const Image&) = delete;
-  Image& operator=(const Image&) = delete;
+  ~Bitmap() { cairo_surface_destroy(surface_); }
+  Bitmap(const Bitmap&) = delete;
+  Bitmap& operator=(const Bitmap&) = delete;
 
   int width() const { return cairo_image_surface_get_width(surface_); }
   int height() const { return cairo_image_surface_get_height(surface_); }

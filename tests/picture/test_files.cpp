@@ -14,9 +14,9 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfi
 
 using namespace elsie;
 using namespace elsie::picture;
+using picture::test::Bitmap;
 using picture::test::bytes_of;
 using picture::test::Folder;
-using picture::test::Image;
 
 namespace {
 
@@ -38,7 +38,7 @@ world::World world_of_everything() {
   robot.team = "red";
   world.robots = {robot};
   world.chargers.emplace_back();
-  world.goals = {world::ReachGoal{"r1", 3, 3, 0.3}, world::PushGoal{"", -3, 3, 0.3}};
+  world.goals = {world::ReachGoal{"r1", 3, 3, 0.3, ""}, world::PushGoal{"", -3, 3, 0.3}};
   return world;
 }
 
@@ -73,18 +73,18 @@ TEST_CASE("A picture is as wide as asked for, and as high as its content needs u
   const world::World world = world_of_everything();
   const TopView view = busy_view(world);
   save_top_view(view, folder / "a.png");
-  CHECK(Image(folder / "a.png").width() == 1000);
-  const int height = Image(folder / "a.png").height();
+  CHECK(Bitmap(folder / "a.png").width() == 1000);
+  const int height = Bitmap(folder / "a.png").height();
   CHECK(height > 950);
   CHECK(height < 1300);
 
   save_top_view(view, folder / "b.PNG", {2000, 0});
-  CHECK(Image(folder / "b.PNG").width() == 2000);
-  CHECK(Image(folder / "b.PNG").height() == Approx(2 * height).margin(2));
+  CHECK(Bitmap(folder / "b.PNG").width() == 2000);
+  CHECK(Bitmap(folder / "b.PNG").height() == Approx(2 * height).margin(2));
 
   save_top_view(view, folder / "c.png", {800, 600});
-  CHECK(Image(folder / "c.png").width() == 800);
-  CHECK(Image(folder / "c.png").height() == 600);
+  CHECK(Bitmap(folder / "c.png").width() == 800);
+  CHECK(Bitmap(folder / "c.png").height() == 600);
 }
 
 TEST_CASE("The same view gives the same bytes, whatever was drawn in between") {
@@ -123,7 +123,7 @@ TEST_CASE("Names of any content are drawn: empty, very long, not UTF-8, control 
     world.robots[0].id = name;
     world.robots[0].team = name;
     world.teams[0].id = name;
-    world.goals = {world::ReachGoal{name, 0, 0, 1}};
+    world.goals = {world::ReachGoal{name, 0, 0, 1, ""}};
     TopView view = busy_view(world);
     view.robots[0].id = name;
     view.title = name;
@@ -131,7 +131,7 @@ TEST_CASE("Names of any content are drawn: empty, very long, not UTF-8, control 
     for (const std::string file : {"a.png", "a.svg"}) {
       CHECK_NOTHROW(save_top_view(view, folder / file));
     }
-    CHECK(Image(folder / "a.png").width() == 1000);
+    CHECK(Bitmap(folder / "a.png").width() == 1000);
     CHECK(std::system(("xmllint --noout '" + (folder / "a.svg").string() + "'").c_str()) == 0);
   }
 }
@@ -180,6 +180,6 @@ TEST_CASE("A picture replaces the one that was there") {
   const world::World world = world_of_everything();
   std::ofstream(folder / "a.png") << "something else";
   save_top_view({world}, folder / "a.png");
-  CHECK(Image(folder / "a.png").width() == 1000);
+  CHECK(Bitmap(folder / "a.png").width() == 1000);
   CHECK(folder.files() == 1);
 }

@@ -9,9 +9,9 @@
 
 using namespace elsie;
 using namespace elsie::picture;
+using picture::test::Bitmap;
 using picture::test::bytes_of;
 using picture::test::Folder;
-using picture::test::Image;
 using picture::test::Pixel;
 
 namespace {
@@ -36,7 +36,7 @@ ControlSurface plane() {
 
 // Pixels of the picture that the predicate holds for.
 template <class Predicate>
-int count(const Image& image, int from_x, int to_x, Predicate predicate) {
+int count(const Bitmap& image, int from_x, int to_x, Predicate predicate) {
   int found = 0;
   for (int y = 0; y < image.height(); ++y) {
     for (int x = from_x; x < to_x; ++x) {
@@ -54,7 +54,7 @@ bool is_violet(const Pixel& p) { return p.red > 50 && p.red < 80 && p.green < 50
 TEST_CASE("Membership functions are drawn, one colour a term") {
   const Folder folder;
   save_membership_functions({range_panel()}, "Sensors", folder / "a.png");
-  const Image image(folder / "a.png");
+  const Bitmap image(folder / "a.png");
   CHECK(image.width() == 1000);
   CHECK(count(image, 0, 1000, [](const Pixel& p) { return p.blue > 150 && p.red < 30; }) > 500);
   CHECK(count(image, 0, 1000, [](const Pixel& p) { return p.red > 190 && p.blue < 30; }) > 500);
@@ -102,7 +102,7 @@ TEST_CASE("A variable over an empty range is refused in a sentence") {
 TEST_CASE("A control surface goes from dark violet at its lowest to yellow at its highest") {
   const Folder folder;
   save_control_surface(plane(), folder / "a.png");
-  const Image image(folder / "a.png");
+  const Bitmap image(folder / "a.png");
   const int middle = 240;  // of the heat map, which is the left one of two panels
   CHECK(count(image, 0, middle, is_violet) > 1000);
   CHECK(count(image, 0, middle, is_yellow) == 0);
@@ -138,7 +138,7 @@ TEST_CASE("Where no rule fires, the surface stays blank") {
   ControlSurface surface = plane();
   surface.value = [](double, double) { return std::nan(""); };
   save_control_surface(surface, folder / "a.png");
-  const Image image(folder / "a.png");
+  const Bitmap image(folder / "a.png");
   CHECK(count(image, 0, 405, is_violet) + count(image, 0, 405, is_yellow) == 0);
 }
 
@@ -166,7 +166,7 @@ TEST_CASE("Line charts take gaps, single values, no values, and many series") {
   CHECK_NOTHROW(
       save_page({"", {}, {{{chart}}, {{constant, LineChart{}, borders}}, {}}}, folder / "a.png"));
   CHECK_NOTHROW(save_page({"", {}, {{{chart}}}}, folder / "flat.png", {1000, 200}));
-  CHECK(Image(folder / "flat.png").height() == 200);
+  CHECK(Bitmap(folder / "flat.png").height() == 200);
   CHECK_NOTHROW(save_page({}, folder / "empty.png"));
 }
 

@@ -10,8 +10,8 @@
 
 using namespace elsie;
 using namespace elsie::picture;
+using picture::test::Bitmap;
 using picture::test::Folder;
-using picture::test::Image;
 using picture::test::Pixel;
 
 namespace {
@@ -45,9 +45,9 @@ struct Scene {
     world.boxes.push_back(box);
     return world.boxes.back();
   }
-  Image image(const Size& size = {}) {
+  Bitmap image(const Size& size = {}) {
     save_top_view(view, folder / "view.png", size);
-    return Image(folder / "view.png");
+    return Bitmap(folder / "view.png");
   }
   Vector2 place(double x, double y, const Size& size = {}) {
     return top_view_map(view, size).pixel({x, y});
@@ -64,7 +64,7 @@ TEST_CASE("Lengths are to scale, x goes right and y up") {
   const Vector2 corner = map.pixel({-5, 5});
   CHECK(corner.x > 50);
   CHECK(corner.y > 30);
-  const Image image = scene.image();
+  const Bitmap image = scene.image();
   CHECK(image.at(scene.place(-5.05, 0)).dark());  // walls
   CHECK(image.at(scene.place(5.05, 0)).dark());
   CHECK(image.at(scene.place(0, 5.05)).dark());
@@ -81,7 +81,7 @@ TEST_CASE("Places keep their meaning at every size and shape of the arena") {
       scene.world.arena.width = width;
       const double x = 0.3 * length, y = -0.3 * width;
       scene.add_robot("r", "red", {x, y, 0}).body.length = 0.02 * length;
-      const Image image = scene.image(size);
+      const Bitmap image = scene.image(size);
       INFO(length << " x " << width << " in " << size.width << " x " << size.height);
       CHECK(image.at(scene.place(x, y, size)).reddish());
       CHECK(image.count(scene.place(-x, -y, size), 3, kReddish) == 0);
@@ -94,7 +94,7 @@ TEST_CASE("A robot shows where it is and where it looks, however large the arena
     Scene scene;
     scene.world.arena.length = scene.world.arena.width = edge;
     scene.add_robot("", "red", {0, 0, radians(180)});
-    const Image image = scene.image();
+    const Bitmap image = scene.image();
     const Vector2 middle = scene.place(0, 0);
     INFO(edge);
     CHECK(image.at(middle).reddish());
@@ -115,7 +115,7 @@ TEST_CASE(
   scene.add_robot("a", "blue", {-3, -3, 0});
   scene.add_robot("b", "red", {3, 3, 0});
   scene.view.robots = {{"a", {}, {1, -2, 1.0}, {}, {}}};
-  const Image image = scene.image();
+  const Bitmap image = scene.image();
   CHECK(image.at(scene.place(1, -2)).bluish());
   CHECK(image.at(scene.place(-3, -3)).light());
   CHECK(image.at(scene.place(3, 3)).reddish());
@@ -129,7 +129,7 @@ TEST_CASE("Robots of one team are told apart by their tints") {
     scene.world.robots.back().id = std::string(1, static_cast<char>('a' + i));
     scene.world.robots.back().body.width = 0.5;
   }
-  const Image image = scene.image();
+  const Bitmap image = scene.image();
   for (int i = 0; i < 10; ++i) tints.push_back(image.at(scene.place(i - 4.6, 0)));
   for (std::size_t i = 0; i < tints.size(); ++i) {
     CHECK(tints[i].red > tints[i].blue);
@@ -149,7 +149,7 @@ TEST_CASE("The path is drawn, paler where it is old") {
   RobotTrack track{"r", {}, {4, 0, 0}, {}, {}};
   for (int i = 0; i <= 800; ++i) track.path.push_back({-4 + 0.01 * i, 0, 0});
   scene.view.robots = {track};
-  const Image image = scene.image();
+  const Bitmap image = scene.image();
   const auto greenest = [&](double x) {
     int least = 255;
     for (int dy = -2; dy <= 2; ++dy) {
@@ -168,7 +168,7 @@ TEST_CASE("A beam that hits ends in a dot; one that does not, does not") {
   scene.add_robot("r", "blue", {0, 0, 0});
   scene.view.robots = {
       {"r", {}, {}, {{{0, 0}, {1.5, 0.5}, true}, {{0, 0}, {1.5, -1.5}, false}}, {}}};
-  const Image image = scene.image();
+  const Bitmap image = scene.image();
   const auto ochre = [](const Pixel& p) { return p.red > p.blue + 90 && p.green > p.blue + 40; };
   CHECK(image.count(scene.place(1.5, 0.5), 2, ochre) >= 15);
   CHECK(image.count(scene.place(1.5, -1.5), 2, ochre) < 5);
@@ -179,7 +179,7 @@ TEST_CASE("A touch is a small red cross") {
   Scene scene;
   scene.add_robot("r", "blue", {0, 0, 0});
   scene.view.robots = {{"r", {}, {}, {}, {{2.5, 2.5}}}};
-  const Image image = scene.image();
+  const Bitmap image = scene.image();
   const Vector2 at = scene.place(2.5, 2.5);
   CHECK(image.at(at).reddish());
   CHECK(image.count({at.x + 3, at.y + 3}, 1, kReddish) >= 2);
@@ -191,18 +191,24 @@ TEST_CASE("A resource is filled in its team's colour, and hollow where it was co
   scene.add_box(world::BoxKind::resource, -2, 0, 0.4).team = "red";
   scene.add_box(world::BoxKind::resource, 2, 0, 0.4).team = "red";
   scene.view.boxes = {Pose{-2, 0, 0}, std::nullopt};
-  const Image image = scene.image();
+  const Bitmap image = scene.image();
   CHECK(image.at(scene.place(-2 + 0.16, 0.16)).reddish());
   CHECK(image.at(scene.place(-2, 0)).light());  // its mark
   CHECK(image.at(scene.place(2 + 0.13, 0.13)).light());
   CHECK(image.count(scene.place(2.2, 0), 4, kReddish) > 3);  // its outline
 }
 
+TEST_CASE("A resource for all is green, as cameras see it") {
+  Scene scene;
+  scene.add_box(world::BoxKind::resource, -2, 0, 0.4);
+  CHECK(scene.image().at(scene.place(-2 + 0.16, 0.16)).greenish());
+}
+
 TEST_CASE("A box that was pushed is drawn where it is, with an outline where it started") {
   Scene scene;
   scene.add_box(world::BoxKind::dynamic, -2.5, 0.5, 0.6);
   scene.view.boxes = {Pose{1.5, 0.5, 0}};
-  const Image image = scene.image();
+  const Bitmap image = scene.image();
   const auto ochre = [](const Pixel& p) { return p.red > p.blue + 30; };
   CHECK(image.count(scene.place(1.5, 0.5), 15, ochre) > 800);
   CHECK(image.count(scene.place(-2.5, 0.65), 8, ochre) == 0);
@@ -215,23 +221,33 @@ TEST_CASE("Boxes show their kinds, and a fixed one its own colour") {
   scene.add_box(world::BoxKind::moving, -0.5, 0.5, 0.6);
   scene.add_box(world::BoxKind::fixed, 2.5, 0.5, 0.6).colour = world::Colour{0, 160, 60};
   scene.view.boxes = {};
-  const Image image = scene.image();
+  const Bitmap image = scene.image();
   const Pixel fixed = image.at(scene.place(-3.5, 0.5)), moving = image.at(scene.place(-0.5, 0.5));
   CHECK(fixed.red > fixed.blue + 10);
   CHECK(moving.blue > moving.green + 15);
   CHECK(image.at(scene.place(2.5, 0.5)).greenish());
 }
 
+TEST_CASE("A goal relative to a robot is marked where the robot is now") {
+  Scene scene;
+  scene.add_robot("r", "red", {-4, -4, 0});
+  scene.add_robot("s", "red", {-4, 4, 0});
+  scene.view.robots = {{"r", {}, {1, 0, radians(90)}, {}, {}}};
+  scene.world.goals = {world::ReachGoal{"s", -2, 1, 0.5, "r"}};
+  const Bitmap image = scene.image();
+  CHECK(image.count(scene.place(0, -1.5), 6, [](const Pixel& p) { return p.greenish(); }) > 8);
+}
+
 TEST_CASE("Goals and chargers are marked on the floor") {
   Scene scene;
-  scene.world.goals = {world::ReachGoal{"r", 2.5, 2.5, 0.5}};
+  scene.world.goals = {world::ReachGoal{"r", 2.5, 2.5, 0.5, ""}};
   world::Charger charger;
   charger.team = "blue";
   charger.x = -2.5;
   charger.y = 2.5;
   charger.radius = 0.4;
   scene.world.chargers = {charger};
-  const Image image = scene.image();
+  const Bitmap image = scene.image();
   const auto greenish = [](const Pixel& p) { return p.greenish(); };
   CHECK(image.count(scene.place(2.5, 3.0), 6, greenish) > 8);
   CHECK(image.count(scene.place(-2.5, 2.5), 5, [](const Pixel& p) { return p.bluish(); }) > 8);
@@ -267,7 +283,34 @@ TEST_CASE("Positions that are not finite are left out") {
 
 TEST_CASE("A world without anything in it is a picture too") {
   Scene scene;
-  const Image image = scene.image();
+  const Bitmap image = scene.image();
   CHECK(image.width() == 1000);
   CHECK(image.at(scene.place(0.5, -0.5)).light());
+}
+
+TEST_CASE("What a robot pulls is drawn where it is, or in line behind its robot") {
+  Scene scene;
+  scene.world.arena.length = scene.world.arena.width = 2.0;
+  world::Robot& train = scene.add_robot("t", "red", {0.5, 0.5, radians(90)});
+  train.segments.resize(2);
+  // They are 0.12 m apart.
+  const auto red = [&](double x, double y) {
+    return scene.image().count(scene.place(x, y), 4, kReddish);
+  };
+  CHECK(red(0.5, 0.38) > 30);
+  CHECK(red(0.5, 0.26) > 30);
+  CHECK(red(0.5, 0.14) == 0);
+  RobotTrack track;
+  track.id = "t";
+  track.now = {-0.5, -0.5, 0};
+  track.segments = {{-0.6, -0.4, radians(-45)}};
+  scene.view.robots = {track};
+  CHECK(red(-0.6, -0.4) > 30);
+  CHECK(red(-0.74, -0.5) > 30);  // of which nothing is known
+  CHECK(red(-0.62, -0.5) == 0);
+  CHECK(red(0.5, 0.38) == 0);
+  track.segments = {{NAN, 0, 0}, {-0.8, 0.2, 0}, {0, 0, 0}};  // more than it has
+  scene.view.robots = {track};
+  CHECK(red(-0.8, 0.2) > 30);
+  CHECK(red(0, 0) == 0);
 }

@@ -117,6 +117,71 @@ TEST_CASE("A sensor produces one kind of reading and needs none") {
   CHECK_THAT(check_declaration(needy).at(0), Contains("cannot need any"));
 }
 
+namespace {
+
+struct Step {
+  double size = 1.0;
+  std::string way = "up";
+  FilePath mask;
+};
+
+class Stepper final : public Behavior {
+ public:
+  std::vector<Step> steps{{0.5, "down", {}}};
+  Response respond(const Perception&) override { return MotorCommand{}; }
+};
+
+Declaration stepper() {
+  return declare<Stepper>(
+      PluginKind::behavior, "stepper", "Goes by steps",
+      elements(
+          &Stepper::steps,
+          element<Step>("step", "One step", parameter("size", &Step::size, {.min = 0, .max = 2}),
+                        parameter("way", &Step::way, {.choices = {"up", "down"}}),
+                        parameter("mask", &Step::mask))));
+}
+
+}  // namespace
+
+TEST_CASE("Each fault of nested elements is found and named") {
+  CHECK(check_declaration(stepper()).empty());
+  const auto fault = [](const std::function<void(Declaration&)>& spoil) {
+    Declaration declaration = stepper();
+    spoil(declaration);
+    const auto faults = check_declaration(declaration);
+    REQUIRE(faults.size() == 1);
+    return faults[0];
+  };
+  CHECK_THAT(fault([](Declaration& d) { d.elements[0].append = nullptr; }),
+             Contains("element 'step' is not bound to a list"));
+  CHECK_THAT(fault([](Declaration& d) {
+               d.default_elements.clear();
+               d.elements[0].parameters[0].facts.min = 3;
+             }),
+             Contains("parameter 'size' has a range that no number is in"));
+  CHECK_THAT(fault([](Declaration& d) {
+               d.default_elements.clear();
+               d.elements[0].parameters[1].name = "size";
+             }),
+             Contains("parameter 'size' is declared twice"));
+  for (const char* const held : {"behaviors", "coordinator"}) {
+    CHECK_THAT(fault([&](Declaration& d) {
+                 d.default_elements.clear();
+                 d.elements[0].name = held;
+               }),
+               Contains("'" + std::string(held) + "' has the name of what behaviors may hold"));
+  }
+  CHECK_THAT(fault([](Declaration& d) { d.default_elements[0].parameters["size"] = 3.0; }),
+             Contains("in the default list of elements 'step' size is 3, but must be"));
+  CHECK_THAT(
+      fault([](Declaration& d) { d.default_elements[0].parameters["way"] = std::string("left"); }),
+      Contains("in the default list of elements 'step' way is 'left'"));
+  CHECK_THAT(fault([](Declaration& d) {
+               d.default_elements[0].parameters["mask"] = std::string("m.png");
+             }),
+             Contains("the default list of elements 'step' names the file 'm.png'"));
+}
+
 TEST_CASE("One library must not declare a plugin twice") {
   const auto faults = check_declarations(std::vector{behavior(), sensor(), behavior()});
   REQUIRE(faults.size() == 1);

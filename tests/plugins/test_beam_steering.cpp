@@ -139,3 +139,21 @@ TEST_CASE("A model with other inputs is refused with a sentence") {
                            {{"left_model", test::source_path("tests/plugins/one_input.fcl")}}),
       Catch::Contains("must have the two inputs 'range' (m) and 'azimuth' (deg) and one output"));
 }
+
+TEST_CASE("The activation says how near the nearest thing is that concerns the behaviour") {
+  const auto activation = [](const char* name, Situation& now) {
+    return behavior(name)->respond(now.perception()).activation;
+  };
+  Situation clear;
+  clear.beam(30, 1.0).beam(-30, 1.0);
+  Situation on_the_right;
+  on_the_right.beam(30, 1.0).beam(-30, 0.25).beam(-60, 0.5);
+  Situation no_beams;
+  for (const char* name : {"avoid_obstacle", "turn_left", "turn_right"}) {
+    CHECK(activation(name, clear) == 0.0);
+    CHECK(activation(name, no_beams) == 0.0);
+  }
+  CHECK(activation("avoid_obstacle", on_the_right) == Approx(0.75));
+  CHECK(activation("turn_left", on_the_right) == Approx(0.75));
+  CHECK(activation("turn_right", on_the_right) == 0.0);
+}

@@ -24,6 +24,8 @@ class OneWall final : public Surroundings {
   }
   Pose pose() const override { return {}; }
   std::optional<TeamMate> nearest_robot(double) const override { return std::nullopt; }
+  void robots_within(double, std::vector<TeamMate>&) const override {}
+  std::span<const Colour> resource_colours() const override { return {}; }
   mutable Pyramid asked{};
 };
 

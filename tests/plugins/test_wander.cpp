@@ -33,6 +33,7 @@ TEST_CASE("Wander goes straight on after a reset") {
   const Declaration* declaration = test::shipped().find(PluginKind::behavior, "wander");
   plugin::apply_parameters(*declaration, *wander, {{"restlessness", 0.0}});
   CHECK(wander->respond(now.perception()).command.left != 10.0);  // it keeps its direction
-  wander->reset();
+  Random random(1);
+  wander->reset(random);
   CHECK(wander->respond(now.perception()).command == MotorCommand{10, 10});
 }

@@ -18,7 +18,7 @@ std::string read(const fs::path& file) {
 
 std::vector<fs::path> pages() {
   std::vector<fs::path> pages{fs::path(ELSIE_SOURCE_DIR) / "README.md"};
-  for (const auto& entry : fs::directory_iterator(fs::path(ELSIE_SOURCE_DIR) / "docs")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(ELSIE_SOURCE_DIR) / "docs")) {
     if (entry.path().extension() == ".md") {
       pages.push_back(entry.path());
     }

@@ -35,6 +35,32 @@ TEST_CASE("describe tells of parameters, defaults, ranges and events") {
   CHECK_THAT(here.elsie("describe world").out, Catch::Contains("static_box"));
 }
 
+TEST_CASE("describe picks a plugin by its kind, and prints its declaration alone") {
+  Workplace here;
+  const std::string page = here.elsie("describe wander").out;
+  CHECK(here.elsie("describe wander --kind behavior").out == page);
+  CHECK("# wander\n\n" + here.elsie("describe wander --declaration").out == page);
+  CHECK_THAT(here.elsie("describe wander --kind sensor").err,
+             Catch::Contains("there is no sensor 'wander'"));
+  CHECK(here.elsie("describe wander --kind sensor").exit_code == 2);
+  CHECK(here.elsie("describe wander --kind wheel").exit_code == 2);
+  CHECK(here.elsie("describe wander --json --declaration").exit_code == 2);
+}
+
+TEST_CASE("describe and plugins tell of nested elements") {
+  Workplace here;
+  const json vision = json::parse(here.elsie("describe vision --json").out);
+  REQUIRE_FALSE(vision.at("elements").empty());
+  const json& element = vision.at("elements")[0];
+  CHECK_FALSE(element.at("meaning").get<std::string>().empty());
+  CHECK(element.at("list") == 0);
+  CHECK_FALSE(vision.at("default_elements").empty());
+  CHECK(vision.at("holds_behaviors") == false);
+  const std::string name = element.at("name");
+  CHECK_THAT(here.elsie("describe vision").out, Catch::Contains("\n`<" + name + ">`: "));
+  CHECK_THAT(here.elsie("plugins").out, Catch::Contains("holds <" + name + ">"));
+}
+
 TEST_CASE("The schema accepts the shipped worlds") {
   Workplace here;
   const auto run = here.sh(
@@ -79,7 +105,7 @@ TEST_CASE("Help has examples and exit codes") {
   CHECK_THAT(here.elsie("--help").out,
              Catch::Contains("Examples:") && Catch::Contains("Exit codes:"));
   for (const char* subcommand :
-       {"run", "check", "picture", "plugins", "describe", "schema", "fuzzy"}) {
+       {"run", "check", "picture", "plugins", "describe", "schema", "fuzzy", "train"}) {
     const auto help = here.elsie(std::string(subcommand) + " --help");
     CHECK(help.exit_code == 0);
     CHECK_THAT(help.out, Catch::Contains("Example"));

@@ -109,7 +109,7 @@ class Enthusiast final : public Behavior {
 class Forgetful final : public Behavior {
  public:
   Response respond(const Perception&) override { return MotorCommand{}; }
-  void reset() override { throw std::runtime_error("cannot forget"); }
+  void reset(Random&) override { throw std::runtime_error("cannot forget"); }
 };
 
 template <class Plugin>

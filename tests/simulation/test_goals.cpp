@@ -24,11 +24,24 @@ simulation::RunResult run(const world::World& world) { return Simulation(world, 
 }  // namespace
 
 TEST_CASE("Reach: success as soon as the robot is within the radius") {
-  const auto result = run(driving(world::ReachGoal{"r1", 2, 0, 0.2}));
+  const auto result = run(driving(world::ReachGoal{"r1", 2, 0, 0.2, ""}));
   CHECK(result.outcome == Outcome::success);
   CHECK(result.simulated_s == Approx(4.5).margin(0.1));
   CHECK(result.reason == "all goals are reached");
-  CHECK(run(driving(world::ReachGoal{"r1", 2, 1, 0.2})).outcome == Outcome::time_limit);
+  CHECK(run(driving(world::ReachGoal{"r1", 2, 1, 0.2, ""})).outcome == Outcome::time_limit);
+}
+
+TEST_CASE("Reach: a place may be relative to another robot, and goes with it") {
+  auto world = driving(world::ReachGoal{"r2", -1, 0.5, 0.05, "r1"});
+  world.robots[0].y = -2;
+  world.robots[0].heading_deg = 90;  // it drives north, the place is to the south-west of it
+  world.robots.push_back(
+      robot("r2", -0.5, 0, 0, behavior("wander", 1, {{"speed", 0.0}, {"restlessness", 0.0}})));
+  const auto result = run(world);
+  CHECK(result.outcome == Outcome::success);
+  CHECK(result.simulated_s == Approx(3.0 / 0.4).margin(0.2));
+  world.robots[1].x = 0.5;
+  CHECK(run(world).outcome == Outcome::time_limit);
 }
 
 TEST_CASE("Travel and endure: how far and how long") {
@@ -89,7 +102,7 @@ TEST_CASE("A goal to keep: failure when it is broken, success at the time limit"
 }
 
 TEST_CASE("All goals to reach must hold at one instant, and none to keep be broken before") {
-  auto world = driving(world::ReachGoal{"r1", 1, 0, 0.2});
+  auto world = driving(world::ReachGoal{"r1", 1, 0, 0.2, ""});
   world.goals.push_back(world::EndureGoal{9});
   CHECK(run(world).outcome == Outcome::time_limit);
 }

@@ -85,6 +85,41 @@ TEST_CASE("All robots decide on the same instant, before any of them moves") {
   }
 }
 
+TEST_CASE("A robot knows what it was commanded last, as far as it obeys") {
+  std::vector<MotorCommand> commanded;
+  ScriptedHost scripted([&](const Perception& now) {
+    commanded.push_back(now.self().commanded);
+    return MotorCommand{100, 50};
+  });
+  world::World world;
+  world.robots.push_back(robot("r", 0, 0, 0, behavior("scripted")));
+  Simulation simulation(world, scripted.host);
+  simulation.step();
+  simulation.step();
+  simulation.reset();
+  simulation.step();
+  CHECK(commanded == std::vector<MotorCommand>{{0, 0}, {25, 12.5}, {0, 0}});
+}
+
+TEST_CASE("Robots of a team are numbered in file order") {
+  std::vector<std::string> seen;
+  ScriptedHost scripted([&](const Perception& now) {
+    for (const TeamMate& mate : now.team().mates) {
+      seen.push_back(std::string(now.self().id) + std::to_string(now.self().team_index) + " sees " +
+                     std::string(mate.id) + std::to_string(mate.team_index));
+    }
+    return MotorCommand{};
+  });
+  world::World world;
+  world.robots.push_back(robot("a", 0, 0, 0, behavior("scripted")));
+  world.robots.push_back(robot("x", 0, 2, 0, behavior("scripted")));
+  world.robots[1].team = "blue";
+  world.robots.push_back(robot("b", 3, 0, 0, behavior("scripted")));
+  world.robots.push_back(robot("c", 0.3, 0, 0, behavior("scripted")));
+  Simulation(world, scripted.host).step();
+  CHECK(seen == std::vector<std::string>{"a0 sees c2", "c2 sees a0"});
+}
+
 TEST_CASE("A robot sees the mates of its team within its coverage, and its leader") {
   int mates = -1;
   std::string leader;

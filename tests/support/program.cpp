@@ -24,7 +24,7 @@ Workplace::Workplace() {
     throw std::runtime_error("cannot make a folder for the test");
   }
   folder_ = name;
-  for (const char* data : {"worlds", "robots", "fuzzy_models", "examples"}) {
+  for (const char* data : {"worlds", "robots", "fuzzy_models", "training_sets", "examples"}) {
     fs::create_directory_symlink(fs::path(ELSIE_SOURCE_DIR) / data, folder_ / data);
   }
 }

@@ -28,7 +28,8 @@ using Parameters = std::map<std::string, ParameterValue>;
 
 /// Makes a configured object of a shipped plugin.
 template <class Kind>
-plugin::Object<Kind> make(PluginKind kind, const std::string& name, Parameters parameters = {}) {
+plugin::Object<Kind> make(PluginKind kind, const std::string& name, Parameters parameters = {},
+                          const std::vector<ElementValue>& elements = {}) {
   const Declaration* declaration = shipped().find(kind, name);
   if (!declaration) {
     throw std::runtime_error("no shipped plugin '" + name + "'");
@@ -39,7 +40,7 @@ plugin::Object<Kind> make(PluginKind kind, const std::string& name, Parameters p
     }
   }
   auto object = shipped().create<Kind>(kind, name);
-  plugin::apply_parameters(*declaration, *object, parameters);
+  plugin::apply_parameters(*declaration, *object, parameters, elements);
   return object;
 }
 

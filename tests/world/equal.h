@@ -27,6 +27,9 @@ inline auto members(const world::Box& b) {
 inline auto members(const world::Charger& c) {
   return std::tie(c.id, c.team, c.x, c.y, c.radius, c.rate, c.seen_by_range_sensors);
 }
+inline auto members(const world::ElementUse& u) {
+  return std::tie(u.element, u.parameters, u.file_names);
+}
 inline auto members(const world::PluginUse& u) {
   return std::tie(u.plugin, u.id, u.parameters, u.file_names);
 }
@@ -41,8 +44,14 @@ inline auto members(const world::RobotBody& b) {
   return std::tie(b.length, b.width, b.height, b.clearance, b.wheel_radius, b.wheel_width, b.axle,
                   b.mass, b.wheel_mass, b.wheel_torque);
 }
+inline auto members(const world::Segment& s) {
+  return std::tie(s.id, s.length, s.width, s.height, s.clearance, s.mass, s.wheel_radius,
+                  s.wheel_width, s.gap, s.hitch, s.hitch_height, s.max_yaw_deg, s.max_pitch_deg);
+}
 inline auto members(const world::CollectGoal& g) { return std::tie(g.team); }
-inline auto members(const world::ReachGoal& g) { return std::tie(g.robot, g.x, g.y, g.radius); }
+inline auto members(const world::ReachGoal& g) {
+  return std::tie(g.robot, g.x, g.y, g.radius, g.of);
+}
 inline auto members(const world::PushGoal& g) { return std::tie(g.box, g.x, g.y, g.radius); }
 inline auto members(const world::GatherGoal& g) { return std::tie(g.team, g.distance); }
 inline auto members(const world::TravelGoal& g) { return std::tie(g.robot, g.distance); }
@@ -55,6 +64,10 @@ template <class T>
 bool same(const T& a, const T& b) {
   return members(a) == members(b);
 }
+inline bool same(const world::Coordination& a, const world::Coordination& b);
+inline bool same(const world::PluginUse& a, const world::PluginUse& b);
+inline bool same(const world::SensorUse& a, const world::SensorUse& b);
+inline bool same(const world::BehaviorUse& a, const world::BehaviorUse& b);
 template <class T>
 bool same(const std::vector<T>& a, const std::vector<T>& b) {
   if (a.size() != b.size()) {
@@ -66,6 +79,19 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
     }
   }
   return true;
+}
+inline bool same(const world::PluginUse& a, const world::PluginUse& b) {
+  return members(a) == members(b) && same(a.elements, b.elements);
+}
+inline bool same(const world::SensorUse& a, const world::SensorUse& b) {
+  return members(a) == members(b) && same(a.elements, b.elements);
+}
+inline bool same(const world::BehaviorUse& a, const world::BehaviorUse& b) {
+  return members(a) == members(b) && same(a.elements, b.elements) && same(a.inside, b.inside);
+}
+inline bool same(const world::Coordination& a, const world::Coordination& b) {
+  return same(a.behaviors, b.behaviors) && a.coordinator.has_value() == b.coordinator.has_value() &&
+         (!a.coordinator || same(*a.coordinator, *b.coordinator));
 }
 inline bool same(const world::Goal& a, const world::Goal& b) {
   return a.index() == b.index() &&
@@ -87,9 +113,10 @@ inline bool same(const world::Robot& a, const world::Robot& b) {
     return std::tie(r.id, r.team, r.x, r.y, r.z, r.heading_deg, r.max_speed, r.coverage, r.leader,
                     r.battery, r.energy);
   };
-  return own(a) == own(b) && same(a.body, b.body) && same(a.sensors, b.sensors) &&
-         same(a.behaviors, b.behaviors) && a.coordinator.has_value() == b.coordinator.has_value() &&
-         (!a.coordinator || same(*a.coordinator, *b.coordinator));
+  return own(a) == own(b) && same(a.body, b.body) && same(a.segments, b.segments) &&
+         same(a.sensors, b.sensors) &&
+         same(static_cast<const world::Coordination&>(a),
+              static_cast<const world::Coordination&>(b));
 }
 inline bool same(const std::vector<world::Robot>& a, const std::vector<world::Robot>& b) {
   bool equal = a.size() == b.size();

@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "elsie/api/behavior.h"
@@ -75,6 +77,80 @@ class Sum final : public Coordinator {
   MotorCommand coordinate(std::span<Member>, const Perception&) override { return {}; }
 };
 
+// Elements of two lists, one of them with defaults.
+struct Threshold {
+  double low = 0.0;
+  double high = 1.0;
+  std::string colour = "red";
+  friend bool operator==(const Threshold&, const Threshold&) = default;
+};
+struct Mask {
+  FilePath picture{"songs/one.txt"};
+  int margin = 0;
+};
+
+class Eye final : public SensorOf<ProximityReading> {
+ public:
+  bool sharp = false;
+  std::vector<Threshold> thresholds{{0.2, 0.4, "red"}, {0.0, 0.9, "blue"}};
+  std::vector<Mask> masks;
+  ProximityReading sense(const SensorContext&) override { return {}; }
+  void configured() override {
+    for (const Threshold& threshold : thresholds) {
+      if (threshold.low > threshold.high) {
+        throw std::invalid_argument("a threshold's low is above its high");
+      }
+    }
+  }
+};
+
+// Elements of two kinds in one list, with a parameter that must be given.
+struct Suppress {
+  std::string by, of;
+  double hold_s = 0.5;
+};
+struct Inhibit {
+  std::string by, of;
+};
+
+class Layers final : public Coordinator {
+ public:
+  std::vector<std::variant<Suppress, Inhibit>> links;
+  MotorCommand coordinate(std::span<Member>, const Perception&) override { return {}; }
+};
+
+class Seek final : public Behavior {
+ public:
+  double x = 0.0;
+  FilePath map{""};
+  Response respond(const Perception&) override { return {}; }
+};
+
+// Holds others, and has rules of its own beside them.
+struct Rule {
+  std::string of;
+  double weight = 1.0;
+};
+
+class Blend final : public Behavior {
+ public:
+  elsie::Coordination* inside = nullptr;
+  double haste = 1.0;
+  std::vector<Rule> rules;
+  Response respond(const Perception& now) override { return inside->respond(now); }
+  void configured() override {
+    // What it is given must be usable already.
+    std::vector<MotorCommand> candidates(1);
+    std::vector<double> desirability(1, 0.5);
+    inside->rate(candidates, desirability);
+    for (const Rule& rule : rules) {
+      if (rule.of == "nobody") {
+        throw std::invalid_argument("a rule is about nobody");
+      }
+    }
+  }
+};
+
 inline plugin::Host make_host() {
   plugin::Host host;
   host.add(declare<Beam>(
@@ -102,6 +178,48 @@ inline plugin::Host make_host() {
       parameter("song", &Roam::song, {.meaning = "what it hums, if anything"})));
   host.add(declare<Clash>(PluginKind::behavior, "clash", "Declares what it may not",
                           parameter("priority", &Clash::priority, {.meaning = "no good name"})));
+  host.add(
+      declare<Seek>(PluginKind::behavior, "seek", "Drives to a place",
+                    parameter("x", &Seek::x, {.unit = "m", .meaning = "east", .required = true}),
+                    parameter("map", &Seek::map, {.meaning = "of the land", .required = true})));
+  host.add(declare<Blend>(
+      PluginKind::behavior, "blend", "Blends others", holds_behaviors(&Blend::inside),
+      parameter("haste", &Blend::haste, {.min = 0, .max = 2, .meaning = "how fast"}),
+      elements(
+          &Blend::rules,
+          element<Rule>("rule", "How much one of them counts",
+                        parameter("of", &Rule::of, {.meaning = "which one", .required = true}),
+                        parameter("weight", &Rule::weight, {.min = 0, .meaning = "how much"})))));
+  host.add(declare<Eye>(
+      PluginKind::sensor, "eye", "Sees colours", produces<ProximityReading>(),
+      parameter("sharp", &Eye::sharp, {.meaning = "whether it looks twice"}),
+      elements(
+          &Eye::thresholds,
+          element<Threshold>("threshold", "A band of brightness",
+                             parameter("low", &Threshold::low,
+                                       {.unit = "cd", .min = 0, .max = 1, .meaning = "from here"}),
+                             parameter("high", &Threshold::high,
+                                       {.unit = "cd", .min = 0, .max = 1, .meaning = "to here"}),
+                             parameter("colour", &Threshold::colour,
+                                       {.choices = {"red", "blue"}, .meaning = "of what"}))),
+      elements(
+          &Eye::masks,
+          element<Mask>("mask", "What it does not look at",
+                        parameter("picture", &Mask::picture, {.meaning = "white where it looks"}),
+                        parameter("margin", &Mask::margin, {.min = 0, .meaning = "in pixels"})))));
+  host.add(declare<Layers>(
+      PluginKind::coordinator, "layers", "Links between behaviours",
+      elements(&Layers::links,
+               element<Suppress>(
+                   "suppress", "One behaviour's command replaces another's",
+                   parameter("by", &Suppress::by, {.meaning = "whose stands", .required = true}),
+                   parameter("of", &Suppress::of, {.meaning = "whose goes", .required = true}),
+                   parameter("hold_s", &Suppress::hold_s,
+                             {.unit = "s", .min = 0, .max = 60, .meaning = "goes on for"})),
+               element<Inhibit>(
+                   "inhibit", "One behaviour's command is taken away",
+                   parameter("by", &Inhibit::by, {.meaning = "by this one", .required = true}),
+                   parameter("of", &Inhibit::of, {.meaning = "of this one", .required = true})))));
   host.add(declare<Pick>(PluginKind::coordinator, "pick", "Runs the first behaviour"));
   host.add(declare<Sum>(PluginKind::coordinator, "sum", "Adds the commands",
                         parameter("weighted", &Sum::weighted, {.meaning = "by priority"})));

@@ -155,3 +155,55 @@ TEST_CASE("An edited document is a world") {
   CHECK(w.robots[0].body.mass == 0.25);
   CHECK(w.robots[0].sensors.at(0).yaw_deg == 5);
 }
+
+TEST_CASE("What stands in a plugin's element is edited like the rest") {
+  const std::string text = R"(<world format="1">
+  <robots>
+    <robot id="r1">
+      <behaviors>
+        <blend id="explore"/> <!-- to be filled -->
+        <roam/>
+      </behaviors>
+      <coordinator>
+        <layers>
+          <suppress by="a" of="b"/>
+          <!-- the other way -->
+          <suppress by="b" of="a"/>
+        </layers>
+      </coordinator>
+    </robot>
+  </robots>
+</world>
+)";
+  Document document(text, "world.xml");
+  SECTION("attributes of nested elements") {
+    document.set("robot[r1]/coordinator/suppress[2]/@hold_s", "2");
+    CHECK(document.text() == replaced(text, "by=\"b\" of=\"a\"", "by=\"b\" of=\"a\" hold_s=\"2\""));
+    CHECK(document.attribute("robot[r1]/coordinator/suppress[1]/@by") == "a");
+  }
+  SECTION("nested elements") {
+    document.erase("robot[r1]/coordinator/suppress[1]");
+    document.insert("robot[r1]/coordinator/layers", "<inhibit by=\"c\" of=\"d\"/>");
+    CHECK(document.text() ==
+          replaced(replaced(text, "          <suppress by=\"a\" of=\"b\"/>\n", ""),
+                   "        </layers>\n",
+                   "          <inhibit by=\"c\" of=\"d\"/>\n        </layers>\n"));
+  }
+  SECTION("what a behaviour holds") {
+    document.insert("robot[r1]/behavior[explore]/behaviors", "<roam speed=\"1\"/>");
+    CHECK(document.text() == replaced(text, "<blend id=\"explore\"/>",
+                                      "<blend id=\"explore\">\n"
+                                      "          <behaviors>\n"
+                                      "            <roam speed=\"1\"/>\n"
+                                      "          </behaviors>\n"
+                                      "        </blend>"));
+    document.insert("robot[r1]/behavior[explore]", "<coordinator>\n  <sum/>\n</coordinator>");
+    document.set("robot[r1]/behavior[explore]/behavior[roam]/@speed", "2");
+    document.set("robot[r1]/behavior[explore]/coordinator/@weighted", "true");
+    const world::World w = world::parse_world(document.text(), document.file(), host());
+    const world::Coordination& inside = w.robots[0].behaviors[0].inside.at(0);
+    CHECK(std::get<double>(inside.behaviors[0].parameters.at("speed")) == 2);
+    CHECK(std::get<bool>(inside.coordinator->parameters.at("weighted")));
+    CHECK(w.robots[0].behaviors[1].id == "roam");
+  }
+}

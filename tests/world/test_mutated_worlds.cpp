@@ -70,9 +70,15 @@ class Damage {
                                                      "\x01",
                                                      "<!DOCTYPE a>",
                                                      "<beam/>",
+                                                     "<behaviors>",
+                                                     "</behaviors>",
+                                                     "<coordinator><sum/></coordinator>",
+                                                     "<rule of=\"roam\"/>",
+                                                     "<blend/>",
                                                      "9"};
-    static const std::vector<std::string> kPlugins = {"<beam", "<bumper", "<avoid", "<roam",
-                                                      "<sum"};
+    static const std::vector<std::string> kPlugins = {
+        "<beam", "<bumper",    "<avoid",  "<roam",     "<sum",
+        "<eye",  "<threshold", "<layers", "<suppress", "<blend"};
     if (text.empty()) {
       return;
     }

@@ -119,7 +119,8 @@ TEST_CASE("A path that is none is refused in words") {
         "--set max_speed: expected PATH=VALUE, as in robot[r1]/@max_speed=0.3");
   CHECK(wrong("robot[r1]=3") ==
         "--set robot[r1]=3: the path leads to an element; expected an attribute at its end, as in "
-        "robot[r1]/@max_speed");
+        "robot[r1]/@max_speed, or an element after the \"=\", as in "
+        "robot[r1]/coordinator=<arbiter_suppression/>");
   CHECK(wrong("robot[r1/@x=3") ==
         "--set robot[r1/@x=3: expected an id, a number or * in the brackets after 'robot'");
   CHECK(wrong("robot[]/@x=3") ==
@@ -134,4 +135,166 @@ TEST_CASE("A path that is none is refused in words") {
   CHECK(wrong("=3") ==
         "--set =3: a step of the path is empty; a path looks like robot[r1]/@max_speed");
   CHECK(wrong("") == "--set : expected PATH=VALUE, as in robot[r1]/@max_speed=0.3");
+}
+
+namespace {
+
+const char* const kNested = R"(
+  <robots>
+    <robot id="r1">
+      <sensors>
+        <eye><threshold low="0.1"/><mask/><threshold low="0.2"/></eye>
+      </sensors>
+      <behaviors>
+        <blend id="explore">
+          <rule of="roam"/>
+          <behaviors>
+            <roam/>
+            <blend>
+              <behaviors><roam id="stroll"/><roam/></behaviors>
+              <coordinator><sum/></coordinator>
+            </blend>
+          </behaviors>
+          <coordinator><layers><suppress by="roam" of="blend"/></layers></coordinator>
+        </blend>
+      </behaviors>
+      <coordinator>
+        <layers><inhibit by="a" of="b"/><suppress by="c" of="d"/><suppress by="e" of="f"/></layers>
+      </coordinator>
+    </robot>
+  </robots>)";
+
+world::Robot nested(const std::string& override) { return read(kNested, {override}).robots[0]; }
+std::string text(const world::PluginUse& use, std::size_t element, const char* name) {
+  return std::get<std::string>(use.elements.at(element).parameters.at(name));
+}
+
+}  // namespace
+
+TEST_CASE("A path leads to the elements that a plugin declares") {
+  CHECK(text(*nested("robot[r1]/coordinator/suppress[1]/@by=x").coordinator, 1, "by") == "x");
+  CHECK(text(*nested("robot[r1]/coordinator/layers/suppress[2]/@by=x").coordinator, 2, "by") ==
+        "x");
+  CHECK(text(*nested("coordinator/inhibit/@of=x").coordinator, 0, "of") == "x");
+  const world::Robot robot = nested("robot[r1]/sensor[eye]/threshold[2]/@low=0.5");
+  CHECK(std::get<double>(robot.sensors[0].elements[2].parameters.at("low")) == 0.5);
+  for (const std::size_t i : {0U, 2U}) {
+    CHECK(std::get<double>(
+              nested("eye/threshold[*]/@high=0.75").sensors[0].elements[i].parameters.at("high")) ==
+          0.75);
+  }
+}
+
+TEST_CASE("A path leads to what a behaviour holds, at any depth") {
+  const auto inside = [](const std::string& override) {
+    return nested(override).behaviors[0].inside.at(0);
+  };
+  CHECK(inside("robot[r1]/behavior[explore]/behavior[roam]/@priority=2").behaviors[0].priority ==
+        2);
+  CHECK(inside("robot[r1]/behavior[explore]/behaviors/roam/@priority=2").behaviors[0].priority ==
+        2);
+  CHECK(inside("blend/blend/behavior[stroll]/@priority=2")
+            .behaviors[1]
+            .inside.at(0)
+            .behaviors[0]
+            .priority == 2);
+  CHECK(inside("blend/behavior[blend]/behavior[*]/@priority=2")
+            .behaviors[1]
+            .inside.at(0)
+            .behaviors[1]
+            .priority == 2);
+  CHECK(text(*inside("behavior[explore]/coordinator/suppress/@hold_s=2").coordinator, 0, "by") ==
+        "roam");
+  CHECK(std::get<double>(nested("behavior[explore]/rule[1]/@weight=2")
+                             .behaviors[0]
+                             .elements[0]
+                             .parameters.at("weight")) == 2);
+}
+
+TEST_CASE("A path that leads nowhere inside of a plugin says what is there instead") {
+  const auto message = [](const std::string& override) {
+    const std::string found = problems(kNested, {override});
+    const std::string before = "--set " + override + ": ";
+    REQUIRE(found.starts_with(before));
+    return found.substr(before.size());
+  };
+  CHECK(message("robot[r1]/coordinator/suppress/@by=x") ==
+        "'suppress' could be any of 2; say which, as in suppress[1], or suppress[*] for all of "
+        "them");
+  CHECK(message("robot[r1]/coordinator/suppress[3]/@by=x") ==
+        "there is no suppress[3]; they are numbered from 1 to 2");
+  CHECK(message("robot[r1]/coordinator/supress[1]/@by=x") ==
+        "there is no 'supress' in <layers>; did you mean 'suppress'?");
+  CHECK(message("robot[r1]/sensor[eye]/lid/@low=x") ==
+        "there is no 'lid' in <eye>; there are: mask, threshold");
+  CHECK(message("robot[r1]/behavior[explore]/behavior[strol]/@speed=1") ==
+        "there is no behavior[strol]; there are: roam, blend");
+  CHECK(message("robot[r1]/behavior[explore]/behaviour[roam]/@speed=1") ==
+        "there is no 'behaviour' in <blend>; did you mean 'behavior'?");
+  CHECK(message("robot[r1]/behavior[explore]/behavior[roam]/behavior[1]/@speed=1") ==
+        "there is no 'behavior' in <roam>");
+  CHECK(message("robot[r1]/behavior[explore]/behavior[roam]/@sped=1") ==
+        "<roam> has no attribute 'sped'; did you mean 'speed'?");
+  CHECK(message("robot[r1]/coordinator/suppress[1]/@hold_s=61") ==
+        "hold_s=\"61\" of <suppress>: expected a number at least 0 and at most 60 s");
+}
+
+TEST_CASE("An element that holds others may replace one") {
+  const world::Robot robot = nested(
+      "robot[r1]/behavior[explore]/behavior[blend]=<blend haste='2'><behaviors><roam/><roam/>"
+      "</behaviors><coordinator><pick/></coordinator></blend>");
+  const world::BehaviorUse& blend = robot.behaviors[0].inside.at(0).behaviors[1];
+  CHECK(blend.id == "blend");
+  REQUIRE(blend.inside.at(0).behaviors.size() == 2);
+  CHECK(blend.inside[0].behaviors[1].id == "roam_2");
+  CHECK(blend.inside[0].coordinator->id == "pick");
+}
+
+TEST_CASE("An override may take away what stands in a robot or in a behaviour") {
+  CHECK(with({"robot[r1]/sensor[left]/@remove=true"}).robots[0].sensors.size() == 2);
+  CHECK(with({"robot[r1]/behavior[roam]/@remove=false"}).robots[0].behaviors.size() == 2);
+  CHECK(with({"robot[r1]/behavior[roam]/@remove=true"}).robots[0].behaviors.size() == 1);
+  CHECK(nested("robot[r1]/behavior[explore]/behavior[blend]/behavior[roam]/@remove=true")
+            .behaviors[0]
+            .inside.at(0)
+            .behaviors[1]
+            .inside.at(0)
+            .behaviors.size() == 1);
+  CHECK(wrong("robot[r1]/sensor[left]/@remove=maybe") ==
+        "--set robot[r1]/sensor[left]/@remove=maybe: remove=\"maybe\" of <beam>: expected true or "
+        "false");
+  CHECK(wrong("robot[r1]/coordinator/@remove=true") ==
+        "world.xml:4: the robot 'r1' has behaviours but no coordinator; add a <coordinator>");
+}
+
+TEST_CASE("An attribute called template is a robot's or a parameter like others") {
+  CHECK(problems(kNested, {"coordinator/inhibit/@template=x"}) ==
+        "--set coordinator/inhibit/@template=x: <inhibit> has no attribute 'template'; it may "
+        "have: by, of");
+  CHECK(read(kNested, {"@name=robot[r1]/@template=x"}).name == "robot[r1]/@template=x");
+}
+
+TEST_CASE("A path to an element replaces it by another") {
+  const world::World world =
+      with({"robot[r1]/coordinator=<pick/>", "robot[r1]/sensor[left]=<bumper x=\"0.5\"/>",
+            "robot[r1]/behavior[roam]=<avoid id=\"second\"/>"});
+  const world::Robot& robot = world.robots[0];
+  REQUIRE(robot.coordinator);
+  CHECK(robot.coordinator->plugin == "pick");
+  CHECK(robot.coordinator->id == "pick");
+  CHECK(robot.sensors[0].plugin == "bumper");
+  CHECK(robot.sensors[0].id == "left");
+  CHECK(robot.sensors[0].x == 0.5);
+  CHECK(robot.behaviors[1].id == "second");
+  CHECK(with({"robot[*]/coordinator=<pick/>"}).robots[1].coordinator->plugin == "pick");
+}
+
+TEST_CASE("What replaces an element is checked like the file, and blamed on the override") {
+  CHECK(
+      wrong("robot[r1]/coordinator=<summ/>").starts_with("--set robot[r1]/coordinator=<summ/>: "));
+  CHECK(wrong("robot[r1]/sensor[left]=<beam rnge=\"1\"/>").find("has no attribute 'rnge'") !=
+        std::string::npos);
+  CHECK(wrong("robot[r1]/coordinator=<sum").starts_with("--set robot[r1]/coordinator=<sum: "));
+  CHECK(wrong("robot[r1]/coordinator=<sum/><sum/>")
+            .starts_with("--set robot[r1]/coordinator=<sum/><sum/>: "));
 }

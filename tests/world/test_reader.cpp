@@ -61,7 +61,7 @@ TEST_CASE("A world says everything") {
   CHECK(r.leader);
   CHECK(r.energy == 50.0);
   CHECK(r.body.axle == 0.11);
-  REQUIRE(r.sensors.size() == 3);
+  REQUIRE(r.sensors.size() == 4);
   CHECK(r.sensors[0].id == "beam");
   CHECK(r.sensors[0].pitch_deg == -3);
   CHECK(r.sensors[0].z == 0.03);
@@ -70,7 +70,7 @@ TEST_CASE("A world says everything") {
   CHECK_FALSE(r.sensors[1].x);
   CHECK(r.sensors[1].parameters.empty());
   CHECK(r.sensors[2].plugin == "bumper");
-  REQUIRE(r.behaviors.size() == 3);
+  REQUIRE(r.behaviors.size() == 4);
   CHECK(r.behaviors[0].priority == 2.5);
   CHECK(r.behaviors[1].id == "stroll");
   CHECK(std::get<std::int64_t>(r.behaviors[1].parameters.at("patience")) == 7);
@@ -81,9 +81,10 @@ TEST_CASE("A world says everything") {
   CHECK(r.behaviors[2].id == "roam");
   CHECK(r.coordinator->id == "head");
 
-  REQUIRE(w.goals.size() == 10);
+  REQUIRE(w.goals.size() == 11);
   CHECK(std::get<world::ReachGoal>(w.goals[2]).radius == 0.4);
-  CHECK(std::get<world::TravelGoal>(w.goals[6]).robot == "r2");
+  CHECK(std::get<world::ReachGoal>(w.goals[3]).of == "r1");
+  CHECK(std::get<world::TravelGoal>(w.goals[7]).robot == "r2");
   CHECK(w.limits.wall_time == 10.0);
 }
 

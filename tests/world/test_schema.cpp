@@ -47,6 +47,16 @@ const std::map<std::string, std::string> kBeyondSchemas = {
     {"reading_missing", "what the plugins of a robot need of each other"},
     {"reading_of_another_version", "what the plugins of a robot need of each other"},
     {"no_coordinator", "it may come from a template"},
+    {"held_no_coordinator", "it may come from a template"},
+    {"held_no_coordinator_far_inside", "it may come from a template"},
+    {"held_no_behaviors", "they may come from a template"},
+    {"held_reading_missing", "what the plugins of a robot need of each other"},
+    {"held_remove_without_template", "whether there is a template"},
+    {"held_rule_about_nobody", "what the plugin's own code says"},
+    {"elements_that_do_not_fit", "what the plugin's own code says"},
+    {"element_missing_file", "files"},
+    {"parameter_that_is_required", "it may come from a template"},
+    {"parameter_required_file_empty", "files"},
     {"remove_without_template", "whether there is a template"},
     {"template_missing", "files"},
     {"template_is_a_world", "other files"},
@@ -76,6 +86,7 @@ const std::map<std::string, std::string> kBeyondSchemas = {
     {"goal_nothing_of_the_team", "whether goals can be met"},
     {"goal_pushes_a_brick", "whether goals can be met"},
     {"goal_gathers_one", "whether goals can be met"},
+    {"goal_relative_to_itself", "attributes that depend on each other"},
     {"other_encoding", "it is well-formed XML"},
     {"utf16", "it is well-formed XML"},
 };
@@ -116,6 +127,40 @@ TEST_CASE("A schema without plugins is a schema") {
   const std::string file = ELSIE_BINARY_DIR "/plain_world.xml";
   std::ofstream(file) << "<world format='1'><robots><robot id='a'/></robots></world>";
   CHECK(judge.accepts(file));
+  fs::remove(file);
+}
+
+TEST_CASE("The schema takes what stands in a plugin's element in any order, and no more of it") {
+  const Judge judge(host());
+  const std::string file = ELSIE_BINARY_DIR "/ordered_world.xml";
+  const auto accepts = [&](const std::string& content) {
+    std::ofstream(file) << "<world format='1'><robots><robot id='a'><behaviors><blend>" + content +
+                               "</blend></behaviors></robot></robots></world>";
+    return judge.accepts(file);
+  };
+  const std::string rule = "<rule of='roam'/>", behaviors = "<behaviors><roam/></behaviors>",
+                    coordinator = "<coordinator><pick/></coordinator>";
+  const std::vector<std::string> orders = {"",
+                                           rule + rule,
+                                           behaviors + coordinator,
+                                           coordinator + behaviors,
+                                           rule + coordinator + rule + behaviors + rule + rule,
+                                           behaviors + rule + coordinator,
+                                           coordinator + rule};
+  for (const std::string& order : orders) {
+    CAPTURE(order);
+    CHECK(accepts(order));
+    CHECK(accepts("<behaviors><blend>" + order + "</blend></behaviors>"));
+  }
+  for (const std::string& wrong :
+       {behaviors + behaviors, coordinator + behaviors + coordinator, behaviors + rule + behaviors,
+        std::string("<rule/>"), std::string("<rule of='a' id='b'/>"),
+        std::string("<behaviors><roam id='a'/><blend id='a'/></behaviors>"),
+        std::string("<behaviors><pick/></behaviors>"), std::string("<roam/>")}) {
+    CAPTURE(wrong);
+    CHECK_FALSE(accepts(wrong));
+    CHECK_FALSE(accepts("<behaviors><blend>" + wrong + "</blend></behaviors>"));
+  }
   fs::remove(file);
 }
 

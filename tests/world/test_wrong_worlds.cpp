@@ -65,7 +65,7 @@ TEST_CASE("Nesting of any depth is refused in words") {
     }
     CHECK_THROWS_WITH(
         world::parse_world(text, "deep.xml", host()),
-        "deep.xml:1: elements are nested deeper than 50 levels; no world needs more than five");
+        "deep.xml:1: elements are nested deeper than 50 levels; no world needs that many");
   }
 }
 

@@ -1,7 +1,10 @@
 #include "checks.h"
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
+
+#include "elsie/world/train.h"
 
 namespace elsie::physics {
 
@@ -39,8 +42,35 @@ void check(const world::RobotBody& body, const Pose& pose, double z) {
     require(is_positive(size),
             "All lengths, masses and the torque of a robot's body must be positive and finite.");
   }
+  check(pose, z);
+}
+
+void check(const Pose& pose, double z) {
   require(std::isfinite(pose.x + pose.y + pose.heading_rad + z),
           "The pose of a robot must be finite.");
+}
+
+void check(const world::RobotBody& body, std::span<const world::Segment> segments) {
+  for (const world::Segment& segment : segments) {
+    for (const double size :
+         {segment.length, segment.width, segment.height, segment.clearance, segment.mass,
+          segment.wheel_radius, segment.wheel_width, segment.gap}) {
+      require(is_positive(size),
+              "All lengths and the mass of a segment must be positive and finite.");
+    }
+    require(2.0 * segment.wheel_width <= segment.width,
+            "A segment must be wide enough for its two wheels.");
+  }
+  for (const world::Coupling& coupling : world::couplings(body, segments)) {
+    require(is_positive(coupling.ahead) && std::isfinite(coupling.behind) &&
+                std::isfinite(coupling.height) && coupling.behind >= 0.0 && coupling.height >= 0.0,
+            "The joint of a segment must be ahead of its axle, not ahead of the middle of the body "
+            "in front, and not below the floor.");
+    require(coupling.max_yaw_rad > 0.0 && coupling.max_yaw_rad < std::numbers::pi &&
+                coupling.max_pitch_rad > 0.0 && coupling.max_pitch_rad < 0.5 * std::numbers::pi,
+            "The joint of a segment must turn by less than 180 degrees to either side, and bend by "
+            "less than 90.");
+  }
 }
 
 void check(const world::Box& box) {

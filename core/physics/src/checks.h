@@ -1,6 +1,7 @@
 // What the engine refuses to work with.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "elsie/api/geometry.h"
@@ -14,7 +15,9 @@ void require(bool holds, const std::string& sentence);
 // These throw std::invalid_argument with a sentence about the first thing that is impossible.
 
 void check(const world::Arena& arena, const world::Physics& physics);
+void check(const Pose& pose, double z);
 void check(const world::RobotBody& body, const Pose& pose, double z);
+void check(const world::RobotBody& body, std::span<const world::Segment> segments);
 void check(const world::Box& box);
 
 }  // namespace elsie::physics

@@ -13,6 +13,9 @@ namespace {
 // contacts.
 constexpr double kTouching = 2e-5;  // m
 
+// What reaches less than this above the bottom of a box passes below it.
+constexpr double kBelow = 1e-3;  // m
+
 // A body counts as upright up to about 6 degrees.
 constexpr double kUpright = 0.995;
 
@@ -95,17 +98,26 @@ bool meet_in_plane(OdeContacts& contacts, const Solid& a, const Solid& b, const 
   return touch;
 }
 
-std::array<Solid, 3> solids_of(const OdeRobot& robot) {
-  const auto wheel = [&](OdeRobot::Part part, const Cylinder& c) {
-    return Solid{robot.body(part),
-                 robot.geom(part),
-                 SolidKind::wheel,
-                 {c.center, robot.chassis_box().axes, {c.radius, c.half_length, c.radius}}};
-  };
-  return {Solid{robot.body(OdeRobot::chassis), robot.geom(OdeRobot::chassis), SolidKind::box,
-                robot.chassis_box()},
-          wheel(OdeRobot::left_wheel, robot.wheels()[0]),
-          wheel(OdeRobot::right_wheel, robot.wheels()[1])};
+/// Whether the wheels can meet what reaches up to this height.
+bool wheels_count(const Vehicle& vehicle, double top) {
+  return !vehicle.wheels_in_box || !is_upright(vehicle.box) ||
+         top <= height_of(vehicle.box).lower + kBelow;
+}
+
+bool meet_box_with(OdeContacts& contacts, const Solid& solid, const Vehicle& vehicle,
+                   bool with_wheels) {
+  bool touch = meet_solids(contacts, solid, vehicle.box);
+  if (with_wheels) {
+    for (const Solid& wheel : vehicle.wheels) {
+      touch = meet_solids(contacts, solid, wheel) || touch;
+    }
+  }
+  return touch;
+}
+
+double top_of(const Vehicle& vehicle) {
+  return std::max({height_of(vehicle.box).upper, height_of(vehicle.wheels[0]).upper,
+                   height_of(vehicle.wheels[1]).upper});
 }
 
 }  // namespace
@@ -132,25 +144,28 @@ bool meet_solids(OdeContacts& contacts, const Solid& a, const Solid& b) {
   return meet_in_plane(contacts, a, b, common, manifold);
 }
 
-bool meet_robots(OdeContacts& contacts, const OdeRobot& a, const OdeRobot& b) {
-  bool touch = false;
-  for (const Solid& x : solids_of(a)) {
-    for (const Solid& y : solids_of(b)) touch = meet_solids(contacts, x, y) || touch;
+bool meet_vehicles(OdeContacts& contacts, const Vehicle& a, const Vehicle& b) {
+  const bool wheels_of_b = wheels_count(b, top_of(a));
+  bool touch = meet_box_with(contacts, a.box, b, wheels_of_b);
+  if (wheels_count(a, top_of(b))) {
+    for (const Solid& wheel : a.wheels) {
+      touch = meet_box_with(contacts, wheel, b, wheels_of_b) || touch;
+    }
   }
   return touch;
 }
 
-bool meet_robot_and_box(OdeContacts& contacts, const OdeRobot& robot, const Solid& box) {
-  bool touch = false;
-  const std::array<Solid, 3> parts = solids_of(robot);
-  for (const Solid& part : parts) touch = meet_solids(contacts, part, box) || touch;
+bool meet_vehicle_and_box(OdeContacts& contacts, const Vehicle& vehicle, const Solid& box) {
+  bool touch = meet_solids(contacts, vehicle.box, box);
+  const double top = height_of(box).upper;
+  if (wheels_count(vehicle, top)) {
+    for (const Solid& wheel : vehicle.wheels) touch = meet_solids(contacts, wheel, box) || touch;
+  }
   // The casters lie below the chassis; only what passes below it, or lies under a robot that has
   // been tipped over, meets them.
-  const bool upright = is_upright(parts[0]);
-  if (upright && height_of(box).upper > height_of(parts[0]).lower + 1e-3) return touch;
-  for (const OdeRobot::Part part : {OdeRobot::front_caster, OdeRobot::rear_caster}) {
-    const Solid caster{robot.body(part), robot.geom(part), SolidKind::box, {}};
-    touch = meet_in_space(contacts, caster, box) || touch;
+  if (is_upright(vehicle.box) && top > height_of(vehicle.box).lower + kBelow) return touch;
+  for (std::size_t i = 0; i < vehicle.caster_count; ++i) {
+    touch = meet_in_space(contacts, vehicle.casters[i], box) || touch;
   }
   return touch;
 }

@@ -49,6 +49,7 @@ void OdeContacts::attach(dBodyID a, dBodyID b, dContact& contact, double gap) {
   surface.mode |= dContactApprox1 | dContactSoftCFM;
   surface.soft_cfm = softer_ * cfm_ * (1.0 + 1e-3 * unequal);
   surface.mu *= 1.0 + 1e-6 * unequal;
+  surface.mu2 *= 1.0 + 1e-6 * unequal;
   contact.geom.depth = std::max(0.0, -gap);
   if (gap > 0.0) {
     surface.mode |= dContactMotionN;
@@ -79,6 +80,16 @@ void OdeContacts::wheel_on_floor(dBodyID wheel, const Vector3& lowest, const Vec
   contact.fdir1[0] = rolling.x;
   contact.fdir1[1] = rolling.y;
   attach(wheel, nullptr, contact, lowest.z);
+}
+
+void OdeContacts::free_wheel_on_floor(dBodyID body, const Vector3& lowest, const Vector3& rolling) {
+  dContact contact = on_floor(lowest, 0.0);
+  contact.surface.mode = dContactFDir1 | dContactMu2 | dContactSlip2;
+  contact.surface.mu2 = tyre_friction_;
+  contact.surface.slip2 = slip_;
+  contact.fdir1[0] = rolling.x;
+  contact.fdir1[1] = rolling.y;
+  attach(body, nullptr, contact, lowest.z);
 }
 
 void OdeContacts::caster_on_floor(dBodyID caster, const Vector3& lowest) {

@@ -23,6 +23,8 @@ class OdeContacts {
 
   /// A wheel on the floor; `rolling` is the horizontal unit vector along which it rolls.
   void wheel_on_floor(dBodyID wheel, const Vector3& lowest, const Vector3& rolling);
+  /// The same for a wheel that rolls freely: it only holds sideways.
+  void free_wheel_on_floor(dBodyID body, const Vector3& lowest, const Vector3& rolling);
   /// A sphere that glides on the floor without friction.
   void caster_on_floor(dBodyID caster, const Vector3& lowest);
   /// The corners of a box that are on the floor or about to reach it.

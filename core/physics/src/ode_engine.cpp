@@ -33,14 +33,22 @@ class OdeEngine final : public Engine {
  public:
   OdeEngine(const world::Arena& arena, const world::Physics& physics);
 
-  std::size_t add_robot(const world::RobotBody& body, const Pose& pose, double z) override;
+  std::size_t add_robot(const world::RobotBody& body, const Pose& pose, double z,
+                        std::span<const world::Segment> segments) override;
   std::size_t add_box(const world::Box& box) override;
   void remove_box(std::size_t box) override;
+  void place_robot(std::size_t robot, const Pose& pose, double z) override;
   void set_wheel_rates(std::size_t robot, const MotorCommand& rates) override;
   void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) override;
   void step() override;
 
   RobotState robot(std::size_t robot) const override { return robots_.at(robot).state(); }
+  std::size_t segments(std::size_t robot) const override {
+    return robots_.at(robot).segments().size();
+  }
+  SegmentState segment(std::size_t robot, std::size_t segment) const override {
+    return robots_.at(robot).segments().at(segment).state();
+  }
   Frame box(std::size_t box) const override;
   bool has_box(std::size_t box) const override { return boxes_.at(box).present; }
   std::span<const Touch> touches() const override { return touches_; }
@@ -87,7 +95,9 @@ class OdeEngine final : public Engine {
   void go_back();
   void start_moving_boxes();
   void find_contacts();
-  bool meet(const Body& a, const Body& b);
+  bool meet(Scene::Id a, Scene::Id b);
+  bool meet_own(const OdeRobot& robot, std::size_t a, std::size_t b);
+  void place_in_scene(std::size_t robot);
   void settle();
   void settle_box(BoxBody& box, std::size_t index);
   [[noreturn]] void fail(const std::string& what) const;
@@ -100,7 +110,7 @@ class OdeEngine final : public Engine {
   OdeGeom floor_;
   Scene scene_;
   std::vector<OdeRobot> robots_;
-  std::vector<Scene::Id> robot_ids_;
+  std::vector<std::vector<Scene::Id>> robot_ids_;  // of a robot's vehicles
   std::vector<BoxBody> boxes_;
   std::vector<BoxBody> walls_;
   std::vector<Touch> touches_;
@@ -134,16 +144,32 @@ OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
   }
 }
 
-std::size_t OdeEngine::add_robot(const world::RobotBody& body, const Pose& pose, double z) {
+std::size_t OdeEngine::add_robot(const world::RobotBody& body, const Pose& pose, double z,
+                                 std::span<const world::Segment> segments) {
   check(body, pose, z);
+  check(body, segments);
   prepare_ode();
   const std::size_t index = robots_.size();
-  robots_.emplace_back(world_.get(), body, pose, z);
-  const Scene::Id id = scene_.add({BodyKind::robot, index}, true);
-  robot_ids_.push_back(id);
-  mobile_.push_back(id);
-  robots_[index].place_in(scene_, id, physics_.step);
+  robots_.emplace_back(world_.get(), body, segments, pose, z);
+  std::vector<Scene::Id>& ids = robot_ids_.emplace_back();
+  for (std::size_t vehicle = 0; vehicle < robots_[index].vehicle_count(); ++vehicle) {
+    ids.push_back(scene_.add({BodyKind::robot, index}, true, vehicle));
+    mobile_.push_back(ids.back());
+  }
+  place_in_scene(index);
   return index;
+}
+
+void OdeEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
+  check(pose, z);
+  robots_.at(robot).put(pose, z);
+  place_in_scene(robot);
+}
+
+void OdeEngine::place_in_scene(std::size_t robot) {
+  for (std::size_t vehicle = 0; vehicle < robot_ids_[robot].size(); ++vehicle) {
+    robots_[robot].place_in(scene_, vehicle, robot_ids_[robot][vehicle], physics_.step);
+  }
 }
 
 std::size_t OdeEngine::add_upright(std::vector<BoxBody>& list, BodyKind kind,
@@ -232,6 +258,7 @@ void OdeEngine::step() {
 
 void OdeEngine::take_step() {
   start_moving_boxes();
+  for (OdeRobot& robot : robots_) robot.stop_at_limits(physics_.step);
   remember();
   for (int attempt = 1;; ++attempt) {
     find_contacts();
@@ -255,11 +282,7 @@ void OdeEngine::remember() {
     std::copy_n(dBodyGetLinearVel(body), 3, state.velocity);
     std::copy_n(dBodyGetAngularVel(body), 3, state.turning);
   };
-  for (const OdeRobot& robot : robots_) {
-    for (int part = 0; part < OdeRobot::part_count; ++part) {
-      add(robot.body(static_cast<OdeRobot::Part>(part)));
-    }
-  }
+  for (const OdeRobot& robot : robots_) robot.for_each_body(add);
   for (const BoxBody& box : boxes_) {
     if (box.body) add(box.body);
   }
@@ -303,25 +326,35 @@ void OdeEngine::find_contacts() {
     for (const Scene::Id other : neighbors_) {
       const Body a = scene_.body(id), b = scene_.body(other);
       if (other < id && is_mobile(b)) continue;  // met already
-      if (meet(a, b)) touches_.push_back(a < b ? Touch{a, b} : Touch{b, a});
+      if (meet(id, other)) touches_.push_back(a < b ? Touch{a, b} : Touch{b, a});
     }
   }
   std::sort(touches_.begin(), touches_.end(),
             [](const Touch& x, const Touch& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  // Several of a robot's vehicles may touch the same body.
+  touches_.erase(
+      std::unique(touches_.begin(), touches_.end(),
+                  [](const Touch& x, const Touch& y) { return x.a == y.a && x.b == y.b; }),
+      touches_.end());
 }
 
-bool OdeEngine::meet(const Body& a, const Body& b) {
+bool OdeEngine::meet(Scene::Id first, Scene::Id second) {
+  const Body a = scene_.body(first), b = scene_.body(second);
   const auto solid = [](const BoxBody& box) {
     return Solid{box.body, box.geom.get(), SolidKind::box, box.shape};
   };
+  const auto vehicle = [this](Scene::Id id) {
+    return robots_[scene_.body(id).index].vehicle(scene_.part(id));
+  };
   if (a.kind == BodyKind::robot && b.kind == BodyKind::robot) {
-    return meet_robots(contacts_, robots_[a.index], robots_[b.index]);
+    if (a == b) return meet_own(robots_[a.index], scene_.part(first), scene_.part(second));
+    return meet_vehicles(contacts_, vehicle(first), vehicle(second));
   }
   if (a.kind == BodyKind::robot) {
-    return meet_robot_and_box(contacts_, robots_[a.index], solid(box_of(b)));
+    return meet_vehicle_and_box(contacts_, vehicle(first), solid(box_of(b)));
   }
   if (b.kind == BodyKind::robot) {
-    return meet_robot_and_box(contacts_, robots_[b.index], solid(box_of(a)));
+    return meet_vehicle_and_box(contacts_, vehicle(second), solid(box_of(a)));
   }
   const BoxBody &box_a = box_of(a), &box_b = box_of(b);
   const bool can_give =
@@ -329,11 +362,20 @@ bool OdeEngine::meet(const Body& a, const Body& b) {
   return can_give && meet_solids(contacts_, solid(box_a), solid(box_b));
 }
 
+// Neighbours are kept apart by the limits of their joint. Nobody is told that a robot touches
+// itself.
+bool OdeEngine::meet_own(const OdeRobot& robot, std::size_t a, std::size_t b) {
+  if (std::max(a, b) - std::min(a, b) > 1) {
+    meet_vehicles(contacts_, robot.vehicle(a), robot.vehicle(b));
+  }
+  return false;
+}
+
 void OdeEngine::settle() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     if (!robots_[i].settle(physics_.step))
       fail("the state of robot " + std::to_string(i) + " is no longer finite");
-    robots_[i].place_in(scene_, robot_ids_[i], physics_.step);
+    place_in_scene(i);
   }
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     if (boxes_[i].present && is_mobile(boxes_[i])) settle_box(boxes_[i], i);
@@ -373,9 +415,7 @@ void OdeEngine::fail(const std::string& what) const {
 std::uint64_t OdeEngine::hash_state(std::uint64_t hash) const {
   StateHash all(hash);
   for (const OdeRobot& robot : robots_) {
-    for (int part = 0; part < OdeRobot::part_count; ++part) {
-      all.add_body(robot.body(static_cast<OdeRobot::Part>(part)));
-    }
+    robot.for_each_body([&](dBodyID body) { all.add_body(body); });
   }
   for (const BoxBody& box : boxes_) {
     all.add(std::uint64_t{box.present});

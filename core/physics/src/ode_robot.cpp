@@ -4,15 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "moving_vehicle.h"
+#include "wheel_on_floor.h"
+
 namespace elsie::physics {
 namespace {
-
-// Sensors at the top of the chassis look level over it. So that robots of one size see each other,
-// range sensors see a chassis that is higher by what a sensor on it would stand out.
-constexpr double kSensorDeck = 0.02;  // m
-
-// How much further it may come in a step than at its present speed, by being accelerated.
-constexpr double kSlack = 1e-3;  // m
 
 // A caster is light against the chassis, so that it does not matter how it spins.
 constexpr double kCasterMass = 0.02;  // of the chassis' mass
@@ -23,6 +19,12 @@ constexpr double kTieBreaker = 1e-6;
 constexpr double kHalfSqrt2 = 0.5 * std::numbers::sqrt2;
 
 bool is_finite(const Vector3& v) { return std::isfinite(v.x + v.y + v.z); }
+
+/// The frame of a robot that stands there.
+Frame standing(const Pose& pose, double z) {
+  const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
+  return {{pose.x, pose.y, z}, {c, s, 0.0}, {-s, c, 0.0}, {0.0, 0.0, 1.0}};
+}
 
 /// The orientation of a wheel that is turned by `angle` about the robot's y axis, in the robot's
 /// frame. ODE's cylinders lie along their z axis.
@@ -36,62 +38,95 @@ void wheel_rotation(double angle, dQuaternion q) {
 
 }  // namespace
 
-OdeRobot::OdeRobot(dWorldID world, const world::RobotBody& body, const Pose& pose, double z)
+OdeRobot::OdeRobot(dWorldID world, const world::RobotBody& body,
+                   std::span<const world::Segment> segments, const Pose& pose, double z)
     : dimensions_(body),
       caster_radius_(std::min({0.5 * body.clearance, 0.125 * body.length, body.wheel_radius})),
-      caster_x_(0.5 * body.length - 1.2 * caster_radius_) {
-  const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
-  const Frame frame{{pose.x, pose.y, z}, {c, s, 0.0}, {-s, c, 0.0}, {0.0, 0.0, 1.0}};
-  const dQuaternion facing{std::cos(0.5 * pose.heading_rad), 0.0, 0.0,
-                           std::sin(0.5 * pose.heading_rad)};
-
-  const auto make = [&](Part part, dGeomID geom, const dMass& mass, const Vector3& place,
-                        const dQuaternion rotation) {
+      caster_x_(0.5 * body.length - 1.2 * caster_radius_),
+      couplings_(world::couplings(body, segments)) {
+  const auto make = [&](Part part, dGeomID geom, const dMass& mass) {
     const dBodyID made = dBodyCreate(world);
-    const Vector3 at = frame.point(place);
     dBodySetMass(made, &mass);
-    dBodySetPosition(made, at.x, at.y, at.z);
-    dBodySetQuaternion(made, rotation);
     dBodySetFiniteRotationMode(made, 1);
     dGeomSetBody(geom, made);
     bodies_[part] = made;
     geoms_[part].reset(geom);
   };
-
   dMass mass;
   dMassSetBoxTotal(&mass, body.mass, body.length, body.width, body.height);
-  make(chassis, dCreateBox(nullptr, body.length, body.width, body.height), mass,
-       {0.0, 0.0, body.clearance + 0.5 * body.height}, facing);
+  make(chassis, dCreateBox(nullptr, body.length, body.width, body.height), mass);
+  dMassSetCylinderTotal(&mass, body.wheel_mass, 3, body.wheel_radius, body.wheel_width);
+  for (const Part part : {left_wheel, right_wheel}) {
+    make(part, dCreateCylinder(nullptr, body.wheel_radius, body.wheel_width), mass);
+  }
+  dMassSetSphereTotal(&mass, kCasterMass * body.mass, caster_radius_);
+  for (const Part part : {front_caster, rear_caster}) {
+    make(part, dCreateSphere(nullptr, caster_radius_), mass);
+  }
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    segments_.emplace_back(world, segments[i], couplings_[i]);
+  }
+  put(pose, z);
+  const Frame frame = standing(pose, z);
+  link_wheels(world, frame);
+  link_casters(world, frame);
+  dBodyID front = bodies_[chassis];
+  for (OdeSegment& segment : segments_) {
+    segment.link(world, front);
+    front = segment.body();
+  }
+}
 
+void OdeRobot::put(const Pose& pose, double z) {
+  const world::RobotBody& d = dimensions_;
+  const Frame frame = standing(pose, z);
+  const dQuaternion facing{std::cos(0.5 * pose.heading_rad), 0.0, 0.0,
+                           std::sin(0.5 * pose.heading_rad)};
   dQuaternion upright_wheel, wheel_facing;
   wheel_rotation(0.0, upright_wheel);
   dQMultiply0(wheel_facing, facing, upright_wheel);
-  dMassSetCylinderTotal(&mass, body.wheel_mass, 3, body.wheel_radius, body.wheel_width);
-  for (const Part part : {left_wheel, right_wheel}) {
-    const double y = part == left_wheel ? body.half_axle() : -body.half_axle();
-    make(part, dCreateCylinder(nullptr, body.wheel_radius, body.wheel_width), mass,
-         {0.0, y, body.wheel_radius}, wheel_facing);
+  const auto stand = [&](Part part, const Vector3& place, const dQuaternion rotation) {
+    const Vector3 at = frame.point(place);
+    dBodySetPosition(bodies_[part], at.x, at.y, at.z);
+    dBodySetQuaternion(bodies_[part], rotation);
+    dBodySetLinearVel(bodies_[part], 0.0, 0.0, 0.0);
+    dBodySetAngularVel(bodies_[part], 0.0, 0.0, 0.0);
+  };
+  stand(chassis, {0.0, 0.0, d.clearance + 0.5 * d.height}, facing);
+  stand(left_wheel, {0.0, d.half_axle(), d.wheel_radius}, wheel_facing);
+  stand(right_wheel, {0.0, -d.half_axle(), d.wheel_radius}, wheel_facing);
+  stand(front_caster, {caster_x_, 0.0, caster_radius_}, facing);
+  stand(rear_caster, {-caster_x_, 0.0, caster_radius_}, facing);
+  wheel_angles_ = {};
+  velocity_ = turning_ = {};
+  state_ = {};
+  read_shape();
+  for (OdeSegment& segment : segments_) segment.put(frame);
+}
+
+void OdeRobot::link_wheels(dWorldID world, const Frame& frame) {
+  for (std::size_t i = 0; i < 2; ++i) {
     const dJointID hinge = dJointCreateHinge(world, nullptr);
-    dJointAttach(hinge, bodies_[part], bodies_[chassis]);
-    const Vector3 at = frame.point({0.0, y, body.wheel_radius});
+    dJointAttach(hinge, bodies_[left_wheel + i], bodies_[chassis]);
+    const double y = (i == 0 ? 1.0 : -1.0) * dimensions_.half_axle();
+    const Vector3 at = frame.point({0.0, y, dimensions_.wheel_radius});
     dJointSetHingeAnchor(hinge, at.x, at.y, at.z);
     dJointSetHingeAxis(hinge, frame.left.x, frame.left.y, frame.left.z);
-    const double torque = body.wheel_torque * (part == left_wheel ? 1.0 : 1.0 + kTieBreaker);
+    const double torque = dimensions_.wheel_torque * (i == 0 ? 1.0 : 1.0 + kTieBreaker);
     dJointSetHingeParam(hinge, dParamFMax, torque);
     dJointSetHingeParam(hinge, dParamVel, 0.0);
-    hinges_[part == left_wheel ? 0 : 1] = hinge;
+    hinges_[i] = hinge;
   }
+}
 
-  dMassSetSphereTotal(&mass, kCasterMass * body.mass, caster_radius_);
+void OdeRobot::link_casters(dWorldID world, const Frame& frame) {
   for (const Part part : {front_caster, rear_caster}) {
-    const Vector3 place{part == front_caster ? caster_x_ : -caster_x_, 0.0, caster_radius_};
-    make(part, dCreateSphere(nullptr, caster_radius_), mass, place, facing);
     const dJointID ball = dJointCreateBall(world, nullptr);
     dJointAttach(ball, bodies_[part], bodies_[chassis]);
-    const Vector3 at = frame.point(place);
+    const double x = part == front_caster ? caster_x_ : -caster_x_;
+    const Vector3 at = frame.point({x, 0.0, caster_radius_});
     dJointSetBallAnchor(ball, at.x, at.y, at.z);
   }
-  read_shape();
 }
 
 void OdeRobot::set_wheel_rates(const MotorCommand& rates) {
@@ -99,30 +134,16 @@ void OdeRobot::set_wheel_rates(const MotorCommand& rates) {
   dJointSetHingeParam(hinges_[1], dParamVel, rates.right);
 }
 
+void OdeRobot::stop_at_limits(double step) {
+  for (OdeSegment& segment : segments_) segment.stop_at_limit(step);
+}
+
 void OdeRobot::meet_floor(OdeContacts& contacts, dGeomID floor) const {
-  // The rolling radius and the track are exact when a wheel touches the floor in one point, the
-  // lowest of its middle disc.
   for (std::size_t i = 0; i < 2; ++i) {
-    const Cylinder& wheel = wheels_[i];
-    const Part part = i == 0 ? left_wheel : right_wheel;
-    const Vector3& axis = wheel.axis;
-    const double level = std::sqrt(axis.x * axis.x + axis.y * axis.y);
-    const double sinking = -dBodyGetLinearVel(bodies_[part])[2];
-    if (level > 0.99) {
-      const Vector3 down =
-          (1.0 / level) * Vector3{axis.x * axis.z, axis.y * axis.z, -level * level};
-      const Vector3 lowest = wheel.center + wheel.radius * down;
-      if (lowest.z <= contacts.margin(sinking)) {
-        contacts.wheel_on_floor(bodies_[part], lowest, {axis.y / level, -axis.x / level, 0.0});
-      }
-    } else {
-      std::array<dContactGeom, 4> found;
-      const int count = dCollide(geoms_[part].get(), floor, static_cast<int>(found.size()),
-                                 found.data(), sizeof(dContactGeom));
-      for (int k = 0; k < count; ++k) {
-        contacts.between(bodies_[part], nullptr, found[static_cast<std::size_t>(k)]);
-      }
-    }
+    const dBodyID wheel = bodies_[left_wheel + i];
+    const double sinking = -dBodyGetLinearVel(wheel)[2];
+    physics::meet_floor(contacts, wheel, geoms_[left_wheel + i].get(), wheels_[i], sinking,
+                        WheelDrive::motor, floor);
   }
   for (const Part part : {front_caster, rear_caster}) {
     Vector3 lowest = to_vector(dBodyGetPosition(bodies_[part]));
@@ -132,9 +153,21 @@ void OdeRobot::meet_floor(OdeContacts& contacts, dGeomID floor) const {
     }
   }
   contacts.box_on_floor(bodies_[chassis], chassis_box_);
+  for (const OdeSegment& segment : segments_) segment.meet_floor(contacts, floor);
 }
 
 bool OdeRobot::settle(double step) {
+  if (!settle_chassis(step)) return false;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const world::Coupling& next = couplings_[i];
+    const Frame& front = i == 0 ? state_.frame : segments_[i - 1].state().frame;
+    const Vector3 joint = front.point({-next.behind, 0.0, next.height});
+    if (!segments_[i].settle(front, joint)) return false;
+  }
+  return true;
+}
+
+bool OdeRobot::settle_chassis(double step) {
   const dBodyID master = bodies_[chassis];
   velocity_ = to_vector(dBodyGetLinearVel(master));
   turning_ = to_vector(dBodyGetAngularVel(master));
@@ -193,23 +226,33 @@ void OdeRobot::read_shape() {
   }
 }
 
-void OdeRobot::place_in(Scene& scene, Scene::Id id, double step) const {
+Vehicle OdeRobot::vehicle(std::size_t index) const {
+  if (index > 0) return segments_[index - 1].vehicle();
+  Vehicle vehicle;
+  vehicle.box = {bodies_[chassis], geoms_[chassis].get(), SolidKind::box, chassis_box_};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Cylinder& wheel = wheels_[i];
+    vehicle.wheels[i] = {
+        bodies_[left_wheel + i],
+        geoms_[left_wheel + i].get(),
+        SolidKind::wheel,
+        {wheel.center, chassis_box_.axes, {wheel.radius, wheel.half_length, wheel.radius}}};
+    vehicle.casters[i] = {
+        bodies_[front_caster + i], geoms_[front_caster + i].get(), SolidKind::box, {}};
+  }
   const world::RobotBody& d = dimensions_;
-  const Frame& frame = state_.frame;
-  OrientedBox sensed = chassis_box_;
-  sensed.center = sensed.center + 0.5 * kSensorDeck * frame.up;
-  sensed.half.z += 0.5 * kSensorDeck;
-  // From the floor to the deck, and as wide and long as chassis and wheels together.
-  const double top = std::max(d.top() + kSensorDeck, 2.0 * d.wheel_radius);
-  const OrientedBox enclosing{
-      frame.point({0.0, 0.0, 0.5 * top}),
-      chassis_box_.axes,
-      {std::max(0.5 * d.length, d.wheel_radius),
-       std::max(0.5 * d.width, d.half_axle() + 0.5 * d.wheel_width), 0.5 * top}};
-  const double size = enclosing.half.x + enclosing.half.y + 2.0 * enclosing.half.z;
-  const double speed =
-      std::sqrt(dot(velocity_, velocity_)) + size * std::sqrt(dot(turning_, turning_));
-  scene.place_robot(id, sensed, wheels_, enclosing, step * speed + kSlack);
+  vehicle.wheels_in_box = d.half_axle() + 0.5 * d.wheel_width <= 0.5 * d.width &&
+                          d.wheel_radius <= 0.5 * d.length && 2.0 * d.wheel_radius <= d.top();
+  vehicle.caster_count = 2;
+  return vehicle;
+}
+
+void OdeRobot::place_in(Scene& scene, std::size_t vehicle, Scene::Id id, double step) const {
+  if (vehicle > 0) {
+    segments_[vehicle - 1].place_in(scene, id, step);
+  } else {
+    place_vehicle(scene, id, {state_.frame, chassis_box_, wheels_, velocity_, turning_}, step);
+  }
 }
 
 }  // namespace elsie::physics

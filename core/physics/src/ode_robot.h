@@ -2,18 +2,22 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <vector>
 
 #include "elsie/physics/engine.h"
 #include "elsie/world/description.h"
 
 #include "ode_contacts.h"
 #include "ode_handles.h"
+#include "ode_segment.h"
 #include "scene.h"
+#include "vehicle.h"
 
 namespace elsie::physics {
 
 /// A chassis, two driven wheels on hinges with motors, and two casters on ball joints, one before
-/// and one behind the axle, as far out as fits below the chassis.
+/// and one behind the axle, as far out as fits below the chassis; and the segments that it pulls.
 ///
 /// The chassis is the master: after every step the wheels and casters are put back to where their
 /// joints hold them, with the velocities that go with that, and keep only the turning of the wheels
@@ -22,9 +26,14 @@ namespace elsie::physics {
 /// joint's error reduction would only pull it back by a fifth of that.
 class OdeRobot {
  public:
-  OdeRobot(dWorldID world, const world::RobotBody& body, const Pose& pose, double z);
+  OdeRobot(dWorldID world, const world::RobotBody& body, std::span<const world::Segment> segments,
+           const Pose& pose, double z);
 
+  /// Stands there at rest, its segments in line behind it.
+  void put(const Pose& pose, double z);
   void set_wheel_rates(const MotorCommand& rates);
+  /// Before a step of this length: joints that it would bring past their limits are stopped there.
+  void stop_at_limits(double step);
   /// Contacts of all parts with the floor, of which `floor` is the geometry.
   void meet_floor(OdeContacts& contacts, dGeomID floor) const;
   /// After a step of `step` s: joints to their places, and the new state. False if a number in it
@@ -32,19 +41,26 @@ class OdeRobot {
   bool settle(double step);
 
   const RobotState& state() const { return state_; }
-  const world::RobotBody& dimensions() const { return dimensions_; }
-  /// Where it is, for sensors and neighbours; it may come as far as its speed carries it.
-  void place_in(Scene& scene, Scene::Id id, double step) const;
+  const std::vector<OdeSegment>& segments() const { return segments_; }
+  /// The robot itself is vehicle 0, its segments follow.
+  std::size_t vehicle_count() const { return 1 + segments_.size(); }
+  Vehicle vehicle(std::size_t index) const;
+  /// Where a vehicle is, for sensors and neighbours.
+  void place_in(Scene& scene, std::size_t vehicle, Scene::Id id, double step) const;
 
-  enum Part { chassis, left_wheel, right_wheel, front_caster, rear_caster, part_count };
-  dBodyID body(Part part) const { return bodies_[part]; }
-  dGeomID geom(Part part) const { return geoms_[part].get(); }
-  const OrientedBox& chassis_box() const { return chassis_box_; }
-  const std::array<Cylinder, 2>& wheels() const { return wheels_; }
-  double caster_radius() const { return caster_radius_; }
-  bool is_upright() const { return state_.frame.up.z > 0.995; }
+  /// Calls it with every dBodyID, always in the same order.
+  template <class Call>
+  void for_each_body(Call call) const {
+    for (const dBodyID body : bodies_) call(body);
+    for (const OdeSegment& segment : segments_) call(segment.body());
+  }
 
  private:
+  enum Part { chassis, left_wheel, right_wheel, front_caster, rear_caster, part_count };
+
+  void link_wheels(dWorldID world, const Frame& frame);
+  void link_casters(dWorldID world, const Frame& frame);
+  bool settle_chassis(double step);
   void read_shape();
 
   world::RobotBody dimensions_;
@@ -59,6 +75,8 @@ class OdeRobot {
   Vector3 turning_;
   OrientedBox chassis_box_;
   std::array<Cylinder, 2> wheels_;
+  std::vector<world::Coupling> couplings_;
+  std::vector<OdeSegment> segments_;
 };
 
 }  // namespace elsie::physics

@@ -31,9 +31,10 @@ OrientedBox box_around(const Cylinder& wheel, const OrientedBox& chassis) {
 
 Scene::Scene(const world::Arena& arena) : grid_(arena.length, arena.width) {}
 
-Scene::Id Scene::add(Body body, bool sensed) {
+Scene::Id Scene::add(Body body, bool sensed, std::size_t part) {
   Entry entry;
   entry.body = body;
+  entry.part = part;
   entry.sensed = sensed;
   entry.is_robot = body.kind == BodyKind::robot;
   entries_.push_back(entry);

@@ -22,17 +22,19 @@ class Scene {
 
   explicit Scene(const world::Arena& arena);
 
-  /// A new body, nowhere yet. Only bodies that are `sensed` take part in rays and pyramids.
-  Id add(Body body, bool sensed);
+  /// A new part of a body, nowhere yet: of a robot, 0, and from 1 on its segments. Only what is
+  /// `sensed` takes part in rays and pyramids.
+  Id add(Body body, bool sensed, std::size_t part = 0);
   /// Puts a box somewhere. `reach` is how far it may come in the next step, m.
   void place_box(Id id, const OrientedBox& box, double reach);
-  /// Puts a robot somewhere: what sensors see of it (chassis with sensor deck, and wheels), and a
-  /// box that encloses all of it.
+  /// Puts a robot or a segment somewhere: what sensors see of it (chassis with sensor deck, and
+  /// wheels), and a box that encloses all of it.
   void place_robot(Id id, const OrientedBox& sensed, const std::array<Cylinder, 2>& wheels,
                    const OrientedBox& enclosing, double reach);
   void remove(Id id);
 
   const Body& body(Id id) const { return entries_[id].body; }
+  std::size_t part(Id id) const { return entries_[id].part; }
   double reach(Id id) const { return entries_[id].reach; }
 
   /// All others whose bounds come within both reaches; ascending, each once.
@@ -47,6 +49,7 @@ class Scene {
     Aabb bounds;  // of the body; a hair larger, so that rounding never hides it
     double reach = 0.0;
     Body body;
+    std::size_t part = 0;
     bool sensed = false;
     bool placed = false;
     bool is_robot = false;

@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 
+#include "elsie/world/colours.h"
+
 #include "text.h"
 #include "top_view_parts.h"
 
@@ -37,6 +39,19 @@ void give_colours(const world::World& world, std::vector<DrawnRobot>& robots) {
   }
 }
 
+// What it pulls, at least where it would stand in line behind it.
+void add_segments(const world::Robot& known, DrawnRobot& robot) {
+  robot.segments = known.segments;
+  robot.couplings = world::couplings(known.body, known.segments);
+  const Pose& now = robot.track.now;
+  robot.track.segments.resize(std::min(robot.track.segments.size(), known.segments.size()));
+  for (std::size_t i = robot.track.segments.size(); i < known.segments.size(); ++i) {
+    const double behind = robot.couplings[i].place;
+    robot.track.segments.push_back({now.x - behind * std::cos(now.heading_rad),
+                                    now.y - behind * std::sin(now.heading_rad), now.heading_rad});
+  }
+}
+
 // A round time that gives the longest path about as many marks as one can still see apart.
 double mark_interval(const Scene& scene) {
   std::size_t longest = 0;
@@ -57,22 +72,21 @@ double mark_interval(const Scene& scene) {
 }  // namespace
 
 Ink team_ink(const world::World& world, const std::string& team) {
-  if (team.empty()) return kNobody;
-  for (const world::Team& known : world.teams) {
-    if (known.id == team) return ink(known.colour);
-  }
-  if (team == "red") return hex(0xd0311e);
-  if (team == "blue") return hex(0x1f5fbf);
-  return kNobody;
+  return ink(world::team_colour(world, team));
+}
+
+Ink resource_ink(const world::World& world, const world::Box& resource) {
+  return ink(world::resource_colour(world, resource));
 }
 
 Scene complete(const TopView& view) {
   Scene scene{view.world, {}, view.boxes, view.title, view.subtitles, view.path_period_s, 0.0};
   for (const RobotTrack& track : view.robots) {
-    DrawnRobot robot{track, {}, {}, {}, {}};
+    DrawnRobot robot{track, {}, {}, {}, {}, {}, {}};
     if (const world::Robot* known = find_robot(view.world, track.id)) {
       robot.body = known->body;
       robot.team_id = known->team;
+      add_segments(*known, robot);
     }
     scene.robots.push_back(std::move(robot));
   }
@@ -83,7 +97,9 @@ Scene complete(const TopView& view) {
     RobotTrack track;
     track.id = robot.id;
     track.now = {robot.x, robot.y, radians(robot.heading_deg)};
-    scene.robots.push_back({std::move(track), robot.body, {}, {}, robot.team});
+    DrawnRobot drawn{std::move(track), robot.body, {}, {}, {}, {}, robot.team};
+    add_segments(robot, drawn);
+    scene.robots.push_back(std::move(drawn));
   }
   give_colours(view.world, scene.robots);
 

@@ -59,6 +59,7 @@ Bounds shown(const Scene& scene) {
       };
       std::for_each(robot.track.path.begin(), robot.track.path.end(), include);
       include(robot.track.now);
+      std::for_each(robot.track.segments.begin(), robot.track.segments.end(), include);
     }
     const double more_x = arena.length, more_y = arena.width;
     bounds.left = std::max(bounds.left, inside.left - more_x);

@@ -112,7 +112,8 @@ void add_boxes(const Scene& scene, std::vector<LegendEntry>& entries) {
     resource = &scene.world.boxes[i];
     (scene.boxes[i] ? there : collected) = true;
   }
-  const Ink colour = resource != nullptr ? team_ink(scene.world, resource->team) : kNobody;
+  if (!resource) return;
+  const Ink colour = resource_ink(scene.world, *resource);
   if (there) {
     entries.push_back({"resource", 20, [colour](Canvas& canvas, const Vector2& at) {
                          canvas.rectangle({at.x - 7, at.y - 7, 14, 14}).fill(colour);

@@ -11,6 +11,7 @@
 #include "elsie/picture/axis.h"
 #include "elsie/picture/top_view.h"
 #include "elsie/world/description.h"
+#include "elsie/world/train.h"
 
 #include "canvas.h"
 #include "label_placer.h"
@@ -21,6 +22,8 @@ namespace elsie::picture {
 struct DrawnRobot {
   RobotTrack track;
   world::RobotBody body;
+  std::vector<world::Segment> segments;  // as many as there are poses in the track
+  std::vector<world::Coupling> couplings;
   Ink ink;   // its team's colour, varied from one member to the next
   Ink team;  // the team's colour itself
   std::string team_id;
@@ -39,9 +42,10 @@ struct Scene {
 };
 Scene complete(const TopView& view);
 
-/// The colour of a team of the world; of red and blue when the world does not list them; grey for
-/// no team.
+/// The colour of a team; see world::team_colour().
 Ink team_ink(const world::World& world, const std::string& team);
+/// The colour of a resource, the same as cameras see.
+Ink resource_ink(const world::World& world, const world::Box& resource);
 
 /// An entry of the legend: `draw` paints its symbol around the given middle.
 struct LegendEntry {
@@ -113,7 +117,6 @@ inline constexpr Ink kMovingEdge = hex(0x6b3f8f);
 inline constexpr Ink kGoal = hex(0x00805c);
 inline constexpr Ink kBeam = hex(0xb07500);
 inline constexpr Ink kTouch = hex(0xc4002f);
-inline constexpr Ink kNobody = hex(0x6b727a);  // no team
 
 /// The half width from which a chassis shows its own shape; smaller ones get a ring.
 inline constexpr double kLegibleChassis = 11.0;

@@ -108,6 +108,30 @@ void draw_body(Canvas& canvas, const DrawnRobot& robot, const Layout& layout) {
   canvas.stroke(mix(robot.ink, kText, 0.45), {.width = 1});
 }
 
+// The segments and the bars that link them, from joint to joint.
+void draw_segments(Canvas& canvas, const DrawnRobot& robot, const Layout& layout,
+                   LabelPlacer& labels) {
+  const auto ahead_of = [&](const Pose& pose, double ahead) {
+    return layout.map.pixel(
+        {pose.x + ahead * std::cos(pose.heading_rad), pose.y + ahead * std::sin(pose.heading_rad)});
+  };
+  const std::vector<Pose>& poses = robot.track.segments;
+  for (std::size_t i = poses.size(); i-- > 0;) {
+    if (!finite(poses[i])) continue;
+    const Vector2 middle = at(layout, poses[i]);
+    if (const Pose& front = i == 0 ? robot.track.now : poses[i - 1]; finite(front)) {
+      const std::array<Vector2, 3> bars{at(layout, front),
+                                        ahead_of(poses[i], robot.couplings[i].ahead), middle};
+      canvas.polyline(bars).stroke(kText, {.width = 1.6});
+    }
+    const world::Segment& segment = robot.segments[i];
+    canvas.polygon(outline(layout.map, poses[i], segment.length, segment.width));
+    canvas.fill_keep(mix(robot.ink, kPaper, 0.35));
+    canvas.stroke(mix(robot.ink, kText, 0.45), {.width = 1});
+    labels.avoid_spot(middle);
+  }
+}
+
 // The nose of a robot that is large enough: a wedge in the front half of the chassis.
 void draw_nose(Canvas& canvas, const DrawnRobot& robot, const Layout& layout) {
   const Pose& pose = robot.track.now;
@@ -223,6 +247,7 @@ void draw_robots(Canvas& canvas, const Scene& scene, const Layout& layout, Label
     const Vector2 middle = at(layout, robot.track.now);
     const bool small = chassis_size(robot, layout) < kLegibleChassis;
     if (small) draw_ring(canvas, middle, robot.track.now.heading_rad, robot.ink);
+    draw_segments(canvas, robot, layout, labels);
     draw_body(canvas, robot, layout);
     // In a very large arena the chassis is less than a pixel or two.
     if (chassis_size(robot, layout) < 3.0) canvas.circle(middle, 3.0).fill(robot.ink);

@@ -95,7 +95,7 @@ void draw_box(Canvas& canvas, const Scene& scene, const Layout& layout, const wo
       canvas.stroke(kMovingEdge, {.width = 1.3});
       return;
     case world::BoxKind::resource: {
-      const Ink team = own(team_ink(scene.world, box.team));
+      const Ink team = resource_ink(scene.world, box);
       canvas.polygon(corners).fill_keep(team);
       canvas.stroke(mix(team, kText, 0.35), {.width = 1});
       const double edge = layout.map.scale_x * std::min(box.length, box.width);
@@ -114,7 +114,13 @@ void each_place(const Scene& scene, const Layout& layout, Visitor visit) {
   };
   for (const world::Goal& goal : scene.world.goals) {
     if (const auto* reach = std::get_if<world::ReachGoal>(&goal)) {
-      show(reach->x, reach->y, reach->radius, "goal of " + clean_text(reach->robot, 16));
+      Vector2 place{reach->x, reach->y};
+      for (const DrawnRobot& robot : scene.robots) {
+        if (!reach->of.empty() && robot.track.id == reach->of) {
+          place = point_of(robot.track.now, place);
+        }
+      }
+      show(place.x, place.y, reach->radius, "goal of " + clean_text(reach->robot, 16));
     } else if (const auto* push = std::get_if<world::PushGoal>(&goal)) {
       show(push->x, push->y, push->radius, "goal for " + clean_text(push->box, 16));
     }
@@ -190,7 +196,7 @@ void draw_goal_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
 }
 
 void draw_chargers(Canvas& canvas, const Scene& scene, const Layout& layout) {
-  constexpr double kSmallest = 9.0, kSolidEdge = 0.1;  // m, world::Charger
+  constexpr double kSmallest = 9.0, kSolidEdge = world::Charger::kBoxEdge;
   for (const world::Charger& charger : scene.world.chargers) {
     const Ink colour = team_ink(scene.world, charger.team);
     const Vector2 at = layout.map.pixel({charger.x, charger.y});
@@ -218,7 +224,7 @@ void draw_boxes(Canvas& canvas, const Scene& scene, const Layout& layout, LabelP
     if (!now) {
       const bool resource = boxes[i].kind == world::BoxKind::resource;
       draw_collected(canvas, layout, boxes[i],
-                     resource ? team_ink(scene.world, boxes[i].team) : kFixedEdge);
+                     resource ? resource_ink(scene.world, boxes[i]) : kFixedEdge);
     }
   }
   for (std::size_t i = 0; i < boxes.size(); ++i) {

@@ -21,11 +21,13 @@ class Checker {
     for (const ParameterDeclaration& parameter : declaration_.parameters) {
       check_parameter(parameter);
     }
+    check_elements();
     check_readings();
     for (const EventDeclaration& event : declaration_.events) {
       check_name("event", event.name);
     }
     check_unique("parameter", declaration_.parameters, &ParameterDeclaration::name);
+    check_unique("element", declaration_.elements, &ElementDeclaration::name);
     check_unique("event", declaration_.events, &EventDeclaration::name);
     check_unique("needed reading", declaration_.needs, &ReadingDeclaration::kind);
     return std::move(faults_);
@@ -71,13 +73,63 @@ class Checker {
     }
   }
 
+  void check_elements() {
+    for (const ElementDeclaration& element : declaration_.elements) {
+      check_name("element", element.name);
+      if (element.name == "behaviors" || element.name == "coordinator") {
+        fault("element '" + element.name + "' has the name of what behaviors may hold");
+      }
+      if (!element.clear || !element.append) {
+        fault("element '" + element.name + "' is not bound to a list");
+      }
+      for (const ParameterDeclaration& parameter : element.parameters) {
+        check_value_of(parameter);
+      }
+      check_unique("parameter", element.parameters, &ParameterDeclaration::name);
+    }
+    for (const ElementValue& value : declaration_.default_elements) {
+      check_default(value);
+    }
+    if (declaration_.hold && declaration_.kind != PluginKind::behavior) {
+      fault("it holds behaviors, which only a behavior may");
+    }
+  }
+
+  /// An element that stands in a list when a world gives none.
+  void check_default(const ElementValue& value) {
+    const auto element = std::find_if(
+        declaration_.elements.begin(), declaration_.elements.end(),
+        [&](const ElementDeclaration& declared) { return declared.name == value.element; });
+    if (element == declaration_.elements.end()) {
+      return;  // its name is another fault
+    }
+    for (const ParameterDeclaration& parameter : element->parameters) {
+      const auto given = value.parameters.find(parameter.name);
+      if (given == value.parameters.end()) {
+        continue;
+      }
+      if (const auto wrong = check_value(parameter, given->second)) {
+        fault("in the default list of elements '" + value.element + "' " + *wrong);
+      } else if (parameter.type == ParameterType::file &&
+                 !std::get<std::string>(given->second).empty()) {
+        // Only files of elements that stand in the world are looked for.
+        fault("the default list of elements '" + value.element + "' names the file '" +
+              std::get<std::string>(given->second) + "', which nobody would look for");
+      }
+    }
+  }
+
   void check_parameter(const ParameterDeclaration& parameter) {
+    check_value_of(parameter);
+    if (!parameter.set || !parameter.get) {
+      fault("parameter '" + parameter.name + "' is not bound to a member");
+    }
+  }
+
+  void check_value_of(const ParameterDeclaration& parameter) {
     const ParameterFacts& facts = parameter.facts;
     check_name("parameter", parameter.name);
     const std::string subject = "parameter '" + parameter.name + "' ";
-    if (!parameter.set || !parameter.get) {
-      fault(subject + "is not bound to a member");
-    }
     if (std::isnan(facts.min) || std::isnan(facts.above) || std::isnan(facts.max) ||
         facts.min > facts.max || facts.above >= facts.max) {
       fault(subject + "has a range that no number is in");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -156,6 +157,55 @@ std::string refusal_of(const ParameterDeclaration& parameter, const ParameterVal
   return "";
 }
 
+/// Adds what is wrong with the names and values given to `whose` parameters.
+void check_values(const std::string& whose, const std::vector<ParameterDeclaration>& declared,
+                  const std::map<std::string, ParameterValue>& given,
+                  std::vector<std::string>& errors) {
+  std::vector<std::string_view> names;
+  for (const ParameterDeclaration& parameter : declared) {
+    names.push_back(parameter.name);
+  }
+  for (const auto& [name, value] : given) {
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end()) {
+      errors.push_back(whose + " has no parameter '" + name + "'" + did_you_mean(name, names));
+      continue;
+    }
+    const auto& parameter = declared[static_cast<std::size_t>(at - names.begin())];
+    if (auto error = check_value(parameter, value)) {
+      errors.push_back(std::move(*error));
+    }
+  }
+}
+
+const ElementDeclaration* find_element(const Declaration& declaration, const std::string& name,
+                                       std::vector<std::string>& errors) {
+  std::vector<std::string_view> names;
+  for (const ElementDeclaration& element : declaration.elements) {
+    if (element.name == name) {
+      return &element;
+    }
+    names.push_back(element.name);
+  }
+  errors.push_back("it has no element <" + name + ">" + did_you_mean(name, names));
+  return nullptr;
+}
+
+/// All names are known and all values right.
+void set_elements(const Declaration& declaration, Component& object,
+                  const std::vector<ElementValue>& elements) {
+  std::set<std::size_t> cleared;
+  for (const ElementValue& value : elements) {
+    const auto element = std::find_if(
+        declaration.elements.begin(), declaration.elements.end(),
+        [&](const ElementDeclaration& declared) { return declared.name == value.element; });
+    if (cleared.insert(element->list).second) {
+      element->clear(object);
+    }
+    element->append(object, value);
+  }
+}
+
 }  // namespace
 
 std::string allowed_values(const ParameterDeclaration& parameter) {
@@ -198,21 +248,13 @@ std::optional<std::string> check_value(const ParameterDeclaration& parameter,
 }
 
 void apply_parameters(const Declaration& declaration, Component& object,
-                      const std::map<std::string, ParameterValue>& parameters) {
+                      const std::map<std::string, ParameterValue>& parameters,
+                      const std::vector<ElementValue>& elements) {
   std::vector<std::string> errors;
-  std::vector<std::string_view> names;
-  for (const ParameterDeclaration& parameter : declaration.parameters) {
-    names.push_back(parameter.name);
-  }
-  for (const auto& [name, value] : parameters) {
-    const auto at = std::find(names.begin(), names.end(), name);
-    if (at == names.end()) {
-      errors.push_back("it has no parameter '" + name + "'" + did_you_mean(name, names));
-      continue;
-    }
-    const auto& parameter = declaration.parameters[static_cast<std::size_t>(at - names.begin())];
-    if (auto error = check_value(parameter, value)) {
-      errors.push_back(std::move(*error));
+  check_values("it", declaration.parameters, parameters, errors);
+  for (const ElementValue& element : elements) {
+    if (const ElementDeclaration* known = find_element(declaration, element.element, errors)) {
+      check_values("<" + element.element + ">", known->parameters, element.parameters, errors);
     }
   }
   const auto fail = [&declaration](const std::string& why) {
@@ -230,6 +272,7 @@ void apply_parameters(const Declaration& declaration, Component& object,
         parameter.set(object, given->second);
       }
     }
+    set_elements(declaration, object, elements);
     object.configured();
   } catch (...) {
     problem = current_exception_text();

@@ -44,7 +44,8 @@ struct Judge {
   }
   Standing operator()(const world::ReachGoal& goal) const {
     return reached(every_robot(simulation, goal.robot, [&](std::size_t i) {
-      return is_near(simulation.robot(i).state->pose, goal.x, goal.y, goal.radius);
+      const Vector2 place = place_of(goal);
+      return is_near(simulation.robot(i).state->pose, place.x, place.y, goal.radius);
     }));
   }
   Standing operator()(const world::PushGoal& goal) const {
@@ -83,6 +84,14 @@ struct Judge {
   }
 
  private:
+  Vector2 place_of(const world::ReachGoal& goal) const {
+    for (std::size_t i = 0; i < simulation.robots() && !goal.of.empty(); ++i) {
+      if (simulation.robot(i).description->id == goal.of) {
+        return point_of(simulation.robot(i).state->pose, {goal.x, goal.y});
+      }
+    }
+    return {goal.x, goal.y};
+  }
   static Standing reached(bool yes) { return yes ? Standing::reached : Standing::open; }
   static Standing kept(bool yes) { return yes ? Standing::kept : Standing::broken; }
   bool in_team(std::size_t i, const std::string& team) const {

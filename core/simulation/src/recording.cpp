@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -14,6 +13,7 @@
 
 #include "elsie/simulation/simulation.h"
 
+#include "csv_line.h"
 #include "sampling.h"
 
 namespace elsie::simulation {
@@ -26,49 +26,6 @@ constexpr std::size_t kTraceColumns = 9;
 constexpr const char* kTraceNames[kTraceColumns] = {"asked",      "left",         "right",
                                                     "activation", "strength",     "weight",
                                                     "share",      "inhibited_by", "reason"};
-
-/// One line in the making.
-class Line {
- public:
-  void text(std::string_view value) {
-    separate();
-    if (value.find_first_of(",\"\n\r") == std::string_view::npos) {
-      line_ += value;
-      return;
-    }
-    line_ += '"';
-    for (const char c : value) {
-      line_ += c;
-      if (c == '"') {
-        line_ += c;
-      }
-    }
-    line_ += '"';
-  }
-  void number(double value) {
-    separate();
-    char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof(digits), value).ptr;
-    line_.append(digits, end);
-  }
-  void empty() { separate(); }
-  std::string take() {
-    line_ += '\n';
-    first_ = true;
-    return std::exchange(line_, {});
-  }
-
- private:
-  void separate() {
-    if (!first_) {
-      line_ += ',';
-    }
-    first_ = false;
-  }
-
-  std::string line_;
-  bool first_ = true;
-};
 
 std::size_t place_of(std::vector<std::string>& columns, const std::string& name) {
   const auto at = std::find(columns.begin(), columns.end(), name);
@@ -131,11 +88,9 @@ class CsvRecorder::Impl {
   };
 
   static std::string quoted(const std::string& name) {
-    Line line;
+    CsvLine line;
     line.text(name);
-    std::string text = line.take();
-    text.pop_back();
-    return text;
+    return line.take();
   }
 
   void lay_out(const Simulation& simulation) {
@@ -153,8 +108,8 @@ class CsvRecorder::Impl {
               place_of(reading_columns_, "sensor[" + std::string(sensor.id) + "]." + value.name));
         }
       }
-      for (const Member& member : simulation.robot(r).members) {
-        places.behaviors.push_back(place_of(behaviors_, std::string(member.name())));
+      for (const TracedMember& member : simulation.robot(r).trace) {
+        places.behaviors.push_back(place_of(behaviors_, member.path));
       }
       places_.push_back(std::move(places));
     }
@@ -163,7 +118,7 @@ class CsvRecorder::Impl {
   void sample(const Simulation& simulation) {
     for (std::size_t r = 0; r < simulation.robots(); ++r) {
       const RobotView robot = simulation.robot(r);
-      line_.number(std::round(simulation.time_s() * 1e9) / 1e9);  // 0.7, not 0.7000000000000001
+      line_.number(tidy_time(simulation.time_s()));
       line_.text(robot.description->id);
       for (const double value :
            {robot.state->pose.x, robot.state->pose.y, robot.state->pose.heading_rad,
@@ -173,7 +128,7 @@ class CsvRecorder::Impl {
       }
       write_readings(simulation, r);
       write_trace(robot, places_[r], simulation.steps() > 0);
-      out_ << line_.take();
+      out_ << line_.take() << '\n';
     }
     check("could not be written");
   }
@@ -194,26 +149,26 @@ class CsvRecorder::Impl {
   }
 
   void write_trace(const RobotView& robot, const Places& places, bool decided) {
-    std::vector<const TraceRow*>& rows = trace_;
+    std::vector<const TracedMember*>& rows = trace_;
     rows.assign(behaviors_.size(), nullptr);
-    for (std::size_t i = 0; decided && i < robot.members.size(); ++i) {
-      rows[places.behaviors[i]] = &robot.members[i].trace;
+    for (std::size_t i = 0; decided && i < robot.trace.size(); ++i) {
+      rows[places.behaviors[i]] = &robot.trace[i];
     }
-    for (const TraceRow* trace : rows) {
-      if (!trace) {
+    for (const TracedMember* member : rows) {
+      if (!member) {
         for (std::size_t i = 0; i < kTraceColumns + (with_times_ ? 1 : 0); ++i) {
           line_.empty();
         }
         continue;
       }
+      const TraceRow* trace = &member->member->trace;
       for (const double value :
            {trace->asked ? 1.0 : 0.0, trace->command.left, trace->command.right, trace->activation,
             trace->strength, trace->weight, trace->share}) {
         line_.number(value);
       }
-      trace->inhibited_by >= 0
-          ? line_.text(robot.members[static_cast<std::size_t>(trace->inhibited_by)].name())
-          : line_.empty();
+      const TracedMember* inhibitor = inhibitor_of(*member, robot.trace);
+      inhibitor ? line_.text(inhibitor->path) : line_.empty();
       line_.text(trace->reason);
       if (with_times_) {
         line_.number(trace->time_s);
@@ -238,8 +193,8 @@ class CsvRecorder::Impl {
   std::vector<Places> places_;
   std::vector<NamedValue> values_;
   std::vector<const NamedValue*> row_;
-  std::vector<const TraceRow*> trace_;
-  Line line_;
+  std::vector<const TracedMember*> trace_;
+  CsvLine line_;
 };
 
 CsvRecorder::CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times)

@@ -1,50 +1,16 @@
 #include "robot.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
-#include "elsie/plugin/parameters.h"
 #include "elsie/world/error.h"
+
+#include "make_plugin.h"
 
 namespace elsie::simulation {
 namespace {
-
-/// What a plugin object refuses while the robot is put together is a fault of the world file.
-template <class Action>
-auto blaming(const world::PluginUse& use, std::vector<world::Problem>& problems, Action action)
-    -> decltype(action()) {
-  const auto blame = [&](const std::string& problem) {
-    problems.push_back(
-        {use.location.file, use.location.line, "plugin '" + use.plugin + "': " + problem});
-  };
-  try {
-    return action();
-  } catch (const std::exception& problem) {
-    blame(problem.what());
-  } catch (...) {
-    blame("it threw something that is no std::exception");
-  }
-  return decltype(action())();
-}
-
-/// Makes and configures one plugin object; none when that fails.
-template <class Kind>
-plugin::Object<Kind> make(const plugin::Host& host, PluginKind kind, const world::PluginUse& use,
-                          std::vector<world::Problem>& problems) {
-  return blaming(use, problems, [&] {
-    const Declaration* declaration = host.find(kind, use.plugin);
-    if (!declaration) {
-      throw std::invalid_argument("no such plugin was found");
-    }
-    auto object = host.create<Kind>(kind, use.plugin);
-    plugin::apply_parameters(*declaration, *object, use.parameters);
-    return object;
-  });
-}
 
 void throw_if_any(const std::vector<world::Problem>& problems) {
   if (!problems.empty()) {
@@ -58,10 +24,6 @@ Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) 
           radians(use.pitch_deg)};
 }
 
-std::string text(const MotorCommand& command) {
-  return "left " + std::to_string(command.left) + ", right " + std::to_string(command.right);
-}
-
 MotorCommand limited(const MotorCommand& command, double max_rate) {
   const double largest = std::max(std::abs(command.left), std::abs(command.right));
   return largest > max_rate ? (max_rate / largest) * command : command;
@@ -69,42 +31,25 @@ MotorCommand limited(const MotorCommand& command, double max_rate) {
 
 }  // namespace
 
-template <class Action>
-decltype(auto) Robot::guarded(const world::PluginUse& use, Action action) const {
-  try {
-    return action();
-  } catch (const PluginFault&) {
-    throw;  // of another plugin, which this one had called
-  } catch (const std::exception& problem) {
-    fail(use, problem.what());
-  } catch (...) {
-    fail(use, "it threw something that is no std::exception");
-  }
-}
-
-Robot::Robot(const world::Robot& description, const plugin::Host& host, bool measure_time)
-    : description_(description), measure_time_(measure_time) {
+Robot::Robot(const world::Robot& description, const Membership& membership,
+             const plugin::Host& host, bool measure_time)
+    : description_(description), guard_(description.id) {
   std::vector<world::Problem> problems;
   for (const world::SensorUse& use : description.sensors) {
     const Mounting mounting = mounting_of(use, description.body);
-    sensors_.push_back({&use, make<Sensor>(host, PluginKind::sensor, use, problems), mounting,
-                        Frame::turned(mounting.position, mounting.azimuth_rad, mounting.pitch_rad),
-                        Random()});
+    SensorSlot& slot = sensors_.emplace_back();
+    slot.use = &use;
+    slot.object = make<Sensor>(host, PluginKind::sensor, use, problems);
+    slot.mounting = mounting;
+    slot.frame = Frame::turned(mounting.position, mounting.azimuth_rad, mounting.pitch_rad);
+    if (slot.object) {
+      slot.camera = blaming(use, problems, [&] { return slot.object->camera(); });
+    }
     sensor_cost_ += use.energy_cost;
   }
-  Member::Runner& runner = *this;
-  for (const world::BehaviorUse& use : description.behaviors) {
-    behaviors_.push_back({&use,
-                          make<Behavior>(host, PluginKind::behavior, use, problems),
-                          host.find(PluginKind::behavior, use.plugin),
-                          Random(),
-                          {}});
-    members_.emplace_back(use.id, use.priority, runner);
-  }
-  if (description.coordinator) {
-    coordinator_ =
-        make<Coordinator>(host, PluginKind::coordinator, *description.coordinator, problems);
-  }
+  controller_ = std::make_unique<Controller>(
+      description, Controller::Setting{host, guard_, *this, measure_time}, problems);
+  controller_->list_members("", 0, -1, trace_);
   throw_if_any(problems);
   group_readings();
 
@@ -116,25 +61,15 @@ Robot::Robot(const world::Robot& description, const plugin::Host& host, bool mea
   state_.max_speed_m_s = description.max_speed;
   state_.coverage_m = description.coverage;
   state_.is_leader = description.leader;
+  state_.team_index = membership.index;
   state_.capacity = description.battery;
   team_.name = description.team;
+  team_.charger = membership.charger;
+  resource_colours_ = membership.resource_colours;
   perception_.groups = groups_;
   perception_.self = &state_;
   perception_.team = &team_;
-  announce_equipment();
-}
-
-void Robot::announce_equipment() {
-  std::vector<world::Problem> problems;
-  Random random;
-  const Perception example(perception_, random);
-  for (const BehaviorSlot& slot : behaviors_) {
-    blaming(*slot.use, problems, [&] { slot.object->equipped(example); });
-  }
-  if (coordinator_) {
-    blaming(*description_.coordinator, problems,
-            [&] { coordinator_->equipped(members_, example); });
-  }
+  controller_->equip(Perception(perception_, unused_random_), problems);
   throw_if_any(problems);
 }
 
@@ -163,29 +98,19 @@ void Robot::group_readings() {
 }
 
 void Robot::reset(std::uint64_t seed) {
-  step_ = 0;
-  fault_.reset();
+  guard_.begin_run();
+  guard_.begin_step(0);
   const std::string path = "robot[" + description_.id + "]/";
   for (SensorSlot& slot : sensors_) {
     slot.random = Random(seed, path + "sensor[" + slot.use->id + "]");
     slot.object->forget();
-    guarded(*slot.use, [&] { slot.object->reset(); });
+    slot.picture = {};
+    guard_.run(*slot.use, [&] { slot.object->reset(slot.random); });
   }
-  for (BehaviorSlot& slot : behaviors_) {
-    slot.random = Random(seed, path + "behavior[" + slot.use->id + "]");
-    slot.response = {};
-    guarded(*slot.use, [&] { slot.object->reset(); });
-  }
-  for (Member& member : members_) {
-    member.begin_step();
-  }
-  if (coordinator_) {
-    coordinator_random_ = Random(seed, path + "coordinator");
-    guarded(*description_.coordinator, [&] { coordinator_->reset(); });
-  }
+  controller_->reset(seed, path);
   state_.energy = description_.energy.value_or(description_.battery);
   state_.charging = false;
-  command_ = {};
+  state_.commanded = {};
   perceived_events_.clear();
   raised_.clear();
   logged_ = 0;
@@ -201,136 +126,50 @@ void Robot::sense(const Surroundings& surroundings, const Instant& now) {
   if (empty_) {
     return;
   }
-  step_ = now.step;
+  guard_.begin_step(now.step);
   SensorContext context{now.time_s, now.period_s, {}, nullptr, &surroundings, nullptr};
   for (SensorSlot& slot : sensors_) {
     context.frame = body_frame_.frame(slot.frame);
     context.mounting = &slot.mounting;
     context.random = &slot.random;
-    guarded(*slot.use, [&] { slot.object->update(context); });
+    context.image = slot.camera ? &slot.picture : nullptr;
+    guard_.run(*slot.use, [&] { slot.object->update(context); });
   }
 }
 
 void Robot::decide(const Instant& now) {
-  step_ = now.step;
+  guard_.begin_step(now.step);
   perceived_events_.clear();
   for (const Raised& raised : raised_) {
     perceived_events_.push_back(raised.event);
   }
   raised_.clear();
   logged_ = 0;
-  for (Member& member : members_) {
-    member.begin_step();
-  }
-  if (empty_ || !coordinator_) {
-    command_ = {};
+  controller_->begin_step();
+  if (empty_) {
+    state_.commanded = {};
     return;
   }
   perception_.time_s = now.time_s;
   perception_.period_s = now.period_s;
   perception_.events = perceived_events_;
   team_.mates = mates_;
-  const MotorCommand command = guarded(*description_.coordinator, [&] {
-    return coordinator_->coordinate(members_, Perception(perception_, coordinator_random_));
-  });
-  if (fault_) {
-    throw *fault_;  // a member's, which the coordinator caught
-  }
-  if (!command.is_finite()) {
-    fail(*description_.coordinator, "its command is not a finite number: " + text(command));
-  }
-  check_trace();
-  command_ = limited(command, state_.max_wheel_rate());
+  state_.commanded = limited(controller_->decide(Perception(perception_, unused_random_)),
+                             state_.max_wheel_rate());
 }
 
-const Response& Robot::run(Member& member) {
-  BehaviorSlot& slot = slot_of(member);
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = measure_time_ ? Clock::now() : Clock::time_point();
-  slot.response = guarded(
-      *slot.use, [&] { return slot.object->respond(Perception(perception_, slot.random)); });
-  if (measure_time_) {
-    member.trace.time_s = std::chrono::duration<double>(Clock::now() - start).count();
-  }
-  check(slot, slot.response);
-  for (const Event& event : slot.response.events) {
-    raise(event.name);
-  }
-  charge_asked_ = charge_asked_ || slot.response.charge;
-  return slot.response;
-}
-
-void Robot::rate(Member& member, std::span<const MotorCommand> candidates,
-                 std::span<double> desirability) {
-  const BehaviorSlot& slot = slot_of(member);
-  guarded(*slot.use, [&] { slot.object->rate(slot.response, candidates, desirability); });
-  for (const double degree : desirability) {
-    if (!(degree >= 0.0 && degree <= 1.0)) {
-      fail(*slot.use, "it rates a command " + std::to_string(degree) + ", which is not in [0, 1]");
+void Robot::list_notes(std::vector<Note>& notes) const {
+  for (const SensorSlot& slot : sensors_) {
+    for (std::string& note : guard_.run(*slot.use, [&] { return slot.object->notes(); })) {
+      notes.push_back({description_.id, slot.use->id, std::move(note)});
     }
   }
-}
-
-CommandSets Robot::command_sets(Member& member) {
-  const BehaviorSlot& slot = slot_of(member);
-  CommandSets sets = guarded(*slot.use, [&] { return slot.object->command_sets(slot.response); });
-  for (const FuzzySet* set : {&sets.left, &sets.right}) {
-    double last = -std::numeric_limits<double>::infinity();
-    for (const FuzzySet::Point& point : set->points) {
-      if (!std::isfinite(point.x) || point.x < last ||
-          !(point.degree >= 0.0 && point.degree <= 1.0)) {
-        fail(*slot.use,
-             "the points of its fuzzy sets are not in ascending order with degrees in [0, 1]");
-      }
-      last = point.x;
-    }
-  }
-  return sets;
+  controller_->list_notes(description_.id, notes);
 }
 
 void Robot::list_values(std::size_t sensor, std::vector<NamedValue>& values) const {
   const SensorSlot& slot = sensors_[sensor];
-  guarded(*slot.use, [&] { slot.object->list_values(values); });
-}
-
-void Robot::check(const BehaviorSlot& slot, const Response& response) const {
-  if (!response.command.is_finite()) {
-    fail(*slot.use, "its command is not a finite number: " + text(response.command));
-  }
-  const auto check_degree = [&](const char* what, double value) {
-    if (!(value >= 0.0 && value <= 1.0)) {
-      fail(*slot.use, std::string("its ") + what + " is " + std::to_string(value) +
-                          ", which is not in [0, 1]");
-    }
-  };
-  check_degree("activation", response.activation);
-  check_degree("strength", response.strength);
-  for (const Event& event : response.events) {
-    const auto& declared = slot.declaration->events;
-    if (std::none_of(declared.begin(), declared.end(),
-                     [&](const EventDeclaration& d) { return d.name == event.name; })) {
-      fail(*slot.use, "it raised the event '" + std::string(event.name) +
-                          "', which its declaration does not name; add elsie::raises() to it");
-    }
-  }
-}
-
-void Robot::check_trace() {
-  for (Member& member : members_) {
-    if (member.trace.inhibited_by >= static_cast<int>(members_.size())) {
-      fail(*description_.coordinator, "its trace says that member " +
-                                          std::to_string(member.trace.inhibited_by) +
-                                          " inhibits another, but there is none of that number");
-    }
-    if (!member.trace.reason) {
-      member.trace.reason = "";
-    }
-  }
-}
-
-void Robot::fail(const world::PluginUse& use, const std::string& problem) const {
-  fault_.emplace(use.plugin, use.id, description_.id, step_, problem);
-  throw *fault_;
+  guard_.run(*slot.use, [&] { slot.object->list_values(values); });
 }
 
 void Robot::use_energy(double period_s) {
@@ -343,7 +182,7 @@ void Robot::use_energy(double period_s) {
 void Robot::stop_when_empty() {
   if (state_.energy <= 0.0) {
     empty_ = true;
-    command_ = {};
+    state_.commanded = {};
     raise("battery_empty");
   }
 }
@@ -396,7 +235,12 @@ void Robot::take_log(double time_s, std::vector<EventRecord>& log) {
 
 SensorView Robot::sensor(std::size_t index) const {
   const SensorSlot& slot = sensors_[index];
-  return {slot.use->id, slot.use->plugin, slot.object.get(), &slot.mounting};
+  return {slot.use->id,
+          slot.use->plugin,
+          slot.object.get(),
+          &slot.mounting,
+          slot.camera ? &*slot.camera : nullptr,
+          slot.picture.empty() ? nullptr : &slot.picture};
 }
 
 }  // namespace elsie::simulation

@@ -3,17 +3,20 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "elsie/api/coordinator.h"
 #include "elsie/api/perception.h"
 #include "elsie/api/sensor.h"
 #include "elsie/physics/engine.h"
 #include "elsie/plugin/host.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/description.h"
+
+#include "controller.h"
+#include "guard.h"
 
 namespace elsie::simulation {
 
@@ -24,10 +27,19 @@ struct Instant {
   std::uint64_t step = 0;
 };
 
-class Robot final : private Member::Runner {
+class Robot final : private Wishes {
  public:
+  /// What a robot's team gives it before a run: its place among the robots, a charger, and what the
+  /// resources look like that it may collect.
+  struct Membership {
+    int index = 0;
+    std::optional<Vector2> charger;
+    std::vector<Colour> resource_colours;
+  };
+
   /// Makes the plugin objects. Throws world::WorldError.
-  Robot(const world::Robot& description, const plugin::Host& host, bool measure_time);
+  Robot(const world::Robot& description, const Membership& membership, const plugin::Host& host,
+        bool measure_time);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
@@ -51,6 +63,8 @@ class Robot final : private Member::Runner {
   /// Adds energy of a collected resource, up to the capacity.
   void collect(double energy);
 
+  /// Appends what the plugins have to say, after a reset. Throws PluginFault.
+  void list_notes(std::vector<Note>& notes) const;
   /// An event for the next perception and for the log.
   void raise(std::string_view name, std::string detail = {});
   /// Appends the numbers of one sensor's reading. Throws PluginFault.
@@ -61,10 +75,12 @@ class Robot final : private Member::Runner {
   const world::Robot& description() const { return description_; }
   const OwnState& state() const { return state_; }
   TeamState& team() { return team_; }
+  std::span<const Colour> resource_colours() const { return resource_colours_; }
   std::vector<TeamMate>& mates() { return mates_; }
   bool empty() const { return empty_; }
-  const MotorCommand& command() const { return command_; }
-  std::span<const Member> members() const { return members_; }
+  const MotorCommand& command() const { return state_.commanded; }
+  std::span<const Member> members() const { return controller_->members(); }
+  std::span<const TracedMember> trace() const { return trace_; }
   double distance_m() const { return distance_m_; }
   int collected() const { return collected_; }
   int collisions() const { return collisions_; }
@@ -72,6 +88,10 @@ class Robot final : private Member::Runner {
   std::size_t sensor_count() const { return sensors_.size(); }
   SensorView sensor(std::size_t index) const;
   Frame sensor_frame(std::size_t index) const { return body_frame_.frame(sensors_[index].frame); }
+  /// The camera that a sensor looks through, if it does.
+  const std::optional<Camera>& camera(std::size_t sensor) const { return sensors_[sensor].camera; }
+  /// What that camera sees; to be filled before sense().
+  Image& picture(std::size_t sensor) { return sensors_[sensor].picture; }
 
  private:
   struct SensorSlot {
@@ -80,45 +100,27 @@ class Robot final : private Member::Runner {
     Mounting mounting;
     Frame frame;  // in the robot's frame
     Random random;
-  };
-  struct BehaviorSlot {
-    const world::BehaviorUse* use;
-    plugin::Object<Behavior> object;
-    const Declaration* declaration;
-    Random random;
-    Response response;
+    std::optional<Camera> camera;
+    Image picture;
   };
   struct Raised {
     Event event;
     std::string detail;
   };
 
-  const Response& run(Member& member) override;
-  void rate(Member& member, std::span<const MotorCommand> candidates,
-            std::span<double> desirability) override;
-  CommandSets command_sets(Member& member) override;
-  void check(const BehaviorSlot& slot, const Response& response) const;
+  void raise(const Event& event) override { raise(event.name); }
+  void ask_for_charge() override { charge_asked_ = true; }
   void group_readings();
-  void announce_equipment();
-  void check_trace();
   void stop_when_empty();
-  BehaviorSlot& slot_of(const Member& member) {
-    return behaviors_[static_cast<std::size_t>(&member - members_.data())];
-  }
-  /// Runs code of a plugin; whatever it throws becomes a PluginFault with the plugin's name.
-  template <class Action>
-  decltype(auto) guarded(const world::PluginUse& use, Action action) const;
-  [[noreturn]] void fail(const world::PluginUse& use, const std::string& problem) const;
 
   const world::Robot& description_;
-  bool measure_time_;
+  mutable Guard guard_;       // looking at a plugin's numbers can fail, too
   double sensor_cost_ = 0.0;  // units per second, of all sensors together
 
   std::vector<SensorSlot> sensors_;
-  std::vector<BehaviorSlot> behaviors_;
-  plugin::Object<Coordinator> coordinator_;
-  Random coordinator_random_;
-  std::vector<Member> members_;
+  std::unique_ptr<Controller> controller_;
+  std::vector<TracedMember> trace_;
+  Random unused_random_;  // each plugin object draws from its own
 
   std::vector<SensedReading> sensed_;  // in groups of one kind
   std::vector<ReadingGroup> groups_;
@@ -128,11 +130,9 @@ class Robot final : private Member::Runner {
   std::size_t logged_ = 0;      // how many of them the log has
   OwnState state_;
   TeamState team_;
+  std::vector<Colour> resource_colours_;
   Perception::Data perception_;
   Frame body_frame_;
-  MotorCommand command_;
-  std::uint64_t step_ = 0;
-  mutable std::optional<PluginFault> fault_;  // a coordinator may swallow it, but not the run
 
   bool charge_asked_ = false;
   bool empty_ = false;

@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "elsie/physics/engine.h"
+#include "elsie/world/colours.h"
 #include "elsie/world/error.h"
 
 #include "box_path.h"
+#include "cameras.h"
 #include "goals.h"
 #include "robot.h"
 
@@ -19,9 +21,6 @@ namespace {
 
 /// Bodies that touch again within this time are still the same collision.
 constexpr double kSameCollision = 0.2;  // s
-
-/// A charger that range sensors are to see stands there as a box.
-constexpr double kChargerEdge = 0.1;  // m
 
 /// FNV-1a, as physics::Engine::hash_state() continues it.
 std::uint64_t hash_of(std::uint64_t hash, double value) {
@@ -55,12 +54,19 @@ class Simulation::Impl {
   Impl(world::World world, const plugin::Host& host, const Options& options)
       : world_(std::move(world)), seed_(options.seed) {
     std::vector<world::Problem> problems;
+    std::map<std::string, int> team_sizes;
     for (const world::Robot& robot : world_.robots) {
       try {
-        robots_.push_back(std::make_unique<Robot>(robot, host, options.measure_time));
+        const Robot::Membership membership{team_sizes[robot.team]++,
+                                           nearest_charger(robot.team, {robot.x, robot.y}),
+                                           resource_colours(robot.team)};
+        robots_.push_back(std::make_unique<Robot>(robot, membership, host, options.measure_time));
       } catch (const world::WorldError& error) {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());
       }
+    }
+    if (problems.empty()) {
+      cameras_.emplace(world_, robots_, problems);
     }
     if (!problems.empty()) {
       throw world::WorldError(std::move(problems));
@@ -84,13 +90,13 @@ class Simulation::Impl {
         world::Box box;
         box.x = charger.x;
         box.y = charger.y;
-        box.length = box.width = box.height = kChargerEdge;
+        box.length = box.width = box.height = world::Charger::kBoxEdge;
         engine_->add_box(box);
       }
     }
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       const world::Robot& d = world_.robots[i];
-      engine_->add_robot(d.body, {d.x, d.y, wrap_angle(radians(d.heading_deg))}, d.z);
+      engine_->add_robot(d.body, {d.x, d.y, wrap_angle(radians(d.heading_deg))}, d.z, d.segments);
       robots_[i]->reset(seed);
       robots_[i]->set_body(engine_->robot(i));
     }
@@ -100,6 +106,10 @@ class Simulation::Impl {
     last_touch_.clear();
     events_.clear();
     log_events();
+    notes_.clear();
+    for (const auto& robot : robots_) {
+      robot->list_notes(notes_);
+    }
   }
 
   void step(const Simulation& self) {
@@ -140,6 +150,12 @@ class Simulation::Impl {
     return hash;
   }
 
+  SegmentView segment(std::size_t robot, std::size_t index) const {
+    const physics::SegmentState state = engine_->segment(robot, index);
+    return {&world_.robots[robot].segments[index], state.frame, state.pose, state.yaw_rad,
+            state.pitch_rad};
+  }
+
   std::optional<Pose> box(std::size_t index) const {
     if (!engine_->has_box(index)) {
       return std::nullopt;
@@ -155,6 +171,7 @@ class Simulation::Impl {
   double wall_s_ = 0.0;
   Verdict verdict_;
   std::vector<EventRecord> events_;
+  std::vector<Note> notes_;
 
  private:
   /// The world as one robot's sensors may ask it.
@@ -184,6 +201,19 @@ class Simulation::Impl {
       }
       return nearest;
     }
+    void robots_within(double radius_m, std::vector<TeamMate>& robots) const override {
+      for (std::size_t i = 0; i < simulation_.robots_.size(); ++i) {
+        if (i != robot_) {
+          const TeamMate other = simulation_.seen_from(robot_, i);
+          if (other.distance_m <= radius_m) {
+            robots.push_back(other);
+          }
+        }
+      }
+    }
+    std::span<const Colour> resource_colours() const override {
+      return simulation_.robots_[robot_]->resource_colours();
+    }
 
    private:
     const Impl& simulation_;
@@ -198,13 +228,18 @@ class Simulation::Impl {
   TeamMate seen_from(std::size_t observer, std::size_t other) const {
     const Pose& from = robots_[observer]->state().pose;
     const OwnState& state = robots_[other]->state();
-    return {state.id, state.pose, distance(from, state.pose),
-            bearing(from, state.pose.x, state.pose.y), state.is_leader};
+    return {state.id,
+            state.pose,
+            distance(from, state.pose),
+            bearing(from, state.pose.x, state.pose.y),
+            state.is_leader,
+            state.team_index};
   }
 
   /// Sense and decide, all robots from the same instant.
   void control(double period_s) {
     const Instant now{time_s(), period_s, steps_};
+    cameras_->take(*engine_);
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       robots_[i]->sense(Carrier(*this, i), now);
       update_team(i);
@@ -250,25 +285,49 @@ class Simulation::Impl {
         robot.mates().push_back(seen_from(index, i));
       }
     }
-    robot.team().charger.reset();
+    robot.team().charger = nearest_charger(robot.description().team, {pose.x, pose.y});
+  }
+
+  std::optional<Vector2> nearest_charger(const std::string& team, const Vector2& place) const {
+    std::optional<Vector2> charger;
     double nearest = 0.0;
-    for (const world::Charger& charger : world_.chargers) {
-      const double away = std::hypot(charger.x - pose.x, charger.y - pose.y);
-      if (serves(charger, robot) && (!robot.team().charger || away < nearest)) {
-        robot.team().charger = Vector2{charger.x, charger.y};
+    for (const world::Charger& other : world_.chargers) {
+      const double away = std::hypot(other.x - place.x, other.y - place.y);
+      if (serves(other, team) && (!charger || away < nearest)) {
+        charger = Vector2{other.x, other.y};
         nearest = away;
       }
     }
+    return charger;
   }
 
-  static bool serves(const world::Charger& charger, const Robot& robot) {
-    return charger.team.empty() || charger.team == robot.description().team;
+  /// Of the resources that a robot of this team may collect: each colour once, in file order.
+  std::vector<Colour> resource_colours(const std::string& team) const {
+    std::vector<Colour> colours;
+    for (const world::Box& box : world_.boxes) {
+      if (is_for(box, team)) {
+        const Colour colour = world::resource_colour(world_, box);
+        if (std::find(colours.begin(), colours.end(), colour) == colours.end()) {
+          colours.push_back(colour);
+        }
+      }
+    }
+    return colours;
+  }
+
+  /// Whether a robot of the team may collect the box.
+  static bool is_for(const world::Box& box, const std::string& team) {
+    return box.kind == world::BoxKind::resource && (box.team.empty() || box.team == team);
+  }
+
+  static bool serves(const world::Charger& charger, const std::string& team) {
+    return charger.team.empty() || charger.team == team;
   }
 
   double charger_rate(const Robot& robot) const {
     const Pose& pose = robot.state().pose;
     for (const world::Charger& charger : world_.chargers) {
-      if (serves(charger, robot) &&
+      if (serves(charger, robot.description().team) &&
           std::hypot(charger.x - pose.x, charger.y - pose.y) <= charger.radius) {
         return charger.rate;
       }
@@ -302,8 +361,7 @@ class Simulation::Impl {
     }
     const world::Box& box = world_.boxes[touch.b.index];
     Robot& robot = *robots_[touch.a.index];
-    if (box.kind != world::BoxKind::resource ||
-        !(box.team.empty() || box.team == robot.description().team)) {
+    if (!is_for(box, robot.description().team)) {
       return false;
     }
     if (engine_->has_box(touch.b.index)) {  // else another robot took it in the same step
@@ -340,6 +398,7 @@ class Simulation::Impl {
   }
 
   std::unique_ptr<physics::Engine> engine_;
+  std::optional<Cameras> cameras_;
   std::vector<MovingBox> moving_;
   std::map<std::pair<physics::Body, physics::Body>, double> last_touch_;
 };
@@ -411,6 +470,7 @@ RunResult Simulation::result() const {
                              robot->state().pose, robot->collisions()});
   }
   result.events = impl_->events_;
+  result.notes = impl_->notes_;
   return result;
 }
 
@@ -419,13 +479,14 @@ double Simulation::time_s() const { return impl_->time_s(); }
 std::uint64_t Simulation::steps() const { return impl_->steps_; }
 Outcome Simulation::outcome() const { return impl_->verdict_.outcome; }
 std::uint64_t Simulation::state_hash() const { return impl_->state_hash(); }
+std::span<const Note> Simulation::notes() const { return impl_->notes_; }
 std::span<const EventRecord> Simulation::events() const { return impl_->events_; }
 
 std::size_t Simulation::robots() const { return impl_->robots_.size(); }
 RobotView Simulation::robot(std::size_t index) const {
   const Robot& robot = *impl_->robots_[index];
-  return {&robot.description(), &robot.state(),     robot.command(), robot.members(),
-          robot.distance_m(),   robot.collisions(), robot.empty()};
+  return {&robot.description(), &robot.state(),     robot.command(),    robot.members(),
+          robot.trace(),        robot.distance_m(), robot.collisions(), robot.empty()};
 }
 std::size_t Simulation::sensors(std::size_t robot) const {
   return impl_->robots_[robot]->sensor_count();
@@ -439,6 +500,9 @@ void Simulation::list_values(std::size_t robot, std::size_t sensor,
 }
 Frame Simulation::sensor_frame(std::size_t robot, std::size_t index) const {
   return impl_->robots_[robot]->sensor_frame(index);
+}
+SegmentView Simulation::segment(std::size_t robot, std::size_t index) const {
+  return impl_->segment(robot, index);
 }
 std::optional<Pose> Simulation::box(std::size_t index) const { return impl_->box(index); }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "elsie/plugin/host.h"
+#include "elsie/world/train.h"
 
 #include "values.h"
 
@@ -51,6 +52,17 @@ void check_unique(const std::vector<const Element*>& lists, const std::string& w
   }
 }
 
+// Of a robot's behaviours and of those that they hold.
+void check_behavior_ids(const Element& holder, Problems& problems) {
+  const Element* behaviors = holder.child("behaviors");
+  check_unique({behaviors}, "behavior of this " + holder.name, problems);
+  if (behaviors) {
+    for (const Element& behavior : behaviors->children) {
+      check_behavior_ids(behavior, problems);
+    }
+  }
+}
+
 void check_ids(const Element& root, Problems& problems) {
   check_unique({root.child("teams")}, "team", problems);
   check_unique({root.child("obstacles"), root.child("resources")}, "box", problems);
@@ -59,8 +71,9 @@ void check_ids(const Element& root, Problems& problems) {
   check_unique({robots}, "robot", problems);
   if (robots) {
     for (const Element& robot : robots->children) {
+      check_unique({robot.child("segments")}, "segment of this robot", problems);
       check_unique({robot.child("sensors")}, "sensor of this robot", problems);
-      check_unique({robot.child("behaviors")}, "behavior of this robot", problems);
+      check_behavior_ids(robot, problems);
     }
   }
 }
@@ -162,6 +175,53 @@ void check_needs(const Robot& robot, const PluginUse& use, PluginKind kind,
   }
 }
 
+// Whether there is room for the wheels of the segments, and for their joints ahead of their axles.
+void check_segments(const Reading& reading, const Robot& robot, Problems& problems) {
+  if (!reading.sound_with_segments(robot)) {
+    return;
+  }
+  const std::vector<Coupling> chain = couplings(robot.body, robot.segments);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Segment& segment = robot.segments[i];
+    const std::string what = "the segment '" + segment.id + "' of " + in_words(robot);
+    if (2.0 * segment.wheel_width > segment.width) {
+      problems.add(segment.location, what + " is " + number(segment.width) +
+                                         " m wide, which leaves no room for two wheels of " +
+                                         number(segment.wheel_width) + " m");
+    }
+    if (chain[i].ahead <= 0.0) {
+      problems.add(segment.location,
+                   what + " has its joint " + number(chain[i].behind) +
+                       " m behind the middle of the body in front; expected less than " +
+                       number(chain[i].behind + chain[i].ahead) +
+                       " m, so that the joint is ahead of the segment's axle");
+    }
+  }
+}
+
+// That the wishes of behaviours are turned into a command, and that all have what they need; to any
+// depth. `whose` and `where`: of what has them, a robot or a behaviour.
+void check_coordination(const Robot& robot, const Coordination& coordination,
+                        const std::string& whose, const Location& where, const plugin::Host& host,
+                        Problems& problems) {
+  if (!coordination.behaviors.empty() && !coordination.coordinator) {
+    problems.add(where, whose + " has behaviours but no coordinator; add a <coordinator>");
+  }
+  for (const BehaviorUse& use : coordination.behaviors) {
+    check_needs(robot, use, PluginKind::behavior, host, problems);
+    for (const Coordination& inside : use.inside) {
+      const std::string holder = "the behavior '" + use.id + "' of " + whose;
+      if (inside.behaviors.empty()) {
+        problems.add(use.location, holder + " holds no behaviours; add <behaviors> with some");
+      }
+      check_coordination(robot, inside, holder, use.location, host, problems);
+    }
+  }
+  if (coordination.coordinator) {
+    check_needs(robot, *coordination.coordinator, PluginKind::coordinator, host, problems);
+  }
+}
+
 void check_robot(const Reading& reading, std::size_t index, const plugin::Host& host,
                  Problems& problems) {
   const Robot& robot = reading.world.robots[index];
@@ -169,19 +229,11 @@ void check_robot(const Reading& reading, std::size_t index, const plugin::Host& 
     problems.add(robot.location, in_words(robot) + " starts with energy " + number(*robot.energy) +
                                      ", but its battery holds " + number(robot.battery));
   }
+  check_segments(reading, robot, problems);
   if (reading.incomplete_robots.contains(index)) {
     return;
   }
-  if (!robot.behaviors.empty() && !robot.coordinator) {
-    problems.add(robot.location,
-                 in_words(robot) + " has behaviours but no coordinator; add a <coordinator>");
-  }
-  for (const BehaviorUse& use : robot.behaviors) {
-    check_needs(robot, use, PluginKind::behavior, host, problems);
-  }
-  if (robot.coordinator) {
-    check_needs(robot, *robot.coordinator, PluginKind::coordinator, host, problems);
-  }
+  check_coordination(robot, robot, in_words(robot), robot.location, host, problems);
 }
 
 struct GoalCheck {
@@ -201,7 +253,13 @@ struct GoalCheck {
     }
   }
   void operator()(const ReachGoal& goal) const {
-    check_place("<reach>", goal.x, goal.y, goal.location);
+    if (goal.of.empty()) {
+      check_place("<reach>", goal.x, goal.y, goal.location);
+    } else if (goal.of == goal.robot) {
+      problems.add(goal.location, "<reach> gives the robot '" + goal.robot +
+                                      "' a place relative to itself; expected another robot in "
+                                      "'of'");
+    }
   }
   void operator()(const PushGoal& goal) const {
     check_place("<push>", goal.x, goal.y, goal.location);

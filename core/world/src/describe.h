@@ -117,6 +117,22 @@ class Describe {
     return std::move(*this);
   }
 
+  /// The same, for parts that the object has from its base class.
+  template <class Base>
+  Describe&& group(Describe<Base> child) && {
+    static_assert(std::is_base_of_v<Base, Object>, "a group describes parts of the object itself");
+    ElementSpec spec = std::move(child);
+    spec.group = true;
+    spec.make = [](void* parent, const Location&) -> void* {
+      return static_cast<Base*>(static_cast<Object*>(parent));
+    };
+    spec.parts = [](const void* parent) {
+      return std::vector<Part>{{0, static_cast<const Base*>(static_cast<const Object*>(parent))}};
+    };
+    spec_.children.push_back(std::move(spec));
+    return std::move(*this);
+  }
+
   /// Elements that each describe one object in a list of this one. `is` tells them from others in
   /// the same list; `begin` sets what it tells them by.
   template <class Child>
@@ -191,6 +207,19 @@ class Describe {
     spec_.plugins = kind;
     spec_.use = [](const void* object) -> const PluginUse* {
       return static_cast<const Object*>(object);
+    };
+    return std::move(*this);
+  }
+
+  /// What such a plugin may hold: one thing or nothing.
+  Describe&& holds(std::vector<Coordination> Object::*member) && {
+    spec_.make_inside = [member](void* object) -> Coordination& {
+      auto& inside = static_cast<Object*>(object)->*member;
+      return inside.empty() ? inside.emplace_back() : inside.front();
+    };
+    spec_.inside = [member](const void* object) -> const Coordination* {
+      const auto& inside = static_cast<const Object*>(object)->*member;
+      return inside.empty() ? nullptr : &inside.front();
     };
     return std::move(*this);
   }

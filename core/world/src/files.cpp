@@ -14,6 +14,9 @@ std::optional<std::string> file_in(const std::string& folder, const std::string&
   return fs::is_regular_file(path, error) ? std::optional(path.string()) : std::nullopt;
 }
 
+/// What is given on a command line may be meant from where the user stands.
+bool is_override(const Location& from) { return from.line == 0 && !from.file.empty(); }
+
 }  // namespace
 
 std::string Files::folder(const Location& from) const {
@@ -21,8 +24,15 @@ std::string Files::folder(const Location& from) const {
 }
 
 std::optional<std::string> Files::find(const std::string& name, const Location& from) const {
-  const auto beside = file_in(folder(from), name);
-  return beside ? beside : find_data(name);
+  if (auto beside = file_in(folder(from), name)) {
+    return beside;
+  }
+  if (is_override(from)) {
+    if (auto here = file_in(".", name)) {
+      return here;
+    }
+  }
+  return find_data(name);
 }
 
 std::optional<std::string> Files::find_data(const std::string& name) const {
@@ -65,6 +75,7 @@ std::string Files::name_for_world(const std::string& found, const std::string& w
 std::string Files::places(const Location& from) const {
   const std::string beside = folder(from);
   return "in the folder " + (beside.empty() ? "." : beside) +
+         (is_override(from) && !beside.empty() ? ", in the current folder" : "") +
          (data_directories_.empty() ? "" : " or " + data_places());
 }
 

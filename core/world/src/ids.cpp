@@ -31,9 +31,17 @@ void complete_ids(Element& list, bool numbered) {
 }
 
 void complete_robot_ids(Element& robot) {
+  if (Element* segments = robot.child("segments")) {
+    complete_ids(*segments, true);
+  }
   for (const char* list : {"sensors", "behaviors", "coordinator"}) {
     if (Element* found = robot.child(list)) {
       complete_ids(*found, false);
+    }
+  }
+  if (Element* behaviors = robot.child("behaviors")) {
+    for (Element& holder : behaviors->children) {
+      complete_robot_ids(holder);
     }
   }
 }

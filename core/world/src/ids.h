@@ -13,7 +13,8 @@ void complete_ids(Element& list, bool numbered);
 /// The same for the obstacles, resources, chargers, sensors, behaviours and coordinators of a
 /// world.
 void complete_world_ids(Element& world);
-/// ... and of a robot or a template.
+/// ... and of a robot, of a template, or of what a behaviour holds; those of behaviours go to any
+/// depth.
 void complete_robot_ids(Element& robot);
 
 }  // namespace elsie::world

@@ -129,7 +129,7 @@ void check_nesting(const std::vector<Tag>& tags, const std::string& file) {
       if (open.size() > kDeepest) {
         fail(file, line,
              "elements are nested deeper than " + std::to_string(kDeepest) +
-                 " levels; no world needs more than five");
+                 " levels; no world needs that many");
       }
     }
   }
@@ -260,6 +260,10 @@ Element parse_markup(std::string_view text, const std::string& file) {
   }
   std::size_t counter = 0;
   return converted(*document.RootElement(), file, counter);
+}
+
+std::string in_words(const Attribute& attribute, const Element& element) {
+  return attribute.name + "=\"" + attribute.value + "\" of <" + element.name + ">";
 }
 
 std::string escaped(std::string_view text) {

@@ -48,6 +48,9 @@ inline constexpr std::size_t kLargestFile = std::size_t{32} << 20;  // bytes
 /// world.
 Element parse_markup(std::string_view text, const std::string& file);
 
+/// `speed="5" of <roam>`
+std::string in_words(const Attribute& attribute, const Element& element);
+
 /// The text as an attribute's value between double quotes.
 std::string escaped(std::string_view text);
 

@@ -6,6 +6,8 @@
 
 #include "elsie/world/vocabulary.h"
 
+#include "ids.h"
+
 namespace elsie::world {
 
 namespace {
@@ -16,6 +18,23 @@ struct Place {
 };
 
 [[noreturn]] void fail(const std::string& message) { throw std::invalid_argument(message); }
+
+// An element that a plugin declares. Paths do without the declarations and take what is there.
+const ElementSpec& nested_element() {
+  static const ElementSpec spec;
+  return spec;
+}
+
+// What may stand in an element as far as the vocabulary tells: any behaviour may be one that holds
+// others.
+const std::vector<ElementSpec>& specs_below(const ElementSpec& spec) {
+  return spec.inside ? coordination_vocabulary().children : spec.children;
+}
+
+bool is_among(const std::vector<ElementSpec>& specs, const std::string& name) {
+  return std::any_of(specs.begin(), specs.end(),
+                     [&](const ElementSpec& spec) { return spec.name == name; });
+}
 
 // The children of a group that a step of this name means.
 void collect_members(Element& group, const ElementSpec& spec, const std::string& name,
@@ -31,7 +50,7 @@ void collect_members(Element& group, const ElementSpec& spec, const std::string&
 
 std::vector<Place> children(const Place& place, const std::string& name) {
   std::vector<Place> found;
-  for (const ElementSpec& spec : place.spec->children) {
+  for (const ElementSpec& spec : specs_below(*place.spec)) {
     for (Element& child : place.element->children) {
       if (child.name != spec.name) {
         continue;
@@ -46,6 +65,13 @@ std::vector<Place> children(const Place& place, const std::string& name) {
   if (place.spec->group) {
     collect_members(*place.element, *place.spec, name, found);
   }
+  if (place.spec->plugins) {
+    for (Element& child : place.element->children) {
+      if (child.name == name && !is_among(specs_below(*place.spec), name)) {
+        found.push_back({&child, &nested_element()});
+      }
+    }
+  }
   // "coordinator/fusion_vector_summation": the coordinator, named once more.
   if (found.empty() && place.spec->plugins && place.element->name == name) {
     found.push_back(place);
@@ -56,13 +82,20 @@ std::vector<Place> children(const Place& place, const std::string& name) {
 // What a step may be called here.
 std::vector<std::string> names_at(const Place& place) {
   std::vector<std::string> names;
-  for (const ElementSpec& spec : place.spec->children) {
+  for (const ElementSpec& spec : specs_below(*place.spec)) {
+    // What a plugin's element may hold is known by what is there.
+    if (place.spec->plugins && !place.element->child(spec.name)) {
+      continue;
+    }
     names.push_back(spec.name);
     if (spec.group && spec.members != spec.name) {
       names.push_back(spec.members);
     }
   }
-  for (Element& child : place.element->children) {
+  for (const Element& child : place.element->children) {
+    if (place.spec->plugins) {
+      names.push_back(child.name);
+    }
     for (const Element& member : child.children) {
       names.push_back(member.name);
     }
@@ -117,14 +150,16 @@ std::vector<Place> step_from(const Place& place, const PathStep& step) {
   if (!found.empty()) {
     return chosen(found, step);
   }
-  const ElementSpec* spec = place.spec->child(step.name);
-  if (spec && spec->name != spec->members && !spec->plugins && spec->at_most == 1 &&
-      step.key.empty()) {
+  for (const ElementSpec& spec : specs_below(*place.spec)) {
+    if (spec.name != step.name || spec.name == spec.members || spec.plugins || spec.at_most > 1 ||
+        !step.key.empty()) {
+      continue;
+    }
     Element made;
     made.name = step.name;
     made.where = place.element->where;
     place.element->children.push_back(std::move(made));
-    return {{&place.element->children.back(), spec}};
+    return {{&place.element->children.back(), &spec}};
   }
   return {};
 }
@@ -137,6 +172,41 @@ std::vector<Place> step_from_robots(const Place& world, const PathStep& step) {
     result.insert(result.end(), found.begin(), found.end());
   }
   return result;
+}
+
+void place(Element& element, const Location& where) {
+  element.where = where;
+  element.text_line = where.line;
+  element.number = Element::kMade;
+  for (Attribute& attribute : element.attributes) {
+    attribute.where = where;
+  }
+  for (Element& child : element.children) {
+    place(child, where);
+  }
+}
+
+Element element_of(const std::string& text, const Location& where) {
+  if (!text.starts_with('<')) {
+    fail(
+        "the path leads to an element; expected an attribute at its end, as in "
+        "robot[r1]/@max_speed, or an element after the \"=\", as in "
+        "robot[r1]/coordinator=<arbiter_suppression/>");
+  }
+  Element element = parse_markup(text, where.file);
+  place(element, where);
+  return element;
+}
+
+// It keeps its id, unless the new one brings another or the old one was only its name.
+void replace(Element& element, const Element& given) {
+  const std::string id = element.value("id");
+  const bool has_own_id = !id.empty() && id != element.name;
+  const Location where = given.where;
+  element = given;
+  if (!element.find("id") && !id.empty()) {
+    element.set("id", has_own_id ? id : element.name, where);
+  }
 }
 
 }  // namespace
@@ -205,7 +275,14 @@ std::vector<Element*> select(Element& world, const Path& path) {
 }
 
 bool concerns_templates(const std::string& override) {
-  return override.find("/@template=") != std::string::npos;
+  try {
+    const Path path = parse_path(std::string_view(override).substr(0, override.find('=')));
+    const std::string last = path.steps.empty() ? "" : path.steps.back().name;
+    return (path.attribute == "template" && last == "robot") ||
+           (path.attribute.empty() && (last == "robot" || last == "robots"));
+  } catch (const std::invalid_argument&) {
+    return false;  // apply_override() tells why
+  }
 }
 
 void apply_override(Element& world, const std::string& override, Problems& problems) {
@@ -216,14 +293,20 @@ void apply_override(Element& world, const std::string& override, Problems& probl
       fail("expected PATH=VALUE, as in robot[r1]/@max_speed=0.3");
     }
     const Path path = parse_path(std::string_view(override).substr(0, equals));
+    const std::string value = override.substr(equals + 1);
     if (path.attribute.empty()) {
-      fail(
-          "the path leads to an element; expected an attribute at its end, as in "
-          "robot[r1]/@max_speed");
+      const Element given = element_of(value, where);
+      for (Element* element : select(world, path)) {
+        replace(*element, given);
+      }
+      complete_world_ids(world);  // of what stands in the new element
+      return;
     }
     for (Element* element : select(world, path)) {
-      element->set(path.attribute, override.substr(equals + 1), where);
+      element->set(path.attribute, value, where);
     }
+  } catch (const WorldError& error) {
+    problems.add(where, error.problems().front().message);
   } catch (const std::invalid_argument& error) {
     problems.add(where, error.what());
   }

@@ -28,12 +28,14 @@ Path parse_path(std::string_view text);
 ///
 /// The groups may be left out: a member is called by its element's name or by its group's word for
 /// it ("sensor" for any child of <sensors>, "obstacle", "goal" ...); "coordinator" is the one child
-/// of <coordinator>. What belongs to a robot means that of every robot when no robot is named. An
-/// element that may stand only once and is not there is made (Element::kMade).
-/// Throws std::invalid_argument with a sentence that says what is there instead.
+/// of <coordinator>. Elements that a plugin declares are called by their names, and what a
+/// behaviour holds as in a robot. What belongs to a robot means that of every robot when no robot
+/// is named. An element that may stand only once and is not there is made (Element::kMade). Throws
+/// std::invalid_argument with a sentence that says what is there instead.
 std::vector<Element*> select(Element& world, const Path& path);
 
-/// Whether an override must come before templates are merged.
+/// Whether an override must come before templates are merged: that of a robot's template, and those
+/// that replace robots.
 bool concerns_templates(const std::string& override);
 
 /// Sets "PATH=VALUE" in the tree of a world, whose ids are complete.

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "elsie/api/geometry.h"
+#include "elsie/world/train.h"
 
 #include "checks.h"
 #include "values.h"
@@ -48,6 +49,22 @@ Block block_of(const Robot& robot) {
           robot.z + std::max(body.top(), 2.0 * body.wheel_radius),
           "the robot '" + robot.id + "'",
           robot.location};
+}
+
+// A robot, and what it pulls in line behind it.
+std::vector<Block> blocks_of(const Robot& robot) {
+  std::vector<Block> blocks{block_of(robot)};
+  const double c = std::cos(blocks[0].heading), s = std::sin(blocks[0].heading);
+  const std::vector<Coupling> chain = couplings(robot.body, robot.segments);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Segment& segment = robot.segments[i];
+    blocks.push_back({robot.x - chain[i].place * c, robot.y - chain[i].place * s, blocks[0].heading,
+                      std::max(0.5 * segment.length, segment.wheel_radius), 0.5 * segment.width,
+                      robot.z, robot.z + std::max(segment.top(), 2.0 * segment.wheel_radius),
+                      "the segment '" + segment.id + "' of the robot '" + robot.id + "'",
+                      segment.location});
+  }
+  return blocks;
 }
 
 // By the separating axis theorem, on the four axes of the two rectangles.
@@ -174,15 +191,18 @@ void check_places(const Reading& reading, Problems& problems) {
     if (!reading.sound(robot.location)) {
       continue;
     }
-    const Block block = block_of(robot);
-    check.check_free_of_walls(block);
-    for (const Block& box : boxes) {
-      check.check_apart(block, box);
+    const std::vector<Block> parts =
+        reading.sound_with_segments(robot) ? blocks_of(robot) : std::vector<Block>{block_of(robot)};
+    for (const Block& part : parts) {
+      check.check_free_of_walls(part);
+      for (const Block& box : boxes) {
+        check.check_apart(part, box);
+      }
+      for (const Block& other : robots) {
+        check.check_apart(part, other);
+      }
     }
-    for (const Block& other : robots) {
-      check.check_apart(block, other);
-    }
-    robots.push_back(block);
+    robots.insert(robots.end(), parts.begin(), parts.end());
   }
 }
 

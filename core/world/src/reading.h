@@ -1,6 +1,7 @@
 // A world that is being read: what checks need to know besides the world itself.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <string>
@@ -31,6 +32,11 @@ struct Reading {
   std::set<std::size_t> incomplete_robots;
 
   bool sound(const Location& where) const { return !unsound.contains({where.file, where.line}); }
+  bool sound_with_segments(const Robot& robot) const {
+    return sound(robot.location) &&
+           std::all_of(robot.segments.begin(), robot.segments.end(),
+                       [&](const Segment& segment) { return sound(segment.location); });
+  }
 };
 
 }  // namespace elsie::world

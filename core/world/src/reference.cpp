@@ -2,12 +2,36 @@
 
 #include <vector>
 
-#include "elsie/plugin/kind_name.h"
 #include "elsie/world/vocabulary.h"
 
+#include "reference_table.h"
 #include "values.h"
 
 namespace elsie::world {
+
+std::string cell(const std::string& text) {
+  std::string escaped_text;
+  for (const char c : text) {
+    escaped_text += c == '|' ? "\\|" : c == '<' ? "&lt;" : std::string(1, c);
+  }
+  return escaped_text;
+}
+
+std::string table_row(std::initializer_list<std::string> texts) {
+  std::string row = "|";
+  for (const std::string& text : texts) {
+    row += " " + cell(text) + " |";
+  }
+  return row + "\n";
+}
+
+std::string default_text(const Field& field) {
+  if (field.required) {
+    return "required";
+  }
+  const std::string text = field.default_value ? format_value(*field.default_value) : "";
+  return text.empty() ? "" : "`" + text + "`";
+}
 
 namespace {
 
@@ -25,30 +49,14 @@ std::string value_in_words(const Field& field) {
   return field.form == TextForm::id ? "an id" : expectation(field);
 }
 
-std::string cell(const std::string& text) {
-  std::string escaped_text;
-  for (const char c : text) {
-    escaped_text += c == '|' ? "\\|" : c == '<' ? "&lt;" : std::string(1, c);
-  }
-  return escaped_text;
-}
-
-std::string default_text(const Field& field) {
-  if (field.required) {
-    return "required";
-  }
-  const std::string text = field.default_value ? format_value(*field.default_value) : "";
-  return text.empty() ? "" : "`" + text + "`";
-}
-
 std::string table(const std::vector<Field>& fields) {
   if (fields.empty()) {
     return "";
   }
   std::string text = "\n| attribute | value | default | meaning |\n|---|---|---|---|\n";
   for (const Field& field : fields) {
-    text += "| `" + field.name + "` | " + cell(value_in_words(field)) + " | " +
-            cell(default_text(field)) + " | " + cell(field.facts.meaning) + " |\n";
+    text += table_row(
+        {"`" + field.name + "`", value_in_words(field), default_text(field), field.facts.meaning});
   }
   return text;
 }
@@ -71,7 +79,13 @@ void describe(const ElementSpec& spec, const std::string& path, std::string& tex
     text += "\nHolds: " + list_of_children(spec) + ".\n";
   }
   if (is_use) {
-    text += "\nIts attributes are these and the plugin's parameters.\n";
+    text +=
+        "\nIts attributes are these and the plugin's parameters; what stands in it is what the "
+        "plugin declares.";
+    text += spec.inside ? " A behaviour that holds others has " +
+                              list_of_children(coordination_vocabulary()) +
+                              " in it, as a robot has, to any depth.\n"
+                        : "\n";
   }
   text += table({spec.attributes.begin(), spec.attributes.end()});
   for (const ElementSpec& child : spec.children) {
@@ -95,27 +109,7 @@ std::string world_reference() {
 }
 
 std::string plugin_reference(const Declaration& declaration) {
-  const std::string kind(plugin::kind_name(declaration.kind));
-  std::string text = "# " + declaration.name + "\n\n" + declaration.description + ".\n\nA " + kind +
-                     ", version " + declaration.version + ".\n";
-  std::vector<Field> fields;
-  for (const ParameterDeclaration& parameter : declaration.parameters) {
-    fields.push_back(field_of(parameter));
-  }
-  text += table(fields);
-  for (const ReadingDeclaration& reading : declaration.needs) {
-    text += "\nNeeds a sensor that makes readings of the kind `" + reading.kind + "`.\n";
-  }
-  for (const ReadingDeclaration& reading : declaration.produces) {
-    text += "\nMakes readings of the kind `" + reading.kind + "`.\n";
-  }
-  if (!declaration.events.empty()) {
-    text += "\nEvents that it may raise:\n\n";
-    for (const EventDeclaration& event : declaration.events) {
-      text += "- `" + event.name + "`: " + event.meaning + "\n";
-    }
-  }
-  return text;
+  return "# " + declaration.name + "\n\n" + plugin_declaration(declaration);
 }
 
 }  // namespace elsie::world

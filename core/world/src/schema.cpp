@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <vector>
@@ -184,27 +185,30 @@ class Schema {
   }
 
   static std::string robot_constraints(const std::string& where) {
-    return constraint("unique", where + ".sensor_id", "sensors/*", "id") +
-           constraint("unique", where + ".behavior_id", "behaviors/*", "id");
+    return constraint("unique", where + ".segment_id", "segments/segment", "id") +
+           constraint("unique", where + ".sensor_id", "sensors/*", "id") +
+           behavior_constraint(where);
+  }
+
+  static std::string behavior_constraint(const std::string& where) {
+    return constraint("unique", where + ".behavior_id", "behaviors/*", "id");
   }
 
   // Defines the type of an element, and of all below it; returns its name.
   std::string type_of(const ElementSpec& spec) {
-    return define(spec.name, content(spec), spec.attributes, {});
+    return define(spec.name, [&] { return content(spec); },
+                  {spec.attributes.begin(), spec.attributes.end()});
   }
 
-  std::string define(const std::string& name, const std::string& content,
-                     const std::vector<AttributeSpec>& attributes,
-                     const std::vector<ParameterDeclaration>& parameters) {
+  // A type may hold itself: its name is known before its content is.
+  std::string define(const std::string& name, const std::function<std::string()>& content,
+                     const std::vector<Field>& fields) {
     const std::string type = name + ".type";
     if (!types_.contains(type)) {
-      std::string text = indented("<xs:complexType name=\"" + type + "\">", 1) + content;
-      std::vector<std::string> names;
-      for (const AttributeSpec& each : attributes) {
-        text += attribute(each);
-      }
-      for (const ParameterDeclaration& each : parameters) {
-        text += attribute(field_of(each));
+      types_[type] = "";
+      std::string text = indented("<xs:complexType name=\"" + type + "\">", 1) + content();
+      for (const Field& field : fields) {
+        text += attribute(field);
       }
       types_[type] = text + indented("</xs:complexType>", 1);
       order_.push_back(type);
@@ -245,22 +249,71 @@ class Schema {
   std::string plugin_elements(const ElementSpec& spec) {
     std::string elements;
     for (const Declaration* declaration : host_.all(*spec.plugins)) {
-      std::vector<ParameterDeclaration> parameters;
+      const std::string name =
+          std::string(plugin::kind_name(*spec.plugins)) + "." + declaration->name;
+      std::vector<Field> fields(spec.attributes.begin(), spec.attributes.end());
       for (const ParameterDeclaration& parameter : declaration->parameters) {
         if (!spec.attribute(parameter.name)) {  // the reader refuses such a plugin
-          parameters.push_back(parameter);
+          fields.push_back(field_of(parameter));
+          fields.back().required = false;  // a template may give it
         }
       }
-      const std::string type =
-          define(std::string(plugin::kind_name(*spec.plugins)) + "." + declaration->name, "",
-                 spec.attributes, parameters);
-      elements += element(declaration->name, type, declaration->description, "", 3);
+      const std::string type = define(
+          name, [&] { return inside(name, *declaration); }, fields);
+      elements += element(declaration->name, type, declaration->description,
+                          declaration->hold ? behavior_constraint(name) : "", 3);
     }
     return elements;
   }
 
+  // The content of a plugin's element: what it declares, any number in any order, and with that, if
+  // it holds others, <behaviors> and <coordinator>, each once.
+  std::string inside(const std::string& name, const Declaration& declaration) {
+    const std::string declared = declared_elements(name, declaration);
+    if (!declaration.hold) {
+      return declared.empty() ? "" : sequence(declared);
+    }
+    std::vector<std::string> groups;
+    for (const ElementSpec& group : coordination_vocabulary().children) {
+      groups.push_back(element(group.name, type_of(group), group.meaning, "", 3));
+    }
+    // Written so that the next element alone always tells where in the model it stands.
+    const auto first = [&](const std::string& one, const std::string& other) {
+      return sequence(one + declared + sequence(other + declared, " minOccurs=\"0\""));
+    };
+    return sequence(declared + indented("<xs:choice minOccurs=\"0\">", 2) +
+                    first(groups[0], groups[1]) + first(groups[1], groups[0]) +
+                    indented("</xs:choice>", 2));
+  }
+
+  static std::string sequence(const std::string& content, const std::string& occurs = "") {
+    return indented("<xs:sequence" + occurs + ">", 2) + content + indented("</xs:sequence>", 2);
+  }
+
+  // Refers to a group of the elements that a plugin declares, which is defined here.
+  std::string declared_elements(const std::string& name, const Declaration& declaration) {
+    if (declaration.elements.empty()) {
+      return "";
+    }
+    std::string elements;
+    for (const ElementDeclaration& declared : declaration.elements) {
+      std::vector<Field> fields;
+      for (const ParameterDeclaration& parameter : declared.parameters) {
+        fields.push_back(field_of(parameter));
+      }
+      const std::string type = define(
+          name + "." + declared.name, [] { return std::string(); }, fields);
+      elements += element(declared.name, type, declared.meaning, "", 3);
+    }
+    const std::string group = name + ".elements";
+    types_[group] = indented("<xs:group name=\"" + group + "\">", 1) + indented("<xs:choice>", 2) +
+                    elements + indented("</xs:choice>", 2) + indented("</xs:group>", 1);
+    order_.push_back(group);
+    return indented("<xs:group ref=\"" + group + "\" minOccurs=\"0\" maxOccurs=\"unbounded\"/>", 3);
+  }
+
   const plugin::Host& host_;
-  std::map<std::string, std::string> types_;  // by name
+  std::map<std::string, std::string> types_;  // and groups, by name
   std::vector<std::string> order_;
 };
 

@@ -1,8 +1,10 @@
 #include "templates.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
+#include "elsie/plugin/host.h"
 #include "elsie/world/vocabulary.h"
 
 #include "ids.h"
@@ -12,7 +14,57 @@ namespace elsie::world {
 namespace {
 
 bool is_list(const std::string& name) {
-  return name == "sensors" || name == "behaviors" || name == "coordinator";
+  return name == "segments" || name == "sensors" || name == "behaviors" || name == "coordinator";
+}
+
+// What stands in a behaviour that holds others.
+bool is_held(const std::string& name) { return name == "behaviors" || name == "coordinator"; }
+
+// Of the plugins that the entries of a list are named after, if they are.
+std::optional<PluginKind> kind_in(const std::string& list) {
+  return list == "sensors"       ? std::optional(PluginKind::sensor)
+         : list == "behaviors"   ? std::optional(PluginKind::behavior)
+         : list == "coordinator" ? std::optional(PluginKind::coordinator)
+                                 : std::nullopt;
+}
+
+// Which of the plugin's lists an element belongs to; one of its own when there is no such element.
+std::string list_of(const Declaration* declaration, const std::string& element) {
+  if (declaration) {
+    for (const ElementDeclaration& declared : declaration->elements) {
+      if (declared.name == element) {
+        return std::to_string(declared.list);
+      }
+    }
+  }
+  return element;
+}
+
+// Takes out the entries of a list that say so, also from what they hold, and the attributes that
+// say it; `on_removal` hears of each, where it was said, and of which
+// list it was.
+template <class OnRemoval>
+void take_out_removed(Element& list, Problems& problems, const OnRemoval& on_removal) {
+  std::erase_if(list.children, [&](Element& entry) {
+    for (Element& child : entry.children) {
+      if (list.name == "behaviors" && is_held(child.name)) {
+        take_out_removed(child, problems, on_removal);
+      }
+    }
+    const Attribute* remove = entry.find("remove");
+    if (!remove) {
+      return false;
+    }
+    const Attribute found = *remove;
+    entry.erase("remove");
+    if (found.value != "true" && found.value != "false") {
+      problems.add(found.where, in_words(found, entry) + ": expected true or false");
+    }
+    if (found.value == "true") {
+      on_removal(entry, found.where, list.name);
+    }
+    return found.value == "true";
+  });
 }
 
 void inherit_attributes(Element& over, const Element& base) {
@@ -116,21 +168,65 @@ void Templates::overlay(Element& robot, const Element& base) {
   inherit_attributes(robot, base);
   for (const Element& base_child : base.children) {
     Element* child = robot.child(base_child.name);
-    if (!child) {
-      robot.children.push_back(base_child);
-    } else if (base_child.name == "coordinator" && !child->children.empty() &&
-               !base_child.children.empty() &&
-               child->children.front().name != base_child.children.front().name) {
-      drop_removals(*child);  // another coordinator replaces the template's
-    } else if (is_list(base_child.name)) {
-      overlay_list(*child, base_child);
-    } else {
+    if (is_list(base_child.name)) {
+      overlay_group(robot, base_child);
+    } else if (child) {
       inherit_attributes(*child, base_child);
+    } else {
+      robot.children.push_back(base_child);
     }
   }
   for (Element& child : robot.children) {
     if (is_list(child.name) && !base.child(child.name)) {
       drop_removals(child);
+    }
+  }
+}
+
+// <sensors>, <behaviors>, <coordinator>...: that of the template below the holder's own, if any.
+void Templates::overlay_group(Element& holder, const Element& base) {
+  Element* own = holder.child(base.name);
+  if (!own) {
+    holder.children.push_back(base);
+  } else if (base.name == "coordinator" && !own->children.empty() && !base.children.empty()) {
+    overlay_coordinator(*own, base);
+  } else {
+    overlay_list(*own, base);
+  }
+}
+
+void Templates::overlay_coordinator(Element& group, const Element& base) {
+  Element& own = group.children.front();
+  if (own.name != base.children.front().name) {
+    drop_removals(group);  // another coordinator replaces the template's
+    return;
+  }
+  // There is one, whatever it is called: by default as in the template.
+  Element renamed = base;
+  Element& inherited = renamed.children.front();
+  if (own.value("id") == own.name) {
+    own.set("id", inherited.value("id"), own.where);
+  } else {
+    inherited.set("id", own.value("id"), own.where);
+  }
+  overlay_list(group, renamed);
+}
+
+void Templates::overlay_use(PluginKind kind, Element& use, const Element& base) {
+  inherit_attributes(use, base);
+  const Declaration* declaration = host_.find(kind, use.name);
+  std::set<std::string> replaced;
+  for (Element& child : use.children) {
+    replaced.insert(list_of(declaration, child.name));
+    if (is_held(child.name) && !base.child(child.name)) {
+      drop_removals(child);
+    }
+  }
+  for (const Element& base_child : base.children) {
+    if (is_held(base_child.name)) {
+      overlay_group(use, base_child);
+    } else if (!replaced.contains(list_of(declaration, base_child.name))) {
+      use.children.push_back(base_child);
     }
   }
 }
@@ -158,7 +254,11 @@ void Templates::overlay_list(Element& list, const Element& base) {
     } else if (entry.value("remove") == "true") {
       removed.push_back(index);
     } else {
-      inherit_attributes(entry, *found);
+      if (const auto kind = kind_in(list.name)) {
+        overlay_use(*kind, entry, *found);
+      } else {
+        inherit_attributes(entry, *found);
+      }
       entry.erase("remove");
       *found = std::move(entry);
     }
@@ -174,25 +274,23 @@ void Templates::overlay_list(Element& list, const Element& base) {
 
 // Where there is nothing to take away.
 void Templates::drop_removals(Element& list) {
-  std::erase_if(list.children, [&](Element& entry) {
-    const Attribute* remove = entry.find("remove");
-    if (!remove) {
-      return false;
+  take_out_removed(list, problems_,
+                   [&](const Element& entry, const Location& where, const std::string& in) {
+                     problems_.add(where, "there is nothing to remove: the template has no '" +
+                                              entry.value("id") + "' in its <" + in + ">");
+                   });
+}
+
+void remove_overridden(Element& world, Problems& problems) {
+  if (Element* robots = world.child("robots")) {
+    for (Element& robot : robots->children) {
+      for (Element& child : robot.children) {
+        if (is_list(child.name)) {
+          take_out_removed(child, problems, [](const auto&...) {});
+        }
+      }
     }
-    const Attribute found = *remove;
-    entry.erase("remove");
-    if (found.value == "false") {
-      return false;
-    }
-    if (found.value != "true") {
-      problems_.add(found.where, "remove=\"" + found.value + "\" of <" + entry.name +
-                                     ">: expected \"true\" or \"false\"");
-      return false;
-    }
-    problems_.add(found.where, "there is nothing to remove: the template has no '" +
-                                   entry.value("id") + "' in its <" + list.name + ">");
-    return true;
-  });
+  }
 }
 
 }  // namespace elsie::world

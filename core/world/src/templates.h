@@ -7,35 +7,50 @@
 #include <string>
 #include <vector>
 
+#include "elsie/api/declaration.h"
+
 #include "files.h"
 #include "markup.h"
 #include "problems.h"
+
+namespace elsie::plugin {
+class Host;
+}
 
 namespace elsie::world {
 
 class Templates {
  public:
-  Templates(const Files& files, Problems& problems) : files_(files), problems_(problems) {}
+  Templates(const plugin::Host& host, const Files& files, Problems& problems)
+      : host_(host), files_(files), problems_(problems) {}
 
   /// Merges the templates of all robots in the world into them.
   ///
   /// The robot's attributes override the template's, and so do those of its body. Sensors and
   /// behaviours are matched by id (default ids included): the same id overrides, a new one adds,
   /// remove="true" takes away. A coordinator of the same plugin overrides, another one replaces.
-  /// A template may name a template itself.
+  /// What a behaviour holds is merged likewise. Of the elements that a plugin declares, those of
+  /// one list replace the template's of that list. A template may name a template itself.
   void merge_all(Element& world);
 
  private:
   void merge(Element& robot);
   const Element* load(const std::string& file, const Location& from);
   void overlay(Element& robot, const Element& base);
+  void overlay_group(Element& holder, const Element& base);
+  void overlay_coordinator(Element& group, const Element& base);
+  void overlay_use(PluginKind kind, Element& use, const Element& base);
   void overlay_list(Element& list, const Element& base);
   void drop_removals(Element& list);
 
+  const plugin::Host& host_;
   const Files& files_;
   Problems& problems_;
   std::map<std::string, std::optional<Element>> loaded_;  // by absolute path; none: it has problems
   std::vector<std::string> open_;                         // being loaded, outermost first
 };
+
+/// Takes out what overrides have marked with remove="true" after templates were merged.
+void remove_overridden(Element& world, Problems& problems);
 
 }  // namespace elsie::world

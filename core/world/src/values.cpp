@@ -120,7 +120,10 @@ Field field_of(const ParameterDeclaration& parameter) {
   field.name = parameter.name;
   field.type = parameter.type;
   field.facts = parameter.facts;
-  field.default_value = parameter.default_value;
+  field.required = parameter.facts.required;
+  if (!field.required) {
+    field.default_value = parameter.default_value;
+  }
   field.lowest = parameter.lowest;
   field.highest = parameter.highest;
   return field;

@@ -3,39 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "describe.h"
+#include "facts.h"
+#include "robot_vocabulary.h"
 
 namespace elsie::world {
 
 namespace {
-
-constexpr AttributeExtras kId{.form = TextForm::id};
-constexpr AttributeExtras kRequiredId{.form = TextForm::id, .required = true};
-constexpr AttributeExtras kTeam{.form = TextForm::id, .refers_to = Reference::team};
-constexpr AttributeExtras kRobot{.form = TextForm::id, .refers_to = Reference::robot};
-constexpr AttributeExtras kRequired{.required = true};
-
-ParameterFacts fact(std::string meaning) { return {.meaning = std::move(meaning)}; }
-ParameterFacts metres(std::string meaning) {
-  return {.unit = "m", .min = -1e4, .max = 1e4, .meaning = std::move(meaning)};
-}
-ParameterFacts size(std::string meaning, double max = 1e3) {
-  return {.unit = "m", .above = 0, .max = max, .meaning = std::move(meaning)};
-}
-ParameterFacts angle(std::string meaning) {
-  return {.unit = "deg", .min = -360, .max = 360, .meaning = std::move(meaning)};
-}
-
-// The version of the vocabulary, on the root element; the reader looks at it before anything else.
-template <class Object>
-Describe<Object> root(const char* name, const char* meaning) {
-  return Describe<Object>(name, meaning)
-      .attribute(
-          "format", ParameterType::text,
-          {.choices = {std::to_string(kFormat)}, .meaning = "version of this vocabulary"},
-          kRequired, [](void*, const ParameterValue&) {},
-          [](const void*) -> std::optional<ParameterValue> { return std::to_string(kFormat); });
-}
 
 ElementSpec arena() {
   return Describe<Arena>("arena", "The flat rectangular area; its middle is the origin")
@@ -166,120 +139,6 @@ ElementSpec charger() {
                  fact("then it is a box of 0.1 m edge instead of a mark"));
 }
 
-ElementSpec body() {
-  return Describe<RobotBody>("body", "A box chassis on two driven wheels and two casters")
-      .attribute("length", &RobotBody::length, size("chassis, along the heading", 10))
-      .attribute("width", &RobotBody::width, size("chassis, across", 10))
-      .attribute("height", &RobotBody::height, size("chassis", 10))
-      .attribute("clearance", &RobotBody::clearance, size("from the floor to the chassis", 10))
-      .attribute("wheel_radius", &RobotBody::wheel_radius, size("radius of the wheels", 10))
-      .attribute("wheel_width", &RobotBody::wheel_width, size("width of the wheels", 10))
-      .attribute("axle", &RobotBody::axle,
-                 size("between the middles of the wheels; by default the wheels stand just outside "
-                      "the chassis",
-                      10))
-      .attribute("mass", &RobotBody::mass,
-                 {.unit = "kg", .above = 0, .max = 1e4, .meaning = "of the chassis"})
-      .attribute("wheel_mass", &RobotBody::wheel_mass,
-                 {.unit = "kg", .above = 0, .max = 1e4, .meaning = "of each wheel"})
-      .attribute("wheel_torque", &RobotBody::wheel_torque,
-                 {.unit = "N m", .above = 0, .max = 1e4, .meaning = "what each motor can give"});
-}
-
-ParameterFacts removal() {
-  return fact("takes away what the template has under this id; nothing else may be said then");
-}
-
-ElementSpec sensors() {
-  ElementSpec sensor =
-      Describe<SensorUse>("sensor", "A sensor: the element has the name of its plugin")
-          .plugins(PluginKind::sensor)
-          .attribute("id", &SensorUse::id,
-                     fact("its name on this robot; by default the plugin's, with a number if there "
-                          "are several"),
-                     kId)
-          .attribute("x", &SensorUse::x,
-                     metres("where it is mounted, ahead; by default the chassis' front"))
-          .attribute("y", &SensorUse::y,
-                     metres("where it is mounted, to the left; by default the middle"))
-          .attribute("z", &SensorUse::z,
-                     metres("where it is mounted, up; by default the chassis' top"))
-          .attribute("yaw_deg", &SensorUse::yaw_deg, angle("where it looks, to the left"))
-          .attribute("pitch_deg", &SensorUse::pitch_deg, angle("where it looks, upwards"))
-          .attribute("energy_cost", &SensorUse::energy_cost,
-                     {.unit = "units/s", .min = 0, .max = 1e12, .meaning = "what it uses"})
-          .attribute_before_reading("remove", ParameterType::boolean, removal());
-  return Describe<Robot>("sensors", "The robot's sensors")
-      .members("sensor")
-      .each(std::move(sensor), &Robot::sensors);
-}
-
-ElementSpec behaviors() {
-  ElementSpec behavior =
-      Describe<BehaviorUse>("behavior", "A behaviour: the element has the name of its plugin")
-          .plugins(PluginKind::behavior)
-          .attribute("id", &BehaviorUse::id,
-                     fact("its name on this robot; by default the plugin's, with a number if there "
-                          "are several"),
-                     kId)
-          .attribute("priority", &BehaviorUse::priority,
-                     {.min = -1e6,
-                      .max = 1e6,
-                      .meaning = "its weight or rank, as the coordinator takes it"})
-          .attribute_before_reading("remove", ParameterType::boolean, removal());
-  return Describe<Robot>("behaviors", "The robot's behaviours, in the order of their rank in ties")
-      .members("behavior")
-      .each(std::move(behavior), &Robot::behaviors);
-}
-
-ElementSpec coordinator() {
-  ElementSpec use =
-      Describe<PluginUse>("coordinator", "A coordinator: the element has the name of its plugin")
-          .plugins(PluginKind::coordinator)
-          .attribute("id", &PluginUse::id, fact("its name on this robot; by default the plugin's"),
-                     kId)
-          .attribute_before_reading("remove", ParameterType::boolean, removal());
-  return Describe<Robot>("coordinator", "What turns the behaviours' wishes into one command")
-      .members("coordinator")
-      .optional(std::move(use), &Robot::coordinator);
-}
-
-// What robots and templates of robots have in common.
-ElementSpec with_robot_content(Describe<Robot> robot) {
-  return std::move(robot)
-      .attribute_before_reading(
-          "template", ParameterType::file,
-          fact("a file with a <robot_template>, whose content this element overrides"))
-      .attribute("team", &Robot::team, fact("the team that it belongs to"), kTeam)
-      .attribute("x", &Robot::x, metres("east"))
-      .attribute("y", &Robot::y, metres("north"))
-      .attribute("z", &Robot::z,
-                 {.unit = "m", .min = 0, .max = 100, .meaning = "the bottom of its wheels"})
-      .attribute("heading_deg", &Robot::heading_deg, angle("counter-clockwise from east"))
-      .attribute(
-          "max_speed", &Robot::max_speed,
-          {.unit = "m/s", .min = 0, .max = 100, .meaning = "no wheel rolls faster than this"})
-      .attribute("coverage", &Robot::coverage,
-                 {.unit = "m", .min = 0, .max = 1e4, .meaning = "radius of its communication"})
-      .attribute("leader", &Robot::leader, fact("whether it leads its team"))
-      .attribute("battery", &Robot::battery,
-                 {.unit = "units", .above = 0, .max = 1e12, .meaning = "its battery when full"})
-      .attribute("energy", &Robot::energy,
-                 {.unit = "units",
-                  .min = 0,
-                  .max = 1e12,
-                  .meaning = "in the battery at the start; by default it is full"})
-      .one(body(), &Robot::body)
-      .group(sensors())
-      .group(behaviors())
-      .group(coordinator());
-}
-
-ElementSpec robot() {
-  return with_robot_content(Describe<Robot>("robot", "A two-wheel differential drive")
-                                .attribute("id", &Robot::id, fact("its name"), kRequiredId));
-}
-
 ElementSpec goals() {
   const auto radius = size("how near is near enough");
   return Describe<World>("goals",
@@ -295,7 +154,11 @@ ElementSpec goals() {
                                          {TextForm::id, Reference::robot, true})
                               .attribute("x", &ReachGoal::x, metres("the place, east"), kRequired)
                               .attribute("y", &ReachGoal::y, metres("the place, north"), kRequired)
-                              .attribute("radius", &ReachGoal::radius, radius),
+                              .attribute("radius", &ReachGoal::radius, radius)
+                              .attribute("of", &ReachGoal::of,
+                                         fact("the place is relative to this robot: x ahead of "
+                                              "it, y to its left"),
+                                         kRobot),
                           &World::goals)
       .each_of<PushGoal>(Describe<PushGoal>("push", "To reach: a box is at a place")
                              .attribute("box", &PushGoal::box, fact("which one"),
@@ -376,7 +239,9 @@ ElementSpec world() {
       .group(Describe<World>("chargers", "Where robots charge")
                  .members("charger")
                  .each(charger(), &World::chargers))
-      .group(Describe<World>("robots", "The robots").members("robot").each(robot(), &World::robots))
+      .group(Describe<World>("robots", "The robots")
+                 .members("robot")
+                 .each(robot_element(), &World::robots))
       .group(goals())
       .one(limits(), &World::limits);
 }
@@ -397,12 +262,6 @@ const ElementSpec* ElementSpec::child(const std::string& child_name) const {
 
 const ElementSpec& vocabulary() {
   static const ElementSpec table = world();
-  return table;
-}
-
-const ElementSpec& template_vocabulary() {
-  static const ElementSpec table = with_robot_content(
-      root<Robot>("robot_template", "A robot without an id, to be used in many places"));
   return table;
 }
 

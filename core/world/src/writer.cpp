@@ -17,13 +17,16 @@ void append_attribute(std::string& text, const std::string& name, const Paramete
   text += " " + name + "=\"" + escaped(format_value(value)) + "\"";
 }
 
-void append_parameter(std::string& text, const PluginUse& use, const std::string& name,
-                      const ParameterValue& value) {
-  const auto file = use.file_names.find(name);
-  if (file == use.file_names.end() || value != ParameterValue(file->second.path)) {
-    append_attribute(text, name, value);
-  } else if (!file->second.name.empty()) {
-    append_attribute(text, name, file->second.name);
+// The parameters that are given to a plugin, or to an element in its own.
+template <class Use>
+void append_parameters(std::string& text, const Use& use) {
+  for (const auto& [name, value] : use.parameters) {
+    const auto file = use.file_names.find(name);
+    if (file == use.file_names.end() || value != ParameterValue(file->second.path)) {
+      append_attribute(text, name, value);
+    } else if (!file->second.name.empty()) {
+      append_attribute(text, name, file->second.name);
+    }
   }
 }
 
@@ -49,6 +52,19 @@ std::string children(const ElementSpec& spec, const void* object, std::size_t de
   return text;
 }
 
+// What stands in a plugin's element.
+std::string inside(const ElementSpec& spec, const PluginUse& use, const void* object,
+                   std::size_t depth) {
+  std::string text;
+  for (const ElementUse& nested : use.elements) {
+    text += std::string(2 * depth, ' ') + "<" + nested.element;
+    append_parameters(text, nested);
+    text += "/>\n";
+  }
+  const Coordination* held = spec.inside ? spec.inside(object) : nullptr;
+  return held ? text + children(coordination_vocabulary(), held, depth) : text;
+}
+
 // "" when it is not needed and has nothing to say: everything is as it would be without it.
 std::string element(const ElementSpec& spec, const void* object, bool needed, std::size_t depth) {
   const std::string indent(2 * depth, ' ');
@@ -64,11 +80,10 @@ std::string element(const ElementSpec& spec, const void* object, bool needed, st
     }
   }
   if (use) {
-    for (const auto& [parameter, value] : use->parameters) {
-      append_parameter(attributes, *use, parameter, value);
-    }
+    append_parameters(attributes, *use);
   }
-  const std::string content = children(spec, object, depth + 1);
+  const std::string content =
+      use ? inside(spec, *use, object, depth + 1) : children(spec, object, depth + 1);
   if (!needed && attributes.empty() && content.empty()) {
     return "";
   }

@@ -1,5 +1,6 @@
 #include "beam_steering.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <elsie/fuzzy/fcl.h>
@@ -50,21 +51,27 @@ elsie::Response BeamSteering::respond(const elsie::Perception& now) {
   beams_.clear();
   elsie::MotorCommand sum, nearest;
   double nearest_m = 0.0;
+  double activation = 0.0;
   for (const auto& beam : now.readings<elsie::RangeReading>()) {
     const elsie::Vector2 seen{beam->distance_m, elsie::degrees(beam.azimuth_rad())};
     const elsie::MotorCommand wish{left_->speed(seen.x, seen.y), right_->speed(seen.x, seen.y)};
     sum += wish;
+    if (concerns(beam.azimuth_rad()) && beam->hit && beam->max_range_m > 0.0) {
+      activation = std::max(activation, 1.0 - beam->distance_m / beam->max_range_m);
+    }
     if (beams_.empty() || seen.x < nearest_m) {
       nearest_m = seen.x;
       nearest = wish;
     }
     beams_.push_back(seen);
   }
-  if (beams_.empty()) {
-    return elsie::MotorCommand{};
+  elsie::Response response;
+  response.activation = std::clamp(activation, 0.0, 1.0);  // noise may read less than nothing
+  if (!beams_.empty()) {
+    const double beams = static_cast<double>(beams_.size());
+    response.command = nearest_counts_twice_ ? (sum + nearest) / (beams + 1.0) : sum / beams;
   }
-  const double beams = static_cast<double>(beams_.size());
-  return nearest_counts_twice_ ? (sum + nearest) / (beams + 1.0) : sum / beams;
+  return response;
 }
 
 elsie::CommandSets BeamSteering::command_sets(const elsie::Response& given) const {

@@ -31,7 +31,8 @@ class BeamController {
   std::size_t azimuth_;
 };
 
-/// A behaviour that sums what both controllers answer to each beam.
+/// A behaviour that sums what both controllers answer to each beam. Its activation says how near
+/// the nearest thing is that concerns it: 0 at a beam's maximum range and beyond, 1 at contact.
 class BeamSteering : public elsie::Behavior {
  public:
   elsie::FilePath left_model;
@@ -45,6 +46,10 @@ class BeamSteering : public elsie::Behavior {
  protected:
   BeamSteering(const char* left, const char* right, bool nearest_counts_twice)
       : left_model{left}, right_model{right}, nearest_counts_twice_(nearest_counts_twice) {}
+
+  /// Whether what is seen in this direction is a reason to act: what is not leaves the activation
+  /// alone.
+  virtual bool concerns(double /*azimuth_rad*/) const { return true; }
 
  private:
   bool nearest_counts_twice_;

@@ -36,7 +36,7 @@ class GoToPoint final : public elsie::Behavior {
     return response;
   }
 
-  void reset() override { arrived_ = false; }
+  void reset(elsie::Random&) override { arrived_ = false; }
 
  private:
   bool arrived_ = false;

@@ -9,6 +9,9 @@ class TurnLeft final : public BeamSteering {
   TurnLeft()
       : BeamSteering("fuzzy_models/turn_left_left.fcl", "fuzzy_models/turn_left_right.fcl", false) {
   }
+
+ private:
+  bool concerns(double azimuth_rad) const override { return azimuth_rad < 0.0; }
 };
 
 }  // namespace

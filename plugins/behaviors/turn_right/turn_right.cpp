@@ -8,6 +8,9 @@ class TurnRight final : public BeamSteering {
   TurnRight()
       : BeamSteering("fuzzy_models/turn_right_left.fcl", "fuzzy_models/turn_right_right.fcl",
                      false) {}
+
+ private:
+  bool concerns(double azimuth_rad) const override { return azimuth_rad > 0.0; }
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ class Wander final : public elsie::Behavior {
     return elsie::MotorCommand{speed - bias_, speed + bias_};
   }
 
-  void reset() override { bias_ = 0.0; }
+  void reset(elsie::Random&) override { bias_ = 0.0; }
 
  private:
   double bias_ = 0.0;  // rad/s

@@ -3,6 +3,8 @@
 
 #include <elsie/api/coordinator.h>
 
+#include "weighing.h"
+
 namespace {
 
 class FusionVectorSummation final : public elsie::Coordinator {
@@ -12,21 +14,16 @@ class FusionVectorSummation final : public elsie::Coordinator {
   elsie::MotorCommand coordinate(std::span<elsie::Member> members,
                                  const elsie::Perception&) override {
     elsie::MotorCommand sum;
-    double effort = 0.0;  // of all behaviours together, to tell each one's share
     for (elsie::Member& member : members) {
       const double weight = weighted ? member.priority() : 1.0;
       const elsie::MotorCommand wish = weight * member.respond().command;
       sum += wish;
       member.trace.weight = weight;
+      // Its part in the effort of all; where nobody makes an effort, in the weights.
       member.trace.share = std::hypot(wish.left, wish.right);
-      member.trace.reason = "summed";
-      effort += member.trace.share;
+      member.trace.reason = weight != 0.0 ? "summed" : "priority zero";
     }
-    if (effort > 0.0) {
-      for (elsie::Member& member : members) {
-        member.trace.share /= effort;
-      }
-    }
+    normalize_shares(members);
     return members.empty() ? sum : sum / static_cast<double>(members.size());
   }
 };

@@ -42,17 +42,43 @@ struct Response {
   double activation = 1.0;
   /// How firmly it stands by its command, in [0, 1], for coordinators that resolve by strength.
   double strength = 1.0;
+  /// The same for each channel by itself, as factors of `strength`, in [0, 1]: a behaviour that
+  /// only steers leaves the speed open, one that only brakes leaves the direction open. The
+  /// channels are the forward speed (the mean of the wheel rates) and the turn (half their
+  /// difference).
+  double speed_strength = 1.0;
+  double turn_strength = 1.0;
   /// Asks the simulator to charge the battery. Granted while the robot is at a charger of its team.
   bool charge = false;
   /// What the behaviour says has happened. Empty costs nothing.
   std::vector<Event> events;
 };
 
+/// Behaviours with a coordinator of their own, inside a behaviour: so coordination nests. What is
+/// in it stands in the world file as <behaviors> and <coordinator> inside the behaviour's element;
+/// the simulator makes it and runs it. See holds_behaviors() in declaration.h.
+class Coordination {
+ public:
+  /// Asks the coordinator, which asks its behaviours: their command together. Its activation and
+  /// strength are the means of theirs, weighted by their shares in the command. Events and charging
+  /// that they ask for are seen to.
+  virtual Response respond(const Perception& now) = 0;
+  /// How good candidate commands are to all of them together, once respond() was called in this
+  /// step: Coordinator::rate().
+  virtual void rate(std::span<const MotorCommand> candidates, std::span<double> desirability) = 0;
+  /// Their wishes together as fuzzy sets, likewise: Coordinator::command_sets().
+  virtual CommandSets command_sets() = 0;
+
+ protected:
+  ~Coordination() = default;
+};
+
 class Behavior : public Component {
  public:
   /// Called after configured(), when the robot is complete: `example` has every reading that
-  /// the robot will ever have, with values that mean nothing yet. Throw (std::invalid_argument,
-  /// with a sentence) when the parameters do not fit the sensors.
+  /// the robot will ever have, with values that mean nothing yet. What never changes is true
+  /// already: the body's measures, the team, whether it has a charger. Throw
+  /// (std::invalid_argument, with a sentence) when the parameters do not fit the sensors.
   virtual void equipped(const Perception& example);
 
   /// The answer to what is perceived now. Finite wheel rates; anything else ends the run and names
@@ -73,7 +99,8 @@ class Behavior : public Component {
 
 /// Makes a behaviour class a plugin:
 ///   ELSIE_BEHAVIOR(Class, "name", "one line that says what it does", items...)
-/// Items: elsie::parameter(), elsie::needs<Reading>(), elsie::raises(), elsie::version(); see
+/// Items: elsie::parameter(), elsie::elements(), elsie::holds_behaviors(), elsie::needs<Reading>(),
+/// elsie::raises(), elsie::version(); see
 /// declaration.h.
 #define ELSIE_BEHAVIOR(Class, ...) \
   ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::behavior, Class, __VA_ARGS__)

@@ -1,11 +1,17 @@
 // What all plugin objects have in common.
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "elsie/api/random.h"
+
 namespace elsie {
 
 /// A sensor, behaviour or coordinator at run time. Life of one:
 ///
-///   constructed -> parameters set -> configured() -> { reset() -> many steps }... -> destroyed
+///   constructed -> parameters and nested elements set -> configured() -> equipped()
+///     -> { reset() -> notes() -> many steps }... -> destroyed
 ///
 /// It belongs to one robot; instances share nothing. It is called from one thread at a time,
 /// perhaps not always the same one. Exceptions thrown anywhere are caught by the simulator, which
@@ -22,8 +28,13 @@ class Component {
   /// when the parameters do not fit together.
   virtual void configured() {}
 
-  /// Called before each run: forget what the last run left.
-  virtual void reset() {}
+  /// Called before each run: forget what the last run left. `random` is the object's own stream,
+  /// at its start: the one that it draws from during the run.
+  virtual void reset(Random& /*random*/) {}
+
+  /// What a user should be told once a run is prepared, a sentence each: how well a network was
+  /// trained, what was left out. Asked after reset().
+  virtual std::vector<std::string> notes() const { return {}; }
 };
 
 }  // namespace elsie

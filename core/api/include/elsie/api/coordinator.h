@@ -106,6 +106,16 @@ class Coordinator : public Component {
   /// then. Fill the weight, share and reason of each member's trace; the rows were cleared before
   /// the call.
   virtual MotorCommand coordinate(std::span<Member> members, const Perception& now) = 0;
+
+  /// For a coordinator inside a behaviour, whose outer coordinator asks further: how good each
+  /// candidate command would be to the members together, in [0, 1]. `given` is what coordinate()
+  /// answered in this step. By default a bump around the given command, as Behavior::rate()'s.
+  virtual void rate(std::span<Member> members, const MotorCommand& given,
+                    std::span<const MotorCommand> candidates, std::span<double> desirability);
+
+  /// Likewise, the wishes of the members together as fuzzy sets, before defuzzification. By default
+  /// a triangle around the given command, as Behavior::command_sets()'s.
+  virtual CommandSets command_sets(std::span<Member> members, const MotorCommand& given);
 };
 
 /// Makes a coordinator class a plugin; see ELSIE_BEHAVIOR.

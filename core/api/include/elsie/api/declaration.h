@@ -6,8 +6,10 @@
 #include <functional>
 #include <initializer_list>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -16,6 +18,8 @@
 #include "elsie/api/reading.h"
 
 namespace elsie {
+
+class Coordination;
 
 enum class PluginKind { sensor, behavior, coordinator };
 
@@ -39,6 +43,7 @@ struct ParameterFacts {
   double max = std::numeric_limits<double>::infinity();     // largest allowed value
   std::vector<std::string> choices{};                       // of a text: the only allowed values
   std::string meaning{};                                    // one line
+  bool required = false;                                    // a world file must give it
 };
 
 /// A parameter, bound to a member of the plugin's class: its type and default come from the member.
@@ -54,6 +59,28 @@ struct ParameterDeclaration {
   // The numbers that the member's type can hold, whatever `facts` allow.
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
+};
+
+/// One element nested in a plugin's, as a world file gives it. What it does not say keeps its
+/// default.
+struct ElementValue {
+  std::string element;  // its name
+  std::map<std::string, ParameterValue> parameters;
+
+  friend bool operator==(const ElementValue&, const ElementValue&) = default;
+};
+
+/// An element that may stand inside a plugin's element, any number of times: a link, a candidate, a
+/// step of a pipeline. Elements of one list keep the order of the file among each other, whatever
+/// their names.
+struct ElementDeclaration {
+  std::string name;
+  std::string meaning;
+  std::vector<ParameterDeclaration> parameters;  // `set` and `get` are empty
+  std::size_t list = 0;                          // which of the plugin's lists it belongs to
+  /// Empties the list. Once one element of a list is given, its defaults go.
+  std::function<void(Component&)> clear;
+  std::function<void(Component&, const ElementValue&)> append;
 };
 
 /// An event that a plugin may raise.
@@ -74,6 +101,11 @@ struct Declaration {
   std::string version = "1.0";
   std::string description;
   std::vector<ParameterDeclaration> parameters;
+  std::vector<ElementDeclaration> elements;
+  std::vector<ElementValue> default_elements;  // what stands in the lists when a file gives nothing
+  /// Behaviours that hold others: hands over what is inside, before configured(). Empty: the plugin
+  /// holds none.
+  std::function<void(Component&, Coordination&)> hold;
   std::vector<ReadingDeclaration> needs;     // behaviours: a robot without such a sensor is refused
   std::vector<ReadingDeclaration> produces;  // sensors: exactly one
   std::vector<EventDeclaration> events;
@@ -97,6 +129,45 @@ template <class Class, class Value>
 ParameterItem<Class, Value> parameter(const char* name, Value Class::*member,
                                       ParameterFacts facts = {}) {
   return {name, member, std::move(facts)};
+}
+
+template <class Item>
+struct ElementItem {
+  std::string name;
+  std::string meaning;
+  std::vector<ParameterDeclaration> parameters;
+  std::function<Item(const ElementValue&)> make;
+  std::function<ElementValue(const Item&)> tell;
+};
+
+/// An element that stands for one object of the plain struct `Item`; its parameters are bound to
+/// members of that struct as a plugin's are to members of its class.
+template <class Item, class... Values>
+ElementItem<Item> element(const char* name, const char* meaning,
+                          ParameterItem<Item, Values>... parameters);
+
+template <class Class, class Value, class... Items>
+struct ElementsItem {
+  std::vector<Value> Class::*list;
+  std::tuple<ElementItem<Items>...> items;
+};
+
+/// A list of nested elements, bound to a member of the plugin's class: a std::vector of the one
+/// struct that element() describes, or of a std::variant of several.
+template <class Class, class Value, class... Items>
+ElementsItem<Class, Value, Items...> elements(std::vector<Value> Class::*list,
+                                              ElementItem<Items>... items) {
+  return {list, {std::move(items)...}};
+}
+
+template <class Class>
+struct HoldsItem {
+  Coordination* Class::*member;
+};
+/// A behaviour made of behaviours and their coordinator: the member points to them.
+template <class Class>
+HoldsItem<Class> holds_behaviors(Coordination* Class::*member) {
+  return {member};
 }
 
 struct NeedsItem {
@@ -193,23 +264,76 @@ void from_value(const ParameterValue& value, Value& member) {
   }
 }
 
+/// What there is to say of a parameter but for how it is set and read.
+template <class Object, class Class, class Value>
+ParameterDeclaration describe(const Object& defaults, const ParameterItem<Class, Value>& item) {
+  ParameterDeclaration parameter;
+  parameter.name = item.name;
+  parameter.type = type_of<Value>();
+  parameter.facts = item.facts;
+  parameter.default_value = to_value(defaults.*(item.member));
+  limit<Value>(parameter);
+  return parameter;
+}
+
 template <class Plugin, class Class, class Value>
 void apply(Declaration& declaration, const Plugin& defaults, ParameterItem<Class, Value> item) {
   static_assert(std::is_base_of_v<Class, Plugin>,
                 "a parameter must be a member of the plugin's class");
   const auto member = item.member;
-  ParameterDeclaration& parameter = declaration.parameters.emplace_back();
-  parameter.name = std::move(item.name);
-  parameter.type = type_of<Value>();
-  parameter.facts = std::move(item.facts);
-  parameter.default_value = to_value(defaults.*member);
+  ParameterDeclaration& parameter = declaration.parameters.emplace_back(describe(defaults, item));
   parameter.set = [member](Component& object, const ParameterValue& value) {
     from_value(value, static_cast<Plugin&>(object).*member);
   };
   parameter.get = [member](const Component& object) {
     return to_value(static_cast<const Plugin&>(object).*member);
   };
-  limit<Value>(parameter);
+}
+template <class Plugin, class Class, class Value, class Item>
+void apply_element(Declaration& declaration, std::vector<Value> Class::*list, std::size_t number,
+                   const ElementItem<Item>& item) {
+  ElementDeclaration& element = declaration.elements.emplace_back();
+  element.name = item.name;
+  element.meaning = item.meaning;
+  element.parameters = item.parameters;
+  element.list = number;
+  element.clear = [list](Component& object) { (static_cast<Plugin&>(object).*list).clear(); };
+  element.append = [list, make = item.make](Component& object, const ElementValue& value) {
+    (static_cast<Plugin&>(object).*list).push_back(make(value));
+  };
+}
+/// The element that stands for an object of a list.
+template <class Value, class Item>
+void tell(const Value& value, const ElementItem<Item>& item, std::vector<ElementValue>& told) {
+  if constexpr (std::is_same_v<Value, Item>) {
+    told.push_back(item.tell(value));
+  } else if (const Item* alternative = std::get_if<Item>(&value)) {
+    told.push_back(item.tell(*alternative));
+  }
+}
+template <class Plugin, class Class, class Value, class... Items>
+void apply(Declaration& declaration, const Plugin& defaults,
+           ElementsItem<Class, Value, Items...> item) {
+  static_assert(std::is_base_of_v<Class, Plugin>,
+                "a list of elements must be a member of the plugin's class");
+  const std::size_t number =
+      declaration.elements.empty() ? 0 : declaration.elements.back().list + 1;
+  std::apply(
+      [&](const auto&... each) {
+        (apply_element<Plugin>(declaration, item.list, number, each), ...);
+        for (const Value& value : defaults.*(item.list)) {
+          (tell(value, each, declaration.default_elements), ...);
+        }
+      },
+      item.items);
+}
+template <class Plugin, class Class>
+void apply(Declaration& declaration, const Plugin&, HoldsItem<Class> item) {
+  static_assert(std::is_base_of_v<Class, Plugin>,
+                "what holds behaviors must be a member of the plugin's class");
+  declaration.hold = [member = item.member](Component& object, Coordination& inside) {
+    static_cast<Plugin&>(object).*member = &inside;
+  };
 }
 template <class Plugin>
 void apply(Declaration& declaration, const Plugin&, NeedsItem item) {
@@ -229,6 +353,33 @@ void apply(Declaration& declaration, const Plugin&, VersionItem item) {
 }
 
 }  // namespace detail
+
+template <class Item, class... Values>
+ElementItem<Item> element(const char* name, const char* meaning,
+                          ParameterItem<Item, Values>... parameters) {
+  ElementItem<Item> item;
+  item.name = name;
+  item.meaning = meaning;
+  const Item defaults{};
+  (item.parameters.push_back(detail::describe(defaults, parameters)), ...);
+  item.make = [parameters...](const ElementValue& value) {
+    Item made{};
+    const auto set = [&](const auto& parameter) {
+      if (const auto given = value.parameters.find(parameter.name);
+          given != value.parameters.end()) {
+        detail::from_value(given->second, made.*(parameter.member));
+      }
+    };
+    (set(parameters), ...);
+    return made;
+  };
+  item.tell = [name = item.name, parameters...](const Item& told) {
+    ElementValue value{name, {}};
+    (value.parameters.emplace(parameters.name, detail::to_value(told.*(parameters.member))), ...);
+    return value;
+  };
+  return item;
+}
 
 /// The declaration of a plugin class; what the ELSIE_... macros call.
 template <class Plugin, class... Items>

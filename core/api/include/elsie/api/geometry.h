@@ -76,6 +76,12 @@ inline double wrap_angle(double angle_rad) {
 
 inline double distance(const Pose& a, const Pose& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
+/// A point of a pose's own frame (x ahead, y to the left) in the frame around it.
+inline Vector2 point_of(const Pose& pose, const Vector2& point) {
+  const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
+  return {pose.x + c * point.x - s * point.y, pose.y + s * point.x + c * point.y};
+}
+
 /// Direction from one pose to a point, relative to the pose's heading; in (-pi, pi], positive to
 /// the left.
 inline double bearing(const Pose& from, double x, double y) {

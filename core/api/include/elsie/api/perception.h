@@ -27,6 +27,7 @@ struct Mounting {
 struct OwnState {
   std::string_view id;
   Pose pose;                     // ground truth
+  MotorCommand commanded;        // the last step's wheel rates, limited to the maximum speed, rad/s
   MotorCommand wheel_rates;      // measured, rad/s
   double speed_m_s = 0.0;        // along the heading, measured
   double turn_rate_rad_s = 0.0;  // counter-clockwise, measured
@@ -37,6 +38,7 @@ struct OwnState {
   double max_speed_m_s = 0.5;
   double coverage_m = 0.5;  // communication radius
   bool is_leader = false;
+  int team_index = 0;        // which of its team's robots it is, in file order, from 0
   double energy = 5000.0;    // units
   double capacity = 5000.0;  // units
   bool charging = false;
@@ -59,6 +61,7 @@ struct TeamMate {
   double distance_m = 0.0;
   double bearing_rad = 0.0;  // from the own heading, positive to the left
   bool is_leader = false;
+  int team_index = 0;  // as OwnState's
 };
 
 struct TeamState {

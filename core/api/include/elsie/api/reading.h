@@ -20,6 +20,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "elsie/api/image.h"
+
 namespace elsie {
 
 /// Distance to the nearest surface along a ray.
@@ -45,6 +47,29 @@ struct ProximityReading {
   template <class Visitor>
   void visit(Visitor&& visitor) const {
     visitor("detected", detected);
+  }
+};
+
+/// What a camera sees, and where in its picture the thing is that it looks for. Columns and rows
+/// are counted from the picture's upper left corner, in pixels; see Camera.
+struct VisionReading {
+  static constexpr const char* kind = "vision";
+  bool found = false;
+  double column = 0.0;              // of the blob's centre of area; 0 when nothing was found
+  double row = 0.0;                 // likewise
+  double area_px = 0.0;             // of the blob; 0 when nothing was found
+  int width = 100;                  // of the picture, px
+  int height = 100;                 // of the picture, px
+  double horizontal_fov_rad = 0.0;  // of the camera
+  Image raw;                        // as the camera took it
+  Image processed;  // as the blob was looked for in it: one channel, 255 where it may be
+
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("found", found);
+    visitor("column", column);
+    visitor("row", row);
+    visitor("area_px", area_px);
   }
 };
 

@@ -6,11 +6,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "elsie/api/component.h"
 #include "elsie/api/geometry.h"
+#include "elsie/api/image.h"
 #include "elsie/api/perception.h"
 #include "elsie/api/random.h"
 #include "elsie/api/reading.h"
@@ -41,6 +43,12 @@ class Surroundings {
   /// The nearest other robot, of any team, within the radius around the carrier: for radio or
   /// infra-red beacons.
   virtual std::optional<TeamMate> nearest_robot(double radius_m) const = 0;
+  /// All other robots, of any team, within the radius around the carrier, in file order; appended
+  /// to `robots`.
+  virtual void robots_within(double radius_m, std::vector<TeamMate>& robots) const = 0;
+  /// The colours of the resources that the carrier may collect, as cameras see them in full light:
+  /// each once, in file order. The same during a whole run.
+  virtual std::span<const Colour> resource_colours() const = 0;
 
  protected:
   ~Surroundings() = default;
@@ -54,11 +62,17 @@ struct SensorContext {
   const Mounting* mounting;  // the sensor on the robot
   const Surroundings* world;
   Random* random;
+  const Image* image = nullptr;  // what the sensor's camera sees now; see Sensor::camera()
 };
 
 /// A sensor with the type of its reading left out. Derive from SensorOf<Reading> instead.
 class Sensor : public Component {
  public:
+  /// The camera that the sensor looks through, if it does: the simulator then takes a picture from
+  /// the sensor's frame before each update. Asked once, after configured(). Taking pictures needs
+  /// EGL on the machine; a sensor without a camera does not.
+  virtual std::optional<Camera> camera() const { return std::nullopt; }
+
   /// What kind of reading it makes.
   virtual ReadingKind kind() const = 0;
   /// Takes a new reading.
@@ -77,11 +91,14 @@ class SensorOf : public Sensor {
  public:
   using ReadingType = Reading;
 
-  /// What is sensed now.
-  virtual Reading sense(const SensorContext& now) = 0;
+  /// What is sensed now. One of the two must be overridden: this one, or the next one for readings
+  /// with memory of their own (images), which stay where they are from one update to the next.
+  virtual Reading sense(const SensorContext& /*now*/) { return {}; }
+  /// Likewise, into the reading of the last update.
+  virtual void sense_into(const SensorContext& now, Reading& reading) { reading = sense(now); }
 
   ReadingKind kind() const final { return ReadingKind::of<Reading>(); }
-  void update(const SensorContext& now) final { reading_ = sense(now); }
+  void update(const SensorContext& now) final { sense_into(now, reading_); }
   const void* reading() const final { return &reading_; }
   void forget() final { reading_ = Reading{}; }
   void list_values(std::vector<NamedValue>& values) const final {

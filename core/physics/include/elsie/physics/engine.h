@@ -19,8 +19,9 @@
 
 namespace elsie::physics {
 
-/// A robot or a box, by its place in the order in which they were added. Walls are bodies too: 0 to
-/// the east (+x), 1 north (+y), 2 west, 3 south, all outside of the arena's area.
+/// A robot or a box, by its place in the order in which they were added. A robot's segments are
+/// part of it. Walls are bodies too: 0 to the east (+x), 1 north (+y), 2 west, 3 south, all outside
+/// of the arena's area.
 enum class BodyKind : std::uint8_t { robot, box, wall };
 struct Body {
   BodyKind kind = BodyKind::wall;
@@ -38,9 +39,18 @@ struct RobotState {
   double turn_rate = 0.0;    // rad/s counter-clockwise
 };
 
+/// The state of a segment that a robot pulls.
+struct SegmentState {
+  Frame frame;             // origin below the middle of its axle, at wheel-bottom height
+  Pose pose;               // the same on the floor
+  double yaw_rad = 0.0;    // of its joint, from in line with the body in front, counter-clockwise
+  double pitch_rad = 0.0;  // likewise; positive where its front points up
+};
+
 /// Two bodies that touched during the last step; a < b. Each pair once, in ascending order. The
-/// floor is not listed. Bodies touch when there is no gap between them at the beginning of the step
-/// (to within 0.02 mm); what comes to a stop at a wall touches it in the step after.
+/// floor is not listed, and neither is a robot that its own segments touch. Bodies touch when there
+/// is no gap between them at the beginning of the step (to within 0.02 mm); what comes to a stop at
+/// a wall touches it in the step after.
 struct Touch {
   Body a;
   Body b;
@@ -58,14 +68,20 @@ class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Adds a robot that stands at the pose, its wheels `z` m above the floor; returns its index.
-  /// Throws std::invalid_argument for dimensions and masses that are not positive and finite.
-  virtual std::size_t add_robot(const world::RobotBody& body, const Pose& pose, double z = 0.0) = 0;
+  /// Adds a robot that stands at the pose, its wheels `z` m above the floor, with its segments in
+  /// line behind it; returns its index. Throws std::invalid_argument for dimensions and masses that
+  /// are not positive and finite.
+  virtual std::size_t add_robot(const world::RobotBody& body, const Pose& pose, double z = 0.0,
+                                std::span<const world::Segment> segments = {}) = 0;
   /// Adds a box; returns its index. Resources are fixed boxes until they are removed. Fixed and
   /// moving boxes float where z is positive, dynamic ones fall. Throws as add_robot() does.
   virtual std::size_t add_box(const world::Box& box) = 0;
   /// Takes a box out of the world; its index stays taken.
   virtual void remove_box(std::size_t box) = 0;
+
+  /// Puts a robot somewhere else, at rest, with its segments in line behind it. What the motors are
+  /// to hold stays. Throws as add_robot() does.
+  virtual void place_robot(std::size_t robot, const Pose& pose, double z = 0.0) = 0;
 
   /// What the motors are to hold from now on; the caller has limited it to the maximum speed.
   virtual void set_wheel_rates(std::size_t robot, const MotorCommand& rates) = 0;
@@ -78,6 +94,9 @@ class Engine {
   virtual void step() = 0;
 
   virtual RobotState robot(std::size_t robot) const = 0;
+  /// How many segments a robot pulls, and one of them, counted from the robot backwards.
+  virtual std::size_t segments(std::size_t robot) const = 0;
+  virtual SegmentState segment(std::size_t robot, std::size_t segment) const = 0;
   virtual Frame box(std::size_t box) const = 0;  // origin in the middle of its bottom
   virtual bool has_box(std::size_t box) const = 0;
   /// Contacts of the last step.
@@ -86,8 +105,8 @@ class Engine {
   /// The first surface along a ray (`direction` a unit vector), no further away than `max_range`,
   /// as range sensors see the world: floor (from above), walls, boxes that are visible to them, and
   /// robots: wheels, and the chassis with a sensor deck of 2 cm on top, so that sensors at the top
-  /// of a chassis see robots of the same size. The robot `except` is left out. Of bodies at the
-  /// same distance the first in their order is met.
+  /// of a chassis see robots of the same size; segments likewise. The robot `except` is left
+  /// out, with all its segments. Of bodies at the same distance the first in their order is met.
   virtual std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction,
                                          double max_range, std::size_t except) const = 0;
   /// Whether a wall, a visible box or a robot other than `except` reaches into the pyramid, whose
@@ -102,7 +121,8 @@ class Engine {
   virtual std::uint64_t hash_state(std::uint64_t hash = 0xcbf29ce484222325ULL) const = 0;
 };
 
-/// The ODE engine: hinged wheels, casters on ball joints, contacts with slip. Throws
+/// The ODE engine: hinged wheels, casters on ball joints, segments on universal joints, contacts
+/// with slip. Throws
 /// std::invalid_argument for an arena or parameters that it cannot work with (a step that is not
 /// positive, an erp outside of (0, 1]...).
 std::unique_ptr<Engine> make_ode_engine(const world::Arena& arena, const world::Physics& physics);

@@ -32,6 +32,7 @@ struct RobotTrack {
   Pose now;
   std::vector<Beam> beams;
   std::vector<Vector2> touches;  // where it touched something that it should not have
+  std::vector<Pose> segments{};  // where those that it pulls are; those missing stand in line
 };
 
 /// What to draw. The world must live as long as the view.

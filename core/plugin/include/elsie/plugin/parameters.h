@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "elsie/api/declaration.h"
 
@@ -20,10 +21,12 @@ std::optional<std::string> check_value(const ParameterDeclaration& parameter,
                                        const ParameterValue& value);
 
 /// Sets the given parameters of an object that `declaration` made; the others keep the values that
-/// they have. Then calls configured(), also when nothing was given. Throws PluginError that tells
-/// of every wrong name and value at once, in which case nothing was set; or of what configured()
+/// they have. Nested elements replace those of the lists that they belong to; other lists stay as
+/// they are. Then calls configured(), also when nothing was given. Throws PluginError that tells of
+/// every wrong name and value at once, in which case nothing was set; or of what configured()
 /// threw.
 void apply_parameters(const Declaration& declaration, Component& object,
-                      const std::map<std::string, ParameterValue>& parameters);
+                      const std::map<std::string, ParameterValue>& parameters,
+                      const std::vector<ElementValue>& elements = {});
 
 }  // namespace elsie::plugin

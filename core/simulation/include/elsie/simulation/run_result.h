@@ -22,6 +22,13 @@ struct EventRecord {
   std::string detail;  // with what, which resource...; may be empty
 };
 
+/// What a plugin has to say to the user before a run: how its training went, for example.
+struct Note {
+  std::string robot;
+  std::string plugin;  // its id on the robot
+  std::string text;    // one sentence or several
+};
+
 struct RobotResult {
   std::string id;
   std::string team;
@@ -42,6 +49,7 @@ struct RunResult {
   std::uint64_t state_hash = 0;  // over the state of all bodies and batteries at the end
   std::vector<RobotResult> robots;
   std::vector<EventRecord> events;
+  std::vector<Note> notes;
 };
 
 }  // namespace elsie::simulation

@@ -39,15 +39,43 @@ struct SensorView {
   std::string_view plugin;
   const Sensor* sensor;
   const Mounting* mounting;
+  const Camera* camera;  // that it looks through, or none
+  const Image* picture;  // what that saw last; none before the first step
 };
+
+/// One segment that a robot pulls, at this instant.
+struct SegmentView {
+  const world::Segment* description;
+  Frame frame;       // origin below the middle of its axle, at wheel-bottom height
+  Pose pose;         // the same on the floor
+  double yaw_rad;    // of its joint, from in line with the body in front, counter-clockwise
+  double pitch_rad;  // likewise; positive where its front points up
+};
+
+/// One behaviour among all those of a robot, whatever depth it stands at, with the trace of the
+/// last decision.
+struct TracedMember {
+  std::string path;              // ids from the robot on: "explore/avoid_obstacle"
+  std::string_view plugin;       // the behaviour's
+  std::string_view coordinator;  // the plugin of the coordinator that decides about it
+  int depth = 0;                 // 0: the robot's own
+  int parent = -1;               // the behaviour that it is inside of, by its place; -1: none
+  const Member* member = nullptr;
+};
+
+/// The member that silenced this one in the last decision, or null.
+const TracedMember* inhibitor_of(const TracedMember& member, std::span<const TracedMember> all);
 
 /// One robot at this instant, to look at.
 struct RobotView {
   const world::Robot* description;
   const OwnState* state;            // as it was last perceived or, between steps, as it is now
   MotorCommand command;             // what its motors hold
-  std::span<const Member> members;  // with the trace of the last decision
-  double distance_m;                // driven so far
+  std::span<const Member> members;  // its own behaviours, with the trace of the last decision
+  /// The same and those inside them: each behaviour before those inside it, in file order.
+  /// Member::trace.inhibited_by counts among the members of one parent.
+  std::span<const TracedMember> trace;
+  double distance_m;  // driven so far
   int collisions;
   bool empty;  // the battery is
 };
@@ -80,6 +108,8 @@ class Simulation {
   Outcome outcome() const;
   std::uint64_t state_hash() const;
   std::span<const EventRecord> events() const;
+  /// What plugins have to say about this run since it was reset.
+  std::span<const Note> notes() const;
 
   std::size_t robots() const;
   RobotView robot(std::size_t index) const;
@@ -89,6 +119,8 @@ class Simulation {
   void list_values(std::size_t robot, std::size_t sensor, std::vector<NamedValue>& values) const;
   /// Where a sensor is in the world now.
   Frame sensor_frame(std::size_t robot, std::size_t index) const;
+  /// A segment that a robot pulls, counted from the robot backwards.
+  SegmentView segment(std::size_t robot, std::size_t index) const;
   /// Where a box is now; none when it was collected.
   std::optional<Pose> box(std::size_t index) const;
 

@@ -14,6 +14,7 @@
 
 #include "elsie/api/declaration.h"
 #include "elsie/api/geometry.h"
+#include "elsie/api/image.h"
 
 namespace elsie::world {
 
@@ -50,11 +51,7 @@ struct Physics {
   double effective_cfm() const { return kp && kd ? 1.0 / (step * *kp + *kd) : cfm; }
 };
 
-struct Colour {
-  std::uint8_t red = 128, green = 128, blue = 128;
-
-  friend bool operator==(const Colour&, const Colour&) = default;
-};
+using elsie::Colour;
 
 struct Team {
   std::string id;
@@ -92,9 +89,10 @@ struct Charger {
   std::string id;
   std::string team;  // empty: any team
   double x = 0.0, y = 0.0;
-  double radius = 0.15;                // m: how near a robot must be
-  double rate = 2500.0;                // units per second: 25 in each control step of 0.01 s
-  bool seen_by_range_sensors = false;  // then it is a box of 0.1 m edge instead of a mark
+  double radius = 0.15;                    // m: how near a robot must be
+  double rate = 2500.0;                    // units per second: 25 in each control step of 0.01 s
+  bool seen_by_range_sensors = false;      // then it is a box of this edge instead of a mark
+  static constexpr double kBoxEdge = 0.1;  // m
   Location location;
 };
 
@@ -107,6 +105,12 @@ struct FileName {
   friend bool operator==(const FileName&, const FileName&) = default;
 };
 
+/// An element nested in a plugin's.
+struct ElementUse : ElementValue {
+  std::map<std::string, FileName> file_names;  // of file parameters that are not empty
+  Location location;
+};
+
 /// A plugin in use: which one, and what the file says of its parameters. What it does not say keeps
 /// the declared default.
 struct PluginUse {
@@ -116,6 +120,7 @@ struct PluginUse {
   std::map<std::string, ParameterValue>
       parameters;  // checked against the declaration; file paths resolved
   std::map<std::string, FileName> file_names;  // of file parameters that are not empty
+  std::vector<ElementUse> elements;            // nested in its own, checked like the parameters
   Location location;
 };
 
@@ -127,8 +132,17 @@ struct SensorUse : PluginUse {
   double energy_cost = 1.0;  // units per second
 };
 
+struct Coordination;
+
 struct BehaviorUse : PluginUse {
   double priority = 1.0;
+  std::vector<Coordination> inside;  // one if the behaviour holds others, else none
+};
+
+/// Behaviours and what turns their wishes into one command.
+struct Coordination {
+  std::vector<BehaviorUse> behaviors;
+  std::optional<PluginUse> coordinator;
 };
 
 /// The body of a two-wheel differential drive: a box on two wheels and two casters. The origin of
@@ -150,7 +164,33 @@ struct RobotBody {
   double top() const { return clearance + height; }
 };
 
-struct Robot {
+/// What a robot may pull behind it: a box on two passive wheels, whose axle is below its middle and
+/// whose outer faces are flush with its sides. A joint with two degrees of freedom, yaw and pitch,
+/// links it to the body in front: the robot, or the segment before. train.h says where the joint
+/// is.
+struct Segment {
+  std::string id;              // unique within the robot
+  double length = 0.08;        // m, along its heading
+  double width = 0.06;         // m
+  double height = 0.08;        // m, of the box
+  double clearance = 0.01;     // m, from the floor to the box
+  double mass = 0.1;           // kg, all of it
+  double wheel_radius = 0.02;  // m
+  double wheel_width = 0.01;   // m
+  double gap = 0.04;           // m, between the body in front and this one when they stand in line
+  std::optional<double>
+      hitch;  // m, of the joint behind the middle of the body in front; default: in mid-gap
+  std::optional<double> hitch_height;  // m, of the joint above the floor; default: that of the axle
+  std::optional<double>
+      max_yaw_deg;  // to either side; default: where the two bodies would touch, at most 90
+  double max_pitch_deg = 20.0;  // upwards and downwards
+  Location location;
+
+  double half_axle() const { return 0.5 * (width - wheel_width); }
+  double top() const { return clearance + height; }
+};
+
+struct Robot : Coordination {
   std::string id;
   std::string team = "red";
   double x = 0.0, y = 0.0, z = 0.0;  // m
@@ -161,9 +201,8 @@ struct Robot {
   double battery = 5000.0;       // units when full
   std::optional<double> energy;  // units at the start; default: full
   RobotBody body;
+  std::vector<Segment> segments;  // from the robot backwards
   std::vector<SensorUse> sensors;
-  std::vector<BehaviorUse> behaviors;
-  std::optional<PluginUse> coordinator;
   Location location;
 };
 
@@ -175,10 +214,11 @@ struct CollectGoal {
   std::string team;  // empty: every resource
   Location location{};
 };
-/// To reach: a robot is within `radius` of a place.
+/// To reach: a robot is within `radius` of a place, in the arena or in another robot's frame.
 struct ReachGoal {
   std::string robot;
   double x = 0.0, y = 0.0, radius = 0.2;
+  std::string of;  // the robot in whose frame (x ahead, y to the left) the place is; empty: none
   Location location{};
 };
 /// To reach: a box (a dynamic one, in general) has its middle within `radius` of a place.

@@ -15,8 +15,9 @@ class Host;
 namespace elsie::world {
 
 struct ReadOptions {
-  /// Attributes to change, each "PATH=VALUE", after templates are merged in and before anything is
-  /// checked (the attribute `template` itself: before they are merged).
+  /// Attributes to change, each "PATH=VALUE", or elements to replace, each "PATH=<element .../>",
+  /// after templates are merged in and before anything is checked (the attribute `template` itself:
+  /// before they are merged).
   ///
   ///   @name                                    of <world>
   ///   physics/@step                            of an element that stands once; made when missing
@@ -28,6 +29,12 @@ struct ReadOptions {
   ///   robot[r1]/coordinator/@weighted          of the one coordinator
   ///   coordinator/@weighted                    of every robot's
   ///   obstacle[3]/@x, goal[1]/@radius          of any child of <obstacles>, <goals>
+  ///   robot[r1]/coordinator/suppress[2]/@by    of the second such element in the coordinator's
+  ///   robot[r1]/behavior[explore]/behavior[roam]/@priority
+  ///                                            of a behaviour that another one holds
+  ///   robot[r1]/behavior[roam]/@remove         "true" takes the behaviour away
+  ///   robot[r1]/coordinator                    the coordinator's element, to be replaced; it keeps
+  ///                                            an id that was given to it
   ///
   /// Groups (<robots>, <sensors>...) may be left out or named; a member is called by its element's
   /// name or by its group's word for it. A step that could mean several elements needs brackets.

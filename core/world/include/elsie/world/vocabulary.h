@@ -63,7 +63,8 @@ struct Part {
 };
 
 /// An element: of the core's vocabulary by its name, or, when `plugins` is set, the use of any
-/// plugin of that kind, by the plugin's name.
+/// plugin of that kind, by the plugin's name. What may stand inside a plugin's element is for the
+/// plugin to declare.
 struct ElementSpec {
   static constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
 
@@ -83,6 +84,10 @@ struct ElementSpec {
   std::function<std::vector<Part>(const void* parent)> parts;
   /// The use of a plugin as what all such uses have in common.
   std::function<const PluginUse*(const void* object)> use;
+  /// Uses of behaviours only: what the behaviour holds, if it holds others. Described by
+  /// coordination_vocabulary(), which in turn has such uses in it: nesting goes to any depth.
+  std::function<Coordination&(void* object)> make_inside;
+  std::function<const Coordination*(const void* object)> inside;
 
   const AttributeSpec* attribute(const std::string& attribute_name) const;
   /// The child of this name.
@@ -93,6 +98,8 @@ struct ElementSpec {
 const ElementSpec& vocabulary();
 /// <robot_template>: a robot without an id, in a file of its own.
 const ElementSpec& template_vocabulary();
+/// <behaviors> and <coordinator>, as they stand in a robot and in a behaviour that holds others.
+const ElementSpec& coordination_vocabulary();
 /// <robot>, <sensors>'s children and so on, by the names on the way down from <world>. Throws
 /// std::out_of_range.
 const ElementSpec& vocabulary_at(const std::vector<std::string>& names);

@@ -1,0 +1,149 @@
+// elsie explain: a coordination trace in words, numbers and a picture.
+#include <algorithm>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "elsie/picture/timeline.h"
+#include "elsie/plugin/near_name.h"
+#include "elsie/simulation/trace_account.h"
+
+#include "arguments.h"
+#include "command.h"
+#include "environment.h"
+#include "explain_report.h"
+#include "text_table.h"
+
+namespace {
+
+using elsie::simulation::TimeSpan;
+using elsie::simulation::Trace;
+
+struct ExplainOptions {
+  std::string trace;
+  std::vector<std::string> robots;
+  std::optional<double> from;
+  std::optional<double> to;
+  std::size_t episodes = 20;
+  bool all = false;
+  std::optional<std::string> picture;
+  int width = 1600;
+  bool json = false;
+};
+
+constexpr const char* kExamples = R"(
+Examples:
+  elsie run worlds/clutter.xml --explain clutter.trace
+  elsie explain clutter.trace
+  elsie explain clutter.trace --picture timeline.png
+  elsie explain clutter.trace --robot r1 --from 30 --to 45 --all
+)";
+
+Trace read(const std::string& file) {
+  try {
+    return elsie::simulation::read_trace(file);
+  } catch (const elsie::simulation::TraceError& error) {
+    throw BadInput(error.what());
+  }
+}
+
+/// The robots that were asked for, by their places.
+std::vector<std::size_t> chosen(const Trace& trace, const std::vector<std::string>& ids) {
+  std::vector<std::size_t> places;
+  std::vector<std::string> known;
+  for (const auto& robot : trace.robots) {
+    known.push_back(robot.id);
+  }
+  for (const std::string& id : ids) {
+    const auto at = std::find(known.begin(), known.end(), id);
+    if (at == known.end()) {
+      throw BadInput("--robot: the trace has no robot '" + id + "'" +
+                     elsie::plugin::did_you_mean(id, known));
+    }
+    places.push_back(static_cast<std::size_t>(at - known.begin()));
+  }
+  for (std::size_t i = 0; ids.empty() && i < known.size(); ++i) {
+    places.push_back(i);
+  }
+  return places;
+}
+
+TimeSpan span_of(const Trace& trace, const ExplainOptions& options) {
+  const TimeSpan asked{options.from.value_or(0.0),
+                       options.to.value_or(std::numeric_limits<double>::infinity())};
+  if (!(asked.from_s < asked.to_s)) {
+    throw BadInput("--from must be less than --to");
+  }
+  if (options.from && asked.from_s >= trace.end_s) {
+    throw BadInput("--from: the trace ends at " + text("%g", trace.end_s) + " s");
+  }
+  return elsie::simulation::within(asked, trace);
+}
+
+int explain(const ExplainOptions& options) {
+  if (options.picture) {
+    require_picture(*options.picture, "--picture");
+  }
+  const Trace trace = read(options.trace);
+  const std::vector<std::size_t> places = chosen(trace, options.robots);
+  const TimeSpan span = span_of(trace, options);
+  std::vector<ExplainedRobot> robots;
+  for (const std::size_t place : places) {
+    robots.push_back({&trace.robots[place], elsie::simulation::account(trace.robots[place], span)});
+  }
+  if (options.picture) {
+    const elsie::picture::Timeline timeline{
+        trace, places, span, "", {"seed " + std::to_string(trace.seed) + ", " + ending(trace)}};
+    try {
+      elsie::picture::save_timeline(timeline, *options.picture, {options.width, 0});
+    } catch (const std::invalid_argument& error) {
+      throw BadInput(std::string("--picture: ") + error.what() + " See --robot and --width.");
+    }
+  }
+  if (options.json) {
+    std::cout << json(trace, span, robots);
+    return kSuccess;
+  }
+  std::cout << headlines(trace);
+  for (const ExplainedRobot& robot : robots) {
+    const std::size_t most =
+        options.all ? std::numeric_limits<std::size_t>::max() : options.episodes;
+    std::cout << '\n' << report(trace, robot, most);
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_explain_command(CLI::App& program, Job& job) {
+  CLI::App* command =
+      program.add_subcommand("explain", "Tell who decided when in a run, from its trace");
+  command->footer(kExamples);
+  auto options = std::make_shared<ExplainOptions>();
+  command->add_option("TRACE", options->trace, "Trace, written by `elsie run --explain`")
+      ->required();
+  command->add_option("--robot", options->robots, "Tell of this robot only; may be repeated")
+      ->type_name("ID")
+      ->allow_extra_args(false);
+  command->add_option("--from", options->from, "Begin at this simulated time, s")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--to", options->to, "End at this simulated time, s")
+      ->check(positive_number());
+  command
+      ->add_option("--episodes", options->episodes,
+                   "At most so many episodes for each coordinator; short ones are joined")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command->add_flag("--all", options->all, "All episodes, none of them joined");
+  command
+      ->add_option("--picture", options->picture, "Draw who decided, shares and weights over time")
+      ->type_name("FILE.png|FILE.svg");
+  command->add_option("--width", options->width, "Width of the picture in pixels")
+      ->check(CLI::Range(200, 8000))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
+  command->callback([&job, options] { job = [options] { return explain(*options); }; });
+}

@@ -1,0 +1,119 @@
+#include <nlohmann/json.hpp>
+
+#include "explain_report.h"
+
+namespace {
+
+using elsie::simulation::Trace;
+using elsie::simulation::TraceRobot;
+using Json = nlohmann::ordered_json;
+
+std::size_t place(int index) { return static_cast<std::size_t>(index); }
+
+/// Sums of times carry rounding errors that nobody wants to read.
+double tidy(double value) {
+  constexpr double kDecimals = 1e6;
+  return std::abs(value) < 1e9 ? std::round(value * kDecimals) / kDecimals : value;
+}
+
+Json member(const TraceRobot& robot, std::size_t index,
+            const elsie::simulation::MemberAccount& account) {
+  const auto& traced = robot.members[index];
+  Json object{{"path", traced.path},
+              {"plugin", traced.plugin},
+              {"coordinator", traced.coordinator},
+              {"priority", traced.priority},
+              {"decided_s", tidy(account.decided_s)},
+              {"turns", account.periods},
+              {"longest_s", tidy(account.longest_s)},
+              {"longest_at_s", tidy(account.longest_at_s)},
+              {"asked_s", tidy(account.asked_s)},
+              {"share", tidy(account.share)},
+              {"robot_share", tidy(account.robot_share)},
+              {"weight",
+               {{"mean", tidy(account.weight)},
+                {"least", account.least_weight},
+                {"largest", account.largest_weight}}},
+              {"activation", tidy(account.activation)},
+              {"strength", tidy(account.strength)}};
+  object["silenced"] = Json::array();
+  for (const auto& inhibition : account.inhibited) {
+    object["silenced"].push_back({{"by", robot.members[place(inhibition.by)].path},
+                                  {"times", inhibition.times},
+                                  {"time_s", tidy(inhibition.time_s)}});
+  }
+  if (traced.times.answers > 0) {
+    object["took"] = {{"answers", traced.times.answers},
+                      {"mean_s", traced.times.mean_s},
+                      {"longest_s", traced.times.longest_s}};
+  }
+  return object;
+}
+
+Json episode(const Trace& trace, const TraceRobot& robot, const elsie::simulation::Episode& told) {
+  const auto& part = told.parts[0];
+  Json object{{"from_s", tidy(told.from_s)}, {"to_s", tidy(told.to_s)}};
+  if (part.decider >= 0) {
+    object["decider"] = robot.members[place(part.decider)].path;
+    object["share"] = tidy(part.share);
+    object["weight"] = tidy(part.weight);
+    object["reason"] = trace.reasons[part.reason];
+  } else {
+    object["decider"] = nullptr;
+    object["why"] = part.decider == elsie::simulation::kNobody     ? "nobody"
+                    : part.decider == elsie::simulation::kTogether ? "several"
+                                                                   : "not asked";
+  }
+  return object;
+}
+
+Json coordinator(const Trace& trace, const TraceRobot& robot,
+                 const elsie::simulation::CoordinatorAccount& account) {
+  Json object{{"inside", account.parent >= 0 ? Json(robot.members[place(account.parent)].path)
+                                             : Json(nullptr)},
+              {"coordinator", account.coordinator},
+              {"asked_s", tidy(account.asked_s)},
+              {"nobody_s", tidy(account.nobody_s)},
+              {"several_s", tidy(account.together_s)},
+              {"changes", account.switches}};
+  object["episodes"] = Json::array();
+  for (const auto& told : account.episodes) {
+    object["episodes"].push_back(episode(trace, robot, told));
+  }
+  return object;
+}
+
+}  // namespace
+
+std::string json(const Trace& trace, const elsie::simulation::TimeSpan& span,
+                 const std::vector<ExplainedRobot>& robots) {
+  Json object{{"world", trace.world},   {"file", trace.world_file},   {"seed", trace.seed},
+              {"step_s", trace.step_s}, {"period_s", trace.period_s}, {"end_s", trace.end_s}};
+  object["outcome"] = trace.outcome.empty() ? Json(nullptr) : Json(trace.outcome);
+  object["reason"] = trace.outcome_reason;
+  object["cut_off"] = trace.cut_off;
+  object["from_s"] = tidy(span.from_s);
+  object["to_s"] = tidy(span.to_s);
+  object["robots"] = Json::array();
+  for (const ExplainedRobot& explained : robots) {
+    const TraceRobot& robot = *explained.robot;
+    Json entry{{"id", robot.id}, {"team", robot.team}, {"coordinator", robot.coordinator}};
+    entry["behaviors"] = Json::array();
+    for (std::size_t i = 0; i < robot.members.size(); ++i) {
+      entry["behaviors"].push_back(member(robot, i, explained.account.members[i]));
+    }
+    entry["coordinators"] = Json::array();
+    for (const auto& account : explained.account.coordinators) {
+      entry["coordinators"].push_back(coordinator(trace, robot, account));
+    }
+    entry["events"] = Json::array();
+    for (const auto& event : robot.events) {
+      if (event.time_s >= span.from_s && event.time_s <= span.to_s) {
+        entry["events"].push_back(
+            {{"time_s", event.time_s}, {"name", event.name}, {"detail", event.detail}});
+      }
+    }
+    object["robots"].push_back(std::move(entry));
+  }
+  return object.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}

@@ -1,0 +1,285 @@
+#include "explain_report.h"
+
+#include <algorithm>
+#include <map>
+
+#include "text_table.h"
+
+namespace {
+
+using elsie::simulation::CoordinatorAccount;
+using elsie::simulation::Decider;
+using elsie::simulation::Episode;
+using elsie::simulation::MemberAccount;
+using elsie::simulation::Trace;
+using elsie::simulation::TraceEvent;
+using elsie::simulation::TraceMember;
+using elsie::simulation::TraceRobot;
+
+constexpr double kShort = 0.05;  // s; from there on, two decimals say too little
+
+std::size_t place(int index) { return static_cast<std::size_t>(index); }
+
+std::string seconds(double time_s) { return text("%.2f", time_s); }
+
+/// As short as it says what is to be said: 0.5, 0.125.
+std::string number(double value) { return text("%.3g", value); }
+
+/// Whether one decider had so much of the episode that the others need no names.
+bool is_nearly_all(const Episode& episode) {
+  constexpr double kNearlyAll = 0.95;
+  return episode.parts[0].time_s >= kNearlyAll * episode.length_s();
+}
+
+std::string per_cent(double part, double whole) {
+  if (!(whole > 0.0)) {
+    return "-";
+  }
+  const double value = 100.0 * part / whole;
+  // What is not quite all or nothing is not rounded to it.
+  const bool at_border = (value > 0.0 && value < 0.1) || (value < 100.0 && value > 99.9);
+  return text(at_border ? "%.2g" : "%.1f", at_border && value > 50.0 ? 99.9 : value) + " %";
+}
+
+std::string count(int number, const std::string& what) {
+  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
+
+std::string name_of(const TraceRobot& robot, Decider decider) {
+  switch (decider) {
+    case elsie::simulation::kNobody:
+      return "(nobody)";
+    case elsie::simulation::kTogether:
+      return "(several with the same share)";
+    case elsie::simulation::kIdle:
+      return "(not asked)";
+    default:
+      return robot.members[place(decider)].path;
+  }
+}
+
+std::string weights(const MemberAccount& member) {
+  const std::string mean = number(member.weight);
+  const std::string least = number(member.least_weight);
+  const std::string largest = number(member.largest_weight);
+  return least == largest ? mean : mean + " (" + least + " to " + largest + ")";
+}
+
+/// The coordinator that decides about a member.
+const CoordinatorAccount& coordinator_of(const ExplainedRobot& explained,
+                                         const TraceMember& member) {
+  const auto& all = explained.account.coordinators;
+  return *std::find_if(all.begin(), all.end(), [&](const CoordinatorAccount& coordinator) {
+    return coordinator.parent == member.parent;
+  });
+}
+
+std::string table(const ExplainedRobot& explained) {
+  const TraceRobot& robot = *explained.robot;
+  const auto& members = robot.members;
+  const double length = explained.account.span.to_s - explained.account.span.from_s;
+  const bool nested = std::any_of(members.begin(), members.end(),
+                                  [](const TraceMember& member) { return member.depth > 0; });
+  const bool measured = std::any_of(members.begin(), members.end(), [](const TraceMember& member) {
+    return member.times.answers > 0;
+  });
+  std::vector<std::vector<std::string>> rows{{"behaviour", "priority", "decides", "share"}};
+  if (nested) {
+    rows[0].push_back("of the robot");
+  }
+  for (const char* name : {"weight", "activation", "asked", "turns", "longest"}) {
+    rows[0].push_back(name);
+  }
+  if (measured) {
+    rows[0].push_back("took us");
+  }
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const MemberAccount& account = explained.account.members[i];
+    const CoordinatorAccount& coordinator = coordinator_of(explained, members[i]);
+    std::vector<std::string> row{std::string(2 * place(members[i].depth), ' ') +
+                                     members[i].path.substr(members[i].path.rfind('/') + 1),
+                                 number(members[i].priority),
+                                 per_cent(account.decided_s, coordinator.asked_s),
+                                 coordinator.asked_s > 0.0 ? per_cent(account.share, 1.0) : "-"};
+    if (nested) {
+      row.push_back(per_cent(account.robot_share, 1.0));
+    }
+    row.push_back(coordinator.asked_s > 0.0 ? weights(account) : "-");
+    row.push_back(account.asked_s > 0.0 ? number(account.activation) : "-");
+    row.push_back(per_cent(account.asked_s, length));
+    row.push_back(std::to_string(account.periods));
+    row.push_back(account.periods > 0
+                      ? seconds(account.longest_s) + " s at " + seconds(account.longest_at_s) + " s"
+                      : "-");
+    if (measured) {
+      row.push_back(members[i].times.answers > 0 ? number(1e6 * members[i].times.mean_s) : "-");
+    }
+    rows.push_back(std::move(row));
+  }
+  return laid_out(rows, 1);
+}
+
+std::string inhibitions(const ExplainedRobot& explained) {
+  constexpr std::size_t kNamed = 4;  // of those that silence one behaviour
+  const TraceRobot& robot = *explained.robot;
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < robot.members.size(); ++i) {
+    const auto& inhibited = explained.account.members[i].inhibited;
+    const double asked_s = coordinator_of(explained, robot.members[i]).asked_s;
+    for (std::size_t n = 0; n < std::min(inhibited.size(), kNamed); ++n) {
+      rows.push_back({n == 0 ? "  " + robot.members[i].path : "",
+                      "by " + robot.members[place(inhibited[n].by)].path,
+                      count(inhibited[n].times, "time"), seconds(inhibited[n].time_s) + " s",
+                      per_cent(inhibited[n].time_s, asked_s)});
+    }
+    if (inhibited.size() > kNamed) {
+      rows.push_back({"", "and by " + std::to_string(inhibited.size() - kNamed) + " more"});
+    }
+  }
+  return rows.empty() ? "" : "\nsilenced\n" + laid_out(rows, 2);
+}
+
+std::string events(const ExplainedRobot& explained) {
+  constexpr std::size_t kTimes = 8;  // of each event that are told
+  const auto& span = explained.account.span;
+  std::vector<std::string> names;
+  std::map<std::string, std::vector<double>> times;
+  for (const TraceEvent& event : explained.robot->events) {
+    if (event.time_s >= span.from_s && event.time_s <= span.to_s) {
+      if (!times.contains(event.name)) {
+        names.push_back(event.name);
+      }
+      times[event.name].push_back(event.time_s);
+    }
+  }
+  std::string lines;
+  for (const std::string& name : names) {
+    const std::vector<double>& all = times[name];
+    lines += "  " + name + ": " + count(static_cast<int>(all.size()), "time") + ", at ";
+    for (std::size_t i = 0; i < std::min(all.size(), kTimes); ++i) {
+      lines += (i ? ", " : "") + seconds(all[i]);
+    }
+    lines += (all.size() > kTimes ? "... s\n" : " s\n");
+  }
+  return lines.empty() ? "" : "\nevents\n" + lines;
+}
+
+/// "avoid_obstacle"; "avoid_obstacle but for 0.12 s, 4 changes"; or "avoid_obstacle 62.0 %, wander
+/// 38.0 %, 14 changes".
+std::string who(const TraceRobot& robot, const Episode& episode) {
+  const std::string main = name_of(robot, episode.parts[0].decider);
+  if (episode.parts.size() == 1) {
+    return main;
+  }
+  const std::string changes = ", " + count(episode.switches, "change");
+  if (is_nearly_all(episode)) {
+    const double others_s = episode.length_s() - episode.parts[0].time_s;
+    return main + " but for " + text(others_s < kShort ? "%.3f" : "%.2f", others_s) + " s" +
+           changes;
+  }
+  constexpr std::size_t kNamed = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(episode.parts.size(), kNamed); ++i) {
+    text += (i ? ", " : "") + name_of(robot, episode.parts[i].decider) + " " +
+            per_cent(episode.parts[i].time_s, episode.length_s());
+  }
+  return text + (episode.parts.size() > kNamed ? "..." : "") + changes;
+}
+
+/// "share 0.93, weight 2: largest output".
+std::string why(const Trace& trace, const Episode& episode) {
+  const Episode::Part& part = episode.parts[0];
+  if (part.decider < 0 || !is_nearly_all(episode)) {
+    return "";
+  }
+  const std::string& reason = trace.reasons[part.reason];
+  return "share " + number(part.share) + ", weight " + number(part.weight) +
+         (reason.empty() ? "" : ": " + reason);
+}
+
+std::string episodes(const Trace& trace, const TraceRobot& robot,
+                     const CoordinatorAccount& coordinator, std::size_t most) {
+  const std::vector<Episode> told = elsie::simulation::condensed(coordinator.episodes, most);
+  std::string title = "\nwho decided";
+  if (coordinator.parent >= 0) {
+    title += " inside " + robot.members[place(coordinator.parent)].path + " (" +
+             coordinator.coordinator + ")";
+  }
+  title += ": " + count(coordinator.switches, "change");
+  if (told.size() < coordinator.episodes.size()) {
+    title += ", " + std::to_string(coordinator.episodes.size()) + " episodes told in " +
+             std::to_string(told.size()) + " (--all tells them all)";
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const Episode& episode : told) {
+    const bool is_short = episode.length_s() < kShort;
+    rows.push_back({"  " + seconds(episode.from_s), "to", seconds(episode.to_s),
+                    text(is_short ? "%.3f" : "%.2f", episode.length_s()) + " s",
+                    " " + who(robot, episode), why(trace, episode)});
+  }
+  // Times stand to the right, names and reasons to the left: in two tables laid side by side.
+  std::vector<std::vector<std::string>> names;
+  for (auto& row : rows) {
+    names.push_back({row[4], row[5]});
+    row.resize(4);
+  }
+  std::string text = title + '\n';
+  const std::string times = laid_out(rows, 0), reasons = laid_out(names, 2);
+  std::size_t from = 0, name_from = 0;
+  while (from < times.size()) {
+    const std::size_t end = times.find('\n', from), name_end = reasons.find('\n', name_from);
+    text +=
+        times.substr(from, end - from) + ' ' + reasons.substr(name_from, name_end - name_from + 1);
+    from = end + 1;
+    name_from = name_end + 1;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string ending(const Trace& trace) {
+  const std::string time = text("%.1f", trace.end_s) + " s";
+  if (trace.outcome.empty()) {
+    return "no end after " + time;
+  }
+  return trace.outcome + " after " + time +
+         (trace.outcome_reason.empty() ? "" : ": " + trace.outcome_reason);
+}
+
+std::string headlines(const Trace& trace) {
+  std::string lines = (trace.world.empty() ? "a world" : trace.world) + ", seed " +
+                      std::to_string(trace.seed) + ": " + ending(trace) + '\n';
+  if (trace.outcome.empty()) {
+    lines += "The trace has no end: the run was killed, or is still going on.\n";
+  }
+  if (!trace.cut_off.empty()) {
+    lines += "Its " + trace.cut_off + ".\n";
+  }
+  return lines;
+}
+
+std::string report(const Trace& trace, const ExplainedRobot& explained, std::size_t most_episodes) {
+  const TraceRobot& robot = *explained.robot;
+  const auto& account = explained.account;
+  std::string out = "robot " + robot.id + ", team " + robot.team + ", " +
+                    (robot.coordinator.empty() ? "no coordinator" : robot.coordinator) + ", " +
+                    seconds(account.span.from_s) + " to " + seconds(account.span.to_s) +
+                    " s, a decision every " + number(trace.period_s) + " s\n\n";
+  if (robot.members.empty()) {
+    return out + "It has no behaviours.\n" + events(explained);
+  }
+  out += table(explained);
+  const CoordinatorAccount& own = account.coordinators.front();
+  for (const auto& [time_s, what] : {std::pair(own.together_s, "several had the same share"),
+                                     std::pair(own.nobody_s, "nobody had a share")}) {
+    if (time_s > 0.0) {
+      out += seconds(time_s) + " s (" + per_cent(time_s, own.asked_s) + "): " + what + '\n';
+    }
+  }
+  out += inhibitions(explained) + events(explained);
+  for (const CoordinatorAccount& coordinator : account.coordinators) {
+    out += episodes(trace, robot, coordinator, most_episodes);
+  }
+  return out;
+}

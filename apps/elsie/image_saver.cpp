@@ -1,0 +1,112 @@
+#include "image_saver.h"
+
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+#include <unistd.h>
+
+#include "elsie/picture/image_file.h"
+#include "elsie/simulation/simulation.h"
+
+#include "command.h"
+
+namespace fs = std::filesystem;
+using elsie::simulation::SensorView;
+using elsie::simulation::Simulation;
+
+void require_image_folder(const fs::path& folder, const char* option) {
+  const std::string what =
+      std::string(option) + ": cannot save images in '" + folder.string() + "': ";
+  std::error_code error;
+  if (folder.empty()) {
+    throw BadInput(what + "the name of a folder is missing");
+  }
+  if (fs::exists(folder, error)) {
+    if (!fs::is_directory(folder, error)) {
+      throw BadInput(what + "it is a file, not a folder");
+    }
+    if (!fs::is_empty(folder, error) || error) {
+      throw BadInput(what + (error ? error.message()
+                                   : "it is not empty, and pictures of two runs would mix; empty "
+                                     "it, or name a new folder"));
+    }
+  }
+  const fs::path parent = fs::absolute(folder, error).lexically_normal().parent_path();
+  if (!fs::exists(folder, error) && !fs::is_directory(parent, error)) {
+    throw BadInput(what + "there is no folder '" + parent.string() + "' to make it in");
+  }
+  if (access(fs::exists(folder, error) ? folder.c_str() : parent.c_str(), W_OK) != 0) {
+    throw BadInput(what + "permission denied");
+  }
+}
+
+void ImageSaver::started(const Simulation& simulation) {
+  bool cameras = false;
+  for (std::size_t robot = 0; robot < simulation.robots(); ++robot) {
+    for (std::size_t sensor = 0; sensor < simulation.sensors(robot); ++sensor) {
+      cameras = cameras || simulation.sensor(robot, sensor).camera;
+    }
+  }
+  if (!cameras) {
+    throw BadInput("--save-images: no robot of this world has a sensor with a camera");
+  }
+  std::error_code error;
+  fs::create_directory(folder_, error);
+  if (error) {
+    throw std::runtime_error("cannot make the folder '" + folder_.string() +
+                             "' for images: " + error.message());
+  }
+  times_ = 0;
+  remember_who_sees(simulation);
+}
+
+void ImageSaver::stepped(const Simulation& simulation) {
+  const std::uint64_t step = simulation.steps() - 1;
+  const auto& physics = simulation.world().physics;
+  if (step % static_cast<std::uint64_t>(physics.control_steps) == 0) {
+    // Counted, not added up; a hair early, so that rounding does not shift a picture by a step.
+    const double due_s = static_cast<double>(times_) * every_s_;
+    if (static_cast<double>(step) * physics.step >= due_s - 0.001 * physics.step) {
+      save(simulation, step);
+      ++times_;
+    }
+    remember_who_sees(simulation);
+  }
+}
+
+void ImageSaver::remember_who_sees(const Simulation& simulation) {
+  blind_.clear();
+  for (std::size_t robot = 0; robot < simulation.robots(); ++robot) {
+    blind_.push_back(simulation.robot(robot).empty);
+  }
+}
+
+void ImageSaver::save(const Simulation& simulation, std::uint64_t step) const {
+  char number[24];
+  std::snprintf(number, sizeof(number), "%07llu", static_cast<unsigned long long>(step));
+  for (std::size_t robot = 0; robot < simulation.robots(); ++robot) {
+    for (std::size_t i = 0; i < simulation.sensors(robot) && !blind_[robot]; ++i) {
+      const SensorView sensor = simulation.sensor(robot, i);
+      if (!sensor.picture) {
+        continue;
+      }
+      // No id has a '+' in it.
+      const std::string name = std::string(number) + "_" + simulation.robot(robot).description->id +
+                               "+" + std::string(sensor.id);
+      using elsie::VisionReading;
+      if (sensor.sensor->kind() != elsie::ReadingKind::of<VisionReading>()) {
+        elsie::picture::write_png(*sensor.picture, folder_ / (name + "_raw.png"));
+        continue;
+      }
+      // The sensor's own noise is in the reading.
+      const auto& reading = *static_cast<const VisionReading*>(sensor.sensor->reading());
+      if (!reading.raw.empty()) {
+        elsie::picture::write_png(reading.raw, folder_ / (name + "_raw.png"));
+      }
+      if (!reading.processed.empty()) {
+        elsie::picture::write_png(reading.processed, folder_ / (name + "_processed.png"));
+      }
+    }
+  }
+}

@@ -1,0 +1,14 @@
+// The learning curve of a training as a picture.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "elsie/neural/training.h"
+
+/// The mean error over the presentations, on a plain axis and on one of powers of ten. Throws as
+/// picture::save_page().
+void draw_learning_curve(const elsie::neural::Training& training, const std::string& title,
+                         const std::vector<std::string>& subtitles,
+                         const std::filesystem::path& file);

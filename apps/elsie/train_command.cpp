@@ -1,0 +1,331 @@
+// elsie train: trains the network of a coordinator and keeps its weights.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include "elsie/world/reader.h"
+
+#include "arguments.h"
+#include "command.h"
+#include "environment.h"
+#include "learner.h"
+#include "learning_curve.h"
+#include "progress.h"
+
+namespace {
+
+namespace neural = elsie::neural;
+
+struct TrainOptions {
+  PluginOptions plugins;
+  std::string world;
+  LearnerPlace place;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> overrides;
+  std::optional<std::string> hidden;
+  std::optional<double> learning_rate;
+  std::optional<double> momentum;
+  std::optional<double> threshold;
+  std::optional<std::int64_t> presentations;
+  std::optional<std::string> training;
+  std::optional<std::string> weights;
+  std::optional<std::string> curve;
+  bool json = false;
+  bool quiet = false;
+};
+
+constexpr const char* kExamples = R"(
+Examples:
+  elsie train worlds/learned_priorities.xml --robot r1 --weights r1.weights
+  elsie train worlds/learned_priorities.xml --hidden '4 4' --seed 3 --curve curve.png
+  elsie run worlds/learned_priorities.xml --set robot[r1]/coordinator/@weights=r1.weights
+
+The network is the one that `elsie run` trains with the same seed. Exit code 1: it is untrained, for
+it gives the same output whatever the input; the weights are written all the same.
+)";
+
+/// What is given on the command line instead of what the world says.
+std::map<std::string, elsie::ParameterValue> parameters_of(const TrainOptions& options) {
+  std::map<std::string, elsie::ParameterValue> parameters;
+  const auto take = [&](const char* name, const auto& value) {
+    if (value) {
+      parameters[name] = *value;
+    }
+  };
+  take("hidden", options.hidden);
+  take("learning_rate", options.learning_rate);
+  take("momentum", options.momentum);
+  take("threshold", options.threshold);
+  take("presentations", options.presentations);
+  take("training", options.training);
+  parameters["weights"] = std::string();  // whatever they were, new ones are made
+  return parameters;
+}
+
+/// Weights may take the place of others, but not of a file that a slip of the hand has named.
+void require_weights(const std::string& file) {
+  require_writable(file, "--weights");
+  std::error_code error;
+  if (std::filesystem::exists(file, error) &&
+      (!std::filesystem::is_regular_file(file, error) || !neural::looks_like_weights(file))) {
+    throw BadInput("--weights: '" + file +
+                   "' is there already and is no weight file; give another name, or remove it");
+  }
+}
+
+std::string rough(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof(buffer), "%.4g", value);
+  return buffer;
+}
+
+/// Shows how far a training has come, and ends it when the user wants it to end.
+class TrainingWatcher {
+ public:
+  explicit TrainingWatcher(bool shown) : shown_(shown) {}
+  ~TrainingWatcher() {
+    if (drawn_) {
+      std::fputs("\r\033[K", stderr);
+    }
+  }
+  TrainingWatcher(const TrainingWatcher&) = delete;
+  TrainingWatcher& operator=(const TrainingWatcher&) = delete;
+
+  bool operator()(const neural::TrainingProgress& progress) {
+    constexpr auto kRedraw = std::chrono::milliseconds(100);
+    const auto now = std::chrono::steady_clock::now();
+    if (shown_ && now - last_ >= kRedraw) {
+      last_ = now;
+      drawn_ = true;
+      const double part =
+          static_cast<double>(progress.presentations) / static_cast<double>(progress.of);
+      std::fprintf(stderr, "\r%s  mean error %s\033[K", bar_text(part).c_str(),
+                   rough(progress.error).c_str());
+      std::fflush(stderr);
+    }
+    return !InterruptGuard::is_interrupted();
+  }
+
+ private:
+  bool shown_;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point last_;
+};
+
+struct Report {
+  const Learner& learner;
+  const neural::Lesson& lesson;
+  std::string seed;
+  double seconds;
+  std::string warning;
+};
+
+std::string header(const Report& report) {
+  return report.learner.robot + ", " + report.learner.plugin + ": network " +
+         neural::sizes_text(report.lesson.weights.network.sizes()) + ", seed " + report.seed;
+}
+
+/// A row for each sample: its inputs, then for each output what is wanted and what is answered.
+std::string answers(const neural::Lesson& lesson) {
+  std::vector<std::vector<std::string>> rows(1);
+  for (std::size_t i = 0; i < lesson.samples.inputs(); ++i) {
+    rows[0].push_back(lesson.inputs[i]);
+  }
+  for (const std::string& output : lesson.outputs) {
+    rows[0].push_back(output);
+    rows[0].push_back("answer");
+  }
+  for (std::size_t s = 0; s < lesson.samples.size(); ++s) {
+    std::vector<std::string>& row = rows.emplace_back();
+    for (const double input : lesson.samples.inputs(s)) {
+      row.push_back(rough(input));
+    }
+    for (std::size_t k = 0; k < lesson.outputs.size(); ++k) {
+      char answer[32];
+      std::snprintf(answer, sizeof(answer), "%.4f", lesson.assessment.answer(s)[k]);
+      row.push_back(rough(lesson.samples.targets(s)[k]));
+      row.emplace_back(answer);
+    }
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      std::size_t width = 0;
+      for (const auto& other : rows) {
+        width = std::max(width, other[i].size());
+      }
+      text += (i ? "  " : "") + std::string(width - row[i].size(), ' ') + row[i];
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+void print(const Report& report, const TrainOptions& options) {
+  const neural::Lesson& lesson = report.lesson;
+  char seconds[32];
+  std::snprintf(seconds, sizeof(seconds), "%.2f", report.seconds);
+  std::cout << header(report) << '\n'
+            << neural::summary(lesson.training, lesson.assessment) << ", in " << seconds << " s\n";
+  if (!report.warning.empty()) {
+    std::cout << report.warning << '\n';
+  }
+  std::cout << '\n' << answers(lesson);
+  if (options.weights) {
+    std::cout << "\nweights: " << *options.weights << '\n';
+  }
+}
+
+void print_json(const Report& report) {
+  const neural::Lesson& lesson = report.lesson;
+  nlohmann::ordered_json object{
+      {"robot", report.learner.robot},
+      {"plugin", report.learner.plugin},
+      {"seed", report.seed},
+      {"error", lesson.assessment.error},
+      {"presentations", lesson.training.presentations},
+      {"below_threshold", lesson.training.ending == neural::Ending::threshold},
+      {"untrained", lesson.assessment.untrained},
+      {"warning", report.warning},
+      {"inputs", lesson.inputs},
+      {"outputs", lesson.outputs}};
+  object["sizes"] = nlohmann::ordered_json::array();
+  for (const int size : lesson.weights.network.sizes()) {
+    object["sizes"].push_back(size);
+  }
+  const auto array = [](std::span<const double> numbers) {
+    return nlohmann::ordered_json(std::vector<double>(numbers.begin(), numbers.end()));
+  };
+  object["samples"] = nlohmann::ordered_json::array();
+  for (std::size_t s = 0; s < lesson.samples.size(); ++s) {
+    object["samples"].push_back({{"inputs", array(lesson.samples.inputs(s))},
+                                 {"targets", array(lesson.samples.targets(s))},
+                                 {"answers", array(lesson.assessment.answer(s))}});
+  }
+  object["curve"] = nlohmann::ordered_json::array();
+  for (const neural::CurvePoint& point : lesson.training.curve) {
+    object["curve"].push_back({point.presentations, point.error});
+  }
+  std::cout << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+            << '\n';
+}
+
+/// The stream that the network's first weights come from: that of a run with this seed, unless the
+/// coordinator has a seed of its own.
+elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std::string& seed) {
+  const std::int64_t fixed = learner.network->fixed_seed();
+  if (fixed < 0) {
+    seed = std::to_string(options.seed.value_or(1));
+    return elsie::Random(options.seed.value_or(1), learner.stream);
+  }
+  if (options.seed) {
+    throw BadInput("--seed: the coordinator '" + learner.plugin + "' of the robot '" +
+                   learner.robot + "' has the seed " + std::to_string(fixed) +
+                   " of its own, which fixes its weights; take it out of the world first");
+  }
+  seed = std::to_string(fixed);
+  return neural::stream_of_seed(static_cast<std::uint64_t>(fixed));
+}
+
+int train(const TrainOptions& options) {
+  if (options.weights) {
+    require_weights(*options.weights);
+  }
+  if (options.curve) {
+    require_picture(*options.curve, "--curve");
+  }
+  if (options.quiet) {
+    spdlog::set_level(spdlog::level::err);
+  }
+  const elsie::plugin::Host host = load_plugins(options.plugins);
+  const elsie::world::World world =
+      elsie::world::read_world(options.world, host, read_options(options.overrides));
+  const Learner learner = make_learner(world, host, options.place, parameters_of(options));
+
+  std::string seed;
+  elsie::Random random = stream_of(learner, options, seed);
+  const InterruptGuard interrupt;
+  const auto start = std::chrono::steady_clock::now();
+  neural::Lesson lesson = [&] {
+    TrainingWatcher watcher(!options.quiet && !options.json && isatty(STDERR_FILENO));
+    try {
+      return learner.network->learn(random, std::ref(watcher));
+    } catch (const std::invalid_argument& problem) {
+      throw BadInput(problem.what());
+    }
+  }();
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  if (lesson.training.ending == neural::Ending::stopped) {
+    std::cerr << "elsie: interrupted after " << lesson.training.presentations
+              << " presentations; nothing was written\n";
+    return kOtherFailure;
+  }
+  lesson.weights.about.push_back({"seed", seed});
+  const Report report{learner, lesson, seed, taken.count(),
+                      neural::warning(lesson.assessment, lesson.outputs)};
+  if (options.weights) {
+    neural::write_weights(lesson.weights, *options.weights);
+  }
+  if (options.curve) {
+    std::vector<std::string> lines{neural::summary(lesson.training, lesson.assessment)};
+    if (!report.warning.empty()) {
+      lines.push_back(report.warning);
+    }
+    draw_learning_curve(lesson.training, header(report), lines, *options.curve);
+  }
+  if (options.json) {
+    print_json(report);
+  } else if (!options.quiet) {
+    print(report, options);
+  }
+  return lesson.assessment.untrained ? kGoalMissed : kSuccess;
+}
+
+}  // namespace
+
+void add_train_command(CLI::App& program, Job& job) {
+  CLI::App* command = program.add_subcommand(
+      "train", "Train the network of a robot's coordinator, keep its weights");
+  command->footer(kExamples);
+  auto options = std::make_shared<TrainOptions>();
+  command->add_option("WORLD", options->world, "World file")->required();
+  command->add_option("--robot", options->place.robot,
+                      "Whose coordinator; may be left out where the world has one robot only");
+  command->add_option("--behavior", options->place.behavior,
+                      "The coordinator inside this behaviour of the robot, such as blend/inner");
+  command
+      ->add_option("--weights", options->weights,
+                   "File to write the weights to; whole or not at all")
+      ->type_name("FILE");
+  command->add_option("--curve", options->curve, "Draw the learning curve")
+      ->type_name("FILE.png|FILE.svg");
+  command->add_option("--seed", options->seed, "Seed of the first weights, as of a run (1)")
+      ->check(seed_number());
+  command->add_option("--hidden", options->hidden, "Neurons in each hidden layer, such as '4 4'");
+  command->add_option("--learning-rate", options->learning_rate, "Learning rate, in (0, 1)")
+      ->check(positive_number());
+  command->add_option("--momentum", options->momentum, "Momentum, in (0, 1)")
+      ->check(positive_number());
+  command->add_option("--threshold", options->threshold, "Mean error that is good enough");
+  command->add_option("--presentations", options->presentations,
+                      "How many times a sample is presented at most");
+  command->add_option("--training", options->training, "File of samples")->type_name("FILE");
+  command
+      ->add_option("--set", options->overrides,
+                   "Change an attribute of the world first, as with elsie run; may be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  options->plugins.add_to(*command);
+  command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
+  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->callback([&job, options] { job = [options] { return train(*options); }; });
+}

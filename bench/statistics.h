@@ -1,0 +1,37 @@
+// Mean and spread over seeds.
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace elsie::bench {
+
+inline double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// The sample standard deviation; 0 of a single value.
+inline double deviation(const std::vector<double>& values) {
+  const double middle = mean(values);
+  double squares = 0.0;
+  for (const double value : values) {
+    squares += (value - middle) * (value - middle);
+  }
+  return values.size() < 2 ? 0.0 : std::sqrt(squares / static_cast<double>(values.size() - 1));
+}
+
+/// "12.3 +- 0.4"; "-" of nothing.
+inline std::string mean_and_deviation(const std::vector<double>& values, int decimals) {
+  if (values.empty()) {
+    return "-";
+  }
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.*f +- %.*f", decimals, mean(values), decimals,
+                deviation(values));
+  return text;
+}
+
+}  // namespace elsie::bench

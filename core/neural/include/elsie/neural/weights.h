@@ -1,0 +1,63 @@
+// Weight files: a trained network as text.
+//
+//   elsie network 1
+//   sizes 2 2 2
+//   about inputs metres
+//   neuron 1 1 -0.31 0.25 1.5
+//   ...
+//   end
+//
+// The first line names the version of the format. `sizes`: inputs, neurons of each layer. `about`:
+// a word and a text, for whoever uses the network. `neuron`: its layer and its place there, both
+// counted from 1, its bias, then the weight of each of its inputs; all neurons, in this order.
+// Numbers are the shortest decimals that read back as the same ones: writing and reading loses no
+// bit. Empty lines and lines that begin with # are passed over.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elsie/neural/network.h"
+
+namespace elsie::neural {
+
+inline constexpr int kWeightsVersion = 1;
+
+/// What a weight file says about its network: `key` a word, `text` one line.
+struct Remark {
+  std::string key;
+  std::string text;
+
+  friend bool operator==(const Remark&, const Remark&) = default;
+};
+
+struct Weights {
+  Network network;
+  std::vector<Remark> about{};
+
+  /// The text of a remark, or "".
+  std::string_view remark(std::string_view key) const;
+
+  friend bool operator==(const Weights&, const Weights&) = default;
+};
+
+/// The content of a weight file. Throws std::invalid_argument for a weight that is not finite, or a
+/// remark whose key is no word, stands twice, or whose text has several lines.
+std::string weights_text(const Weights& weights);
+
+/// Reads a weight file. Nothing that is not understood is passed over. Throws FileError.
+Weights read_weights(const std::string& path);
+
+/// Reads weights from text; `name` stands for the file in messages. Throws FileError.
+Weights parse_weights(std::string_view text, const std::string& name = "weights");
+
+/// Whether the file can be a weight file, by how it begins.
+bool looks_like_weights(const std::string& path);
+
+/// Writes a weight file, whole or not at all: first into a new file beside it. Throws as
+/// weights_text() does, and std::runtime_error with file and reason when it cannot be written; then
+/// a file that was there before is unchanged.
+void write_weights(const Weights& weights, const std::string& path);
+
+}  // namespace elsie::neural

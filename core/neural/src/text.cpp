@@ -1,0 +1,146 @@
+#include "text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+namespace elsie::neural {
+namespace {
+
+constexpr std::size_t kMostProblems = 20;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+}  // namespace
+
+std::string number_text(double value) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr};
+}
+
+std::string rough_text(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof(buffer), "%.4g", value);
+  return buffer;
+}
+
+std::string quoted(std::string_view word) {
+  constexpr std::size_t kShown = 40;
+  std::string text(word.substr(0, kShown));
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') {
+      c = '?';
+    }
+  }
+  return "'" + text + (word.size() > kShown ? "..." : "") + "'";
+}
+
+std::string read_number(std::string_view word, double& value) {
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if (error == std::errc::result_out_of_range && stop == end) {
+    return quoted(word) + " is beyond what a number can hold";
+  }
+  if (error != std::errc() || stop != end) {
+    return quoted(word) + " is not a number" +
+           (word.find(',') != std::string_view::npos ? "; write a decimal point, not a comma" : "");
+  }
+  if (!std::isfinite(value)) {
+    return quoted(word) + " is not a finite number";
+  }
+  return "";
+}
+
+bool read_count(std::string_view word, long long least, long long& value) {
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  return error == std::errc() && stop == end && value >= least;
+}
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  constexpr std::string_view kBetween = " \t";
+  std::vector<std::string_view> words;
+  std::size_t at = line.find_first_not_of(kBetween);
+  while (at != std::string_view::npos) {
+    const std::size_t end = std::min(line.find_first_of(kBetween, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = line.find_first_not_of(kBetween, end);
+  }
+  return words;
+}
+
+std::string count_text(std::size_t count, std::string_view thing) {
+  return std::to_string(count) + ' ' + std::string(thing) + (count == 1 ? "" : "s");
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  if (text.starts_with(kByteOrderMark)) {
+    text.remove_prefix(kByteOrderMark.size());
+  }
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.ends_with('\r')) {
+      line.remove_suffix(1);
+    }
+    lines.push_back(line);
+  }
+  while (!lines.empty() && words_of(lines.back()).empty()) {
+    lines.pop_back();
+  }
+  return lines;
+}
+
+std::string read_text_file(const std::string& path, const std::string& expected) {
+  Problems problems(path);
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    problems.add(0, "there is no such file; expected " + expected);
+  } else if (std::filesystem::is_directory(path, error)) {
+    problems.add(0, "this is a directory, expected " + expected);
+  }
+  problems.throw_if_any();
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file) {
+    problems.add(0, "the file cannot be read; check its permissions");
+  }
+  problems.throw_if_any();
+  return text;
+}
+
+void require_text(std::string_view text, const std::string& name, const std::string& expected) {
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+    Problems problems(name);
+    problems.add(1 + static_cast<std::size_t>(std::count(
+                         text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n')),
+                 "this is not a text file, expected " + expected);
+    problems.throw_if_any();
+  }
+}
+
+void Problems::add(std::size_t line, std::string message) {
+  if (problems_.size() < kMostProblems) {
+    problems_.push_back({file_, static_cast<int>(line), std::move(message)});
+  } else {
+    ++left_out_;
+  }
+}
+
+void Problems::throw_if_any() {
+  if (problems_.empty()) {
+    return;
+  }
+  if (left_out_ > 0) {
+    problems_.push_back({file_, 0, "and " + std::to_string(left_out_) + " more such mistakes"});
+  }
+  throw FileError(std::move(problems_));
+}
+
+}  // namespace elsie::neural

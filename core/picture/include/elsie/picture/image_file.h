@@ -1,0 +1,18 @@
+// Pictures of cameras as files.
+#pragma once
+
+#include <filesystem>
+
+#include "elsie/api/image.h"
+
+namespace elsie::picture {
+
+/// Writes an image of one channel (grey) or three (red, green, blue) as a PNG file, pixel by pixel.
+/// The same image gives the same bytes.
+///
+/// Throws std::invalid_argument for an image that is empty, has another number of channels, or
+/// whose bytes are not as many as its size says; std::runtime_error when the file cannot be
+/// written; then a file that was there before is unchanged.
+void write_png(const Image& image, const std::filesystem::path& file);
+
+}  // namespace elsie::picture

@@ -1,0 +1,77 @@
+// The parts of which a timeline is made; see timeline.h for what they show.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "elsie/picture/timeline.h"
+
+#include "canvas.h"
+#include "panel.h"
+#include "timeline_columns.h"
+
+namespace elsie::picture {
+
+/// Colours of behaviours: the same for behaviours of the same path, whatever the robot; those
+/// inside another are shades of its colour.
+class BehaviorInks {
+ public:
+  explicit BehaviorInks(const simulation::Trace& trace);
+  Ink of(const simulation::TraceRobot& robot, int member) const;
+  /// The member's, or grey for several at once, or the paper's for nobody.
+  Ink of_decider(const simulation::TraceRobot& robot, simulation::Decider decider) const;
+
+ private:
+  std::map<std::string, Ink> by_path_;
+};
+
+/// Symbols of events: of each name its own, while there are enough.
+class EventSymbols {
+ public:
+  EventSymbols(const simulation::Trace& trace, const std::vector<std::size_t>& robots,
+               const simulation::TimeSpan& span);
+  const std::vector<std::string>& names() const { return names_; }
+  void draw(Canvas& canvas, const std::string& name, const Vector2& at) const;
+
+ private:
+  std::vector<std::string> names_;
+};
+
+/// Lanes are paler than the other panels, so that lines over them are seen.
+inline constexpr double kLaneAlpha = 0.55;
+
+/// What all panels of a robot share.
+struct TimelineBlock {
+  const simulation::TraceRobot& robot;
+  const BehaviorInks& inks;
+  simulation::TimeSpan span;
+  std::vector<Column> columns;
+  double left = 0.0;          // of all plots
+  double column_width = 0.0;  // in units
+
+  double width() const { return column_width * static_cast<double>(columns.size()); }
+  double right() const { return left + width(); }
+  double x_of(double time_s) const {
+    return left + width() * (time_s - span.from_s) / (span.to_s - span.from_s);
+  }
+  double x_of_column(std::size_t i) const { return left + column_width * static_cast<double>(i); }
+};
+
+/// Ticks of the times, up and down through the rectangle.
+void draw_time_grid(Canvas& canvas, const TimelineBlock& block, const Rect& area);
+/// Their labels, and what the axis is, below `y`.
+void draw_time_axis(Canvas& canvas, const TimelineBlock& block, double y);
+
+void draw_events(Canvas& canvas, const TimelineBlock& block, const EventSymbols& symbols, double y,
+                 double bottom);
+void draw_deciders(Canvas& canvas, const TimelineBlock& block, const Rect& area);
+void draw_shares(Canvas& canvas, const TimelineBlock& block, const Rect& area);
+void draw_weights(Canvas& canvas, const TimelineBlock& block, const Rect& area);
+/// `mean_share`: the member's part in the robot's command over the whole span.
+void draw_lane(Canvas& canvas, const TimelineBlock& block, std::size_t member, double mean_share,
+               const Rect& area);
+/// Diagonals over the path, which is used up.
+void hatch(Canvas& canvas, const Rect& around);
+
+}  // namespace elsie::picture

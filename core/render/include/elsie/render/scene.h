@@ -1,0 +1,60 @@
+// What there is to be seen, as plain data: boxes, wheels and marks on a floor.
+//
+// Lengths in m, frames in the world. Every colour is the one in full light; faces that are turned
+// away from it are darker, down to kDarkestShade, with the same hue and saturation.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "elsie/api/geometry.h"
+#include "elsie/api/image.h"
+
+namespace elsie::render {
+
+/// The carrier of things that belong to nobody, and of cameras that nobody carries.
+inline constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
+
+/// How bright the darkest face of a surface is, as a part of its colour in full light.
+inline constexpr double kDarkestShade = 0.6;
+
+struct Box {
+  Frame frame;   // origin in the middle of its bottom
+  Vector3 size;  // along forward, left and up
+  Colour colour;
+  std::size_t carrier = kNobody;  // whose cameras do not see it
+  bool visible = true;
+};
+
+/// A cylinder about the left axis of its frame, whose origin is in its middle.
+struct Wheel {
+  Frame frame;
+  double radius = 0.0;
+  double width = 0.0;
+  Colour colour;
+  std::size_t carrier = kNobody;
+};
+
+/// A disc on the floor; of two that overlap the later one is on top.
+struct Mark {
+  Vector2 at;
+  double radius = 0.0;
+  Colour colour;
+};
+
+struct Scene {
+  Colour floor{80, 80, 80};   // without end, at z = 0; not to be seen from below
+  Colour sky{140, 140, 140};  // where there is nothing else
+  std::vector<Box> boxes;
+  std::vector<Wheel> wheels;
+  std::vector<Mark> marks;
+};
+
+/// A camera in its place.
+struct View {
+  Frame frame;  // looks along forward; up is the top of the picture
+  Camera camera;
+  std::size_t carrier = kNobody;  // what belongs to it is not in the picture
+};
+
+}  // namespace elsie::render

@@ -1,0 +1,136 @@
+#include "instances.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "elsie/render/renderer.h"
+
+namespace elsie::render {
+namespace {
+
+// Where the light comes from: it lies between the axes, so that neighbouring faces of an upright
+// box differ.
+const Vector3 kLight = [] {
+  const Vector3 direction{0.3, 0.5, 0.81};
+  return (1.0 / std::sqrt(dot(direction, direction))) * direction;
+}();
+
+// Half the edge of the floor, which has no end: from there on it is less than a pixel high.
+constexpr double kFloorReach = 1000.0;  // m
+
+/// A mesh in the world: where its origin is, and its axes with their lengths.
+struct Body {
+  Vector3 origin, x, y, z;
+};
+
+class Eye {
+ public:
+  Eye(const View& view, const Atlas& atlas, const Tile& tile)
+      : frame_(view.frame),
+        across_(1.0 / std::tan(0.5 * view.camera.horizontal_fov_rad)),
+        down_(across_ * view.camera.width / view.camera.height),
+        across_slack_(std::hypot(1.0, across_)),
+        down_slack_(std::hypot(1.0, down_)),
+        place_{static_cast<float>(tile.width) / static_cast<float>(atlas.width),
+               static_cast<float>(tile.height) / static_cast<float>(atlas.height),
+               static_cast<float>(2 * tile.x + tile.width) / static_cast<float>(atlas.width) - 1.0F,
+               static_cast<float>(2 * tile.y + tile.height) / static_cast<float>(atlas.height) -
+                   1.0F} {}
+
+  /// Whether some of a ball may be in the picture.
+  bool may_see(const Vector3& middle, double radius) const {
+    const Vector3 d = middle - frame_.origin;
+    const double w = dot(frame_.forward, d);
+    return w + radius >= kNearest &&
+           std::abs(across_ * dot(frame_.left, d)) <= w + across_slack_ * radius &&
+           std::abs(down_ * dot(frame_.up, d)) <= w + down_slack_ * radius;
+  }
+
+  Instance instance(const Body& body, const Vector3& light, const Colour& colour) const {
+    Instance made{};
+    fill(made.x, (-across_) * frame_.left, body);
+    fill(made.y, (-down_) * frame_.up, body);
+    fill(made.w, frame_.forward, body);
+    std::copy(std::begin(place_), std::end(place_), made.place);
+    made.light[0] = static_cast<float>(light.x);
+    made.light[1] = static_cast<float>(light.y);
+    made.light[2] = static_cast<float>(light.z);
+    made.colour[0] = colour.red;
+    made.colour[1] = colour.green;
+    made.colour[2] = colour.blue;
+    made.colour[3] = 255;
+    return made;
+  }
+
+  const Vector3& origin() const { return frame_.origin; }
+
+ private:
+  void fill(float row[4], const Vector3& direction, const Body& body) const {
+    row[0] = static_cast<float>(dot(direction, body.x));
+    row[1] = static_cast<float>(dot(direction, body.y));
+    row[2] = static_cast<float>(dot(direction, body.z));
+    row[3] = static_cast<float>(dot(direction, body.origin - frame_.origin));
+  }
+
+  Frame frame_;
+  double across_, down_;  // 1 / tan of half the field of view, in width and height
+  double across_slack_, down_slack_;
+  float place_[4];
+};
+
+Vector3 light_in(const Frame& frame) {
+  return {dot(kLight, frame.forward), dot(kLight, frame.left), dot(kLight, frame.up)};
+}
+
+// What lies on the floor is in full light.
+constexpr Vector3 kFullLight{0.0, 0.0, 1.0};
+
+Body flat(double x, double y, double reach) {
+  return {{x, y, 0.0}, {reach, 0.0, 0.0}, {0.0, reach, 0.0}, {0.0, 0.0, 1.0}};
+}
+
+}  // namespace
+
+void DrawList::clear() {
+  floors.clear();
+  marks.clear();
+  boxes.clear();
+  wheels.clear();
+}
+
+void add_view(const Scene& scene, const View& view, const Atlas& atlas, const Tile& tile,
+              DrawList& list) {
+  const Eye eye(view, atlas, tile);
+  list.floors.push_back(
+      eye.instance(flat(eye.origin().x, eye.origin().y, kFloorReach), kFullLight, scene.floor));
+  for (const Mark& mark : scene.marks) {
+    if (eye.may_see({mark.at.x, mark.at.y, 0.0}, mark.radius)) {
+      list.marks.push_back(
+          eye.instance(flat(mark.at.x, mark.at.y, mark.radius), kFullLight, mark.colour));
+    }
+  }
+  for (const Box& box : scene.boxes) {
+    if (!box.visible || (box.carrier == view.carrier && view.carrier != kNobody)) {
+      continue;
+    }
+    const Vector3 up = box.size.z * box.frame.up;
+    if (eye.may_see(box.frame.origin + 0.5 * up, 0.5 * std::sqrt(dot(box.size, box.size)))) {
+      list.boxes.push_back(eye.instance(
+          {box.frame.origin, box.size.x * box.frame.forward, box.size.y * box.frame.left, up},
+          light_in(box.frame), box.colour));
+    }
+  }
+  for (const Wheel& wheel : scene.wheels) {
+    if (wheel.carrier == view.carrier && view.carrier != kNobody) {
+      continue;
+    }
+    if (eye.may_see(wheel.frame.origin, std::hypot(wheel.radius, 0.5 * wheel.width))) {
+      list.wheels.push_back(
+          eye.instance({wheel.frame.origin, wheel.radius * wheel.frame.forward,
+                        wheel.width * wheel.frame.left, wheel.radius * wheel.frame.up},
+                       light_in(wheel.frame), wheel.colour));
+    }
+  }
+}
+
+}  // namespace elsie::render

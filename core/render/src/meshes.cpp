@@ -1,0 +1,93 @@
+#include "meshes.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace elsie::render {
+namespace {
+
+constexpr int kWheelSides = 20;
+constexpr int kDiscSides = 32;
+
+Vertex vertex(double x, double y, double z) {
+  return {{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)}, {0, 0, 0}};
+}
+
+/// Adds a flat face with corners in counter-clockwise order; the first one speaks for it.
+void add_face(Mesh& mesh, const std::vector<int>& corners, double nx, double ny, double nz) {
+  const auto speaker = static_cast<std::uint16_t>(corners[0]);
+  float* normal = mesh.vertices[speaker].normal;
+  normal[0] = static_cast<float>(nx);
+  normal[1] = static_cast<float>(ny);
+  normal[2] = static_cast<float>(nz);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    mesh.indices.push_back(static_cast<std::uint16_t>(corners[i]));
+    mesh.indices.push_back(static_cast<std::uint16_t>(corners[i + 1]));
+    mesh.indices.push_back(speaker);
+  }
+}
+
+double turn(int part, int parts) { return 2.0 * std::numbers::pi * part / parts; }
+
+}  // namespace
+
+Mesh box_mesh() {
+  Mesh mesh;
+  for (int i = 0; i < 8; ++i) {  // bits of i: x, y, z
+    mesh.vertices.push_back(vertex(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 1.0 : 0.0));
+  }
+  // Each face begins with another corner.
+  add_face(mesh, {0, 4, 6, 2}, -1, 0, 0);
+  add_face(mesh, {1, 3, 7, 5}, 1, 0, 0);
+  add_face(mesh, {4, 0, 1, 5}, 0, -1, 0);
+  add_face(mesh, {2, 6, 7, 3}, 0, 1, 0);
+  add_face(mesh, {3, 1, 0, 2}, 0, 0, -1);
+  add_face(mesh, {6, 4, 5, 7}, 0, 0, 1);
+  return mesh;
+}
+
+Mesh wheel_mesh() {
+  Mesh mesh;
+  const int n = kWheelSides;
+  for (const double y : {-0.5, 0.5}) {
+    for (int i = 0; i < n; ++i) {
+      mesh.vertices.push_back(vertex(std::cos(turn(i, n)), y, std::sin(turn(i, n))));
+    }
+  }
+  std::vector<int> right, left;
+  for (int i = 0; i < n; ++i) {
+    const int next = (i + 1) % n;
+    const double middle = turn(2 * i + 1, 2 * n);
+    add_face(mesh, {i, n + i, n + next, next}, std::cos(middle), 0, std::sin(middle));
+    left.push_back(2 * n - 1 - i);
+    right.push_back(i);
+  }
+  add_face(mesh, left, 0, 1, 0);
+  // The corners of this side all speak for faces of the rim.
+  mesh.vertices.push_back(mesh.vertices[0]);
+  right[0] = 2 * n;
+  add_face(mesh, right, 0, -1, 0);
+  return mesh;
+}
+
+Mesh square_mesh() {
+  Mesh mesh;
+  mesh.vertices = {vertex(-1, -1, 0), vertex(1, -1, 0), vertex(1, 1, 0), vertex(-1, 1, 0)};
+  add_face(mesh, {0, 1, 2, 3}, 0, 0, 1);
+  return mesh;
+}
+
+Mesh disc_mesh() {
+  Mesh mesh;
+  std::vector<int> corners;
+  for (int i = 0; i < kDiscSides; ++i) {
+    const double angle = turn(i, kDiscSides);
+    mesh.vertices.push_back(vertex(std::cos(angle), std::sin(angle), 0));
+    corners.push_back(i);
+  }
+  add_face(mesh, corners, 0, 0, 1);
+  return mesh;
+}
+
+}  // namespace elsie::render

@@ -1,0 +1,32 @@
+// The few shapes that everything is made of.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace elsie::render {
+
+/// A corner of a mesh. A face is painted evenly with the light that its normal gets, and OpenGL
+/// takes that from the last corner of each triangle ("flat" shading). So a corner's normal is that
+/// of the one face that it speaks for, and corners can be shared: a box has 8 instead of 24.
+struct Vertex {
+  float position[3];
+  float normal[3];
+};
+
+/// Triangles, counter-clockwise seen from outside.
+struct Mesh {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint16_t> indices;
+};
+
+/// x and y from -1/2 to 1/2, z from 0 to 1.
+Mesh box_mesh();
+/// A cylinder of radius 1 about the y axis, from y = -1/2 to 1/2.
+Mesh wheel_mesh();
+/// x and y from -1 to 1 at z = 0, facing up.
+Mesh square_mesh();
+/// A disc of radius 1 at z = 0, facing up.
+Mesh disc_mesh();
+
+}  // namespace elsie::render

@@ -1,0 +1,198 @@
+#include "painter.h"
+
+#include <cstddef>
+#include <string>
+
+#include "elsie/render/renderer.h"
+
+namespace elsie::render {
+namespace {
+
+// Depth runs from the nearest distance to infinity. Each picture is cut off at the edges of its own
+// part of the atlas. The brightness goes from the darkest shade, away from the light, to 1: half of
+// it is light from everywhere (so that faces in the shade differ, too).
+constexpr const char* kVertexShader = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 x_row;
+layout(location = 3) in vec4 y_row;
+layout(location = 4) in vec4 w_row;
+layout(location = 5) in vec4 place;
+layout(location = 6) in vec3 light;
+layout(location = 7) in vec4 colour;
+uniform float nearest;
+uniform float darkest;
+flat out vec3 shaded;
+void main() {
+  vec4 point = vec4(position, 1.0);
+  float x = dot(x_row, point);
+  float y = dot(y_row, point);
+  float w = dot(w_row, point);
+  gl_ClipDistance[0] = w + x;
+  gl_ClipDistance[1] = w - x;
+  gl_ClipDistance[2] = w + y;
+  gl_ClipDistance[3] = w - y;
+  gl_Position = vec4(x * place.x + w * place.z, y * place.y + w * place.w, w - 2.0 * nearest, w);
+  shaded = colour.rgb * mix(darkest, 1.0, 0.5 + 0.5 * dot(normal, light));
+}
+)";
+
+constexpr const char* kFragmentShader = R"(#version 330 core
+flat in vec3 shaded;
+out vec4 colour;
+void main() { colour = vec4(shaded, 1.0); }
+)";
+
+constexpr int kClipDistances = 4;
+
+enum Location : GLuint { position, normal, x_row, y_row, w_row, place, light, colour };
+
+[[noreturn]] void refuse(const char* what, const std::string& why) {
+  throw RenderError("the OpenGL driver refuses the " + std::string(what) +
+                    " with which cameras take their pictures: " + why);
+}
+
+GLuint compile(GLenum type, const char* source) {
+  const GLuint shader = glCreateShader(type);
+  glShaderSource(shader, 1, &source, nullptr);
+  glCompileShader(shader);
+  GLint compiled = GL_FALSE;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+  if (!compiled) {
+    char why[1024] = "";
+    glGetShaderInfoLog(shader, sizeof(why), nullptr, why);
+    refuse("shader", why);
+  }
+  return shader;
+}
+
+GLuint link() {
+  const GLuint program = glCreateProgram();
+  for (const GLuint shader :
+       {compile(GL_VERTEX_SHADER, kVertexShader), compile(GL_FRAGMENT_SHADER, kFragmentShader)}) {
+    glAttachShader(program, shader);
+    glDeleteShader(shader);  // once the program goes
+  }
+  glLinkProgram(program);
+  GLint linked = GL_FALSE;
+  glGetProgramiv(program, GL_LINK_STATUS, &linked);
+  if (!linked) {
+    char why[1024] = "";
+    glGetProgramInfoLog(program, sizeof(why), nullptr, why);
+    refuse("program", why);
+  }
+  return program;
+}
+
+const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+}  // namespace
+
+Painter::Painter() : program_(link()) {
+  glGenBuffers(1, &instances_);
+  glUseProgram(program_);
+  glUniform1f(glGetUniformLocation(program_, "nearest"), static_cast<float>(kNearest));
+  glUniform1f(glGetUniformLocation(program_, "darkest"), static_cast<float>(kDarkestShade));
+  box_ = make(box_mesh());
+  wheel_ = make(wheel_mesh());
+  square_ = make(square_mesh());
+  disc_ = make(disc_mesh());
+}
+
+Painter::Shape Painter::make(const Mesh& mesh) {
+  Shape shape;
+  shape.indices = static_cast<GLsizei>(mesh.indices.size());
+  glGenVertexArrays(1, &shape.array);
+  glBindVertexArray(shape.array);
+  GLuint buffers[2];
+  glGenBuffers(2, buffers);
+  glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(Vertex)),
+               mesh.vertices.data(), GL_STATIC_DRAW);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+               static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(mesh.indices[0])),
+               mesh.indices.data(), GL_STATIC_DRAW);
+  for (const Location location : {position, normal}) {
+    const std::size_t at =
+        location == position ? offsetof(Vertex, position) : offsetof(Vertex, normal);
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), offset(at));
+  }
+  for (const Location location : {x_row, y_row, w_row, place, light, colour}) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribDivisor(location, 1);
+  }
+  return shape;
+}
+
+void Painter::draw(const Shape& shape, std::size_t first, std::size_t count) {
+  if (count == 0) {
+    return;
+  }
+  glBindVertexArray(shape.array);
+  const auto attribute = [&](Location location, GLint size, GLenum type, GLboolean normalised,
+                             std::size_t at) {
+    glVertexAttribPointer(location, size, type, normalised, sizeof(Instance),
+                          offset(first * sizeof(Instance) + at));
+  };
+  attribute(x_row, 4, GL_FLOAT, GL_FALSE, offsetof(Instance, x));
+  attribute(y_row, 4, GL_FLOAT, GL_FALSE, offsetof(Instance, y));
+  attribute(w_row, 4, GL_FLOAT, GL_FALSE, offsetof(Instance, w));
+  attribute(place, 4, GL_FLOAT, GL_FALSE, offsetof(Instance, place));
+  attribute(light, 3, GL_FLOAT, GL_FALSE, offsetof(Instance, light));
+  attribute(colour, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Instance, colour));
+  glDrawElementsInstanced(GL_TRIANGLES, shape.indices, GL_UNSIGNED_SHORT, nullptr,
+                          static_cast<GLsizei>(count));
+}
+
+void Painter::paint(const DrawList& list, const Colour& sky, int width, int height) {
+  // All state is set anew: a context may be shared with other painters.
+  glUseProgram(program_);
+  glViewport(0, 0, width, height);
+  glScissor(0, 0, width, height);
+  glEnable(GL_SCISSOR_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_DITHER);
+  glDisable(GL_MULTISAMPLE);
+  glEnable(GL_CULL_FACE);
+  glFrontFace(GL_CW);  // pictures have their first row at the bottom of the framebuffer
+  for (GLenum i = 0; i < kClipDistances; ++i) {
+    glEnable(GL_CLIP_DISTANCE0 + i);
+  }
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LESS);
+  glClearDepth(1.0);
+  glClearColor(static_cast<float>(sky.red) / 255.0F, static_cast<float>(sky.green) / 255.0F,
+               static_cast<float>(sky.blue) / 255.0F, 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+
+  glBindBuffer(GL_ARRAY_BUFFER, instances_);
+  const auto bytes = [](const std::vector<Instance>& some) {
+    return static_cast<GLsizeiptr>(some.size() * sizeof(Instance));
+  };
+  const std::vector<Instance>* const lists[] = {&list.floors, &list.marks, &list.boxes,
+                                                &list.wheels};
+  GLsizeiptr total = 0;
+  for (const auto* some : lists) {
+    total += bytes(*some);
+  }
+  glBufferData(GL_ARRAY_BUFFER, total, nullptr, GL_STREAM_DRAW);
+  GLsizeiptr at = 0;
+  for (const auto* some : lists) {
+    glBufferSubData(GL_ARRAY_BUFFER, at, bytes(*some), some->data());
+    at += bytes(*some);
+  }
+
+  // Everything else stands on the floor, and marks lie flat on it: painted over it, not compared
+  // with it in depth, where the two would flicker.
+  std::size_t first = 0;
+  glDisable(GL_DEPTH_TEST);
+  draw(square_, first, list.floors.size());
+  draw(disc_, first += list.floors.size(), list.marks.size());
+  glEnable(GL_DEPTH_TEST);
+  draw(box_, first += list.marks.size(), list.boxes.size());
+  draw(wheel_, first += list.boxes.size(), list.wheels.size());
+}
+
+}  // namespace elsie::render

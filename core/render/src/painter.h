@@ -1,0 +1,38 @@
+// Everything that OpenGL does: into whatever framebuffer the current context has. The only place
+// that calls it, beside the renderer, which owns the framebuffer.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include "elsie/render/scene.h"
+
+#include "instances.h"
+#include "meshes.h"
+
+namespace elsie::render {
+
+class Painter {
+ public:
+  /// With an OpenGL 3.3 context current, which stays the one of all later calls and owns what is
+  /// made here. Throws RenderError.
+  Painter();
+
+  /// Draws what is in the list into the lower left part of the framebuffer, cleared to `sky`.
+  void paint(const DrawList& list, const Colour& sky, int width, int height);
+
+ private:
+  /// A mesh on the card.
+  struct Shape {
+    GLuint array = 0;
+    GLsizei indices = 0;
+  };
+
+  Shape make(const Mesh& mesh);
+  void draw(const Shape& shape, std::size_t first, std::size_t count);
+
+  GLuint instances_ = 0;  // buffer
+  GLuint program_ = 0;
+  Shape box_, wheel_, square_, disc_;
+};
+
+}  // namespace elsie::render

@@ -1,0 +1,167 @@
+#include "elsie/render/renderer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include "atlas.h"
+#include "egl_context.h"
+#include "instances.h"
+#include "painter.h"
+
+namespace elsie::render {
+namespace {
+
+/// Copies `count` pixels, four bytes each, without the fourth.
+void drop_alpha(const std::uint8_t* from, std::uint8_t* to, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    to[3 * i] = from[4 * i];
+    to[3 * i + 1] = from[4 * i + 1];
+    to[3 * i + 2] = from[4 * i + 2];
+  }
+}
+
+}  // namespace
+
+class Renderer::Impl {
+ public:
+  Impl() {
+    const EglContext::Current current(context_);
+    painter_.emplace();
+    GLint largest_buffer = 0, largest_viewport[2] = {0, 0};
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest_buffer);
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, largest_viewport);
+    largest_ = std::min({largest_buffer, largest_viewport[0], largest_viewport[1]});
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    device_ = name ? name : "";
+    glGenFramebuffers(1, &framebuffer_);
+    glGenRenderbuffers(1, &colour_);
+    glGenRenderbuffers(1, &depth_);
+  }
+
+  void render(const Scene& scene, std::span<const View> views, std::span<Image* const> pictures) {
+    check(views, pictures.size());
+    const EglContext::Current current(context_);
+    while (!views.empty()) {
+      const Atlas atlas = pack(views, largest_);
+      const std::size_t count = atlas.tiles.size();
+      list_.clear();
+      for (std::size_t i = 0; i < count; ++i) {
+        add_view(scene, views[i], atlas, atlas.tiles[i], list_);
+      }
+      make_room(atlas.width, atlas.height);
+      glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+      painter_->paint(list_, scene.sky, atlas.width, atlas.height);
+      read_back(atlas, pictures.first(count));
+      views = views.subspan(count);
+      pictures = pictures.subspan(count);
+    }
+  }
+
+  int largest() const { return largest_; }
+  const std::string& device() const { return device_; }
+
+ private:
+  void check(std::span<const View> views, std::size_t pictures) const {
+    if (pictures != views.size()) {
+      throw std::invalid_argument("there are " + std::to_string(views.size()) + " views, but " +
+                                  std::to_string(pictures) + " pictures to be taken");
+    }
+    for (const View& view : views) {
+      const Camera& camera = view.camera;
+      if (camera.width < 1 || camera.height < 1 || camera.width > largest_ ||
+          camera.height > largest_) {
+        throw std::invalid_argument(
+            "a picture of " + std::to_string(camera.width) + " x " + std::to_string(camera.height) +
+            " pixels cannot be taken; here, both may be from 1 to " + std::to_string(largest_));
+      }
+      if (!(camera.horizontal_fov_rad > 0.0 && camera.horizontal_fov_rad < std::numbers::pi)) {
+        throw std::invalid_argument("a camera with a horizontal field of view of " +
+                                    std::to_string(degrees(camera.horizontal_fov_rad)) +
+                                    " degrees takes no picture; it must be above 0 and below 180");
+      }
+    }
+  }
+
+  /// Makes the framebuffer at least so large.
+  void make_room(int width, int height) {
+    if (width <= width_ && height <= height_) {
+      return;
+    }
+    width_ = std::max(width, width_);
+    height_ = std::max(height, height_);
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glBindRenderbuffer(GL_RENDERBUFFER, colour_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width_, height_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width_, height_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+    if (glGetError() != GL_NO_ERROR ||
+        glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+      const std::string size = std::to_string(width_) + " x " + std::to_string(height_);
+      width_ = height_ = 0;
+      throw RenderError("the OpenGL driver (" + device_ + ") has no room for pictures of " + size +
+                        " pixels; take smaller ones");
+    }
+  }
+
+  void read_back(const Atlas& atlas, std::span<Image* const> pictures) {
+    const auto row_bytes = static_cast<std::size_t>(atlas.width) * 4;
+    pixels_.resize(row_bytes * static_cast<std::size_t>(atlas.height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, atlas.width, atlas.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels_.data());
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+      throw RenderError("the OpenGL driver (" + device_ +
+                        ") failed to draw the pictures of cameras"
+                        " (error " +
+                        std::to_string(error) + ")");
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+      const Tile& tile = atlas.tiles[i];
+      Image& picture = *pictures[i];
+      picture.width = tile.width;
+      picture.height = tile.height;
+      picture.channels = 3;
+      const auto width = static_cast<std::size_t>(tile.width);
+      picture.bytes.resize(3 * width * static_cast<std::size_t>(tile.height));
+      for (int row = 0; row < tile.height; ++row) {
+        const auto from = static_cast<std::size_t>(tile.y + row) * row_bytes +
+                          static_cast<std::size_t>(tile.x) * 4;
+        drop_alpha(&pixels_[from], &picture.bytes[3 * width * static_cast<std::size_t>(row)],
+                   width);
+      }
+    }
+  }
+
+  EglContext context_;
+  std::optional<Painter> painter_;
+  GLuint framebuffer_ = 0, colour_ = 0, depth_ = 0;
+  int width_ = 0, height_ = 0;  // of the framebuffer, px
+  int largest_ = 0;
+  std::string device_;
+  DrawList list_;
+  std::vector<std::uint8_t> pixels_;
+};
+
+Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+void Renderer::render(const Scene& scene, std::span<const View> views,
+                      std::span<Image* const> pictures) {
+  impl_->render(scene, views, pictures);
+}
+
+int Renderer::largest_size() const { return impl_->largest(); }
+const std::string& Renderer::device() const { return impl_->device(); }
+
+}  // namespace elsie::render

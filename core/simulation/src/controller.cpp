@@ -1,0 +1,294 @@
+#include "controller.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "make_plugin.h"
+
+namespace elsie::simulation {
+namespace {
+
+std::string text(const MotorCommand& command) {
+  return "left " + std::to_string(command.left) + ", right " + std::to_string(command.right);
+}
+
+/// Why these are no fuzzy sets, or null.
+const char* fault_of(const CommandSets& sets) {
+  for (const FuzzySet* set : {&sets.left, &sets.right}) {
+    double last = -std::numeric_limits<double>::infinity();
+    for (const FuzzySet::Point& point : set->points) {
+      if (!std::isfinite(point.x) || point.x < last ||
+          !(point.degree >= 0.0 && point.degree <= 1.0)) {
+        return "the points of its fuzzy sets are not in ascending order with degrees in [0, 1]";
+      }
+      last = point.x;
+    }
+  }
+  return nullptr;
+}
+
+std::string fault_of(std::span<const double> desirability) {
+  for (const double degree : desirability) {
+    if (!(degree >= 0.0 && degree <= 1.0)) {
+      return "it rates a command " + std::to_string(degree) + ", which is not in [0, 1]";
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+Controller::Controller(const world::Coordination& description, const Setting& setting,
+                       std::vector<world::Problem>& problems)
+    : description_(description), setting_(setting) {
+  Member::Runner& runner = *this;
+  for (const world::BehaviorUse& use : description.behaviors) {
+    Slot slot{&use, setting.host.find(PluginKind::behavior, use.plugin), nullptr, nullptr, Random(),
+              {}};
+    if (slot.declaration && slot.declaration->hold) {
+      static const world::Coordination kNothing;
+      slot.inside = std::make_unique<Controller>(use.inside.empty() ? kNothing : use.inside.front(),
+                                                 setting, problems);
+    }
+    slot.object = make<Behavior>(setting.host, PluginKind::behavior, use, problems,
+                                 [&](Behavior& object, const Declaration& declaration) {
+                                   if (declaration.hold) {
+                                     declaration.hold(object, *slot.inside);
+                                   }
+                                 });
+    slots_.push_back(std::move(slot));
+    members_.emplace_back(use.id, use.priority, runner);
+  }
+  if (description.coordinator) {
+    coordinator_ = make<Coordinator>(setting.host, PluginKind::coordinator,
+                                     *description.coordinator, problems);
+  }
+}
+
+void Controller::equip(const Perception& example, std::vector<world::Problem>& problems) {
+  for (Slot& slot : slots_) {
+    if (slot.inside) {
+      slot.inside->equip(example, problems);
+    }
+    blaming(*slot.use, problems, [&] { slot.object->equipped(example); });
+  }
+  if (coordinator_) {
+    blaming(*description_.coordinator, problems,
+            [&] { coordinator_->equipped(members_, example); });
+  }
+}
+
+void Controller::reset(std::uint64_t seed, const std::string& path) {
+  for (Slot& slot : slots_) {
+    const std::string name = path + "behavior[" + slot.use->id + "]";
+    slot.random = Random(seed, name);
+    slot.response = {};
+    if (slot.inside) {
+      slot.inside->reset(seed, name + "/");
+    }
+    setting_.guard.run(*slot.use, [&] { slot.object->reset(slot.random); });
+  }
+  if (coordinator_) {
+    random_ = Random(seed, path + "coordinator");
+    setting_.guard.run(*description_.coordinator, [&] { coordinator_->reset(random_); });
+  }
+  command_ = {};
+  begin_step();
+}
+
+void Controller::list_notes(std::string_view robot, std::vector<Note>& notes) {
+  const auto list = [&](const world::PluginUse& use, const Component& object) {
+    for (std::string& note : setting_.guard.run(use, [&] { return object.notes(); })) {
+      notes.push_back({std::string(robot), use.id, std::move(note)});
+    }
+  };
+  for (const Slot& slot : slots_) {
+    list(*slot.use, *slot.object);
+    if (slot.inside) {
+      slot.inside->list_notes(robot, notes);
+    }
+  }
+  if (coordinator_) {
+    list(*description_.coordinator, *coordinator_);
+  }
+}
+
+void Controller::begin_step() {
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    members_[i].begin_step();
+    if (slots_[i].inside) {
+      slots_[i].inside->begin_step();
+    }
+  }
+}
+
+MotorCommand Controller::decide(const Perception& now) {
+  if (!coordinator_) {
+    return {};
+  }
+  now_ = now;
+  const world::PluginUse& use = *description_.coordinator;
+  command_ = setting_.guard.run(
+      use, [&] { return coordinator_->coordinate(members_, now.with_random(random_)); });
+  setting_.guard.check();
+  if (!command_.is_finite()) {
+    setting_.guard.fail(use, "its command is not a finite number: " + text(command_));
+  }
+  check_trace();
+  return command_;
+}
+
+Response Controller::respond(const Perception& now) {
+  Response response = decide(now);
+  double shares = 0.0;
+  response.activation = 0.0;
+  response.strength = 0.0;
+  for (const Member& member : members_) {
+    const double share = std::max(0.0, member.trace.share);
+    shares += share;
+    response.activation += share * member.trace.activation;
+    response.strength += share * member.trace.strength;
+  }
+  if (shares > 0.0) {
+    response.activation = std::clamp(response.activation / shares, 0.0, 1.0);
+    response.strength = std::clamp(response.strength / shares, 0.0, 1.0);
+  }
+  return response;
+}
+
+void Controller::rate(std::span<const MotorCommand> candidates, std::span<double> desirability) {
+  if (!coordinator_) {
+    std::fill(desirability.begin(), desirability.end(), 0.0);
+    return;
+  }
+  const world::PluginUse& use = *description_.coordinator;
+  setting_.guard.run(use,
+                     [&] { coordinator_->rate(members_, command_, candidates, desirability); });
+  setting_.guard.check();
+  if (const std::string fault = fault_of(desirability); !fault.empty()) {
+    setting_.guard.fail(use, fault);
+  }
+}
+
+CommandSets Controller::command_sets() {
+  if (!coordinator_) {
+    return {};
+  }
+  const world::PluginUse& use = *description_.coordinator;
+  CommandSets sets =
+      setting_.guard.run(use, [&] { return coordinator_->command_sets(members_, command_); });
+  setting_.guard.check();
+  if (const char* fault = fault_of(sets)) {
+    setting_.guard.fail(use, fault);
+  }
+  return sets;
+}
+
+const Response& Controller::run(Member& member) {
+  Slot& slot = slot_of(member);
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = setting_.measure_time ? Clock::now() : Clock::time_point();
+  slot.response = setting_.guard.run(
+      *slot.use, [&] { return slot.object->respond(now_->with_random(slot.random)); });
+  if (setting_.measure_time) {
+    member.trace.time_s = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  check(slot, slot.response);
+  for (const Event& event : slot.response.events) {
+    setting_.wishes.raise(event);
+  }
+  if (slot.response.charge) {
+    setting_.wishes.ask_for_charge();
+  }
+  return slot.response;
+}
+
+void Controller::rate(Member& member, std::span<const MotorCommand> candidates,
+                      std::span<double> desirability) {
+  const Slot& slot = slot_of(member);
+  setting_.guard.run(*slot.use,
+                     [&] { slot.object->rate(slot.response, candidates, desirability); });
+  if (const std::string fault = fault_of(desirability); !fault.empty()) {
+    setting_.guard.fail(*slot.use, fault);
+  }
+}
+
+CommandSets Controller::command_sets(Member& member) {
+  const Slot& slot = slot_of(member);
+  CommandSets sets =
+      setting_.guard.run(*slot.use, [&] { return slot.object->command_sets(slot.response); });
+  if (const char* fault = fault_of(sets)) {
+    setting_.guard.fail(*slot.use, fault);
+  }
+  return sets;
+}
+
+void Controller::check(const Slot& slot, const Response& response) const {
+  const auto fail = [&](const std::string& problem) { setting_.guard.fail(*slot.use, problem); };
+  if (!response.command.is_finite()) {
+    fail("its command is not a finite number: " + text(response.command));
+  }
+  const auto check_degree = [&](const char* what, double value) {
+    if (!(value >= 0.0 && value <= 1.0)) {
+      fail(std::string("its ") + what + " is " + std::to_string(value) +
+           ", which is not in [0, 1]");
+    }
+  };
+  check_degree("activation", response.activation);
+  check_degree("strength", response.strength);
+  for (const Event& event : response.events) {
+    const auto& declared = slot.declaration->events;
+    if (std::none_of(declared.begin(), declared.end(),
+                     [&](const EventDeclaration& d) { return d.name == event.name; })) {
+      fail("it raised the event '" + std::string(event.name) +
+           "', which its declaration does not name; add elsie::raises() to it");
+    }
+  }
+}
+
+void Controller::check_trace() {
+  for (Member& member : members_) {
+    if (member.trace.inhibited_by >= static_cast<int>(members_.size())) {
+      setting_.guard.fail(*description_.coordinator,
+                          "its trace says that member " +
+                              std::to_string(member.trace.inhibited_by) +
+                              " inhibits another, but there is none of that number");
+    }
+    if (!std::isfinite(member.trace.weight) || !std::isfinite(member.trace.share)) {
+      setting_.guard.fail(*description_.coordinator,
+                          "a weight or share in its trace is not finite");
+    }
+    if (!member.trace.reason) {
+      member.trace.reason = "";
+    }
+  }
+}
+
+void Controller::list_members(const std::string& path, int depth, int parent,
+                              std::vector<TracedMember>& list) const {
+  const std::string_view coordinator =
+      description_.coordinator ? std::string_view(description_.coordinator->plugin) : "";
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const std::string name = path + slots_[i].use->id;
+    list.push_back({name, slots_[i].use->plugin, coordinator, depth, parent, &members_[i]});
+    if (slots_[i].inside) {
+      slots_[i].inside->list_members(name + "/", depth + 1, static_cast<int>(list.size()) - 1,
+                                     list);
+    }
+  }
+}
+
+const TracedMember* inhibitor_of(const TracedMember& member, std::span<const TracedMember> all) {
+  int place = member.member->trace.inhibited_by;
+  for (const TracedMember& other : all) {
+    if (other.parent == member.parent && place-- == 0) {
+      return &other;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace elsie::simulation

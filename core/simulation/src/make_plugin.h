@@ -1,0 +1,40 @@
+// Plugin objects as a world describes them.
+#pragma once
+
+#include <stdexcept>
+#include <vector>
+
+#include "elsie/plugin/host.h"
+#include "elsie/plugin/parameters.h"
+#include "elsie/world/description.h"
+#include "elsie/world/error.h"
+
+#include "guard.h"
+
+namespace elsie::simulation {
+
+/// Makes and configures one plugin object; none, and a problem added, when that fails. `prepare` is
+/// called with the object before it is configured.
+template <class Kind, class Prepare>
+plugin::Object<Kind> make(const plugin::Host& host, PluginKind kind, const world::PluginUse& use,
+                          std::vector<world::Problem>& problems, Prepare prepare) {
+  return blaming(use, problems, [&] {
+    const Declaration* declaration = host.find(kind, use.plugin);
+    if (!declaration) {
+      throw std::invalid_argument("no such plugin was found");
+    }
+    auto object = host.create<Kind>(kind, use.plugin);
+    prepare(*object, *declaration);
+    const std::vector<ElementValue> elements(use.elements.begin(), use.elements.end());
+    plugin::apply_parameters(*declaration, *object, use.parameters, elements);
+    return object;
+  });
+}
+
+template <class Kind>
+plugin::Object<Kind> make(const plugin::Host& host, PluginKind kind, const world::PluginUse& use,
+                          std::vector<world::Problem>& problems) {
+  return make<Kind>(host, kind, use, problems, [](Kind&, const Declaration&) {});
+}
+
+}  // namespace elsie::simulation

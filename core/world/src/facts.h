@@ -1,0 +1,40 @@
+// What many attributes of the vocabulary have in common.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "describe.h"
+
+namespace elsie::world {
+
+inline constexpr AttributeExtras kId{.form = TextForm::id};
+inline constexpr AttributeExtras kRequiredId{.form = TextForm::id, .required = true};
+inline constexpr AttributeExtras kTeam{.form = TextForm::id, .refers_to = Reference::team};
+inline constexpr AttributeExtras kRobot{.form = TextForm::id, .refers_to = Reference::robot};
+inline constexpr AttributeExtras kRequired{.required = true};
+
+inline ParameterFacts fact(std::string meaning) { return {.meaning = std::move(meaning)}; }
+/// A coordinate, or an offset.
+inline ParameterFacts metres(std::string meaning) {
+  return {.unit = "m", .min = -1e4, .max = 1e4, .meaning = std::move(meaning)};
+}
+inline ParameterFacts size(std::string meaning, double max = 1e3) {
+  return {.unit = "m", .above = 0, .max = max, .meaning = std::move(meaning)};
+}
+inline ParameterFacts angle(std::string meaning) {
+  return {.unit = "deg", .min = -360, .max = 360, .meaning = std::move(meaning)};
+}
+
+/// The version of the vocabulary, on the root element; the reader looks at it before anything else.
+template <class Object>
+Describe<Object> root(const char* name, const char* meaning) {
+  return Describe<Object>(name, meaning)
+      .attribute(
+          "format", ParameterType::text,
+          {.choices = {std::to_string(kFormat)}, .meaning = "version of this vocabulary"},
+          kRequired, [](void*, const ParameterValue&) {},
+          [](const void*) -> std::optional<ParameterValue> { return std::to_string(kFormat); });
+}
+
+}  // namespace elsie::world

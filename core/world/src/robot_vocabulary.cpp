@@ -1,0 +1,184 @@
+#include "robot_vocabulary.h"
+
+#include "facts.h"
+
+namespace elsie::world {
+
+namespace {
+
+ElementSpec body() {
+  return Describe<RobotBody>("body", "A box chassis on two driven wheels and two casters")
+      .attribute("length", &RobotBody::length, size("chassis, along the heading", 10))
+      .attribute("width", &RobotBody::width, size("chassis, across", 10))
+      .attribute("height", &RobotBody::height, size("chassis", 10))
+      .attribute("clearance", &RobotBody::clearance, size("from the floor to the chassis", 10))
+      .attribute("wheel_radius", &RobotBody::wheel_radius, size("radius of the wheels", 10))
+      .attribute("wheel_width", &RobotBody::wheel_width, size("width of the wheels", 10))
+      .attribute("axle", &RobotBody::axle,
+                 size("between the middles of the wheels; by default the wheels stand just outside "
+                      "the chassis",
+                      10))
+      .attribute("mass", &RobotBody::mass,
+                 {.unit = "kg", .above = 0, .max = 1e4, .meaning = "of the chassis"})
+      .attribute("wheel_mass", &RobotBody::wheel_mass,
+                 {.unit = "kg", .above = 0, .max = 1e4, .meaning = "of each wheel"})
+      .attribute("wheel_torque", &RobotBody::wheel_torque,
+                 {.unit = "N m", .above = 0, .max = 1e4, .meaning = "what each motor can give"});
+}
+
+ParameterFacts removal() {
+  return fact("takes away what the template has under this id; nothing else may be said then");
+}
+
+ElementSpec segments() {
+  ElementSpec segment =
+      Describe<Segment>("segment", "A box on two passive wheels that the robot pulls")
+          .attribute("id", &Segment::id,
+                     fact("its name on this robot; by default its element's, with a number"), kId)
+          .attribute("length", &Segment::length, size("of the box, along its heading", 10))
+          .attribute("width", &Segment::width, size("of the box and its wheels, across", 10))
+          .attribute("height", &Segment::height, size("of the box", 10))
+          .attribute("clearance", &Segment::clearance, size("from the floor to the box", 10))
+          .attribute("mass", &Segment::mass,
+                     {.unit = "kg", .above = 0, .max = 1e4, .meaning = "of all of it"})
+          .attribute("wheel_radius", &Segment::wheel_radius, size("radius of its wheels", 10))
+          .attribute("wheel_width", &Segment::wheel_width,
+                     size("width of its wheels, which are flush with its sides", 10))
+          .attribute("gap", &Segment::gap,
+                     size("from the body in front, when they stand in line", 10))
+          .attribute("hitch", &Segment::hitch,
+                     {.unit = "m",
+                      .min = 0,
+                      .max = 20,
+                      .meaning = "from the middle of the body in front back to the joint; by "
+                                 "default the joint is in the middle of the gap"})
+          .attribute("hitch_height", &Segment::hitch_height,
+                     {.unit = "m",
+                      .min = 0,
+                      .max = 20,
+                      .meaning = "of the joint above the floor; by default that of the axle"})
+          .attribute("max_yaw_deg", &Segment::max_yaw_deg,
+                     {.unit = "deg",
+                      .min = 1,
+                      .max = 170,
+                      .meaning = "how far the joint turns to either side; by default until the "
+                                 "two bodies would touch, at most 90"})
+          .attribute("max_pitch_deg", &Segment::max_pitch_deg,
+                     {.unit = "deg",
+                      .min = 1,
+                      .max = 80,
+                      .meaning = "how far the joint bends upwards and downwards"})
+          .attribute_before_reading("remove", ParameterType::boolean, removal());
+  return Describe<Robot>("segments", "What the robot pulls behind it, from the front backwards")
+      .members("segment")
+      .each(std::move(segment), &Robot::segments);
+}
+
+ElementSpec sensors() {
+  ElementSpec sensor =
+      Describe<SensorUse>("sensor", "A sensor: the element has the name of its plugin")
+          .plugins(PluginKind::sensor)
+          .attribute("id", &SensorUse::id,
+                     fact("its name on this robot; by default the plugin's, with a number if there "
+                          "are several"),
+                     kId)
+          .attribute("x", &SensorUse::x,
+                     metres("where it is mounted, ahead; by default the chassis' front"))
+          .attribute("y", &SensorUse::y,
+                     metres("where it is mounted, to the left; by default the middle"))
+          .attribute("z", &SensorUse::z,
+                     metres("where it is mounted, up; by default the chassis' top"))
+          .attribute("yaw_deg", &SensorUse::yaw_deg, angle("where it looks, to the left"))
+          .attribute("pitch_deg", &SensorUse::pitch_deg, angle("where it looks, upwards"))
+          .attribute("energy_cost", &SensorUse::energy_cost,
+                     {.unit = "units/s", .min = 0, .max = 1e12, .meaning = "what it uses"})
+          .attribute_before_reading("remove", ParameterType::boolean, removal());
+  return Describe<Robot>("sensors", "The robot's sensors")
+      .members("sensor")
+      .each(std::move(sensor), &Robot::sensors);
+}
+
+Describe<Coordination> behaviors() {
+  ElementSpec behavior =
+      Describe<BehaviorUse>("behavior", "A behaviour: the element has the name of its plugin")
+          .plugins(PluginKind::behavior)
+          .holds(&BehaviorUse::inside)
+          .attribute("id", &BehaviorUse::id,
+                     fact("its name among those beside it; by default the plugin's, with a number "
+                          "if there are several"),
+                     kId)
+          .attribute("priority", &BehaviorUse::priority,
+                     {.min = -1e6,
+                      .max = 1e6,
+                      .meaning = "its weight or rank, as the coordinator takes it"})
+          .attribute_before_reading("remove", ParameterType::boolean, removal());
+  return Describe<Coordination>("behaviors", "Behaviours, in the order of their rank in ties")
+      .members("behavior")
+      .each(std::move(behavior), &Coordination::behaviors);
+}
+
+Describe<Coordination> coordinator() {
+  ElementSpec use =
+      Describe<PluginUse>("coordinator", "A coordinator: the element has the name of its plugin")
+          .plugins(PluginKind::coordinator)
+          .attribute("id", &PluginUse::id, fact("its name; by default the plugin's"), kId)
+          .attribute_before_reading("remove", ParameterType::boolean, removal());
+  return Describe<Coordination>("coordinator", "What turns the behaviours' wishes into one command")
+      .members("coordinator")
+      .optional(std::move(use), &Coordination::coordinator);
+}
+
+// What robots and templates of robots have in common.
+ElementSpec with_robot_content(Describe<Robot> robot) {
+  return std::move(robot)
+      .attribute_before_reading(
+          "template", ParameterType::file,
+          fact("a file with a <robot_template>, whose content this element overrides"))
+      .attribute("team", &Robot::team, fact("the team that it belongs to"), kTeam)
+      .attribute("x", &Robot::x, metres("east"))
+      .attribute("y", &Robot::y, metres("north"))
+      .attribute("z", &Robot::z,
+                 {.unit = "m", .min = 0, .max = 100, .meaning = "the bottom of its wheels"})
+      .attribute("heading_deg", &Robot::heading_deg, angle("counter-clockwise from east"))
+      .attribute(
+          "max_speed", &Robot::max_speed,
+          {.unit = "m/s", .min = 0, .max = 100, .meaning = "no wheel rolls faster than this"})
+      .attribute("coverage", &Robot::coverage,
+                 {.unit = "m", .min = 0, .max = 1e4, .meaning = "radius of its communication"})
+      .attribute("leader", &Robot::leader, fact("whether it leads its team"))
+      .attribute("battery", &Robot::battery,
+                 {.unit = "units", .above = 0, .max = 1e12, .meaning = "its battery when full"})
+      .attribute("energy", &Robot::energy,
+                 {.unit = "units",
+                  .min = 0,
+                  .max = 1e12,
+                  .meaning = "in the battery at the start; by default it is full"})
+      .one(body(), &Robot::body)
+      .group(segments())
+      .group(sensors())
+      .group(behaviors())
+      .group(coordinator());
+}
+
+}  // namespace
+
+ElementSpec robot_element() {
+  return with_robot_content(Describe<Robot>("robot", "A two-wheel differential drive")
+                                .attribute("id", &Robot::id, fact("its name"), kRequiredId));
+}
+
+const ElementSpec& template_vocabulary() {
+  static const ElementSpec table = with_robot_content(
+      root<Robot>("robot_template", "A robot without an id, to be used in many places"));
+  return table;
+}
+
+const ElementSpec& coordination_vocabulary() {
+  static const ElementSpec table =
+      Describe<Coordination>("coordination", "Behaviours and what coordinates them")
+          .group(behaviors())
+          .group(coordinator());
+  return table;
+}
+
+}  // namespace elsie::world

@@ -1,0 +1,77 @@
+// Fills a world with what the tree of its file says.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "elsie/api/declaration.h"
+#include "elsie/world/vocabulary.h"
+
+#include "files.h"
+#include "markup.h"
+#include "problems.h"
+#include "reading.h"
+
+namespace elsie::plugin {
+class Host;
+}
+
+namespace elsie::world {
+
+/// Walks the tree and the vocabulary side by side and fills the objects; where the vocabulary ends,
+/// at the use of a plugin, the plugin's declaration goes on. For one reading.
+class TreeReader {
+ public:
+  /// `check_plugins`: ReadOptions::check_plugins.
+  TreeReader(const plugin::Host& host, const Files& files, bool check_plugins, Problems& problems)
+      : host_(host), files_(files), check_plugins_(check_plugins), problems_(problems) {}
+
+  Reading read(const Element& root);
+
+ private:
+  // What the attributes of an element say of declared parameters; see PluginUse.
+  struct Values {
+    std::map<std::string, ParameterValue>& parameters;
+    std::map<std::string, FileName>& file_names;
+  };
+
+  // Those that read something return whether it is as its element says: whether the element's own
+  // attributes are without mistakes, and those of the elements that describe it further.
+
+  bool read_object(const ElementSpec& spec, const Element& element, void* object);
+  bool read_child(const ElementSpec& spec, const Element& element, void* parent);
+  bool read_attribute(const ElementSpec& spec, const Element& element, const Attribute& attribute,
+                      void* object);
+  bool has_required(const std::vector<Field>& fields, const Element& element);
+  void refuse_text(const Element& element);
+  void refuse_attribute(const Element& element, const Attribute& attribute,
+                        const std::vector<std::string>& names);
+  const ElementSpec* spec_of(const ElementSpec& parent, const Element& child);
+  void mark_robot_incomplete();
+
+  // The uses of plugins: use_reader.cpp.
+  bool read_use(const ElementSpec& spec, const Element& element, void* object);
+  bool read_inside(const ElementSpec& spec, const Declaration& declaration, const Element& element,
+                   void* object);
+  bool read_element(const ElementDeclaration& declared, const Element& element, ElementUse& use);
+  bool read_parameter(const ParameterDeclaration& parameter, const Element& element,
+                      const Attribute& attribute, Values values);
+  bool read_file(const ParameterDeclaration& parameter, const Element& element,
+                 const Attribute& attribute, Values values);
+  bool complete(const std::vector<ParameterDeclaration>& parameters, const Element& element,
+                Values values);
+  bool find_default(const ParameterDeclaration& parameter, const Element& element, Values values);
+  bool try_out(const Declaration& declaration, const Element& element, const PluginUse& use);
+  std::string explain_missing(PluginKind kind, const std::string& name) const;
+  std::vector<std::string> holders_of(const std::string& element) const;
+  std::string explain_child(const Declaration& declaration, const Element& child) const;
+
+  const plugin::Host& host_;
+  const Files& files_;
+  const bool check_plugins_;
+  Problems& problems_;
+  Reading reading_;
+};
+
+}  // namespace elsie::world

@@ -1,0 +1,299 @@
+// The part of TreeReader about plugins: their parameters, the elements that they declare, and what
+// behaviours hold.
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "elsie/api/behavior.h"
+#include "elsie/plugin/host.h"
+#include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/parameters.h"
+
+#include "tree_reader.h"
+#include "values.h"
+
+namespace elsie::world {
+
+namespace {
+
+constexpr PluginKind kKinds[] = {PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator};
+
+// <sensors>, <behaviors>, <coordinator>.
+std::string group_of(PluginKind kind) {
+  return kind == PluginKind::coordinator ? "coordinator"
+                                         : std::string(plugin::kind_name(kind)) + "s";
+}
+
+template <class Declared>
+const Declared* find(const std::vector<Declared>& list, const std::string& name) {
+  const auto found = std::find_if(list.begin(), list.end(),
+                                  [&](const Declared& declared) { return declared.name == name; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+template <class Declared>
+void append_names(const std::vector<Declared>& list, std::vector<std::string>& names) {
+  for (const Declared& declared : list) {
+    names.push_back(declared.name);
+  }
+}
+
+constexpr const char* kAttributesOfItsElement =
+    "; the parameters of a plugin are attributes of its element";
+
+// What a behaviour that holds others is given when it is only tried out.
+class NothingInside final : public elsie::Coordination {
+ public:
+  Response respond(const Perception&) override { return {}; }
+  void rate(std::span<const MotorCommand>, std::span<double> desirability) override {
+    std::fill(desirability.begin(), desirability.end(), 0.0);
+  }
+  CommandSets command_sets() override { return {}; }
+};
+
+}  // namespace
+
+bool TreeReader::read_use(const ElementSpec& spec, const Element& element, void* object) {
+  PluginUse& use = const_cast<PluginUse&>(*spec.use(object));
+  use.plugin = element.name;
+  use.id = element.value("id");
+  const Declaration* declaration = host_.find(*spec.plugins, element.name);
+  if (!declaration) {
+    problems_.add(element.where, explain_missing(*spec.plugins, element.name));
+    mark_robot_incomplete();
+    return false;
+  }
+  refuse_text(element);
+  bool sound = true;
+  for (const ParameterDeclaration& parameter : declaration->parameters) {
+    if (spec.attribute(parameter.name)) {
+      problems_.add(element.where, "the plugin '" + element.name + "' declares a parameter '" +
+                                       parameter.name + "', which is an attribute of every " +
+                                       spec.name + "; rename the parameter in the plugin");
+      sound = false;
+    }
+  }
+  const Values values{use.parameters, use.file_names};
+  for (const Attribute& attribute : element.attributes) {
+    const ParameterDeclaration* parameter = find(declaration->parameters, attribute.name);
+    if (spec.attribute(attribute.name)) {
+      sound &= read_attribute(spec, element, attribute, object);
+    } else if (parameter) {
+      sound &= read_parameter(*parameter, element, attribute, values);
+    } else {
+      std::vector<std::string> names;
+      append_names(declaration->parameters, names);
+      append_names(spec.attributes, names);
+      refuse_attribute(element, attribute, names);
+      sound = false;
+    }
+  }
+  sound &= complete(declaration->parameters, element, values);
+  sound &= read_inside(spec, *declaration, element, object);
+  if (sound && check_plugins_) {
+    sound = try_out(*declaration, element, use);
+  }
+  return sound;
+}
+
+// The elements in a plugin's. What a behaviour holds has its own mistakes and is not counted.
+bool TreeReader::read_inside(const ElementSpec& spec, const Declaration& declaration,
+                             const Element& element, void* object) {
+  PluginUse& use = const_cast<PluginUse&>(*spec.use(object));
+  Coordination* inside = declaration.hold ? &spec.make_inside(object) : nullptr;
+  bool sound = true;
+  std::set<std::string> held;
+  for (const Element& child : element.children) {
+    const ElementSpec* group = inside ? coordination_vocabulary().child(child.name) : nullptr;
+    if (const ElementDeclaration* declared = find(declaration.elements, child.name)) {
+      ElementUse& nested = use.elements.emplace_back();
+      sound &= read_element(*declared, child, nested);
+    } else if (!group) {
+      problems_.add(child.where, "<" + element.name + "> may not hold <" + child.name + ">" +
+                                     explain_child(declaration, child));
+      sound = false;
+    } else if (!held.insert(child.name).second) {
+      problems_.add(child.where, "<" + element.name + "> holds more than one <" + child.name + ">");
+    } else {
+      read_child(*group, child, inside);
+    }
+  }
+  return sound;
+}
+
+bool TreeReader::read_element(const ElementDeclaration& declared, const Element& element,
+                              ElementUse& use) {
+  use.element = element.name;
+  use.location = element.where;
+  refuse_text(element);
+  bool sound = true;
+  for (const Element& child : element.children) {
+    problems_.add(child.where,
+                  "<" + element.name + "> may not hold <" + child.name + ">; " +
+                      (find(declared.parameters, child.name) ? "its parameters are attributes"
+                                                             : "expected nothing in it"));
+    sound = false;
+  }
+  const Values values{use.parameters, use.file_names};
+  for (const Attribute& attribute : element.attributes) {
+    if (const ParameterDeclaration* parameter = find(declared.parameters, attribute.name)) {
+      sound &= read_parameter(*parameter, element, attribute, values);
+    } else {
+      std::vector<std::string> names;
+      append_names(declared.parameters, names);
+      refuse_attribute(element, attribute, names);
+      sound = false;
+    }
+  }
+  return complete(declared.parameters, element, values) && sound;
+}
+
+bool TreeReader::read_parameter(const ParameterDeclaration& parameter, const Element& element,
+                                const Attribute& attribute, Values values) {
+  Parsed parsed = parse_value(field_of(parameter), attribute.value);
+  if (!parsed.value) {
+    problems_.add(attribute.where, in_words(attribute, element) + ": " + parsed.problem);
+    return false;
+  }
+  if (parameter.type == ParameterType::file &&
+      (!attribute.value.empty() || parameter.facts.required)) {
+    return read_file(parameter, element, attribute, values);
+  }
+  values.parameters[parameter.name] = std::move(*parsed.value);
+  return true;
+}
+
+bool TreeReader::read_file(const ParameterDeclaration& parameter, const Element& element,
+                           const Attribute& attribute, Values values) {
+  if (attribute.value.empty()) {
+    problems_.add(attribute.where, in_words(attribute, element) + ": expected the path of a file");
+    return false;
+  }
+  const auto file = files_.find(attribute.value, attribute.where);
+  if (!file) {
+    problems_.add(attribute.where, in_words(attribute, element) +
+                                       ": there is no such file; looked " +
+                                       files_.places(attribute.where));
+    return false;
+  }
+  const std::string path = Files::absolute(*file);
+  values.file_names[parameter.name] = {path, files_.name_for_world(*file, attribute.value)};
+  values.parameters[parameter.name] = path;
+  return true;
+}
+
+// What the element does not say: it must not be required, and a default file must be there.
+bool TreeReader::complete(const std::vector<ParameterDeclaration>& parameters,
+                          const Element& element, Values values) {
+  std::vector<Field> fields;
+  bool complete = true;
+  for (const ParameterDeclaration& parameter : parameters) {
+    fields.push_back(field_of(parameter));
+    if (parameter.type == ParameterType::file && !parameter.facts.required &&
+        !element.find(parameter.name)) {
+      complete &= find_default(parameter, element, values);
+    }
+  }
+  return has_required(fields, element) && complete;
+}
+
+// A default file is looked for in the data directories.
+bool TreeReader::find_default(const ParameterDeclaration& parameter, const Element& element,
+                              Values values) {
+  const std::string& name = std::get<std::string>(parameter.default_value);
+  if (name.empty()) {
+    return true;
+  }
+  if (const auto file = files_.find_data(name)) {
+    const std::string path = Files::absolute(*file);
+    values.parameters[parameter.name] = path;
+    values.file_names[parameter.name] = {path, ""};
+    return true;
+  }
+  problems_.add(element.where, "<" + element.name + "> takes '" + name + "' for its parameter '" +
+                                   parameter.name + "', but there is no such file " +
+                                   files_.data_places() + "; give the parameter another file");
+  return false;
+}
+
+// Makes the plugin's object once, to hear what it says about its parameters.
+bool TreeReader::try_out(const Declaration& declaration, const Element& element,
+                         const PluginUse& use) {
+  NothingInside nothing;  // outlives the object that may point to it
+  try {
+    const auto object = host_.create<Component>(declaration.kind, declaration.name);
+    if (declaration.hold) {
+      declaration.hold(*object, nothing);
+    }
+    plugin::apply_parameters(declaration, *object, use.parameters,
+                             {use.elements.begin(), use.elements.end()});
+    return true;
+  } catch (const std::exception& error) {
+    problems_.add(element.where, error.what());
+    return false;
+  }
+}
+
+std::string TreeReader::explain_missing(PluginKind kind, const std::string& name) const {
+  for (const PluginKind other : kKinds) {
+    if (other != kind && host_.find(other, name)) {
+      return "'" + name + "' is a " + std::string(plugin::kind_name(other)) + "; it belongs in <" +
+             group_of(other) + ">";
+    }
+  }
+  return host_.explain_missing(kind, name);
+}
+
+// The plugins that declare an element of this name.
+std::vector<std::string> TreeReader::holders_of(const std::string& element) const {
+  std::vector<std::string> holders;
+  for (const PluginKind kind : kKinds) {
+    for (const Declaration* plugin : host_.all(kind)) {
+      if (find(plugin->elements, element)) {
+        holders.push_back("<" + plugin->name + ">");
+      }
+    }
+  }
+  return holders;
+}
+
+// Why an element may not stand in a plugin's.
+std::string TreeReader::explain_child(const Declaration& declaration, const Element& child) const {
+  if (find(declaration.parameters, child.name)) {
+    return kAttributesOfItsElement;
+  }
+  const ElementSpec& coordination = coordination_vocabulary();
+  if (!declaration.hold && coordination.child(child.name)) {
+    std::vector<std::string> holders;
+    for (const Declaration* other : host_.all(PluginKind::behavior)) {
+      if (other->hold) {
+        holders.push_back("<" + other->name + ">");
+      }
+    }
+    return holders.empty() ? "; no plugin that was found holds behaviours"
+                           : "; plugins that hold behaviours: " + listed(holders);
+  }
+  std::vector<std::string> names;
+  for (const ElementDeclaration& element : declaration.elements) {
+    names.push_back("<" + element.name + ">");
+  }
+  if (declaration.hold) {
+    for (const PluginKind kind : kKinds) {
+      if (host_.find(kind, child.name)) {
+        return "; a " + std::string(plugin::kind_name(kind)) + " belongs in " +
+               (kind == PluginKind::sensor ? "the robot's" : "its") + " <" + group_of(kind) + ">";
+      }
+    }
+    for (const ElementSpec& group : coordination.children) {
+      names.push_back("<" + group.name + ">");
+    }
+  }
+  const std::vector<std::string> others = holders_of(child.name);
+  return !others.empty() ? "; it belongs in " + listed(others)
+         : names.empty() ? kAttributesOfItsElement
+                         : near_or_all("<" + child.name + ">", names, "it may hold");
+}
+
+}  // namespace elsie::world

@@ -1,0 +1,99 @@
+// Notices that a robot does not move as it was commanded to.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <elsie/api/perception.h>
+
+class StuckWatch {
+ public:
+  struct Settings {
+    double patience_s = 1.0;
+    double collision_patience_s = 0.2;
+    double moving = 0.2;        // part of the commanded speed that counts as motion
+    double least_speed = 0.02;  // m/s; slower commands are none to move
+    double progress_m = 0.1;
+    double progress_time_s = 0.0;  // 0: progress is not watched
+  };
+
+  void set(const Settings& settings) { settings_ = settings; }
+
+  void reset() {
+    held_s_ = 0.0;
+    last_s_ = -1.0;
+    collided_s_ = -kMemory - 1.0;
+    is_anchored_ = false;
+  }
+
+  /// To be asked once in every control period.
+  bool is_stuck(const elsie::Perception& now) {
+    const double passed = last_s_ < 0.0 ? 0.0 : now.time_s() - last_s_;
+    last_s_ = now.time_s();
+    for (const elsie::Event& event : now.events()) {
+      if (event.name == "collision") {
+        collided_s_ = now.time_s();
+      }
+    }
+    // A bucket that fills while the robot is held and empties while it moves: a jerk against the
+    // wall does not start the count anew.
+    held_s_ = is_held(now.self()) ? held_s_ + passed : std::max(0.0, held_s_ - passed);
+    const bool collided = now.time_s() - collided_s_ <= kMemory;
+    const double patience = collided
+                                ? std::min(settings_.patience_s, settings_.collision_patience_s)
+                                : settings_.patience_s;
+    return (is_held(now.self()) && held_s_ >= patience - kRounding) || makes_no_progress(now);
+  }
+
+ private:
+  static constexpr double kMemory = 1.0;     // s, of a collision
+  static constexpr double kRounding = 1e-9;  // s; times are sums of steps
+
+  struct Motion {
+    double forward = 0.0;  // m/s
+    double turning = 0.0;  // m/s, of the wheels on their way round
+  };
+
+  static Motion commanded(const elsie::OwnState& self) {
+    return {0.5 * self.wheel_radius_m * (self.commanded.left + self.commanded.right),
+            0.5 * self.wheel_radius_m * (self.commanded.right - self.commanded.left)};
+  }
+
+  bool wants_to_move(const elsie::OwnState& self) const {
+    const Motion wish = commanded(self);
+    return std::max(std::abs(wish.forward), std::abs(wish.turning)) >= settings_.least_speed;
+  }
+
+  /// Whether the robot moves by less than it should: along its way, or round when it is to turn on
+  /// the spot.
+  bool is_held(const elsie::OwnState& self) const {
+    const Motion wish = commanded(self);
+    if (std::abs(wish.forward) >= settings_.least_speed) {
+      return self.speed_m_s / wish.forward < settings_.moving;
+    }
+    return std::abs(wish.turning) >= settings_.least_speed &&
+           self.turn_rate_rad_s * self.half_axle_m / wish.turning < settings_.moving;
+  }
+
+  bool makes_no_progress(const elsie::Perception& now) {
+    const elsie::OwnState& self = now.self();
+    if (settings_.progress_time_s <= 0.0) {
+      return false;
+    }
+    if (!is_anchored_ || !wants_to_move(self) ||
+        elsie::distance(anchor_, self.pose) >= settings_.progress_m) {
+      is_anchored_ = true;
+      anchor_ = self.pose;
+      anchored_s_ = now.time_s();
+    }
+    return now.time_s() - anchored_s_ >= settings_.progress_time_s - kRounding;
+  }
+
+  Settings settings_;
+  double held_s_ = 0.0;
+  double last_s_ = -1.0;
+  double collided_s_ = -kMemory - 1.0;
+  bool is_anchored_ = false;
+  elsie::Pose anchor_;
+  double anchored_s_ = 0.0;
+};

@@ -1,0 +1,119 @@
+// Drives to the resource that the camera sees, and turns in place to find one when it sees none.
+//
+// Columns count from the middle of the picture, in hundredths of its width, to the right: -50 is
+// the left edge. That is pixels for the camera of 100 x 100 that the law was made for.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <elsie/api/behavior.h>
+
+namespace {
+
+class FindResource final : public elsie::Behavior {
+ public:
+  double turn_above = 5.0;
+  double gain = 1.0;
+  double speed = 20.0;
+  double search_column = -50.0;
+  double search_activation = 0.2;
+
+  void reset(elsie::Random&) override { in_view_ = false; }
+
+  elsie::Response respond(const elsie::Perception& now) override {
+    const auto views = now.readings<elsie::VisionReading>();
+    std::optional<Target> target;
+    for (const auto& view : views) {
+      if (view->found) {
+        const Target seen = look(view);
+        if (!target || std::abs(seen.column) < std::abs(target->column)) {
+          target = seen;
+        }
+      }
+    }
+    elsie::Response response;
+    if (target) {
+      response.command = steer(target->column, target->fov_deg);
+      response.activation = 0.5 + 0.5 * target->size;
+    } else if (!views.empty()) {
+      response.command = steer(search_column, fov_of(views[0]));
+      response.activation = search_activation;
+    }
+    if (in_view_ != target.has_value()) {
+      in_view_ = target.has_value();
+      response.events.push_back({in_view_ ? "resource_in_view" : "resource_out_of_view"});
+    }
+    return response;
+  }
+
+ private:
+  struct Target {
+    double column = 0.0;
+    double fov_deg = 0.0;
+    double size = 0.0;  // edge of the blob as a part of the picture's, in [0, 1]
+  };
+
+  static double fov_of(const elsie::Sensed<elsie::VisionReading>& view) {
+    return elsie::degrees(view->horizontal_fov_rad);
+  }
+
+  /// The blob of one camera. A camera that looks to the side counts as a part of one wide picture:
+  /// its columns follow those of the cameras beside it, 100 for each field of view.
+  static Target look(const elsie::Sensed<elsie::VisionReading>& view) {
+    const double fov_deg = fov_of(view);
+    const double width = view->width;
+    double column = 100.0 * (view->column - 0.5 * width) / width;
+    if (view.azimuth_rad() != 0.0) {
+      const double around = 100.0 * 360.0 / fov_deg;
+      column =
+          std::remainder(column - 100.0 * elsie::degrees(view.azimuth_rad()) / fov_deg, around);
+    }
+    const double pixels = width * view->height;
+    return {column, fov_deg, std::clamp(std::sqrt(view->area_px / pixels), 0.0, 1.0)};
+  }
+
+  elsie::MotorCommand steer(double column, double fov_deg) const {
+    if (std::abs(column) > turn_above) {
+      const double rate = gain * column / fov_deg;
+      return {rate, -rate};
+    }
+    return {speed, speed};
+  }
+
+  bool in_view_ = false;
+};
+
+}  // namespace
+
+ELSIE_BEHAVIOR(
+    FindResource, "find_resource",
+    "Drives to the resource that a camera sees; turns in place while none is seen",
+    elsie::needs<elsie::VisionReading>(),
+    elsie::parameter("turn_above", &FindResource::turn_above,
+                     {.unit = "1/100 width",
+                      .min = 0,
+                      .max = 50,
+                      .meaning = "a resource farther from the picture's middle than this is turned "
+                                 "to, in place"}),
+    elsie::parameter("gain", &FindResource::gain,
+                     {.unit = "rad/s",
+                      .min = 0,
+                      .max = 500,
+                      .meaning = "wheel rate in a turn: times the column, divided by the field of "
+                                 "view in degrees"}),
+    elsie::parameter("speed", &FindResource::speed,
+                     {.unit = "rad/s", .min = 0, .max = 500, .meaning = "wheel rate straight on"}),
+    elsie::parameter("search_column", &FindResource::search_column,
+                     {.unit = "1/100 width",
+                      .min = -50,
+                      .max = 50,
+                      .meaning = "while nothing is seen it acts as if a resource were here; -50 is "
+                                 "the left edge"}),
+    elsie::parameter("search_activation", &FindResource::search_activation,
+                     {.min = 0,
+                      .max = 1,
+                      .meaning = "how much it has to say while nothing is seen; 0.5 to 1 is how "
+                                 "much it has when something is"}),
+    elsie::raises("resource_in_view", "a resource has come into view"),
+    elsie::raises("resource_out_of_view",
+                  "no resource is in view any more: lost, hidden or collected"));

@@ -1,0 +1,102 @@
+// Action selection: the behaviour that is most active decides, and may keep deciding for a while
+// when others come close to it.
+#include <cstddef>
+#include <optional>
+
+#include "winner.h"
+
+namespace {
+
+class ArbiterActionSelection final : public WinnerTakesAll {
+ public:
+  double threshold = 0.0;
+  double margin = 0.0;
+  double hold = 0.0;
+  bool by_priority = false;
+
+  void reset(elsie::Random&) override {
+    winner_.reset();
+    since_s_ = 0.0;
+  }
+
+  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
+                                 const elsie::Perception& now) override {
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const double level = level_of(members[i]);
+      if (level > threshold && (!best || level > level_of(members[*best]))) {
+        best = i;
+      }
+    }
+    if (!best) {
+      return nobody(members, "nobody is active");
+    }
+
+    const bool challenged = winner_ && *winner_ < members.size() && *winner_ != *best &&
+                            level_of(members[*winner_]) > threshold;
+    const char* reason = "highest activation";
+    std::size_t winner = *best;
+    if (challenged && now.time_s() - since_s_ < hold - 1e-9) {
+      winner = *winner_;
+      reason = "kept: minimum time";
+    } else if (challenged && margin > 0.0 &&
+               level_of(members[*best]) <= level_of(members[*winner_]) + margin) {
+      winner = *winner_;
+      reason = "kept: margin";
+    } else if (winner_ != best) {
+      since_s_ = now.time_s();
+    }
+    const elsie::MotorCommand command = let_decide(members, winner, reason, "lower activation");
+    for (elsie::Member& member : members) {
+      if (&member != &members[winner]) {
+        note_loser(member, level_of(members[winner]));
+      }
+    }
+    return command;
+  }
+
+ private:
+  /// How much it has to say. One whose priority rules it out is not even asked.
+  double level_of(elsie::Member& member) const {
+    if (!by_priority) {
+      return member.respond().activation;
+    }
+    return member.priority() > 0.0 ? member.respond().activation * member.priority() : 0.0;
+  }
+
+  void note_loser(elsie::Member& member, double winning_level) const {
+    const double level = level_of(member);
+    if (by_priority && !(member.priority() > 0.0)) {
+      member.trace.reason = "priority not above zero";
+    } else if (level <= threshold) {
+      member.trace.reason = "not active";
+      member.trace.inhibited_by = -1;
+    } else if (level == winning_level) {
+      member.trace.reason = "equally active";
+    } else if (level > winning_level) {
+      member.trace.reason = "higher, but must wait";
+    }
+  }
+
+  double since_s_ = 0.0;  // when the winner took over
+};
+
+}  // namespace
+
+ELSIE_COORDINATOR(
+    ArbiterActionSelection, "arbiter_action_selection",
+    "The behaviour with the highest activation decides; the first in the file wins a tie",
+    elsie::parameter("threshold", &ArbiterActionSelection::threshold,
+                     {.min = 0, .meaning = "what is not more active than this does not take part"}),
+    elsie::parameter(
+        "margin", &ArbiterActionSelection::margin,
+        {.min = 0,
+         .meaning = "by how much another must be more active than the one that decides, to take "
+                    "over"}),
+    elsie::parameter(
+        "hold", &ArbiterActionSelection::hold,
+        {.unit = "s",
+         .min = 0,
+         .meaning = "how long one that took over decides at least, as long as it is active"}),
+    elsie::parameter("by_priority", &ArbiterActionSelection::by_priority,
+                     {.meaning = "whether activation counts times priority"}));

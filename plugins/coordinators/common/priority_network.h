@@ -1,0 +1,114 @@
+// A neural network that sets the priorities of behaviours, for the coordinators that have one.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <elsie/api/coordinator.h>
+#include <elsie/neural/assessment.h>
+#include <elsie/neural/network.h>
+#include <elsie/neural/trainable.h>
+
+/// Inputs: the readings of the range sensors, in file order, in metres. Outputs: the priorities of
+/// the behaviours, in file order, each in (0, 1). The first weights come from the run's own random
+/// stream, so that each run trains a network of its own, unless a seed or a file of weights fixes
+/// them.
+class PriorityNetwork : public elsie::neural::Trainable {
+ public:
+  std::string hidden = "2 2";
+  double learning_rate = 0.8;
+  double momentum = 0.3;
+  double threshold = 1e-11;
+  std::int64_t presentations = 200'000;
+  elsie::FilePath training;
+  elsie::FilePath weights;
+  std::int64_t seed = -1;
+  int attempts = 1;
+  bool normalise = false;
+
+  elsie::neural::Lesson learn(elsie::Random& random,
+                              const elsie::neural::TrainingWatch& watch) const override;
+  std::int64_t fixed_seed() const override { return seed; }
+
+ protected:
+  PriorityNetwork() = default;
+
+  void check_parameters();
+  void equip(std::span<const elsie::Member> members, const elsie::Perception& example);
+  void prepare_run(elsie::Random& random);
+  std::vector<std::string> tell() const;
+
+  /// The priorities now, one for each member. Valid until the next call. Allocates nothing.
+  std::span<const double> priorities(const elsie::Perception& now);
+
+ private:
+  elsie::neural::TrainingOptions options() const;
+  elsie::neural::Columns columns() const;
+  std::vector<int> sizes() const;
+  elsie::neural::TrainingSet read_samples() const;
+  void prepare();
+  void load_weights();
+  void use(elsie::neural::Weights weights);
+
+  std::vector<std::string> sensors_;    // the names of the inputs
+  std::vector<std::string> behaviors_;  // the names of the outputs
+  bool equipped_ = false;
+  std::optional<elsie::neural::TrainingSet> samples_;  // unless weights are given
+  std::optional<elsie::neural::Weights> learned_;
+  std::optional<elsie::neural::Workspace> workspace_;
+  bool fixed_ = false;  // whether what was learned is what every run needs
+  std::vector<std::string> notes_;
+  std::vector<double> readings_;
+  std::vector<double> priorities_;
+};
+
+/// A coordinator of the kind `Base` with such a network.
+template <class Base>
+class WithPriorityNetwork : public Base, public PriorityNetwork {
+ public:
+  void configured() override { check_parameters(); }
+  void equipped(std::span<const elsie::Member> members, const elsie::Perception& example) override {
+    equip(members, example);
+  }
+  void reset(elsie::Random& random) override { prepare_run(random); }
+  std::vector<std::string> notes() const override { return tell(); }
+};
+
+/// The parameters of such a coordinator: items of its declaration.
+#define PRIORITY_NETWORK_PARAMETERS                                                              \
+  elsie::parameter(                                                                              \
+      "hidden", &PriorityNetwork::hidden,                                                        \
+      {.meaning = "neurons in each hidden layer, such as '4 4'; '0' for no hidden layer"}),      \
+      elsie::parameter("training", &PriorityNetwork::training,                                   \
+                       {.meaning = "file of samples to learn from: on each line a number for "   \
+                                   "each range sensor, then one for each behaviour"}),           \
+      elsie::parameter("weights", &PriorityNetwork::weights,                                     \
+                       {.meaning = "file of weights, as elsie train writes it: then nothing is " \
+                                   "trained, and the hidden layers are those of the file"}),     \
+      elsie::parameter("learning_rate", &PriorityNetwork::learning_rate,                         \
+                       {.above = 0, .max = 1, .meaning = "of back-propagation; below 1"}),       \
+      elsie::parameter("momentum", &PriorityNetwork::momentum,                                   \
+                       {.above = 0, .max = 1, .meaning = "of back-propagation; below 1"}),       \
+      elsie::parameter(                                                                          \
+          "threshold", &PriorityNetwork::threshold,                                              \
+          {.min = 0, .meaning = "training ends when the mean error of an epoch is below it"}),   \
+      elsie::parameter(                                                                          \
+          "presentations", &PriorityNetwork::presentations,                                      \
+          {.min = 1, .meaning = "training ends after so many samples at the latest"}),           \
+      elsie::parameter("seed", &PriorityNetwork::seed,                                           \
+                       {.min = -1,                                                               \
+                        .meaning = "fixes the first weights for all runs; -1: each run has its " \
+                                   "own, which its seed decides"}),                              \
+      elsie::parameter("attempts", &PriorityNetwork::attempts,                                   \
+                       {.min = 1,                                                                \
+                        .max = 1000,                                                             \
+                        .meaning = "a training that misses a sample is tried again from other "  \
+                                   "first weights, up to so many times; the best one counts"}),  \
+      elsie::parameter("normalise", &PriorityNetwork::normalise,                                 \
+                       {.meaning = "whether readings are divided by the sensor's maximum range " \
+                                   "before the network gets them"})

@@ -1,0 +1,235 @@
+#include "set_fusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <elsie/fuzzy/sets.h>
+
+namespace fuzzy = elsie::fuzzy;
+using elsie::CommandSets;
+using elsie::FuzzySet;
+using elsie::Member;
+using elsie::MotorCommand;
+
+namespace {
+
+/// The stretches of a set between which it is zero.
+std::vector<FuzzySet> regions_of(const FuzzySet& set) {
+  constexpr double kNothing = 1e-9;
+  std::vector<FuzzySet> regions;
+  FuzzySet region;
+  const auto close = [&] {
+    if (fuzzy::height(region) > kNothing) {
+      regions.push_back(region);
+    }
+    region.points.clear();
+  };
+  for (const FuzzySet::Point& point : set.points) {
+    region.points.push_back(point);
+    if (point.degree <= kNothing) {
+      close();
+      region.points.push_back(point);
+    }
+  }
+  close();
+  return regions;
+}
+
+/// The area of a set below a region of another.
+double area_below(const FuzzySet& set, const FuzzySet& region) {
+  return fuzzy::area(fuzzy::restricted(set, region.points.front().x, region.points.back().x));
+}
+
+}  // namespace
+
+elsie::ParameterFacts combination_facts() {
+  return {
+      .choices = {"max", "probabilistic_sum", "bounded_sum", "min", "product", "bounded_product"},
+      .meaning =
+          "the operator on the sets: the first three unite wishes (OR), the others keep "
+          "what all wish for (AND)"};
+}
+
+elsie::ParameterFacts weighting_facts() {
+  return {.choices = {"scale", "clip"},
+          .meaning =
+              "what a weight below 1 does to a set: all degrees are scaled, or the top is "
+              "cut off (the mirror image of this with AND)"};
+}
+
+elsie::ParameterFacts defuzzification_facts() {
+  return {.choices = {"centre_of_gravity", "mean_of_maximum", "bisector", "centre_of_largest_area"},
+          .meaning = "how the command is made from what comes out"};
+}
+
+elsie::ParameterFacts conflict_facts() {
+  return {.choices = {"stop", "unite"},
+          .meaning = "what to do when no command suits all (AND): zero, or the union after all"};
+}
+
+void SetFusion::configured() {
+  operator_ = set_operator_of(combination);
+  clip_ = weighting == "clip";
+  defuzzifier_ = defuzzification == "mean_of_maximum"          ? Defuzzifier::mean_of_maximum
+                 : defuzzification == "bisector"               ? Defuzzifier::bisector
+                 : defuzzification == "centre_of_largest_area" ? Defuzzifier::centre_of_largest_area
+                                                               : Defuzzifier::centre_of_gravity;
+  activation_rule_ = activation_rule_of(activation);
+}
+
+MotorCommand SetFusion::fuse(std::span<Member> members) {
+  collect(members);
+  combine(members, operator_);
+  std::optional<MotorCommand> command = settle();
+  const bool conflicting = !command && !unites(operator_);
+  if (conflicting && conflict == "unite") {
+    combine(members, SetOperator::maximum);
+    command = settle();
+  }
+  const char* reason = !command            ? (conflicting ? "no command suits all" : "no wish")
+                       : conflicting       ? "united: no command suits all"
+                       : unites(operator_) ? "united"
+                                           : "intersected";
+  for (Member& member : members) {
+    if (member.trace.weight > 0.0) {
+      member.trace.reason = reason;
+    }
+  }
+  if (!command) {
+    return {};
+  }
+  trace(members, *command);
+  return *command;
+}
+
+void SetFusion::collect(std::span<Member> members) {
+  wishes_.resize(members.size());
+  weighted_.resize(members.size());
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (members[i].trace.weight > 0.0) {
+      wishes_[i] = members[i].command_sets();
+    } else {
+      wishes_[i].left.points.clear();
+      wishes_[i].right.points.clear();
+    }
+  }
+}
+
+void SetFusion::combine(std::span<const Member> members, SetOperator by) {
+  used_ = by;
+  // A set without points says nothing of its wheel: with AND it must not forbid everything.
+  const auto add = [&](FuzzySet& sum, const FuzzySet& wish, FuzzySet& weighted_wish,
+                       double weight) {
+    weighted_wish.points.clear();
+    if (!wish.points.empty()) {
+      weighted_wish = weighted(wish, weight, clip_, by);
+      sum = sum.points.empty() ? weighted_wish : combined(sum, weighted_wish, by);
+    }
+  };
+  together_.left.points.clear();
+  together_.right.points.clear();
+  for (std::size_t i = 0; i < wishes_.size(); ++i) {
+    add(together_.left, wishes_[i].left, weighted_[i].left, members[i].trace.weight);
+    add(together_.right, wishes_[i].right, weighted_[i].right, members[i].trace.weight);
+  }
+  for (FuzzySet* set : {&together_.left, &together_.right}) {
+    for (FuzzySet::Point& point : set->points) {
+      point.degree = std::clamp(point.degree, 0.0, 1.0);  // rounding
+    }
+  }
+}
+
+std::optional<MotorCommand> SetFusion::settle() const {
+  const auto number = [&](const FuzzySet& set) {
+    switch (defuzzifier_) {
+      case Defuzzifier::mean_of_maximum:
+        return fuzzy::mean_of_maxima(set);
+      case Defuzzifier::bisector: {
+        const auto middle = fuzzy::bisector(set);
+        return middle ? middle : centre_of_gravity(set);
+      }
+      case Defuzzifier::centre_of_gravity:
+      case Defuzzifier::centre_of_largest_area:
+        break;
+    }
+    return centre_of_gravity(set);
+  };
+  if (defuzzifier_ == Defuzzifier::centre_of_largest_area) {
+    return centre_of_largest_area();
+  }
+  const auto left = number(together_.left);
+  const auto right = number(together_.right);
+  return left && right ? std::optional(MotorCommand{*left, *right}) : std::nullopt;
+}
+
+std::optional<MotorCommand> SetFusion::centre_of_largest_area() const {
+  // Each wheel by itself would pair one behaviour's left wheel with another one's right. So a pair
+  // of regions counts as much as there are wishes for both of them.
+  constexpr double kEqualAreas = 1e-9;
+  std::optional<MotorCommand> best;
+  double most = 0.0;
+  std::vector<double> support(weighted_.size());
+  std::vector<double> best_support;
+  const std::vector<FuzzySet> rights = regions_of(together_.right);
+  for (const FuzzySet& left : regions_of(together_.left)) {
+    for (const FuzzySet& right : rights) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < weighted_.size(); ++i) {
+        support[i] = area_below(weighted_[i].left, left) * area_below(weighted_[i].right, right);
+        sum += support[i];
+      }
+      // Of equal ones that of the first in the file.
+      const bool equal = best && std::abs(sum - most) <= kEqualAreas * most;
+      if (!best || (equal ? support > best_support : sum > most)) {
+        most = sum;
+        best_support = support;
+        best = MotorCommand{*centre_of_gravity(left), *centre_of_gravity(right)};
+      }
+    }
+  }
+  return best;
+}
+
+void SetFusion::trace(std::span<Member> members, const MotorCommand& command) const {
+  const bool by_area =
+      defuzzifier_ == Defuzzifier::centre_of_gravity || defuzzifier_ == Defuzzifier::bisector;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const CommandSets& wish = weighted_[i];
+    elsie::TraceRow& row = members[i].trace;
+    if (!unites(used_)) {
+      row.share = row.weight;
+    } else if (by_area) {
+      row.share = fuzzy::area(wish.left) + fuzzy::area(wish.right);
+    } else {
+      row.share = wish.left.degree(command.left) + wish.right.degree(command.right);
+    }
+  }
+  normalize_shares(members);
+}
+
+void SetFusion::rate(std::span<Member> members, const MotorCommand& /*given*/,
+                     std::span<const MotorCommand> candidates, std::span<double> desirability) {
+  std::fill(desirability.begin(), desirability.end(), 0.0);
+  if (ratings_.size() < candidates.size()) {
+    ratings_.resize(candidates.size());
+  }
+  const std::span<double> ratings = std::span(ratings_).first(candidates.size());
+  bool first = true;
+  for (Member& member : members) {
+    const double weight = member.trace.weight;
+    if (weight > 0.0) {
+      member.rate(candidates, ratings);
+      for (std::size_t i = 0; i < ratings.size(); ++i) {
+        const double wish = weighted(ratings[i], weight, clip_, used_);
+        const double sum = first ? wish : combined(desirability[i], wish, used_);
+        desirability[i] = std::clamp(sum, 0.0, 1.0);  // rounding
+      }
+      first = false;
+    }
+  }
+}
+
+CommandSets SetFusion::command_sets(std::span<Member> /*members*/, const MotorCommand& /*given*/) {
+  return together_;
+}

@@ -1,0 +1,57 @@
+// What arbiters that let one behaviour decide have in common.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include <elsie/api/coordinator.h>
+
+/// To the outside - when the arbiter is nested in a behaviour - one that decides alone wishes what
+/// its winner wishes: not a bump around the command, but the winner's own ratings and sets. Without
+/// a winner nothing is wished: ratings of zero, empty sets.
+class WinnerTakesAll : public elsie::Coordinator {
+ public:
+  void rate(std::span<elsie::Member> members, const elsie::MotorCommand& /*given*/,
+            std::span<const elsie::MotorCommand> candidates,
+            std::span<double> desirability) override {
+    if (winner_) {
+      members[*winner_].rate(candidates, desirability);
+    } else {
+      std::fill(desirability.begin(), desirability.end(), 0.0);
+    }
+  }
+
+  elsie::CommandSets command_sets(std::span<elsie::Member> members,
+                                  const elsie::MotorCommand& /*given*/) override {
+    return winner_ ? members[*winner_].command_sets() : elsie::CommandSets{};
+  }
+
+ protected:
+  /// Nobody decides in this step, for this reason; the command is zero.
+  elsie::MotorCommand nobody(std::span<elsie::Member> members, const char* reason) {
+    winner_.reset();
+    for (elsie::Member& member : members) {
+      member.trace.reason = reason;
+    }
+    return {};
+  }
+
+  /// Lets one member decide: notes it in all traces, and answers its command.
+  elsie::MotorCommand let_decide(std::span<elsie::Member> members, std::size_t winner,
+                                 const char* won, const char* lost) {
+    winner_ = winner;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (i != winner) {
+        members[i].trace.inhibited_by = static_cast<int>(winner);
+        members[i].trace.reason = lost;
+      }
+    }
+    const elsie::MotorCommand command = members[winner].respond().command;
+    members[winner].trace.weight = 1.0;
+    members[winner].trace.share = 1.0;
+    members[winner].trace.reason = won;
+    return command;
+  }
+
+  std::optional<std::size_t> winner_;  // of the last decision
+};

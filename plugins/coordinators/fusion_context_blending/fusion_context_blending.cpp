@@ -1,0 +1,160 @@
+// Context-dependent blending (Saffiotti, 1997): fuzzy rules say how far each behaviour applies now,
+// and these degrees weight the behaviours' fuzzy sets before they are put together and made a
+// command.
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <elsie/fuzzy/fcl.h>
+#include <elsie/plugin/near_name.h>
+
+#include "perception_inputs.h"
+#include "set_fusion.h"
+
+namespace {
+
+namespace fuzzy = elsie::fuzzy;
+
+class FusionContextBlending final : public SetFusion {
+ public:
+  FusionContextBlending() : SetFusion("clip", "gate") {}
+
+  elsie::FilePath model;
+
+  void configured() override {
+    SetFusion::configured();
+    rules_.emplace(fuzzy::read_fcl(model.path));
+    if (!members_.empty()) {
+      connect();
+    }
+  }
+
+  void equipped(std::span<const elsie::Member> members, const elsie::Perception& example) override {
+    members_.clear();
+    for (const elsie::Member& member : members) {
+      members_.emplace_back(member.name());
+    }
+    lacking_.clear();
+    for (const PerceptionInput& input : perception_inputs()) {
+      if (!input.available(example)) {
+        lacking_.push_back(&input);
+      }
+    }
+    connect();
+  }
+
+  void reset(elsie::Random&) override {
+    // Not a number: no last value yet, for outputs that keep theirs.
+    std::fill(outputs_.begin(), outputs_.end(), std::numeric_limits<double>::quiet_NaN());
+  }
+
+  std::vector<std::string> notes() const override;
+
+  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
+                                 const elsie::Perception& now) override {
+    if (members.size() != members_.size()) {
+      equipped(members, now);
+    }
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      inputs_[i] = sources_[i]->value(now);
+    }
+    rules_->evaluate(inputs_, outputs_, workspace_);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const double degree = contexts_[i] ? outputs_[*contexts_[i]] : 1.0;
+      degrees_[i] = degree > 0.0 ? std::min(degree, 1.0) : 0.0;
+    }
+    weigh(members, activation_rule(), "", degrees_);
+    return fuse(members);
+  }
+
+ private:
+  void connect();
+
+  std::optional<fuzzy::Model> rules_;
+  fuzzy::Workspace workspace_;
+  std::vector<std::string> members_;
+  std::vector<const PerceptionInput*> lacking_;       // what this robot cannot perceive
+  std::vector<const PerceptionInput*> sources_;       // of each input
+  std::vector<std::optional<std::size_t>> contexts_;  // of each member: which output
+  std::vector<double> inputs_;
+  std::vector<double> outputs_;
+  std::vector<double> degrees_;  // of each member, in [0, 1]
+};
+
+/// Finds out what each input and output of the model means.
+void FusionContextBlending::connect() {
+  std::vector<std::string> problems;
+  sources_.clear();
+  for (const fuzzy::Variable& input : rules_->inputs()) {
+    const PerceptionInput* source = find_perception_input(input.name);
+    if (!source) {
+      problems.push_back("its input '" + input.name + "' is nothing that a robot perceives" +
+                         perception_input_hint(input.name));
+    } else if (std::find(lacking_.begin(), lacking_.end(), source) != lacking_.end()) {
+      problems.push_back("its input '" + input.name + "' needs " + source->needs +
+                         ", and there is none");
+    }
+    sources_.push_back(source);
+  }
+  contexts_.clear();
+  std::vector<bool> used(rules_->outputs().size(), false);
+  for (const std::string& member : members_) {
+    contexts_.push_back(rules_->output_index(member));
+    if (contexts_.back()) {
+      used[*contexts_.back()] = true;
+    }
+  }
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) {
+      const std::string& name = rules_->outputs()[i].name;
+      problems.push_back("its output '" + name + "' is the id of no behaviour of this coordinator" +
+                         elsie::plugin::did_you_mean(name, members_));
+    }
+  }
+  if (!problems.empty()) {
+    std::string all = "the fuzzy model '" + model.path + "' does not fit: ";
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+      all += (i > 0 ? "; " : "") + problems[i];
+    }
+    members_.clear();
+    throw std::invalid_argument(all);
+  }
+  inputs_.assign(sources_.size(), 0.0);
+  outputs_.assign(used.size(), std::numeric_limits<double>::quiet_NaN());
+  degrees_.assign(members_.size(), 0.0);
+}
+
+std::vector<std::string> FusionContextBlending::notes() const {
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    if (!contexts_[i]) {
+      notes.push_back("the fuzzy model '" + model.path + "' has no output '" + members_[i] +
+                      "': this behaviour always applies");
+    } else if (const auto& output = rules_->outputs()[*contexts_[i]]; output.terms.size() == 1) {
+      notes.push_back("the output '" + output.name + "' of the fuzzy model '" + model.path +
+                      "' has one term only, so that its value is the same however weakly a rule "
+                      "fires; add a term for 'does not apply' and rules for it");
+    }
+  }
+  return notes;
+}
+
+}  // namespace
+
+ELSIE_COORDINATOR(
+    FusionContextBlending, "fusion_context_blending",
+    "Fuzzy rules say how far each behaviour applies now; their fuzzy sets are blended accordingly",
+    elsie::parameter(
+        "model", &FusionContextBlending::model,
+        {.meaning = "fuzzy model (FCL) of the context rules: inputs are what the robot "
+                    "perceives, outputs, in 0 to 1, are ids of behaviours",
+         .required = true}),
+    elsie::parameter("combination", &FusionContextBlending::combination, combination_facts()),
+    elsie::parameter("weighting", &FusionContextBlending::weighting, weighting_facts()),
+    elsie::parameter("defuzzification", &FusionContextBlending::defuzzification,
+                     defuzzification_facts()),
+    elsie::parameter("conflict", &FusionContextBlending::conflict, conflict_facts()),
+    elsie::parameter("activation", &FusionContextBlending::activation, activation_facts()));

@@ -1,0 +1,222 @@
+// Multi-objective command fusion: of all commands the one that is best for all behaviours together.
+//
+// Every behaviour is an objective function over the plane of wheel rates; the command maximises
+// their sum, weighted with the priorities. After the helm of MOOS-IvP, which solves this by
+// interval programming (Benjamin, 2002); here a grid finds the regions worth looking at, and a
+// pattern search (Hooke and Jeeves, 1961) the summits in them.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "candidates.h"
+#include "desirability.h"
+#include "weighing.h"
+
+namespace {
+
+using elsie::MotorCommand;
+
+class FusionInterval final : public elsie::Coordinator {
+ public:
+  int steps = 11;
+  double max_rate = 0.0;
+  double tolerance = 0.02;
+  int summits = 3;
+  double margin = 0.01;
+  std::string activation = "scale";
+
+  void configured() override {
+    rule_ = activation_rule_of(activation);
+    built_for_.reset();
+  }
+  void equipped(std::span<const elsie::Member> members, const elsie::Perception& example) override {
+    build(example);
+    starts_.reserve(candidates_.size() + members.size() + 1);
+    points_.reserve(starts_.capacity());
+    values_.reserve(starts_.capacity());
+  }
+  void reset(elsie::Random&) override { last_.reset(); }
+
+  MotorCommand coordinate(std::span<elsie::Member> members, const elsie::Perception& now) override {
+    build(now);
+    if (weigh(members, rule_, "weighed") <= 0.0) {
+      last_.reset();
+      return {};
+    }
+    look_everywhere(members);
+    std::optional<Point> best;
+    for (std::size_t i = 0; i < starts_.size(); ++i) {
+      const Point summit = climb(members, {points_[starts_[i]], values_[starts_[i]]});
+      if (!best || is_better(summit, *best)) {
+        best = summit;
+      }
+    }
+    if (last_) {
+      // What was done last goes on as long as nothing else is clearly better.
+      const Point summit = climb(members, {*last_, value_of(members, *last_)});
+      if (summit.value >= best->value - std::max(margin, kEqual * best->value)) {
+        best = summit;
+      }
+    }
+    if (best->value <= 0.0) {
+      last_.reset();
+      for (elsie::Member& member : members) {
+        if (member.trace.weight > 0.0) {
+          member.trace.reason = "no command is desirable";
+        }
+      }
+      return {};
+    }
+    last_ = best->command;
+    desirability_.trace_shares(members, best->command);
+    return best->command;
+  }
+
+  /// The objective itself.
+  void rate(std::span<elsie::Member> members, const MotorCommand& /*given*/,
+            std::span<const MotorCommand> candidates, std::span<double> desirability) override {
+    outside_.rate(members, candidates, desirability);
+  }
+  elsie::CommandSets command_sets(std::span<elsie::Member> members,
+                                  const MotorCommand& /*given*/) override {
+    return Desirability::sets(members);
+  }
+
+ private:
+  /// A smaller part more than this is no step uphill.
+  static constexpr double kRounding = 1e-13;
+
+  struct Point {
+    MotorCommand command;
+    double value;  // mean desirability, in [0, 1]
+  };
+
+  void build(const elsie::Perception& now) {
+    const double robots = now.self().max_wheel_rate();
+    const double limit = max_rate > 0.0 ? max_rate : robots;
+    desirability_.set_limit(std::min(limit, robots));
+    if (built_for_ != limit) {
+      built_for_ = limit;
+      candidates_ = Candidates::wheel_rates(limit, steps);
+      last_.reset();
+    }
+  }
+
+  /// Within what the wheels can do: both scaled by one factor, as the simulator does.
+  MotorCommand limited(const MotorCommand& command) const {
+    const double fastest = fastest_wheel(command);
+    return fastest > *built_for_ ? *built_for_ / fastest * command : command;
+  }
+
+  double value_of(std::span<elsie::Member> members, const MotorCommand& command) {
+    double value = 0.0;
+    desirability_.rate(members, {&command, 1}, {&value, 1});
+    return value;
+  }
+
+  /// Rates the grid and what each behaviour wants, and lists what to climb from: the highest of
+  /// those that no neighbour is higher than.
+  void look_everywhere(std::span<elsie::Member> members) {
+    points_.assign(candidates_.commands().begin(), candidates_.commands().end());
+    for (elsie::Member& member : members) {
+      if (member.trace.weight > 0.0) {
+        points_.push_back(limited(member.respond().command));
+      }
+    }
+    values_.resize(points_.size());
+    desirability_.rate(members, points_, values_);
+    starts_.clear();
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      bool highest = true;
+      candidates_.each_neighbour(
+          i, [&](std::size_t next) { highest = highest && values_[next] <= values_[i]; });
+      if (highest) {
+        starts_.push_back(i);
+      }
+    }
+    const auto kept = std::min(starts_.size(), static_cast<std::size_t>(summits));
+    std::partial_sort(starts_.begin(), starts_.begin() + static_cast<std::ptrdiff_t>(kept),
+                      starts_.end(), [&](std::size_t a, std::size_t b) {
+                        return values_[a] != values_[b] ? values_[a] > values_[b] : a < b;
+                      });
+    starts_.resize(kept);
+  }
+
+  /// To the best of eight points around, while one is better; then with half the step.
+  Point climb(std::span<elsie::Member> members, Point at) {
+    std::array<MotorCommand, 8> around;
+    std::array<double, 8> values;
+    const double limit = *built_for_;
+    for (double step = limit / (steps - 1); step > tolerance;) {
+      std::size_t n = 0;
+      for (int left = -1; left <= 1; ++left) {
+        for (int right = -1; right <= 1; ++right) {
+          if (left != 0 || right != 0) {
+            around[n++] = {std::clamp(at.command.left + left * step, -limit, limit),
+                           std::clamp(at.command.right + right * step, -limit, limit)};
+          }
+        }
+      }
+      desirability_.rate(members, around, values);
+      const auto best =
+          static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+      if (values[best] > at.value * (1.0 + kRounding)) {
+        at = {around[best], values[best]};
+      } else {
+        step *= 0.5;
+      }
+    }
+    return at;
+  }
+
+  /// Of equal ones the nearest to the last command, or to standing still, then the first.
+  bool is_better(const Point& a, const Point& b) const {
+    if (std::abs(a.value - b.value) > kEqual * std::max(a.value, b.value)) {
+      return a.value > b.value;
+    }
+    const MotorCommand last = last_.value_or(MotorCommand{});
+    return distance_squared(a.command, last) < distance_squared(b.command, last);
+  }
+
+  ActivationRule rule_ = ActivationRule::scale;
+  Candidates candidates_;
+  Desirability desirability_;
+  Desirability outside_;  // without a limit
+  std::optional<double> built_for_;
+  std::vector<MotorCommand> points_;
+  std::vector<double> values_;
+  std::vector<std::size_t> starts_;
+  std::optional<MotorCommand> last_;
+};
+
+}  // namespace
+
+ELSIE_COORDINATOR(
+    FusionInterval, "fusion_interval",
+    "Does what is best for all together: the highest sum of desirability over all commands",
+    elsie::parameter("steps", &FusionInterval::steps,
+                     {.min = 3,
+                      .max = 101,
+                      .meaning = "rates of each wheel on the grid that is looked at first"}),
+    elsie::parameter(
+        "max_rate", &FusionInterval::max_rate,
+        {.unit = "rad/s",
+         .min = 0,
+         .meaning = "the largest wheel rate; 0: what the robot's maximum speed allows"}),
+    elsie::parameter(
+        "tolerance", &FusionInterval::tolerance,
+        {.unit = "rad/s", .above = 0, .meaning = "how near to the best command the search goes"}),
+    elsie::parameter("summits", &FusionInterval::summits,
+                     {.min = 1,
+                      .max = 100,
+                      .meaning = "from how many points of the grid the search goes uphill"}),
+    elsie::parameter("margin", &FusionInterval::margin,
+                     {.min = 0,
+                      .max = 1,
+                      .meaning = "by how much, as a fraction of all that can be reached, another "
+                                 "command must be better than one like the last"}),
+    elsie::parameter("activation", &FusionInterval::activation, activation_facts()));

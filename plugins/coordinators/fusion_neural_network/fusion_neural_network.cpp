@@ -1,0 +1,34 @@
+// Fusion with learned priorities: the commands, each times the network's output for its behaviour,
+// are added, and divided by the number of behaviours.
+#include <cmath>
+
+#include "priority_network.h"
+#include "weighing.h"
+
+namespace {
+
+class FusionNeuralNetwork final : public WithPriorityNetwork<elsie::Coordinator> {
+ public:
+  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
+                                 const elsie::Perception& now) override {
+    const std::span<const double> priority = priorities(now);
+    elsie::MotorCommand sum;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const elsie::MotorCommand wish = priority[i] * members[i].respond().command;
+      sum += wish;
+      members[i].trace.weight = priority[i];
+      // Its part in the effort of all; where nobody makes an effort, in the priorities.
+      members[i].trace.share = std::hypot(wish.left, wish.right);
+      members[i].trace.reason = "priority from the network";
+    }
+    normalize_shares(members);
+    return members.empty() ? sum : sum / static_cast<double>(members.size());
+  }
+};
+
+}  // namespace
+
+ELSIE_COORDINATOR(FusionNeuralNetwork, "fusion_neural_network",
+                  "Adds the commands of all behaviours, each times the priority that a neural "
+                  "network gives it, and divides by their number",
+                  elsie::needs<elsie::RangeReading>(), PRIORITY_NETWORK_PARAMETERS);

@@ -1,0 +1,277 @@
+#include <cstdlib>
+#include <functional>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/picture/timeline.h"
+
+#include "support.h"
+
+using namespace elsie;
+using namespace elsie::picture;
+using picture::test::Bitmap;
+using picture::test::bytes_of;
+using picture::test::Folder;
+using picture::test::Pixel;
+using simulation::Trace;
+using simulation::TraceMember;
+using simulation::TraceNote;
+using simulation::TraceRobot;
+
+namespace {
+
+// The colours of the first behaviours, in file order.
+bool is_first(const Pixel& p) { return p.red == 0x00 && p.green == 0x72 && p.blue == 0xb2; }
+bool is_second(const Pixel& p) { return p.red == 0xd5 && p.green == 0x5e && p.blue == 0x00; }
+bool is_third(const Pixel& p) { return p.red == 0x00 && p.green == 0x9e && p.blue == 0x73; }
+
+TraceRobot robot_with(const std::vector<std::string>& paths, const std::string& id = "r1") {
+  TraceRobot robot;
+  robot.id = id;
+  robot.team = "red";
+  robot.coordinator = "arbiter";
+  for (const std::string& path : paths) {
+    TraceMember member;
+    member.path = path;
+    if (const std::size_t slash = path.rfind('/'); slash != std::string::npos) {
+      for (std::size_t i = 0; i < robot.members.size(); ++i) {
+        if (robot.members[i].path == path.substr(0, slash)) {
+          member.parent = static_cast<int>(i);
+          member.depth = robot.members[i].depth + 1;
+        }
+      }
+    }
+    robot.members.push_back(std::move(member));
+  }
+  return robot;
+}
+
+TraceNote& note(TraceRobot& robot, std::size_t member, double time_s, double share) {
+  TraceNote note;
+  note.time_s = time_s;
+  note.share = note.weight = share;
+  note.asked = true;
+  note.activation = 0.5;
+  return robot.members[member].notes.emplace_back(note);
+}
+
+Trace trace_of(std::vector<TraceRobot> robots, double end_s = 240.0) {
+  Trace trace;
+  trace.world = "four resources";
+  trace.step_s = trace.period_s = 0.01;
+  trace.reasons = {""};
+  trace.end_s = end_s;
+  trace.robots = std::move(robots);
+  return trace;
+}
+
+/// Three behaviours of which one has everything from each of the given times on.
+TraceRobot in_turn(const std::vector<std::pair<double, std::size_t>>& turns) {
+  TraceRobot robot = robot_with({"a", "b", "c"});
+  for (const auto& [time_s, winner] : turns) {
+    for (std::size_t i = 0; i < robot.members.size(); ++i) {
+      note(robot, i, time_s, i == winner ? 1.0 : 0.0);
+    }
+  }
+  return robot;
+}
+
+int count(const Bitmap& image, const std::function<bool(const Pixel&)>& predicate) {
+  int found = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      found += predicate(image.at({static_cast<double>(x), static_cast<double>(y)})) ? 1 : 0;
+    }
+  }
+  return found;
+}
+
+int count_down(const Bitmap& image, int x, const std::function<bool(const Pixel&)>& predicate) {
+  int found = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    found += predicate(image.at({static_cast<double>(x), static_cast<double>(y)})) ? 1 : 0;
+  }
+  return found;
+}
+
+Bitmap drawn(const Folder& folder, const Trace& trace, const simulation::TimeSpan& span = {}) {
+  save_timeline({trace, {}, span, "", {}}, folder / "a.png");
+  return Bitmap(folder / "a.png");
+}
+
+}  // namespace
+
+TEST_CASE("Shares are stacked to scale, and the band has the colour of whoever decides") {
+  const Folder folder;
+  const auto heights = [&](double first, double second) {
+    TraceRobot robot = robot_with({"a", "b"});
+    note(robot, 0, 0, first);
+    note(robot, 1, 0, second);
+    const Trace trace = trace_of({robot});
+    save_timeline({trace, {}, {}, "", {}}, folder / "a.png");
+    const Bitmap image(folder / "a.png");
+    return std::pair(count_down(image, 500, is_first), count_down(image, 500, is_second));
+  };
+  const auto [most, least] = heights(0.75, 0.25);
+  const auto [least_too, most_too] = heights(0.25, 0.75);
+  CHECK(most + least == Approx(least_too + most_too).margin(4));
+  // The stack is 104 high, and the band 28.
+  CHECK(most - least_too == Approx(0.5 * 104 + 28).margin(4));
+  CHECK(most_too - least == Approx(0.5 * 104 + 28).margin(4));
+}
+
+TEST_CASE("Who decided for a single hundredth of a second in four minutes is seen") {
+  const Folder folder;
+  const auto greens = [&](const TraceRobot& robot) {
+    const Trace trace = trace_of({robot});
+    save_timeline({trace, {}, {}, "", {}}, folder / "a.png");
+    return count(Bitmap(folder / "a.png"), is_third);
+  };
+  const int never = greens(in_turn({{0, 0}, {120, 1}}));
+  // Wherever the instant lies in a column: a mark of 0.3 of the band's height, 1 pixel wide or
+  // more.
+  for (const double at : {0.0, 17.313, 120.0, 120.005, 199.99, 239.99}) {
+    CAPTURE(at);
+    std::vector<std::pair<double, std::size_t>> turns{{at, 2}, {at + 0.01, 0}};
+    if (at > 0.0) turns.insert(turns.begin(), {0.0, 0});
+    CHECK(greens(in_turn(turns)) >= never + 7);
+  }
+}
+
+TEST_CASE("Turns quicker than a pixel show all who took them") {
+  const Folder folder;
+  std::vector<std::pair<double, std::size_t>> turns;
+  for (int i = 0; i < 24000; ++i) {
+    turns.emplace_back(0.01 * i, i % 2);
+  }
+  const Trace trace = trace_of({in_turn(turns)});
+  const Bitmap image = drawn(folder, trace);
+  for (const int x : {300, 500, 700, 900}) {
+    CHECK(count_down(image, x, is_first) == Approx(52 + 14).margin(8));
+    CHECK(count_down(image, x, is_second) >= 52 + 14 - 4);
+  }
+}
+
+TEST_CASE("Where a behaviour is silenced by another, its lane is hatched") {
+  const Folder folder;
+  const auto dark = [&](int inhibited_by) {
+    TraceRobot robot = in_turn({{0, 0}});
+    robot.members[1].notes[0].inhibited_by = inhibited_by;
+    const Trace trace = trace_of({robot});
+    save_timeline({trace, {}, {}, "", {}}, folder / "a.png");
+    return count(Bitmap(folder / "a.png"), [](const Pixel& p) { return p.red < 190; });
+  };
+  CHECK(dark(0) > dark(-1) + 1000);
+}
+
+TEST_CASE("Events are marked, and named in the legend") {
+  const Folder folder;
+  TraceRobot robot = in_turn({{0, 0}});
+  const auto dark = [&] {
+    const Trace trace = trace_of({robot});
+    save_timeline({trace, {}, {}, "", {}}, folder / "a.png");
+    save_timeline({trace, {}, {}, "", {}}, folder / "a.svg");
+    return count(Bitmap(folder / "a.png"), [](const Pixel& p) { return p.dark(); });
+  };
+  const int without = dark();
+  robot.events = {{30, "collected", "apple"}, {30, "collision", ""}, {300, "later", ""}};
+  CHECK(dark() > without + 100);
+}
+
+TEST_CASE("A part of the run fills the whole width") {
+  const Folder folder;
+  const Trace trace = trace_of({in_turn({{0, 0}, {100, 1}, {200, 2}})});
+  const Bitmap all = drawn(folder, trace);
+  const Bitmap part = drawn(folder, trace, {110, 190});
+  CHECK(count_down(all, 300, is_first) > 100);
+  for (const int x : {200, 500, 900}) {
+    CHECK(count_down(part, x, is_first) < 15);
+    CHECK(count_down(part, x, is_second) > 100);
+  }
+}
+
+TEST_CASE("Behaviours inside others have lanes of their own") {
+  const Folder folder;
+  TraceRobot flat = robot_with({"a", "b"});
+  TraceRobot deep = robot_with({"a", "b", "b/c", "b/c/d"});
+  for (TraceRobot* robot : {&flat, &deep}) {
+    for (std::size_t i = 0; i < robot->members.size(); ++i) {
+      note(*robot, i, 0, 0.5);
+    }
+  }
+  const int height = drawn(folder, trace_of({flat})).height();
+  CHECK(drawn(folder, trace_of({deep})).height() == Approx(height + 2 * 35).margin(1));
+}
+
+TEST_CASE("Several robots stand one below the other; many of them in short") {
+  const Folder folder;
+  std::vector<TraceRobot> robots{in_turn({{0, 0}})};
+  const int one = drawn(folder, trace_of(robots)).height();
+  robots.push_back(in_turn({{0, 1}}));
+  const int two = drawn(folder, trace_of(robots)).height();
+  CHECK(two > one + 200);
+  const Trace both = trace_of(robots);
+  save_timeline({both, {1}, {}, "", {}}, folder / "b.png");
+  CHECK(Bitmap(folder / "b.png").height() == one);
+  robots.resize(10, in_turn({{0, 2}}));
+  CHECK(drawn(folder, trace_of(robots)).height() < 10 * 200);
+  robots.resize(200, in_turn({{0, 2}}));
+  const Trace crowd = trace_of(robots);
+  CHECK_THROWS_WITH(save_timeline({crowd, {}, {}, "", {}}, folder / "c.png"),
+                    Catch::StartsWith("A timeline of 200 robots would be ") &&
+                        Catch::Contains("choose some of the robots"));
+  CHECK_NOTHROW(save_timeline({crowd, {0, 199}, {}, "", {}}, folder / "d.png"));
+}
+
+TEST_CASE("Timelines of nothing, of odd numbers and of odd names can be drawn") {
+  const Folder folder;
+  const auto draws = [&](const Trace& trace) {
+    for (const std::string file : {"a.png", "a.svg"}) {
+      CHECK_NOTHROW(save_timeline({trace, {}, {}, "", {"a line"}}, folder / file));
+    }
+    CHECK(std::system(("xmllint --noout '" + (folder / "a.svg").string() + "'").c_str()) == 0);
+  };
+  draws(trace_of({}));
+  draws(trace_of({}, 0.0));
+  draws(trace_of({robot_with({})}));
+  draws(trace_of({robot_with({"a", "b"})}));
+  draws(trace_of({robot_with({"a", "b"})}, 0.0));
+  TraceRobot odd = robot_with({"a", "b", "c", std::string(300, 'x'), "e", "f", "g", "h", "i"});
+  for (std::size_t i = 0; i < odd.members.size(); ++i) {
+    note(odd, i, 0.5, 0.2).weight = i == 0 ? -1e9 : 1e12;
+    note(odd, i, 1, i == 0 ? -3.0 : 7.0).asked = i % 2 == 0;
+  }
+  for (int i = 0; i < 1000; ++i) {
+    odd.events.push_back({0.001 * i, "event " + std::to_string(i % 13) + " <&>", "\xff"});
+  }
+  draws(trace_of({odd}, 2.0));
+  draws(trace_of({odd}, 1e9));
+}
+
+TEST_CASE("The same timeline gives the same bytes; the height can be given") {
+  const Folder folder;
+  const Trace trace = trace_of({in_turn({{0, 0}, {100, 1}, {200, 2}})});
+  for (const std::string suffix : {".png", ".svg"}) {
+    save_timeline({trace, {}, {}, "", {}}, folder / ("a" + suffix));
+    save_timeline({trace, {}, {}, "", {}}, folder / ("b" + suffix));
+    const bool same = bytes_of(folder / ("a" + suffix)) == bytes_of(folder / ("b" + suffix));
+    CHECK(same);
+  }
+  for (const int height : {200, 700, 3000}) {
+    save_timeline({trace, {}, {}, "", {}}, folder / "c.png", {1600, height});
+    CHECK(Bitmap(folder / "c.png").height() == height);
+    CHECK(Bitmap(folder / "c.png").width() == 1600);
+  }
+}
+
+TEST_CASE("A timeline that cannot be drawn says why, and leaves no file") {
+  const Folder folder;
+  const Trace trace = trace_of({in_turn({{0, 0}})});
+  CHECK_THROWS_AS(save_timeline({trace, {}, {}, "", {}}, folder / "a.gif"), std::invalid_argument);
+  CHECK_THROWS_AS(save_timeline({trace, {}, {}, "", {}}, folder / "a.png", {10, 0}),
+                  std::invalid_argument);
+  CHECK_THROWS_WITH(save_timeline({trace, {1}, {}, "", {}}, folder / "a.png"),
+                    "A timeline of robot 1 cannot be drawn: the trace has 1 robots.");
+  CHECK_THROWS_AS(save_timeline({trace, {}, {}, "", {}}, "/nowhere/a.png"), std::runtime_error);
+  CHECK(folder.files() == 0);
+}

@@ -1,0 +1,70 @@
+// A decision allocates nothing, once the memory that it needs has been there.
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "support.h"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+}  // namespace
+
+// Counts for the whole program; the plugins' calls arrive here too.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++allocations;
+  return std::malloc(size);
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+
+using namespace elsie;
+using elsie::test::active;
+using elsie::test::Coordinated;
+using elsie::test::Team;
+
+TEST_CASE("A decision that needs no fuzzy sets allocates nothing after the first few") {
+  for (const char* name :
+       {"arbiter_suppression", "arbiter_action_selection", "arbiter_subsumption", "arbiter_voting",
+        "arbiter_strength", "fusion_vector_summation", "fusion_interval"}) {
+    CAPTURE(name);
+    Team team;
+    team.member("a", 1, active(1.0, {40, 40}))
+        .member("b", 1, active(0.5, {10, -10}))
+        .member("c", 2, active(0.0, {5, 5}));
+    Coordinated robot(name, team);
+    Random random(1);
+    const auto decide = [&](int times) {
+      for (int step = 0; step < times; ++step) {
+        for (std::size_t i = 0; i < 3; ++i) {
+          team.answer(i).command = {random.uniform(-40, 40), random.uniform(-40, 40)};
+          team.answer(i).activation = random.chance(0.2) ? 0.0 : random.uniform();
+        }
+        robot.decide_at(0.01 * step);
+      }
+    };
+    decide(200);
+    const long before = allocations;
+    decide(200);
+    CHECK(allocations == before);
+  }
+}
+
+TEST_CASE("The count sees what plugins allocate") {
+  Team team;
+  team.member("a", 1, MotorCommand{1, 1});
+  Coordinated robot("fusion_fuzzy", team);  // sets are vectors
+  robot.decide();
+  const long before = allocations;
+  robot.decide();
+  CHECK(allocations > before);
+}

@@ -1,0 +1,150 @@
+// Behaviours made of behaviours.
+#include <map>
+#include <memory>
+
+#include "support.h"
+#include "world_builder.h"
+
+using namespace elsie;
+using namespace elsie::test;
+using simulation::Simulation;
+
+namespace {
+
+/// A host with the shipped plugins and behaviours by name, with fixed answers.
+struct NamedHost {
+  NamedHost() : host(shipped_directory()) {}
+  NamedHost& add(const std::string& name, Response response, std::optional<CommandSets> sets = {}) {
+    Declaration declaration;
+    declaration.kind = PluginKind::behavior;
+    declaration.name = name;
+    declaration.description = "for a test";
+    declaration.create = [=] {
+      auto made = std::make_unique<Fixed>(response);
+      made->sets = sets;
+      return made;
+    };
+    host.add(std::move(declaration));
+    return *this;
+  }
+  plugin::Host host;
+};
+
+world::PluginUse coordinator(const std::string& plugin, Parameters parameters = {}) {
+  world::PluginUse use;
+  use.plugin = use.id = plugin;
+  use.parameters = std::move(parameters);
+  return use;
+}
+
+world::BehaviorUse blend(const std::string& id, std::vector<world::BehaviorUse> behaviors,
+                         world::PluginUse inside) {
+  world::BehaviorUse use = behavior("blend");
+  use.id = id;
+  use.inside.push_back({std::move(behaviors), std::move(inside)});
+  return use;
+}
+
+/// What the robot does in its first step.
+MotorCommand decided(const NamedHost& named, std::vector<world::BehaviorUse> behaviors,
+                     world::PluginUse coordinator) {
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behaviors.front()));
+  world.robots[0].behaviors = std::move(behaviors);
+  world.robots[0].coordinator = std::move(coordinator);
+  Simulation simulation(std::move(world), named.host);
+  simulation.step();
+  return simulation.robot(0).command;
+}
+
+CommandSets triangle(double centre, double half_width) {
+  return {FuzzySet::triangle(centre, half_width), FuzzySet::triangle(centre, half_width)};
+}
+
+}  // namespace
+
+TEST_CASE("A blend is to the outside a behaviour like any other") {
+  NamedHost named;
+  named.add("a", active(0.2, {4, 8})).add("b", active(0.8, {8, 4})).add("c", active(0.4, {20, 20}));
+  // Inside, b decides: the blend is as active as it, more than c.
+  CHECK(decided(
+            named,
+            {blend("pair", {behavior("a"), behavior("b")}, coordinator("arbiter_action_selection")),
+             behavior("c")},
+            coordinator("arbiter_action_selection")) == MotorCommand{8, 4});
+  // The same behaviours twice, in two blends, and blends in blends.
+  const auto mean = [](std::vector<world::BehaviorUse> behaviors) {
+    return blend("mean", std::move(behaviors), coordinator("fusion_vector_summation"));
+  };
+  world::BehaviorUse outer = mean({mean({behavior("a"), behavior("b")}), behavior("c")});
+  CHECK(decided(named, {outer}, coordinator("arbiter_suppression")) == MotorCommand{13, 13});
+}
+
+TEST_CASE("A blend hands its members' sets outwards before they are made a number") {
+  NamedHost named;
+  named.add("a", MotorCommand{0, 0}, triangle(0, 5))
+      .add("b", MotorCommand{20, 20}, triangle(20, 10))
+      .add("c", MotorCommand{8, 8}, triangle(8, 4));
+  const auto fuzzy = coordinator("fusion_fuzzy");
+  const MotorCommand flat = decided(named, {behavior("a"), behavior("b"), behavior("c")}, fuzzy);
+  const MotorCommand nested =
+      decided(named, {blend("pair", {behavior("a"), behavior("b")}, fuzzy), behavior("c")}, fuzzy);
+  check_near(nested, flat);
+  // Had the pair been settled first, at (0 x 5 + 20 x 10) / 15 = 13.3, it would be another command.
+  NamedHost settled;
+  settled.add("pair", MotorCommand{40.0 / 3, 40.0 / 3})
+      .add("c", MotorCommand{8, 8}, triangle(8, 4));
+  const MotorCommand early = decided(settled, {behavior("pair"), behavior("c")}, fuzzy);
+  CHECK(std::abs(early.left - flat.left) > 1.0);
+}
+
+TEST_CASE("A blend of opposite wishes is rated by both, not by their mean") {
+  NamedHost named;
+  named.add("left", MotorCommand{-10, 10}).add("right", MotorCommand{10, -10});
+  named.add("prefers_right", active(0.2, {10, -10}));
+  const auto fusion = coordinator("fusion_interval");
+  const MotorCommand command = decided(
+      named,
+      {blend("either", {behavior("left"), behavior("right")}, fusion), behavior("prefers_right")},
+      fusion);
+  check_near(command, {10, -10}, 0.1);
+}
+
+TEST_CASE("Context-dependent blends nest: one is a member of another") {
+  NamedHost named;
+  named.add("avoid", MotorCommand{-10, 10}).add("go", MotorCommand{20, 20});
+  const auto contexts =
+      coordinator("fusion_context_blending",
+                  {{"model", source_path("tests/plugins/coordinators/contexts.fcl")}});
+  world::World world;
+  // Inside, avoid and go are blended by what is ahead; outside, the same word says how far that
+  // whole blend applies.
+  world::BehaviorUse inner = blend("go", {behavior("avoid"), behavior("go")}, contexts);
+  world.robots.push_back(robot("r1", 0, 0, 0, inner));
+  world.robots[0].behaviors.push_back(behavior("avoid"));
+  world.robots[0].coordinator = contexts;
+  world.robots[0].sensors.push_back(beam("ahead", 0));
+  Simulation simulation(std::move(world), named.host);
+  simulation.step();  // nothing within a metre: everything far
+  const auto trace = simulation.robot(0).trace;
+  REQUIRE(trace.size() == 4);
+  CHECK(trace[0].path == "go");
+  CHECK(trace[0].member->trace.weight == 1.0);
+  CHECK(trace[2].path == "go/go");
+  CHECK(trace[2].member->trace.weight == 1.0);
+  CHECK(trace[1].member->trace.weight == 0.0);
+  check_near(simulation.robot(0).command, {20, 20});
+}
+
+TEST_CASE("A blend with nobody active in it is not active, and wishes nothing") {
+  NamedHost named;
+  named.add("idle", active(0.0, {10, 10})).add("c", active(0.1, {5, 5}));
+  for (const char* outer : {"arbiter_action_selection", "arbiter_voting", "fusion_interval",
+                            "fusion_fuzzy", "arbiter_strength", "arbiter_subsumption"}) {
+    CAPTURE(outer);
+    check_near(
+        decided(named, {behavior("c"), blend("b", {behavior("idle")}, coordinator("fusion_fuzzy"))},
+                coordinator(outer)),
+        {5, 5}, 1e-6);
+  }
+}

@@ -1,0 +1,259 @@
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <utility>
+
+#include "support.h"
+#include "world_builder.h"
+
+using namespace elsie;
+using Catch::Matchers::Contains;
+using elsie::test::active;
+using elsie::test::check_near;
+using elsie::test::Coordinated;
+using elsie::test::Situation;
+using elsie::test::Team;
+
+namespace {
+
+const std::string kContexts = test::source_path("tests/plugins/coordinators/contexts.fcl");
+
+plugin::Object<Coordinator> blending(const std::string& model, test::Parameters parameters = {}) {
+  parameters["model"] = model;
+  return test::make<Coordinator>(PluginKind::coordinator, "fusion_context_blending", parameters);
+}
+
+/// A team whose robot looks ahead.
+struct Scene {
+  explicit Scene(test::Parameters parameters = {}) : coordinator(blending(kContexts, parameters)) {
+    team.member("avoid", 1, MotorCommand{-10, 10}).member("go", 1, MotorCommand{20, 20});
+  }
+  MotorCommand decide(double front_m) {
+    Situation now;
+    now.beam(0, front_m);
+    coordinator->equipped(team.members(), now.perception());
+    Random random;
+    coordinator->reset(random);
+    team.next_step();
+    return coordinator->coordinate(team.members(), now.perception());
+  }
+  Team team;
+  plugin::Object<Coordinator> coordinator;
+};
+
+/// A model with one input and one output, in a file of its own.
+class ModelFile {
+ public:
+  ModelFile(const std::string& input, const std::string& output,
+            const std::string& output_terms = "TERM no := 0; TERM yes := 1;")
+      : ModelFile(input, output, output_terms, "TERM all := (0, 1) (1, 1);",
+                  "RULE 1 : IF " + input + " IS all THEN " + output + " IS yes;") {}
+  ModelFile(const std::string& input, const std::string& output, const std::string& output_terms,
+            const std::string& input_terms, const std::string& rules) {
+    std::ofstream(file_.path) << "FUNCTION_BLOCK f\nVAR_INPUT " << input
+                              << " : REAL; END_VAR\nVAR_OUTPUT " << output
+                              << " : REAL; END_VAR\nFUZZIFY " << input << "\n"
+                              << input_terms << "\nEND_FUZZIFY\nDEFUZZIFY " << output << "\n"
+                              << output_terms << "\nMETHOD : COGS; DEFAULT := 0;\nEND_DEFUZZIFY\n"
+                              << "RULEBLOCK r\n"
+                              << rules << "\nEND_RULEBLOCK\nEND_FUNCTION_BLOCK\n";
+  }
+
+ private:
+  test::TemporaryFile file_;
+
+ public:
+  const std::string path = file_.path.string();
+};
+
+std::string refusal(const std::string& model, Situation& now) {
+  Team team;
+  team.member("avoid", 1, MotorCommand{}).member("go", 1, MotorCommand{});
+  try {
+    blending(model)->equipped(team.members(), now.perception());
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The value of a word, read off a weight that grows evenly with it: from 0 at -1000 to 1 at 5000.
+Approx word_value(Situation& now, const std::string& word) {
+  const ModelFile file(word, "go", "TERM no := 0; TERM yes := 1;",
+                       "TERM low := (-1000, 1) (5000, 0); TERM high := (-1000, 0) (5000, 1);",
+                       "RULE 1 : IF " + word + " IS low THEN go IS no;\nRULE 2 : IF " + word +
+                           " IS high THEN go IS yes;");
+  Team team;
+  team.member("go", 1, MotorCommand{});
+  const auto coordinator = blending(file.path);
+  coordinator->equipped(team.members(), now.perception());
+  coordinator->coordinate(team.members(), now.perception());
+  return Approx(-1000.0 + 6000.0 * team.trace(0).weight).margin(1e-6);
+}
+
+}  // namespace
+
+TEST_CASE("A behaviour counts as far as its context holds") {
+  Scene scene;
+  check_near(scene.decide(0.2), {-10, 10});
+  CHECK(scene.team.trace(0).weight == 1.0);
+  CHECK(scene.team.trace(0).share == 1.0);
+  CHECK(scene.team.asked(1) == 0);  // what does not apply does not run
+  CHECK(scene.team.reason(1) == "not in this context");
+  check_near(scene.decide(1.0), {20, 20});
+  CHECK(scene.team.trace(1).share == 1.0);
+}
+
+TEST_CASE("In between, the sets are cut off at the degrees and made a number last") {
+  Scene scene;
+  // near 1/4, far 3/4. Triangles of half width 5 cut at d have an area of 5 (1 - (1 - d)^2).
+  const double near = 5 * (1 - 0.75 * 0.75), far = 5 * (1 - 0.25 * 0.25);
+  const MotorCommand command = scene.decide(0.8);
+  CHECK(scene.team.trace(0).weight == Approx(0.25));
+  CHECK(scene.team.trace(1).weight == Approx(0.75));
+  CHECK(command.left == Approx((near * -10 + far * 20) / (near + far)));
+  // The right wheel's sets, around 10 and 20, touch only.
+  CHECK(command.right == Approx((near * 10 + far * 20) / (near + far)));
+  CHECK(command.left != Approx(0.25 * -10 + 0.75 * 20));  // what averaging would give
+
+  Scene scaling({{"weighting", std::string("scale")}});
+  check_near(scaling.decide(0.8), {0.25 * -10 + 0.75 * 20, 0.25 * 10 + 0.75 * 20});
+}
+
+TEST_CASE("A behaviour that is not active is left out, however well its context holds") {
+  Scene scene;
+  scene.team.answer(0).activation = 0.0;
+  check_near(scene.decide(0.6), {20, 20});
+  CHECK(scene.team.reason(0) == "not active");
+  scene.team.answer(0).activation = 0.01;  // otherwise its context alone says how much it counts
+  scene.decide(0.6);
+  CHECK(scene.team.trace(0).weight == Approx(0.5));
+}
+
+TEST_CASE("The combined sets go outwards before they are made a number") {
+  Scene scene;
+  scene.decide(0.8);
+  const CommandSets sets = scene.coordinator->command_sets(scene.team.members(), {});
+  CHECK(sets.left.degree(-10) == Approx(0.25));
+  CHECK(sets.left.degree(20) == Approx(0.75));
+  CHECK(sets.left.degree(5) == 0.0);
+}
+
+TEST_CASE("A behaviour that the model does not name always applies, and the user is told so") {
+  ModelFile file("battery", "go");
+  Team team;
+  team.member("avoid", 1, MotorCommand{}).member("go", 1, MotorCommand{});
+  Situation now;
+  const auto coordinator = blending(file.path);
+  coordinator->equipped(team.members(), now.perception());
+  coordinator->coordinate(team.members(), now.perception());
+  CHECK(team.trace(0).weight == 1.0);
+  REQUIRE(coordinator->notes().size() == 1);
+  CHECK_THAT(coordinator->notes()[0],
+             Contains("has no output 'avoid': this behaviour always applies"));
+}
+
+TEST_CASE("Degrees beyond 0 and 1 count as these") {
+  ModelFile file("battery", "go", "TERM no := 0; TERM yes := 7;");
+  Team team;
+  team.member("go", 1, MotorCommand{1, 1});
+  Situation now;
+  const auto coordinator = blending(file.path);
+  coordinator->equipped(team.members(), now.perception());
+  coordinator->coordinate(team.members(), now.perception());
+  CHECK(team.trace(0).weight == 1.0);
+}
+
+TEST_CASE("A model that does not fit the robot is refused with everything that is wrong") {
+  Situation blind;
+  CHECK_THAT(refusal(kContexts, blind),
+             Contains("contexts.fcl' does not fit") &&
+                 Contains("its input 'front_range' needs a beam-range sensor within 45 degrees"));
+  ModelFile typing("frontrange", "avoyd");
+  CHECK_THAT(refusal(typing.path, blind),
+             Contains("its input 'frontrange' is nothing that a robot perceives; did you mean "
+                      "'front_range'?") &&
+                 Contains("its output 'avoyd' is the id of no behaviour") &&
+                 Contains("did you mean 'avoid'?"));
+  ModelFile single("battery", "go", "TERM yes := 1;");
+  Team team;
+  team.member("go", 1, MotorCommand{});
+  const auto coordinator = blending(single.path);
+  coordinator->equipped(team.members(), blind.perception());
+  REQUIRE(coordinator->notes().size() == 1);
+  CHECK_THAT(coordinator->notes()[0], Contains("has one term only"));
+}
+
+TEST_CASE("The words for what a robot perceives mean what they say") {
+  Situation now;
+  now.beam(10, 0.5).beam(-60, 0.3).beam(90, 0.7).beam(180, 0.9).proximity(-30, true);
+  now.proximity(50, false).blob(75, 30).at(1, 2, 90);
+  now.self.energy = 1000;
+  now.self.capacity = 4000;
+  now.self.charging = true;
+  now.self.coverage_m = 2;
+  now.self.speed_m_s = 0.25;
+  now.self.turn_rate_rad_s = radians(30);
+  now.mate("m", 1, 2.5).mate("boss", 2, 2, true).after(12);
+  now.team.charger = Vector2{1, 5};
+
+  CHECK(0.3 == word_value(now, "nearest_range"));
+  CHECK(0.5 == word_value(now, "front_range"));
+  CHECK(0.5 == word_value(now, "left_range"));
+  CHECK(0.3 == word_value(now, "right_range"));
+  CHECK(0.7 == word_value(now, "left_side_range"));
+  CHECK(0.3 == word_value(now, "right_side_range"));
+  CHECK(0.9 == word_value(now, "rear_range"));
+  CHECK(1.0 == word_value(now, "proximity"));
+  CHECK(1.0 == word_value(now, "front_proximity"));
+  CHECK(0.0 == word_value(now, "left_proximity"));
+  CHECK(1.0 == word_value(now, "right_proximity"));
+  CHECK(1.0 == word_value(now, "resource_seen"));
+  // Half way from the middle to the right edge of a picture of 30 degrees.
+  CHECK(-degrees(std::atan(0.5 * std::tan(radians(15)))) == word_value(now, "resource_bearing"));
+  CHECK(0.01 == word_value(now, "resource_area"));  // 100 of 100 x 100 pixels
+  CHECK(1000.0 == word_value(now, "energy"));
+  CHECK(0.25 == word_value(now, "battery"));
+  CHECK(1.0 == word_value(now, "charging"));
+  CHECK(3.0 == word_value(now, "charger_distance"));
+  CHECK(0.0 == word_value(now, "charger_bearing"));
+  CHECK(1.0 == word_value(now, "leader_seen"));
+  CHECK(1.0 == word_value(now, "leader_distance"));
+  CHECK(-90.0 == word_value(now, "leader_bearing"));
+  CHECK(2.0 == word_value(now, "mates"));
+  CHECK(0.5 == word_value(now, "mate_distance"));
+  CHECK(1.0 == word_value(now, "x"));
+  CHECK(2.0 == word_value(now, "y"));
+  CHECK(90.0 == word_value(now, "heading"));
+  CHECK(0.25 == word_value(now, "speed"));
+  CHECK(30.0 == word_value(now, "turn_rate"));
+  CHECK(12.0 == word_value(now, "time"));
+}
+
+TEST_CASE("Without a leader, a mate or a resource in sight the words have values, too") {
+  Situation now;
+  now.camera();
+  now.self.coverage_m = 2;
+  CHECK(0.0 == word_value(now, "leader_seen"));
+  CHECK(2.0 == word_value(now, "leader_distance"));  // the edge of coverage
+  CHECK(0.0 == word_value(now, "leader_bearing"));
+  CHECK(0.0 == word_value(now, "mates"));
+  CHECK(2.0 == word_value(now, "mate_distance"));
+  CHECK(0.0 == word_value(now, "resource_seen"));
+  CHECK(0.0 == word_value(now, "resource_bearing"));
+  CHECK(0.0 == word_value(now, "resource_area"));
+}
+
+TEST_CASE("A word needs what it speaks of") {
+  Situation bare;
+  const std::pair<const char*, const char*> needs[] = {
+      {"nearest_range", "needs a beam-range sensor"},
+      {"left_range", "a beam-range sensor that looks to the left"},
+      {"rear_proximity", "a proximity sensor 135 degrees or more"},
+      {"resource_bearing", "a vision sensor"},
+      {"charger_distance", "a charger of the robot's team in the world"}};
+  for (const auto& [word, missing] : needs) {
+    const ModelFile file(word, "go");
+    CHECK_THAT(refusal(file.path, bare), Contains(missing) && Contains("and there is none"));
+  }
+}

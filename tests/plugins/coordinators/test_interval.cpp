@@ -1,0 +1,129 @@
+#include <cmath>
+
+#include "support.h"
+
+using namespace elsie;
+using elsie::test::active;
+using elsie::test::check_near;
+using elsie::test::Coordinated;
+using elsie::test::Team;
+
+namespace {
+
+/// A paraboloid with its top, 1, at a command.
+auto paraboloid(MotorCommand top) {
+  return [=](const MotorCommand& c) {
+    const double left = c.left - top.left;
+    const double right = c.right - top.right;
+    return 1.0 - (left * left + right * right) / 10000.0;
+  };
+}
+
+}  // namespace
+
+TEST_CASE("The best command lies between the grid's points where it does") {
+  Team team;
+  team.member("a", 1, MotorCommand{}).rating(paraboloid({0, 0}));
+  team.member("b", 3, MotorCommand{}).rating(paraboloid({8, -4}));
+  Coordinated robot("fusion_interval", team);
+  // The sum of paraboloids is one with its top at the weighted mean.
+  check_near(robot.decide(), {6, -3}, 0.02);
+  CHECK(team.trace(0).weight == Approx(1.0 / 3));
+  CHECK(team.trace(1).weight == 1.0);
+  CHECK(team.reason(0) == "weighed");
+  CHECK(team.trace(0).share == Approx(0.25).margin(0.01));
+  CHECK(robot.rate({{8, -4}})[0] == Approx((1.0 - 80.0 / 10000.0 + 3.0) / 4));
+}
+
+TEST_CASE("A finer tolerance finds it more exactly") {
+  Team team;
+  team.member("a", 1, MotorCommand{}).rating(paraboloid({M_PI, -M_E}));
+  check_near(Coordinated("fusion_interval", team, {{"tolerance", 1e-4}}).decide(), {M_PI, -M_E},
+             1e-4);
+}
+
+TEST_CASE("It finds the highest of many summits, as good as looking everywhere") {
+  Random random(7);
+  for (int round = 0; round < 50; ++round) {
+    Team team;
+    std::vector<std::pair<MotorCommand, double>> wishes;
+    for (int i = 0; i < 5; ++i) {
+      const MotorCommand wish{random.uniform(-25, 25), random.uniform(-25, 25)};
+      wishes.emplace_back(wish, random.uniform(0.5, 1.5));
+      team.member("m", wishes.back().second, wish);
+    }
+    const auto value = [&](const MotorCommand& c) {
+      double sum = 0.0;
+      for (const auto& [wish, priority] : wishes) {
+        const double left = (c.left - wish.left) / 5, right = (c.right - wish.right) / 5;
+        sum += priority * std::exp(-0.5 * (left * left + right * right));
+      }
+      return sum;
+    };
+    double highest = 0.0;
+    for (double left = -25; left <= 25; left += 0.25) {
+      for (double right = -25; right <= 25; right += 0.25) {
+        highest = std::max(highest, value({left, right}));
+      }
+    }
+    const MotorCommand best = Coordinated("fusion_interval", team, {{"margin", 0.0}}).decide();
+    CHECK(value(best) >= highest - 1e-9);
+  }
+}
+
+TEST_CASE("Two equal pulls are not averaged: one is followed, and gone on with") {
+  Team team;
+  team.member("left", 1, MotorCommand{5, 20}).member("right", 1, MotorCommand{20, 5});
+  Coordinated robot("fusion_interval", team);
+  // exp(-4.5) of the other one pulls the summit a little towards it
+  check_near(robot.decide(), {5, 20}, 0.2);
+  CHECK(team.trace(0).share == Approx(1.0).margin(0.02));
+  CHECK(team.trace(1).share == Approx(0.0).margin(0.02));
+  for (int step = 0; step < 20; ++step) {
+    team.answer(0).command = {5 + 0.1 * step, 20};  // while both change a little
+    team.answer(1).activation = step % 2 == 0 ? 1.0 : 0.99;
+    team.answer(0).activation = step % 2 == 0 ? 0.99 : 1.0;
+    check_near(robot.decide(), team.answer(0).command, 0.4);
+  }
+  team.answer(0).activation = 0.9;  // until the other one is clearly better
+  check_near(robot.decide(), {20, 5}, 0.4);
+}
+
+TEST_CASE("A summit beyond what the wheels can do counts where it is cut down to") {
+  Team team;
+  team.member("a", 1, MotorCommand{100, 50});
+  check_near(Coordinated("fusion_interval", team).decide(), {25, 12.5});
+  CHECK(team.trace(0).share == 1.0);
+  // It has its full say beside one that is within reach, and that it lies near to.
+  team.member("b", 1, MotorCommand{25, 14.5});
+  const MotorCommand both = Coordinated("fusion_interval", team).decide();
+  CHECK(both.left == 25.0);
+  CHECK((both.right > 12.5 && both.right < 14.5));
+  CHECK(team.trace(0).share == Approx(0.5).margin(0.1));
+}
+
+TEST_CASE("Where no command is desirable to anyone, the robot stands still") {
+  Team team;
+  team.member("a", 1, MotorCommand{5, 5}).rating([](const MotorCommand&) { return 0.0; });
+  Coordinated robot("fusion_interval", team);
+  CHECK(robot.decide() == MotorCommand{});
+  CHECK(team.reason(0) == "no command is desirable");
+}
+
+TEST_CASE("A robot that must not move is told to stand") {
+  Team team;
+  team.member("a", 1, MotorCommand{5, 5});
+  Coordinated robot("fusion_interval", team);
+  robot.now.self.max_speed_m_s = 0.0;
+  CHECK(robot.decide() == MotorCommand{});
+}
+
+TEST_CASE("To the outside a sum of desirability is the mean of the members' sets") {
+  Team team;
+  team.member("a", 1, MotorCommand{0, 0}).member("b", 3, MotorCommand{4, 0});
+  Coordinated robot("fusion_interval", team);
+  robot.decide();
+  // triangles of half width 5: at 4, a quarter of 0.2 and three quarters of 1
+  CHECK(robot.sets().left.degree(4) == Approx(0.25 * 0.2 + 0.75));
+  CHECK(robot.sets().right.degree(0) == Approx(1.0));
+}

@@ -1,0 +1,138 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "shipped.h"
+#include "situation.h"
+
+using namespace elsie;
+using elsie::test::Situation;
+
+namespace {
+
+plugin::Object<Behavior> finder(test::Parameters parameters = {}) {
+  return test::make<Behavior>(PluginKind::behavior, "find_resource", std::move(parameters));
+}
+
+/// The answer to a blob at this column of a picture of 100 x 100 pixels.
+MotorCommand answer(double column, double fov_deg = 30.0, test::Parameters parameters = {}) {
+  return finder(std::move(parameters))
+      ->respond(Situation().blob(column, fov_deg).perception())
+      .command;
+}
+
+VisionReading sees(double column, int width = 100, double fov_deg = 30.0, double area_px = 100.0) {
+  VisionReading view;
+  view.found = true;
+  view.column = column;
+  view.area_px = area_px;
+  view.width = width;
+  view.height = 100;
+  view.horizontal_fov_rad = radians(fov_deg);
+  return view;
+}
+
+void check(const MotorCommand& command, double left, double right) {
+  CHECK(command.left == Approx(left).margin(1e-12));
+  CHECK(command.right == Approx(right).margin(1e-12));
+}
+
+}  // namespace
+
+TEST_CASE("A resource near the middle of the picture is driven to, one at the side turned to") {
+  check(answer(50), 20, 20);
+  check(answer(45), 20, 20);  // c = -5
+  check(answer(55), 20, 20);  // c = 5
+  check(answer(44.999), -5.001 / 30, 5.001 / 30);
+  check(answer(55.001), 5.001 / 30, -5.001 / 30);
+  check(answer(0), -50.0 / 30, 50.0 / 30);
+  check(answer(100), 50.0 / 30, -50.0 / 30);
+}
+
+TEST_CASE("The turn is the slower the wider the camera sees") {
+  check(answer(20, 30), -1, 1);
+  check(answer(20, 60), -0.5, 0.5);
+}
+
+TEST_CASE("A picture of another width is scaled: the same part of it counts the same") {
+  const auto command = [](double column, int width) {
+    return finder()->respond(Situation().view(sees(column, width)).perception()).command;
+  };
+  check(command(320, 640), 20, 20);
+  check(command(288, 640), 20, 20);
+  check(command(287, 640), -(33.0 / 6.4) / 30, (33.0 / 6.4) / 30);
+  check(command(640, 640), 50.0 / 30, -50.0 / 30);
+  check(command(8, 20), -10.0 / 30, 10.0 / 30);
+}
+
+TEST_CASE("When nothing is seen it turns left as if the resource were at the left edge") {
+  Situation now;
+  now.camera();
+  check(finder()->respond(now.perception()).command, -50.0 / 30, 50.0 / 30);
+  check(finder({{"search_column", 20.0}})->respond(now.perception()).command, 20.0 / 30,
+        -20.0 / 30);
+  check(finder({{"search_column", 5.0}})->respond(now.perception()).command, 20, 20);
+}
+
+TEST_CASE("Cameras that look to the sides make one wide picture") {
+  const auto command = [](double azimuth_deg, double column) {
+    return finder()->respond(Situation().view(sees(column), azimuth_deg).perception()).command;
+  };
+  // The right edge of a camera that looks 30 degrees to the left is the left edge of the front one.
+  check(command(30, 100), -50.0 / 30, 50.0 / 30);
+  check(command(30, 50), -100.0 / 30, 100.0 / 30);
+  check(command(-30, 50), 100.0 / 30, -100.0 / 30);
+  // To the left in a camera that looks back is to the right of the robot.
+  check(command(180, 40), 590.0 / 30, -590.0 / 30);
+  check(command(180, 60), -590.0 / 30, 590.0 / 30);
+}
+
+TEST_CASE("Of several resources in several cameras the one most nearly ahead counts") {
+  Situation now;
+  now.camera().view(sees(50), 90).view(sees(90)).view(sees(50), -30);
+  check(finder()->respond(now.perception()).command, 40.0 / 30, -40.0 / 30);
+}
+
+TEST_CASE("It has little to say while it searches, and the more the larger the resource looks") {
+  CHECK(finder()->respond(Situation().camera().perception()).activation == 0.2);
+  CHECK(
+      finder({{"search_activation", 0.0}})->respond(Situation().camera().perception()).activation ==
+      0.0);
+  const auto activation = [](double area_px) {
+    return finder()->respond(Situation().view(sees(50, 100, 30, area_px)).perception()).activation;
+  };
+  CHECK(activation(0) == Approx(0.5));
+  CHECK(activation(2500) == Approx(0.75));
+  CHECK(activation(10000) == Approx(1.0));
+}
+
+TEST_CASE("It says when a resource comes into view and when none is any more") {
+  const auto behavior = finder();
+  Situation nothing, something;
+  nothing.camera();
+  something.blob(50);
+  CHECK(behavior->respond(nothing.perception()).events.empty());
+  const Response seen = behavior->respond(something.perception());
+  REQUIRE(seen.events.size() == 1);
+  CHECK(seen.events[0].name == "resource_in_view");
+  CHECK(behavior->respond(something.perception()).events.empty());
+  const Response lost = behavior->respond(nothing.perception());
+  REQUIRE(lost.events.size() == 1);
+  CHECK(lost.events[0].name == "resource_out_of_view");
+  behavior->respond(something.perception());
+  Random random;
+  behavior->reset(random);
+  CHECK(behavior->respond(something.perception()).events.size() == 1);
+}
+
+TEST_CASE("Threshold, gain and speed of find_resource are parameters") {
+  const test::Parameters parameters{{"turn_above", 10.0}, {"gain", 3.0}, {"speed", 8.0}};
+  check(answer(40, 30, parameters), 8, 8);
+  check(answer(35, 30, parameters), -1.5, 1.5);
+}
+
+TEST_CASE("A robot without a camera is refused find_resource") {
+  const Declaration* declaration = test::shipped().find(PluginKind::behavior, "find_resource");
+  REQUIRE(declaration->needs.size() == 1);
+  CHECK(declaration->needs[0].kind == "vision");
+}

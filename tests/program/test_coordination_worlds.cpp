@@ -1,0 +1,86 @@
+// Worlds that show what a coordinator is good for, or what it is not.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+using elsie::test::Workplace;
+using nlohmann::json;
+
+namespace {
+
+/// How a run of a shipped world ends, with another coordinator unless none is named.
+json result_of(const std::string& world, int seed, const std::string& coordinator = "") {
+  Workplace here;
+  const std::string set =
+      coordinator.empty() ? "" : " --set 'robot[r1]/coordinator=" + coordinator + "'";
+  return json::parse(
+      here.elsie("run worlds/" + world + ".xml --json --seed " + std::to_string(seed) + set).out);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Between two equal pulls vector summation gets stuck, and a fusion on desirability does not") {
+  for (int seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    const json one_after_the_other = result_of("equal_pulls", seed);
+    CHECK(one_after_the_other["outcome"] == "success");
+    CHECK(one_after_the_other["robots"][0]["collected"] == 2);
+    // 3.61 m to the one and 4 m to the other, less what the resources are wide
+    CHECK(one_after_the_other["robots"][0]["distance_m"] < 7.7);
+
+    const json stuck =
+        result_of("equal_pulls", seed, "<fusion_vector_summation weighted=\"true\"/>");
+    CHECK(stuck["outcome"] == "time_limit");
+    CHECK(stuck["robots"][0]["collected"] == 0);
+    // It stands half way between (1, 2) and (1, -2).
+    CHECK(stuck["robots"][0]["pose"][0].get<double>() == Approx(1.0).margin(0.1));
+    CHECK(stuck["robots"][0]["pose"][1].get<double>() == Approx(0.0).margin(0.1));
+  }
+}
+
+TEST_CASE("Voting, too, takes one of two equal pulls, given a margin") {
+  for (int seed = 1; seed <= 5; ++seed) {
+    CAPTURE(seed);
+    CHECK(result_of("equal_pulls", seed, "<arbiter_voting margin=\"0.05\"/>")["outcome"] ==
+          "success");
+  }
+}
+
+TEST_CASE("Layers of competence: the robot lives, and every layer is needed") {
+  for (int seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    CHECK(result_of("layers", seed)["outcome"] == "success");
+  }
+  const auto without = [](const std::string& layer, int seed) {
+    Workplace here;
+    std::string world = here.read("worlds/layers.xml");
+    const std::size_t from = world.find("<" + layer);
+    world.erase(from, world.find("/>", from) + 2 - from);
+    here.write("fewer_layers.xml", world);
+    return json::parse(
+        here.elsie("run fewer_layers.xml --json --seed " + std::to_string(seed)).out);
+  };
+  const auto ends_with = [](const json& result, const std::string& words) {
+    CHECK(result["outcome"] != "success");
+    CHECK_THAT(result["reason"].get<std::string>(), Catch::Contains(words));
+  };
+  ends_with(without("wander", 1), "time");       // it does not get round
+  ends_with(without("recharge", 1), "battery");  // it runs out
+  ends_with(without("avoid_obstacle", 1), "collided");
+  ends_with(without("escape", 4), "battery");  // a corner holds it
+}
+
+TEST_CASE("Context rules take a robot past obstacles and to the charger on its way") {
+  for (int seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    const json result = result_of("contexts", seed);
+    CHECK(result["outcome"] == "success");
+    bool charged = false;
+    for (const json& event : result["events"]) {
+      charged = charged || event["name"] == "charging_started";
+    }
+    CHECK(charged);
+  }
+}

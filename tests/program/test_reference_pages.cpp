@@ -1,0 +1,118 @@
+// The pages of the plugins in docs/: what is in them that a declaration says, it says today.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+using elsie::test::Workplace;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path kDocs = fs::path(ELSIE_SOURCE_DIR) / "docs";
+const std::vector<std::string> kKinds{"sensor", "behavior", "coordinator"};
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// What stands between the lines <!-- mark --> and <!-- end of mark -->, blank lines around it left
+/// out; fails when there are not exactly these.
+std::string block(const std::string& page, const std::string& mark) {
+  const std::string first = "\n<!-- " + mark + " -->\n\n",
+                    last = "\n\n<!-- end of " + mark + " -->\n";
+  const std::size_t begin = page.find(first), end = page.find(last);
+  REQUIRE(begin != std::string::npos);
+  REQUIRE(end != std::string::npos);
+  CHECK(page.find(first, begin + 1) == std::string::npos);
+  CHECK(page.find(last, end + 1) == std::string::npos);
+  const std::size_t start = begin + first.size();
+  REQUIRE(start <= end);
+  return page.substr(start, end + 1 - start);
+}
+
+/// The shipped plugins of a kind, and what they do.
+std::map<std::string, std::string> plugins(const Workplace& here, const std::string& kind) {
+  std::map<std::string, std::string> found;
+  const json all = json::parse(here.elsie("plugins --json").out);
+  for (const json& plugin : all.at("plugins")) {
+    if (plugin.at("kind") == kind) {
+      found.emplace(plugin.at("name"), plugin.at("description"));
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> pages(const std::string& kind) {
+  std::vector<std::string> names;
+  const fs::path folder = kDocs / (kind + "s");
+  if (fs::exists(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("Every page of a plugin says what the declaration says today (else: make reference)") {
+  const Workplace here;
+  int count = 0;
+  for (const std::string& kind : kKinds) {
+    for (const std::string& name : pages(kind)) {
+      CAPTURE(kind, name);
+      const std::string page = read(kDocs / (kind + "s") / (name + ".md"));
+      CHECK_THAT(page, Catch::StartsWith("# " + name + "\n\n"));
+      const auto run = here.elsie("describe " + name + " --kind " + kind + " --declaration");
+      REQUIRE(run.exit_code == 0);
+      CHECK(block(page, "declaration") == run.out);
+      ++count;
+    }
+  }
+  CHECK(count >= 8);
+}
+
+TEST_CASE("A plugin's page has more to say than its declaration, and names its sources") {
+  for (const std::string& kind : kKinds) {
+    for (const std::string& name : pages(kind)) {
+      CAPTURE(kind, name);
+      const std::string page = read(kDocs / (kind + "s") / (name + ".md"));
+      const std::size_t end = page.find("<!-- end of declaration -->");
+      REQUIRE(end != std::string::npos);
+      const std::size_t sources = page.find("\n## Sources\n", end);
+      REQUIRE(sources != std::string::npos);
+      CHECK(sources - end > 300);
+      // An author and a year: "- R. A. Brooks (1986): ..."
+      CHECK_THAT(page.substr(sources),
+                 Catch::Matches("[\\s\\S]*\\n- [^\\n]*\\([12][0-9]{3}\\)[\\s\\S]*"));
+    }
+  }
+}
+
+TEST_CASE("The index lists every shipped plugin (else: make reference)") {
+  const Workplace here;
+  const std::string index = block(read(kDocs / "plugins.md"), "plugins");
+  std::size_t count = 0;
+  for (const std::string& kind : kKinds) {
+    for (const auto& [name, description] : plugins(here, kind)) {
+      CAPTURE(kind, name);
+      ++count;
+      const std::string page = kind + "s/" + name + ".md";
+      const std::string title = fs::exists(kDocs / page) ? "[" + name + "](" + page + ")" : name;
+      CHECK_THAT(index, Catch::Contains("| " + title + " | " + description + " |\n"));
+    }
+  }
+  // A header for each kind.
+  CHECK(static_cast<std::size_t>(std::count(index.begin(), index.end(), '\n')) ==
+        count + 4 * kKinds.size() + 2);
+}

@@ -1,0 +1,183 @@
+// elsie train, and worlds whose coordinators learn.
+#include <fstream>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+using elsie::test::Workplace;
+using nlohmann::json;
+
+namespace {
+
+const std::string kWorld = "worlds/learned_priorities.xml";
+
+/// What a run notes about its network, for example its error.
+std::string note(const json& run) { return run.at("notes").at(0).at("text"); }
+
+}  // namespace
+
+TEST_CASE("train writes weights with which a run trains nothing and does the same") {
+  Workplace here;
+  const auto trained = here.elsie("train " + kWorld + " --robot r1 --seed 4 --weights r1.weights");
+  CAPTURE(trained.err);
+  REQUIRE(trained.exit_code == 0);
+  CHECK_THAT(trained.out, Catch::StartsWith("r1, fusion_neural_network: network 2-2-2-2, seed 4\n"
+                                            "mean error "));
+  CHECK_THAT(trained.out, Catch::Contains("left  right  avoid_obstacle  answer  go_to_point"));
+  CHECK_THAT(here.read("r1.weights"), Catch::StartsWith("elsie network 1\nsizes 2 2 2 2\n") &&
+                                          Catch::Contains("about seed 4\n") &&
+                                          Catch::EndsWith("\nend\n"));
+
+  const json own = json::parse(here.elsie("run " + kWorld + " --seed 4 --duration 20 --json").out);
+  const json loaded = json::parse(
+      here.elsie("run " + kWorld +
+                 " --seed 4 --duration 20 --json --set robot[r1]/coordinator/@weights=r1.weights")
+          .out);
+  CHECK_THAT(note(own), Catch::Contains("trained on two_sensors_two_behaviors.txt: mean error"));
+  CHECK_THAT(note(loaded), Catch::Contains("with the weights of r1.weights; nothing is trained"));
+  CHECK(own.at("state_hash") == loaded.at("state_hash"));
+}
+
+TEST_CASE("train gives the same bytes again for the same seed, and others for another") {
+  Workplace here;
+  for (const char* run : {"a --seed 2", "b --seed 2", "c --seed 3"}) {
+    REQUIRE(here.elsie("train " + kWorld + " --quiet --weights " + run).exit_code == 0);
+  }
+  CHECK(here.read("a") == here.read("b"));
+  CHECK(here.read("a") != here.read("c"));
+}
+
+TEST_CASE("train takes its options from the command line, and says how it went") {
+  Workplace here;
+  const auto run = here.elsie("train " + kWorld +
+                              " --hidden '4 4' --learning-rate 0.5 --momentum 0.2 --threshold 0.001"
+                              " --presentations 90000 --json --curve curve.png");
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  const json result = json::parse(run.out);
+  CHECK(result.at("sizes") == json({2, 4, 4, 2}));
+  CHECK(result.at("below_threshold") == true);
+  CHECK(result.at("error").get<double>() < 0.0012);
+  CHECK(result.at("presentations").get<int>() < 90000);
+  CHECK(result.at("untrained") == false);
+  CHECK(result.at("inputs") == json({"left", "right"}));
+  CHECK(result.at("outputs") == json({"avoid_obstacle", "go_to_point"}));
+  CHECK(result.at("samples").size() == 9);
+  CHECK(result.at("samples")[0].at("targets") == json({0.0, 1.0}));
+  // A point of the curve is a mean over several epochs: the last one alone is below the threshold.
+  CHECK(result.at("curve").back()[1].get<double>() < 0.0011);
+  CHECK_THAT(here.read("curve.png"), Catch::StartsWith("\x89PNG"));
+}
+
+TEST_CASE("A network on the plateau ends train with exit code 1, and says so") {
+  Workplace here;
+  int untrained = 0;
+  for (int seed = 1; seed <= 6; ++seed) {
+    const auto run = here.elsie("train " + kWorld + " --hidden '2 2 2 2' --weights w --seed " +
+                                std::to_string(seed));
+    if (run.exit_code == 0) {
+      CHECK_THAT(run.out, !Catch::Contains("untrained"));
+      continue;
+    }
+    ++untrained;
+    CHECK(run.exit_code == 1);
+    CHECK_THAT(run.out, Catch::Contains("The network is untrained: it sits on a plateau"));
+    CHECK_THAT(here.read("w"), Catch::EndsWith("end\n"));
+  }
+  CHECK(untrained > 0);
+}
+
+TEST_CASE("train refuses what it cannot do, and writes nothing then") {
+  Workplace here;
+  here.write("two.xml", R"(<world format="1"><robots>
+    <robot id="a"><behaviors><wander/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>
+    <robot id="b" x="1"/></robots></world>)");
+  here.write("short.txt", "1 1 0 1\n1 1 0\n");
+  const std::vector<std::pair<std::string, std::string>> wrong = {
+      {kWorld + " --robot r2", "there is no robot 'r2' in this world; did you mean 'r1'?"},
+      {"two.xml", "say which with --robot: a, b"},
+      {"two.xml --robot a",
+       "'arbiter_suppression' of the robot 'a' does not learn; those that do: "
+       "arbiter_neural_network, fusion_neural_network"},
+      {"two.xml --robot b", "has no coordinator"},
+      {kWorld + " --behavior explore", "there is no behaviour 'explore' in robot 'r1'"},
+      {kWorld + " --behavior go_to_point", "holds no other behaviours"},
+      {kWorld + " --hidden 4,4", "hidden is '4,4'"},
+      {kWorld + " --learning-rate 1", "below 1"},
+      {kWorld + " --learning-rate 2", "learning_rate is 2"},
+      {kWorld + " --momentum 0", "--momentum"},
+      {kWorld + " --momentum 1", "below 1"},
+      {kWorld + " --threshold -1", "threshold is -1"},
+      {kWorld + " --presentations 0", "presentations is 0"},
+      {kWorld + " --training short.txt",
+       "short.txt:2: 3 numbers, expected 4: 2 inputs (one for each "
+       "range sensor: left, right), then 2 outputs"},
+      {kWorld + " --training nothing.txt", "nothing.txt: there is no such file"},
+      {kWorld + " --curve curve.jpg", "must end in .png or .svg"},
+      {kWorld + " --set robot[r1]/coordinator/@seed=3 --seed 4", "has the seed 3 of its own"},
+      {"nothing.xml", "nothing.xml"}};
+  for (const auto& [arguments, message] : wrong) {
+    const auto run = here.elsie("train " + arguments + " --weights w");
+    CAPTURE(arguments, run.err);
+    CHECK(run.exit_code == 2);
+    CHECK_THAT(run.err, Catch::Contains(message));
+    CHECK(here.read("w").empty());
+  }
+  here.write("precious.xml", "<world/>");
+  const auto over = here.elsie("train " + kWorld + " --weights precious.xml");
+  CHECK(over.exit_code == 2);
+  CHECK_THAT(over.err, Catch::Contains("is no weight file"));
+  CHECK(here.read("precious.xml") == "<world/>");
+  CHECK(here.elsie("train " + kWorld + " --weights no/such/folder/w").exit_code == 2);
+}
+
+TEST_CASE("An interrupted training writes nothing") {
+  Workplace here;
+  const auto run = here.sh("timeout -s INT 1 elsie train " + kWorld +
+                           " --presentations 1000000000000 --weights w");
+  CHECK(run.exit_code == 124);  // timeout's own, once the program has ended
+  CHECK_THAT(run.err,
+             Catch::Contains("interrupted after") && Catch::Contains("nothing was written"));
+  CHECK(here.read("w").empty());
+}
+
+TEST_CASE("A coordinator inside a behaviour can be trained, too") {
+  Workplace here;
+  here.write("blend.xml", R"(<world format="1"><robots><robot id="r1">
+    <sensors><beam_range id="left" yaw_deg="15"/><beam_range id="right" yaw_deg="-15"/></sensors>
+    <behaviors><blend id="drive">
+      <behaviors><avoid_obstacle/><wander/></behaviors>
+      <coordinator><arbiter_neural_network training="training_sets/two_sensors_two_behaviors.txt"/></coordinator>
+    </blend></behaviors>
+    <coordinator><arbiter_suppression/></coordinator></robot></robots><limits time="1"/></world>)");
+  const auto run = here.elsie("train blend.xml --behavior drive --weights w --seed 2");
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 0);
+  const json own = json::parse(here.elsie("run blend.xml --seed 2 --json").out);
+  CHECK_THAT(here.read("w"), Catch::Contains("about behaviors avoid_obstacle wander"));
+  const std::string text = note(own);
+  CHECK_THAT(run.out, Catch::Contains(text.substr(text.find("mean error"), 20)));
+}
+
+TEST_CASE("check tells of a training file that does not fit, with the line of the world") {
+  Workplace here;
+  const auto run = here.elsie(
+      "check " + kWorld +
+      " --set robot[r1]/coordinator/@training=../training_sets/three_sensors_two_behaviors.txt");
+  CHECK(run.exit_code == 2);
+  CHECK_THAT(run.err, Catch::StartsWith(kWorld + ":") &&
+                          Catch::Contains("plugin 'fusion_neural_network'") &&
+                          Catch::Contains("three_sensors_two_behaviors.txt:1: 5 numbers, expected "
+                                          "4: 2 inputs (one for each range sensor: left, right)"));
+  CHECK(here.elsie("check " + kWorld).exit_code == 0);
+}
+
+TEST_CASE("The robot with learned priorities arrives, whatever the seed") {
+  Workplace here;
+  for (int seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    CHECK(here.elsie("run " + kWorld + " --quiet --seed " + std::to_string(seed)).exit_code == 0);
+  }
+}

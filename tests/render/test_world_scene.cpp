@@ -1,0 +1,203 @@
+// Worlds as cameras see them.
+#include <catch2/catch.hpp>
+
+#include "elsie/render/world_scene.h"
+#include "elsie/world/colours.h"
+#include "elsie/world/train.h"
+
+#include "darkroom.h"
+
+using namespace elsie;
+using namespace elsie::render;
+using namespace elsie::render::test;
+
+namespace {
+
+world::Box box_at(double x, double y, world::BoxKind kind = world::BoxKind::fixed) {
+  world::Box box;
+  box.kind = kind;
+  box.x = x;
+  box.y = y;
+  return box;
+}
+
+world::World empty_world() {
+  world::World world;
+  world.arena.length = world.arena.width = 6.0;
+  world.teams = {{"red", world::kRedTeam}, {"green", {20, 180, 40}}};
+  return world;
+}
+
+Image picture_of(const world::World& world, const View& view, const Look& look = {}) {
+  return take(WorldScene(world, look).scene(), view);
+}
+
+bool is_grey(const Colour& colour) {
+  return colour.red == colour.green && colour.green == colour.blue;
+}
+
+int coloured_pixels(const Image& picture) {
+  int count = 0;
+  for (int row = 0; row < picture.height; ++row) {
+    for (int column = 0; column < picture.width; ++column) {
+      count += !is_grey(colour_at(picture, column, row));
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("Floor, sky, walls, obstacles and robots of any team have no hue") {
+  world::World world = empty_world();
+  for (const auto kind : {world::BoxKind::fixed, world::BoxKind::dynamic, world::BoxKind::moving}) {
+    world.boxes.push_back(box_at(1.0, -0.4 + 0.4 * static_cast<double>(world.boxes.size()), kind));
+  }
+  for (const char* team : {"red", "green"}) {
+    world::Robot& robot = world.robots.emplace_back();
+    robot.team = team;
+    robot.x = 0.5;
+    robot.y = robot.team == "red" ? 0.1 : -0.1;
+  }
+  const View view = view_from({-0.5, 0, 0.4}, 0, -15, {200, 200, radians(80)});
+  const Image picture = picture_of(world, view);
+  CHECK(coloured_pixels(picture) == 0);
+  // All darker than white in the shade.
+  CHECK(*std::max_element(picture.bytes.begin(), picture.bytes.end()) < 255 * kDarkestShade);
+  // Robots stand out from the floor, and for people they can be in their team's colour.
+  CHECK(differing_pixels(picture, picture_of(empty_world(), view)) > 500);
+  const Image for_people = picture_of(world, view, {.team_coloured_robots = true});
+  CHECK(find(for_people, world::kRedTeam).area > 50);
+  CHECK(find(for_people, {20, 180, 40}).area > 50);
+}
+
+TEST_CASE("A resource has its own colour, its team's, or the one of resources for all") {
+  const auto area = [](const world::Box& box, const Colour& colour) {
+    world::World world = empty_world();
+    world.boxes = {box};
+    return find(picture_of(world, view_from({0, 0, 0.1})), colour).area;
+  };
+  world::Box resource = box_at(1.0, 0.0, world::BoxKind::resource);
+  CHECK(area(resource, world::kResourceOfNoTeam) > 100);
+  resource.team = "green";
+  CHECK(area(resource, {20, 180, 40}) > 100);
+  resource.team = "blue";  // not listed by the world
+  CHECK(area(resource, world::kBlueTeam) > 100);
+  resource.colour = Colour{200, 0, 200};
+  CHECK(area(resource, {200, 0, 200}) > 100);
+  world::Box obstacle = box_at(1.0, 0.0);
+  obstacle.colour = Colour{250, 120, 0};
+  CHECK(area(obstacle, {250, 120, 0}) > 100);
+}
+
+TEST_CASE("A charger is a yellow disc of its radius, or a box where range sensors are to see it") {
+  world::World world = empty_world();
+  world::Charger& charger = world.chargers.emplace_back();
+  charger.x = 0.5;
+  charger.radius = 0.25;
+  const View above = view_from({0.5, 0, 2}, 0, -90);
+  const Colour yellow = colour_at(picture_of(world, above), 50, 50);
+  CHECK(yellow.red > 200);
+  CHECK(yellow.green > 150);
+  CHECK(yellow.blue < 50);
+  const Patch seen = find(picture_of(world, above), yellow);
+  const double radius = 50.0 / std::tan(radians(15)) * 0.25 / 2.0;
+  CHECK(seen.right - seen.left + 1 == Approx(2 * radius).margin(2));
+  CHECK(seen.column == Approx(50).margin(1));
+
+  const View level = view_from({-0.5, 0, 0.05});
+  CHECK(find(picture_of(world, level), yellow).area > 0);
+  world.chargers[0].seen_by_range_sensors = true;
+  const Patch box = find(picture_of(world, level), yellow);
+  CHECK(box.bottom - box.top + 1 == Approx(50.0 / std::tan(radians(15)) * 0.1 / 0.95).margin(2));
+}
+
+TEST_CASE("Walls stand around the arena, or do not") {
+  world::World world = empty_world();
+  const auto wall_row = [&world](double yaw) {
+    const Image picture = picture_of(world, view_from({0, 0, 0.1}, yaw));
+    return colour_at(picture, 50, 48);  // a hand above the horizon
+  };
+  const Scene scene = WorldScene(world).scene();
+  for (const double yaw : {0.0, 45.0, 90.0, 180.0, 270.0}) {
+    CHECK_FALSE(wall_row(yaw) == scene.sky);
+  }
+  world.arena.walls = false;
+  CHECK(wall_row(0.0) == scene.sky);
+}
+
+TEST_CASE("Robots and boxes are where they are put; a box that is gone is not seen") {
+  world::World world = empty_world();
+  world.boxes = {box_at(1.0, 0.0, world::BoxKind::resource)};
+  world.boxes[0].team = "red";
+  world.robots.resize(1);
+  WorldScene scene(world);
+  const View view = view_from({0, 0, 0.1});
+  CHECK(find(take(scene.scene(), view), world::kRedTeam).column == Approx(50).margin(1));
+  scene.place_box(0, Frame::turned({1.0, 0.2, 0.3}, 0.4, 0.0));
+  const Patch moved = find(take(scene.scene(), view), world::kRedTeam);
+  CHECK(moved.area > 0);
+  CHECK(moved.column < 30);
+  CHECK(moved.row < 20);
+  scene.place_box(0, std::nullopt);
+  CHECK(find(take(scene.scene(), view), world::kRedTeam).area == 0);
+  scene.place_box(0, Frame{});
+  CHECK(scene.scene().boxes.back().carrier == 0);
+  scene.place_box(0, Frame::turned({1.0, 0.0, 0.0}, 0.0, 0.0));
+  CHECK(find(take(scene.scene(), view), world::kRedTeam).area > 0);
+  CHECK_THROWS_AS(scene.place_robot(1, {}), std::out_of_range);
+  CHECK_THROWS_AS(scene.place_box(7, std::nullopt), std::out_of_range);
+}
+
+TEST_CASE("A robot is a chassis on two dark wheels, tilted as its frame is") {
+  world::World world = empty_world();
+  world.robots.resize(1);
+  world.robots[0].body.wheel_radius = 0.05;
+  world.robots[0].body.clearance = 0.03;
+  WorldScene scene(world);
+  const auto side_view = [&] {
+    return take(scene.scene(), view_from({0, 0.5, 0.05}, -90, 0, {200, 200, radians(40)}));
+  };
+  const auto dark = [](const Image& picture) { return find(picture, {25, 25, 25}); };
+  const auto is_dark = [](const Image& picture, int column, int row) {
+    return colour_at(picture, column, row).red < 30;
+  };
+  scene.place_robot(0, {});
+  const Image level = side_view();
+  CHECK(is_dark(level, 100, 100));       // the left wheel, seen from the left
+  CHECK_FALSE(is_dark(level, 100, 60));  // the chassis above it
+  CHECK(dark(level).area > 0);
+  // Seen from the left, forward is to the left: a robot on its nose shows its top there.
+  const Frame on_its_nose{{0, 0, 0.05}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}};
+  scene.place_robot(0, on_its_nose);
+  const Image tilted = side_view();
+  const Scene& drawn = scene.scene();
+  CHECK(drawn.boxes.back().frame.up == on_its_nose.up);
+  CHECK(drawn.wheels[0].frame.origin.x == Approx(0.05));
+  CHECK(differing_pixels(level, tilted) > 300);
+}
+
+TEST_CASE("What a robot pulls is drawn behind it, and is not in its own pictures") {
+  world::World world = empty_world();
+  world.robots.resize(1);
+  world.robots[0].heading_deg = 90;
+  world.robots[0].segments.resize(2);
+  const auto couplings = world::couplings(world.robots[0].body, world.robots[0].segments);
+  WorldScene scene(world, {.team_coloured_robots = true});
+  const auto& boxes = scene.scene().boxes;
+  REQUIRE(boxes.size() == 4 + 3);
+  CHECK(scene.scene().wheels.size() == 6);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(boxes[5 + i].frame.origin.x == Approx(0).margin(1e-12));
+    CHECK(boxes[5 + i].frame.origin.y == Approx(-couplings[i].place));
+    CHECK(boxes[5 + i].frame.origin.z == Approx(world.robots[0].segments[i].clearance));
+    CHECK(boxes[5 + i].carrier == 0);
+  }
+  View back = view_from({0, -0.04, 0.09}, -90);
+  CHECK(find(take(scene.scene(), back), world::kRedTeam).area > 500);
+  back.carrier = 0;
+  CHECK(find(take(scene.scene(), back), world::kRedTeam).area == 0);
+  scene.place_segment(0, 1, Frame::turned({1.0, 1.0, 0.0}, 0.3, 0.0));
+  CHECK(boxes[6].frame.origin.x == Approx(1.0));
+  CHECK_THROWS_AS(scene.place_segment(0, 2, {}), std::out_of_range);
+}
