@@ -3,8 +3,9 @@
 //   coordination_figures WORLD.xml [--seeds N] --variant LABEL [PATH=VALUE...] [--variant ...]
 //
 // Seeds 1 to N (20). A variant is the world with these overrides, as `elsie run --set` takes them.
-// Prints a table in Markdown: in how many runs the goals were reached, what was collected, distance
-// and time as mean and standard deviation - over all runs, and over those that reached the goals.
+// Prints rows of a table in Markdown: variant, in how many runs the goals were reached, what was
+// collected, distance (m) and time (s) as mean and standard deviation over all runs, the same over
+// those that reached the goals, and contacts.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -93,9 +94,6 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const elsie::plugin::Host host(elsie::plugin::default_search_path());
-  std::printf(
-      "| coordination | success | collected | distance m | time s | distance m, successes "
-      "| time s, successes | contacts |\n|---|---|---|---|---|---|---|---|\n");
   for (const Variant& variant : order.variants) {
     elsie::world::ReadOptions options;
     options.data_directories = {ELSIE_SOURCE_DIR};

@@ -8,6 +8,8 @@
 #include "elsie/fuzzy/error.h"
 #include "elsie/fuzzy/fcl.h"
 
+#include "places.h"
+
 using elsie::fuzzy::FclError;
 using elsie::fuzzy::parse_fcl;
 using elsie::fuzzy::read_fcl;
@@ -448,6 +450,7 @@ TEST_CASE("An error's text has file and line in front of each sentence") {
 TEST_CASE("A file that is not there, and a directory, are said to be such") {
   CHECK_THROWS_WITH(read_fcl("no/such/model.fcl"),
                     "no/such/model.fcl: There is no such file. Check the path.");
-  CHECK_THROWS_WITH(read_fcl(ELSIE_SOURCE_DIR), ELSIE_SOURCE_DIR
-                    ": This is a directory, expected a file in Fuzzy Control Language.");
+  CHECK_THROWS_WITH(read_fcl(elsie::test::source_path("")),
+                    elsie::test::source_path("") +
+                        ": This is a directory, expected a file in Fuzzy Control Language.");
 }

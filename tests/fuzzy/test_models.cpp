@@ -6,12 +6,14 @@
 
 #include "elsie/fuzzy/fcl.h"
 
+#include "places.h"
+
 using elsie::fuzzy::Model;
 using elsie::fuzzy::Workspace;
 
 namespace {
 
-const std::string kFolder = ELSIE_SOURCE_DIR "/fuzzy_models/";
+const std::string kFolder = elsie::test::source_path("fuzzy_models/");
 
 struct Rates {
   double left = 0.0;

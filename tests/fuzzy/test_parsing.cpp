@@ -11,12 +11,14 @@
 #include "elsie/fuzzy/fcl.h"
 #include "elsie/fuzzy/sets.h"
 
+#include "places.h"
+
 using elsie::FuzzySet;
 using namespace elsie::fuzzy;
 
 namespace {
 
-std::string folder() { return ELSIE_SOURCE_DIR "/tests/fuzzy/models/"; }
+std::string folder() { return elsie::test::source_path("tests/fuzzy/models/"); }
 
 /// A model around one input x with the given FUZZIFY block.
 Model with_input(const std::string& block, const std::string& condition = "x IS t") {

@@ -12,6 +12,8 @@
 #include "elsie/fuzzy/error.h"
 #include "elsie/fuzzy/fcl.h"
 
+#include "places.h"
+
 using elsie::Random;
 using namespace elsie::fuzzy;
 
@@ -24,7 +26,7 @@ std::string file(const std::string& path) {
 }
 
 std::vector<std::string> seeds() {
-  const std::string folder = ELSIE_SOURCE_DIR "/tests/fuzzy/models/";
+  const std::string folder = elsie::test::source_path("tests/fuzzy/models/");
   return {file(folder + "standard.fcl"), file(folder + "jfuzzylogic.fcl"),
           file(folder + "fuzzylite.fcl")};
 }

@@ -8,6 +8,8 @@
 #include "elsie/neural/network.h"
 #include "elsie/neural/training_set.h"
 
+#include "places.h"
+
 namespace elsie::test {
 
 inline neural::Network random_network(std::vector<int> sizes, std::uint64_t seed = 1) {
@@ -47,7 +49,7 @@ inline std::vector<double> random_numbers(std::size_t count, double low, double 
 
 /// The reference set of two sensors and two behaviours.
 inline neural::TrainingSet reference_set() {
-  return neural::read_training_set(ELSIE_SOURCE_DIR "/training_sets/two_sensors_two_behaviors.txt",
+  return neural::read_training_set(source_path("training_sets/two_sensors_two_behaviors.txt"),
                                    {2, 2});
 }
 

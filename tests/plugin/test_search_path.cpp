@@ -8,6 +8,7 @@
 
 #include "elsie/plugin/search_path.h"
 
+#include "places.h"
 #include "support.h"
 
 using namespace elsie::plugin;
@@ -60,7 +61,7 @@ TEST_CASE("Given directories come first, then the environment's, then the progra
   CHECK(path[3].path == "/env/two");
   CHECK(path[0].origin == "given");
   CHECK(path[2].origin == "ELSIE_PLUGIN_PATH");
-  CHECK(path[4].path == fs::path(ELSIE_PLUGIN_DIR));
+  CHECK(path[4].path == fs::path(elsie::test::plugin_directory()));
   CHECK(path[4].origin == "beside the program");
 }
 

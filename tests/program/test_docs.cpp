@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "places.h"
 #include "program.h"
 
 using elsie::test::Workplace;
@@ -17,8 +18,8 @@ std::string read(const fs::path& file) {
 }
 
 std::vector<fs::path> pages() {
-  std::vector<fs::path> pages{fs::path(ELSIE_SOURCE_DIR) / "README.md"};
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(ELSIE_SOURCE_DIR) / "docs")) {
+  std::vector<fs::path> pages{elsie::test::source_path("README.md")};
+  for (const auto& entry : fs::recursive_directory_iterator(elsie::test::source_path("docs"))) {
     if (entry.path().extension() == ".md") {
       pages.push_back(entry.path());
     }
@@ -86,14 +87,14 @@ TEST_CASE("Every world in the docs is in order") {
 }
 
 TEST_CASE("The page on behaviours quotes the example as it is built") {
-  const fs::path source(ELSIE_SOURCE_DIR);
+  const fs::path source(elsie::test::source_path(""));
   const auto code = blocks(read(source / "docs" / "writing-a-behavior.md"), "cpp");
   REQUIRE_FALSE(code.empty());
   CHECK(code[0] == read(source / "examples" / "01-first-behavior" / "shy.cpp"));
 }
 
 TEST_CASE("The first example is a plugin of fewer than 30 lines that does its job") {
-  const fs::path source = fs::path(ELSIE_SOURCE_DIR) / "examples" / "01-first-behavior" / "shy.cpp";
+  const fs::path source = elsie::test::source_path("examples/01-first-behavior/shy.cpp");
   const std::string code = read(source);
   CHECK(std::count(code.begin(), code.end(), '\n') < 30);
   Workplace here;

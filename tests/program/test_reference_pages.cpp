@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "places.h"
 #include "program.h"
 
 using elsie::test::Workplace;
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path kDocs = fs::path(ELSIE_SOURCE_DIR) / "docs";
+const fs::path kDocs = elsie::test::source_path("docs");
 const std::vector<std::string> kKinds{"sensor", "behavior", "coordinator"};
 
 std::string read(const fs::path& file) {

@@ -6,6 +6,8 @@
 
 #include <sys/wait.h>
 
+#include "places.h"
+
 namespace fs = std::filesystem;
 
 namespace elsie::test {
@@ -25,7 +27,7 @@ Workplace::Workplace() {
   }
   folder_ = name;
   for (const char* data : {"worlds", "robots", "fuzzy_models", "training_sets", "examples"}) {
-    fs::create_directory_symlink(fs::path(ELSIE_SOURCE_DIR) / data, folder_ / data);
+    fs::create_directory_symlink(source_path(data), folder_ / data);
   }
 }
 

@@ -9,18 +9,17 @@
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/parameters.h"
 
+#include "places.h"
+
 namespace elsie::test {
 
 /// Where the shipped plugins are.
 inline std::vector<plugin::SearchDirectory> shipped_directory() {
-  return {{ELSIE_PLUGIN_DIR, "the build tree"}};
+  return {{plugin_directory(), "the build tree"}};
 }
 
 /// The host with all shipped plugins.
 const plugin::Host& shipped();
-
-/// The path of a file in the source tree.
-inline std::string source_path(const std::string& file) { return ELSIE_SOURCE_DIR "/" + file; }
 
 /// Parameters as a world file would give them: fuzzy models and other files found in the source
 /// tree.

@@ -9,11 +9,12 @@
 
 #include "elsie/world/reader.h"
 
+#include "places.h"
 #include "plugins.h"
 
 namespace elsie::test {
 
-inline const std::string kFolder = ELSIE_SOURCE_DIR "/tests/world/";
+inline const std::string kFolder = source_path("tests/world/");
 
 inline const plugin::Host& host() {
   static const plugin::Host host = make_host();

@@ -41,9 +41,9 @@ std::string replaced(std::string text, const std::string& before, const std::str
 }  // namespace
 
 TEST_CASE("A document that is saved unchanged is the same to the byte") {
-  const std::string file = ELSIE_BINARY_DIR "/saved_world.xml";
+  const std::string file = test::build_path("saved_world.xml");
   for (const std::string& original :
-       {kFolder + "data/everything.xml", std::string(ELSIE_SOURCE_DIR "/robots/two_beams.xml")}) {
+       {kFolder + "data/everything.xml", test::source_path("robots/two_beams.xml")}) {
     Document::load(original).save(file);
     CHECK(text_of(file) == text_of(original));
   }

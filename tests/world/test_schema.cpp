@@ -11,6 +11,7 @@
 #include "elsie/world/writer.h"
 
 #include "fixture.h"
+#include "places.h"
 
 using namespace elsie;
 using namespace elsie::test;
@@ -31,7 +32,7 @@ class Judge {
   }
 
  private:
-  std::string schema_ = ELSIE_BINARY_DIR "/world.xsd";
+  std::string schema_ = test::build_path("world.xsd");
 };
 
 // Wrong worlds that no schema of this language can refuse, and why.
@@ -96,7 +97,7 @@ const std::map<std::string, std::string> kBeyondSchemas = {
 TEST_CASE("The schema accepts worlds that say everything, as written and as saved") {
   const Judge judge(host());
   CHECK(judge.accepts(kFolder + "data/everything.xml"));
-  const std::string saved = ELSIE_BINARY_DIR "/everything_saved.xml";
+  const std::string saved = test::build_path("everything_saved.xml");
   std::ofstream(saved) << world::write_world(
       world::read_world(kFolder + "data/everything.xml", host(), options()));
   CHECK(judge.accepts(saved));
@@ -124,7 +125,7 @@ TEST_CASE("The schema refuses what the reader refuses, wherever a schema can") {
 TEST_CASE("A schema without plugins is a schema") {
   const plugin::Host none;
   const Judge judge(none);
-  const std::string file = ELSIE_BINARY_DIR "/plain_world.xml";
+  const std::string file = test::build_path("plain_world.xml");
   std::ofstream(file) << "<world format='1'><robots><robot id='a'/></robots></world>";
   CHECK(judge.accepts(file));
   fs::remove(file);
@@ -132,7 +133,7 @@ TEST_CASE("A schema without plugins is a schema") {
 
 TEST_CASE("The schema takes what stands in a plugin's element in any order, and no more of it") {
   const Judge judge(host());
-  const std::string file = ELSIE_BINARY_DIR "/ordered_world.xml";
+  const std::string file = test::build_path("ordered_world.xml");
   const auto accepts = [&](const std::string& content) {
     std::ofstream(file) << "<world format='1'><robots><robot id='a'><behaviors><blend>" + content +
                                "</blend></behaviors></robot></robots></world>";
@@ -165,24 +166,24 @@ TEST_CASE("The schema takes what stands in a plugin's element in any order, and 
 }
 
 TEST_CASE("The schema accepts every world and robot that is shipped, and the reader reads them") {
-  const plugin::Host shipped(std::vector<plugin::SearchDirectory>{{ELSIE_PLUGIN_DIR, "the build"}});
+  const plugin::Host shipped(
+      std::vector<plugin::SearchDirectory>{{test::plugin_directory(), "the build"}});
   const Judge judge(shipped);
   world::ReadOptions reading;
-  reading.data_directories = {ELSIE_SOURCE_DIR};
+  reading.data_directories = {test::source_path("")};
   reading.check_plugins = true;
-  for (const char* folder : {"/worlds", "/robots"}) {
-    if (!fs::exists(ELSIE_SOURCE_DIR + std::string(folder))) {
+  for (const char* folder : {"worlds", "robots"}) {
+    if (!fs::exists(test::source_path(folder))) {
       continue;
     }
-    for (const auto& entry :
-         fs::recursive_directory_iterator(ELSIE_SOURCE_DIR + std::string(folder))) {
+    for (const auto& entry : fs::recursive_directory_iterator(test::source_path(folder))) {
       if (entry.path().extension() != ".xml") {
         continue;
       }
       const std::string file = entry.path().string();
       CAPTURE(file);
       CHECK(judge.accepts(file));
-      if (std::string(folder) == "/worlds") {
+      if (std::string(folder) == "worlds") {
         CHECK_NOTHROW(world::read_world(file, shipped, reading));
       } else {
         const std::string text =

@@ -40,7 +40,7 @@ class Files {
   }
 
  private:
-  fs::path folder_ = ELSIE_BINARY_DIR "/template_files";
+  fs::path folder_ = test::build_path("template_files");
 };
 
 const char* const kTwoBeams = R"(<robot_template format="1" max_speed="0.4" leader="true">

@@ -37,7 +37,7 @@ class Draft {
   const std::string& path() const { return path_; }
 
  private:
-  std::string path_ = ELSIE_BINARY_DIR "/wrong_world.xml";
+  std::string path_ = test::build_path("wrong_world.xml");
 };
 
 }  // namespace
