@@ -24,7 +24,7 @@ class ArbiterVoting final : public elsie::Coordinator {
   int speeds = 4;
   double max_rate = 0.0;
   double smoothing = 0.0;
-  bool interpolate = false;
+  bool interpolate = true;
   double margin = 0.0;
   std::string activation = "scale";
   std::vector<Candidate> listed;
