@@ -79,7 +79,8 @@ TEST_CASE("Every world in the docs is in order") {
       CAPTURE(page.filename().string(), block);
       Workplace here;
       here.write("worlds.xml", block);
-      const auto run = here.elsie("check worlds.xml --plugin-path " ELSIE_EXAMPLE_PLUGIN_DIR);
+      const auto run =
+          here.elsie("check worlds.xml --plugin-path " + elsie::test::build_path("examples"));
       CAPTURE(run.err);
       CHECK(run.exit_code == 0);
     }
@@ -98,8 +99,8 @@ TEST_CASE("The first example is a plugin of fewer than 30 lines that does its jo
   const std::string code = read(source);
   CHECK(std::count(code.begin(), code.end(), '\n') < 30);
   Workplace here;
-  const auto run = here.elsie(
-      "run examples/01-first-behavior/world.xml --plugin-path " ELSIE_EXAMPLE_PLUGIN_DIR);
+  const auto run = here.elsie("run examples/01-first-behavior/world.xml --plugin-path " +
+                              elsie::test::build_path("examples"));
   CAPTURE(run.out, run.err);
   CHECK(run.exit_code == 0);
 }

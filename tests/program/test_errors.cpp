@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "places.h"
 #include "program.h"
 
 using elsie::test::Workplace;
@@ -68,7 +69,8 @@ TEST_CASE("A plugin that fails ends the run with exit code 3; it is named and th
                                 plugin +
                                 R"(/></behaviors><coordinator><arbiter_suppression/></coordinator>
                             </robot></robots></world>)");
-    const auto run = here.elsie("run world.xml --plugin-path " ELSIE_FAULTY_PLUGIN_DIR
+    const auto run = here.elsie("run world.xml --plugin-path " +
+                                elsie::test::build_path("tests/program/plugins") +
                                 " --record run.csv --record-rate 100 --picture run.png --json");
     CHECK(run.exit_code == 3);
     CHECK(run.out.empty());

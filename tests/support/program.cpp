@@ -38,7 +38,7 @@ Workplace::~Workplace() {
 
 ProgramRun Workplace::sh(const std::string& command) const {
   write(".command", command + '\n');
-  const std::string bin = fs::path(ELSIE_PROGRAM).parent_path().string();
+  const std::string bin = build_path("bin");
   const std::string line = "cd '" + folder_.string() + "' && PATH='" + bin +
                            "':\"$PATH\" sh -e .command >.out 2>.err </dev/null";
   const int status = std::system(line.c_str());

@@ -1,0 +1,104 @@
+// Worlds in which a behaviour does its job, whatever the seed, and nothing else does it.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+using elsie::test::Workplace;
+using nlohmann::json;
+
+namespace {
+
+json result_of(const std::string& world, int seed, const std::string& change = "") {
+  Workplace here;
+  const std::string set = change.empty() ? "" : " --set '" + change + "'";
+  return json::parse(
+      here.elsie("run worlds/" + world + ".xml --json --seed " + std::to_string(seed) + set).out);
+}
+
+/// What the seeds 1 to 20 come to; the goals of the world are the claim.
+std::vector<json> check_twenty_seeds(const std::string& world) {
+  std::vector<json> results;
+  for (int seed = 1; seed <= 20; ++seed) {
+    results.push_back(result_of(world, seed));
+    CAPTURE(world, seed, results.back()["reason"].get<std::string>());
+    CHECK(results.back()["outcome"] == "success");
+  }
+  return results;
+}
+
+/// The world is no proof of a behaviour if it succeeds without.
+void check_fails(const std::string& world, const std::string& change) {
+  CAPTURE(world, change);
+  CHECK(result_of(world, 1, change)["outcome"] != "success");
+}
+
+int count(const json& result, const std::string& event) {
+  int found = 0;
+  for (const json& raised : result["events"]) {
+    found += raised["name"] == event;
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("find_resource collects what its team collects, and no decoy, through a noisy camera") {
+  for (const json& result : check_twenty_seeds("find_resource")) {
+    CHECK(result["robots"][0]["collected"] == 5);
+  }
+  check_fails("find_resource", "robot[r1]/behavior[find_resource]=<wander/>");
+}
+
+TEST_CASE("follow_the_leader gathers those within coverage around the leader, and only those") {
+  check_twenty_seeds("gathering");
+  check_fails("gathering", "robot[f1]/behavior[follow_the_leader]/@remove=true");
+  check_fails("gathering", "robot[far1]/@coverage=5");  // it comes, and is to stay where it is
+}
+
+TEST_CASE(
+    "follow_the_leader: a group without sensors arrives with the leader that finds a resource") {
+  for (const json& result : check_twenty_seeds("group_to_resource")) {
+    CHECK(result["robots"][0]["collected"] == 1);
+  }
+  check_fails("group_to_resource", "robot[f4]/behavior[follow_the_leader]/@remove=true");
+}
+
+TEST_CASE("keep_formation takes its place behind a leader that wanders, and keeps it") {
+  check_twenty_seeds("formation");
+  check_fails("formation", "robot[f1]/behavior[keep_formation]=<follow_the_leader/>");
+}
+
+TEST_CASE("recharge keeps a robot alive six times as long as its battery lasts") {
+  for (const json& result : check_twenty_seeds("recharge")) {
+    CHECK(count(result, "battery_low") >= 4);
+    CHECK(count(result, "charging_started") >= 4);
+  }
+  check_fails("recharge", "robot[r1]/behavior[recharge]/@remove=true");
+}
+
+TEST_CASE("wall_follow goes along walls and past what stands at them, to every resource there") {
+  check_twenty_seeds("wall_follow");
+  check_fails("wall_follow", "robot[r1]/behavior[wall_follow]=<wander/>");
+}
+
+TEST_CASE("flee keeps clear of boxes that come from any side") {
+  check_twenty_seeds("flee");
+  check_fails("flee", "robot[r1]/behavior[flee]/@remove=true");
+}
+
+TEST_CASE("escape frees a blind robot wherever it gets stuck") {
+  for (const json& result : check_twenty_seeds("escape")) {
+    CHECK(count(result, "stuck") >= 1);
+    CHECK(count(result, "freed") >= 1);
+  }
+  check_fails("escape", "robot[r1]/behavior[escape]/@remove=true");
+}
+
+TEST_CASE("blend: a robot whose coordination nests lives among obstacles") {
+  for (const json& result : check_twenty_seeds("nested")) {
+    CHECK(count(result, "charging_started") >= 1);
+  }
+  // The charger is found by the one inside that an arbiter of fixed priorities never asks.
+  check_fails("nested", "robot[r1]/behavior[journey]/coordinator=<arbiter_suppression/>");
+}
