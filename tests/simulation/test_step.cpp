@@ -120,12 +120,15 @@ TEST_CASE("Robots of a team are numbered in file order") {
   CHECK(seen == std::vector<std::string>{"a0 sees c2", "c2 sees a0"});
 }
 
-TEST_CASE("A robot sees the mates of its team within its coverage, and its leader") {
-  int mates = -1;
+TEST_CASE("A robot perceives those of its team whose coverage reaches it, and its leader") {
+  std::vector<std::string> mates;
   std::string leader;
   ScriptedHost scripted([&](const Perception& now) {
     if (now.self().id == "watcher") {
-      mates = static_cast<int>(now.team().mates.size());
+      mates.clear();
+      for (const TeamMate& mate : now.team().mates) {
+        mates.emplace_back(mate.id);
+      }
       const TeamMate* found = now.team().leader();
       leader = found ? std::string(found->id) : "";
       if (found) {
@@ -141,10 +144,14 @@ TEST_CASE("A robot sees the mates of its team within its coverage, and its leade
   world.robots.back().leader = true;
   world.robots.push_back(robot("mate", 0.3, 0, 0, behavior("scripted")));
   world.robots.push_back(robot("far", -0.6, 0, 0, behavior("scripted")));
+  world.robots.push_back(robot("loud", -2, 0, 0, behavior("scripted")));
+  world.robots.back().coverage = 2.1;
+  world.robots.push_back(robot("quiet", 0, -0.3, 0, behavior("scripted")));
+  world.robots.back().coverage = 0.2;
   world.robots.push_back(robot("other", -0.2, 0, 0, behavior("scripted")));
   world.robots.back().team = "blue";
   Simulation(world, scripted.host).step();
-  CHECK(mates == 2);
+  CHECK(mates == std::vector<std::string>{"leader", "mate", "loud"});
   CHECK(leader == "leader");
 }
 

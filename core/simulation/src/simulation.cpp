@@ -274,11 +274,12 @@ class Simulation::Impl {
   void update_team(std::size_t index) {
     Robot& robot = *robots_[index];
     const Pose& pose = robot.state().pose;
-    const double reach = robot.state().coverage_m;
     robot.mates().clear();
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       const Pose& other = robots_[i]->state().pose;
-      // The rough test first: most robots are out of reach.
+      // Who is heard is a matter of how far the other one calls. The rough test first: most are too
+      // far away.
+      const double reach = robots_[i]->state().coverage_m;
       if (i != index && std::abs(other.x - pose.x) <= reach &&
           std::abs(other.y - pose.y) <= reach && robots_[i]->team().name == robot.team().name &&
           distance(pose, other) <= reach) {

@@ -143,8 +143,12 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
       .attribute(
           "max_speed", &Robot::max_speed,
           {.unit = "m/s", .min = 0, .max = 100, .meaning = "no wheel rolls faster than this"})
-      .attribute("coverage", &Robot::coverage,
-                 {.unit = "m", .min = 0, .max = 1e4, .meaning = "radius of its communication"})
+      .attribute(
+          "coverage", &Robot::coverage,
+          {.unit = "m",
+           .min = 0,
+           .max = 1e4,
+           .meaning = "communication radius: robots of its team perceive it from as far off"})
       .attribute("leader", &Robot::leader, fact("whether it leads its team"))
       .attribute("battery", &Robot::battery,
                  {.unit = "units", .above = 0, .max = 1e12, .meaning = "its battery when full"})

@@ -109,11 +109,11 @@ double leader_bearing(const Perception& now) {
 }
 
 double mate_distance(const Perception& now) {
-  double nearest = now.self().coverage_m;
-  for (const elsie::TeamMate& mate : now.team().mates) {
-    nearest = std::min(nearest, mate.distance_m);
-  }
-  return nearest;
+  const auto mates = now.team().mates;
+  const auto nearest =
+      std::min_element(mates.begin(), mates.end(),
+                       [](const auto& a, const auto& b) { return a.distance_m < b.distance_m; });
+  return nearest == mates.end() ? now.self().coverage_m : nearest->distance_m;
 }
 
 double charger_distance(const Perception& now) {

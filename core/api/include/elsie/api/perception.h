@@ -36,7 +36,7 @@ struct OwnState {
   double length_m = 0.08;      // of the chassis, along the heading
   double width_m = 0.08;       // of the chassis
   double max_speed_m_s = 0.5;
-  double coverage_m = 0.5;  // communication radius
+  double coverage_m = 0.5;  // communication radius: how far off mates perceive this robot
   bool is_leader = false;
   int team_index = 0;        // which of its team's robots it is, in file order, from 0
   double energy = 5000.0;    // units
@@ -54,7 +54,7 @@ struct OwnState {
   }
 };
 
-/// Another robot of the same team within communication coverage.
+/// Another robot of the same team, whose communication coverage reaches this one.
 struct TeamMate {
   std::string_view id;
   Pose pose;
@@ -66,10 +66,10 @@ struct TeamMate {
 
 struct TeamState {
   std::string_view name;
-  std::span<const TeamMate> mates;  // within the own coverage, in file order
+  std::span<const TeamMate> mates;  // those whose coverage reaches this robot, in file order
   std::optional<Vector2> charger;   // the team's nearest charger
 
-  /// The nearest leader within coverage, or none.
+  /// The nearest leader whose coverage reaches this robot, or none.
   const TeamMate* leader() const {
     const TeamMate* nearest = nullptr;
     for (const TeamMate& mate : mates) {

@@ -196,7 +196,7 @@ struct Robot : Coordination {
   double x = 0.0, y = 0.0, z = 0.0;  // m
   double heading_deg = 0.0;
   double max_speed = 0.5;  // m/s
-  double coverage = 0.5;   // m, communication radius
+  double coverage = 0.5;   // m, communication radius: how far off its team perceives it
   bool leader = false;
   double battery = 5000.0;       // units when full
   std::optional<double> energy;  // units at the start; default: full
