@@ -44,6 +44,9 @@ TEST_CASE("A network with a hidden layer learns exclusive or") {
 TEST_CASE("A network without a hidden layer cannot learn exclusive or, and is reported") {
   const Assessment after = outcome(exclusive_or(), "0", 1);
   CHECK(after.error > 0.12);
+  CHECK(after.missed == 4);
+  CHECK_THAT(warning(after, std::array<std::string, 1>{"either"}),
+             Catch::StartsWith("The network has not learned 4 of 4 samples"));
 }
 
 TEST_CASE("The reference set is learned by '2 2' and '4 4'") {

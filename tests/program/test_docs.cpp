@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include <catch2/catch.hpp>
@@ -48,26 +49,41 @@ std::vector<std::string> blocks(const std::string& page, const std::string& lang
   return blocks;
 }
 
+/// The commands that end a run before its goal is met (exit code 1), on purpose: each shows
+/// something for which a short run is enough. All others reach what they are after.
+const std::set<std::string> kCutShort = {
+    "elsie run worlds/ten_robots.xml --duration 60 --explain run.trace",
+    "elsie run worlds/open_arena.xml --duration 10 --json",
+    "for seed in 1 2 3; do elsie run worlds/open_arena.xml --duration 20 --seed $seed --json; done "
+    "> runs.jsonl",
+    "elsie run worlds/find_resource.xml --duration 20 --picture found.png",
+    "elsie run worlds/find_resource.xml --duration 3 --save-images images --save-images-every 0.5"};
+
 }  // namespace
 
-TEST_CASE("Every command in the docs runs") {
+TEST_CASE("Every command in the docs runs, and reaches its goals unless it is cut short") {
+  std::set<std::string> cut_short;
   for (const fs::path& page : pages()) {
     Workplace here;
     for (const std::string& block : blocks(read(page), "sh")) {
       if (block.find("make ") != std::string::npos) {
         continue;  // what builds the program that is being tested
       }
-      // A goal that is missed (1) is no fault of the command.
       std::istringstream lines(block);
       for (std::string line; std::getline(lines, line);) {
         CAPTURE(page.filename().string(), line);
         const auto run = here.sh(line);
         CAPTURE(run.err);
-        CHECK((run.exit_code == 0 || run.exit_code == 1));
+        const bool ends_early = kCutShort.contains(line);
+        CHECK(run.exit_code == (ends_early ? 1 : 0));
         CHECK(run.err.empty());
+        if (ends_early) {
+          cut_short.insert(line);
+        }
       }
     }
   }
+  CHECK(cut_short == kCutShort);  // nothing is listed that the docs do not have any more
 }
 
 TEST_CASE("Every world in the docs is in order") {
