@@ -124,14 +124,15 @@ class TrainingWatcher {
 struct Report {
   const Learner& learner;
   const neural::Lesson& lesson;
-  std::string seed;
+  std::uint64_t seed;
   double seconds;
   std::string warning;
 };
 
 std::string header(const Report& report) {
   return report.learner.robot + ", " + report.learner.plugin + ": network " +
-         neural::sizes_text(report.lesson.weights.network.sizes()) + ", seed " + report.seed;
+         neural::sizes_text(report.lesson.weights.network.sizes()) + ", seed " +
+         std::to_string(report.seed);
 }
 
 /// A row for each sample: its inputs, then for each output what is wanted and what is answered.
@@ -221,19 +222,19 @@ void print_json(const Report& report) {
 
 /// The stream that the network's first weights come from: that of a run with this seed, unless the
 /// coordinator has a seed of its own.
-elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std::string& seed) {
+elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std::uint64_t& seed) {
   const std::int64_t fixed = learner.network->fixed_seed();
   if (fixed < 0) {
-    seed = std::to_string(options.seed.value_or(1));
-    return elsie::Random(options.seed.value_or(1), learner.stream);
+    seed = options.seed.value_or(1);
+    return elsie::Random(seed, learner.stream);
   }
   if (options.seed) {
     throw BadInput("--seed: the coordinator '" + learner.plugin + "' of the robot '" +
                    learner.robot + "' has the seed " + std::to_string(fixed) +
                    " of its own, which fixes its weights; take it out of the world first");
   }
-  seed = std::to_string(fixed);
-  return neural::stream_of_seed(static_cast<std::uint64_t>(fixed));
+  seed = static_cast<std::uint64_t>(fixed);
+  return neural::stream_of_seed(seed);
 }
 
 int train(const TrainOptions& options) {
@@ -251,7 +252,7 @@ int train(const TrainOptions& options) {
       elsie::world::read_world(options.world, host, read_options(options.overrides));
   const Learner learner = make_learner(world, host, options.place, parameters_of(options));
 
-  std::string seed;
+  std::uint64_t seed = 0;
   elsie::Random random = stream_of(learner, options, seed);
   const InterruptGuard interrupt;
   const auto start = std::chrono::steady_clock::now();
@@ -269,7 +270,7 @@ int train(const TrainOptions& options) {
               << " presentations; nothing was written\n";
     return kOtherFailure;
   }
-  lesson.weights.about.push_back({"seed", seed});
+  lesson.weights.about.push_back({"seed", std::to_string(seed)});
   const Report report{learner, lesson, seed, taken.count(),
                       neural::warning(lesson.assessment, lesson.outputs)};
   if (options.weights) {

@@ -40,6 +40,24 @@ TEST_CASE("train writes weights with which a run trains nothing and does the sam
   CHECK(own.at("state_hash") == loaded.at("state_hash"));
 }
 
+TEST_CASE("train --json has the largest seed as a number, digit by digit") {
+  const Workplace here;
+  const auto run =
+      here.elsie("train " + kWorld + " --seed 18446744073709551615 --presentations 9 --json");
+  CHECK(json::parse(run.out).at("seed") == json(18446744073709551615U));
+}
+
+TEST_CASE("Weights of other layers than the default need not be announced in the world") {
+  const Workplace here;
+  REQUIRE(here.elsie("train " + kWorld + " --hidden '4 4' --weights w").exit_code == 0);
+  const std::string run = "run " + kWorld + " --quiet --set robot[r1]/coordinator/@weights=w";
+  CHECK(here.elsie(run).exit_code == 0);
+  const auto refused = here.elsie(run + " --set 'robot[r1]/coordinator/@hidden=2 2'");
+  CHECK(refused.exit_code == 2);
+  CHECK_THAT(refused.err, Catch::Contains("its network is 2-4-4-2, but hidden is '2 2'; make it "
+                                          "'auto' or leave it out"));
+}
+
 TEST_CASE("train gives the same bytes again for the same seed, and others for another") {
   Workplace here;
   for (const char* run : {"a --seed 2", "b --seed 2", "c --seed 3"}) {
@@ -58,6 +76,7 @@ TEST_CASE("train takes its options from the command line, and says how it went")
   REQUIRE(run.exit_code == 0);
   const json result = json::parse(run.out);
   CHECK(result.at("sizes") == json({2, 4, 4, 2}));
+  CHECK(result.at("seed") == json(1));  // a number, as elsie run --json has it
   CHECK(result.at("below_threshold") == true);
   CHECK(result.at("error").get<double>() < 0.0012);
   CHECK(result.at("presentations").get<int>() < 90000);

@@ -11,7 +11,7 @@ using namespace elsie::neural;
 
 namespace {
 
-constexpr const char* kDefaultHidden = "2 2";
+constexpr const char* kTrainedHidden = "2 2";
 constexpr const char* kMetres = "metres";
 constexpr const char* kNormalised = "parts of the maximum range";
 
@@ -39,9 +39,14 @@ Columns PriorityNetwork::columns() const {
           "one for each behaviour: " + joined(behaviors_, ", ")};
 }
 
+/// Of a network that is trained. Throws std::invalid_argument.
+std::vector<int> PriorityNetwork::hidden_layers() const {
+  return parse_hidden_layers(hidden == kOwnHidden ? kTrainedHidden : hidden);
+}
+
 std::vector<int> PriorityNetwork::sizes() const {
   std::vector<int> sizes{static_cast<int>(sensors_.size())};
-  for (const int layer : parse_hidden_layers(hidden)) {
+  for (const int layer : hidden_layers()) {
     sizes.push_back(layer);
   }
   sizes.push_back(static_cast<int>(behaviors_.size()));
@@ -59,7 +64,7 @@ TrainingSet PriorityNetwork::read_samples() const {
 }
 
 void PriorityNetwork::check_parameters() {
-  parse_hidden_layers(hidden);
+  hidden_layers();
   check(options());
   if (equipped_) {
     prepare();
@@ -115,11 +120,11 @@ void PriorityNetwork::load_weights() {
            columns().text());
   }
   const std::span<const int> layers = network.sizes().subspan(1, network.sizes().size() - 2);
-  const std::vector<int> wanted = parse_hidden_layers(hidden);
-  if (hidden != kDefaultHidden &&
+  const std::vector<int> wanted = hidden_layers();
+  if (hidden != kOwnHidden &&
       !std::equal(wanted.begin(), wanted.end(), layers.begin(), layers.end())) {
     refuse("its network is " + sizes_text(network.sizes()) + ", but hidden is '" + hidden +
-           "'; leave hidden out, or train a network with these layers");
+           "'; make it 'auto' or leave it out, or train a network with these layers");
   }
   const std::string_view inputs = read.remark("inputs");
   if (!inputs.empty() && inputs != (normalise ? kNormalised : kMetres)) {

@@ -20,7 +20,11 @@
 /// them.
 class PriorityNetwork : public elsie::neural::Trainable {
  public:
-  std::string hidden = "2 2";
+  /// What `hidden` is when the user asks for no layers in particular: those of the weights or, in a
+  /// network that is trained, "2 2".
+  static constexpr const char* kOwnHidden = "auto";
+
+  std::string hidden = kOwnHidden;
   double learning_rate = 0.8;
   double momentum = 0.3;
   double threshold = 1e-11;
@@ -49,6 +53,7 @@ class PriorityNetwork : public elsie::neural::Trainable {
  private:
   elsie::neural::TrainingOptions options() const;
   elsie::neural::Columns columns() const;
+  std::vector<int> hidden_layers() const;
   std::vector<int> sizes() const;
   elsie::neural::TrainingSet read_samples() const;
   void prepare();
@@ -80,35 +85,36 @@ class WithPriorityNetwork : public Base, public PriorityNetwork {
 };
 
 /// The parameters of such a coordinator: items of its declaration.
-#define PRIORITY_NETWORK_PARAMETERS                                                              \
-  elsie::parameter(                                                                              \
-      "hidden", &PriorityNetwork::hidden,                                                        \
-      {.meaning = "neurons in each hidden layer, such as '4 4'; '0' for no hidden layer"}),      \
-      elsie::parameter("training", &PriorityNetwork::training,                                   \
-                       {.meaning = "file of samples to learn from: on each line a number for "   \
-                                   "each range sensor, then one for each behaviour"}),           \
-      elsie::parameter("weights", &PriorityNetwork::weights,                                     \
-                       {.meaning = "file of weights, as elsie train writes it: then nothing is " \
-                                   "trained, and the hidden layers are those of the file"}),     \
-      elsie::parameter("learning_rate", &PriorityNetwork::learning_rate,                         \
-                       {.above = 0, .max = 1, .meaning = "of back-propagation; below 1"}),       \
-      elsie::parameter("momentum", &PriorityNetwork::momentum,                                   \
-                       {.above = 0, .max = 1, .meaning = "of back-propagation; below 1"}),       \
-      elsie::parameter(                                                                          \
-          "threshold", &PriorityNetwork::threshold,                                              \
-          {.min = 0, .meaning = "training ends when the mean error of an epoch is below it"}),   \
-      elsie::parameter(                                                                          \
-          "presentations", &PriorityNetwork::presentations,                                      \
-          {.min = 1, .meaning = "training ends after so many samples at the latest"}),           \
-      elsie::parameter("seed", &PriorityNetwork::seed,                                           \
-                       {.min = -1,                                                               \
-                        .meaning = "fixes the first weights for all runs; -1: each run has its " \
-                                   "own, which its seed decides"}),                              \
-      elsie::parameter("attempts", &PriorityNetwork::attempts,                                   \
-                       {.min = 1,                                                                \
-                        .max = 1000,                                                             \
-                        .meaning = "a training that misses a sample is tried again from other "  \
-                                   "first weights, up to so many times; the best one counts"}),  \
-      elsie::parameter("normalise", &PriorityNetwork::normalise,                                 \
-                       {.meaning = "whether readings are divided by the sensor's maximum range " \
+#define PRIORITY_NETWORK_PARAMETERS                                                               \
+  elsie::parameter(                                                                               \
+      "hidden", &PriorityNetwork::hidden,                                                         \
+      {.meaning = "neurons in each hidden layer, such as '4 4'; '0' for no hidden layer; 'auto' " \
+                  "for those of the weights or, where a network is trained, '2 2'"}),             \
+      elsie::parameter("training", &PriorityNetwork::training,                                    \
+                       {.meaning = "file of samples to learn from: on each line a number for "    \
+                                   "each range sensor, then one for each behaviour"}),            \
+      elsie::parameter("weights", &PriorityNetwork::weights,                                      \
+                       {.meaning = "file of weights, as elsie train writes it: then nothing is "  \
+                                   "trained; hidden must be that of the file, or 'auto'"}),       \
+      elsie::parameter("learning_rate", &PriorityNetwork::learning_rate,                          \
+                       {.above = 0, .max = 1, .meaning = "of back-propagation; below 1"}),        \
+      elsie::parameter("momentum", &PriorityNetwork::momentum,                                    \
+                       {.above = 0, .max = 1, .meaning = "of back-propagation; below 1"}),        \
+      elsie::parameter(                                                                           \
+          "threshold", &PriorityNetwork::threshold,                                               \
+          {.min = 0, .meaning = "training ends when the mean error of an epoch is below it"}),    \
+      elsie::parameter(                                                                           \
+          "presentations", &PriorityNetwork::presentations,                                       \
+          {.min = 1, .meaning = "training ends after so many samples at the latest"}),            \
+      elsie::parameter("seed", &PriorityNetwork::seed,                                            \
+                       {.min = -1,                                                                \
+                        .meaning = "fixes the first weights for all runs; -1: each run has its "  \
+                                   "own, which its seed decides"}),                               \
+      elsie::parameter("attempts", &PriorityNetwork::attempts,                                    \
+                       {.min = 1,                                                                 \
+                        .max = 1000,                                                              \
+                        .meaning = "a training that misses a sample is tried again from other "   \
+                                   "first weights, up to so many times; the best one counts"}),   \
+      elsie::parameter("normalise", &PriorityNetwork::normalise,                                  \
+                       {.meaning = "whether readings are divided by the sensor's maximum range "  \
                                    "before the network gets them"})
