@@ -123,6 +123,32 @@ TEST_CASE("The tolerances of match_colour say how far a surface may be off") {
   CHECK(found({48, 208, 48}, {{"hue_tolerance_deg", 180.0}}));
 }
 
+TEST_CASE("A tolerance of nearly half a circle takes in nearly every hue, whatever the colour's") {
+  // Red, yellow, green, cyan, blue, violet; the one looked for, and what is still near enough.
+  const Colour hues[] = {{208, 48, 48},  {208, 208, 48}, {48, 208, 48},
+                         {48, 208, 208}, {48, 48, 208},  {208, 48, 208}};
+  const char* names[] = {"#d03030", "#d0d030", "#30d030", "#30d0d0", "#3030d0", "#d030d0"};
+  for (std::size_t wanted = 0; wanted < 6; ++wanted) {
+    for (const double tolerance : {170.0, 177.0, 178.0, 178.5, 179.0, 179.5, 179.9, 180.0}) {
+      for (std::size_t seen = 0; seen < 6; ++seen) {
+        CAPTURE(names[wanted], names[seen], tolerance);
+        const double apart = 60.0 * std::abs(std::remainder(double(seen) - double(wanted), 6.0));
+        const bool matches =
+            look({{"match_colour",
+                   {{"colours", std::string(names[wanted])}, {"hue_tolerance_deg", tolerance}}}},
+                 Canvas().rectangle(5, 5, 4, 4, hues[seen]))
+                .found;
+        // The opposite hue comes in from 178 on: limits are rounded outwards to OpenCV's 2 degrees.
+        if (apart < 180.0 || tolerance > 178.0) {
+          CHECK(matches);
+        } else if (tolerance < 178.0) {
+          CHECK_FALSE(matches);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("Morphology takes specks away and fills holes") {
   const Canvas canvas = Canvas()
                             .rectangle(5, 5, 10, 10)

@@ -76,14 +76,14 @@ std::vector<HsvRange> ranges_of(std::span<const elsie::Colour> colours, const Ma
       // Without it, a pale red would take in the greys, whose hue OpenCV says is red's.
       low[1] = std::max(low[1], 0.5 * hsv.saturation);
     }
-    if (grey || step.hue_tolerance_deg >= 180.0) {
-      all.push_back({low, high});
-      continue;
-    }
     // In half degrees, and round and round.
     const auto wrapped = [](double hue) { return hue - 180.0 * std::floor(hue / 180.0); };
     const double from = std::floor(0.5 * (hsv.hue_deg - step.hue_tolerance_deg));
     const double to = std::ceil(0.5 * (hsv.hue_deg + step.hue_tolerance_deg));
+    if (grey || to - from >= 180.0) {  // all the way round, and perhaps over itself
+      all.push_back({low, high});
+      continue;
+    }
     const auto some = hsv_ranges(wrapped(from), wrapped(to), low, high);
     all.insert(all.end(), some.begin(), some.end());
   }
