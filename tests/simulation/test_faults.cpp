@@ -53,6 +53,27 @@ TEST_CASE("So is one that answers with something that is not a finite number") {
                   PluginFault);
 }
 
+TEST_CASE("The strengths of speed and turn are looked at like the strength as a whole") {
+  for (const double wrong : {kNan, 7.0, -0.1}) {
+    CAPTURE(wrong);
+    CHECK_THROWS_WITH(run([wrong] {
+                        Response response;
+                        response.speed_strength = wrong;
+                        return response;
+                      }),
+                      Catch::Contains("plugin 'scripted' of robot 'r1' failed in step 3: its "
+                                      "speed_strength is ") &&
+                          Catch::Contains("which is not in [0, 1]"));
+    CHECK_THROWS_WITH(
+        run([wrong] {
+          Response response;
+          response.turn_strength = wrong;
+          return response;
+        }),
+        Catch::Contains("its turn_strength is ") && Catch::Contains("which is not in [0, 1]"));
+  }
+}
+
 TEST_CASE("An event that the declaration does not name is a fault") {
   CHECK_THROWS_WITH(
       run([] {

@@ -143,18 +143,26 @@ MotorCommand Controller::decide(const Perception& now) {
 
 Response Controller::respond(const Perception& now) {
   Response response = decide(now);
-  double shares = 0.0;
-  response.activation = 0.0;
-  response.strength = 0.0;
-  for (const Member& member : members_) {
-    const double share = std::max(0.0, member.trace.share);
+  double shares = 0.0, activation = 0.0, strength = 0.0, speed = 0.0, turn = 0.0;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const TraceRow& trace = members_[i].trace;
+    const Response& answer = slots_[i].response;  // not of this step, and no matter, if not asked:
+    const double share = std::max(0.0, trace.share);
+    const double share_of_strength = share * trace.strength;  // that is zero then
     shares += share;
-    response.activation += share * member.trace.activation;
-    response.strength += share * member.trace.strength;
+    activation += share * trace.activation;
+    strength += share_of_strength;
+    speed += share_of_strength * answer.speed_strength;
+    turn += share_of_strength * answer.turn_strength;
   }
-  if (shares > 0.0) {
-    response.activation = std::clamp(response.activation / shares, 0.0, 1.0);
-    response.strength = std::clamp(response.strength / shares, 0.0, 1.0);
+  const auto ratio = [](double part, double whole) {
+    return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;
+  };
+  response.activation = ratio(activation, shares);
+  response.strength = ratio(strength, shares);
+  if (strength > 0.0) {  // factors of it: so that their products are the means of the products
+    response.speed_strength = ratio(speed, strength);
+    response.turn_strength = ratio(turn, strength);
   }
   return response;
 }
@@ -239,6 +247,8 @@ void Controller::check(const Slot& slot, const Response& response) const {
   };
   check_degree("activation", response.activation);
   check_degree("strength", response.strength);
+  check_degree("speed_strength", response.speed_strength);
+  check_degree("turn_strength", response.turn_strength);
   for (const Event& event : response.events) {
     const auto& declared = slot.declaration->events;
     if (std::none_of(declared.begin(), declared.end(),

@@ -148,3 +148,52 @@ TEST_CASE("A blend with nobody active in it is not active, and wishes nothing") 
         {5, 5}, 1e-6);
   }
 }
+
+namespace {
+
+/// A wish for a forward speed and a turn, with a strength for each.
+Response wish(double speed, double turn, double speed_strength, double turn_strength) {
+  Response response(MotorCommand{speed - turn, speed + turn});
+  response.speed_strength = speed_strength;
+  response.turn_strength = turn_strength;
+  return response;
+}
+
+}  // namespace
+
+TEST_CASE("A blend of those that only steer leaves the speed to others, as they do by themselves") {
+  NamedHost named;
+  named.add("steers", wish(0, 6, 0, 1))
+      .add("brakes", wish(2, 0, 1, 0))
+      .add("go", wish(14, 0, 1, 1));
+  const auto strength = coordinator("arbiter_strength");
+  const auto decided_with = [&](world::BehaviorUse top) {
+    top.priority = 2;
+    return decided(named, {std::move(top), behavior("go")}, strength);
+  };
+  for (const char* inside :
+       {"arbiter_suppression", "fusion_vector_summation", "arbiter_strength", "fusion_fuzzy"}) {
+    CAPTURE(inside);
+    check_near(decided_with(behavior("steers")), {8, 20});
+    check_near(decided_with(blend("b", {behavior("steers")}, coordinator(inside))), {8, 20});
+    check_near(decided_with(blend("b", {behavior("brakes")}, coordinator(inside))), {2, 2});
+    // Blends in blends.
+    world::BehaviorUse inner = blend("inner", {behavior("steers")}, coordinator(inside));
+    check_near(decided_with(blend("b", {inner}, coordinator(inside))), {8, 20});
+  }
+}
+
+TEST_CASE("The strengths of a blend's channels are the means of its members', by their shares") {
+  NamedHost named;
+  Response faint = wish(0, 6, 0, 1);
+  faint.strength = 0.5;
+  named.add("faint", faint).add("firm", wish(6, 0, 0.5, 0.25)).add("go", wish(20, 0, 1, 1));
+  world::BehaviorUse pair =
+      blend("pair", {behavior("faint"), behavior("firm")}, coordinator("fusion_vector_summation"));
+  pair.priority = 2;
+  // Half of each: speed 3 with (0.5 x 0 + 1 x 0.5) / 2, turn 3 with (0.5 x 1 + 1 x 0.25) / 2.
+  const double speed = 0.25 * 3 + 0.75 * 20;
+  const double turn = 0.375 * 3 + 0.625 * 0;
+  check_near(decided(named, {pair, behavior("go")}, coordinator("arbiter_strength")),
+             {speed - turn, speed + turn});
+}

@@ -60,8 +60,8 @@ struct Response {
 class Coordination {
  public:
   /// Asks the coordinator, which asks its behaviours: their command together. Its activation and
-  /// strength are the means of theirs, weighted by their shares in the command. Events and charging
-  /// that they ask for are seen to.
+  /// strengths (as a whole, of the speed, of the turn) are the means of theirs, weighted by their
+  /// shares in the command. Events and charging that they ask for are seen to.
   virtual Response respond(const Perception& now) = 0;
   /// How good candidate commands are to all of them together, once respond() was called in this
   /// step: Coordinator::rate().
