@@ -93,6 +93,13 @@ TEST_CASE("Of several resources in several cameras the one most nearly ahead cou
   check(finder()->respond(now.perception()).command, 40.0 / 30, -40.0 / 30);
 }
 
+TEST_CASE("Most nearly ahead is by the angle, also between cameras that see differently wide") {
+  Situation now;
+  // 17 degrees off in a wide picture, 9 off at the edge of a narrow one.
+  now.view(sees(65, 100, 90)).view(sees(95, 100, 20));
+  check(finder()->respond(now.perception()).command, 45.0 / 20, -45.0 / 20);
+}
+
 TEST_CASE("It has little to say while it searches, and the more the larger the resource looks") {
   CHECK(finder()->respond(Situation().camera().perception()).activation == 0.2);
   CHECK(

@@ -4,9 +4,9 @@
 // the left edge. That is pixels for the camera of 100 x 100 that the law was made for.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include <elsie/api/behavior.h>
+#include <elsie/api/vision.h>
 
 namespace {
 
@@ -22,25 +22,18 @@ class FindResource final : public elsie::Behavior {
 
   elsie::Response respond(const elsie::Perception& now) override {
     const auto views = now.readings<elsie::VisionReading>();
-    std::optional<Target> target;
-    for (const auto& view : views) {
-      if (view->found) {
-        const Target seen = look(view);
-        if (!target || std::abs(seen.column) < std::abs(target->column)) {
-          target = seen;
-        }
-      }
-    }
+    const auto nearest = elsie::most_nearly_ahead(now);
     elsie::Response response;
-    if (target) {
-      response.command = steer(target->column, target->fov_deg);
-      response.activation = 0.5 + 0.5 * target->size;
+    if (nearest) {
+      const Target target = look(*nearest);
+      response.command = steer(target.column, target.fov_deg);
+      response.activation = 0.5 + 0.5 * target.size;
     } else if (!views.empty()) {
       response.command = steer(search_column, fov_of(views[0]));
       response.activation = search_activation;
     }
-    if (in_view_ != target.has_value()) {
-      in_view_ = target.has_value();
+    if (in_view_ != nearest.has_value()) {
+      in_view_ = nearest.has_value();
       response.events.push_back({in_view_ ? "resource_in_view" : "resource_out_of_view"});
     }
     return response;

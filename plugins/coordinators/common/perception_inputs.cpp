@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include <elsie/api/vision.h>
 #include <elsie/plugin/near_name.h>
 
 namespace {
@@ -62,36 +63,17 @@ bool has_camera(const Perception& example) {
   return !example.readings<elsie::VisionReading>().empty();
 }
 
-double resource_seen(const Perception& now) {
-  for (const auto& view : now.readings<elsie::VisionReading>()) {
-    if (view->found) {
-      return 1.0;
-    }
-  }
-  return 0.0;
-}
+// With several cameras all three are about one resource, which is also find_resource's.
+double resource_seen(const Perception& now) { return elsie::most_nearly_ahead(now) ? 1.0 : 0.0; }
 
 double resource_bearing(const Perception& now) {
-  for (const auto& view : now.readings<elsie::VisionReading>()) {
-    if (view->found && view->width > 0) {
-      // The pinhole camera of api/image.h, backwards.
-      const double half = 0.5 * view->width;
-      const double in_picture =
-          std::atan((half - view->column) / half * std::tan(0.5 * view->horizontal_fov_rad));
-      return elsie::degrees(elsie::wrap_angle(in_picture + view.azimuth_rad()));
-    }
-  }
-  return 0.0;
+  const auto view = elsie::most_nearly_ahead(now);
+  return view ? elsie::degrees(elsie::blob_bearing_rad(*view)) : 0.0;
 }
 
 double resource_area(const Perception& now) {
-  double largest = 0.0;
-  for (const auto& view : now.readings<elsie::VisionReading>()) {
-    if (view->found && view->width > 0 && view->height > 0) {
-      largest = std::max(largest, view->area_px / view->width / view->height);
-    }
-  }
-  return largest;
+  const auto view = elsie::most_nearly_ahead(now);
+  return view && (*view)->height > 0 ? (*view)->area_px / (*view)->width / (*view)->height : 0.0;
 }
 
 bool always(const Perception&) { return true; }
