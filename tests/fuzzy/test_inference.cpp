@@ -284,6 +284,36 @@ TEST_CASE("DEFAULT := NC keeps what the caller passes in") {
   }
 }
 
+TEST_CASE("A model says where no rule decides an output") {
+  // x leaves open what is between 0.4 and 0.6, y nothing.
+  const auto with = [](const std::string& rule) {
+    return parse_fcl(
+        "FUNCTION_BLOCK VAR_INPUT x : REAL; y : REAL; END_VAR "
+        "VAR_OUTPUT z : REAL; w : REAL; END_VAR "
+        "FUZZIFY x TERM low := (0.3, 1) (0.4, 0); TERM high := (0.6, 0) (0.7, 1); END_FUZZIFY "
+        "FUZZIFY y TERM low := (0, 1) (1, 0); TERM high := (0, 0) (1, 1); END_FUZZIFY "
+        "DEFUZZIFY z TERM a := Triangle 0 1 2; DEFAULT := NC; END_DEFUZZIFY "
+        "DEFUZZIFY w TERM a := Triangle 0 1 2; DEFAULT := NC; END_DEFUZZIFY "
+        "RULEBLOCK RULE 1 : IF x IS low THEN z IS a; RULE 2 : IF x IS high THEN z IS a; "
+        "RULE 3 : IF y IS low OR y IS high THEN w IS a; " +
+        rule + " END_RULEBLOCK END_FUNCTION_BLOCK");
+  };
+  const Model model = with("");
+  const auto where = model.undecided_at(0);
+  REQUIRE(where);
+  REQUIRE(where->substr(0, 4) == "x = ");
+  // It is as it says.
+  Workspace workspace;
+  const double inputs[] = {std::stod(where->substr(4)), 0.3};
+  double outputs[] = {7.0, 7.0};
+  model.evaluate(inputs, outputs, workspace);
+  CHECK(outputs[0] == 7.0);
+  CHECK(outputs[1] == Approx(1.0));
+  CHECK_FALSE(model.undecided_at(1));
+  CHECK(with("RULE 4 : IF y IS low THEN z IS a;").undecided_at(0));  // not where y is 1
+  CHECK_FALSE(with("RULE 4 : IF y IS low OR y IS high THEN z IS a;").undecided_at(0));
+}
+
 TEST_CASE("An input beyond its RANGE is taken as the end of it; without RANGE terms go on") {
   const Model ranged = model("", kBoth);
   CHECK(evaluate(ranged, 17.0, 0.0) == evaluate(ranged, 1.0, 0.0));

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "coverage.h"
 #include "inference.h"
 #include "model_data.h"
 #include "text.h"
@@ -70,6 +71,11 @@ std::optional<std::size_t> Model::input_index(std::string_view name) const {
 
 std::optional<std::size_t> Model::output_index(std::string_view name) const {
   return index_of(data_->outputs, name);
+}
+
+std::optional<std::string> Model::undecided_at(std::size_t output) const {
+  const std::optional<Gap> gap = find_gap(*data_, output);
+  return gap ? std::optional(gap->example) : std::nullopt;
 }
 
 void Model::activate(std::span<const double> inputs, Workspace& workspace) const {

@@ -2,6 +2,7 @@
 // and these degrees weight the behaviours' fuzzy sets before they are put together and made a
 // command.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -27,6 +28,12 @@ class FusionContextBlending final : public SetFusion {
   void configured() override {
     SetFusion::configured();
     rules_.emplace(fuzzy::read_fcl(model.path));
+    undecided_.clear();
+    for (std::size_t i = 0; i < rules_->outputs().size(); ++i) {
+      const fuzzy::OutputVariable& output = rules_->outputs()[i];
+      undecided_.push_back(output.keeps_last && !output.default_value ? rules_->undecided_at(i)
+                                                                      : std::nullopt);
+    }
     if (!members_.empty()) {
       connect();
     }
@@ -67,6 +74,12 @@ class FusionContextBlending final : public SetFusion {
       degrees_[i] = degree > 0.0 ? std::min(degree, 1.0) : 0.0;
     }
     weigh(members, activation_rule(), "", degrees_);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const bool unknown = contexts_[i] && std::isnan(outputs_[*contexts_[i]]);
+      if (unknown && members[i].priority() > 0.0) {
+        members[i].trace.reason = "no context known yet";
+      }
+    }
     return fuse(members);
   }
 
@@ -74,6 +87,8 @@ class FusionContextBlending final : public SetFusion {
   void connect();
 
   std::optional<fuzzy::Model> rules_;
+  /// Of each output: where it may have to keep a last value that it does not have.
+  std::vector<std::optional<std::string>> undecided_;
   fuzzy::Workspace workspace_;
   std::vector<std::string> members_;
   std::vector<const PerceptionInput*> lacking_;       // what this robot cannot perceive
@@ -137,6 +152,13 @@ std::vector<std::string> FusionContextBlending::notes() const {
       notes.push_back("the output '" + output.name + "' of the fuzzy model '" + model.path +
                       "' has one term only, so that its value is the same however weakly a rule "
                       "fires; add a term for 'does not apply' and rules for it");
+    }
+    if (contexts_[i] && undecided_[*contexts_[i]]) {
+      notes.push_back("the output '" + members_[i] + "' of the fuzzy model '" + model.path +
+                      "' has DEFAULT := NC and no first value, and no rule decides it at " +
+                      *undecided_[*contexts_[i]] +
+                      ": until a rule has, the behaviour does not apply; write, for example, "
+                      "DEFAULT := 0 | NC if that is meant, or DEFAULT := 1 | NC");
     }
   }
   return notes;

@@ -49,12 +49,14 @@ class ModelFile {
       : ModelFile(input, output, output_terms, "TERM all := (0, 1) (1, 1);",
                   "RULE 1 : IF " + input + " IS all THEN " + output + " IS yes;") {}
   ModelFile(const std::string& input, const std::string& output, const std::string& output_terms,
-            const std::string& input_terms, const std::string& rules) {
+            const std::string& input_terms, const std::string& rules,
+            const std::string& otherwise = "0") {
     std::ofstream(file_.path) << "FUNCTION_BLOCK f\nVAR_INPUT " << input
                               << " : REAL; END_VAR\nVAR_OUTPUT " << output
                               << " : REAL; END_VAR\nFUZZIFY " << input << "\n"
                               << input_terms << "\nEND_FUZZIFY\nDEFUZZIFY " << output << "\n"
-                              << output_terms << "\nMETHOD : COGS; DEFAULT := 0;\nEND_DEFUZZIFY\n"
+                              << output_terms << "\nMETHOD : COGS; DEFAULT := " << otherwise
+                              << ";\nEND_DEFUZZIFY\n"
                               << "RULEBLOCK r\n"
                               << rules << "\nEND_RULEBLOCK\nEND_FUNCTION_BLOCK\n";
   }
@@ -242,6 +244,116 @@ TEST_CASE("Without a leader, a mate or a resource in sight the words have values
   CHECK(0.0 == word_value(now, "resource_seen"));
   CHECK(0.0 == word_value(now, "resource_bearing"));
   CHECK(0.0 == word_value(now, "resource_area"));
+}
+
+TEST_CASE("With several cameras all words are about the resource most nearly straight ahead") {
+  const auto sees = [](double column, double area_px, double fov_deg) {
+    VisionReading view;
+    view.found = true;
+    view.column = column;
+    view.area_px = area_px;
+    view.horizontal_fov_rad = radians(fov_deg);
+    return view;
+  };
+  Situation now;
+  // 40 degrees to the left and large; 9 to the right, at the edge of a narrow picture; 17 to the
+  // right, nearer to the middle of a wide one.
+  now.camera().view(sees(50, 2000, 30), 40).view(sees(95, 100, 20)).view(sees(65, 300, 90));
+  const double bearing = -degrees(std::atan(0.9 * std::tan(radians(10))));
+  CHECK(1.0 == word_value(now, "resource_seen"));
+  CHECK(bearing == word_value(now, "resource_bearing"));
+  CHECK(0.01 == word_value(now, "resource_area"));
+  // It is the one that find_resource goes for.
+  const auto finder = test::make<Behavior>(PluginKind::behavior, "find_resource");
+  const MotorCommand command = finder->respond(now.perception()).command;
+  check_near(command, {45.0 / 20, -45.0 / 20});
+  // Of two as far to the left as to the right the first camera's counts, here and there.
+  Situation even;
+  even.view(sees(50, 100, 30), 20).view(sees(50, 400, 30), -20);
+  CHECK(20.0 == word_value(even, "resource_bearing"));
+  CHECK(0.01 == word_value(even, "resource_area"));
+  const MotorCommand left = finder->respond(even.perception()).command;
+  CHECK(left.right > left.left);
+}
+
+namespace {
+
+/// A model that says nothing of 'go' between 0.4 and 0.6 m ahead.
+ModelFile with_a_gap(const std::string& otherwise) {
+  return {"front_range",
+          "go",
+          "TERM no := 0; TERM yes := 1;",
+          "TERM near := (0.3, 1) (0.4, 0); TERM far := (0.6, 0) (0.7, 1);",
+          "RULE 1 : IF front_range IS near THEN go IS no;\n"
+          "RULE 2 : IF front_range IS far THEN go IS yes;",
+          otherwise};
+}
+
+/// What 'go' counts at each of these distances, one step after the other.
+std::vector<double> weights(const ModelFile& file, const std::vector<double>& distances,
+                            std::vector<std::string>* reasons = nullptr) {
+  Team team;
+  team.member("go", 1, MotorCommand{20, 20});
+  const auto coordinator = blending(file.path);
+  std::vector<double> all;
+  for (const double distance : distances) {
+    Situation now;
+    now.beam(0, distance);
+    if (all.empty()) {
+      coordinator->equipped(team.members(), now.perception());
+      Random random;
+      coordinator->reset(random);
+    }
+    team.next_step();
+    coordinator->coordinate(team.members(), now.perception());
+    all.push_back(team.trace(0).weight);
+    if (reasons) {
+      reasons->push_back(team.reason(0));
+    }
+  }
+  return all;
+}
+
+std::vector<std::string> notes_of(const ModelFile& file) {
+  Team team;
+  team.member("go", 1, MotorCommand{});
+  Situation now;
+  now.beam(0, 0.5);
+  const auto coordinator = blending(file.path);
+  coordinator->equipped(team.members(), now.perception());
+  return coordinator->notes();
+}
+
+}  // namespace
+
+TEST_CASE("A context without a rule keeps its degree with NC, and says so while it has none") {
+  std::vector<std::string> reasons;
+  CHECK(weights(with_a_gap("NC"), {0.5, 0.2, 0.5, 1.0, 0.5}, &reasons) ==
+        std::vector<double>{0, 0, 0, 1, 1});
+  CHECK(reasons[0] == "no context known yet");
+  CHECK(reasons[1] == "not in this context");
+  CHECK(reasons[2] == "not in this context");
+  // A first degree in front of NC.
+  CHECK(weights(with_a_gap("1 | NC"), {0.5, 0.2, 0.5, 1.0, 0.5}, &reasons) ==
+        std::vector<double>{1, 0, 0, 1, 1});
+}
+
+TEST_CASE("A user is told of a context that may start without a degree, and where") {
+  const auto notes = notes_of(with_a_gap("NC"));
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Contains("the output 'go' of the fuzzy model") &&
+                           Contains("has DEFAULT := NC and no first value") &&
+                           Contains("no rule decides it at front_range = 0.4") &&
+                           Contains("write, for example, DEFAULT := 0 | NC"));
+  CHECK(notes_of(with_a_gap("0 | NC")).empty());
+  CHECK(notes_of(with_a_gap("0")).empty());
+  // Where some rule always fires nothing is ever kept.
+  const ModelFile complete("front_range", "go", "TERM no := 0; TERM yes := 1;",
+                           "TERM near := (0.3, 1) (0.7, 0); TERM far := (0.3, 0) (0.7, 1);",
+                           "RULE 1 : IF front_range IS near THEN go IS no;\n"
+                           "RULE 2 : IF front_range IS far THEN go IS yes;",
+                           "NC");
+  CHECK(notes_of(complete).empty());
 }
 
 TEST_CASE("A word needs what it speaks of") {

@@ -112,6 +112,11 @@ class Model {
   std::optional<std::size_t> input_index(std::string_view name) const;
   std::optional<std::size_t> output_index(std::string_view name) const;
 
+  /// An input for which no rule speaks of the output, in words: "range = 0.5, azimuth = 90". None
+  /// when some rule always does. Where neither can be shown within a second (with thousands of
+  /// rules), an input for which it may be so.
+  std::optional<std::string> undecided_at(std::size_t output) const;
+
   /// Computes all outputs. `inputs` and `outputs` are in the order of the declarations.
   ///
   /// Where no rule speaks of an output, it gets its DEFAULT. With DEFAULT := NC it is left as the
