@@ -1,4 +1,5 @@
-#include <cmath>
+#include <string>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
@@ -113,23 +114,68 @@ TEST_CASE("It has little to say while it searches, and the more the larger the r
   CHECK(activation(10000) == Approx(1.0));
 }
 
-TEST_CASE("It says when a resource comes into view and when none is any more") {
-  const auto behavior = finder();
-  Situation nothing, something;
-  nothing.camera();
-  something.blob(50);
-  CHECK(behavior->respond(nothing.perception()).events.empty());
-  const Response seen = behavior->respond(something.perception());
-  REQUIRE(seen.events.size() == 1);
-  CHECK(seen.events[0].name == "resource_in_view");
-  CHECK(behavior->respond(something.perception()).events.empty());
-  const Response lost = behavior->respond(nothing.perception());
-  REQUIRE(lost.events.size() == 1);
-  CHECK(lost.events[0].name == "resource_out_of_view");
-  behavior->respond(something.perception());
+namespace {
+
+/// The events of a behaviour that sees something or nothing at a time.
+class Watch {
+ public:
+  explicit Watch(test::Parameters parameters = {}) : behavior(finder(std::move(parameters))) {}
+
+  /// "in", "out" or nothing.
+  std::string at(double time_s, bool seen) {
+    Situation now;
+    now.after(time_s);
+    seen ? now.blob(50) : now.camera();
+    const Response response = behavior->respond(now.perception());
+    // The events may wait, but the command does not.
+    CHECK(response.command.left == (seen ? Approx(20.0) : Approx(-50.0 / 30)));
+    std::string text;
+    for (const Event& event : response.events) {
+      text += event.name == "resource_in_view"       ? "in"
+              : event.name == "resource_out_of_view" ? "out"
+                                                     : "?";
+    }
+    return text;
+  }
+
+  plugin::Object<Behavior> behavior;
+};
+
+}  // namespace
+
+TEST_CASE("It says when a resource comes into view and when none was for half a second") {
+  Watch watch;
+  CHECK(watch.at(0, false).empty());
+  CHECK(watch.at(1, true) == "in");
+  CHECK(watch.at(2, true).empty());
+  CHECK(watch.at(2.01, false).empty());
+  CHECK(watch.at(2.49, false).empty());
+  CHECK(watch.at(2.5, false) == "out");
+  CHECK(watch.at(9, false).empty());
+  CHECK(watch.at(9.01, true) == "in");
   Random random;
-  behavior->reset(random);
-  CHECK(behavior->respond(something.perception()).events.size() == 1);
+  watch.behavior->reset(random);
+  CHECK(watch.at(0, true) == "in");
+}
+
+TEST_CASE("A resource that comes and goes at the edge of the picture is in view all the time") {
+  Watch watch;
+  std::string events;
+  for (int i = 0; i < 1000; ++i) {
+    events += watch.at(0.01 * i, i % 8 < 3);
+  }
+  CHECK(events == "in");
+}
+
+TEST_CASE("How long a resource must be out of sight to be lost is a parameter") {
+  Watch patient({{"lost_after", 4.0}});
+  CHECK(patient.at(0, true) == "in");
+  CHECK(patient.at(3.99, false).empty());
+  CHECK(patient.at(4, false) == "out");
+  Watch hasty({{"lost_after", 0.0}});
+  CHECK(hasty.at(0, true) == "in");
+  CHECK(hasty.at(0.01, false) == "out");
+  CHECK(hasty.at(0.02, true) == "in");
 }
 
 TEST_CASE("Threshold, gain and speed of find_resource are parameters") {

@@ -1,4 +1,6 @@
 // Worlds that show what a coordinator is good for, or what it is not.
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -85,6 +87,15 @@ TEST_CASE("Context rules take a robot past obstacles and to the charger on its w
   }
 }
 
+namespace {
+
+std::ptrdiff_t count(const json& result, const std::string& event) {
+  return std::count_if(result["events"].begin(), result["events"].end(),
+                       [&](const json& raised) { return raised["name"] == event; });
+}
+
+}  // namespace
+
 TEST_CASE("A network that blends search and avoidance collects all four resources") {
   Workplace here;
   for (const std::string hidden : {"2 2", "4 4"}) {
@@ -97,6 +108,9 @@ TEST_CASE("A network that blends search and avoidance collects all four resource
               .out);
       CHECK(result["outcome"] == "success");
       CHECK(result["robots"][0]["collected"] == 4);
+      // One comes into view after the other, and each is lost when it was collected at the soonest.
+      CHECK(count(result, "resource_in_view") == 4);
+      CHECK(count(result, "resource_out_of_view") == 3);
       distance_m += result["robots"][0]["distance_m"].get<double>() / 20;
       time_s += result["simulated_s"].get<double>() / 20;
     }

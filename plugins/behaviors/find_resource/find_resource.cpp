@@ -17,6 +17,7 @@ class FindResource final : public elsie::Behavior {
   double speed = 20.0;
   double search_column = -50.0;
   double search_activation = 0.2;
+  double lost_after = 0.5;
 
   void reset(elsie::Random&) override { in_view_ = false; }
 
@@ -32,14 +33,26 @@ class FindResource final : public elsie::Behavior {
       response.command = steer(search_column, fov_of(views[0]));
       response.activation = search_activation;
     }
-    if (in_view_ != nearest.has_value()) {
-      in_view_ = nearest.has_value();
-      response.events.push_back({in_view_ ? "resource_in_view" : "resource_out_of_view"});
-    }
+    watch(nearest.has_value(), now.time_s(), response);
     return response;
   }
 
  private:
+  /// Raises events. A blob at the edge of the picture comes and goes from one picture to the next:
+  /// only what was not seen for a while is lost.
+  void watch(bool seen, double time_s, elsie::Response& response) {
+    if (seen) {
+      last_seen_s_ = time_s;
+      if (!in_view_) {
+        in_view_ = true;
+        response.events.push_back({"resource_in_view"});
+      }
+    } else if (in_view_ && time_s - last_seen_s_ >= lost_after) {
+      in_view_ = false;
+      response.events.push_back({"resource_out_of_view"});
+    }
+  }
+
   struct Target {
     double column = 0.0;
     double fov_deg = 0.0;
@@ -73,7 +86,8 @@ class FindResource final : public elsie::Behavior {
     return {speed, speed};
   }
 
-  bool in_view_ = false;
+  bool in_view_ = false;  // as the events have told it
+  double last_seen_s_ = 0.0;
 };
 
 }  // namespace
@@ -107,6 +121,11 @@ ELSIE_BEHAVIOR(
                       .max = 1,
                       .meaning = "how much it has to say while nothing is seen; 0.5 to 1 is how "
                                  "much it has when something is"}),
+    elsie::parameter("lost_after", &FindResource::lost_after,
+                     {.unit = "s",
+                      .min = 0,
+                      .meaning = "resource_out_of_view is raised when nothing was seen for so "
+                                 "long; the commands do not wait"}),
     elsie::raises("resource_in_view", "a resource has come into view"),
     elsie::raises("resource_out_of_view",
-                  "no resource is in view any more: lost, hidden or collected"));
+                  "no resource was in view for a while (lost_after): lost, hidden or collected"));
