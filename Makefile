@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: tools all demo test sanitize bench figures four-resources reference format lint dependencies configure clean
+.PHONY: install package tools all demo test sanitize bench figures four-resources reference format lint dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -24,6 +24,16 @@ demo: configure
 
 test: all
 	ctest --preset $(PRESET)
+
+# Installs what was built: docs/installing.md.
+PREFIX ?= /usr/local
+install: configure
+	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins elsie_help
+	cmake --install $(BUILD) --prefix $(PREFIX)
+
+# A Debian package of the same.
+package: all
+	cd $(BUILD) && cpack
 
 # The unit tests under the address and undefined-behaviour sanitizers.
 sanitize: dependencies

@@ -14,7 +14,8 @@ function(elsie_add_plugin name)
     ${name}
     PROPERTIES PREFIX ""
                CXX_VISIBILITY_PRESET hidden
-               VISIBILITY_INLINES_HIDDEN ON)
+               VISIBILITY_INLINES_HIDDEN ON
+               INSTALL_RPATH "$ORIGIN/../..")
   if(ELSIE_PLUGIN_OUTPUT_DIRECTORY)
     set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${ELSIE_PLUGIN_OUTPUT_DIRECTORY}")
   endif()

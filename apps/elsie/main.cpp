@@ -114,6 +114,8 @@ int main(int argc, char** argv) {
   add_schema_command(program, job);
   add_fuzzy_command(program, job);
   add_train_command(program, job);
+  add_manual_command(program, job);
+  add_completion_command(program, job);
   try {
     check_subcommand(program, argc, argv);
     program.parse(argc, argv);

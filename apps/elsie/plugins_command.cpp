@@ -34,6 +34,7 @@ struct PluginsOptions {
   PluginOptions plugins;
   bool check = false;
   bool json = false;
+  bool names = false;
 };
 
 struct DescribeOptions {
@@ -235,10 +236,20 @@ void print_json(const Host& host) {
   std::cout << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
 }
 
+void print_names(const Host& host) {
+  for (const PluginKind kind : kKinds) {
+    for (const Declaration* plugin : host.all(kind)) {
+      std::cout << plugin->name << '\n';
+    }
+  }
+}
+
 int plugins(const PluginsOptions& options) {
   const Host host = load_plugins(options.plugins);
   if (options.json) {
     print_json(host);
+  } else if (options.names) {
+    print_names(host);
   } else {
     options.check ? print_check(host) : print_list(host);
   }
@@ -300,6 +311,7 @@ void add_plugins_command(CLI::App& program, Job& job) {
   command->add_flag("--check", options->check,
                     "For every file in every directory: what it is, or why it was refused");
   command->add_flag("--json", options->json, "Print everything as one JSON object");
+  command->add_flag("--names", options->names, "Print the names alone, a line each");
   options->plugins.add_to(*command);
   command->callback([&job, options] { job = [options] { return plugins(*options); }; });
 }

@@ -114,11 +114,16 @@ TEST_CASE("The first example is a plugin of fewer than 30 lines that does its jo
   const fs::path source = elsie::test::source_path("examples/01-first-behavior/shy.cpp");
   const std::string code = read(source);
   CHECK(std::count(code.begin(), code.end(), '\n') < 30);
+}
+
+TEST_CASE("The examples do their jobs") {
   Workplace here;
-  const auto run = here.elsie("run examples/01-first-behavior/world.xml --plugin-path " +
-                              elsie::test::build_path("examples"));
-  CAPTURE(run.out, run.err);
-  CHECK(run.exit_code == 0);
+  for (const std::string example : {"01-first-behavior", "02-coordinator", "03-new-sensor"}) {
+    const auto run = here.elsie("run examples/" + example + "/world.xml --plugin-path " +
+                                elsie::test::build_path("examples"));
+    CAPTURE(example, run.out, run.err);
+    CHECK(run.exit_code == 0);
+  }
 }
 
 TEST_CASE("Links between the docs lead somewhere") {

@@ -1,0 +1,149 @@
+// elsie completion: what a shell needs to complete the program's words.
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "command.h"
+#include "command_tree.h"
+
+namespace {
+
+/// In single quotes, for both shells.
+std::string in_quotes(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text) {
+    out += c == '\'' ? "'\\''" : std::string(1, c);
+  }
+  return out + "'";
+}
+
+std::string joined(const std::vector<std::string>& words, const char* between) {
+  std::string line;
+  for (const std::string& word : words) {
+    line += (line.empty() ? "" : between) + word;
+  }
+  return line;
+}
+
+void write_bash_command(std::ostream& out, const CommandFacts& command) {
+  std::vector<std::string> words;
+  out << "    " << command.name << ")\n      case $previous in\n";
+  for (const OptionFacts& option : command.options) {
+    if (option.positional) {
+      continue;
+    }
+    words.insert(words.end(), option.names.begin(), option.names.end());
+    if (!option.choices.empty()) {
+      out << "        " << joined(option.names, "|") << ") COMPREPLY=($(compgen -W "
+          << in_quotes(joined(option.choices, " ")) << " -- \"$word\")); return ;;\n";
+    } else if (option.takes_file) {
+      out << "        " << joined(option.names, "|") << ") COMPREPLY=($(compgen -f -- \"$word\")); "
+          << "return ;;\n";
+    } else if (!option.value.empty()) {
+      out << "        " << joined(option.names, "|") << ") return ;;\n";
+    }
+  }
+  out << "      esac\n      options=" << in_quotes(joined(words, " ")) << " ;;\n";
+}
+
+void write_bash(std::ostream& out, const std::vector<CommandFacts>& commands) {
+  std::vector<std::string> names;
+  for (const CommandFacts& command : commands) {
+    names.push_back(command.name);
+  }
+  out << "# Completion of elsie for bash.\n"
+         "_elsie() {\n"
+         "  local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} options=\n"
+         "  COMPREPLY=()\n"
+         "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
+         "    COMPREPLY=($(compgen -W "
+      << in_quotes(joined(names, " ") + " --help --version")
+      << " -- \"$word\"))\n    return\n  fi\n  case ${COMP_WORDS[1]} in\n";
+  for (const CommandFacts& command : commands) {
+    write_bash_command(out, command);
+  }
+  out << "  esac\n"
+         "  case ${COMP_WORDS[1]} in\n"
+         "    describe) [[ $word == -* ]] || {\n"
+         "      COMPREPLY=($(compgen -W \"world $(elsie plugins --names 2>/dev/null)\" -- "
+         "\"$word\")); return; } ;;\n"
+         "  esac\n"
+         "  if [[ $word == -* ]]; then\n"
+         "    COMPREPLY=($(compgen -W \"$options\" -- \"$word\"))\n"
+         "  else\n"
+         "    COMPREPLY=($(compgen -f -- \"$word\"))\n"
+         "  fi\n"
+         "}\n"
+         "complete -o filenames -F _elsie elsie\n";
+}
+
+/// A description inside of _arguments' square brackets.
+std::string bracketed(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    out +=
+        c == '[' || c == ']' || c == ':' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  }
+  return out;
+}
+
+void write_zsh_command(std::ostream& out, const CommandFacts& command) {
+  out << "    " << command.name << ")\n      _arguments";
+  for (const OptionFacts& option : command.options) {
+    if (option.positional) {
+      out << " \\\n        " << in_quotes("*:" + option.names.front() + ":_files");
+      continue;
+    }
+    for (const std::string& name : option.names) {
+      std::string words = "*" + name + "[" + bracketed(option.meaning) + "]";
+      if (!option.choices.empty()) {
+        words += ":" + option.value + ":(" + joined(option.choices, " ") + ")";
+      } else if (!option.value.empty()) {
+        words += ":" + bracketed(option.value) + ":" + (option.takes_file ? "_files" : "");
+      }
+      out << " \\\n        " << in_quotes(words);
+    }
+  }
+  out << " ;;\n";
+}
+
+void write_zsh(std::ostream& out, const std::vector<CommandFacts>& commands) {
+  out << "#compdef elsie\n"
+         "_elsie() {\n"
+         "  local -a commands\n"
+         "  commands=(";
+  for (const CommandFacts& command : commands) {
+    out << "\n    " << in_quotes(command.name + ":" + command.meaning);
+  }
+  out << ")\n"
+         "  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n"
+         "  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n"
+         "  case $command in\n";
+  for (const CommandFacts& command : commands) {
+    write_zsh_command(out, command);
+  }
+  out << "  esac\n}\n_elsie \"$@\"\n";
+}
+
+}  // namespace
+
+void add_completion_command(CLI::App& program, Job& job) {
+  CLI::App* command = program.add_subcommand("completion", "Print completion for a shell");
+  command->footer(
+      "\nExamples:\n  source <(elsie completion bash)\n"
+      "  elsie completion zsh > ~/.zfunc/_elsie\n");
+  auto shell = std::make_shared<std::string>();
+  command->add_option("SHELL", *shell, "bash or zsh")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh"}));
+  command->callback([&job, &program, shell] {
+    job = [&program, shell] {
+      (*shell == "bash" ? write_bash : write_zsh)(std::cout, commands_of(program));
+      return kSuccess;
+    };
+  });
+}

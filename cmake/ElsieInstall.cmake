@@ -1,0 +1,61 @@
+# `cmake --install`: program, library, plugins, headers, data, the CMake package, the manual page and shell completion. Nothing of it knows
+# its prefix. `cpack` makes a Debian package of the same.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS elsie RUNTIME)
+install(TARGETS elsie_library EXPORT elsie-targets LIBRARY)
+set_target_properties(elsie_library PROPERTIES EXPORT_NAME elsie)
+
+# The plugins as they lie in the build, so that a folder dropped into plugins/ is installed, too.
+foreach(plugin IN LISTS ELSIE_SHIPPED_PLUGINS)
+  install(TARGETS ${plugin} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie/plugins")
+endforeach()
+
+install(DIRECTORY fuzzy_models robots training_sets worlds DESTINATION "${CMAKE_INSTALL_DATADIR}/elsie")
+install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES README.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+# find_package(elsie)
+set(package "${CMAKE_INSTALL_LIBDIR}/cmake/elsie")
+configure_package_config_file(cmake/package/elsie-config.cmake.in "${CMAKE_CURRENT_BINARY_DIR}/package/elsie-config.cmake"
+                              INSTALL_DESTINATION "${package}" NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/package/elsie-config-version.cmake"
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/package/elsie-config.cmake"
+              "${CMAKE_CURRENT_BINARY_DIR}/package/elsie-config-version.cmake" cmake/ElsiePlugin.cmake
+        DESTINATION "${package}")
+install(EXPORT elsie-targets NAMESPACE elsie:: DESTINATION "${package}")
+
+# What the program says of itself, from one source: its own description of its subcommands and options.
+set(help "${CMAKE_CURRENT_BINARY_DIR}/help")
+file(MAKE_DIRECTORY "${help}")
+add_custom_command(
+  OUTPUT "${help}/elsie.1" "${help}/elsie.bash" "${help}/_elsie"
+  COMMAND elsie manual > "${help}/elsie.1"
+  COMMAND elsie completion bash > "${help}/elsie.bash"
+  COMMAND elsie completion zsh > "${help}/_elsie"
+  DEPENDS elsie
+  VERBATIM)
+add_custom_target(elsie_help ALL DEPENDS "${help}/elsie.1")
+install(FILES "${help}/elsie.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+install(FILES "${help}/elsie.bash" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME elsie)
+install(FILES "${help}/_elsie" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions")
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The Elsie developers <elsie@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGE_DESCRIPTION
+    "A physics-based, fixed-step simulator in which a robot is driven by several
+ small behaviours that run side by side, and a coordinator that turns their
+ wishes into one motor command. Behaviours, coordinators and sensors are shared
+ libraries found at run time; this package has what is needed to write them.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/lib")
+# Cameras draw through EGL, in software where there is no graphics card.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake, catch2")
+include(CPack)
