@@ -33,7 +33,7 @@ std::vector<std::string> choices_of(const CLI::Option& option) {
 }
 
 bool names_file(const std::string& value) {
-  for (const char* word : {"FILE", "DIR", "WORLD", "TRACE", "MODEL", "TEMPLATE"}) {
+  for (const char* word : {"FILE", "DIR", "SOURCE", "WORLD", "TRACE", "MODEL", "TEMPLATE"}) {
     if (value.find(word) != std::string::npos) {
       return true;
     }

@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "elsie/plugin/source_build.h"
 #include "elsie/simulation/trace.h"
 
 #include "command.h"
@@ -18,7 +19,43 @@ void PluginOptions::add_to(CLI::App& command) {
                   "Directory with plugin libraries, searched before all others; may be repeated")
       ->type_name("DIR")
       ->allow_extra_args(false);
+  command
+      .add_option("--plugin", files,
+                  "Plugin library, or a plugin's one source file (.cpp), which is compiled first; "
+                  "comes before all others; may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
 }
+
+namespace {
+
+/// The library of a --plugin: itself, or what its source is compiled to.
+fs::path library_of(const std::string& file) {
+  if (elsie::plugin::is_source(file)) {
+    return elsie::plugin::build_source(file).library;
+  }
+  if (fs::path(file).extension() != ".so") {
+    throw BadInput("--plugin: '" + file +
+                   "' should be a plugin library (.so) or the source of one (.cpp)");
+  }
+  if (!fs::is_regular_file(file)) {
+    throw BadInput("--plugin: there is no file '" + file + "'");
+  }
+  return file;
+}
+
+/// A file that was asked for by name must be of use.
+void require_loaded(const elsie::plugin::Host& host, const std::vector<std::string>& files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (const auto& file : host.report().directories[i].files) {
+      if (file.status != elsie::plugin::FileStatus::loaded) {
+        throw BadInput("--plugin: '" + files[i] + "' " + file.sentence);
+      }
+    }
+  }
+}
+
+}  // namespace
 
 elsie::plugin::Host load_plugins(const PluginOptions& options) {
   std::vector<fs::path> extra;
@@ -28,7 +65,15 @@ elsie::plugin::Host load_plugins(const PluginOptions& options) {
     }
     extra.emplace_back(directory);
   }
-  elsie::plugin::Host host(elsie::plugin::default_search_path(extra));
+  std::vector<elsie::plugin::SearchDirectory> places;
+  for (const std::string& file : options.files) {
+    places.push_back({library_of(file), "--plugin"});
+  }
+  for (auto& directory : elsie::plugin::default_search_path(extra)) {
+    places.push_back(std::move(directory));
+  }
+  elsie::plugin::Host host(std::move(places));
+  require_loaded(host, options.files);
   for (const std::string& warning : host.report().warnings) {
     spdlog::warn(warning);
   }

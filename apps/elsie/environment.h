@@ -15,12 +15,14 @@ class App;
 /// The options of every subcommand that needs plugins.
 struct PluginOptions {
   std::vector<std::string> directories;
+  std::vector<std::string> files;  // libraries, or sources to compile
 
   void add_to(CLI::App& command);
 };
 
-/// Loads the plugins; warnings go to the log, unless it is set to errors only. Throws BadInput for
-/// a directory on the command line that is not there.
+/// Loads the plugins, those given as source after compiling them; warnings go to the log, unless it
+/// is set to errors only. Throws BadInput for what was given on the command line and cannot be
+/// used.
 elsie::plugin::Host load_plugins(const PluginOptions& options);
 
 /// ELSIE_DATA_PATH, then share/elsie beside the program's directory.

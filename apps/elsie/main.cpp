@@ -9,6 +9,7 @@
 #include "elsie/fuzzy/error.h"
 #include "elsie/neural/error.h"
 #include "elsie/plugin/near_name.h"
+#include "elsie/plugin/source_build.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/world/error.h"
 
@@ -68,6 +69,12 @@ int finish(const Job& job) {
   } catch (const elsie::neural::FileError& error) {
     std::cerr << error.what() << '\n';
     return kBadInput;
+  } catch (const elsie::plugin::BuildError& error) {
+    std::cerr << error.what() << '\n';  // the compiler's own messages
+    return kBadInput;
+  } catch (const elsie::plugin::PluginError& error) {
+    std::cerr << "elsie: " << error.what() << '\n';
+    return kBadInput;
   } catch (const BadInput& error) {
     std::cerr << "elsie: " << error.what() << '\n';
     return kBadInput;
@@ -114,6 +121,7 @@ int main(int argc, char** argv) {
   add_schema_command(program, job);
   add_fuzzy_command(program, job);
   add_train_command(program, job);
+  add_build_command(program, job);
   add_manual_command(program, job);
   add_completion_command(program, job);
   try {

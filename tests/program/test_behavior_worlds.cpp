@@ -53,7 +53,8 @@ TEST_CASE("find_resource collects what its team collects, and no decoy, through 
 TEST_CASE("follow_the_leader gathers those within coverage around the leader, and only those") {
   check_twenty_seeds("gathering");
   check_fails("gathering", "robot[f1]/behavior[follow_the_leader]/@remove=true");
-  check_fails("gathering", "robot[leader]/@coverage=3");  // all come, and three are to stay where they are
+  check_fails("gathering",
+              "robot[leader]/@coverage=3");  // all come, and three are to stay where they are
 }
 
 TEST_CASE(

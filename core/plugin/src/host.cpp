@@ -66,15 +66,20 @@ struct Host::State {
   void enter(LoadedLibrary loaded, FileReport& file);
 };
 
-/// Lists the directory's files in the order of their names; a sentence when that is not to be done.
+/// Lists the directory's files in the order of their names, or the one that it is itself; a
+/// sentence when that is not to be done.
 std::string Host::State::list(const SearchDirectory& directory, std::vector<fs::path>& files) {
   struct stat status {};
   if (stat(directory.path.c_str(), &status) != 0) {
     return errno == ENOENT ? "does not exist"
                            : "cannot be read: " + std::generic_category().message(errno);
   }
+  if (S_ISREG(status.st_mode)) {
+    files.push_back(directory.path);
+    return "";
+  }
   if (!S_ISDIR(status.st_mode)) {
-    return "is not a directory";
+    return "is neither a directory nor a file";
   }
   const auto [known, is_new] = seen.try_emplace({status.st_dev, status.st_ino}, directory.path);
   if (!is_new) {

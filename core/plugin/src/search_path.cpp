@@ -6,19 +6,12 @@
 #include <system_error>
 #include <utility>
 
-#include <dlfcn.h>
+#include "own_library.h"
 
 namespace elsie::plugin {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The file with the code of this module: libelsie, or a program that contains it.
-fs::path file_of_this_library() {
-  Dl_info info{};
-  const void* const here = &kPluginPathVariable;
-  return dladdr(here, &info) != 0 && info.dli_fname ? fs::path(info.dli_fname) : fs::path();
-}
 
 class Path {
  public:

@@ -12,7 +12,7 @@ namespace elsie::plugin {
 inline constexpr const char* kPluginPathVariable = "ELSIE_PLUGIN_PATH";
 
 struct SearchDirectory {
-  std::filesystem::path path;
+  std::filesystem::path path;  // or that of one library
   std::string origin;  // who asked for it: "given", "ELSIE_PLUGIN_PATH", "beside the program"...
 };
 

@@ -1,0 +1,82 @@
+// elsie build: compiles a plugin of one source file.
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+
+#include "elsie/plugin/host.h"
+#include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/source_build.h"
+
+#include "command.h"
+#include "environment.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string source;
+  std::string output;
+};
+
+/// Whole or not at all.
+void copy_whole(const fs::path& from, const fs::path& to) {
+  const fs::path scratch = to.string() + ".new";
+  std::error_code error;
+  fs::copy_file(from, scratch, fs::copy_options::overwrite_existing, error);
+  if (!error) {
+    fs::rename(scratch, to, error);
+  }
+  if (error) {
+    std::error_code ignored;
+    fs::remove(scratch, ignored);
+    throw std::runtime_error("'" + to.string() + "' could not be written: " + error.message());
+  }
+}
+
+int build(const Options& options) {
+  const fs::path output =
+      options.output.empty() ? fs::path(options.source).stem().string() + ".so" : options.output;
+  if (output.extension() != ".so") {
+    throw BadInput("--output: a plugin library's name must end in .so, but '" + output.string() +
+                   "' does not");
+  }
+  require_writable(output, "--output");
+  const auto built = elsie::plugin::build_source(options.source);
+  // What could not be used is not kept.
+  const elsie::plugin::Host host({{built.library, "built"}});
+  const auto& file = host.report().directories.front().files.front();
+  if (file.status != elsie::plugin::FileStatus::loaded) {
+    throw BadInput("'" + options.source + "' was compiled, but its library " + file.sentence);
+  }
+  copy_whole(built.library, output);
+  for (const auto& plugin : file.plugins) {
+    std::cout << output.string() << ": " << elsie::plugin::kind_name(plugin.kind) << " '"
+              << plugin.name << "'" << (built.from_cache ? ", unchanged" : "") << '\n';
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_build_command(CLI::App& program, Job& job) {
+  CLI::App* command =
+      program.add_subcommand("build", "Compile a plugin of one source file to a library");
+  command->footer(
+      "\nExamples:\n  elsie build my_behavior.cpp\n"
+      "  elsie build my_behavior.cpp --output plugins/my_behavior.so\n\n"
+      "The compiler is $CXX, else c++; $CXXFLAGS are added to its flags. `elsie run WORLD "
+      "--plugin\n"
+      "my_behavior.cpp` compiles and runs in one go.\n");
+  auto options = std::make_shared<Options>();
+  command->add_option("SOURCE", options->source, "C++ source file")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Library to write; default: the source's name with .so, here")
+      ->type_name("FILE.so");
+  command->callback([&job, options] { job = [options] { return build(*options); }; });
+}

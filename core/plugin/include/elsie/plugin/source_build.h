@@ -1,0 +1,47 @@
+// A plugin of one source file, compiled on the spot: no build system.
+//
+//   const plugin::SourceBuild built = plugin::build_source("my_behavior.cpp");
+//   plugin::Host host({{built.library, "my_behavior.cpp"}});
+//
+// The system's compiler does it ($CXX, else c++), against the headers and the library that this
+// program runs with, with the flags that plugins need and those of $CXXFLAGS. What was compiled is
+// kept in a cache: as long as the source, the headers it includes, the compiler and libelsie are
+// the same, it is not compiled again.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "elsie/plugin/error.h"
+
+namespace elsie::plugin {
+
+struct SourceBuild {
+  /// The library. Another content has another name, so that a new one can be loaded beside an old.
+  std::filesystem::path library;
+  /// The source and every header that it includes, but for the system's: what to watch.
+  std::vector<std::filesystem::path> inputs;
+  bool from_cache = false;
+};
+
+/// The compiler refused the source. what() has its messages as they are, and a last line that says
+/// what was to be done.
+class BuildError : public PluginError {
+ public:
+  using PluginError::PluginError;
+};
+
+/// Whether a file's name says that it is C++ source: .cpp, .cc, .cxx.
+bool is_source(const std::filesystem::path& file);
+
+/// $ELSIE_CACHE, else elsie/ in $XDG_CACHE_HOME or ~/.cache, else in the folder for temporary
+/// files.
+std::filesystem::path cache_directory();
+
+/// Compiles the source unless the cache has it. Throws BuildError; PluginError when there is no
+/// such file, no compiler, no headers, or no place to write to.
+SourceBuild build_source(const std::filesystem::path& source,
+                         const std::filesystem::path& cache = cache_directory());
+
+}  // namespace elsie::plugin

@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/plugin/abi_word.h"
+#include "elsie/plugin/host.h"
+#include "elsie/plugin/source_build.h"
+
+#include "support.h"
+
+using namespace elsie;
+using namespace elsie::plugin;
+using namespace elsie::plugin::test;
+using Catch::Contains;
+
+namespace {
+
+/// A behaviour whose wheel rates are those of speed.h.
+constexpr const char* kSource = R"(#include <elsie/api/behavior.h>
+#include "speed.h"
+class Straight final : public elsie::Behavior {
+ public:
+  elsie::Response respond(const elsie::Perception&) override {
+    return elsie::MotorCommand{kSpeed, kSpeed};
+  }
+};
+ELSIE_BEHAVIOR(Straight, "straight", "Drives straight on");
+)";
+
+double speed_of(const SourceBuild& build) {
+  const Host host({{build.library, "given"}});
+  const auto object = host.create<Behavior>(PluginKind::behavior, "straight");
+  return answer(*object).left;
+}
+
+/// Sets a variable of the environment for the life of the object.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value) : name_(name) {
+    if (const char* before = std::getenv(name)) {
+      before_ = before;
+    }
+    setenv(name, value.c_str(), 1);
+  }
+  ~Variable() { before_.empty() ? unsetenv(name_) : setenv(name_, before_.c_str(), 1); }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+  std::string before_;
+};
+
+std::string refusal(const std::filesystem::path& source, const std::filesystem::path& cache) {
+  try {
+    build_source(source, cache);
+  } catch (const PluginError& error) {
+    return error.what();
+  }
+  return "it was built";
+}
+
+}  // namespace
+
+TEST_CASE("A source file becomes a plugin, and is compiled anew only when something has changed") {
+  Folder here, cache;
+  write(here / "straight.cpp", std::string_view(kSource));
+  write(here / "speed.h", std::string_view("constexpr double kSpeed = 3.0;\n"));
+  const SourceBuild first = build_source(here / "straight.cpp", cache.path());
+  CHECK_FALSE(first.from_cache);
+  CHECK(speed_of(first) == 3.0);
+  const auto watched = [&](const std::string& name) {
+    return std::any_of(first.inputs.begin(), first.inputs.end(),
+                       [&](const auto& file) { return file.filename() == name; });
+  };
+  CHECK(watched("straight.cpp"));
+  CHECK(watched("speed.h"));
+  CHECK(watched("behavior.h"));
+  CHECK_FALSE(watched("cmath"));  // the system's
+
+  const SourceBuild again = build_source(here / "straight.cpp", cache.path());
+  CHECK(again.from_cache);
+  CHECK(again.library == first.library);
+  CHECK(again.inputs == first.inputs);
+
+  // A header that it includes has changed; both libraries can be in use at once.
+  write(here / "speed.h", std::string_view("constexpr double kSpeed = 4.0;\n"));
+  const SourceBuild second = build_source(here / "straight.cpp", cache.path());
+  CHECK_FALSE(second.from_cache);
+  CHECK(second.library != first.library);
+  CHECK(speed_of(second) == 4.0);
+  CHECK(speed_of(first) == 3.0);
+
+  // The same names elsewhere are another plugin.
+  Folder there;
+  write(there / "straight.cpp", std::string_view(kSource));
+  write(there / "speed.h", std::string_view("constexpr double kSpeed = 5.0;\n"));
+  CHECK(speed_of(build_source(there / "straight.cpp", cache.path())) == 5.0);
+}
+
+TEST_CASE("What the compiler says is passed on, and the cache keeps nothing of it") {
+  Folder here, cache;
+  write(here / "wrong.cpp",
+        std::string_view("#include <elsie/api/behavior.h>\nint wrong = none;\n"));
+  CHECK_THROWS_AS(build_source(here / "wrong.cpp", cache.path()), BuildError);
+  const std::string message = refusal(here / "wrong.cpp", cache.path());
+  CHECK_THAT(message, Contains("wrong.cpp:2:13: error:"));
+  CHECK_THAT(message, Contains("could not be compiled"));
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(cache.path())) {
+    CHECK(entry.is_directory());
+  }
+}
+
+TEST_CASE("A missing symbol is found when the plugin is compiled, not when it runs") {
+  Folder here, cache;
+  write(here / "unlinked.cpp",
+        std::string_view("#include <elsie/api/behavior.h>\ndouble nowhere();\n"
+                         "class A : public elsie::Behavior {\n"
+                         "  elsie::Response respond(const elsie::Perception&) override {\n"
+                         "    return elsie::MotorCommand{nowhere(), 0.0};\n  }\n};\n"
+                         "ELSIE_BEHAVIOR(A, \"a\", \"Asks for what is not there\");\n"));
+  if (host_abi_word().find("sanitizer=none") != std::string_view::npos) {
+    CHECK_THAT(refusal(here / "unlinked.cpp", cache.path()), Contains("nowhere()"));
+  }
+}
+
+TEST_CASE("What cannot be compiled is told in a sentence") {
+  Folder here, cache;
+  CHECK(refusal("notes.txt", cache.path()) ==
+        "'notes.txt' is no C++ source: its name should end in .cpp, .cc or .cxx");
+  CHECK(refusal("missing.cpp", cache.path()) ==
+        "'missing.cpp' cannot be read: No such file or directory; check the path");
+  std::filesystem::create_directory(here / "folder.cpp");
+  CHECK_THAT(refusal(here / "folder.cpp", cache.path()), Contains("is no file; check the path"));
+  write(here / "straight.cpp", std::string_view(kSource));
+  {
+    const Variable compiler("CXX", "no-such-compiler");
+    CHECK(refusal(here / "straight.cpp", cache.path()) ==
+          "there is no compiler 'no-such-compiler' to compile a plugin with; install g++ (on "
+          "Debian: apt install g++), or name another one in the environment variable CXX");
+  }
+  write(here / "occupied", std::string_view("a file"));
+  CHECK_THAT(refusal(here / "straight.cpp", here / "occupied"),
+             Contains("for compiled plugins cannot be made") && Contains("ELSIE_CACHE"));
+}
+
+TEST_CASE("Flags of the user's own are part of what is cached") {
+  Folder here, cache;
+  write(here / "straight.cpp",
+        std::string_view("#include <elsie/api/behavior.h>\n"
+                         "class S final : public elsie::Behavior {\n"
+                         "  elsie::Response respond(const elsie::Perception&) override {\n"
+                         "    return elsie::MotorCommand{SPEED, SPEED};\n  }\n};\n"
+                         "ELSIE_BEHAVIOR(S, \"straight\", \"Drives straight on\");\n"));
+  const auto built = [&](const std::string& flags) {
+    const Variable variable("CXXFLAGS", flags);
+    return speed_of(build_source(here / "straight.cpp", cache.path()));
+  };
+  CHECK(built("-DSPEED=1.0") == 1.0);
+  CHECK(built("-DSPEED=2.0") == 2.0);
+  CHECK(built("-DSPEED=1.0") == 1.0);
+}
+
+TEST_CASE("The cache is where the environment says") {
+  const Variable own("ELSIE_CACHE", "");
+  const Variable user("XDG_CACHE_HOME", "/x");
+  CHECK(cache_directory() == "/x/elsie");
+  const Variable named("ELSIE_CACHE", "/y");
+  CHECK(cache_directory() == "/y");
+}
