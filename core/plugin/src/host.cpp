@@ -74,12 +74,12 @@ std::string Host::State::list(const SearchDirectory& directory, std::vector<fs::
     return errno == ENOENT ? "does not exist"
                            : "cannot be read: " + std::generic_category().message(errno);
   }
-  if (S_ISREG(status.st_mode)) {
+  if (S_ISREG(status.st_mode) && directory.path.extension() == ".so") {
     files.push_back(directory.path);
     return "";
   }
   if (!S_ISDIR(status.st_mode)) {
-    return "is neither a directory nor a file";
+    return "is not a directory";
   }
   const auto [known, is_new] = seen.try_emplace({status.st_dev, status.st_ino}, directory.path);
   if (!is_new) {
