@@ -88,11 +88,22 @@ TEST_CASE("The report tells what was found in each file") {
   CHECK(notes.sentence == "its name does not end in .so");
 }
 
+TEST_CASE("A search path may name one library, and then no other of its folder is loaded") {
+  Folder folder;
+  folder.with("good").with("twin_a");
+  const Host host({{folder / "good.so", "given"}});
+  REQUIRE(host.report().directories.size() == 1);
+  REQUIRE(host.report().directories[0].files.size() == 1);
+  CHECK(host.report().directories[0].files[0].status == FileStatus::loaded);
+  CHECK(host.report().directories[0].problem.empty());
+}
+
 TEST_CASE("Directories that cannot be searched are told with the reason") {
   Folder folder;
   folder.with("good");
+  write(folder / "notes.txt", std::string_view("no folder"));
   const Host host({{folder / "nothing", "given"},
-                   {folder / "good.so", "given"},
+                   {folder / "notes.txt", "given"},
                    {folder.path(), "given"},
                    {folder.path() / ".", "given"}});
   const auto& directories = host.report().directories;
