@@ -24,6 +24,15 @@ CLI::Validator positive_number() {
       "NUMBER > 0");
 }
 
+CLI::Validator non_negative_number() {
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        const auto value = parse_number(text);
+        return value && *value >= 0.0 ? "" : "'" + text + "' is not a number of zero or above";
+      },
+      "NUMBER >= 0");
+}
+
 CLI::Validator seed_number() {
   return CLI::Validator(
       [](std::string& text) -> std::string {

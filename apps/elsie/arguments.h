@@ -15,5 +15,8 @@ std::optional<double> parse_number(std::string_view text);
 /// For options that take a finite number above zero.
 CLI::Validator positive_number();
 
+/// For options that take a finite number, zero or above.
+CLI::Validator non_negative_number();
+
 /// For seeds: a whole number of 64 bits, without a sign.
 CLI::Validator seed_number();

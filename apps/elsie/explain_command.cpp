@@ -129,7 +129,7 @@ void add_explain_command(CLI::App& program, Job& job) {
       ->type_name("ID")
       ->allow_extra_args(false);
   command->add_option("--from", options->from, "Begin at this simulated time, s")
-      ->check(CLI::NonNegativeNumber);
+      ->check(non_negative_number());
   command->add_option("--to", options->to, "End at this simulated time, s")
       ->check(positive_number());
   command

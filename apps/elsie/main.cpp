@@ -8,12 +8,12 @@
 
 #include "elsie/fuzzy/error.h"
 #include "elsie/neural/error.h"
-#include "elsie/plugin/near_name.h"
 #include "elsie/plugin/source_build.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/world/error.h"
 
 #include "command.h"
+#include "usage.h"
 
 namespace {
 
@@ -36,24 +36,6 @@ void set_up_log() {
   spdlog::set_default_logger(log);
   const char* level = std::getenv("ELSIE_LOG");
   spdlog::set_level(level ? spdlog::level::from_str(level) : spdlog::level::warn);
-}
-
-/// The first argument must be a subcommand or an option; says which one was meant when it is not.
-void check_subcommand(const CLI::App& program, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') {
-    return;
-  }
-  std::vector<std::string> names;
-  std::string list;
-  for (const CLI::App* command : program.get_subcommands({})) {
-    if (command->get_name() == argv[1]) {
-      return;
-    }
-    names.push_back(command->get_name());
-    list += (list.empty() ? "" : ", ") + command->get_name();
-  }
-  throw BadInput("there is no subcommand '" + std::string(argv[1]) + "'" +
-                 elsie::plugin::did_you_mean(argv[1], names) + "\nthere are: " + list);
 }
 
 /// Runs the job; every error becomes a message and an exit code.
@@ -111,6 +93,7 @@ int main(int argc, char** argv) {
   program.set_version_flag("--version", "elsie " ELSIE_VERSION);
   program.require_subcommand(1);
   program.footer(kExamples);
+  program.failure_message(usage_message);
   Job job;
   add_run_command(program, job);
   add_explain_command(program, job);
@@ -125,7 +108,7 @@ int main(int argc, char** argv) {
   add_manual_command(program, job);
   add_completion_command(program, job);
   try {
-    check_subcommand(program, argc, argv);
+    check_words(program, argc, argv);
     program.parse(argc, argv);
   } catch (const BadInput& error) {
     std::cerr << "elsie: " << error.what() << '\n';

@@ -316,6 +316,24 @@ void add_plugins_command(CLI::App& program, Job& job) {
   command->callback([&job, options] { job = [options] { return plugins(*options); }; });
 }
 
+namespace {
+
+PluginKind kind_of(const std::string& word) {
+  for (const PluginKind kind : kKinds) {
+    if (word == kind_name(kind)) {
+      return kind;
+    }
+  }
+  if (word == "behaviour") {
+    return PluginKind::behavior;
+  }
+  throw CLI::ValidationError("--kind", "'" + word +
+                                           "' is no kind of plugin; there are sensor, "
+                                           "behavior and coordinator");
+}
+
+}  // namespace
+
 void add_describe_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "describe",
@@ -328,15 +346,11 @@ void add_describe_command(CLI::App& program, Job& job) {
   command
       ->add_option("PLUGIN", options->name, "Name of a sensor, behavior or coordinator; or 'world'")
       ->required();
-  std::map<std::string, PluginKind> kinds;
-  for (const PluginKind kind : kKinds) {
-    kinds.emplace(kind_name(kind), kind);
-  }
   command
-      ->add_option("--kind", options->kind,
-                   "Which, when plugins of several kinds have that name: sensor, behavior or "
-                   "coordinator")
-      ->transform(CLI::CheckedTransformer(kinds));
+      ->add_option_function<std::string>(
+          "--kind", [options](const std::string& word) { options->kind = kind_of(word); },
+          "Which, when plugins of several kinds have that name")
+      ->type_name("KIND:{sensor,behavior,coordinator}");
   CLI::Option* json =
       command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
   command

@@ -47,7 +47,7 @@ constexpr const char* kExamples = R"(
 Examples:
   elsie train worlds/learned_priorities.xml --robot r1 --weights r1.weights
   elsie train worlds/learned_priorities.xml --hidden '4 4' --seed 3 --curve curve.png
-  elsie run worlds/learned_priorities.xml --set robot[r1]/coordinator/@weights=r1.weights
+  elsie run worlds/learned_priorities.xml --set 'robot[r1]/coordinator/@weights=r1.weights'
 
 The network is the one that `elsie run` trains with the same seed. Exit code 1: it is untrained, for
 it gives the same output whatever the input; the weights are written all the same.

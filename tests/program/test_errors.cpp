@@ -111,3 +111,32 @@ TEST_CASE("Junk among the plugins never stops a run, and plugins --check tells o
   CHECK_THAT(check.out, Catch::Contains("noise.so: ") && Catch::Contains("empty.so: "));
   CHECK_THAT(check.out, Catch::Contains("wander.so: loaded: behavior wander 1.0"));
 }
+
+TEST_CASE("A command line that does not fit is told in sentences") {
+  Workplace here;
+  const auto refused = [&](const std::string& arguments) {
+    const auto run = here.elsie(arguments);
+    CAPTURE(arguments);
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    return run.err.substr(0, run.err.find('\n'));
+  };
+  CHECK(refused("") == "elsie: a subcommand is missing");
+  CHECK(refused("runn worlds/maze.xml") ==
+        "elsie: there is no subcommand 'runn'; did you mean 'run'?");
+  CHECK(refused("run worlds/maze.xml --sed 3") ==
+        "elsie: `elsie run` has no option '--sed'; did you mean '--seed'?");
+  CHECK(refused("run") == "elsie: WORLD is missing");
+  CHECK(refused("run a.xml b.xml") == "elsie: what is 'b.xml' for? Nothing was expected there");
+  CHECK(refused("run worlds/maze.xml --seed") ==
+        "elsie: --seed takes a value, and there is none after it");
+  CHECK(refused("run worlds/maze.xml --record a.csv --record b.csv") ==
+        "elsie: --record is given 2 times; it may be given once");
+  CHECK(refused("picture worlds/maze.xml --width 1e3") ==
+        "elsie: --width: '1e3' is not a whole number from 200 to 8000");
+  CHECK(refused("explain a.trace --from -1") ==
+        "elsie: --from: '-1' is not a number of zero or above");
+  CHECK(refused("describe vision --kind camera") ==
+        "elsie: --kind: 'camera' is no kind of plugin; there are sensor, behavior and coordinator");
+  CHECK(here.elsie("describe wander --kind behaviour").exit_code == 0);
+}

@@ -24,6 +24,15 @@ void read_line(std::string_view line, std::size_t place, const Columns& columns,
   const std::vector<std::string_view> words = words_of(line);
   const std::size_t expected = columns.inputs + columns.outputs;
   if (words.size() != expected) {
+    // What is no number at all says more than how many words there are.
+    for (const std::string_view word : words) {
+      double ignored = 0.0;
+      if (const std::string wrong = read_number(word, ignored); !wrong.empty()) {
+        problems.add(place, wrong + "; every line has " + std::to_string(expected) +
+                                " numbers with tabs or spaces between them, and nothing else");
+        return;
+      }
+    }
     problems.add(
         place, (words.empty() ? std::string("an empty line") : count_text(words.size(), "number")) +
                    ", expected " + std::to_string(expected) + ": " + columns.text());
