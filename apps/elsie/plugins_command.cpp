@@ -157,6 +157,9 @@ ordered_json to_json(const ParameterDeclaration& parameter) {
   if (parameter.facts.required) {
     json["required"] = true;
   }
+  if (!parameter.facts.live) {
+    json["live"] = false;
+  }
   return json;
 }
 

@@ -19,6 +19,7 @@ struct AttributeExtras {
   TextForm form = TextForm::any;
   Reference refers_to = Reference::none;
   bool required = false;
+  bool live = false;
 };
 
 template <class Value>
@@ -75,6 +76,7 @@ class Describe {
     attribute.form = extras.form;
     attribute.refers_to = extras.refers_to;
     attribute.required = extras.required;
+    attribute.live = extras.live;
     if (type == ParameterType::integer) {
       attribute.lowest = std::numeric_limits<int>::min();
       attribute.highest = std::numeric_limits<int>::max();

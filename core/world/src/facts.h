@@ -13,6 +13,7 @@ inline constexpr AttributeExtras kRequiredId{.form = TextForm::id, .required = t
 inline constexpr AttributeExtras kTeam{.form = TextForm::id, .refers_to = Reference::team};
 inline constexpr AttributeExtras kRobot{.form = TextForm::id, .refers_to = Reference::robot};
 inline constexpr AttributeExtras kRequired{.required = true};
+inline constexpr AttributeExtras kLive{.live = true};
 
 inline ParameterFacts fact(std::string meaning) { return {.meaning = std::move(meaning)}; }
 /// A coordinate, or an offset.

@@ -71,7 +71,8 @@ std::string table_of(const std::vector<ParameterDeclaration>& parameters) {
   for (const ParameterDeclaration& parameter : parameters) {
     const Field field = field_of(parameter);
     text += table_row({"`" + field.name + "`", type_in_words(field.type), field.facts.unit,
-                       default_text(field), range_in_words(field), field.facts.meaning});
+                       default_text(field), range_in_words(field),
+                       field.facts.meaning + (field.live ? "" : "; settled before a run")});
   }
   return text;
 }

@@ -55,8 +55,9 @@ std::string table(const std::vector<Field>& fields) {
   }
   std::string text = "\n| attribute | value | default | meaning |\n|---|---|---|---|\n";
   for (const Field& field : fields) {
-    text += table_row(
-        {"`" + field.name + "`", value_in_words(field), default_text(field), field.facts.meaning});
+    text +=
+        table_row({"`" + field.name + "`", value_in_words(field), default_text(field),
+                   field.facts.meaning + (field.live ? "; may change while the world runs" : "")});
   }
   return text;
 }

@@ -121,6 +121,7 @@ Field field_of(const ParameterDeclaration& parameter) {
   field.type = parameter.type;
   field.facts = parameter.facts;
   field.required = parameter.facts.required;
+  field.live = parameter.facts.live;
   if (!field.required) {
     field.default_value = parameter.default_value;
   }

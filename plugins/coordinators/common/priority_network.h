@@ -89,32 +89,41 @@ class WithPriorityNetwork : public Base, public PriorityNetwork {
   elsie::parameter(                                                                               \
       "hidden", &PriorityNetwork::hidden,                                                         \
       {.meaning = "neurons in each hidden layer, such as '4 4'; '0' for no hidden layer; 'auto' " \
-                  "for those of the weights or, where a network is trained, '2 2'"}),             \
+                  "for those of the weights or, where a network is trained, '2 2'",               \
+       .live = false}),                                                                           \
       elsie::parameter("training", &PriorityNetwork::training,                                    \
                        {.meaning = "file of samples to learn from: on each line a number for "    \
-                                   "each range sensor, then one for each behaviour"}),            \
+                                   "each range sensor, then one for each behaviour",              \
+                        .live = false}),                                                          \
       elsie::parameter("weights", &PriorityNetwork::weights,                                      \
                        {.meaning = "file of weights, as elsie train writes it: then nothing is "  \
                                    "trained; hidden must be that of the file, or 'auto'"}),       \
-      elsie::parameter("learning_rate", &PriorityNetwork::learning_rate,                          \
-                       {.above = 0, .max = 1, .meaning = "of back-propagation; below 1"}),        \
-      elsie::parameter("momentum", &PriorityNetwork::momentum,                                    \
-                       {.above = 0, .max = 1, .meaning = "of back-propagation; below 1"}),        \
       elsie::parameter(                                                                           \
-          "threshold", &PriorityNetwork::threshold,                                               \
-          {.min = 0, .meaning = "training ends when the mean error of an epoch is below it"}),    \
+          "learning_rate", &PriorityNetwork::learning_rate,                                       \
+          {.above = 0, .max = 1, .meaning = "of back-propagation; below 1", .live = false}),      \
       elsie::parameter(                                                                           \
-          "presentations", &PriorityNetwork::presentations,                                       \
-          {.min = 1, .meaning = "training ends after so many samples at the latest"}),            \
+          "momentum", &PriorityNetwork::momentum,                                                 \
+          {.above = 0, .max = 1, .meaning = "of back-propagation; below 1", .live = false}),      \
+      elsie::parameter("threshold", &PriorityNetwork::threshold,                                  \
+                       {.min = 0,                                                                 \
+                        .meaning = "training ends when the mean error of an epoch is below it",   \
+                        .live = false}),                                                          \
+      elsie::parameter("presentations", &PriorityNetwork::presentations,                          \
+                       {.min = 1,                                                                 \
+                        .meaning = "training ends after so many samples at the latest",           \
+                        .live = false}),                                                          \
       elsie::parameter("seed", &PriorityNetwork::seed,                                            \
                        {.min = -1,                                                                \
                         .meaning = "fixes the first weights for all runs; -1: each run has its "  \
-                                   "own, which its seed decides"}),                               \
+                                   "own, which its seed decides",                                 \
+                        .live = false}),                                                          \
       elsie::parameter("attempts", &PriorityNetwork::attempts,                                    \
                        {.min = 1,                                                                 \
                         .max = 1000,                                                              \
                         .meaning = "a training that misses a sample is tried again from other "   \
-                                   "first weights, up to so many times; the best one counts"}),   \
+                                   "first weights, up to so many times; the best one counts",     \
+                        .live = false}),                                                          \
       elsie::parameter("normalise", &PriorityNetwork::normalise,                                  \
                        {.meaning = "whether readings are divided by the sensor's maximum range "  \
-                                   "before the network gets them"})
+                                   "before the network gets them",                                \
+                        .live = false})

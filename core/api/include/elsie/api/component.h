@@ -23,9 +23,12 @@ class Component {
   Component& operator=(const Component&) = delete;
   virtual ~Component() = default;
 
-  /// Called after the parameters were set, and again whenever one was changed. Check here what no
-  /// single range can say, read files, build tables. Throw (std::invalid_argument, with a sentence)
-  /// when the parameters do not fit together.
+  /// Called after the parameters were set, and again whenever one was changed, also while a run
+  /// goes on. Check here what no single range can say, read files, build tables. Throw
+  /// (std::invalid_argument, with a sentence) when the parameters do not fit together. A change is
+  /// tried on another object first, so that this one hears only of those that fit. What the object
+  /// remembers of the run should last: forgetting is for reset(). A parameter that only means
+  /// something before a run says so in its declaration (ParameterFacts::live).
   virtual void configured() {}
 
   /// Called before each run: forget what the last run left. `random` is the object's own stream,

@@ -44,6 +44,7 @@ struct ParameterFacts {
   std::vector<std::string> choices{};                       // of a text: the only allowed values
   std::string meaning{};                                    // one line
   bool required = false;                                    // a world file must give it
+  bool live = true;  // may change while a run goes on; false: what it says is used before a run
 };
 
 /// A parameter, bound to a member of the plugin's class: its type and default come from the member.

@@ -69,7 +69,8 @@ struct SensorContext {
 class Sensor : public Component {
  public:
   /// The camera that the sensor looks through, if it does: the simulator then takes a picture from
-  /// the sensor's frame before each update. Asked once, after configured(). Taking pictures needs
+  /// the sensor's frame before each update. Asked after configured(), and again when parameters
+  /// were changed; whether it has one stays. Taking pictures needs
   /// EGL on the machine; a sensor without a camera does not.
   virtual std::optional<Camera> camera() const { return std::nullopt; }
 

@@ -44,6 +44,9 @@ struct Field {
   TextForm form = TextForm::any;
   Reference refers_to = Reference::none;
   bool required = false;
+  /// Whether it may change while a run goes on (Simulation::change()); else it is settled when the
+  /// world is made.
+  bool live = false;
 };
 
 /// A plugin's parameter in the same terms.

@@ -1,0 +1,134 @@
+#include "elsie/world/footprint.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "elsie/world/train.h"
+
+#include "values.h"
+
+namespace elsie::world {
+
+namespace {
+
+constexpr double kTouching = 1e-6;  // m: this much overlap is none
+
+std::string number(double value) { return format_value(ParameterValue(value)); }
+
+// A length in a message: to the tenth of a millimetre.
+std::string rounded(double metres) { return number(std::round(metres * 1e4) / 1e4); }
+
+}  // namespace
+
+double Footprint::reach(double ux, double uy) const {
+  const double c = std::cos(heading_rad), s = std::sin(heading_rad);
+  return half_length * std::abs(ux * c + uy * s) + half_width * std::abs(-ux * s + uy * c);
+}
+
+Footprint footprint_of(const Box& box) {
+  return {box.x,           box.y, radians(box.heading_deg), 0.5 * box.length,
+          0.5 * box.width, box.z, box.z + box.height};
+}
+
+Footprint footprint_of(const Box& box, const Frame& now) {
+  const Vector3 half{0.5 * box.length, 0.5 * box.width, 0.5 * box.height};
+  const Vector3 middle = now.origin + half.z * now.up;
+  const auto extent = [&](const Vector3& axis) {
+    return half.x * std::abs(dot(now.forward, axis)) + half.y * std::abs(dot(now.left, axis)) +
+           half.z * std::abs(dot(now.up, axis));
+  };
+  const double heading = std::atan2(now.forward.y, now.forward.x);
+  const double c = std::cos(heading), s = std::sin(heading);
+  const double up = extent({0.0, 0.0, 1.0});
+  return {middle.x,      middle.y,     heading, extent({c, s, 0.0}), extent({-s, c, 0.0}),
+          middle.z - up, middle.z + up};
+}
+
+Footprint footprint_of(const RobotBody& body, const Pose& pose, double z) {
+  return {pose.x,
+          pose.y,
+          pose.heading_rad,
+          std::max(0.5 * body.length, body.wheel_radius),
+          std::max(0.5 * body.width, body.half_axle() + 0.5 * body.wheel_width),
+          z,
+          z + std::max(body.top(), 2.0 * body.wheel_radius)};
+}
+
+Footprint footprint_of(const Segment& segment, const Pose& pose, double z) {
+  return {pose.x,
+          pose.y,
+          pose.heading_rad,
+          std::max(0.5 * segment.length, segment.wheel_radius),
+          0.5 * segment.width,
+          z,
+          z + std::max(segment.top(), 2.0 * segment.wheel_radius)};
+}
+
+std::vector<Footprint> footprints_of(const RobotBody& body, std::span<const Segment> segments,
+                                     const Pose& pose, double z) {
+  std::vector<Footprint> footprints{footprint_of(body, pose, z)};
+  const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
+  const std::vector<Coupling> chain = couplings(body, segments);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const double place = chain[i].place;
+    footprints.push_back(
+        footprint_of(segments[i], {pose.x - place * c, pose.y - place * s, pose.heading_rad}, z));
+  }
+  return footprints;
+}
+
+bool overlap(const Footprint& a, const Footprint& b) {
+  if (a.bottom >= b.top - kTouching || b.bottom >= a.top - kTouching) {
+    return false;
+  }
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  if (std::hypot(dx, dy) >=
+      std::hypot(a.half_length, a.half_width) + std::hypot(b.half_length, b.half_width)) {
+    return false;
+  }
+  for (const double heading : {a.heading_rad, b.heading_rad}) {
+    const double c = std::cos(heading), s = std::sin(heading);
+    for (const auto& [ux, uy] : {std::pair(c, s), std::pair(-s, c)}) {
+      if (std::abs(dx * ux + dy * uy) >= a.reach(ux, uy) + b.reach(ux, uy) - kTouching) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+std::optional<std::string> outside(const Arena& arena, const std::string& what, double x,
+                                   double y) {
+  const double length = 0.5 * arena.length, width = 0.5 * arena.width;
+  if (std::abs(x) <= length && std::abs(y) <= width) {
+    return std::nullopt;
+  }
+  return what + " at (" + number(x) + ", " + number(y) +
+         ") is outside of the arena, which reaches from " + number(-length) + " to " +
+         number(length) + " in x and from " + number(-width) + " to " + number(width) + " in y";
+}
+
+std::optional<std::string> outside(const Arena& arena, const std::string& what,
+                                   const Footprint& footprint) {
+  if (auto problem = outside(arena, what, footprint.x, footprint.y)) {
+    return problem;
+  }
+  if (!arena.walls || footprint.bottom >= arena.wall_height) {
+    return std::nullopt;
+  }
+  const struct {
+    const char* name;
+    double overhang;
+  } sides[] = {{"east", footprint.x + footprint.reach(1, 0) - 0.5 * arena.length},
+               {"west", -footprint.x + footprint.reach(1, 0) - 0.5 * arena.length},
+               {"north", footprint.y + footprint.reach(0, 1) - 0.5 * arena.width},
+               {"south", -footprint.y + footprint.reach(0, 1) - 0.5 * arena.width}};
+  for (const auto& side : sides) {
+    if (side.overhang > kTouching) {
+      return what + " reaches " + rounded(side.overhang) + " m into the " + side.name + " wall";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace elsie::world
