@@ -7,7 +7,7 @@ namespace elsie::simulation {
 namespace {
 
 /// What is wrong with a camera where pictures may have so many pixels in width and height.
-std::optional<std::string> problem_of(const Camera& camera, int largest) {
+std::optional<std::string> problem_with(const Camera& camera, int largest) {
   if (camera.width < 1 || camera.height < 1 || camera.width > largest || camera.height > largest) {
     return "its camera takes pictures of " + std::to_string(camera.width) + " x " +
            std::to_string(camera.height) + " pixels, but on this machine both may be from 1 to " +
@@ -49,11 +49,15 @@ Cameras::Cameras(const world::World& world, std::span<const std::unique_ptr<Robo
   }
   for (const Mount& mount : mounts_) {
     if (const auto problem =
-            problem_of(*robots[mount.robot]->camera(mount.sensor), renderer_->largest_size())) {
+            problem_with(*robots[mount.robot]->camera(mount.sensor), renderer_->largest_size())) {
       blame(mount, *problem);
     }
   }
   scene_.emplace(world);
+}
+
+std::optional<std::string> Cameras::problem_of(const Camera& camera) const {
+  return problem_with(camera, renderer_->largest_size());
 }
 
 void Cameras::take(const physics::Engine& engine) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "elsie/physics/engine.h"
@@ -25,6 +26,10 @@ class Cameras {
   /// added to `problems`, with the sensor's place in the world file.
   Cameras(const world::World& world, std::span<const std::unique_ptr<Robot>> robots,
           std::vector<world::Problem>& problems);
+
+  /// What is wrong with a camera that one of these sensors is to look through from now on; none
+  /// when nothing is.
+  std::optional<std::string> problem_of(const Camera& camera) const;
 
   /// Hands every sensor with a camera the picture of what is before it now, except those of robots
   /// whose battery is empty. Throws render::RenderError.

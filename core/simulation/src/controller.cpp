@@ -65,6 +65,8 @@ Controller::Controller(const world::Coordination& description, const Setting& se
   if (description.coordinator) {
     coordinator_ = make<Coordinator>(setting.host, PluginKind::coordinator,
                                      *description.coordinator, problems);
+    coordinator_declaration_ =
+        setting.host.find(PluginKind::coordinator, description.coordinator->plugin);
   }
 }
 
@@ -82,7 +84,9 @@ void Controller::equip(const Perception& example, std::vector<world::Problem>& p
 }
 
 void Controller::reset(std::uint64_t seed, const std::string& path) {
-  for (Slot& slot : slots_) {
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    Slot& slot = slots_[i];
+    set_priority(i, slot.use->priority);
     const std::string name = path + "behavior[" + slot.use->id + "]";
     slot.random = Random(seed, name);
     slot.response = {};
@@ -97,6 +101,39 @@ void Controller::reset(std::uint64_t seed, const std::string& path) {
   }
   command_ = {};
   begin_step();
+}
+
+std::optional<TunedObject> Controller::object_of(const world::PluginUse& use) {
+  for (Slot& slot : slots_) {
+    if (slot.use == &use) {
+      return TunedObject{PluginKind::behavior, &use, slot.declaration, slot.object.get(), {}};
+    }
+    if (auto found = slot.inside ? slot.inside->object_of(use) : std::nullopt) {
+      return found;
+    }
+  }
+  if (coordinator_ && &*description_.coordinator == &use) {
+    return TunedObject{PluginKind::coordinator, &use, coordinator_declaration_, coordinator_.get(),
+                       members_};
+  }
+  return std::nullopt;
+}
+
+void Controller::set_priority(const world::PluginUse& use, double priority) {
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (slots_[i].use == &use) {
+      set_priority(i, priority);
+    } else if (slots_[i].inside) {
+      slots_[i].inside->set_priority(use, priority);
+    }
+  }
+}
+
+void Controller::set_priority(std::size_t member, double priority) {
+  Member::Runner& runner = *this;
+  Member changed(members_[member].name(), priority, runner);
+  changed.trace = members_[member].trace;
+  members_[member] = std::move(changed);
 }
 
 void Controller::list_notes(std::string_view robot, std::vector<Note>& notes) {

@@ -18,6 +18,7 @@
 #include "elsie/world/error.h"
 
 #include "guard.h"
+#include "tuning.h"
 
 namespace elsie::simulation {
 
@@ -63,6 +64,12 @@ class Controller final : public Coordination, private Member::Runner {
   void rate(std::span<const MotorCommand> candidates, std::span<double> desirability) override;
   CommandSets command_sets() override;
 
+  /// The object that a use of a plugin stands for, at any depth; none when it is not in here.
+  std::optional<TunedObject> object_of(const world::PluginUse& use);
+  /// Sets the priority of a behaviour, at any depth, until the next reset. The trace of the last
+  /// decision stays.
+  void set_priority(const world::PluginUse& use, double priority);
+
   std::span<const Member> members() const { return members_; }
   /// Appends all members, each followed by those inside it. `path` is what stands before their
   /// names; they stay where they are for the life of the controller.
@@ -87,6 +94,7 @@ class Controller final : public Coordination, private Member::Runner {
   Slot& slot_of(const Member& member) {
     return slots_[static_cast<std::size_t>(&member - members_.data())];
   }
+  void set_priority(std::size_t member, double priority);
   void check(const Slot& slot, const Response& response) const;
   void check_trace();
 
@@ -95,6 +103,7 @@ class Controller final : public Coordination, private Member::Runner {
   std::vector<Slot> slots_;
   std::vector<Member> members_;
   plugin::Object<Coordinator> coordinator_;
+  const Declaration* coordinator_declaration_ = nullptr;
   Random random_;                  // the coordinator's
   std::optional<Perception> now_;  // of the last decision: members may be asked later in a step
   MotorCommand command_;           // of the last decision

@@ -39,13 +39,13 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
     const Mounting mounting = mounting_of(use, description.body);
     SensorSlot& slot = sensors_.emplace_back();
     slot.use = &use;
+    slot.declaration = host.find(PluginKind::sensor, use.plugin);
     slot.object = make<Sensor>(host, PluginKind::sensor, use, problems);
     slot.mounting = mounting;
     slot.frame = Frame::turned(mounting.position, mounting.azimuth_rad, mounting.pitch_rad);
     if (slot.object) {
       slot.camera = blaming(use, problems, [&] { return slot.object->camera(); });
     }
-    sensor_cost_ += use.energy_cost;
   }
   controller_ = std::make_unique<Controller>(
       description, Controller::Setting{host, guard_, *this, measure_time}, problems);
@@ -58,9 +58,7 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
   state_.half_axle_m = description.body.half_axle();
   state_.length_m = description.body.length;
   state_.width_m = description.body.width;
-  state_.max_speed_m_s = description.max_speed;
-  state_.coverage_m = description.coverage;
-  state_.is_leader = description.leader;
+  take_description();
   state_.team_index = membership.index;
   state_.capacity = description.battery;
   team_.name = description.team;
@@ -71,6 +69,24 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
   perception_.team = &team_;
   controller_->equip(Perception(perception_, unused_random_), problems);
   throw_if_any(problems);
+}
+
+/// What may have changed since.
+void Robot::take_description() {
+  state_.max_speed_m_s = description_.max_speed;
+  state_.coverage_m = description_.coverage;
+  state_.is_leader = description_.leader;
+  for (SensorSlot& slot : sensors_) {
+    slot.energy_cost = slot.use->energy_cost;
+  }
+  sum_costs();
+}
+
+void Robot::sum_costs() {
+  sensor_cost_ = 0.0;
+  for (const SensorSlot& slot : sensors_) {
+    sensor_cost_ += slot.energy_cost;
+  }
 }
 
 void Robot::group_readings() {
@@ -100,6 +116,13 @@ void Robot::group_readings() {
 void Robot::reset(std::uint64_t seed) {
   guard_.begin_run();
   guard_.begin_step(0);
+  take_description();
+  if (const auto changed = tuning_.changed(); !changed.empty()) {
+    for (const world::PluginUse* use : changed) {
+      guard_.run(*use, [&] { tuning_.forget(object_of(*use), example()); });
+    }
+    look_through_cameras();
+  }
   const std::string path = "robot[" + description_.id + "]/";
   for (SensorSlot& slot : sensors_) {
     slot.random = Random(seed, path + "sensor[" + slot.use->id + "]");
@@ -184,6 +207,71 @@ void Robot::stop_when_empty() {
     empty_ = true;
     state_.commanded = {};
     raise("battery_empty");
+  }
+}
+
+void Robot::set_max_speed(double max_speed) {
+  state_.max_speed_m_s = max_speed;
+  state_.commanded = limited(state_.commanded, state_.max_wheel_rate());
+}
+
+void Robot::set_energy(double units) {
+  const bool was_empty = empty_;
+  state_.energy = units;
+  empty_ = false;
+  if (!was_empty) {
+    stop_when_empty();
+  } else {
+    empty_ = units <= 0.0;
+  }
+}
+
+void Robot::set_energy_cost(const world::PluginUse& sensor, double cost) {
+  for (SensorSlot& slot : sensors_) {
+    if (slot.use == &sensor) {
+      slot.energy_cost = cost;
+    }
+  }
+  sum_costs();
+}
+
+TunedObject Robot::object_of(const world::PluginUse& use) {
+  for (SensorSlot& slot : sensors_) {
+    if (slot.use == &use) {
+      return {PluginKind::sensor, &use, slot.declaration, slot.object.get(), {}};
+    }
+  }
+  return controller_->object_of(use).value();
+}
+
+std::optional<Camera> Robot::try_out(const world::PluginUse& use, const Setup& setup) {
+  return Tuning::try_out(object_of(use), setup, example());
+}
+
+void Robot::set_up(const world::PluginUse& use, const Setup& setup) {
+  const TunedObject tuned = object_of(use);
+  const Setup before = tuning_.setup(use);
+  try {
+    tuning_.set(tuned, setup, example());
+  } catch (...) {
+    guard_.run(use, [&] { tuning_.set(tuned, before, example()); });
+    throw;
+  }
+  look_through_cameras();
+}
+
+/// A perception for plugins that are told of new parameters: what was perceived last.
+Perception Robot::example() {
+  team_.mates = mates_;
+  perception_.events = perceived_events_;
+  return {perception_, unused_random_};
+}
+
+void Robot::look_through_cameras() {
+  for (SensorSlot& slot : sensors_) {
+    if (slot.camera) {
+      slot.camera = guard_.run(*slot.use, [&] { return slot.object->camera(); });
+    }
   }
 }
 

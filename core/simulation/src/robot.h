@@ -17,6 +17,7 @@
 
 #include "controller.h"
 #include "guard.h"
+#include "tuning.h"
 
 namespace elsie::simulation {
 
@@ -43,7 +44,7 @@ class Robot final : private Wishes {
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
-  /// Before a run: full battery, fresh random streams, plugin objects reset.
+  /// Before a run: as it is described, with fresh random streams, plugin objects reset.
   void reset(std::uint64_t seed);
 
   /// Updates all sensors. Throws PluginFault.
@@ -62,6 +63,28 @@ class Robot final : private Wishes {
   void moved(const physics::RobotState& state);
   /// Adds energy of a collected resource, up to the capacity.
   void collect(double energy);
+
+  // What a user changes between two steps, until the next reset.
+
+  /// m/s; the command that the motors hold is limited to it at once.
+  void set_max_speed(double max_speed);
+  void set_coverage(double metres) { state_.coverage_m = metres; }
+  void set_leader(bool leader) { state_.is_leader = leader; }
+  /// Units, at most the battery's capacity; without any, the robot stops.
+  void set_energy(double units);
+  /// Units per second, of a sensor of this robot.
+  void set_energy_cost(const world::PluginUse& sensor, double cost);
+  void set_priority(const world::PluginUse& behavior, double priority) {
+    controller_->set_priority(behavior, priority);
+  }
+  /// What the parameters of a plugin object of this robot are.
+  Setup setup(const world::PluginUse& use) const { return tuning_.setup(use); }
+  /// Whether the plugin takes these: throws what it throws, and touches nothing. Of a sensor: the
+  /// camera that it would look through.
+  std::optional<Camera> try_out(const world::PluginUse& use, const Setup& setup);
+  /// Sets them. Throws what the plugin throws; the object is as before then, or, when it does not
+  /// go back, PluginFault.
+  void set_up(const world::PluginUse& use, const Setup& setup);
 
   /// Appends what the plugins have to say, after a reset. Throws PluginFault.
   void list_notes(std::vector<Note>& notes) const;
@@ -96,6 +119,8 @@ class Robot final : private Wishes {
  private:
   struct SensorSlot {
     const world::SensorUse* use;
+    const Declaration* declaration;
+    double energy_cost;  // units per second
     plugin::Object<Sensor> object;
     Mounting mounting;
     Frame frame;  // in the robot's frame
@@ -111,6 +136,11 @@ class Robot final : private Wishes {
   void raise(const Event& event) override { raise(event.name); }
   void ask_for_charge() override { charge_asked_ = true; }
   void group_readings();
+  void take_description();
+  void sum_costs();
+  void look_through_cameras();
+  TunedObject object_of(const world::PluginUse& use);
+  Perception example();
   void stop_when_empty();
 
   const world::Robot& description_;
@@ -119,6 +149,7 @@ class Robot final : private Wishes {
 
   std::vector<SensorSlot> sensors_;
   std::unique_ptr<Controller> controller_;
+  Tuning tuning_;
   std::vector<TracedMember> trace_;
   Random unused_random_;  // each plugin object draws from its own
 

@@ -8,13 +8,15 @@
 #include <utility>
 
 #include "elsie/physics/engine.h"
-#include "elsie/world/colours.h"
 #include "elsie/world/error.h"
 
 #include "box_path.h"
 #include "cameras.h"
+#include "carrier.h"
+#include "changes.h"
 #include "goals.h"
-#include "robot.h"
+#include "sampling.h"
+#include "teams.h"
 
 namespace elsie::simulation {
 namespace {
@@ -31,6 +33,12 @@ std::uint64_t hash_of(std::uint64_t hash, double value) {
     hash = (hash ^ ((bits >> shift) & 0xff)) * 0x100000001b3ULL;
   }
   return hash;
+}
+
+/// An attribute of the robot of this index, as change.h speaks of it. What the path says of the
+/// robot is its number in the file, so that it need not have an id of its own.
+Change change_of(std::size_t robot, const char* attribute, const ParameterValue& value) {
+  return {"robot[" + std::to_string(robot + 1) + "]/@" + attribute, world::text_of(value)};
 }
 
 }  // namespace
@@ -52,14 +60,16 @@ const char* to_string(Outcome outcome) {
 class Simulation::Impl {
  public:
   Impl(world::World world, const plugin::Host& host, const Options& options)
-      : world_(std::move(world)), seed_(options.seed) {
+      : world_(std::move(world)),
+        seed_(options.seed),
+        changes_(world_, host, options.data_directories) {
     std::vector<world::Problem> problems;
     std::map<std::string, int> team_sizes;
     for (const world::Robot& robot : world_.robots) {
       try {
         const Robot::Membership membership{team_sizes[robot.team]++,
-                                           nearest_charger(robot.team, {robot.x, robot.y}),
-                                           resource_colours(robot.team)};
+                                           nearest_charger(world_, robot.team, {robot.x, robot.y}),
+                                           resource_colours(world_, robot.team)};
         robots_.push_back(std::make_unique<Robot>(robot, membership, host, options.measure_time));
       } catch (const world::WorldError& error) {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());
@@ -129,13 +139,31 @@ class Simulation::Impl {
     handle_touches();
     if (decides) {
       for (const auto& robot : robots_) {
-        robot->charge(period, charger_rate(*robot));
+        const Pose& pose = robot->state().pose;
+        robot->charge(period, charger_rate(world_, robot->description().team, {pose.x, pose.y}));
       }
     }
     log_events();
     if (verdict_.outcome == Outcome::running) {
       verdict_ = judge(self);
     }
+  }
+
+  void change(std::span<const Change> changes) {
+    changes_.make(changes, stage(), events_);
+    log_events();
+  }
+  void change(const DueChanges& due) {
+    try {
+      change(due.changes);
+    } catch (const ChangeRefused& refused) {
+      throw refused.at(due.time_s);
+    }
+  }
+  std::vector<DueChanges> checked(std::span<const TimedChange> changes) {
+    std::vector<DueChanges> schedule = by_step(changes, world_.physics.step, world_.limits.time);
+    changes_.check(schedule, stage());
+    return schedule;
   }
 
   void stop(Outcome outcome, std::string reason) { verdict_ = {outcome, std::move(reason)}; }
@@ -174,74 +202,19 @@ class Simulation::Impl {
   std::vector<Note> notes_;
 
  private:
-  /// The world as one robot's sensors may ask it.
-  class Carrier final : public Surroundings {
-   public:
-    Carrier(const Impl& simulation, std::size_t robot) : simulation_(simulation), robot_(robot) {}
-
-    std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
-                                   double max_range_m) const override {
-      const auto hit = simulation_.engine_->cast_ray(origin, direction, max_range_m, robot_);
-      return hit ? std::optional(hit->distance) : std::nullopt;
-    }
-    bool anything_in(const Pyramid& pyramid) const override {
-      return simulation_.engine_->anything_in(pyramid, robot_);
-    }
-    Pose pose() const override { return simulation_.robots_[robot_]->state().pose; }
-    std::optional<TeamMate> nearest_robot(double radius_m) const override {
-      std::optional<TeamMate> nearest;
-      for (std::size_t i = 0; i < simulation_.robots_.size(); ++i) {
-        if (i == robot_) {
-          continue;
-        }
-        const TeamMate other = simulation_.seen_from(robot_, i);
-        if (other.distance_m <= radius_m && (!nearest || other.distance_m < nearest->distance_m)) {
-          nearest = other;
-        }
-      }
-      return nearest;
-    }
-    void robots_within(double radius_m, std::vector<TeamMate>& robots) const override {
-      for (std::size_t i = 0; i < simulation_.robots_.size(); ++i) {
-        if (i != robot_) {
-          const TeamMate other = simulation_.seen_from(robot_, i);
-          if (other.distance_m <= radius_m) {
-            robots.push_back(other);
-          }
-        }
-      }
-    }
-    std::span<const Colour> resource_colours() const override {
-      return simulation_.robots_[robot_]->resource_colours();
-    }
-
-   private:
-    const Impl& simulation_;
-    std::size_t robot_;
-  };
-
   struct MovingBox {
     std::size_t index;
     BoxPath path;
   };
 
-  TeamMate seen_from(std::size_t observer, std::size_t other) const {
-    const Pose& from = robots_[observer]->state().pose;
-    const OwnState& state = robots_[other]->state();
-    return {state.id,
-            state.pose,
-            distance(from, state.pose),
-            bearing(from, state.pose.x, state.pose.y),
-            state.is_leader,
-            state.team_index};
-  }
+  Changes::Stage stage() { return {robots_, *engine_, *cameras_, time_s()}; }
 
   /// Sense and decide, all robots from the same instant.
   void control(double period_s) {
     const Instant now{time_s(), period_s, steps_};
     cameras_->take(*engine_);
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      robots_[i]->sense(Carrier(*this, i), now);
+      robots_[i]->sense(Carrier(*engine_, robots_, i), now);
       update_team(i);
     }
     for (const auto& robot : robots_) {
@@ -283,57 +256,10 @@ class Simulation::Impl {
       if (i != index && std::abs(other.x - pose.x) <= reach &&
           std::abs(other.y - pose.y) <= reach && robots_[i]->team().name == robot.team().name &&
           distance(pose, other) <= reach) {
-        robot.mates().push_back(seen_from(index, i));
+        robot.mates().push_back(seen_from(robots_, index, i));
       }
     }
-    robot.team().charger = nearest_charger(robot.description().team, {pose.x, pose.y});
-  }
-
-  std::optional<Vector2> nearest_charger(const std::string& team, const Vector2& place) const {
-    std::optional<Vector2> charger;
-    double nearest = 0.0;
-    for (const world::Charger& other : world_.chargers) {
-      const double away = std::hypot(other.x - place.x, other.y - place.y);
-      if (serves(other, team) && (!charger || away < nearest)) {
-        charger = Vector2{other.x, other.y};
-        nearest = away;
-      }
-    }
-    return charger;
-  }
-
-  /// Of the resources that a robot of this team may collect: each colour once, in file order.
-  std::vector<Colour> resource_colours(const std::string& team) const {
-    std::vector<Colour> colours;
-    for (const world::Box& box : world_.boxes) {
-      if (is_for(box, team)) {
-        const Colour colour = world::resource_colour(world_, box);
-        if (std::find(colours.begin(), colours.end(), colour) == colours.end()) {
-          colours.push_back(colour);
-        }
-      }
-    }
-    return colours;
-  }
-
-  /// Whether a robot of the team may collect the box.
-  static bool is_for(const world::Box& box, const std::string& team) {
-    return box.kind == world::BoxKind::resource && (box.team.empty() || box.team == team);
-  }
-
-  static bool serves(const world::Charger& charger, const std::string& team) {
-    return charger.team.empty() || charger.team == team;
-  }
-
-  double charger_rate(const Robot& robot) const {
-    const Pose& pose = robot.state().pose;
-    for (const world::Charger& charger : world_.chargers) {
-      if (serves(charger, robot.description().team) &&
-          std::hypot(charger.x - pose.x, charger.y - pose.y) <= charger.radius) {
-        return charger.rate;
-      }
-    }
-    return 0.0;
+    robot.team().charger = nearest_charger(world_, robot.description().team, {pose.x, pose.y});
   }
 
   void drive_boxes() {
@@ -362,7 +288,7 @@ class Simulation::Impl {
     }
     const world::Box& box = world_.boxes[touch.b.index];
     Robot& robot = *robots_[touch.a.index];
-    if (!is_for(box, robot.description().team)) {
+    if (!may_collect(robot.description().team, box)) {
       return false;
     }
     if (engine_->has_box(touch.b.index)) {  // else another robot took it in the same step
@@ -400,6 +326,7 @@ class Simulation::Impl {
 
   std::unique_ptr<physics::Engine> engine_;
   std::optional<Cameras> cameras_;
+  Changes changes_;
   std::vector<MovingBox> moving_;
   std::map<std::pair<physics::Body, physics::Body>, double> last_touch_;
 };
@@ -418,24 +345,34 @@ void Simulation::reset(std::optional<std::uint64_t> seed) {
 
 void Simulation::step() { impl_->step(*this); }
 
-RunResult Simulation::run(std::span<Observer* const> observers) {
+RunResult Simulation::run(std::span<Observer* const> observers,
+                          std::span<const TimedChange> changes) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const auto wall = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const auto& limits = world().limits;
+  const std::vector<DueChanges> schedule = impl_->checked(changes);
+  auto next = schedule.begin();
+  const auto change_what_is_due = [&] {
+    for (; next != schedule.end() && next->step <= steps(); ++next) {
+      impl_->change(*next);
+    }
+  };
   std::size_t watching = 0;  // observers that heard of the start, and will hear of the end
   std::exception_ptr failure;
   try {
+    change_what_is_due();
     for (Observer* observer : observers) {
       observer->started(*this);
       ++watching;
     }
     while (outcome() == Outcome::running) {
+      change_what_is_due();
       step();
       for (Observer* observer : observers) {
         observer->stepped(*this);
       }
-      const auto& limit = world().limits.wall_time;
-      if (limit && wall() >= *limit && outcome() == Outcome::running) {
+      if (limits.wall_time && wall() >= *limits.wall_time && outcome() == Outcome::running) {
         impl_->stop(Outcome::time_limit, "the limit of time on the clock was met");
       }
     }
@@ -454,6 +391,37 @@ RunResult Simulation::run(std::span<Observer* const> observers) {
     std::rethrow_exception(failure);
   }
   return result();
+}
+
+void Simulation::check(std::span<const TimedChange> changes) const { impl_->checked(changes); }
+
+void Simulation::change(std::string_view path, std::string_view value) {
+  const Change one{std::string(path), std::string(value)};
+  impl_->change({&one, 1});
+}
+void Simulation::change(std::span<const Change> changes) { impl_->change(changes); }
+
+void Simulation::place_robot(std::size_t robot, const Pose& pose, double z) {
+  const Change place[] = {change_of(robot, "x", pose.x), change_of(robot, "y", pose.y),
+                          change_of(robot, "z", z),
+                          change_of(robot, "heading_deg", degrees(pose.heading_rad))};
+  impl_->change(place);
+}
+void Simulation::set_max_speed(std::size_t robot, double metres_per_second) {
+  const Change one = change_of(robot, "max_speed", metres_per_second);
+  impl_->change({&one, 1});
+}
+void Simulation::set_coverage(std::size_t robot, double metres) {
+  const Change one = change_of(robot, "coverage", metres);
+  impl_->change({&one, 1});
+}
+void Simulation::set_leader(std::size_t robot, bool leader) {
+  const Change one = change_of(robot, "leader", leader);
+  impl_->change({&one, 1});
+}
+void Simulation::set_energy(std::size_t robot, double units) {
+  const Change one = change_of(robot, "energy", units);
+  impl_->change({&one, 1});
 }
 
 RunResult Simulation::result() const {

@@ -10,7 +10,7 @@ class Simulation;
 class Observer {
  public:
   virtual ~Observer() = default;
-  /// After the reset, before the first step.
+  /// After the reset and the changes for time zero, before the first step.
   virtual void started(const Simulation&) {}
   /// After every step.
   virtual void stepped(const Simulation&) {}

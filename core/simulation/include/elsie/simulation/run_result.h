@@ -18,8 +18,9 @@ const char* to_string(Outcome outcome);
 struct EventRecord {
   double time_s = 0.0;  // end of the step in which it happened
   std::string robot;
-  std::string name;    // "collision", "collected", "battery_empty", or an event of a plugin
-  std::string detail;  // with what, which resource...; may be empty
+  std::string
+      name;  // "collision", "collected", "battery_empty", "changed"..., or an event of a plugin
+  std::string detail;  // with what, which resource, what was changed...; may be empty
 };
 
 /// What a plugin has to say to the user before a run: how its training went, for example.

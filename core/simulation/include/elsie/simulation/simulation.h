@@ -6,6 +6,7 @@
 //
 // One step: sensors -> each robot's coordinator and its behaviours -> energy -> motors -> physics
 // -> collection, charging, goals. All robots decide on the same instant, before any of them moves.
+// Between two steps a user may change much of it: change.h says what.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +22,7 @@
 #include "elsie/api/perception.h"
 #include "elsie/api/sensor.h"
 #include "elsie/plugin/host.h"
+#include "elsie/simulation/change.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/simulation/observer.h"
 #include "elsie/simulation/run_result.h"
@@ -31,6 +34,8 @@ struct Options {
   std::uint64_t seed = 1;
   /// Measure how long each behaviour takes, for the trace. Changes nothing else.
   bool measure_time = false;
+  /// Where data files that a change names are looked for when they are not beside the world's file.
+  std::vector<std::string> data_directories{};
 };
 
 /// One sensor of a robot, to look at.
@@ -68,7 +73,7 @@ const TracedMember* inhibitor_of(const TracedMember& member, std::span<const Tra
 
 /// One robot at this instant, to look at.
 struct RobotView {
-  const world::Robot* description;
+  const world::Robot* description;  // as the world file says, whatever was changed since
   const OwnState* state;            // as it was last perceived or, between steps, as it is now
   MotorCommand command;             // what its motors hold
   std::span<const Member> members;  // its own behaviours, with the trace of the last decision
@@ -83,13 +88,14 @@ struct RobotView {
 class Simulation {
  public:
   /// Makes all objects of the world and puts it at time zero. Throws world::WorldError when a
-  /// plugin refuses its parameters, with the place in the world file.
+  /// plugin refuses its parameters, with the place in the world file. The host must stay where it
+  /// is for as long as the simulation lives.
   Simulation(world::World world, const plugin::Host& host, const Options& options = {});
   Simulation(Simulation&&) noexcept;
   ~Simulation();
 
-  /// Back to time zero, with this seed or the one before. What follows is what a new simulation
-  /// with that seed does.
+  /// Back to time zero, with this seed or the one before. Changes are forgotten: what follows is
+  /// what a new simulation with that seed does.
   void reset(std::optional<std::uint64_t> seed = std::nullopt);
 
   /// One step. Throws PluginFault. After the end of the run it goes on all the same; the outcome
@@ -97,7 +103,38 @@ class Simulation {
   void step();
 
   /// Steps until a goal or a limit ends the run. Throws PluginFault.
-  RunResult run(std::span<Observer* const> observers = {});
+  ///
+  /// `changes` are made on the way, those for one step together, at time zero before observers hear
+  /// of the start. They are checked before the run begins: ChangeRefused tells of what can be known
+  /// then (a path, a type, a range, a time that never comes), in which case nothing has happened.
+  /// It also ends a run in which there is no room for a robot when its time comes. One whose time
+  /// has not come when a goal ends the run is not made.
+  RunResult run(std::span<Observer* const> observers = {},
+                std::span<const TimedChange> changes = {});
+
+  /// The same check by itself, as things are now. Throws ChangeRefused.
+  void check(std::span<const TimedChange> changes) const;
+
+  // Changes between two steps, until the next reset; see change.h. Each adds an event "changed" to
+  // the log for every attribute, whose detail is its path and value: "robot[r1]/@max_speed=0.3".
+  // Behaviours do not perceive that event.
+
+  /// Sets every attribute that a path leads to. Throws ChangeRefused and leaves all as it was when
+  /// it leads nowhere, the value is of the wrong type or out of range, the attribute is settled
+  /// before a run, a plugin refuses it, or there is no room for a robot. PluginFault when a plugin
+  /// that has refused a value does not take its old one back.
+  void change(std::string_view path, std::string_view value);
+  /// Makes them all, or none: what is to fit together is set together, such as a robot's x and y.
+  void change(std::span<const Change> changes);
+
+  // The same for what a robot of this index is most often told. Throw ChangeRefused likewise.
+
+  /// Puts it at a pose, `z` m above the floor, at rest, with what it pulls in line behind it.
+  void place_robot(std::size_t robot, const Pose& pose, double z = 0.0);
+  void set_max_speed(std::size_t robot, double metres_per_second);
+  void set_coverage(std::size_t robot, double metres);
+  void set_leader(std::size_t robot, bool leader);
+  void set_energy(std::size_t robot, double units);
 
   /// What came of it so far.
   RunResult result() const;

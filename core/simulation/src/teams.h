@@ -1,0 +1,24 @@
+// What a team's robots have in the world: chargers, and resources that they may collect.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elsie/api/geometry.h"
+#include "elsie/api/image.h"
+#include "elsie/world/description.h"
+
+namespace elsie::simulation {
+
+/// Where the nearest charger stands that serves the team.
+std::optional<Vector2> nearest_charger(const world::World& world, const std::string& team,
+                                       const Vector2& place);
+/// Units per second to be had for the team at a place, or 0.
+double charger_rate(const world::World& world, const std::string& team, const Vector2& place);
+/// Whether a robot of the team may collect the box.
+bool may_collect(const std::string& team, const world::Box& box);
+/// Of the resources that a robot of this team may collect: each colour once, in file order.
+std::vector<Colour> resource_colours(const world::World& world, const std::string& team);
+
+}  // namespace elsie::simulation

@@ -1,0 +1,58 @@
+// Parameters of plugin objects that change while they run.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elsie/api/coordinator.h"
+#include "elsie/api/declaration.h"
+#include "elsie/api/image.h"
+#include "elsie/world/description.h"
+
+namespace elsie::simulation {
+
+/// What the world says of an object's parameters, or what was said since. All others have their
+/// defaults.
+struct Setup {
+  std::map<std::string, ParameterValue> parameters;
+  std::vector<ElementValue> elements;
+};
+
+/// A plugin object of a robot, and what it takes to set its parameters.
+struct TunedObject {
+  PluginKind kind = PluginKind::behavior;
+  const world::PluginUse* use = nullptr;
+  const Declaration* declaration = nullptr;
+  Component* object = nullptr;
+  std::span<const Member> members;  // of a coordinator
+};
+
+/// Which objects of a robot have other parameters than the world says.
+class Tuning {
+ public:
+  /// What the object's parameters are.
+  Setup setup(const world::PluginUse& use) const;
+
+  /// Has another object of the plugin take the parameters, on this robot (`example`). Throws what
+  /// that throws. Of a sensor: the camera that it would look through.
+  static std::optional<Camera> try_out(const TunedObject& tuned, const Setup& setup,
+                                       const Perception& example);
+
+  /// Sets them, and keeps what the object remembers. Throws what the plugin throws; it must be set
+  /// back then.
+  void set(const TunedObject& tuned, Setup setup, const Perception& example);
+
+  /// The objects that are not as the world says, in the order in which they were first changed.
+  std::vector<const world::PluginUse*> changed() const;
+  /// Makes one as the world says. Throws what the plugin throws.
+  void forget(const TunedObject& tuned, const Perception& example);
+
+ private:
+  std::vector<std::pair<const world::PluginUse*, Setup>> changed_;
+};
+
+}  // namespace elsie::simulation

@@ -1,0 +1,62 @@
+// Worlds that are changed while they run.
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "world_builder.h"
+
+namespace elsie::test {
+
+using simulation::ChangeRefused;
+using simulation::Simulation;
+
+inline void advance(Simulation& simulation, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    simulation.step();
+  }
+}
+
+/// A simulation of these robots, each with a beam to look at.
+inline Simulation run_of(const ScriptedHost& scripted, std::vector<world::Robot> robots) {
+  world::World world;
+  world.robots = std::move(robots);
+  for (world::Robot& robot : world.robots) {
+    world::SensorUse sensor = beam("ahead", 0);
+    sensor.energy_cost = 0;
+    robot.sensors.push_back(sensor);
+  }
+  return Simulation(world, scripted.host);
+}
+
+inline world::Segment segment(const std::string& id) {
+  world::Segment segment;
+  segment.id = id;
+  return segment;
+}
+
+/// The sentence with which a change is refused; "" when it is made.
+template <class Change>
+std::string why_not(Change change) {
+  try {
+    change();
+    return "";
+  } catch (const ChangeRefused& refused) {
+    return refused.what();
+  }
+}
+
+/// "TIME NAME DETAIL" of each.
+inline std::vector<std::string> events_of(const Simulation& simulation) {
+  std::vector<std::string> texts;
+  for (const auto& event : simulation.events()) {
+    std::ostringstream text;
+    text << event.time_s << ' ' << event.name << ' ' << event.detail;
+    texts.push_back(text.str());
+  }
+  return texts;
+}
+
+}  // namespace elsie::test

@@ -1,0 +1,313 @@
+// What a user changes while a world runs: robots.
+#include <cmath>
+#include <numbers>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/world/train.h"
+
+#include "change_support.h"
+
+using namespace elsie;
+using namespace elsie::test;
+
+TEST_CASE("A robot that was put elsewhere is there, at rest, and drives on by the kinematics") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{10, 14}; });
+  Simulation simulation = run_of(scripted, {robot("r1", 0, 0, 0, behavior("scripted"))});
+  advance(simulation, 100);
+  const double driven = simulation.robot(0).distance_m;
+  simulation.place_robot(0, {1.0, -2.0, radians(90)});
+  const OwnState& state = *simulation.robot(0).state;
+  CHECK(state.pose.x == Approx(1).margin(1e-9));
+  CHECK(state.pose.y == Approx(-2).margin(1e-9));
+  CHECK(state.pose.heading_rad == Approx(radians(90)).margin(1e-9));
+  CHECK(state.speed_m_s == Approx(0).margin(1e-9));
+  CHECK(state.turn_rate_rad_s == Approx(0).margin(1e-9));
+  CHECK(state.wheel_rates == MotorCommand{0, 0});
+  CHECK(simulation.robot(0).distance_m == driven);  // it did not drive there
+
+  advance(simulation, 20);  // until it is at speed again
+  const Pose start = state.pose;
+  CHECK(std::hypot(start.x - 1, start.y + 2) < 0.05);
+  const double t = 2.0;
+  advance(simulation, 200);
+  // v = r (wl + wr) / 2, w = r (wr - wl) / (2 R): an arc of the radius v / w.
+  const double v = 0.02 * 12.0, w = 0.02 * 4.0 / 0.09;
+  const double from = start.heading_rad, to = from + w * t;
+  CHECK(state.pose.x == Approx(start.x + v / w * (std::sin(to) - std::sin(from))).margin(0.005));
+  CHECK(state.pose.y == Approx(start.y - v / w * (std::cos(to) - std::cos(from))).margin(0.005));
+  CHECK(wrap_angle(state.pose.heading_rad - to) == Approx(0).margin(0.01));
+  CHECK(simulation.robot(0).distance_m - driven == Approx(v * (t + 0.2)).margin(0.02));
+}
+
+TEST_CASE("One coordinate may be changed by itself; the others stay") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  Simulation simulation = run_of(scripted, {robot("r1", 1, 2, 30, behavior("scripted"))});
+  advance(simulation, 10);
+  simulation.change("robot[r1]/@x", "-3");
+  simulation.change("robot[r1]/@heading_deg", "-350");
+  const Pose& pose = simulation.robot(0).state->pose;
+  CHECK(pose.x == Approx(-3).margin(1e-9));
+  CHECK(pose.y == Approx(2).margin(1e-4));
+  CHECK(degrees(pose.heading_rad) == Approx(10).margin(1e-4));
+  // From a height it falls.
+  simulation.change("robot[r1]/@z", "0.5");
+  CHECK(simulation.sensor_frame(0, 0).origin.z == Approx(0.5 + 0.09).margin(1e-6));
+  advance(simulation, 200);
+  CHECK(simulation.sensor_frame(0, 0).origin.z == Approx(0.09).margin(1e-3));
+}
+
+TEST_CASE("What a robot pulls comes with it, in line behind it") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{12, 8}; });
+  world::Robot train = robot("train", 0, 0, 0, behavior("scripted"));
+  train.segments = {segment("a"), segment("b"), segment("c")};
+  const auto chain = world::couplings(train.body, train.segments);
+  Simulation simulation = run_of(scripted, {train});
+  advance(simulation, 200);
+  REQUIRE(std::abs(simulation.segment(0, 0).yaw_rad) > 0.05);  // not in line any more
+  simulation.place_robot(0, {2.0, 1.0, radians(120)});
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto segment = simulation.segment(0, i);
+    CAPTURE(i);
+    CHECK(segment.pose.x == Approx(2.0 - chain[i].place * std::cos(radians(120))).margin(1e-9));
+    CHECK(segment.pose.y == Approx(1.0 - chain[i].place * std::sin(radians(120))).margin(1e-9));
+    CHECK(segment.yaw_rad == Approx(0).margin(1e-9));
+  }
+}
+
+TEST_CASE("A place that is not free is refused with a sentence, and nothing has changed") {
+  ScriptedHost scripted([](const Perception& now) {
+    return now.self().id == "pusher" ? MotorCommand{10, 10} : MotorCommand{3, 4};
+  });
+  world::World world;
+  world.robots = {robot("r1", 0, 0, 0, behavior("scripted")),
+                  robot("pusher", 2, 2, 0, behavior("scripted"))};
+  world.robots[1].segments = {segment("cart")};
+  world.boxes = {box("brick", world::BoxKind::fixed, -2, 0),
+                 box("crate", world::BoxKind::dynamic, 2.2, 2)};
+  world.boxes[1].mass = 0.05;
+  world::Charger& post = world.chargers.emplace_back();
+  post.id = "post";
+  post.x = post.y = -3;
+  post.seen_by_range_sensors = true;
+  const auto fresh = [&] { return Simulation(world, scripted.host); };
+  Simulation simulation = fresh(), other = fresh();
+  advance(simulation, 300);
+  advance(other, 300);
+  const Pose crate = *simulation.box(1);
+  REQUIRE(crate.x > 2.3);  // it was pushed
+  const Pose pusher = simulation.robot(1).state->pose;
+
+  const auto refused = [&](double x, double y, const std::string& sentence) {
+    const std::uint64_t before = simulation.state_hash();
+    const std::size_t events = simulation.events().size();
+    CHECK_THAT(why_not([&] { simulation.place_robot(0, {x, y, 0}); }), Catch::Contains(sentence));
+    CHECK(simulation.state_hash() == before);
+    CHECK(simulation.events().size() == events);
+  };
+  refused(5.5, 0,
+          "robot[r1]/@x=5.5: that is outside of the arena, which reaches from -5 to 5 in x");
+  refused(0, -7, "robot[r1]/@y=-7: that is outside of the arena, which reaches from -5 to 5 in y");
+  refused(4.98, 0, "the robot 'r1' reaches 0.02 m into the east wall; expected a free place");
+  refused(0, -4.97, "the robot 'r1' reaches 0.02 m into the south wall; expected a free place");
+  refused(-2.1, 0.05, "the robot 'r1' overlaps the box 'brick'; expected a free place");
+  refused(-3, -3, "the robot 'r1' overlaps the charger 'post'; expected a free place");
+  refused(crate.x + 0.1, crate.y, "the robot 'r1' overlaps the box 'crate'");
+  refused(pusher.x, pusher.y + 0.04, "the robot 'r1' overlaps the robot 'pusher'");
+  refused(pusher.x - 0.15, pusher.y,
+          "the robot 'r1' overlaps the segment 'cart' of the robot 'pusher'");
+  refused(NAN, 0, "robot[1]/@x=nan: expected a number");
+  // Where things stood before there is room now.
+  CHECK(why_not([&] { other.place_robot(0, {2.2, 2.0, 0}); }).empty());
+
+  Simulation never_asked = fresh();
+  advance(never_asked, 400);
+  advance(simulation, 100);
+  CHECK(simulation.state_hash() == never_asked.state_hash());
+}
+
+TEST_CASE("What is changed together is judged together") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  Simulation simulation = run_of(scripted, {robot("a", -1, 0, 0, behavior("scripted")),
+                                            robot("b", 1, 0, 0, behavior("scripted"))});
+  CHECK_THAT(why_not([&] { simulation.change("robot[a]/@x", "1"); }),
+             Catch::Contains("robot[a]/@x=1: the robot 'a' overlaps the robot 'b'"));
+  const simulation::Change swap[] = {{"robot[a]/@x", "1"}, {"robot[b]/@x", "-1"}};
+  simulation.change(swap);
+  CHECK(simulation.robot(0).state->pose.x == Approx(1));
+  CHECK(simulation.robot(1).state->pose.x == Approx(-1));
+  // Both to one place.
+  CHECK_THAT(why_not([&] { simulation.change("robot[*]/@x", "0"); }),
+             Catch::Contains("the robot 'a' overlaps the robot 'b'"));
+  // One wrong value among good ones.
+  const simulation::Change mixed[] = {
+      {"robot[a]/@max_speed", "0.1"}, {"robot[b]/@leader", "true"}, {"robot[b]/@max_speed", "x"}};
+  CHECK_THAT(why_not([&] { simulation.change(mixed); }), Catch::Contains("robot[b]/@max_speed=x"));
+  CHECK(simulation.robot(0).state->max_speed_m_s == 0.5);
+  CHECK_FALSE(simulation.robot(1).state->is_leader);
+}
+
+TEST_CASE("A lowered maximum speed scales both wheels alike, at once") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{100, 50}; });
+  world::World world;
+  world.physics.control_steps = 10;
+  world.robots = {robot("r1", 0, 0, 0, behavior("scripted"))};
+  Simulation simulation(world, scripted.host);
+  advance(simulation, 3);
+  CHECK(simulation.robot(0).command == MotorCommand{25, 12.5});
+  simulation.set_max_speed(0, 0.3);
+  CHECK(simulation.robot(0).command == MotorCommand{15, 7.5});  // in mid-period
+  advance(simulation, 20);
+  CHECK(simulation.robot(0).command == MotorCommand{15, 7.5});
+  simulation.set_max_speed(0, 1.0);
+  CHECK(simulation.robot(0).command == MotorCommand{15, 7.5});  // until it decides anew
+  advance(simulation, 10);
+  CHECK(simulation.robot(0).command == MotorCommand{50, 25});
+  simulation.set_max_speed(0, 0.0);
+  CHECK(simulation.robot(0).command == MotorCommand{0, 0});
+}
+
+TEST_CASE("Coverage decides who is in reach") {
+  std::vector<std::string> reached;
+  ScriptedHost scripted([&](const Perception& now) {
+    if (now.self().id == "watcher") {
+      reached.clear();
+      for (const TeamMate& mate : now.team().mates) {
+        reached.emplace_back(mate.id);
+      }
+    }
+    return MotorCommand{};
+  });
+  Simulation simulation = run_of(scripted, {robot("watcher", 0, 0, 0, behavior("scripted")),
+                                            robot("near", 0.4, 0, 0, behavior("scripted")),
+                                            robot("far", 0, 1.5, 0, behavior("scripted"))});
+  simulation.step();
+  CHECK(reached == std::vector<std::string>{"near"});
+  simulation.set_coverage(2, 2.0);  // that of the one who is to be heard
+  simulation.step();
+  CHECK(reached == std::vector<std::string>{"near", "far"});
+  simulation.change("robot[*]/@coverage", "0.3");
+  simulation.step();
+  CHECK(reached.empty());
+}
+
+TEST_CASE("Followers turn to whoever has the leader's flag") {
+  world::World world;
+  const world::Robot follower = robot("follower", 0, 0, 0, behavior("follow_the_leader"));
+  world.robots = {follower, robot("north", 0, 2, 0, behavior("scripted")),
+                  robot("south", 0, -2, 0, behavior("scripted"))};
+  world.robots[1].coverage = world.robots[2].coverage = 5;
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  Simulation simulation(world, scripted.host);
+  simulation.step();
+  CHECK(simulation.robot(0).command == MotorCommand{0, 0});  // nobody leads
+  simulation.set_leader(1, true);
+  simulation.step();
+  CHECK(simulation.robot(0).command.right == Approx(9.0).epsilon(0.01));  // 0.10 x 90 deg, left
+  const simulation::Change handover[] = {{"robot[north]/@leader", "false"},
+                                         {"robot[south]/@leader", "true"}};
+  simulation.change(handover);
+  simulation.step();
+  CHECK(simulation.robot(0).command.left == Approx(9.0).epsilon(0.02));
+  advance(simulation, 2000);
+  const Pose& pose = simulation.robot(0).state->pose;
+  CHECK(std::hypot(pose.x, pose.y + 2) < 0.31);
+}
+
+TEST_CASE("Energy can be taken and given: an empty robot stops, with power it goes on") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{10, 10}; });
+  Simulation simulation = run_of(scripted, {robot("r1", 0, 0, 0, behavior("scripted"))});
+  advance(simulation, 10);
+  simulation.set_energy(0, 0.0);
+  CHECK(simulation.robot(0).empty);
+  advance(simulation, 10);
+  CHECK(simulation.robot(0).command == MotorCommand{0, 0});
+  simulation.change("robot[r1]/@energy", "2500");
+  CHECK_FALSE(simulation.robot(0).empty);
+  CHECK(simulation.robot(0).state->energy == 2500.0);
+  simulation.step();
+  CHECK(simulation.robot(0).command == MotorCommand{10, 10});
+  CHECK(events_of(simulation) == std::vector<std::string>{"0.1 changed robot[r1]/@energy=0",
+                                                          "0.1 battery_empty ",
+                                                          "0.2 changed robot[r1]/@energy=2500"});
+  CHECK(why_not([&] { simulation.set_energy(0, 5001); }) ==
+        "robot[r1]/@energy=5001: the battery of the robot 'r1' holds 5000 units; expected no more "
+        "than that");
+}
+
+TEST_CASE("What is settled before a run is refused, and so is what a path does not lead to") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  world::World world;
+  world.robots = {robot("r1", 0, 0, 0, behavior("wander"))};
+  world.robots[0].sensors = {beam("left", 15)};
+  world.robots[0].segments = {segment("cart")};
+  world.boxes = {box("brick", world::BoxKind::fixed, 2, 2)};
+  world.goals.emplace_back(world::EndureGoal{});
+  Simulation simulation(world, scripted.host);
+  advance(simulation, 5);
+  const std::uint64_t before = simulation.state_hash();
+  const std::string of_robot =
+      " of <robot> is settled before a run and stays as it is while it goes on; what may change "
+      "is x, y, z, heading_deg, max_speed, coverage, leader, energy";
+  const auto refused = [&](const std::string& path, const std::string& value,
+                           const std::string& problem) {
+    CHECK(why_not([&] { simulation.change(path, value); }) == path + "=" + value + ": " + problem);
+  };
+  refused("robot[r1]/@battery", "9000", "'battery'" + of_robot);
+  refused("robot[r1]/@team", "blue", "'team'" + of_robot);
+  refused("robot[*]/@id", "r2", "'id'" + of_robot);
+  const std::string settled = " is settled before a run and stays as it is while it goes on";
+  refused("robot[r1]/body/@wheel_radius", "0.03", "'wheel_radius' of <body>" + settled);
+  refused("robot[r1]/body/@mass", "2", "'mass' of <body>" + settled);
+  refused("robot[r1]/segment[cart]/@length", "0.1", "'length' of <segment>" + settled);
+  refused("physics/@step", "0.001", "'step' of <physics>" + settled);
+  refused("obstacle[brick]/@x", "1", "'x' of <static_box>" + settled);
+  refused("goal[1]/@time", "5", "'time' of <endure>" + settled);
+  refused("@name", "other", "'name' of <world>" + settled);
+  refused("robot[r1]/sensor[left]/@yaw_deg", "5",
+          "'yaw_deg' of <beam_range>" + settled +
+              "; what may change is max_range, error, error_m, energy_cost");
+  refused("robot[r2]/@x", "1", "there is no robot[r2]; there are: r1");
+  refused("robot[r1]/@max_sped", "1",
+          "<robot> has no attribute 'max_sped'; did you mean 'max_speed'?");
+  refused("robot[r1]", "1",
+          "the path leads to an element; expected an attribute at its end, as in "
+          "robot[r1]/@max_speed");
+  refused("robot[r1]/@max_speed", "0,5",
+          "expected a number at least 0 and at most 100 m/s; decimals are written with a point, as "
+          "in 1.5");
+  refused("robot[r1]/@max_speed", "-1", "expected a number at least 0 and at most 100 m/s");
+  refused("robot[r1]/@leader", "yes", "expected true or false");
+  refused("robot[r1]/behavior[wander]/@speed", "501",
+          "expected a number at least 0 and at most 500 rad/s");
+  refused("robot[r1]/behavior[wander]/@sped", "5",
+          "<wander> has no attribute 'sped'; did you mean 'speed'?");
+  CHECK(simulation.state_hash() == before);
+  CHECK(simulation.events().empty());
+}
+
+TEST_CASE("Changes are forgotten by a reset") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{100, 80}; });
+  world::World world;
+  world.limits.time = 2;
+  world.robots = {robot("r1", 0, 0, 0, behavior("scripted"))};
+  world.robots[0].sensors = {beam("left", 15)};
+  Simulation simulation(world, scripted.host, {3});
+  const std::uint64_t unchanged = simulation.run().state_hash;
+  simulation.reset();
+  simulation.set_max_speed(0, 0.1);
+  simulation.set_coverage(0, 3);
+  simulation.set_leader(0, true);
+  simulation.set_energy(0, 77);
+  simulation.change("sensor[left]/@energy_cost", "50");
+  simulation.place_robot(0, {1, 1, 1});
+  CHECK(simulation.run().state_hash != unchanged);
+  simulation.reset();
+  const OwnState& state = *simulation.robot(0).state;
+  CHECK(state.max_speed_m_s == 0.5);
+  CHECK(state.coverage_m == 0.5);
+  CHECK_FALSE(state.is_leader);
+  CHECK(state.energy == 5000);
+  CHECK(simulation.events().empty());
+  CHECK(simulation.run().state_hash == unchanged);
+}
