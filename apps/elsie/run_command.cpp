@@ -29,6 +29,7 @@ struct RunOptions {
   std::uint64_t seed = 1;
   std::optional<double> duration;
   std::vector<std::string> overrides;
+  std::vector<std::string> changes;
   std::optional<std::string> record;
   double record_rate = 10.0;
   bool record_times = false;
@@ -48,6 +49,7 @@ Examples:
   elsie run worlds/clutter.xml --record clutter.csv --record-rate 20
   elsie run worlds/clutter.xml --explain clutter.trace
   elsie run worlds/clutter.xml --set 'robot[r1]/behavior[wander]/@speed=15' --json
+  elsie run worlds/clutter.xml --at '5:robot[r1]/@max_speed=0.2' --at '10:robot[r1]/@max_speed=0.4'
 
 The run ends with exit code 0 when the world's goals are reached, 1 when they are not.
 )";
@@ -94,6 +96,55 @@ class Watchers {
   std::vector<elsie::simulation::Observer*> all_;
 };
 
+/// TIME:PATH=VALUE. Throws BadInput.
+elsie::simulation::TimedChange change_of(const std::string& text) {
+  const auto fail = [&](const std::string& problem) {
+    throw BadInput("--at " + text + ": " + problem +
+                   "; expected TIME:PATH=VALUE, as in '5:robot[r1]/@max_speed=0.2'");
+  };
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) {
+    fail("there is no ':' after a time");
+  }
+  const auto time = parse_number(std::string_view(text).substr(0, colon));
+  if (!time) {
+    fail("'" + text.substr(0, colon) + "' is not a time in seconds");
+  }
+  const std::size_t equals = text.find('=', colon);
+  if (equals == std::string::npos) {
+    fail("there is no '=' after a path");
+  }
+  return {*time, {text.substr(colon + 1, equals - colon - 1), text.substr(equals + 1)}};
+}
+
+std::vector<elsie::simulation::TimedChange> changes_of(const RunOptions& options) {
+  std::vector<elsie::simulation::TimedChange> changes;
+  for (const std::string& text : options.changes) {
+    changes.push_back(change_of(text));
+  }
+  return changes;
+}
+
+/// The simulation of a world that is in order, with changes that can be made.
+elsie::simulation::Simulation simulation_of(
+    const RunOptions& options, const elsie::plugin::Host& host,
+    std::span<const elsie::simulation::TimedChange> changes) {
+  elsie::world::World world =
+      elsie::world::read_world(options.world, host, read_options(options.overrides));
+  if (options.duration) {
+    world.limits.time = *options.duration;
+  }
+  elsie::simulation::Simulation simulation(
+      std::move(world), host,
+      {options.seed, options.record_times || options.explain_times, data_directories()});
+  try {
+    simulation.check(changes);
+  } catch (const elsie::simulation::ChangeRefused& refused) {
+    throw BadInput(std::string("--at: ") + refused.what());
+  }
+  return simulation;
+}
+
 void check(const RunOptions& options) {
   if (options.record) {
     require_recording(*options.record, "--record");
@@ -111,17 +162,12 @@ void check(const RunOptions& options) {
 
 int run(const RunOptions& options) {
   check(options);
+  const auto changes = changes_of(options);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
   const elsie::plugin::Host host = load_plugins(options.plugins);
-  elsie::world::World world =
-      elsie::world::read_world(options.world, host, read_options(options.overrides));
-  if (options.duration) {
-    world.limits.time = *options.duration;
-  }
-  elsie::simulation::Simulation simulation(
-      std::move(world), host, {options.seed, options.record_times || options.explain_times});
+  elsie::simulation::Simulation simulation = simulation_of(options, host, changes);
   Watchers watchers(options);
   const auto draw_as = [&](const std::string& line) {
     if (options.picture) {
@@ -129,7 +175,7 @@ int run(const RunOptions& options) {
     }
   };
   try {
-    const elsie::simulation::RunResult result = simulation.run(watchers.all());
+    const elsie::simulation::RunResult result = simulation.run(watchers.all(), changes);
     draw_as(headline(result) + "  (seed " + std::to_string(result.seed) + ")");
     if (options.json) {
       std::cout << json(result);
@@ -144,6 +190,10 @@ int run(const RunOptions& options) {
       std::cerr << "elsie: " << error.what() << '\n';  // the fault is what counts
     }
     throw;
+  } catch (const elsie::simulation::ChangeRefused& refused) {
+    draw_as(refused.what());
+    throw BadInput(std::string("--at: ") + refused.what() +
+                   "\nthe run ended there; what was recorded until then is kept");
   } catch (const Interrupted&) {
     draw_as("interrupted");
     std::cerr << "elsie: interrupted after " << simulation.time_s()
@@ -171,6 +221,13 @@ void add_run_command(CLI::App& program, Job& job) {
           "--set", options->overrides,
           "Change an attribute of the world, e.g. 'robot[r1]/@max_speed=0.3'; may be repeated")
       ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--at", options->changes,
+                   "Change an attribute while the world runs, before the first step at this "
+                   "simulated time (s) or after it, e.g. '5:robot[r1]/@max_speed=0.2'; may be "
+                   "repeated, and what has the same time is changed together")
+      ->type_name("TIME:PATH=VALUE")
       ->allow_extra_args(false);
   options->plugins.add_to(*command);
   command

@@ -54,6 +54,8 @@ std::vector<std::string> blocks(const std::string& page, const std::string& lang
 const std::set<std::string> kCutShort = {
     "elsie run worlds/ten_robots.xml --duration 60 --explain run.trace",
     "elsie run worlds/open_arena.xml --duration 10 --json",
+    "elsie run worlds/open_arena.xml --duration 12 --at '4:robot[r1]/@max_speed=0.1' "
+    "--at '8:robot[r1]/@x=-1' --at '8:robot[r1]/@y=1'",
     "for seed in 1 2 3; do elsie run worlds/open_arena.xml --duration 20 --seed $seed --json; done "
     "> runs.jsonl",
     "elsie run worlds/find_resource.xml --duration 20 --picture found.png",

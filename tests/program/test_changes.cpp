@@ -1,0 +1,136 @@
+// elsie run --at: changing a world while it runs.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+using elsie::test::Workplace;
+using nlohmann::json;
+
+namespace {
+
+const std::string kRun = "run worlds/open_arena.xml --duration 4 --json";
+
+std::vector<std::string> changes_in(const json& result) {
+  std::vector<std::string> changes;
+  for (const json& event : result.at("events")) {
+    if (event.at("name") == "changed") {
+      changes.push_back(event.at("time_s").dump() + " " + event.at("robot").get<std::string>() +
+                        " " + event.at("detail").get<std::string>());
+    }
+  }
+  return changes;
+}
+
+}  // namespace
+
+TEST_CASE("--at changes the world on its way, and the result tells of it") {
+  Workplace here;
+  const auto run = here.elsie(kRun +
+                              " --at '2:robot[r1]/@max_speed=0.1' --at '1:robot[r1]/@x=-1'"
+                              " --at '1:robot[r1]/@y=-1.5' --at '0:sensor[*]/@error=0.1'");
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 1);
+  CHECK(run.err.empty());
+  const json result = json::parse(run.out);
+  const std::vector<std::string> changes = changes_in(result);
+  REQUIRE(changes.size() > 4);
+  CHECK(changes.front().starts_with("0.0 r1 robot[r1]/sensor["));
+  CHECK(std::vector(changes.end() - 3, changes.end()) ==
+        std::vector<std::string>{"1.0 r1 robot[r1]/@x=-1", "1.0 r1 robot[r1]/@y=-1.5",
+                                 "2.0 r1 robot[r1]/@max_speed=0.1"});
+  // No faster than that for the last two seconds of four.
+  const double driven = result.at("robots")[0].at("distance_m");
+  CHECK(driven < json::parse(here.elsie(kRun).out).at("robots")[0].at("distance_m"));
+}
+
+TEST_CASE("Runs with the same changes are the same, whether they are recorded or not") {
+  Workplace here;
+  const std::string changed = kRun + " --seed 4 --at '1.5:behavior[wander]/@speed=18'";
+  const auto hash = [&](const std::string& arguments) {
+    return json::parse(here.elsie(arguments).out).at("state_hash").get<std::string>();
+  };
+  const std::string first = hash(changed);
+  CHECK(hash(changed + " --explain run.trace --record run.csv") == first);
+  CHECK(hash(kRun + " --seed 4") != first);
+  CHECK_THAT(here.read("run.trace"),
+             Catch::Contains("changed") && Catch::Contains("robot[r1]/behavior[wander]/@speed=18"));
+  CHECK_THAT(here.elsie("explain run.trace").out, Catch::Contains("changed"));
+}
+
+TEST_CASE("A change that cannot be made is told before the run, with exit code 2") {
+  Workplace here;
+  here.write("run.csv", "what was there before\n");
+  const auto expect = [&](const std::string& change, const std::string& sentence) {
+    CAPTURE(change);
+    const auto run = here.elsie(kRun + " --record run.csv --at '" + change + "'");
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    CHECK(run.err == "elsie: --at" + sentence + "\n");
+    CHECK(here.read("run.csv") == "what was there before\n");
+  };
+  const std::string form = "; expected TIME:PATH=VALUE, as in '5:robot[r1]/@max_speed=0.2'";
+  expect("robot[r1]/@max_speed=0.2",
+         " robot[r1]/@max_speed=0.2: there is no ':' after a time" + form);
+  expect("1,5:robot[r1]/@max_speed=0.2",
+         " 1,5:robot[r1]/@max_speed=0.2: '1,5' is not a time in seconds" + form);
+  expect("1:robot[r1]/@max_speed", " 1:robot[r1]/@max_speed: there is no '=' after a path" + form);
+  expect("4:robot[r1]/@max_speed=0.2",
+         ": robot[r1]/@max_speed=0.2: its time is 4 s, but the run begins at 0 and ends after 4 s "
+         "at the latest; expected a time in between");
+  expect("1:robot[r9]/@x=1", ": at 1 s, robot[r9]/@x=1: there is no robot[r9]; there are: r1");
+  expect("1:robot[r1]/@max_sped=1",
+         ": at 1 s, robot[r1]/@max_sped=1: <robot> has no attribute 'max_sped'; did you mean "
+         "'max_speed'?");
+  expect("1:robot[r1]/@max_speed=fast",
+         ": at 1 s, robot[r1]/@max_speed=fast: expected a number at least 0 and at most 100 m/s");
+  expect("1:robot[r1]/@energy=6000",
+         ": at 1 s, robot[r1]/@energy=6000: the battery of the robot 'r1' holds 5000 units; "
+         "expected no more than that");
+  expect("1:robot[r1]/body/@mass=2",
+         ": at 1 s, robot[r1]/body/@mass=2: 'mass' of <body> is settled before a run and stays as "
+         "it is while it goes on");
+  expect("1:robot[r1]/@x=2.5",
+         ": at 1 s, robot[r1]/@x=2.5: that is outside of the arena, which reaches from -2 to 2 in "
+         "x");
+  expect("1:robot[r1]/behavior[wander]/@speed=-1",
+         ": at 1 s, robot[r1]/behavior[wander]/@speed=-1: expected a number at least 0 and at most "
+         "500 rad/s");
+  expect("1:robot[r1]=<wander/>",
+         ": at 1 s, robot[r1]=<wander/>: the path leads to an element; expected an attribute at "
+         "its end, as in robot[r1]/@max_speed");
+}
+
+TEST_CASE("A place that is taken when its time comes ends the run with exit code 2") {
+  Workplace here;
+  const auto run = here.elsie(kRun + " --record run.csv --at '1:robot[r1]/@x=1.99'");
+  CHECK(run.exit_code == 2);
+  CHECK(run.out.empty());
+  CHECK_THAT(run.err, Catch::StartsWith("elsie: --at: at 1 s, robot[r1]/@x=1.99: the robot 'r1' "
+                                        "reaches ") &&
+                          Catch::Contains(" m into the east wall; expected a free place in the "
+                                          "arena\nthe run ended there; what was recorded until "
+                                          "then is kept\n"));
+  const std::string table = here.read("run.csv");
+  CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 11);
+}
+
+TEST_CASE("elsie tells what may change while a world runs") {
+  Workplace here;
+  CHECK_THAT(here.elsie("run --help").out, Catch::Contains("--at TIME:PATH=VALUE"));
+  const std::string world = here.elsie("describe world").out;
+  CHECK_THAT(world, Catch::Contains("no wheel rolls faster than this; may change while the world "
+                                    "runs"));
+  CHECK_THAT(world, !Catch::Contains("its battery when full; may change"));
+  CHECK_THAT(here.elsie("describe fusion_neural_network").out,
+             Catch::Contains("settled before a run"));
+  CHECK_THAT(here.elsie("describe wander").out, !Catch::Contains("settled before a run"));
+  const json network = json::parse(here.elsie("describe fusion_neural_network --json").out);
+  for (const json& parameter : network.at("parameters")) {
+    CHECK(parameter.value("live", true) == (parameter.at("name") == "weights"));
+  }
+}
