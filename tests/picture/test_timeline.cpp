@@ -178,6 +178,89 @@ TEST_CASE("Events are marked, and named in the legend") {
   CHECK(dark() > without + 100);
 }
 
+TEST_CASE("Each kind of event has a row of its own, up to eight of them") {
+  const Folder folder;
+  const auto height = [&](int kinds) {
+    TraceRobot robot = in_turn({{0, 0}});
+    for (int i = 0; i < 3 * kinds; ++i) {
+      robot.events.push_back({1.0 * i, "kind " + std::to_string(i % kinds), ""});
+    }
+    return drawn(folder, trace_of({robot})).height();
+  };
+  const int one = height(1);
+  CHECK(height(0) < one);
+  CHECK(height(3) == Approx(one + 2 * 15).margin(1));
+  CHECK(height(8) == Approx(one + 7 * 15).margin(1));
+  CHECK(height(9) < height(8));  // one row for all, and more names in the legend
+}
+
+TEST_CASE("Rare events are seen among hundreds of frequent ones") {
+  const Folder folder;
+  // One kind without a pause, from the first to the last second, and a rare one.
+  const auto picture = [&](double rare_at, std::size_t robots) {
+    TraceRobot robot = in_turn({{0, 0}});
+    for (int i = 0; i < 570; ++i) {
+      robot.events.push_back({240.0 * i / 570, "flicker", ""});
+      if (240.0 * i / 570 <= rare_at && rare_at < 240.0 * (i + 1) / 570) {
+        robot.events.push_back({rare_at, "collected", ""});
+      }
+    }
+    const Trace trace = trace_of(std::vector<TraceRobot>(robots, robot));
+    return drawn(folder, trace);
+  };
+  for (const std::size_t robots : {1U, 4U}) {  // rows of their own, and one row for all
+    CAPTURE(robots);
+    const Bitmap early = picture(61.3, robots), late = picture(180.2, robots);
+    REQUIRE(early.height() == late.height());
+    // The events stand above the band of deciders.
+    int band = 0;
+    while (!is_first(early.at({300.0, static_cast<double>(band)}))) ++band;
+    int marked = 0, crossed = 0;
+    for (int x = 0; x < early.width(); ++x) {
+      int differ = 0;
+      for (int y = 0; y < band; ++y) {
+        const Vector2 at{static_cast<double>(x), static_cast<double>(y)};
+        differ += early.at(at).red != late.at(at).red ? 1 : 0;
+      }
+      marked += differ;
+      // Its line goes down through what is of one colour otherwise.
+      crossed += std::abs(count_down(early, x, is_first) - count_down(late, x, is_first)) > 30;
+    }
+    CHECK(marked > 100);  // two symbols, each with its rim
+    CHECK(crossed >= 2);  // two lines
+    CHECK(crossed <= 6);  // and none for what flickers
+  }
+}
+
+TEST_CASE("Frequent events hide nothing of each other") {
+  const Folder folder;
+  const auto dark = [&](int events) {
+    TraceRobot robot = in_turn({{0, 0}});
+    for (int i = 0; i < events; ++i) {
+      robot.events.push_back({240.0 * i / events, "flicker", ""});
+    }
+    const Trace trace = trace_of({robot});
+    return count(drawn(folder, trace), [](const Pixel& p) { return p.dark(); });
+  };
+  CHECK(dark(500) > dark(100) + 1000);  // 500 leave no gap between them
+}
+
+TEST_CASE("The priority that the user gave a behaviour stands beside its lane") {
+  const Folder folder;
+  const auto with = [&](double priority) {
+    TraceRobot robot = in_turn({{0, 0}});
+    robot.members[1].priority = priority;
+    const Trace trace = trace_of({robot});
+    save_timeline({trace, {}, {}, "", {}}, folder / "a.png");
+    return bytes_of(folder / "a.png");
+  };
+  const Trace plain = trace_of({in_turn({{0, 0}})});
+  save_timeline({plain, {}, {}, "", {}}, folder / "b.png");
+  CHECK((with(1) == bytes_of(folder / "b.png")));
+  CHECK_FALSE((with(2) == with(1)));
+  CHECK_FALSE((with(0.25) == with(0.5)));
+}
+
 TEST_CASE("A part of the run fills the whole width") {
   const Folder folder;
   const Trace trace = trace_of({in_turn({{0, 0}, {100, 1}, {200, 2}})});

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 #include "file.h"
@@ -17,11 +19,13 @@ using simulation::RobotAccount;
 using simulation::TimeSpan;
 using simulation::TraceRobot;
 
-constexpr double kMargin = 18.0;
+constexpr double kMargin = kTimelineMargin;
 constexpr double kColumn = 1.5;        // width, units
 constexpr double kBesideRight = 50.0;  // for the shares in per cent
 constexpr double kHeadline = 28.0;     // of a robot
-constexpr double kEventsRow = 20.0;
+constexpr double kEventsRow = 20.0;    // of all events
+constexpr double kKindRow = 15.0;      // of those of one name
+constexpr double kLaneHead = 10.0;
 constexpr double kBand = 28.0;
 constexpr double kGap = 9.0;
 constexpr double kLaneGap = 5.0;
@@ -43,12 +47,6 @@ struct Heights {
   }
 };
 
-bool has_events(const TraceRobot& robot, const TimeSpan& span) {
-  return std::any_of(robot.events.begin(), robot.events.end(), [&](const auto& event) {
-    return event.time_s >= span.from_s && event.time_s <= span.to_s;
-  });
-}
-
 /// One entry of the legend.
 struct Entry {
   std::string name;
@@ -67,7 +65,9 @@ class Sheet {
         zoom_(zoom),
         width_(width) {
     for (const std::size_t r : robots_) {
-      accounts_.push_back(simulation::account(timeline.trace.robots[r], span_));
+      const TraceRobot& robot = timeline.trace.robots[r];
+      accounts_.push_back(simulation::account(robot, span_));
+      kinds_[&robot] = event_kinds(robot, span_);
     }
     if (!(span_.from_s < span_.to_s)) span_.to_s = span_.from_s + timeline.trace.period_s;
     natural_ = in_full_ ? Heights{104.0, 74.0, 30.0} : Heights{56.0, 0.0, 0.0};
@@ -79,9 +79,11 @@ class Sheet {
     double height = 2 * kMargin + header_height() + 12.0 + kLegendRow * legend_rows_;
     for (const std::size_t r : robots_) {
       const TraceRobot& robot = timeline_.trace.robots[r];
-      height += kHeadline + (has_events(robot, span_) ? kEventsRow : 0.0) + kBand + kGap + kAxis +
-                kBetweenRobots + (in_full_ ? kGap : kLaneGap);
-      if (in_full_) height += kGap + kLaneGap * static_cast<double>(robot.members.size());
+      height += kHeadline + events_height(robot) + kBand + kGap + kAxis + kBetweenRobots +
+                (in_full_ ? kGap : kLaneGap);
+      if (in_full_) {
+        height += kGap + kLaneHead + kLaneGap * static_cast<double>(robot.members.size());
+      }
     }
     return height;
   }
@@ -118,6 +120,21 @@ class Sheet {
     return robots;
   }
 
+  const std::vector<EventKind>& kinds_of(const TraceRobot& robot) const {
+    return kinds_.at(&robot);
+  }
+
+  /// Whether each kind of event has a row of its own.
+  bool in_rows(const TraceRobot& robot) const {
+    return in_full_ && kinds_of(robot).size() <= kMostEventRows;
+  }
+
+  double events_height(const TraceRobot& robot) const {
+    const std::size_t kinds = kinds_of(robot).size();
+    if (kinds == 0) return 0.0;
+    return kEventsRow + (in_rows(robot) ? kKindRow * static_cast<double>(kinds - 1) : 0.0);
+  }
+
   double header_height() const {
     return kPageTitle + 10 + 19.0 * static_cast<double>(timeline_.subtitles.size()) + 8;
   }
@@ -141,11 +158,18 @@ class Sheet {
   double left_of_plots(const Canvas& canvas) const {
     double widest = 60.0;
     for (const std::size_t r : robots_) {
-      for (const auto& member : timeline_.trace.robots[r].members) {
+      const TraceRobot& robot = timeline_.trace.robots[r];
+      for (const EventKind& kind : kinds_of(robot)) {
+        if (!in_rows(robot)) break;
+        widest = std::max(widest, canvas.text_width(kind.name, {.size = kTick}));
+      }
+      for (const auto& member : robot.members) {
         if (!in_full_) break;
         const std::string name = member.path.substr(member.path.rfind('/') + 1);
+        const std::string priority = number_text(member.priority);
         widest = std::max(widest, canvas.text_width(name, {.size = kLabel, .bold = true}) +
-                                      14.0 * member.depth + 16.0);
+                                      14.0 * member.depth + 16.0 + kNameToPriority +
+                                      canvas.text_width(priority, {.size = kTick}));
       }
     }
     return std::round((kMargin + std::min(widest, 0.25 * width_) + 12.0) * zoom_) / zoom_;
@@ -169,7 +193,7 @@ class Sheet {
     y += kHeadline;
 
     const double events_at = y + kEventsRow / 2 - 3;
-    if (has_events(robot, span_)) y += kEventsRow;
+    y += events_height(robot);
     const auto panel = [&](double height, double gap) {
       const Rect area{left, y, block.width(), height};
       y += height + gap;
@@ -178,12 +202,13 @@ class Sheet {
     draw_deciders(canvas, block, panel(kBand, kGap));
     draw_shares(canvas, block, panel(heights.shares, in_full_ ? kGap : kLaneGap));
     if (in_full_) {
-      draw_weights(canvas, block, panel(heights.weights, kGap));
+      draw_weights(canvas, block, panel(heights.weights, kGap + kLaneHead));
+      if (!robot.members.empty()) draw_lane_head(canvas, block, y - 3);
       for (std::size_t i = 0; i < robot.members.size(); ++i) {
         draw_lane(canvas, block, i, account.members[i].robot_share, panel(heights.lane, kLaneGap));
       }
     }
-    draw_events(canvas, block, symbols_, events_at, y);
+    draw_events(canvas, block, kinds_of(robot), symbols_, in_rows(robot), events_at, kKindRow, y);
     draw_time_axis(canvas, block, y);
     return y + kAxis + kBetweenRobots;
   }
@@ -226,7 +251,14 @@ class Sheet {
                            canvas.rectangle(area).stroke(kFrame, {.width = 0.8});
                          }});
     }
+    // Rows have the names of their events beside them.
+    std::set<std::string> unnamed;
+    for (const auto& [robot, kinds] : kinds_) {
+      if (in_rows(*robot)) continue;
+      for (const EventKind& kind : kinds) unnamed.insert(kind.name);
+    }
     for (const std::string& name : symbols_.names()) {
+      if (!unnamed.contains(name)) continue;
       entries.push_back({name, [this, name](Canvas& canvas, const Vector2& at) {
                            symbols_.draw(canvas, name, at);
                          }});
@@ -290,6 +322,7 @@ class Sheet {
   bool in_full_;
   TimeSpan span_;
   std::vector<RobotAccount> accounts_;  // of the robots, in their order
+  std::map<const TraceRobot*, std::vector<EventKind>> kinds_;
   BehaviorInks inks_;
   EventSymbols symbols_;
   double zoom_, width_;

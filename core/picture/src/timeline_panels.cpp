@@ -10,12 +10,8 @@
 namespace elsie::picture {
 namespace {
 
-constexpr double kBesidePlot = 10.0;
-constexpr double kLeastOfBand = 0.3;          // of a column's height for whoever decided in it
-constexpr double kIndent = 14.0;              // of a behaviour inside another
-constexpr std::size_t kEventsWithLines = 80;  // more of them would hide the rest
-const TextStyle kBeside{
-    .size = kTick, .ink = kFaintText, .across = Across::right, .down = Down::middle};
+constexpr double kLeastOfBand = 0.3;  // of a column's height for whoever decided in it
+constexpr double kIndent = 14.0;      // of a behaviour inside another
 
 Ticks time_ticks(const TimelineBlock& block) {
   return nice_ticks(block.span.from_s, block.span.to_s,
@@ -150,30 +146,6 @@ void draw_time_axis(Canvas& canvas, const TimelineBlock& block, double y) {
               {.size = kTick, .across = Across::right, .down = Down::top});
 }
 
-void draw_events(Canvas& canvas, const TimelineBlock& block, const EventSymbols& symbols, double y,
-                 double bottom) {
-  std::vector<const simulation::TraceEvent*> shown;
-  for (const simulation::TraceEvent& event : block.robot.events) {
-    if (event.time_s >= block.span.from_s && event.time_s <= block.span.to_s) {
-      shown.push_back(&event);
-    }
-  }
-  if (shown.empty()) return;
-  if (shown.size() <= kEventsWithLines) {
-    for (const simulation::TraceEvent* event : shown) {
-      const double x = canvas.crisp(block.x_of(event->time_s));
-      canvas.line({x, y}, {x, bottom})
-          .stroke(kText.with_alpha(0.45), {.width = 0.8, .dash = {3, 3}});
-    }
-  }
-  for (const simulation::TraceEvent* event : shown) {
-    symbols.draw(canvas, event->name, {block.x_of(event->time_s), y});
-  }
-  TextStyle style = kBeside;
-  style.ink = kText;
-  canvas.text("events", {block.left - kBesidePlot, y}, style);
-}
-
 void draw_deciders(Canvas& canvas, const TimelineBlock& block, const Rect& area) {
   std::size_t begun = 0;  // first of the columns that look alike
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
@@ -255,14 +227,27 @@ void draw_lane(Canvas& canvas, const TimelineBlock& block, std::size_t member, d
       [&](const Column& column) -> const Extent& { return column.members[member].activation; });
   draw_frame(canvas, area);
 
+  const double beside = area.x - kBesidePlot;
+  TextStyle number = kBeside;
+  number.ink = kText;
+  const std::string priority = number_text(traced.priority);
+  canvas.text(priority, {beside, area.centre().y}, number);
+  const double taken = canvas.text_width(priority, number) + kNameToPriority;
+
   const std::string name = traced.path.substr(traced.path.rfind('/') + 1);
   const double indent = 18.0 + kIndent * traced.depth;
   const TextStyle style{.size = kLabel, .bold = traced.depth == 0, .down = Down::middle};
   canvas.rectangle({indent, area.centre().y - 5, 10, 10}).fill(ink);
-  canvas.text(canvas.fitted(name, style, area.x - kBesidePlot - indent - 16),
+  canvas.text(canvas.fitted(name, style, beside - taken - indent - 16),
               {indent + 16, area.centre().y}, style);
   canvas.text(tick_label(100.0 * mean_share, 1.0) + " %", {area.right() + 8, area.centre().y},
               {.size = kTick, .down = Down::middle});
+}
+
+void draw_lane_head(Canvas& canvas, const TimelineBlock& block, double y) {
+  TextStyle style = kBeside;
+  style.down = Down::baseline;
+  canvas.text("user priority", {block.left - kBesidePlot, y}, style);
 }
 
 void hatch(Canvas& canvas, const Rect& around) {

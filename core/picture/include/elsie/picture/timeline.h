@@ -1,9 +1,9 @@
 // A coordination trace as a picture: who decided when, over the time of a run.
 //
-// For each robot, from above to below: its events; a band that shows whose command counted most;
+// For each robot, from above to below: its events, a row for each kind; a band that shows whose command counted most;
 // the shares of its behaviours in the command, stacked; their weights; and a lane for each
-// behaviour, those inside another below it, with its part in the robot's command, its activation,
-// and when it was silenced.
+// behaviour, those inside another below it, with the priority that the user gave it, its part in the
+// robot's command, its activation, and when it was silenced.
 #pragma once
 
 #include <cstddef>
