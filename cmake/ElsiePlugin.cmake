@@ -28,3 +28,23 @@ function(elsie_add_plugin name)
     target_link_options(${name} PRIVATE -Wl,--no-undefined)
   endif()
 endfunction()
+
+# elsie_add_plugin_test(NAME source...)
+#
+# A test program for the plugins of the same folder, with the test library and Catch2 (find_package() of both comes first), as a test of
+# this name.
+function(elsie_add_plugin_test name)
+  add_executable(test_${name} ${ARGN})
+  target_link_libraries(test_${name} PRIVATE elsie::testing Catch2::Catch2)
+  add_test(NAME ${name} COMMAND test_${name})
+  set_tests_properties(${name} PROPERTIES ENVIRONMENT "ELSIE_PLUGIN_PATH=${CMAKE_CURRENT_BINARY_DIR}")
+endfunction()
+
+# elsie_add_world_test(WORLD.xml)
+#
+# A test that runs a world of this folder with the plugins that are built here: it must reach its goals.
+function(elsie_add_world_test world)
+  get_filename_component(name "${world}" NAME_WE)
+  add_test(NAME ${name} COMMAND "${ELSIE_PROGRAM}" run "${CMAKE_CURRENT_SOURCE_DIR}/${world}" --plugin-path
+                                "${CMAKE_CURRENT_BINARY_DIR}" --quiet)
+endfunction()

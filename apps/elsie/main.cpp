@@ -104,6 +104,7 @@ int main(int argc, char** argv) {
   add_schema_command(program, job);
   add_fuzzy_command(program, job);
   add_train_command(program, job);
+  add_new_command(program, job);
   add_build_command(program, job);
   add_manual_command(program, job);
   add_completion_command(program, job);

@@ -1,0 +1,186 @@
+// elsie new: a folder with a new plugin, its test, a world that uses it.
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+
+#include "elsie/plugin/kind_name.h"
+
+#include "command.h"
+#include "environment.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using elsie::PluginKind;
+
+struct Options {
+  std::string kind;
+  std::string name;
+  std::string folder;
+  PluginOptions plugins;
+};
+
+/// What CMake has as targets already.
+constexpr std::array<std::string_view, 9> kTaken = {
+    "all", "clean", "edit_cache", "help", "install", "package", "rebuild_cache", "test", "world"};
+
+void check_name(const std::string& name) {
+  const auto fits = [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; };
+  const bool sound =
+      !name.empty() && fits(name.front()) && std::all_of(name.begin(), name.end(), [&](char c) {
+        return fits(c) || c == '_' || (c >= '0' && c <= '9');
+      });
+  if (!sound) {
+    throw BadInput("'" + name +
+                   "' is no name for a plugin; it should be a small letter followed by small "
+                   "letters, digits and underscores, such as 'follow_wall'");
+  }
+  if (std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end()) {
+    throw BadInput("'" + name + "' is a word of the build system; choose another name");
+  }
+}
+
+void check_free(const Options& options) {
+  const elsie::plugin::Host host = load_plugins(options.plugins);
+  for (const PluginKind kind :
+       {PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator}) {
+    if (elsie::plugin::kind_name(kind) == options.kind && host.find(kind, options.name)) {
+      throw BadInput("there is a " + options.kind + " '" + options.name + "' already (" +
+                     host.file_of(kind, options.name).string() + "); choose another name");
+    }
+  }
+}
+
+/// "follow_wall" -> "FollowWall".
+std::string class_name(const std::string& name) {
+  std::string out;
+  bool begins = true;
+  for (const char c : name) {
+    if (c != '_') {
+      out += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    }
+    begins = c == '_';
+  }
+  return out;
+}
+
+void replace_all(std::string& text, std::string_view from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+}
+
+std::string filled_in(std::string text, const Options& options) {
+  replace_all(text, "@name@", options.name);
+  replace_all(text, "@Class@", class_name(options.name));
+  replace_all(text, "@kind@", options.kind);
+  return text;
+}
+
+fs::path template_folder(const std::string& kind) {
+  std::string searched;
+  for (const std::string& directory : data_directories()) {
+    const fs::path folder = fs::path(directory) / "templates" / kind;
+    if (fs::is_directory(folder)) {
+      return folder;
+    }
+    searched += (searched.empty() ? "" : ", ") + directory;
+  }
+  throw BadInput("there are no templates of plugins in the data directories (" + searched +
+                 "); is Elsie installed whole?");
+}
+
+void write_file(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  if (!(out << text << std::flush)) {
+    throw std::runtime_error("'" + file.string() + "' could not be written");
+  }
+}
+
+/// All files or none.
+void write_project(const Options& options, const fs::path& folder) {
+  fs::path scratch = folder;
+  scratch += ".new";
+  std::error_code error;
+  fs::remove_all(scratch, error);
+  if (!fs::create_directories(scratch, error)) {
+    throw BadInput("the folder '" + folder.string() + "' cannot be made: " + error.message());
+  }
+  try {
+    for (const auto& entry : fs::directory_iterator(template_folder(options.kind))) {
+      std::ifstream in(entry.path(), std::ios::binary);
+      const std::string text{std::istreambuf_iterator<char>(in), {}};
+      write_file(scratch / filled_in(entry.path().filename().string(), options),
+                 filled_in(text, options));
+    }
+    fs::rename(scratch, folder);
+  } catch (...) {
+    fs::remove_all(scratch, error);
+    throw;
+  }
+}
+
+int make_project(const Options& options) {
+  check_name(options.name);
+  const fs::path folder = options.folder.empty() ? options.name : options.folder;
+  std::error_code error;
+  if (fs::exists(folder, error)) {
+    throw BadInput("'" + folder.string() + "' is there already; choose another name, or --folder");
+  }
+  check_free(options);
+  write_project(options, folder);
+  std::cout << "A new " << options.kind << " in " << folder.string() << ":\n";
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  for (const std::string& name : names) {
+    std::cout << "  " << name << '\n';
+  }
+  std::cout << "Try it:\n  cd " << folder.string() << "\n  elsie run world.xml --plugin "
+            << options.name << ".cpp\n";
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_new_command(CLI::App& program, Job& job) {
+  CLI::App* command = program.add_subcommand(
+      "new", "Make a folder with a new plugin, its test, and a world that uses it");
+  command->footer(
+      "\nExamples:\n  elsie new behavior circle_around\n"
+      "  elsie new coordinator my_arbiter --folder plugins/my_arbiter\n"
+      "  elsie new sensor light\n");
+  auto options = std::make_shared<Options>();
+  command->add_option("KIND", options->kind, "behavior, coordinator or sensor")->required();
+  command->add_option("NAME", options->name, "Its name: small letters, digits, underscores")
+      ->required();
+  command->add_option("--folder", options->folder, "Where to put it; default: NAME, here")
+      ->type_name("DIR");
+  options->plugins.add_to(*command);
+  command->callback([&job, options] {
+    job = [options] {
+      if (options->kind == "behaviour") {
+        options->kind = "behavior";
+      }
+      if (options->kind != "behavior" && options->kind != "coordinator" &&
+          options->kind != "sensor") {
+        throw BadInput("'" + options->kind +
+                       "' is no kind of plugin; there are behavior, coordinator and sensor");
+      }
+      return make_project(*options);
+    };
+  });
+}

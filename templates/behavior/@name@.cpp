@@ -1,0 +1,32 @@
+// @name@: what it does, in a sentence.
+#include <algorithm>
+
+#include <elsie/api/behavior.h>
+
+class @Class@ final : public elsie::Behavior {
+ public:
+  // What a world file can set. The defaults stand here, and only here.
+  double speed = 10.0;
+  double distance = 0.5;
+
+  elsie::Response respond(const elsie::Perception& now) override {
+    double nearest = distance;
+    for (const auto& beam : now.readings<elsie::RangeReading>()) {
+      nearest = std::min(nearest, beam->distance_m);
+    }
+    // Slower and slower, and still at half the distance.
+    const double rate = speed * std::max(0.0, 2.0 * nearest / distance - 1.0);
+    elsie::Response response = elsie::MotorCommand{rate, rate};
+    response.activation = 1.0 - nearest / distance;  // the nearer, the more it has to say
+    return response;
+  }
+};
+
+ELSIE_BEHAVIOR(@Class@, "@name@", "Drives on, and stops before what is ahead",
+               elsie::needs<elsie::RangeReading>(),
+               elsie::parameter("speed", &@Class@::speed,
+                                {.unit = "rad/s", .min = 0, .max = 50,
+                                 .meaning = "wheel rate when all is clear"}),
+               elsie::parameter("distance", &@Class@::distance,
+                                {.unit = "m", .above = 0, .max = 100,
+                                 .meaning = "what is nearer than this slows it down"}));

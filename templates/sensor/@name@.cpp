@@ -1,0 +1,56 @@
+// @name@: what it senses, in a sentence. And a behaviour that reads it, in the same library.
+#include <cmath>
+
+#include <elsie/api/behavior.h>
+#include <elsie/api/sensor.h>
+
+#include "@name@_reading.h"
+
+class @Class@ final : public elsie::SensorOf<@Class@Reading> {
+ public:
+  // What a world file can set. The defaults stand here, and only here.
+  double lamp_x = 0.0;
+  double lamp_y = 0.0;
+  double error = 0.0;
+
+  @Class@Reading sense(const elsie::SensorContext& now) override {
+    const auto& eye = now.frame.origin;  // the sensor's own place in the world
+    const double distance = std::hypot(lamp_x - eye.x, lamp_y - eye.y);
+    const double noise = error > 0.0 ? error * now.random->normal() : 0.0;
+    return {(1.0 + noise) / (1.0 + distance * distance)};
+  }
+};
+
+ELSIE_SENSOR(@Class@, "@name@", "Sees how bright a lamp is",
+             elsie::parameter("lamp_x", &@Class@::lamp_x,
+                              {.unit = "m", .min = -1000, .max = 1000, .meaning = "where the lamp is"}),
+             elsie::parameter("lamp_y", &@Class@::lamp_y,
+                              {.unit = "m", .min = -1000, .max = 1000, .meaning = "where the lamp is"}),
+             elsie::parameter("error", &@Class@::error,
+                              {.min = 0, .max = 1,
+                               .meaning = "standard deviation of its noise, as a part of what it sees"}));
+
+// Turns to the side that is brighter: Braitenberg's vehicle 2b.
+class Seek@Class@ final : public elsie::Behavior {
+ public:
+  double speed = 0.2;
+  double gain = 100.0;
+
+  elsie::Response respond(const elsie::Perception& now) override {
+    double balance = 0.0;  // of the left against the right, in parts of the whole
+    double sum = 1e-9;
+    for (const auto& eye : now.readings<@Class@Reading>()) {
+      balance += eye.azimuth_rad() > 0.0 ? eye->brightness : -eye->brightness;
+      sum += eye->brightness;
+    }
+    return now.self().command_for(speed, gain * balance / sum);
+  }
+};
+
+ELSIE_BEHAVIOR(Seek@Class@, "seek_@name@", "Turns to the side that is brighter",
+               elsie::needs<@Class@Reading>(),
+               elsie::parameter("speed", &Seek@Class@::speed,
+                                {.unit = "m/s", .min = 0, .max = 5, .meaning = "how fast it drives"}),
+               elsie::parameter("gain", &Seek@Class@::gain,
+                                {.unit = "rad/s", .min = 0, .max = 1000,
+                                 .meaning = "rate of turn if one side saw everything"}));

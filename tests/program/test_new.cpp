@@ -1,0 +1,66 @@
+// elsie new: a folder with a new plugin. The package test builds and tests what it makes.
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "program.h"
+
+using Catch::Contains;
+using elsie::test::Workplace;
+
+TEST_CASE("What elsie new makes runs as it is, without a build system") {
+  Workplace here;
+  for (const std::string kind : {"behavior", "coordinator", "sensor"}) {
+    CAPTURE(kind);
+    const std::string name = "my_first_" + kind;
+    const auto made = here.elsie("new " + kind + " " + name);
+    CHECK(made.exit_code == 0);
+    for (const std::string& file :
+         {name + ".cpp", "test_" + name + ".cpp", std::string("CMakeLists.txt"),
+          std::string("world.xml"), std::string("README.md")}) {
+      CAPTURE(file);
+      CHECK_THAT(made.out, Contains(file));
+      const std::string text = here.read(name + "/" + file);
+      CHECK_FALSE(text.empty());
+      CHECK_THAT(text, !Contains("@"));
+    }
+    CHECK_THAT(here.read(name + "/" + name + ".cpp"), Contains("class MyFirst"));
+    const auto run =
+        here.sh("cd " + name + " && ELSIE_CACHE=../cache elsie run world.xml --plugin " + name +
+                ".cpp --quiet");
+    CAPTURE(run.err);
+    CHECK(run.exit_code == 0);
+    CHECK(run.err.empty());  // not a single warning of the compiler
+  }
+}
+
+TEST_CASE("elsie new leaves what is there alone, and makes all or nothing") {
+  Workplace here;
+  const auto refused = [&](const std::string& arguments) {
+    const auto run = here.elsie("new " + arguments);
+    CAPTURE(arguments);
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    return run.err.substr(0, run.err.find('\n'));
+  };
+  here.write("notes", "mine");
+  CHECK(refused("behavior notes") ==
+        "elsie: 'notes' is there already; choose another name, or --folder");
+  CHECK(here.read("notes") == "mine");
+  CHECK(refused("robot r1") ==
+        "elsie: 'robot' is no kind of plugin; there are behavior, coordinator and sensor");
+  CHECK_THAT(refused("behavior Wall"), Contains("'Wall' is no name for a plugin"));
+  CHECK_THAT(refused("behavior 2nd"), Contains("'2nd' is no name for a plugin"));
+  CHECK_THAT(refused("behavior a-b"), Contains("'a-b' is no name for a plugin"));
+  CHECK_THAT(refused("behavior ''"), Contains("is no name for a plugin"));
+  CHECK(refused("sensor test") ==
+        "elsie: 'test' is a word of the build system; choose another name");
+  CHECK_THAT(refused("behavior wander"), Contains("there is a behavior 'wander' already"));
+  CHECK_THAT(refused("sensor light --folder notes/light"), Contains("cannot be made"));
+  CHECK(refused("sensor") == "elsie: NAME is missing");
+  for (const auto& entry : std::filesystem::directory_iterator(here.file(""))) {
+    CHECK_FALSE(entry.path().extension() == ".new");
+  }
+  CHECK(here.elsie("new behaviour light --folder deep/er/light").exit_code == 0);
+  CHECK_FALSE(here.read("deep/er/light/light.cpp").empty());
+}
