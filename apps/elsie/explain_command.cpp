@@ -1,5 +1,6 @@
 // elsie explain: a coordination trace in words, numbers and a picture.
 #include <algorithm>
+#include <exception>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -94,6 +95,7 @@ int explain(const ExplainOptions& options) {
   for (const std::size_t place : places) {
     robots.push_back({&trace.robots[place], elsie::simulation::account(trace.robots[place], span)});
   }
+  std::exception_ptr failure;  // told after what there is to tell
   if (options.picture) {
     const elsie::picture::Timeline timeline{
         trace, places, span, "", {"seed " + std::to_string(trace.seed) + ", " + ending(trace)}};
@@ -101,17 +103,23 @@ int explain(const ExplainOptions& options) {
       elsie::picture::save_timeline(timeline, *options.picture, {options.width, 0});
     } catch (const std::invalid_argument& error) {
       throw BadInput(std::string("--picture: ") + error.what() + " See --robot and --width.");
+    } catch (...) {
+      failure = std::current_exception();
     }
   }
   if (options.json) {
     std::cout << json(trace, span, robots);
-    return kSuccess;
+  } else {
+    std::cout << headlines(trace);
+    for (const ExplainedRobot& robot : robots) {
+      const std::size_t most =
+          options.all ? std::numeric_limits<std::size_t>::max() : options.episodes;
+      std::cout << '\n' << report(trace, robot, most);
+    }
   }
-  std::cout << headlines(trace);
-  for (const ExplainedRobot& robot : robots) {
-    const std::size_t most =
-        options.all ? std::numeric_limits<std::size_t>::max() : options.episodes;
-    std::cout << '\n' << report(trace, robot, most);
+  if (failure) {
+    std::cout.flush();
+    std::rethrow_exception(failure);
   }
   return kSuccess;
 }

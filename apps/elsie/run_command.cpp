@@ -176,12 +176,14 @@ int run(const RunOptions& options) {
   };
   try {
     const elsie::simulation::RunResult result = simulation.run(watchers.all(), changes);
-    draw_as(headline(result) + "  (seed " + std::to_string(result.seed) + ")");
+    // First what the run came to: it is not lost when the picture cannot be written.
     if (options.json) {
       std::cout << json(result);
     } else if (!options.quiet) {
       std::cout << table(result);
     }
+    std::cout.flush();
+    draw_as(headline(result) + "  (seed " + std::to_string(result.seed) + ")");
     return result.outcome == elsie::simulation::Outcome::success ? kSuccess : kGoalMissed;
   } catch (const elsie::simulation::PluginFault& fault) {
     try {

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <fstream>
 
 #include <catch2/catch.hpp>
@@ -110,6 +111,22 @@ TEST_CASE("Junk among the plugins never stops a run, and plugins --check tells o
   CHECK(check.exit_code == 0);
   CHECK_THAT(check.out, Catch::Contains("noise.so: ") && Catch::Contains("empty.so: "));
   CHECK_THAT(check.out, Catch::Contains("wander.so: loaded: behavior wander 1.0"));
+}
+
+TEST_CASE("What a run came to is told even when its picture cannot be written") {
+  if (!std::filesystem::exists("/proc/self")) {
+    return;
+  }
+  Workplace here;
+  const auto run = here.elsie(
+      "run worlds/layers.xml --duration 1 --explain run.trace --json --picture /proc/run.png");
+  CHECK(run.exit_code == 4);
+  CHECK_THAT(run.out, Catch::Contains("\"outcome\""));
+  CHECK_THAT(run.err, Catch::Contains("Cannot write the picture '/proc/run.png'"));
+  const auto told = here.elsie("explain run.trace --picture /proc/run.png");
+  CHECK(told.exit_code == 4);
+  CHECK_THAT(told.out, Catch::Contains("who decided"));
+  CHECK_THAT(told.err, Catch::Contains("Cannot write the picture '/proc/run.png'"));
 }
 
 TEST_CASE("A command line that does not fit is told in sentences") {

@@ -180,9 +180,11 @@ void check_remarks(const std::vector<Remark>& about) {
 }
 
 [[noreturn]] void refuse_writing(const std::string& path, int error) {
-  throw std::runtime_error("Cannot write the weights '" + path +
-                           "': " + std::generic_category().message(error) +
-                           ". Name a file in a folder that exists and that you may write to.");
+  throw std::runtime_error(
+      "Cannot write the weights '" + path + "': " + std::generic_category().message(error) +
+      (error == ENOSPC ? ". Make room there, or name a file elsewhere."
+                       : ". Name a file in a folder that exists and that you may write "
+                         "to."));
 }
 
 /// A new file that no one else has.

@@ -15,7 +15,10 @@ namespace {
 [[noreturn]] void refuse(const std::filesystem::path& file, int error) {
   throw std::runtime_error("Cannot write the picture '" + file.string() +
                            "': " + std::generic_category().message(error) +
-                           ". Name a file in a folder that exists and that you may write to.");
+                           (error == ENOSPC
+                                ? ". Make room there, or name a file elsewhere."
+                                : ". Name a file in a folder that exists and that you may write "
+                                  "to."));
 }
 
 // A new file that no one else has, so that two programs writing the same picture do not meet.
