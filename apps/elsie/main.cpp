@@ -13,6 +13,7 @@
 #include "elsie/world/error.h"
 
 #include "command.h"
+#include "progress.h"
 #include "usage.h"
 
 namespace {
@@ -86,6 +87,7 @@ int with_output_written(int exit_code) {
 
 int main(int argc, char** argv) {
   set_up_log();
+  end_at_once_when_interrupted();
   // Pictures of cameras are small: where Mesa draws them in software, handing them to threads costs
   // more than it gains. Here, because nothing else runs yet that could look at the environment.
   setenv("LP_NUM_THREADS", "0", 0);

@@ -4,8 +4,13 @@
 #include <csignal>
 #include <cstdio>
 #include <string>
+#include <string_view>
+
+#include <unistd.h>
 
 #include "elsie/simulation/simulation.h"
+
+#include "command.h"
 
 namespace {
 
@@ -17,6 +22,14 @@ constexpr std::uint64_t kStepsBetweenLooks = 64;  // at the clock
 // A signal handler can reach nothing but a global of this kind.
 volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
+
+constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
+
+void end_at_once(int) {
+  constexpr std::string_view kMessage = "elsie: interrupted before the work began\n";
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  _exit(kOtherFailure);
+}
 
 }  // namespace
 
@@ -55,15 +68,30 @@ void ProgressBar::ended(const elsie::simulation::Simulation&) {
   std::fflush(stderr);
 }
 
+void end_at_once_when_interrupted() {
+  for (const int signal : kSignals) {
+    if (std::signal(signal, end_at_once) == SIG_IGN) {
+      std::signal(signal, SIG_IGN);
+    }
+  }
+}
+
 InterruptGuard::InterruptGuard() {
   interrupted = 0;
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    before_[i] = std::signal(kSignals[i], interrupt);
+    // Ignored hang-ups (nohup) stay ignored; Ctrl-C ends runs that a script has in the background,
+    // too.
+    if (before_[i] == SIG_IGN && kSignals[i] == SIGHUP) {
+      std::signal(SIGHUP, SIG_IGN);
+    }
+  }
 }
 
 InterruptGuard::~InterruptGuard() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    std::signal(kSignals[i], before_[i]);
+  }
 }
 
 void InterruptGuard::stepped(const elsie::simulation::Simulation&) {

@@ -1,6 +1,7 @@
 // A progress bar for a run, on a terminal.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <string>
 
@@ -22,9 +23,13 @@ class ProgressBar final : public elsie::simulation::Observer {
   std::chrono::steady_clock::time_point last_drawn_;
 };
 
-/// Ends the run in order when the user presses Ctrl-C (SIGINT) or the process is asked to terminate
-/// (SIGTERM): throws Interrupted from the next step. While it lives, these signals do not end the
-/// process.
+/// From now on Ctrl-C (SIGINT), a request to terminate (SIGTERM) and a closed terminal (SIGHUP) end
+/// the program with a word and exit code 4: while worlds are read and networks trained, there is
+/// nothing to be kept. Signals that are ignored stay so.
+void end_at_once_when_interrupted();
+
+/// Ends the run in order on these signals: throws Interrupted from the next step. While it lives,
+/// they do not end the process.
 class InterruptGuard final : public elsie::simulation::Observer {
  public:
   InterruptGuard();
@@ -32,6 +37,9 @@ class InterruptGuard final : public elsie::simulation::Observer {
   void stepped(const elsie::simulation::Simulation& simulation) override;
   /// Whether the work is to end.
   static bool is_interrupted();
+
+ private:
+  std::array<void (*)(int), 3> before_;
 };
 
 /// The user ended the run.

@@ -78,6 +78,18 @@ TEST_CASE("--set changes any attribute by its path") {
   CHECK(json::parse(run.out).at("simulated_s") == Approx(0.5));
 }
 
+TEST_CASE("Before the run, while a network trains, an interrupt ends the program with a word") {
+  Workplace here;
+  for (const std::string command : {"run", "check"}) {
+    const auto run = here.sh("timeout --preserve-status -s INT 0.7 elsie " + command +
+                             " worlds/learned_priorities.xml --set "
+                             "'robot[r1]/coordinator/@presentations=2000000000'");
+    CHECK(run.exit_code == 4);
+    CHECK(run.out.empty());
+    CHECK(run.err == "elsie: interrupted before the work began\n");
+  }
+}
+
 TEST_CASE("An interrupted run ends in order and keeps what was recorded") {
   Workplace here;
   const auto run = here.sh(
