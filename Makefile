@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: install package tools all demo test sanitize bench figures four-resources reference format lint dependencies configure clean
+.PHONY: api install package tools all demo test sanitize bench figures four-resources reference format lint dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -57,6 +57,12 @@ four-resources: all
 reference: configure
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	scripts/reference $(BUILD)
+
+# The reference of the C++ headers; a warning is an error.
+api: dependencies
+	@mkdir -p out
+	doxygen Doxyfile
+	@echo "Look at out/api/html/index.html."
 
 tools:
 	@scripts/install-dependencies --with-tools
