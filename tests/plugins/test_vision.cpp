@@ -154,8 +154,6 @@ TEST_CASE("Resources of another team are not seen; those for all are") {
   scout.world.boxes = {resource(1.5, 0.0, "")};
   CHECK_FALSE(scout.look().found);  // the red robot was told of red ones only
   scout.watcher().world.colours = {world::kRedTeam, world::kResourceOfNoTeam};
-  Random random;
-  scout.watcher().sensor().reset(random);
   CHECK(scout.look().found);
 }
 
@@ -295,6 +293,7 @@ TEST_CASE("The plugin can go while threads that looked through it still run") {
     test::Colours world;
     world.colours = {world::kRedTeam};
     const Mounting mounting;
+    sensor->equipped({&mounting, world.colours});
     Random random;
     SensorContext now{0.0, 0.01, {}, &mounting, &world, &random};
     now.image = &image;

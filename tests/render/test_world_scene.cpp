@@ -24,7 +24,7 @@ world::Box box_at(double x, double y, world::BoxKind kind = world::BoxKind::fixe
 world::World empty_world() {
   world::World world;
   world.arena.length = world.arena.width = 6.0;
-  world.teams = {{"red", world::kRedTeam}, {"green", {20, 180, 40}}};
+  world.teams = {{"red", world::kRedTeam}, {"green", Colour{20, 180, 40}}};
   return world;
 }
 

@@ -217,6 +217,43 @@ TEST_CASE("A robot looks for the resources that it may collect, by their colours
   CHECK(seen == std::vector<Colour>{world::kRedTeam, world::kResourceOfNoTeam});
 }
 
+TEST_CASE("A camera that cannot look for a resource's colour is refused, whosesoever it is") {
+  const ScriptedHost host = driving(0.0);
+  const auto refusal = [&](world::World world) -> std::string {
+    world.robots[0].sensors[0].location = {"here.xml", 12};
+    try {
+      const Simulation simulation(std::move(world), host.host);
+      return "";
+    } catch (const world::WorldError& error) {
+      return error.what();
+    }
+  };
+  auto world = world_with({resource("food", 1, 0)});
+  world.boxes[0].colour = Colour{128, 128, 128};
+  CHECK_THAT(refusal(world),
+             Catch::Contains("here.xml:12: plugin 'vision': it cannot look for the colour "
+                             "#808080, a grey like those of floor, walls and sky") &&
+                 Catch::Contains("give what it is to find a colour with a hue"));
+  // Two robots, two refusals; all that is wrong with a robot at once.
+  world.robots.push_back(world.robots[0]);
+  world.robots[1].id = "r2";
+  world.robots[1].x = 1;
+  world.robots[1].sensors.push_back(camera("other"));
+  try {
+    const Simulation simulation(world, host.host);
+    FAIL("it was accepted");
+  } catch (const world::WorldError& error) {
+    CHECK(error.problems().size() == 3);
+  }
+  // It is no matter to a camera that need not look for it.
+  world.robots.resize(1);
+  world.boxes[0].team = "blue";
+  CHECK(refusal(world).empty());
+  world.boxes[0].team = "red";
+  world.robots[0].sensors[0].elements = {{{"match_colour", {{"colours", "#ffd000"}}}, {}, {}}};
+  CHECK(refusal(world).empty());
+}
+
 TEST_CASE("Cameras take pictures once every control period, none when the battery is empty") {
   const ScriptedHost host = driving(10.0);
   auto world = world_with({resource("food", 3.0, 0.0)});

@@ -318,6 +318,40 @@ TEST_CASE("What a network is trained with is settled before a run; its weights a
         "settled before a run and stays as it is while it goes on; what may change is weights");
 }
 
+TEST_CASE("A camera is not made to look for what no camera can find while a run goes on, either") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  world::World world = one_robot(behavior("scripted"));
+  world.boxes = {box("food", world::BoxKind::resource, 1, 0)};
+  world.boxes[0].colour = Colour{128, 128, 128};
+  world::SensorUse eye;
+  eye.plugin = "vision";
+  eye.id = "eye";
+  eye.elements = {{{"match_colour", {{"colours", "#ffd000"}}}, {}, {}}};
+  world.robots[0].sensors = {eye};
+  Simulation simulation(world, scripted.host);
+  simulation.step();
+  const std::string path = "robot[r1]/sensor[eye]/match_colour/@colours";
+  CHECK_THAT(why_not([&] { simulation.change(path, ""); }),
+             Catch::Contains("match_colour[1]/@colours=: it cannot look for the colour #808080"));
+  CHECK(why_not([&] { simulation.change(path, "#d03030"); }).empty());
+  simulation.step();
+}
+
+TEST_CASE("A camera that is changed goes on looking for the resources' colours") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  world::World world = one_robot(behavior("scripted"));
+  world.boxes = {box("food", world::BoxKind::resource, 1, 0)};
+  world::SensorUse eye;
+  eye.plugin = eye.id = "vision";
+  world.robots[0].sensors = {eye};
+  Simulation simulation(world, scripted.host);
+  for (const char* width : {"60", "80"}) {
+    simulation.change("robot[r1]/sensor[vision]/@width", width);
+    simulation.step();
+    CHECK(static_cast<const VisionReading*>(simulation.sensor(0, 0).sensor->reading())->found);
+  }
+}
+
 TEST_CASE("A camera may take other pictures from now on") {
   ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
   world::World world = one_robot(behavior("scripted"));

@@ -36,11 +36,15 @@ class Watcher {
   explicit Watcher(Parameters parameters = {}, const std::vector<ElementValue>& elements = {})
       : sensor_(make<Sensor>(PluginKind::sensor, "vision", std::move(parameters), elements)) {}
 
-  Colours world;
+  Colours world;  // changed colours are told to the sensor before it looks
   Random random{1};
 
   const VisionReading& look_at(const Image& image) {
     const Mounting mounting;
+    if (told_ != world.colours) {
+      told_ = world.colours;
+      sensor_->equipped({&mounting, *told_});
+    }
     SensorContext now{0.0, 0.01, {}, &mounting, &world, &random};
     now.image = &image;
     sensor_->update(now);
@@ -51,6 +55,7 @@ class Watcher {
 
  private:
   plugin::Object<Sensor> sensor_;
+  std::optional<std::vector<Colour>> told_;
 };
 
 /// A picture of a world from a camera in space.

@@ -1,7 +1,11 @@
 // What a world file says, and what it need not say.
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <catch2/catch.hpp>
+
+#include "elsie/world/colours.h"
 
 #include "equal.h"
 #include "fixture.h"
@@ -86,6 +90,61 @@ TEST_CASE("A world says everything") {
   CHECK(std::get<world::ReachGoal>(w.goals[3]).of == "r1");
   CHECK(std::get<world::TravelGoal>(w.goals[7]).robot == "r2");
   CHECK(w.limits.wall_time == 10.0);
+}
+
+namespace {
+
+/// The hue of a colour with one, in degrees.
+double hue_deg(const Colour& c) {
+  const double high = std::max({c.red, c.green, c.blue}), low = std::min({c.red, c.green, c.blue});
+  REQUIRE(high > low);
+  const double hue = c.red == high     ? 60 * (c.green - c.blue) / (high - low)
+                     : c.green == high ? 120 + 60 * (c.blue - c.red) / (high - low)
+                                       : 240 + 60 * (c.red - c.green) / (high - low);
+  return hue < 0 ? hue + 360 : hue;
+}
+
+double apart_deg(double a, double b) { return std::abs(std::remainder(a - b, 360.0)); }
+
+}  // namespace
+
+TEST_CASE("A team without a colour gets one of a hue that nothing else in the world has") {
+  const world::World w = read(
+      "<teams><team id='crew'/><team id='rivals' colour='#20b0b0'/><team id='third'/></teams>");
+  REQUIRE(w.teams.size() == 5);
+  CHECK(w.teams[2].colour == world::Colour{0xb8, 0x30, 0xd0});  // the first is violet
+  CHECK(w.teams[3].colour == world::Colour{0x20, 0xb0, 0xb0});  // given, so kept
+  REQUIRE(w.teams[4].colour);
+  // The same file, the same colours; another one where the violet is taken already.
+  CHECK(read("<teams><team id='x'/></teams>").teams[2].colour == w.teams[2].colour);
+  const world::World taken =
+      read("<resources><resource colour='#b830d0'/></resources><teams><team id='x'/></teams>");
+  CHECK(apart_deg(hue_deg(*taken.teams[2].colour), hue_deg({0xb8, 0x30, 0xd0})) > 30);
+}
+
+TEST_CASE("Ten teams without colours can be told apart by their hues, and from all else") {
+  std::string teams;
+  for (int i = 0; i < 10; ++i) {
+    teams += "<team id='t" + std::to_string(i) + "'/>";
+  }
+  const world::World w = read("<teams>" + teams + "</teams>");
+  std::vector<double> hues{hue_deg(world::kResourceOfNoTeam), hue_deg(world::kChargerColour)};
+  for (const world::Team& team : w.teams) {
+    REQUIRE(team.colour);
+    for (const double other : hues) {
+      CAPTURE(team.id, hue_deg(*team.colour), other);
+      CHECK(apart_deg(hue_deg(*team.colour), other) > 20);  // twice a camera's tolerance
+    }
+    hues.push_back(hue_deg(*team.colour));
+  }
+  CHECK(hues.size() == 14);
+}
+
+TEST_CASE("Red and blue stay red and blue when they are named without a colour") {
+  const world::World w = read("<teams><team id='blue'/><team id='red'/></teams>");
+  REQUIRE(w.teams.size() == 2);
+  CHECK(w.teams[0].colour == world::kRedTeam);
+  CHECK(w.teams[1].colour == world::kBlueTeam);
 }
 
 TEST_CASE("File parameters are absolute paths of files that exist") {

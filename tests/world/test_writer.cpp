@@ -33,6 +33,12 @@ TEST_CASE("Nothing is lost in writing and reading") {
   CHECK(world::write_world(copy) == world::write_world(w));
 }
 
+TEST_CASE("A colour that a team was given is kept, whatever comes to the world later") {
+  const world::World w = read("<teams><team id='crew'/></teams>");
+  CHECK(same(w, again(w)));
+  CHECK_THAT(world::write_world(w), Catch::Contains("<team id=\"crew\" colour=\"#b830d0\"/>"));
+}
+
 TEST_CASE("The comparison of these tests sees a difference") {
   const world::World w = world::read_world(kFolder + "data/everything.xml", host(), options());
   for (const char* change :

@@ -18,8 +18,6 @@ constexpr Colour kMovingBox = grey(70);
 constexpr Colour kChassis = grey(120);
 constexpr Colour kTyre = grey(25);
 
-constexpr Colour kCharger{255, 208, 0};
-
 Colour colour_of(const world::World& world, const world::Box& box) {
   switch (box.kind) {
     case world::BoxKind::fixed:
@@ -46,9 +44,9 @@ WorldScene::WorldScene(const world::World& world, const Look& look) {
     if (charger.seen_by_range_sensors) {
       constexpr double edge = world::Charger::kBoxEdge;
       scene_.boxes.push_back(
-          {{.origin = {charger.x, charger.y, 0.0}}, {edge, edge, edge}, kCharger});
+          {{.origin = {charger.x, charger.y, 0.0}}, {edge, edge, edge}, world::kChargerColour});
     } else {
-      scene_.marks.push_back({{charger.x, charger.y}, charger.radius, kCharger});
+      scene_.marks.push_back({{charger.x, charger.y}, charger.radius, world::kChargerColour});
     }
   }
   first_box_ = scene_.boxes.size();

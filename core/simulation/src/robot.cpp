@@ -67,6 +67,11 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
   perception_.groups = groups_;
   perception_.self = &state_;
   perception_.team = &team_;
+  for (SensorSlot& slot : sensors_) {
+    blaming(*slot.use, problems, [&] {
+      slot.object->equipped({&slot.mounting, resource_colours_});
+    });
+  }
   controller_->equip(Perception(perception_, unused_random_), problems);
   throw_if_any(problems);
 }
@@ -238,7 +243,8 @@ void Robot::set_energy_cost(const world::PluginUse& sensor, double cost) {
 TunedObject Robot::object_of(const world::PluginUse& use) {
   for (SensorSlot& slot : sensors_) {
     if (slot.use == &use) {
-      return {PluginKind::sensor, &use, slot.declaration, slot.object.get(), {}};
+      return {PluginKind::sensor, &use, slot.declaration,
+              slot.object.get(),  {},   {&slot.mounting, resource_colours_}};
     }
   }
   return controller_->object_of(use).value();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "elsie/api/sensor.h"
 #include "elsie/plugin/parameters.h"
 
 namespace elsie::simulation {
@@ -30,6 +29,8 @@ void apply(const TunedObject& tuned, Component& object, const Setup& setup,
     static_cast<Behavior&>(object).equipped(example);
   } else if (tuned.kind == PluginKind::coordinator) {
     static_cast<Coordinator&>(object).equipped(tuned.members, example);
+  } else {
+    static_cast<Sensor&>(object).equipped(tuned.carrier);
   }
 }
 

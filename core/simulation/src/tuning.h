@@ -11,6 +11,7 @@
 #include "elsie/api/coordinator.h"
 #include "elsie/api/declaration.h"
 #include "elsie/api/image.h"
+#include "elsie/api/sensor.h"
 #include "elsie/world/description.h"
 
 namespace elsie::simulation {
@@ -29,6 +30,7 @@ struct TunedObject {
   const Declaration* declaration = nullptr;
   Component* object = nullptr;
   std::span<const Member> members;  // of a coordinator
+  Carrier carrier{};                // of a sensor
 };
 
 /// Which objects of a robot have other parameters than the world says.

@@ -85,6 +85,7 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
   World& world = reading.world;
   world.file = file;
   add_default_teams(world.teams);
+  colour_teams(world);
   std::stable_partition(world.boxes.begin(), world.boxes.end(),
                         [](const Box& box) { return box.kind != BoxKind::resource; });
   check_world(reading, root, host, problems);

@@ -61,7 +61,10 @@ ElementSpec physics() {
 ElementSpec team() {
   return Describe<Team>("team", "A team of robots; \"red\" and \"blue\" are there by themselves")
       .attribute("id", &Team::id, fact("its name"), kRequiredId)
-      .attribute("colour", &Team::colour, fact("of its robots and resources in pictures"));
+      .attribute(
+          "colour", &Team::colour,
+          fact("of its robots and resources in pictures; by default a hue far from all others "
+               "in the world"));
 }
 
 // What all boxes have in common.

@@ -70,7 +70,7 @@ std::vector<HsvRange> ranges_of(std::span<const elsie::Colour> colours, const Ma
       throw std::invalid_argument(
           "it cannot look for the colour " + text(colour) +
           ", a grey like those of floor, walls and sky; give what it is to find a colour with a "
-          "hue, or white, or give the sensor a pipeline of its own");
+          "hue, or white (the resource, or its team), or give the sensor a pipeline of its own");
     }
     if (!grey) {
       // Without it, a pale red would take in the greys, whose hue OpenCV says is red's.

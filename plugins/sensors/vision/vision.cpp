@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <elsie/api/sensor.h>
 
@@ -20,12 +21,12 @@ class Vision final : public elsie::SensorOf<elsie::VisionReading> {
   double error = 0.0;
   std::vector<vision::Step> steps{vision::MatchColour{}, vision::Blob{}};
 
-  void configured() override {
-    pipeline_ = vision::Pipeline(steps, {});
-    knows_colours_ = false;
-  }
+  void configured() override { pipeline_ = vision::Pipeline(steps, resource_colours_); }
 
-  void reset(elsie::Random&) override { knows_colours_ = false; }
+  void equipped(const elsie::Carrier& carrier) override {
+    resource_colours_.assign(carrier.resource_colours.begin(), carrier.resource_colours.end());
+    configured();
+  }
 
   std::optional<elsie::Camera> camera() const override {
     return elsie::Camera{width, height, elsie::radians(fov_deg)};
@@ -34,10 +35,6 @@ class Vision final : public elsie::SensorOf<elsie::VisionReading> {
   void sense_into(const elsie::SensorContext& now, elsie::VisionReading& reading) override {
     if (!now.image || now.image->empty() || now.image->channels != 3) {
       throw std::invalid_argument("it was handed no picture of three channels to look at");
-    }
-    if (!knows_colours_) {
-      pipeline_ = vision::Pipeline(steps, now.world->resource_colours());
-      knows_colours_ = true;
     }
     reading.raw = *now.image;
     if (error > 0.0) {
@@ -65,7 +62,7 @@ class Vision final : public elsie::SensorOf<elsie::VisionReading> {
   }
 
   vision::Pipeline pipeline_;
-  bool knows_colours_ = false;  // those of the robot's resources
+  std::vector<elsie::Colour> resource_colours_;  // none before it is equipped
 };
 
 using elsie::element;

@@ -65,9 +65,21 @@ struct SensorContext {
   const Image* image = nullptr;  // what the sensor's camera sees now; see Sensor::camera()
 };
 
+/// What a sensor is told of the robot that carries it, once that is complete: what does not change
+/// in a run. A view, valid during the call.
+struct Carrier {
+  const Mounting* mounting = nullptr;        // the sensor on the robot
+  std::span<const Colour> resource_colours;  // see Surroundings
+};
+
 /// A sensor with the type of its reading left out. Derive from SensorOf<Reading> instead.
 class Sensor : public Component {
  public:
+  /// Called after configured(), when the robot is complete, and again after a change of parameters
+  /// while a run goes on. Throw (std::invalid_argument, with a sentence) when the parameters do not
+  /// fit it: the world is refused then, at the sensor's line, or the change.
+  virtual void equipped(const Carrier& /*carrier*/) {}
+
   /// The camera that the sensor looks through, if it does: the simulator then takes a picture from
   /// the sensor's frame before each update. Asked after configured(), and again when parameters
   /// were changed; whether it has one stays. Taking pictures needs

@@ -15,8 +15,18 @@ inline constexpr Colour kBlueTeam{0x30, 0x60, 0xd0};
 /// from the yellow of chargers.
 inline constexpr Colour kResourceOfNoTeam{0x2e, 0x9e, 0x4f};
 
+/// Chargers, whose ever they are.
+inline constexpr Colour kChargerColour{0xff, 0xd0, 0x00};
+
 /// What belongs to no team otherwise: a grey.
 inline constexpr Colour kNoTeam{0x6b, 0x72, 0x7a};
+
+/// Gives a colour to every team that has none, as reading a file does: "red" and "blue" get theirs,
+/// any other one as bright and saturated as theirs with the hue that is farthest from all hues in
+/// the world until then: the middle of the widest gap between them, of equal gaps the one of the
+/// lowest hue. In the world are the colours of teams, boxes, resources of no team and chargers,
+/// whether there are such or not. In the order of the teams; the same world gives the same colours.
+void colour_teams(World& world);
 
 /// The colour of a team: what the world says, else that of the two teams that are there by
 /// themselves, else kNoTeam.

@@ -55,7 +55,7 @@ using elsie::Colour;
 
 struct Team {
   std::string id;
-  Colour colour;
+  std::optional<Colour> colour;  // a world that was read has one for every team; see colours.h
   Location location{};
 };
 
