@@ -88,6 +88,7 @@ std::string filled_in(std::string text, const Options& options) {
   return text;
 }
 
+/// What plugins of a kind begin with; "any": of every kind.
 fs::path template_folder(const std::string& kind) {
   std::string searched;
   for (const std::string& directory : data_directories()) {
@@ -118,11 +119,13 @@ void write_project(const Options& options, const fs::path& folder) {
     throw BadInput("the folder '" + folder.string() + "' cannot be made: " + error.message());
   }
   try {
-    for (const auto& entry : fs::directory_iterator(template_folder(options.kind))) {
-      std::ifstream in(entry.path(), std::ios::binary);
-      const std::string text{std::istreambuf_iterator<char>(in), {}};
-      write_file(scratch / filled_in(entry.path().filename().string(), options),
-                 filled_in(text, options));
+    for (const std::string& part : {std::string("any"), options.kind}) {
+      for (const auto& entry : fs::directory_iterator(template_folder(part))) {
+        std::ifstream in(entry.path(), std::ios::binary);
+        const std::string text{std::istreambuf_iterator<char>(in), {}};
+        write_file(scratch / filled_in(entry.path().filename().string(), options),
+                   filled_in(text, options));
+      }
     }
     fs::rename(scratch, folder);
   } catch (...) {

@@ -1,7 +1,4 @@
 // An evaluation allocates nothing once its workspace has met the model.
-#include <atomic>
-#include <cstdlib>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -10,27 +7,7 @@
 #include "elsie/api/random.h"
 #include "elsie/fuzzy/fcl.h"
 
-namespace {
-
-std::atomic<long> allocations{0};
-
-}  // namespace
-
-// Counts for the whole program; the library's calls arrive here too.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) {
-    return memory;
-  }
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size);
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+#include "allocations.h"
 
 using namespace elsie::fuzzy;
 
@@ -54,7 +31,7 @@ TEST_CASE("Nothing is allocated in an evaluation after the first") {
       double z = 0.0;
       model.evaluate(inputs, {&z, 1}, workspace);
       elsie::Random random(1);
-      const long before = allocations;
+      const long before = elsie::test::allocations();
       double sum = 0.0;
       for (int i = 0; i < 200; ++i) {
         inputs[0] = random.uniform();
@@ -62,7 +39,7 @@ TEST_CASE("Nothing is allocated in an evaluation after the first") {
         model.evaluate(inputs, {&z, 1}, workspace);
         sum += z;
       }
-      const long during = allocations - before;
+      const long during = elsie::test::allocations() - before;
       INFO(accumulation << " " << method);
       CHECK(during == 0);
       CHECK(sum > 0.0);

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/api/abi.h"
+
 #include "places.h"
 #include "program.h"
 
@@ -126,6 +128,11 @@ TEST_CASE("The examples do their jobs") {
     CAPTURE(example, run.out, run.err);
     CHECK(run.exit_code == 0);
   }
+}
+
+TEST_CASE("The page on versions shows the ABI word as it is") {
+  CHECK_THAT(read(elsie::test::source_path("docs/versioning.md")),
+             Catch::Contains("    " ELSIE_ABI_API ELSIE_ABI_RUNTIME ELSIE_ABI_CONTAINERS));
 }
 
 TEST_CASE("Links between the docs lead somewhere") {

@@ -1,31 +1,7 @@
 // A decision allocates nothing, once the memory that it needs has been there.
-#include <atomic>
-#include <cstdlib>
-#include <new>
 
+#include "allocations.h"
 #include "support.h"
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-}  // namespace
-
-// Counts for the whole program; the plugins' calls arrive here too.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) {
-    return memory;
-  }
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size);
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 
 using namespace elsie;
 using elsie::test::active;
@@ -53,9 +29,9 @@ TEST_CASE("A decision that needs no fuzzy sets allocates nothing after the first
       }
     };
     decide(200);
-    const long before = allocations;
+    const long before = test::allocations();
     decide(200);
-    CHECK(allocations == before);
+    CHECK(test::allocations() == before);
   }
 }
 
@@ -64,7 +40,7 @@ TEST_CASE("The count sees what plugins allocate") {
   team.member("a", 1, MotorCommand{1, 1});
   Coordinated robot("fusion_fuzzy", team);  // sets are vectors
   robot.decide();
-  const long before = allocations;
+  const long before = test::allocations();
   robot.decide();
-  CHECK(allocations > before);
+  CHECK(test::allocations() > before);
 }
