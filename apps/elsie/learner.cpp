@@ -1,14 +1,12 @@
 #include "learner.h"
 
 #include <algorithm>
-#include <deque>
 #include <exception>
-#include <stdexcept>
+#include <map>
 #include <utility>
 
-#include "elsie/api/sensor.h"
+#include "elsie/api/coordinator.h"
 #include "elsie/plugin/near_name.h"
-#include "elsie/plugin/parameters.h"
 #include "elsie/world/error.h"
 
 #include "command.h"
@@ -27,11 +25,11 @@ std::string list_of(const std::vector<std::string>& names) {
 }
 
 /// The one of these whose id is `id`.
-template <class Thing>
-const Thing& find(const std::vector<Thing>& things, const std::string& id, const std::string& what,
-                  const std::string& where) {
+template <class Things>
+auto& find(Things& things, const std::string& id, const std::string& what,
+           const std::string& where) {
   std::vector<std::string> ids;
-  for (const Thing& thing : things) {
+  for (auto& thing : things) {
     if (thing.id == id) {
       return thing;
     }
@@ -58,98 +56,31 @@ const world::Robot& robot_of(const world::World& world, const std::optional<std:
                                    list_of(ids));
 }
 
-/// Runs what plugins do while they are put together; what they throw is a fault of the world.
-template <class Action>
-auto blaming(const world::PluginUse& use, Action action) {
-  try {
-    return action();
-  } catch (const std::exception& problem) {
-    throw world::WorldError(
-        {{use.location.file, use.location.line, "plugin '" + use.plugin + "': " + problem.what()}});
+/// The robot's coordinator at this place, to be changed. `owner` and `stream` become what it is
+/// called in messages, and the path of its random stream.
+world::PluginUse& coordinator_at(world::Robot& robot, const std::string& behavior,
+                                 std::string& owner, std::string& stream) {
+  owner = "robot '" + robot.id + "'";
+  stream = "robot[" + robot.id + "]/";
+  world::Coordination* coordination = &robot;
+  for (std::size_t at = 0; at < behavior.size();) {
+    const std::size_t end = std::min(behavior.find('/', at), behavior.size());
+    const std::string id = behavior.substr(at, end - at);
+    at = end + 1;
+    world::BehaviorUse& holder = find(coordination->behaviors, id, "behaviour", "in " + owner);
+    owner = "behaviour '" + id + "'";
+    if (holder.inside.empty()) {
+      throw BadInput("the " + owner + " holds no other behaviours, and so has no coordinator");
+    }
+    coordination = &holder.inside.front();
+    stream += "behavior[" + id + "]/";
   }
+  stream += "coordinator";
+  if (!coordination->coordinator) {
+    throw BadInput("the " + owner + " has no coordinator");
+  }
+  return *coordination->coordinator;
 }
-
-template <class Kind>
-elsie::plugin::Object<Kind> make(const elsie::plugin::Host& host, PluginKind kind,
-                                 const world::PluginUse& use,
-                                 const std::map<std::string, elsie::ParameterValue>& parameters) {
-  return blaming(use, [&] {
-    auto object = host.create<Kind>(kind, use.plugin);
-    elsie::plugin::apply_parameters(
-        *host.find(kind, use.plugin), *object, parameters,
-        std::vector<elsie::ElementValue>(use.elements.begin(), use.elements.end()));
-    return object;
-  });
-}
-
-/// The readings that a robot will ever have, with values that mean nothing.
-class Example {
- public:
-  Example(const world::Robot& robot, const elsie::plugin::Host& host) {
-    for (const world::SensorUse& use : robot.sensors) {
-      sensors_.push_back(make<elsie::Sensor>(host, PluginKind::sensor, use, use.parameters));
-      mountings_.push_back({{use.x.value_or(0.5 * robot.body.length), use.y.value_or(0.0),
-                             use.z.value_or(robot.body.top())},
-                            elsie::wrap_angle(elsie::radians(use.yaw_deg)),
-                            elsie::radians(use.pitch_deg)});
-    }
-    for (const auto& sensor : sensors_) {
-      const elsie::ReadingKind kind = sensor->kind();
-      if (std::none_of(groups_.begin(), groups_.end(),
-                       [&](const elsie::ReadingGroup& group) { return group.kind == kind; })) {
-        add_group(kind, robot);
-      }
-    }
-    self_.id = robot.id;
-    self_.max_speed_m_s = robot.max_speed;
-    self_.is_leader = robot.leader;
-    team_.name = robot.team;
-    data_.groups = groups_;
-    data_.self = &self_;
-    data_.team = &team_;
-  }
-  Example(const Example&) = delete;
-  Example& operator=(const Example&) = delete;
-
-  elsie::Perception perception() { return {data_, random_}; }
-
- private:
-  void add_group(const elsie::ReadingKind& kind, const world::Robot& robot) {
-    std::vector<elsie::SensedReading>& readings = readings_.emplace_back();
-    for (std::size_t i = 0; i < sensors_.size(); ++i) {
-      if (sensors_[i]->kind() == kind) {
-        readings.push_back({sensors_[i]->reading(), &mountings_[i], robot.sensors[i].id});
-      }
-    }
-    groups_.push_back({kind, readings});
-  }
-
-  std::vector<elsie::plugin::Object<elsie::Sensor>> sensors_;
-  std::deque<elsie::Mounting> mountings_;
-  std::deque<std::vector<elsie::SensedReading>> readings_;
-  std::vector<elsie::ReadingGroup> groups_;
-  elsie::OwnState self_;
-  elsie::TeamState team_;
-  elsie::Perception::Data data_;
-  elsie::Random random_;
-};
-
-/// Behaviours that nobody may ask.
-class Nobody final : public elsie::Member::Runner {
- public:
-  const elsie::Response& run(elsie::Member& member) override { refuse(member); }
-  void rate(elsie::Member& member, std::span<const elsie::MotorCommand>,
-            std::span<double>) override {
-    refuse(member);
-  }
-  elsie::CommandSets command_sets(elsie::Member& member) override { refuse(member); }
-
- private:
-  [[noreturn]] static void refuse(const elsie::Member& member) {
-    throw std::logic_error("the behaviour '" + std::string(member.name()) +
-                           "' was asked before there was a run");
-  }
-};
 
 std::string learners(const elsie::plugin::Host& host) {
   std::vector<std::string> names;
@@ -166,57 +97,113 @@ std::string learners(const elsie::plugin::Host& host) {
   return names.empty() ? "none was found that does" : "those that do: " + list_of(names);
 }
 
+/// What a plugin says of itself, without its name before it.
+std::string without_name(const std::string& message, const std::string& plugin) {
+  for (const std::string kind : {"coordinator '", "plugin '"}) {
+    const std::string name = kind + plugin + "': ";
+    if (message.starts_with(name)) {
+      return message.substr(name.size());
+    }
+  }
+  return message;
+}
+
+/// The making of a learner: the world that it is in, once for each set of options.
+class Maker {
+ public:
+  Maker(const world::World& world, const elsie::plugin::Host& host, const LearnerPlace& place)
+      : host_(host), place_(place), world_(world) {
+    const world::Robot& robot = robot_of(world_, place.robot);
+    index_ = static_cast<std::size_t>(&robot - world_.robots.data());
+    use_ = &coordinator_at(world_.robots[index_], place.behavior, owner_, stream_);
+    described_ = use_->parameters;
+    const auto object = host.create<elsie::Coordinator>(PluginKind::coordinator, use_->plugin);
+    if (!dynamic_cast<const elsie::neural::Trainable*>(object.get())) {
+      throw BadInput("the coordinator '" + use_->plugin + "' of the " + owner_ +
+                     " does not learn; " + learners(host));
+    }
+  }
+
+  Learner make(const std::vector<LearnerOption>& options) {
+    try {
+      return attempt(options);
+    } catch (const world::WorldError& error) {
+      blame_options(error, options);
+      throw;
+    }
+  }
+
+ private:
+  Learner attempt(const std::vector<LearnerOption>& options) {
+    use_->parameters = described_;
+    use_->parameters["weights"] = std::string();  // whatever they were, new ones are made
+    for (const LearnerOption& option : options) {
+      use_->parameters[option.parameter] = option.value;
+    }
+    Learner learner;
+    auto world = std::make_unique<world::World>(world_);
+    std::string owner;
+    const world::PluginUse& use =
+        coordinator_at(world->robots[index_], place_.behavior, owner, learner.stream);
+    learner.plugin = use.plugin;
+    learner.robot = world->robots[index_].id;
+    learner.world = std::move(world);
+    learner.equipped.emplace(*learner.world, index_, host_);
+    learner.network = dynamic_cast<const elsie::neural::Trainable*>(&learner.equipped->object(use));
+    return learner;
+  }
+
+  /// What is wrong with these options; nothing when the robot can be made.
+  std::vector<world::Problem> problems_with(const std::vector<LearnerOption>& options) {
+    try {
+      attempt(options);
+      return {};
+    } catch (const world::WorldError& error) {
+      return error.problems();
+    }
+  }
+
+  /// Throws BadInput when an option is at fault: when what is wrong is not wrong without it.
+  void blame_options(const world::WorldError& error, const std::vector<LearnerOption>& options) {
+    const auto told_by = [](const world::Problem& problem,
+                            const std::vector<world::Problem>& problems) {
+      return std::find(problems.begin(), problems.end(), problem) != problems.end();
+    };
+    const std::vector<world::Problem> without_all = problems_with({});
+    std::string text;
+    for (const world::Problem& problem : error.problems()) {
+      if (told_by(problem, without_all)) {
+        continue;  // the world's own
+      }
+      std::vector<std::string> all, guilty;
+      for (std::size_t i = 0; i < options.size(); ++i) {
+        std::vector<LearnerOption> others = options;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        all.push_back(options[i].option);
+        if (!told_by(problem, problems_with(others))) {
+          guilty.push_back(options[i].option);
+        }
+      }
+      text += (text.empty() ? "" : "\n") + list_of(guilty.empty() ? all : guilty) + ": " +
+              without_name(problem.message, use_->plugin);
+    }
+    if (!text.empty()) {
+      throw BadInput(text);
+    }
+  }
+
+  const elsie::plugin::Host& host_;
+  const LearnerPlace& place_;
+  world::World world_;
+  std::size_t index_ = 0;
+  world::PluginUse* use_ = nullptr;  // the coordinator, in world_
+  std::map<std::string, elsie::ParameterValue> described_;
+  std::string owner_, stream_;
+};
+
 }  // namespace
 
 Learner make_learner(const world::World& world, const elsie::plugin::Host& host,
-                     const LearnerPlace& place,
-                     const std::map<std::string, elsie::ParameterValue>& parameters) {
-  const world::Robot& robot = robot_of(world, place.robot);
-  Learner learner;
-  learner.robot = robot.id;
-  learner.stream = "robot[" + robot.id + "]/";
-  const world::Coordination* coordination = &robot;
-  std::string owner = "robot '" + robot.id + "'";
-  for (std::size_t at = 0; at < place.behavior.size();) {
-    const std::size_t end = std::min(place.behavior.find('/', at), place.behavior.size());
-    const std::string id = place.behavior.substr(at, end - at);
-    at = end + 1;
-    const auto& behavior = find(coordination->behaviors, id, "behaviour", "in " + owner);
-    owner = "behaviour '" + id + "'";
-    if (behavior.inside.empty()) {
-      throw BadInput("the " + owner + " holds no other behaviours, and so has no coordinator");
-    }
-    coordination = &behavior.inside.front();
-    learner.stream += "behavior[" + id + "]/";
-  }
-  learner.stream += "coordinator";
-  if (!coordination->coordinator) {
-    throw BadInput("the " + owner + " has no coordinator");
-  }
-
-  world::PluginUse use = *coordination->coordinator;
-  learner.plugin = use.plugin;
-  {
-    const auto object = host.create<elsie::Coordinator>(PluginKind::coordinator, use.plugin);
-    if (!dynamic_cast<const elsie::neural::Trainable*>(object.get())) {
-      throw BadInput("the coordinator '" + use.plugin + "' of the " + owner + " does not learn; " +
-                     learners(host));
-    }
-  }
-  for (const auto& [name, value] : parameters) {
-    use.parameters[name] = value;
-  }
-  learner.object = make<elsie::Coordinator>(host, PluginKind::coordinator, use, use.parameters);
-  learner.network = dynamic_cast<elsie::neural::Trainable*>(learner.object.get());
-  Nobody nobody;
-  std::vector<elsie::Member> members;
-  for (const world::BehaviorUse& behavior : coordination->behaviors) {
-    members.emplace_back(behavior.id, behavior.priority, nobody);
-  }
-  Example example(robot, host);
-  blaming(use, [&] {
-    learner.object->equipped(members, example.perception());
-    return 0;
-  });
-  return learner;
+                     const LearnerPlace& place, const std::vector<LearnerOption>& options) {
+  return Maker(world, host, place).make(options);
 }

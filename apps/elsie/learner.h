@@ -1,15 +1,15 @@
-// A robot's coordinator with nothing around it, to be trained.
+// A robot's coordinator, to be trained.
 #pragma once
 
-#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "elsie/api/coordinator.h"
 #include "elsie/api/declaration.h"
 #include "elsie/neural/trainable.h"
 #include "elsie/plugin/host.h"
+#include "elsie/simulation/equipped_robot.h"
 #include "elsie/world/description.h"
 
 /// Which coordinator of a world is meant.
@@ -20,18 +20,26 @@ struct LearnerPlace {
   std::string behavior;
 };
 
-/// A coordinator that can be trained, configured and equipped as it would be in a simulation.
+/// An option of the command line that takes the place of a parameter.
+struct LearnerOption {
+  std::string option;  // "--learning-rate"
+  std::string parameter;
+  elsie::ParameterValue value;
+};
+
+/// A coordinator that can be trained: one of a robot that is equipped as it would be in a run.
 struct Learner {
-  elsie::plugin::Object<elsie::Coordinator> object;
-  elsie::neural::Trainable* network = nullptr;  // the same object
+  std::unique_ptr<const elsie::world::World> world;  // with the options in it
+  std::optional<elsie::simulation::EquippedRobot> equipped;
+  const elsie::neural::Trainable* network = nullptr;  // the robot's
   std::string plugin;
   std::string robot;
   std::string stream;  // the path in the world that names its random stream in a run
 };
 
-/// Makes the coordinator at this place, with `parameters` instead of what the world says. Throws
-/// BadInput when there is none or it is of a kind that does not learn, and world::WorldError when
-/// it refuses its parameters or does not fit the robot.
+/// Makes the coordinator at this place, with `options` instead of what the world says, and without
+/// the weights that the world gives it. Throws BadInput when there is none, it is of a kind that
+/// does not learn, or one of the options is refused; and world::WorldError when the world does not
+/// fit the robot.
 Learner make_learner(const elsie::world::World& world, const elsie::plugin::Host& host,
-                     const LearnerPlace& place,
-                     const std::map<std::string, elsie::ParameterValue>& parameters);
+                     const LearnerPlace& place, const std::vector<LearnerOption>& options);

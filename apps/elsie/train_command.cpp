@@ -54,21 +54,20 @@ it gives the same output whatever the input; the weights are written all the sam
 )";
 
 /// What is given on the command line instead of what the world says.
-std::map<std::string, elsie::ParameterValue> parameters_of(const TrainOptions& options) {
-  std::map<std::string, elsie::ParameterValue> parameters;
-  const auto take = [&](const char* name, const auto& value) {
+std::vector<LearnerOption> learner_options(const TrainOptions& options) {
+  std::vector<LearnerOption> given;
+  const auto take = [&](const char* option, const char* parameter, const auto& value) {
     if (value) {
-      parameters[name] = *value;
+      given.push_back({option, parameter, *value});
     }
   };
-  take("hidden", options.hidden);
-  take("learning_rate", options.learning_rate);
-  take("momentum", options.momentum);
-  take("threshold", options.threshold);
-  take("presentations", options.presentations);
-  take("training", options.training);
-  parameters["weights"] = std::string();  // whatever they were, new ones are made
-  return parameters;
+  take("--hidden", "hidden", options.hidden);
+  take("--learning-rate", "learning_rate", options.learning_rate);
+  take("--momentum", "momentum", options.momentum);
+  take("--threshold", "threshold", options.threshold);
+  take("--presentations", "presentations", options.presentations);
+  take("--training", "training", options.training);
+  return given;
 }
 
 /// Weights may take the place of others, but not of a file that a slip of the hand has named.
@@ -250,7 +249,7 @@ int train(const TrainOptions& options) {
   const elsie::plugin::Host host = load_plugins(options.plugins);
   const elsie::world::World world =
       elsie::world::read_world(options.world, host, read_options(options.overrides));
-  const Learner learner = make_learner(world, host, options.place, parameters_of(options));
+  const Learner learner = make_learner(world, host, options.place, learner_options(options));
 
   std::uint64_t seed = 0;
   elsie::Random random = stream_of(learner, options, seed);

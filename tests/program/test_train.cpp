@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "places.h"
 #include "program.h"
 
 using elsie::test::Workplace;
@@ -178,6 +179,60 @@ TEST_CASE("A coordinator inside a behaviour can be trained, too") {
   CHECK_THAT(here.read("w"), Catch::Contains("about behaviors avoid_obstacle wander"));
   const std::string text = note(own);
   CHECK_THAT(run.out, Catch::Contains(text.substr(text.find("mean error"), 20)));
+}
+
+TEST_CASE("A coordinator is trained for the robot that it stands on, as a run would equip it") {
+  const Workplace here;
+  here.write("body.xml", R"(<world format="1">
+  <chargers><charger id="far" x="4" y="4"/><charger id="near" x="-1" y="2" team="blue"/></chargers>
+  <robots>
+    <robot id="first" team="blue" x="-2"/><robot id="other" team="red"/>
+    <robot id="odd" team="blue" x="1" leader="true" max_speed="0.3" coverage="2" battery="800">
+      <body length="0.2" width="0.12" wheel_radius="0.03"/>
+      <sensors><beam_range id="nose"/><beam_range id="back" x="-0.05"/></sensors>
+      <behaviors><wander/></behaviors>
+      <coordinator><body_learner/></coordinator>
+    </robot>
+  </robots></world>)");
+  const auto run = here.elsie("train body.xml --robot odd --weights w --plugin-path " +
+                              elsie::test::build_path("tests/program/plugins"));
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK_THAT(here.read("w"), Catch::Contains("about body 0.03 0.065 0.2 0.12 0.3 2 800\n") &&
+                                 Catch::Contains("about team blue 1 1 charger -1 2\n") &&
+                                 Catch::Contains("about sensors nose 0.1 back -0.05 wander\n"));
+}
+
+TEST_CASE("What is wrong with an option is said of the option, not of a line of the world") {
+  const Workplace here;
+  here.write("short.txt", "1 1 0 1\n1 1 0\n");
+  const std::vector<std::pair<std::string, std::string>> wrong = {
+      {"--learning-rate 1",
+       "elsie: --learning-rate: the learning rate is 1, but must be a number above 0 and below "
+       "1\n"},
+      {"--threshold -1", "elsie: --threshold: threshold is -1, but must be a number at least 0\n"},
+      {"--hidden 4,4 --momentum 0.2", "elsie: --hidden: hidden is '4,4'"},
+      {"--hidden '3 3' --training short.txt", "elsie: --training: short.txt:2: 3 numbers"},
+      {"--presentations 0 --threshold -1",
+       "elsie: --threshold, --presentations: presentations is 0"}};
+  for (const auto& [options, message] : wrong) {
+    const auto run = here.elsie("train " + kWorld + " " + options);
+    CAPTURE(options);
+    CHECK(run.exit_code == 2);
+    CHECK_THAT(run.err, Catch::StartsWith(message));
+    CHECK_THAT(run.err, !Catch::Contains("plugin '") && !Catch::Contains("coordinator '"));
+  }
+}
+
+TEST_CASE("What is wrong with the world is said of its line, whatever options there are") {
+  const Workplace here;
+  here.write("short.txt", "1 1 0 1\n1 1 0\n");
+  const auto run = here.elsie("train " + kWorld +
+                              " --set robot[r1]/coordinator/@training=short.txt"
+                              " --learning-rate 0.5 --threshold 0.1");
+  CHECK(run.exit_code == 2);
+  CHECK_THAT(run.err, Catch::StartsWith(kWorld + ":22: plugin") &&
+                          Catch::Contains("short.txt:2: 3 numbers"));
 }
 
 TEST_CASE("check tells of a training file that does not fit, with the line of the world") {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/plugin/error.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/world/description.h"
 #include "elsie/world/error.h"
@@ -67,6 +68,8 @@ auto blaming(const world::PluginUse& use, std::vector<world::Problem>& problems,
   };
   try {
     return action();
+  } catch (const plugin::PluginError& problem) {  // which names the plugin
+    problems.push_back({use.location.file, use.location.line, problem.what()});
   } catch (const std::exception& problem) {
     blame(problem.what());
   } catch (...) {

@@ -8,6 +8,7 @@
 #include "elsie/world/error.h"
 
 #include "make_plugin.h"
+#include "teams.h"
 
 namespace elsie::simulation {
 namespace {
@@ -30,6 +31,17 @@ MotorCommand limited(const MotorCommand& command, double max_rate) {
 }
 
 }  // namespace
+
+Robot::Membership Robot::membership(const world::World& world, std::size_t robot) {
+  const world::Robot& description = world.robots[robot];
+  Membership membership;
+  for (std::size_t i = 0; i < robot; ++i) {
+    membership.index += world.robots[i].team == description.team ? 1 : 0;
+  }
+  membership.charger = nearest_charger(world, description.team, {description.x, description.y});
+  membership.resource_colours = simulation::resource_colours(world, description.team);
+  return membership;
+}
 
 Robot::Robot(const world::Robot& description, const Membership& membership,
              const plugin::Host& host, bool measure_time)
@@ -240,14 +252,14 @@ void Robot::set_energy_cost(const world::PluginUse& sensor, double cost) {
   sum_costs();
 }
 
-TunedObject Robot::object_of(const world::PluginUse& use) {
+std::optional<TunedObject> Robot::find_object(const world::PluginUse& use) {
   for (SensorSlot& slot : sensors_) {
     if (slot.use == &use) {
-      return {PluginKind::sensor, &use, slot.declaration,
-              slot.object.get(),  {},   {&slot.mounting, resource_colours_}};
+      return TunedObject{PluginKind::sensor, &use, slot.declaration,
+                         slot.object.get(),  {},   {&slot.mounting, resource_colours_}};
     }
   }
-  return controller_->object_of(use).value();
+  return controller_->object_of(use);
 }
 
 std::optional<Camera> Robot::try_out(const world::PluginUse& use, const Setup& setup) {

@@ -38,6 +38,9 @@ class Robot final : private Wishes {
     std::vector<Colour> resource_colours;
   };
 
+  /// What the robot of this index has of its team before a run of the world.
+  static Membership membership(const world::World& world, std::size_t robot);
+
   /// Makes the plugin objects. Throws world::WorldError.
   Robot(const world::Robot& description, const Membership& membership, const plugin::Host& host,
         bool measure_time);
@@ -77,6 +80,9 @@ class Robot final : private Wishes {
   void set_priority(const world::PluginUse& behavior, double priority) {
     controller_->set_priority(behavior, priority);
   }
+  /// The object that a sensor, behaviour or coordinator stands for; none when it is not of this
+  /// robot.
+  std::optional<TunedObject> find_object(const world::PluginUse& use);
   /// What the parameters of a plugin object of this robot are.
   Setup setup(const world::PluginUse& use) const { return tuning_.setup(use); }
   /// Whether the plugin takes these: throws what it throws, and touches nothing. Of a sensor: the
@@ -139,7 +145,7 @@ class Robot final : private Wishes {
   void take_description();
   void sum_costs();
   void look_through_cameras();
-  TunedObject object_of(const world::PluginUse& use);
+  TunedObject object_of(const world::PluginUse& use) { return find_object(use).value(); }
   Perception example();
   void stop_when_empty();
 

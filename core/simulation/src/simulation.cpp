@@ -64,13 +64,10 @@ class Simulation::Impl {
         seed_(options.seed),
         changes_(world_, host, options.data_directories) {
     std::vector<world::Problem> problems;
-    std::map<std::string, int> team_sizes;
-    for (const world::Robot& robot : world_.robots) {
+    for (std::size_t i = 0; i < world_.robots.size(); ++i) {
       try {
-        const Robot::Membership membership{team_sizes[robot.team]++,
-                                           nearest_charger(world_, robot.team, {robot.x, robot.y}),
-                                           resource_colours(world_, robot.team)};
-        robots_.push_back(std::make_unique<Robot>(robot, membership, host, options.measure_time));
+        robots_.push_back(std::make_unique<Robot>(world_.robots[i], Robot::membership(world_, i),
+                                                  host, options.measure_time));
       } catch (const world::WorldError& error) {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());
       }
