@@ -23,7 +23,7 @@ namespace {
 world::World world_of_everything() {
   world::World world;
   world.name = "Everything <&> \"quoted\"";
-  world.teams = {{"red", {208, 49, 30}}, {"blue", {31, 95, 191}}};
+  world.teams = {{"red", Colour{208, 49, 30}}, {"blue", Colour{31, 95, 191}}};
   using world::BoxKind;
   for (const BoxKind kind :
        {BoxKind::fixed, BoxKind::dynamic, BoxKind::moving, BoxKind::resource}) {

@@ -24,7 +24,7 @@ struct Scene {
   world::World world;
   TopView view{world};
 
-  Scene() { world.teams = {{"red", {220, 30, 20}}, {"blue", {20, 60, 200}}}; }
+  Scene() { world.teams = {{"red", Colour{220, 30, 20}}, {"blue", Colour{20, 60, 200}}}; }
 
   world::Robot& add_robot(const std::string& id, const std::string& team, Pose pose) {
     world::Robot robot;
