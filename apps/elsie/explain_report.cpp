@@ -74,6 +74,16 @@ const CoordinatorAccount& coordinator_of(const ExplainedRobot& explained,
   });
 }
 
+/// "1" or, where it was changed, "1, 3, 0.5".
+std::string priorities_of(const TraceRobot& robot, const TraceMember& member,
+                          const elsie::simulation::TimeSpan& span) {
+  std::string text;
+  for (const auto& from : elsie::simulation::priorities(robot, member, span)) {
+    text += (text.empty() ? "" : ", ") + number(from.priority);
+  }
+  return text;
+}
+
 std::string table(const ExplainedRobot& explained) {
   const TraceRobot& robot = *explained.robot;
   const auto& members = robot.members;
@@ -98,7 +108,7 @@ std::string table(const ExplainedRobot& explained) {
     const CoordinatorAccount& coordinator = coordinator_of(explained, members[i]);
     std::vector<std::string> row{std::string(2 * place(members[i].depth), ' ') +
                                      members[i].path.substr(members[i].path.rfind('/') + 1),
-                                 number(members[i].priority),
+                                 priorities_of(robot, members[i], explained.account.span),
                                  per_cent(account.decided_s, coordinator.asked_s),
                                  coordinator.asked_s > 0.0 ? per_cent(account.share, 1.0) : "-"};
     if (nested) {

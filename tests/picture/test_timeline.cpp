@@ -261,6 +261,31 @@ TEST_CASE("The priority that the user gave a behaviour stands beside its lane") 
   CHECK_FALSE((with(0.25) == with(0.5)));
 }
 
+TEST_CASE("A priority that is changed in the run is drawn where it changes") {
+  const Folder folder;
+  const auto changed = [&](const std::string& name, const std::string& detail) {
+    TraceRobot robot = in_turn({{0, 0}});
+    robot.events = {{120, name, detail}};
+    return drawn(folder, trace_of({robot}));
+  };
+  const Bitmap with = changed("changed", "robot[r1]/behavior[b]/@priority=2");
+  const Bitmap without = changed("changed", "robot[r1]/behavior[b]/@speed=2");
+  REQUIRE(with.height() == without.height());
+  int least = with.width(), most = 0, differ = 0;
+  for (int x = 0; x < with.width(); ++x) {
+    for (int y = 0; y < with.height(); ++y) {
+      const Vector2 at{static_cast<double>(x), static_cast<double>(y)};
+      if (with.at(at).red != without.at(at).red) {
+        least = std::min(least, x), most = std::max(most, x), ++differ;
+      }
+    }
+  }
+  // A line through the lane in the middle of the time, and a number right of it.
+  CHECK(differ > 30);
+  CHECK(most - least < 30);
+  CHECK(least == Approx(0.5 * with.width()).margin(0.1 * with.width()));
+}
+
 TEST_CASE("A part of the run fills the whole width") {
   const Folder folder;
   const Trace trace = trace_of({in_turn({{0, 0}, {100, 1}, {200, 2}})});

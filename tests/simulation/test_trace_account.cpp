@@ -37,6 +37,33 @@ TraceRobot two() {
 
 }  // namespace
 
+TEST_CASE("A priority is what it was at first, and what the user made of it in the run") {
+  TraceRobot robot = traced_robot({"a", "b", "b/a"});
+  robot.id = "r1";
+  robot.members[2].priority = 0.75;
+  robot.events = {{0, "changed", "robot[r1]/behavior[a]/@priority=2"},
+                  {3, "changed", "robot[r1]/behavior[a]/@speed=4"},
+                  {4, "changed", "robot[r1]/behavior[b]/behavior[a]/@priority=0.5"},
+                  {5, "collected", "robot[r1]/behavior[a]/@priority=9"},
+                  {6, "changed", "robot[r1]/behavior[a]/@priority=-1e3"},
+                  {6, "changed", "robot[r1]/behavior[aa]/@priority=7"},
+                  {7, "changed", "robot[r1]/sensor[a]/@priority=7"},
+                  {8, "changed", "robot[r1]/behavior[a]/@priority=0"}};
+  const auto told = [&](std::size_t member, double from_s, double to_s) {
+    std::vector<std::pair<double, double>> list;
+    for (const auto& from : simulation::priorities(robot, robot.members[member], {from_s, to_s})) {
+      list.emplace_back(from.time_s, from.priority);
+    }
+    return list;
+  };
+  using List = std::vector<std::pair<double, double>>;
+  CHECK(told(0, 0, 10) == List{{0, 2}, {6, -1000}, {8, 0}});
+  CHECK(told(0, 1, 7) == List{{1, 2}, {6, -1000}});
+  CHECK(told(0, 8, 9) == List{{8, 0}});
+  CHECK(told(1, 0, 10) == List{{0, 1}});
+  CHECK(told(2, 0, 10) == List{{0, 0.75}, {4, 0.5}});
+}
+
 TEST_CASE("Who has the largest share decides; means are over time") {
   const Trace trace = trace_of(two(), 10);
   const RobotAccount told = account(trace.robots[0], within({}, trace));

@@ -125,6 +125,23 @@ Interval weights_of(const TimelineBlock& block, const std::vector<std::size_t>& 
   return {range.low < 0.0 ? range.low - margin : -margin, range.high + margin};
 }
 
+/// Where a user changed the priority of a behaviour while it ran, and to what.
+void draw_changes(Canvas& canvas, const TimelineBlock& block, const Rect& area,
+                  const std::vector<simulation::PriorityFrom>& priorities) {
+  const TextStyle style{.size = kTick, .bold = true, .down = Down::top};
+  double taken = area.x;
+  for (std::size_t i = 1; i < priorities.size(); ++i) {
+    const double x = canvas.crisp(block.x_of(priorities[i].time_s));
+    canvas.line({x, area.y}, {x, area.bottom()}).stroke(kText, {.width = 1.4});
+    const std::string text = number_text(priorities[i].priority);
+    const double width = canvas.text_width(text, style);
+    const double left = x + 4 + width > area.right() ? x - 4 - width : x + 4;
+    if (left < taken) continue;  // the number would lie on the one before
+    canvas.text(text, {left, area.y + 3}, style);
+    taken = left + width + 4;
+  }
+}
+
 }  // namespace
 
 void draw_time_grid(Canvas& canvas, const TimelineBlock& block, const Rect& area) {
@@ -230,7 +247,9 @@ void draw_lane(Canvas& canvas, const TimelineBlock& block, std::size_t member, d
   const double beside = area.x - kBesidePlot;
   TextStyle number = kBeside;
   number.ink = kText;
-  const std::string priority = number_text(traced.priority);
+  const auto priorities = simulation::priorities(block.robot, traced, block.span);
+  draw_changes(canvas, block, area, priorities);
+  const std::string priority = number_text(priorities.front().priority);
   canvas.text(priority, {beside, area.centre().y}, number);
   const double taken = canvas.text_width(priority, number) + kNameToPriority;
 

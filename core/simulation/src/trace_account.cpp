@@ -1,6 +1,9 @@
 #include "elsie/simulation/trace_account.h"
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string>
 
 namespace elsie::simulation {
 namespace {
@@ -178,7 +181,45 @@ class MemberTally {
   std::vector<int> silenced_by_;  // at the moment before
 };
 
+/// What an event says of the priority that `path` leads to from the robot on, if it does.
+std::optional<double> new_priority(const TraceEvent& event, const std::string& path) {
+  const std::string& detail = event.detail;
+  const std::size_t at = detail.find('/');
+  if (event.name != "changed" || at == std::string::npos ||
+      detail.compare(at, path.size(), path) != 0) {
+    return std::nullopt;
+  }
+  const char* const end = detail.data() + detail.size();
+  double value = 0.0;
+  const auto read = std::from_chars(detail.data() + at + path.size(), end, value);
+  return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
+}
+
 }  // namespace
+
+std::vector<PriorityFrom> priorities(const TraceRobot& robot, const TraceMember& member,
+                                     const TimeSpan& span) {
+  // "explore/wander" is behavior[explore]/behavior[wander] in the world.
+  std::string path;
+  for (std::size_t at = 0; at <= member.path.size();) {
+    const std::size_t end = std::min(member.path.find('/', at), member.path.size());
+    path += "/behavior[" + member.path.substr(at, end - at) + "]";
+    at = end + 1;
+  }
+  path += "/@priority=";
+  std::vector<PriorityFrom> found{{span.from_s, member.priority}};
+  for (const TraceEvent& event : robot.events) {
+    if (event.time_s > span.to_s) break;
+    if (const auto priority = new_priority(event, path)) {
+      if (event.time_s <= span.from_s) {
+        found.front().priority = *priority;
+      } else {
+        found.push_back({event.time_s, *priority});
+      }
+    }
+  }
+  return found;
+}
 
 TimeSpan within(const TimeSpan& span, const Trace& trace) {
   double first = trace.end_s;

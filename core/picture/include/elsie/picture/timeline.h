@@ -1,9 +1,10 @@
 // A coordination trace as a picture: who decided when, over the time of a run.
 //
-// For each robot, from above to below: its events, a row for each kind; a band that shows whose command counted most;
-// the shares of its behaviours in the command, stacked; their weights; and a lane for each
-// behaviour, those inside another below it, with the priority that the user gave it, its part in the
-// robot's command, its activation, and when it was silenced.
+// For each robot, from above to below: its events, a row for each kind; a band that shows whose
+// command counted most; the shares of its behaviours in the command, stacked; their weights; and a
+// lane for each behaviour, those inside another below it, with the priority that the user gave it
+// (and, where that was changed in the run, from where on it was which), its part in the robot's
+// command, its activation, and when it was silenced.
 #pragma once
 
 #include <cstddef>

@@ -45,6 +45,17 @@ void walk(const TraceRobot& robot, const TimeSpan& span,
 /// The member inside `parent` (-1: of the robot itself) whose share is the largest at a moment.
 Decider decider(const TraceRobot& robot, int parent, const TraceMoment& moment);
 
+/// What a user has a member's priority be from some time on.
+struct PriorityFrom {
+  double time_s = 0.0;
+  double priority = 1.0;
+};
+
+/// The member's priority at the beginning of the span, then each change of it in the span that the
+/// robot's events tell of ("changed", see change.h). Never empty.
+std::vector<PriorityFrom> priorities(const TraceRobot& robot, const TraceMember& member,
+                                     const TimeSpan& span);
+
 /// For how long one member silenced another.
 struct Inhibition {
   int by = -1;
