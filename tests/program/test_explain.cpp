@@ -180,13 +180,12 @@ TEST_CASE("explain tells what the user made of a priority in the run") {
     <blend id="drive"><behaviors><wander priority="2"/></behaviors><coordinator><fusion_vector_summation/></coordinator></blend>
     <wander id="roam"/></behaviors><coordinator><fusion_vector_summation/></coordinator></robot></robots>
     <limits time="4"/></world>)");
-  REQUIRE(
-      here.elsie(
-              "run blend.xml --quiet --explain t --at '1:robot[r1]/behavior[roam]/@priority=0.25'"
-              " --at '2:robot[1]/behavior[drive]/behavior[1]/@priority=3'"
-              " --at '3:robot[*]/behavior[roam]/@priority=5'")
-          .exit_code < 2);
-  const std::string told = here.elsie("explain t").out;
+  REQUIRE(here.elsie("run blend.xml --quiet --explain t.trace --at "
+                     "'1:robot[r1]/behavior[roam]/@priority=0.25'"
+                     " --at '2:robot[1]/behavior[drive]/behavior[1]/@priority=3'"
+                     " --at '3:robot[*]/behavior[roam]/@priority=5'")
+              .exit_code < 2);
+  const std::string told = here.elsie("explain t.trace").out;
   CHECK_THAT(told, Catch::Matches("[\\s\\S]*\\n *roam +1, 0.25, 5 [\\s\\S]*"));
   CHECK_THAT(told, Catch::Matches("[\\s\\S]*\\n *wander +2, 3 [\\s\\S]*"));
 }
