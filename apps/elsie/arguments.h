@@ -18,5 +18,8 @@ CLI::Validator positive_number();
 /// For options that take a finite number, zero or above.
 CLI::Validator non_negative_number();
 
+/// For options that take a whole number, of 64 bits with its sign.
+CLI::Validator whole_number();
+
 /// For seeds: a whole number of 64 bits, without a sign.
 CLI::Validator seed_number();

@@ -36,6 +36,7 @@ struct TrainOptions {
   std::optional<double> momentum;
   std::optional<double> threshold;
   std::optional<std::int64_t> presentations;
+  std::optional<std::int64_t> attempts;
   std::optional<std::string> training;
   std::optional<std::string> weights;
   std::optional<std::string> curve;
@@ -66,6 +67,7 @@ std::vector<LearnerOption> learner_options(const TrainOptions& options) {
   take("--momentum", "momentum", options.momentum);
   take("--threshold", "threshold", options.threshold);
   take("--presentations", "presentations", options.presentations);
+  take("--attempts", "attempts", options.attempts);
   take("--training", "training", options.training);
   return given;
 }
@@ -236,12 +238,23 @@ elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std
   return neural::stream_of_seed(seed);
 }
 
+/// Also when one of them is not there yet, or under two names.
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(a, ignored) ==
+         std::filesystem::weakly_canonical(b, ignored);
+}
+
 int train(const TrainOptions& options) {
   if (options.weights) {
     require_weights(*options.weights);
   }
   if (options.curve) {
     require_picture(*options.curve, "--curve");
+  }
+  if (options.weights && options.curve && same_file(*options.weights, *options.curve)) {
+    throw BadInput("--weights and --curve would both go to '" + *options.curve +
+                   "'; name two files");
   }
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
@@ -275,17 +288,18 @@ int train(const TrainOptions& options) {
   if (options.weights) {
     neural::write_weights(lesson.weights, *options.weights);
   }
+  if (options.json) {
+    print_json(report);
+  } else if (!options.quiet) {
+    print(report, options);
+  }
+  std::cout.flush();
   if (options.curve) {
     std::vector<std::string> lines{neural::summary(lesson.training, lesson.assessment)};
     if (!report.warning.empty()) {
       lines.push_back(report.warning);
     }
     draw_learning_curve(lesson.training, header(report), lines, *options.curve);
-  }
-  if (options.json) {
-    print_json(report);
-  } else if (!options.quiet) {
-    print(report, options);
   }
   return lesson.assessment.untrained ? kGoalMissed : kSuccess;
 }
@@ -316,8 +330,14 @@ void add_train_command(CLI::App& program, Job& job) {
   command->add_option("--momentum", options->momentum, "Momentum, in (0, 1)")
       ->check(positive_number());
   command->add_option("--threshold", options->threshold, "Mean error that is good enough");
-  command->add_option("--presentations", options->presentations,
-                      "How many times a sample is presented at most");
+  command
+      ->add_option("--presentations", options->presentations,
+                   "How many times a sample is presented at most")
+      ->check(whole_number());
+  command
+      ->add_option("--attempts", options->attempts,
+                   "How often it may begin anew after a training that missed a sample")
+      ->check(whole_number());
   command->add_option("--training", options->training, "File of samples")->type_name("FILE");
   command
       ->add_option("--set", options->overrides,

@@ -136,6 +136,10 @@ TEST_CASE("train refuses what it cannot do, and writes nothing then") {
        "range sensor: left, right), then 2 outputs"},
       {kWorld + " --training nothing.txt", "nothing.txt: there is no such file"},
       {kWorld + " --curve curve.jpg", "must end in .png or .svg"},
+      {kWorld + " --presentations 99999999999999999999", "is not a whole number, or too large"},
+      {kWorld + " --presentations 1e5", "'1e5' is not a whole number"},
+      {kWorld + " --weights both.png --curve ./both.png",
+       "--weights and --curve would both go to './both.png'; name two files"},
       {kWorld + " --set robot[r1]/coordinator/@seed=3 --seed 4", "has the seed 3 of its own"},
       {"nothing.xml", "nothing.xml"}};
   for (const auto& [arguments, message] : wrong) {
