@@ -138,8 +138,6 @@ TEST_CASE("train refuses what it cannot do, and writes nothing then") {
       {kWorld + " --curve curve.jpg", "must end in .png or .svg"},
       {kWorld + " --presentations 99999999999999999999", "is not a whole number, or too large"},
       {kWorld + " --presentations 1e5", "'1e5' is not a whole number"},
-      {kWorld + " --weights both.png --curve ./both.png",
-       "--weights and --curve would both go to './both.png'; name two files"},
       {kWorld + " --set robot[r1]/coordinator/@seed=3 --seed 4", "has the seed 3 of its own"},
       {"nothing.xml", "nothing.xml"}};
   for (const auto& [arguments, message] : wrong) {
@@ -205,6 +203,14 @@ TEST_CASE("A coordinator is trained for the robot that it stands on, as a run wo
   CHECK_THAT(here.read("w"), Catch::Contains("about body 0.03 0.065 0.2 0.12 0.3 2 800\n") &&
                                  Catch::Contains("about team blue 1 1 charger -1 2\n") &&
                                  Catch::Contains("about sensors nose 0.1 back -0.05 wander\n"));
+}
+
+TEST_CASE("Weights and learning curve do not go to one file") {
+  const Workplace here;
+  const auto run = here.elsie("train " + kWorld + " --weights both.png --curve ./both.png");
+  CHECK(run.exit_code == 2);
+  CHECK(run.err == "elsie: --weights and --curve would both go to './both.png'; name two files\n");
+  CHECK(here.read("both.png").empty());
 }
 
 TEST_CASE("What is wrong with an option is said of the option, not of a line of the world") {
