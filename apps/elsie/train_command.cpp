@@ -240,9 +240,8 @@ elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std
 
 /// Also when one of them is not there yet, or under two names.
 bool same_file(const std::string& a, const std::string& b) {
-  std::error_code ignored;
-  return std::filesystem::weakly_canonical(a, ignored) ==
-         std::filesystem::weakly_canonical(b, ignored);
+  namespace fs = std::filesystem;
+  return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
 }
 
 int train(const TrainOptions& options) {
