@@ -48,8 +48,8 @@ TEST_CASE("The shipped sets are what they were published as") {
   CHECK(two.size() == 9);
   CHECK(two.inputs(7)[0] == 0.2);
   CHECK(two.targets(8)[0] == 0.6);
-  const TrainingSet three =
-      read_training_set(elsie::test::source_path("training_sets/three_sensors_two_behaviors.txt"), {3, 2});
+  const TrainingSet three = read_training_set(
+      elsie::test::source_path("training_sets/three_sensors_two_behaviors.txt"), {3, 2});
   CHECK(three.size() == 12);
   CHECK(three.targets(1)[1] == 0.8);
 }
