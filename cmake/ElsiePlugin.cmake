@@ -29,17 +29,6 @@ function(elsie_add_plugin name)
   endif()
 endfunction()
 
-# elsie_add_plugin_test(NAME source...)
-#
-# A test program for the plugins of the same folder, with the test library and Catch2 (find_package() of both comes first), as a test of
-# this name.
-function(elsie_add_plugin_test name)
-  add_executable(test_${name} ${ARGN})
-  target_link_libraries(test_${name} PRIVATE elsie::testing Catch2::Catch2)
-  add_test(NAME ${name} COMMAND test_${name})
-  set_tests_properties(${name} PROPERTIES ENVIRONMENT "ELSIE_PLUGIN_PATH=${CMAKE_CURRENT_BINARY_DIR}")
-endfunction()
-
 # elsie_add_world_test(WORLD.xml)
 #
 # A test that runs a world of this folder with the plugins that are built here: it must reach its goals.
