@@ -37,6 +37,7 @@ void add_schema_command(CLI::App& program, Job& job);
 void add_picture_command(CLI::App& program, Job& job);
 void add_fuzzy_command(CLI::App& program, Job& job);
 void add_explain_command(CLI::App& program, Job& job);
+void add_test_plugin_command(CLI::App& program, Job& job);
 void add_train_command(CLI::App& program, Job& job);
 void add_new_command(CLI::App& program, Job& job);
 void add_build_command(CLI::App& program, Job& job);

@@ -105,6 +105,7 @@ int main(int argc, char** argv) {
   add_describe_command(program, job);
   add_schema_command(program, job);
   add_fuzzy_command(program, job);
+  add_test_plugin_command(program, job);
   add_train_command(program, job);
   add_new_command(program, job);
   add_build_command(program, job);

@@ -87,6 +87,9 @@ class WallSight {
       }
     }
     const Point& only = side_[nearest];
+    if (only.away == 0.0) {  // it touches a sensor in the robot's very middle
+      return Wall{{std::sin(only.azimuth_rad), -std::cos(only.azimuth_rad)}, 0.0};
+    }
     return Wall{{only.point.y / only.away, -only.point.x / only.away}, only.away};
   }
 

@@ -1,0 +1,202 @@
+// elsie test-plugin: tries plugins on random input, says what is wrong with them.
+#include <charconv>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+
+#include "elsie/plugin/error.h"
+#include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/near_name.h"
+#include "elsie/plugin/source_build.h"
+#include "elsie/testing/checker.h"
+
+#include "command.h"
+#include "environment.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using elsie::Declaration;
+using elsie::ParameterDeclaration;
+using elsie::ParameterType;
+using elsie::PluginKind;
+using elsie::testing::CheckOptions;
+using elsie::testing::Plugins;
+
+struct TestPluginOptions {
+  PluginOptions plugins;
+  std::vector<std::string> names;
+  std::vector<std::string> settings;
+  std::vector<std::string> members;
+  std::uint64_t seed = 1;
+  int variants = CheckOptions().variants;
+};
+
+constexpr PluginKind kKinds[] = {PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator};
+
+/// A library or a source, not a plugin's name.
+bool is_file(const std::string& name) {
+  return name.find('.') != std::string::npos || name.find('/') != std::string::npos;
+}
+
+template <class Number>
+Number number(const std::string& name, const std::string& text) {
+  Number value{};
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) {
+    throw BadInput("--set " + name + ": expected a number, found '" + text + "'");
+  }
+  return value;
+}
+
+elsie::ParameterValue value_of(const ParameterDeclaration& parameter, const std::string& text) {
+  switch (parameter.type) {
+    case ParameterType::real:
+      return number<double>(parameter.name, text);
+    case ParameterType::integer:
+      return number<std::int64_t>(parameter.name, text);
+    case ParameterType::boolean:
+      if (text != "true" && text != "false") {
+        throw BadInput("--set " + parameter.name + ": expected true or false, found '" + text +
+                       "'");
+      }
+      return text == "true";
+    case ParameterType::reals: {
+      std::vector<double> values;
+      std::istringstream words(text);
+      for (std::string word; words >> word;) {
+        values.push_back(number<double>(parameter.name, word));
+      }
+      return values;
+    }
+    case ParameterType::text:
+    case ParameterType::file:
+      break;
+  }
+  return text;
+}
+
+/// The settings, as far as they are parameters of this plugin; `used` counts which were of any use.
+elsie::testing::Settings settings_for(const Declaration& declaration,
+                                      const TestPluginOptions& options,
+                                      std::map<std::string, bool>& used) {
+  elsie::testing::Settings settings;
+  for (const std::string& setting : options.settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) {
+      throw BadInput("--set: expected NAME=VALUE, found '" + setting + "'");
+    }
+    const std::string name = setting.substr(0, equals);
+    used.emplace(name, false);
+    for (const ParameterDeclaration& parameter : declaration.parameters) {
+      if (parameter.name == name) {
+        settings[name] = value_of(parameter, setting.substr(equals + 1));
+        used[name] = true;
+      }
+    }
+  }
+  return settings;
+}
+
+/// The plugins that an argument means: those of a library, or those of a name.
+std::vector<const Declaration*> chosen(const Plugins& plugins, const std::string& name) {
+  std::vector<const Declaration*> all;
+  std::vector<std::string> names;
+  const fs::path library =
+      elsie::plugin::is_source(name) ? elsie::plugin::build_source(name).library : fs::path(name);
+  for (const PluginKind kind : kKinds) {
+    for (const Declaration* declaration : plugins.host().all(kind)) {
+      std::error_code error;
+      const bool is_meant =
+          is_file(name)
+              ? fs::equivalent(plugins.host().file_of(kind, declaration->name), library, error)
+              : declaration->name == name;
+      if (is_meant) {
+        all.push_back(declaration);
+      }
+      names.push_back(declaration->name);
+    }
+  }
+  if (all.empty()) {
+    throw BadInput("there is no plugin '" + name + "'" + elsie::plugin::did_you_mean(name, names) +
+                   "\n`elsie plugins` lists all that were found");
+  }
+  return all;
+}
+
+int test_plugins(TestPluginOptions options) {
+  for (const std::string& name : options.names) {
+    if (is_file(name)) {
+      options.plugins.files.push_back(name);
+    }
+  }
+  std::size_t wrong = 0;
+  std::map<std::string, bool> used;
+  try {
+    const Plugins plugins(load_plugins(options.plugins));
+    for (const std::string& name : options.names) {
+      for (const Declaration* declaration : chosen(plugins, name)) {
+        CheckOptions how;
+        how.settings = settings_for(*declaration, options, used);
+        how.members = options.members;
+        how.seed = options.seed;
+        how.variants = options.variants;
+        const auto findings = check_plugin(declaration->kind, declaration->name, how, plugins);
+        for (const std::string& finding : findings) {
+          std::cout << finding << '\n';
+        }
+        if (findings.empty()) {
+          std::cout << elsie::plugin::kind_name(declaration->kind) << " '" << declaration->name
+                    << "': nothing wrong was found\n";
+        }
+        wrong += findings.empty() ? 0 : 1;
+      }
+    }
+  } catch (const elsie::plugin::PluginError& error) {
+    throw BadInput(error.what());
+  }
+  for (const auto& [name, was_used] : used) {
+    if (!was_used) {
+      throw BadInput("--set " + name + ": none of these plugins has a parameter of that name");
+    }
+  }
+  return wrong == 0 ? kSuccess : kGoalMissed;
+}
+
+}  // namespace
+
+void add_test_plugin_command(CLI::App& program, Job& job) {
+  CLI::App* command = program.add_subcommand(
+      "test-plugin",
+      "Check a plugin by trying it: its declaration, finite answers on random input, no shared "
+      "state, the same answers on the same input, no growth of memory");
+  command->footer(
+      "\nExamples:\n  elsie test-plugin wander\n  elsie test-plugin build/shy.so shy.cpp\n"
+      "  elsie test-plugin fusion_context_blending --set model=my.fcl --members "
+      "avoid_obstacle,wander\n"
+      "\nExit codes: 0 nothing wrong was found; 1 something was; 2 bad input or usage.");
+  auto options = std::make_shared<TestPluginOptions>();
+  command
+      ->add_option("PLUGIN", options->names,
+                   "Names of plugins, library files, or sources of one file")
+      ->required();
+  command
+      ->add_option("--set", options->settings,
+                   "A parameter that is always set so, NAME=VALUE; may be repeated")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--members", options->members,
+                   "The behaviours of a coordinator that takes no others, by their ids")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--seed", options->seed, "Of the random input")->capture_default_str();
+  command->add_option("--variants", options->variants, "How many sets of random parameters to try")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  options->plugins.add_to(*command);
+  command->callback([&job, options] { job = [options] { return test_plugins(*options); }; });
+}

@@ -1,0 +1,80 @@
+// The test library with Catch2 2.13: expectations are matchers as they are; here is how Catch2
+// prints what they are about.
+//
+//   CHECK_THAT(shy.respond(now), turns_left());
+//   CHECK_THAT(trace, equals_golden("shy.golden"));
+//   CHECK_THAT(check_plugin(PluginKind::behavior, "shy"), finds_nothing());
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/testing/testing.h"
+
+namespace Catch {
+
+template <>
+struct StringMaker<elsie::MotorCommand> {
+  static std::string convert(const elsie::MotorCommand& command) {
+    return elsie::testing::text(command);
+  }
+};
+
+template <>
+struct StringMaker<elsie::Response> {
+  static std::string convert(const elsie::Response& response) {
+    return elsie::testing::text(response);
+  }
+};
+
+template <>
+struct StringMaker<elsie::testing::Trace> {
+  static std::string convert(const elsie::testing::Trace& trace) {
+    return "a trace of " + std::to_string(trace.rows.size()) + " steps";
+  }
+};
+
+template <>
+struct StringMaker<elsie::testing::Verdict> {
+  static std::string convert(const elsie::testing::Verdict& verdict) {
+    return verdict.holds ? "as it should be" : verdict.sentence;
+  }
+};
+
+}  // namespace Catch
+
+namespace elsie::testing {
+
+/// That a trace is as in its file; see compare_with_golden().
+class EqualsGolden {
+ public:
+  EqualsGolden(std::string file, double tolerance)
+      : file_(std::move(file)), tolerance_(tolerance) {}
+  bool match(const Trace& trace) const {
+    verdict_ = compare_with_golden(trace, file_, tolerance_);
+    return verdict_.holds;
+  }
+  std::string toString() const {
+    return "should be as in " + file_ + (verdict_ ? "" : ": " + verdict_.sentence);
+  }
+
+ private:
+  std::string file_;
+  double tolerance_;
+  mutable Verdict verdict_;
+};
+inline EqualsGolden equals_golden(std::string file, double tolerance = 1e-6) {
+  return {std::move(file), tolerance};
+}
+
+/// That a checker has nothing to say.
+class FindsNothing {
+ public:
+  bool match(const std::vector<std::string>& findings) const { return findings.empty(); }
+  std::string toString() const { return "should be nothing"; }
+};
+inline FindsNothing finds_nothing() { return {}; }
+
+}  // namespace elsie::testing

@@ -1,0 +1,61 @@
+// What every plugin must be: checked by trying.
+//
+//   for (const std::string& finding : check_plugin(PluginKind::behavior, "shy")) { ... }
+//
+// The declaration: meanings of the plugin, its parameters, elements and events; a unit for every
+// number, or a bound at least for a pure one; a unit that fits a
+// name's ending (speed_m_s is in m/s); sound ranges, defaults that are allowed and that objects
+// really start with.
+//
+// Its objects, on random but possible input, with the given parameters and with random ones within
+// their ranges (which configured() and equipped() may refuse, with a sentence):
+// - answers are finite and in their ranges, events declared, nothing is thrown;
+// - two objects answer the same input alike, also while a third one works on something else, and
+//   the first again after reset() and after configured() was called once more: none shares state
+//   with others, and none depends on a clock, on an address, or on random numbers other than its
+//   own;
+// - memory does not grow with the number of steps, and objects leave none behind.
+//
+// What no trial finds: a plugin that looks at a clock of whole seconds, or goes wrong on one input
+// in a million.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "elsie/testing/plugins.h"
+#include "elsie/testing/situation.h"
+
+namespace elsie::testing {
+
+struct CheckOptions {
+  /// Parameters that are always set so: required ones, for example.
+  Settings settings{};
+  Elements elements{};
+  /// The behaviours of a coordinator that takes no others; else random ones.
+  std::vector<std::string> members{};
+  /// The robot to be tried: its sensors, body and team. Values are random all the same. Else
+  /// several, with beams, switches, cameras, and a sensor for each kind of reading that the plugin
+  /// needs.
+  std::vector<Situation> robots{};
+  /// Puts in readings of kinds that no sensor plugin makes.
+  std::function<void(Situation&, Random&)> add_readings{};
+  std::uint64_t seed = 1;
+  /// How many sets of random parameters.
+  int variants = 20;
+  /// Steps of the longest run, in which memory must not grow.
+  int steps = 20000;
+};
+
+/// What is wrong with a plugin, each a sentence that names it; empty when nothing was found. Throws
+/// plugin::PluginError when there is no such plugin.
+std::vector<std::string> check_plugin(PluginKind kind, const std::string& name,
+                                      const CheckOptions& options = {},
+                                      const Plugins& plugins = Plugins::found());
+
+/// The part about the declaration alone.
+std::vector<std::string> check_declaration(const Declaration& declaration);
+
+}  // namespace elsie::testing

@@ -1,0 +1,70 @@
+// What to expect of an answer.
+//
+//   const Verdict verdict = turns_left().check(shy.respond(now));   // without a test framework
+//   CHECK_THAT(shy.respond(now), turns_left() && !raises("stuck"));  // Catch2, with catch.h
+//
+// Each takes a Response; a bare MotorCommand will do, too.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "elsie/api/behavior.h"
+#include "elsie/testing/verdict.h"
+
+namespace elsie::testing {
+
+class Expectation {
+ public:
+  /// `says` goes on after "the answer should ".
+  Expectation(std::string says, std::function<bool(const Response&)> test)
+      : says_(std::move(says)), test_(std::move(test)) {}
+
+  /// "the answer should turn left, but is command (left 3, right 2) rad/s, activation 1"
+  Verdict check(const Response& response) const;
+
+  // The two by which Catch2 knows a matcher.
+  bool match(const Response& response) const { return test_(response); }
+  std::string toString() const { return "should " + says_; }
+
+  friend Expectation operator&&(const Expectation& a, const Expectation& b);
+  friend Expectation operator||(const Expectation& a, const Expectation& b);
+  Expectation operator!() const;
+
+ private:
+  std::string says_;
+  std::function<bool(const Response&)> test_;
+};
+
+/// "command (left 3, right 2) rad/s, activation 0.5, strength 1, raises stuck"
+std::string text(const Response& response);
+std::string text(const MotorCommand& command);
+
+// Directions. A difference of the wheels of less than `than` (rad/s) is none, and so is a mean.
+inline constexpr double kNoRate = 1e-6;
+Expectation turns_left(double than = kNoRate);
+Expectation turns_right(double than = kNoRate);
+/// Forward, both wheels alike.
+Expectation drives_straight_on(double than = kNoRate);
+/// Forward on the whole, straight or not.
+Expectation drives_forward(double than = kNoRate);
+/// Backward on the whole.
+Expectation backs_up(double than = kNoRate);
+/// On the spot: it turns, and the wheels' mean is zero.
+Expectation turns_on_the_spot(double than = kNoRate);
+Expectation stands(double than = kNoRate);
+
+/// Each wheel within `within` rad/s.
+Expectation commands(double left, double right, double within = 1e-9);
+
+/// Activation above zero.
+Expectation is_active();
+Expectation is_not_active();
+Expectation has_activation(double activation, double within = 1e-9);
+Expectation has_strength(double strength, double within = 1e-9);
+Expectation raises(std::string_view event);
+Expectation raises_nothing();
+Expectation asks_to_be_charged();
+
+}  // namespace elsie::testing

@@ -1,0 +1,76 @@
+// A sensor, ready to look.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "elsie/api/sensor.h"
+#include "elsie/testing/plugins.h"
+#include "elsie/testing/surroundings.h"
+
+namespace elsie::testing {
+
+///   Sensor beam("beam_range", {{"max_range", 2.0}});
+///   CHECK(beam.sense<RangeReading>(Surroundings().wall(1, -1, 1, 1)).hit);
+///
+/// Any sensor by its name, at the front edge and on top of a robot of the usual size, as in a world
+/// that says nothing else, looking ahead.
+class Sensor {
+ public:
+  /// Throws plugin::PluginError, with a sentence: no such plugin, wrong names and values of
+  /// parameters, what configured() refuses.
+  explicit Sensor(const std::string& name, const Settings& settings = {},
+                  const Elements& elements = {});
+  Sensor(const Plugins& plugins, const std::string& name, const Settings& settings = {},
+         const Elements& elements = {});
+
+  /// Where it is on the robot.
+  Sensor& mounted(const Mounting& mounting);
+  Sensor& turned(double yaw_deg, double pitch_deg = 0.0);
+
+  /// A new reading; one control period after the last. A sensor with a camera is given the picture
+  /// of these surroundings. Throws std::invalid_argument when its readings are of another kind.
+  template <class Reading>
+  const Reading& sense(const elsie::testing::Surroundings& surroundings) {
+    require(ReadingKind::of<Reading>());
+    update(surroundings, nullptr);
+    return *static_cast<const Reading*>(object_->reading());
+  }
+  /// The same for a sensor with a camera that sees this picture.
+  template <class Reading>
+  const Reading& sense(const Image& picture, const elsie::Surroundings& around = Surroundings()) {
+    require(ReadingKind::of<Reading>());
+    update(around, &picture);
+    return *static_cast<const Reading*>(object_->reading());
+  }
+  /// A new reading, whatever its kind; values() tells its numbers.
+  void update(const elsie::testing::Surroundings& surroundings, const Image* picture);
+  void update(const elsie::Surroundings& surroundings, const Image* picture);
+  /// The numbers of the current reading, by name.
+  std::vector<NamedValue> values() const;
+
+  /// Back to the start of a run, with the random stream (the noise) of this seed.
+  void reset(std::uint64_t seed = 1);
+
+  const Declaration& declaration() const { return *declaration_; }
+  elsie::Sensor& operator*() { return *object_; }
+  elsie::Sensor* operator->() { return object_.get(); }
+
+ private:
+  /// Throws std::invalid_argument when its readings are of another kind.
+  void require(const ReadingKind& kind) const;
+  Frame frame_at(const Pose& pose) const;
+
+  Plugins plugins_;
+  const Declaration* declaration_;
+  Mounting mounting_{{0.04, 0.0, 0.09}, 0.0, 0.0};
+  Random random_;
+  plugin::Object<elsie::Sensor> object_;
+  Image picture_;
+  double time_s_ = 0.0;
+  bool reset_ = false;
+};
+
+}  // namespace elsie::testing

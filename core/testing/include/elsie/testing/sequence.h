@@ -1,0 +1,34 @@
+// What a robot perceives over time.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "elsie/testing/situation.h"
+
+namespace elsie::testing {
+
+/// One instant after the other, a control period apart, from time zero:
+///
+///   Sequence way;
+///   way.hold(0.5, Situation().beam(0, 1.0))                      // half a second of nothing
+///      .change(1.0, [](double t) { return Situation().beam(0, 1.0 - 0.9 * t); });
+class Sequence {
+ public:
+  explicit Sequence(double period_s = 0.01) : period_s_(period_s) {}
+
+  /// The same for so long.
+  Sequence& hold(double seconds, const Situation& now);
+  /// Something that changes: `at` is asked for each instant, with the time since this part began.
+  Sequence& change(double seconds, const std::function<Situation(double elapsed_s)>& at);
+
+  double period_s() const { return period_s_; }
+  /// Each with its time and period.
+  const std::vector<Situation>& instants() const { return instants_; }
+
+ private:
+  double period_s_;
+  std::vector<Situation> instants_;
+};
+
+}  // namespace elsie::testing

@@ -1,0 +1,65 @@
+// A made-up world for a sensor to look at.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "elsie/api/sensor.h"
+#include "elsie/testing/picture.h"
+#include "elsie/world/description.h"
+
+namespace elsie::testing {
+
+///   Surroundings room;
+///   room.wall(1.0, -2, 1.0, 2).box(0.5, 0.3).robot("mate", 2, 0).at(0, 0, 90);
+///
+/// Boxes, walls and robots on an endless floor, seen by rays and volumes as in a simulation, and by
+/// cameras. Lengths in m, angles in degrees; nothing moves. The robot that carries the sensor
+/// stands at the origin and looks east until at() says otherwise, and is not to be seen.
+class Surroundings final : public elsie::Surroundings {
+ public:
+  Surroundings();
+  ~Surroundings();
+  Surroundings(Surroundings&&) noexcept;
+  Surroundings& operator=(Surroundings&&) noexcept;
+
+  /// The carrier's own pose.
+  Surroundings& at(double x, double y, double heading_deg = 0.0);
+  /// A box that stands on the floor with its middle there.
+  Surroundings& box(double x, double y, double length = 0.2, double width = 0.2,
+                    double height = 0.2, double heading_deg = 0.0);
+  /// A thin wall (1 cm, 0.3 m high) from one point to the other; its middle is on the line.
+  Surroundings& wall(double x1, double y1, double x2, double y2);
+  /// A resource that the carrier may collect: a box of 0.2 m in this colour.
+  Surroundings& resource(double x, double y, const Colour& colour = kRed);
+  /// Another robot.
+  Surroundings& robot(const std::string& id, double x, double y, double heading_deg = 0.0,
+                      bool is_leader = false);
+
+  std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
+                                 double max_range_m) const override;
+  bool anything_in(const Pyramid& pyramid) const override;
+  Pose pose() const override { return pose_; }
+  std::optional<TeamMate> nearest_robot(double radius_m) const override;
+  void robots_within(double radius_m, std::vector<TeamMate>& robots) const override;
+  std::span<const Colour> resource_colours() const override { return colours_; }
+
+  /// What a camera sees that looks along the frame's forward axis. Needs EGL on the machine; throws
+  /// render::RenderError, with a sentence, where there is none.
+  Image photograph(const Frame& frame, const Camera& camera) const;
+  /// The same as plain data.
+  const world::World& world() const { return world_; }
+
+ private:
+  struct Engine;
+
+  Surroundings& add(const world::Box& box);
+
+  Pose pose_;
+  world::World world_;
+  std::vector<Colour> colours_;
+  std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace elsie::testing

@@ -1,0 +1,18 @@
+// Everything for testing plugins, without a test framework; see docs/testing-a-plugin.md. With
+// Catch2: catch.h.
+#pragma once
+
+#include "elsie/testing/behavior.h"
+#include "elsie/testing/checker.h"
+#include "elsie/testing/coordinator.h"
+#include "elsie/testing/expectation.h"
+#include "elsie/testing/golden.h"
+#include "elsie/testing/picture.h"
+#include "elsie/testing/plugins.h"
+#include "elsie/testing/sensor.h"
+#include "elsie/testing/sequence.h"
+#include "elsie/testing/situation.h"
+#include "elsie/testing/surroundings.h"
+#include "elsie/testing/team.h"
+#include "elsie/testing/verdict.h"
+#include "elsie/testing/world.h"

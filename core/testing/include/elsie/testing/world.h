@@ -1,0 +1,73 @@
+// A small world that runs.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elsie/simulation/simulation.h"
+#include "elsie/testing/plugins.h"
+
+namespace elsie::testing {
+
+struct WorldOptions {
+  std::uint64_t seed = 1;
+  std::vector<std::string> set{};  // "robot[r1]/@max_speed=0.3"; see world::ReadOptions::overrides
+};
+
+///   World world = World::from_file("world.xml");
+///   world.run_for(2.0);
+///   CHECK(world.pose("r1").x > 0.5);
+///
+/// Robots are called by their ids; std::invalid_argument, with the nearest right one, for an id
+/// that nobody has.
+class World {
+ public:
+  /// Throws world::WorldError with all that is wrong with the world.
+  static World from_file(const std::string& file, const WorldOptions& options = {},
+                         const Plugins& plugins = Plugins::found());
+  /// The same for text; files that it names are looked for in the working directory.
+  static World from_text(std::string_view xml, const WorldOptions& options = {},
+                         const Plugins& plugins = Plugins::found());
+
+  // Each throws simulation::PluginFault, which names plugin, robot and step.
+
+  World& step(int steps = 1);
+  World& run_for(double seconds);
+  /// Until this is so, no longer than the given time. Whether it came to that.
+  bool run_until(const std::function<bool(const World&)>& reached, double seconds);
+  /// From the start until a goal or a limit ends the run.
+  simulation::RunResult run();
+  /// Back to the start, with this seed.
+  World& reset(std::uint64_t seed);
+
+  double time_s() const { return simulation_->time_s(); }
+  Pose pose(const std::string& robot) const { return this->robot(robot).state->pose; }
+  simulation::RobotView robot(const std::string& id) const;
+  /// What the robot's coordinator noted about one of its behaviours in the last decision.
+  const TraceRow& trace(const std::string& robot, const std::string& behavior) const;
+  /// The current reading of a robot's sensor, by the sensor's id. Throws std::invalid_argument when
+  /// it is of another kind.
+  template <class Reading>
+  const Reading& reading(const std::string& robot, const std::string& sensor) const {
+    return *static_cast<const Reading*>(reading(robot, sensor, ReadingKind::of<Reading>()));
+  }
+  /// How often an event was raised so far, on this robot or ("") on any.
+  int count(std::string_view event, std::string_view robot = "") const;
+  const simulation::Simulation& simulation() const { return *simulation_; }
+
+ private:
+  World(world::World world, const WorldOptions& options, const Plugins& plugins);
+  std::size_t index_of(const std::string& robot) const;
+  const void* reading(const std::string& robot, const std::string& sensor,
+                      const ReadingKind& kind) const;
+
+  Plugins plugins_;
+  std::unique_ptr<simulation::Simulation> simulation_;
+};
+
+}  // namespace elsie::testing

@@ -1,0 +1,138 @@
+// Trials of behaviours, and what answers of behaviours and coordinators have in common.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "elsie/testing/behavior.h"
+
+#include "text.h"
+#include "trial.h"
+
+namespace elsie::testing {
+
+void Answer::add(const FuzzySet& set) {
+  for (const FuzzySet::Point& point : set.points) {
+    add("a point of its fuzzy sets", point.x);
+    add("a degree in its fuzzy sets", point.degree);
+  }
+}
+
+void require_finite(const char* what, double value) {
+  if (!std::isfinite(value)) {
+    throw Wrong(std::string(what) + " is " + number_text(value) + ", which is no finite number");
+  }
+}
+
+void require_degree(const char* what, double value) {
+  if (!(value >= 0.0 && value <= 1.0)) {
+    throw Wrong(std::string(what) + " is " + number_text(value) + ", which is not in [0, 1]");
+  }
+}
+
+void require_rating(std::span<const double> desirability) {
+  for (const double degree : desirability) {
+    require_degree("what it gives a candidate command in rate()", degree);
+  }
+}
+
+void require_sets(const CommandSets& sets) {
+  for (const FuzzySet* set : {&sets.left, &sets.right}) {
+    double last = -std::numeric_limits<double>::infinity();
+    for (const FuzzySet::Point& point : set->points) {
+      require_finite("a point of its fuzzy sets", point.x);
+      require_degree("a degree in its fuzzy sets", point.degree);
+      if (point.x < last) {
+        throw Wrong("the points of its fuzzy sets are not in ascending order: " +
+                    number_text(point.x) + " comes after " + number_text(last));
+      }
+      last = point.x;
+    }
+  }
+}
+
+std::span<const MotorCommand> candidates() {
+  static constexpr std::array<MotorCommand, 5> kCandidates{
+      MotorCommand{0, 0}, {10, 10}, {-5, 5}, {20, -3}, {-1e3, 1e3}};
+  return kCandidates;
+}
+
+namespace {
+
+class BehaviorTrial final : public Trial {
+ public:
+  explicit BehaviorTrial(const TrialSetting& setting)
+      : declaration_(setting.declaration),
+        input_(setting.input),
+        instants_(setting.input.instants),
+        settings_(setting.settings),
+        behavior_(setting.plugins, declaration_.name, setting.settings, setting.elements) {
+    equipping([&] { behavior_.equip(instants_.front()); });
+  }
+
+  void reset(std::uint64_t seed) override {
+    behavior_.reset(seed);
+    behavior_->notes();
+  }
+  void configure_again() override { behavior_.set(settings_); }
+
+  void step(std::size_t step, Answer& answer) override {
+    const std::size_t at = step % instants_.size();
+    Situation& now = instants_[at];
+    now.time(static_cast<double>(step) * now.period_s());
+    behavior_.inside().answer = input_.wishes[at].front();
+    const Response response = behavior_.respond(now);
+    answer.clear();
+    tell(response, answer);
+    std::array<double, 5> desirability{};
+    behavior_->rate(response, candidates(), desirability);
+    require_rating(desirability);
+    for (const double degree : desirability) {
+      answer.add("what it gives a candidate command in rate()", degree);
+    }
+    const CommandSets sets = behavior_->command_sets(response);
+    require_sets(sets);
+    answer.add(sets.left);
+    answer.add(sets.right);
+  }
+
+ private:
+  void tell(const Response& response, Answer& answer) const {
+    require_finite("its left wheel rate", response.command.left);
+    require_finite("its right wheel rate", response.command.right);
+    answer.add("its left wheel rate", response.command.left);
+    answer.add("its right wheel rate", response.command.right);
+    const auto degree = [&](const char* what, double value) {
+      require_degree(what, value);
+      answer.add(what, value);
+    };
+    degree("its activation", response.activation);
+    degree("its strength", response.strength);
+    degree("its speed_strength", response.speed_strength);
+    degree("its turn_strength", response.turn_strength);
+    answer.add("whether it asks to be charged", response.charge);
+    for (const Event& event : response.events) {
+      const auto& declared = declaration_.events;
+      if (std::none_of(declared.begin(), declared.end(),
+                       [&](const EventDeclaration& other) { return other.name == event.name; })) {
+        throw Wrong("it raises the event '" + std::string(event.name) +
+                    "', which its declaration does not name; add elsie::raises() to it");
+      }
+      answer.events.emplace_back(event.name);
+    }
+  }
+
+  const Declaration& declaration_;
+  const Input& input_;
+  std::vector<Situation> instants_;
+  Settings settings_;
+  Behavior behavior_;
+};
+
+}  // namespace
+
+std::unique_ptr<Trial> make_behavior_trial(const TrialSetting& setting) {
+  return std::make_unique<BehaviorTrial>(setting);
+}
+
+}  // namespace elsie::testing

@@ -1,0 +1,101 @@
+#include <vector>
+
+#include "elsie/plugin/parameters.h"
+#include "elsie/testing/coordinator.h"
+
+#include "text.h"
+#include "trial.h"
+
+namespace elsie::testing {
+namespace {
+
+class CoordinatorTrial final : public Trial {
+ public:
+  explicit CoordinatorTrial(const TrialSetting& setting)
+      : input_(setting.input),
+        instants_(setting.input.instants),
+        settings_(setting.plugins.completed(setting.declaration, setting.settings)) {
+    for (std::size_t i = 0; i < input_.members.size(); ++i) {
+      team_.member(input_.members[i], input_.priorities[i], Response());
+    }
+    coordinator_ = std::make_unique<Coordinator>(setting.plugins, setting.declaration.name, team_,
+                                                 setting.settings, setting.elements);
+    equipping([&] { coordinator_->equip(instants_.front()); });
+  }
+
+  void reset(std::uint64_t seed) override {
+    coordinator_->reset(seed);
+    (*coordinator_)->notes();
+  }
+  void configure_again() override {
+    plugin::apply_parameters(coordinator_->declaration(), **coordinator_, settings_);
+    equipping([&] { coordinator_->equip(instants_.front()); });
+  }
+
+  void step(std::size_t step, Answer& answer) override {
+    const std::size_t at = step % instants_.size();
+    Situation& now = instants_[at];
+    now.time(static_cast<double>(step) * now.period_s());
+    for (std::size_t i = 0; i < team_.size(); ++i) {
+      team_.answer(i) = input_.wishes[at][i];
+    }
+    const MotorCommand command = coordinator_->decide(now);
+    answer.clear();
+    require_finite("its left wheel rate", command.left);
+    require_finite("its right wheel rate", command.right);
+    answer.add("its left wheel rate", command.left);
+    answer.add("its right wheel rate", command.right);
+    double shares = 0.0;
+    for (const Member& member : team_.members()) {
+      tell(member.trace, answer);
+      shares += member.trace.share;
+    }
+    if (shares > 1.0 + 1e-6) {
+      throw Wrong("the shares in its trace add up to " + number_text(shares) + ", more than 1");
+    }
+    const std::vector<double> desirability =
+        coordinator_->rate({candidates().begin(), candidates().end()});
+    require_rating(desirability);
+    for (const double degree : desirability) {
+      answer.add("what it gives a candidate command in rate()", degree);
+    }
+    const CommandSets sets = coordinator_->sets();
+    require_sets(sets);
+    answer.add(sets.left);
+    answer.add(sets.right);
+  }
+
+ private:
+  void tell(const TraceRow& row, Answer& answer) const {
+    require_finite("a weight in its trace", row.weight);
+    if (!(row.share >= 0.0 && row.share <= 1.0 + 1e-9)) {
+      throw Wrong("a share in its trace is " + number_text(row.share) + ", which is not in [0, 1]");
+    }
+    if (row.inhibited_by < -1 || row.inhibited_by >= static_cast<int>(team_.size())) {
+      throw Wrong("its trace says that member " + std::to_string(row.inhibited_by) +
+                  " inhibits another, but there is none of that number");
+    }
+    if (!row.reason) {
+      throw Wrong("a reason in its trace is a null pointer; leave it alone where there is none");
+    }
+    answer.add("a weight in its trace", row.weight);
+    answer.add("a share in its trace", row.share);
+    answer.add("who inhibits whom in its trace", row.inhibited_by);
+    answer.add("whether it asks a member", row.asked);
+    answer.events.emplace_back(row.reason);
+  }
+
+  const Input& input_;
+  std::vector<Situation> instants_;
+  Settings settings_;
+  Team team_;
+  std::unique_ptr<Coordinator> coordinator_;
+};
+
+}  // namespace
+
+std::unique_ptr<Trial> make_coordinator_trial(const TrialSetting& setting) {
+  return std::make_unique<CoordinatorTrial>(setting);
+}
+
+}  // namespace elsie::testing

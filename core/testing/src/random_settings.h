@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "elsie/testing/plugins.h"
+
+namespace elsie::testing {
+
+/// Values for about half of the parameters, anywhere within their declared ranges, at the bounds
+/// too; `fixed` is always part of it. Texts without choices, and files, keep their defaults.
+Settings random_settings(const Declaration& declaration, const Settings& fixed, Random& random);
+
+/// "speed = 3 and side = left", or "its defaults".
+std::string in_words(const Settings& settings);
+
+}  // namespace elsie::testing
