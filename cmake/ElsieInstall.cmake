@@ -3,7 +3,7 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS elsie RUNTIME)
-install(TARGETS elsie_library EXPORT elsie-targets LIBRARY)
+install(TARGETS elsie_library elsie_testing EXPORT elsie-targets LIBRARY)
 set_target_properties(elsie_library PROPERTIES EXPORT_NAME elsie)
 
 # The plugins as they lie in the build, so that a folder dropped into plugins/ is installed, too.

@@ -29,6 +29,28 @@ function(elsie_add_plugin name)
   endif()
 endfunction()
 
+# elsie_add_plugin_test(NAME source... [PLUGINS plugin...])
+#
+# A test program test_NAME with the test library and Catch2 (find_package() of both comes first), as a test of this name. It finds the
+# plugins that are named, or else those that are built into the same folder, before those that are installed; and it runs in the source
+# folder, so that worlds and golden traces are found by their names.
+function(elsie_add_plugin_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PLUGINS")
+  add_executable(test_${name} ${arg_UNPARSED_ARGUMENTS})
+  target_link_libraries(test_${name} PRIVATE elsie::testing Catch2::Catch2)
+  if(TARGET elsie_compiler)
+    target_link_libraries(test_${name} PRIVATE elsie_compiler)
+  endif()
+  add_test(NAME ${name} COMMAND test_${name} WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}")
+  set(folders "${CMAKE_CURRENT_BINARY_DIR}")
+  if(arg_PLUGINS)
+    add_dependencies(test_${name} ${arg_PLUGINS})
+    list(TRANSFORM arg_PLUGINS REPLACE "(.+)" "$<TARGET_FILE_DIR:\\1>" OUTPUT_VARIABLE folders)
+  endif()
+  list(TRANSFORM folders PREPEND "ELSIE_PLUGIN_PATH=path_list_prepend:")
+  set_tests_properties(${name} PROPERTIES ENVIRONMENT_MODIFICATION "${folders}")
+endfunction()
+
 # elsie_add_world_test(WORLD.xml)
 #
 # A test that runs a world of this folder with the plugins that are built here: it must reach its goals.

@@ -51,7 +51,7 @@ class Drive {
     here.self.commanded = commanded;
     here.self.speed_m_s = speed;
     here.self.turn_rate_rad_s = turn_rate;
-    here.after(time_s);
+    here.time(time_s);
     here.random = now.random;
     const Response response = behavior->respond(here.perception());
     now.random = here.random;

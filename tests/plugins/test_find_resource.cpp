@@ -124,7 +124,7 @@ class Watch {
   /// "in", "out" or nothing.
   std::string at(double time_s, bool seen) {
     Situation now;
-    now.after(time_s);
+    now.time(time_s);
     seen ? now.blob(50) : now.camera();
     const Response response = behavior->respond(now.perception());
     // The events may wait, but the command does not.

@@ -134,14 +134,14 @@ TEST_CASE("It moves along with the formation instead of lagging behind it") {
   for (int i = 0; i <= 200; ++i) {
     const double x = 0.001 * i;  // 0.1 m/s
     Situation now;
-    now.at(x - 0.3, 0, 0).mate("leader", x, 0, true).after(0.01 * i);
+    now.at(x - 0.3, 0, 0).mate("leader", x, 0, true).time(0.01 * i);
     last = motion(behavior->respond(now.perception()));
   }
   CHECK(last.forward == Approx(0.1));
   CHECK(last.turn == Approx(0.0).margin(1e-9));
   // Another leader at another place is no leap of the first one.
   Situation now;
-  now.at(-0.1, 0, 0).mate("other", 0.2, 0, true, 0, 3).after(2.01);
+  now.at(-0.1, 0, 0).mate("other", 0.2, 0, true, 0, 3).time(2.01);
   CHECK(motion(behavior->respond(now.perception())).forward == Approx(0.0).margin(1e-9));
 }
 

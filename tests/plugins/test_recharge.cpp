@@ -139,9 +139,9 @@ TEST_CASE("It says once when it stands at the charger in vain") {
   const auto behavior = recharge();
   Situation now = hungry(0.05);
   behavior->respond(now.perception());
-  CHECK(behavior->respond(now.after(1.0).perception()).events.empty());
-  CHECK(events(behavior->respond(now.after(1.01).perception())) == Names{"not_charged"});
-  CHECK(behavior->respond(now.after(3.0).perception()).events.empty());
+  CHECK(behavior->respond(now.time(1.0).perception()).events.empty());
+  CHECK(events(behavior->respond(now.time(1.01).perception())) == Names{"not_charged"});
+  CHECK(behavior->respond(now.time(3.0).perception()).events.empty());
 }
 
 TEST_CASE("Without a charger it drives on, and says so once for each time the battery runs low") {

@@ -241,8 +241,8 @@ TEST_CASE("After a reset, and when others drove meanwhile, no wall is remembered
   behavior->reset(random);
   CHECK(behavior->respond(nothing().perception()).activation == 0.0);
   behavior->respond(beside(0.3, -90).perception());
-  CHECK(behavior->respond(nothing().after(0.5).perception()).activation == 1.0);
-  CHECK(behavior->respond(nothing().after(1.01).perception()).activation == 0.0);
+  CHECK(behavior->respond(nothing().time(0.5).perception()).activation == 1.0);
+  CHECK(behavior->respond(nothing().time(1.01).perception()).activation == 0.0);
 }
 
 TEST_CASE("wall_follow refuses what it cannot do") {

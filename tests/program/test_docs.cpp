@@ -114,6 +114,36 @@ TEST_CASE("The page on behaviours quotes the example as it is built") {
   CHECK(code[0] == read(source / "examples" / "01-first-behavior" / "shy.cpp"));
 }
 
+TEST_CASE("The page on testing shows what is compiled and run by the tests") {
+  // Without what formatting makes of it: the page does not indent.
+  const auto plain = [](const std::string& code) {
+    std::istringstream lines(code);
+    std::string text;
+    for (std::string line; std::getline(lines, line);) {
+      text += line.substr(std::min(line.find_first_not_of(' '), line.size())) + '\n';
+    }
+    return text;
+  };
+  const fs::path source(elsie::test::source_path(""));
+  std::string run;
+  for (const char* file :
+       {"tests/testing/test_snippets.cpp", "tests/testing/without_framework.cpp",
+        "examples/01-first-behavior/test_shy.cpp", "examples/01-first-behavior/CMakeLists.txt",
+        "examples/03-new-sensor/test_compass.cpp"}) {
+    run += plain(read(source / file));
+  }
+  const std::string page = read(source / "docs" / "testing-a-plugin.md");
+  std::size_t shown = 0;
+  for (const char* language : {"cpp", "cmake"}) {
+    for (const std::string& block : blocks(page, language)) {
+      CAPTURE(block);
+      CHECK(run.find(plain(block)) != std::string::npos);
+      ++shown;
+    }
+  }
+  CHECK(shown >= 14);
+}
+
 TEST_CASE("The first example is a plugin of fewer than 30 lines that does its job") {
   const fs::path source = elsie::test::source_path("examples/01-first-behavior/shy.cpp");
   const std::string code = read(source);

@@ -41,7 +41,7 @@ Behavior::Behavior(const Plugins& plugins, const std::string& name, const Settin
 }
 
 Response Behavior::respond(const Situation& now) {
-  if (!equipped_) {
+  if (!example_) {
     equip(now);
   }
   if (!reset_) {
@@ -65,8 +65,9 @@ void Behavior::reset(std::uint64_t seed) {
 }
 
 void Behavior::equip(const Situation& example) {
-  object_->equipped(example.perception());
-  equipped_ = true;
+  const Situation copy = example;  // it may be the one that is replaced
+  object_->equipped(copy.perception());
+  example_ = copy;
 }
 
 void Behavior::set(const Settings& settings) {
@@ -77,6 +78,9 @@ void Behavior::set(const Settings& settings) {
     }
   }
   plugin::apply_parameters(*declaration_, *object_, given);
+  if (example_) {
+    object_->equipped(example_->perception());
+  }
 }
 
 }  // namespace elsie::testing

@@ -88,12 +88,13 @@ Image random_picture(int width, int height, Random& random) {
   return picture.image();
 }
 
-Surroundings random_surroundings(Random& random) {
+Surroundings random_surroundings(const Colour& colour, Random& random) {
   const auto place = [&] {
     const double angle = random.uniform(-kPi, kPi), distance = random.uniform(0.3, 3.0);
     return Vector2{distance * std::cos(angle), distance * std::sin(angle)};
   };
   Surroundings around;
+  around.resource(100.0, 100.0, colour);  // out of sight: the colours are the same in all of them
   const int things = static_cast<int>(random.uniform(0, 8));
   for (int i = 0; i < things; ++i) {
     const Vector2 at = place();
@@ -106,7 +107,7 @@ Surroundings random_surroundings(Random& random) {
                      random.chance(0.3));
         break;
       case 2:
-        around.resource(at.x, at.y, random_colour(random));
+        around.resource(at.x, at.y, colour);
         break;
       default:
         around.box(at.x, at.y);
@@ -211,7 +212,7 @@ void InputMaker::add_own_kinds(Situation& now, Random& random) const {
     // A sensor for each instant: its reading stays where it is.
     const auto sensor = std::make_shared<Sensor>(plugins_, (*maker)->name);
     sensor->reset(random.bits());
-    Surroundings around = random_surroundings(random);
+    Surroundings around = random_surroundings(random_colour(random), random);
     around.at(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-180, 180));
     if (const auto camera = (*sensor)->camera()) {
       const Image picture = random_picture(camera->width, camera->height, random);
@@ -231,8 +232,9 @@ Input InputMaker::make(int robot, Random& random) const {
       random.chance(0.5) ? 0.0 : random.uniform(-0.5, 0.5)};
   if (declaration_.kind == PluginKind::sensor) {
     input.robot = "a robot in random surroundings";
+    const Colour colour = random_colour(random);
     for (int i = 0; i < 3; ++i) {
-      input.scenes.push_back(std::make_shared<Surroundings>(random_surroundings(random)));
+      input.scenes.push_back(std::make_shared<Surroundings>(random_surroundings(colour, random)));
     }
     for (std::size_t i = 0; i < kInstants; ++i) {
       input.poses.push_back(

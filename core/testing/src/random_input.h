@@ -47,8 +47,8 @@ class InputMaker {
   const Plugins& plugins_;
 };
 
-/// Walls, boxes and robots around the origin, within 3 m.
-Surroundings random_surroundings(Random& random);
+/// Walls, boxes, robots, and resources of this colour around the origin, within 3 m.
+Surroundings random_surroundings(const Colour& colour, Random& random);
 /// Blobs of colour before a grey background.
 Image random_picture(int width, int height, Random& random);
 

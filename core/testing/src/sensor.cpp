@@ -1,5 +1,6 @@
 #include "elsie/testing/sensor.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "made.h"
@@ -48,6 +49,11 @@ void Sensor::update(const Surroundings& surroundings, const Image* picture) {
 }
 
 void Sensor::update(const elsie::Surroundings& surroundings, const Image* picture) {
+  const auto colours = surroundings.resource_colours();
+  if (!colours_ ||
+      !std::equal(colours_->begin(), colours_->end(), colours.begin(), colours.end())) {
+    equip(surroundings);
+  }
   if (!reset_) {
     reset();
   }
@@ -61,6 +67,12 @@ void Sensor::update(const elsie::Surroundings& surroundings, const Image* pictur
   now.image = picture;
   object_->update(now);
   time_s_ += kPeriod;
+}
+
+void Sensor::equip(const elsie::Surroundings& surroundings) {
+  const auto colours = surroundings.resource_colours();
+  colours_.emplace(colours.begin(), colours.end());
+  object_->equipped({&mounting_, *colours_});
 }
 
 std::vector<NamedValue> Sensor::values() const {

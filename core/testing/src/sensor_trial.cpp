@@ -43,6 +43,7 @@ class SensorTrial final : public Trial {
       }
     }
     reading_ = sensor_->reading();
+    equipping([&] { sensor_.equip(*input_.scenes.front()); });
   }
 
   void reset(std::uint64_t seed) override {
@@ -51,6 +52,7 @@ class SensorTrial final : public Trial {
   }
   void configure_again() override {
     plugin::apply_parameters(sensor_.declaration(), *sensor_, settings_);
+    equipping([&] { sensor_.equip(*input_.scenes.front()); });
   }
 
   void step(std::size_t step, Answer& answer) override {

@@ -15,27 +15,27 @@ Response active(double activation, const MotorCommand& command) {
 }
 
 Team& Team::member(const std::string& name, double priority, Response answer) {
-  Made& made = behaviors_.emplace_back();
-  made.name = name;
-  made.answer = std::move(answer);
+  Slot& slot = slots_.emplace_back();
+  slot.name = name;
+  slot.behavior.answer = std::move(answer);
   Member::Runner& runner = *this;
-  members_.emplace_back(made.name, priority, runner);
+  members_.emplace_back(slot.name, priority, runner);
   return *this;
 }
 
 Team& Team::member(const std::string& name, double priority, Script script) {
   member(name, priority, Response());
-  behaviors_.back().script = std::move(script);
+  slots_.back().behavior.script = std::move(script);
   return *this;
 }
 
 Team& Team::rating(std::function<double(const MotorCommand&)> rating) {
-  behaviors_.at(behaviors_.size() - 1).rating = std::move(rating);
+  slots_.at(slots_.size() - 1).behavior.rating = std::move(rating);
   return *this;
 }
 
 Team& Team::sets(CommandSets sets) {
-  behaviors_.at(behaviors_.size() - 1).sets = std::move(sets);
+  slots_.at(slots_.size() - 1).behavior.sets = std::move(sets);
   return *this;
 }
 
@@ -53,23 +53,23 @@ Team& Team::perceive(const Situation& now) {
 
 std::size_t Team::index_of(const std::string& name) const {
   std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < behaviors_.size(); ++i) {
-    if (behaviors_[i].name == name) {
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (slots_[i].name == name) {
       return i;
     }
-    names.emplace_back(behaviors_[i].name);
+    names.emplace_back(slots_[i].name);
   }
   throw std::invalid_argument("there is no member '" + name + "' in the team" +
                               plugin::did_you_mean(name, names));
 }
 
-Response Team::Made::respond(const Perception& now) {
+Response MadeUp::respond(const Perception& now) {
   ++asked;
   return script ? script(now) : answer;
 }
 
-void Team::Made::rate(const Response& given, std::span<const MotorCommand> candidates,
-                      std::span<double> desirability) const {
+void MadeUp::rate(const Response& given, std::span<const MotorCommand> candidates,
+                  std::span<double> desirability) const {
   if (rating) {
     std::transform(candidates.begin(), candidates.end(), desirability.begin(), rating);
   } else {
@@ -77,22 +77,22 @@ void Team::Made::rate(const Response& given, std::span<const MotorCommand> candi
   }
 }
 
-CommandSets Team::Made::command_sets(const Response& given) const {
+CommandSets MadeUp::command_sets(const Response& given) const {
   return sets ? *sets : Behavior::command_sets(given);
 }
 
 const Response& Team::run(Member& member) {
-  Made& behavior = behavior_of(member);
-  return behavior.last = behavior.respond(now_->perception());
+  Slot& slot = slot_of(member);
+  return slot.last = slot.behavior.respond(now_->perception());
 }
 
 void Team::rate(Member& member, std::span<const MotorCommand> candidates,
                 std::span<double> desirability) {
-  behavior_of(member).rate(member.respond(), candidates, desirability);
+  slot_of(member).behavior.rate(member.respond(), candidates, desirability);
 }
 
 CommandSets Team::command_sets(Member& member) {
-  return behavior_of(member).command_sets(member.respond());
+  return slot_of(member).behavior.command_sets(member.respond());
 }
 
 }  // namespace elsie::testing

@@ -20,7 +20,8 @@ struct NamedHost {
     declaration.name = name;
     declaration.description = "for a test";
     declaration.create = [=] {
-      auto made = std::make_unique<Fixed>(response);
+      auto made = std::make_unique<testing::MadeUp>();
+      made->answer = response;
       made->sets = sets;
       return made;
     };

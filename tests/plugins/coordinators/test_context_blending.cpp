@@ -196,7 +196,7 @@ TEST_CASE("The words for what a robot perceives mean what they say") {
   now.self.coverage_m = 2;
   now.self.speed_m_s = 0.25;
   now.self.turn_rate_rad_s = radians(30);
-  now.mate("m", 1, 2.5).mate("boss", 2, 2, true).after(12);
+  now.mate("m", 1, 2.5).mate("boss", 2, 2, true).time(12);
   now.team.charger = Vector2{1, 5};
 
   CHECK(0.3 == word_value(now, "nearest_range"));

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +49,8 @@ class Behavior {
   void reset(std::uint64_t seed = 1);
   /// What the robot has; else the first situation says it. Throws what the plugin refuses.
   void equip(const Situation& example);
-  /// Changes parameters, as a user does while it runs.
+  /// Changes parameters, as a user does while it runs: configured() is called again, and
+  /// equipped().
   void set(const Settings& settings);
 
   /// What a behaviour that holds others holds.
@@ -62,7 +65,7 @@ class Behavior {
   std::unique_ptr<Inside> inside_;
   Random random_;
   plugin::Object<elsie::Behavior> object_;
-  bool equipped_ = false;
+  std::optional<Situation> example_;  // what it was equipped with
   bool reset_ = false;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -51,6 +52,9 @@ class Sensor {
   /// The numbers of the current reading, by name.
   std::vector<NamedValue> values() const;
 
+  /// What its robot is like; else the first surroundings say it, and others whose resources have
+  /// other colours. Throws what the plugin refuses.
+  void equip(const elsie::Surroundings& surroundings);
   /// Back to the start of a run, with the random stream (the noise) of this seed.
   void reset(std::uint64_t seed = 1);
 
@@ -69,6 +73,7 @@ class Sensor {
   Random random_;
   plugin::Object<elsie::Sensor> object_;
   Image picture_;
+  std::optional<std::vector<Colour>> colours_;  // that it was told of
   double time_s_ = 0.0;
   bool reset_ = false;
 };

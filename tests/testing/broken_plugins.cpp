@@ -1,0 +1,351 @@
+// Plugins with one fault each, for the checker to find.
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "elsie/api/behavior.h"
+#include "elsie/api/coordinator.h"
+#include "elsie/api/sensor.h"
+
+using elsie::MotorCommand;
+using elsie::Perception;
+using elsie::Response;
+
+namespace {
+
+/// Nothing is wrong with this one.
+class Sound final : public elsie::Behavior {
+ public:
+  double speed = 5.0;
+  double ratio = 0.5;
+
+  void reset(elsie::Random&) override { steps_ = 0; }
+  Response respond(const Perception& now) override {
+    Response response(MotorCommand{speed + now.random().uniform(), ratio * ++steps_});
+    response.events.push_back({"stepped"});
+    return response;
+  }
+
+ private:
+  int steps_ = 0;
+};
+ELSIE_BEHAVIOR(Sound, "sound", "Is as it should be",
+               elsie::parameter("speed", &Sound::speed, {.unit = "rad/s", .meaning = "a rate"}),
+               elsie::parameter("ratio", &Sound::ratio, {.min = 0, .max = 1, .meaning = "a part"}),
+               elsie::raises("stepped", "it was asked"));
+
+class SharesStatic final : public elsie::Behavior {
+ public:
+  Response respond(const Perception&) override {
+    static int calls = 0;
+    return MotorCommand{static_cast<double>(++calls), 0.0};
+  }
+};
+ELSIE_BEHAVIOR(SharesStatic, "shares_static", "Counts in a static");
+
+/// Right as long as it is alone: each run begins anew.
+class SharesQuietly final : public elsie::Behavior {
+ public:
+  void reset(elsie::Random&) override { last = 0.0; }
+  Response respond(const Perception& now) override {
+    last = 0.5 * last + now.self().pose.x;
+    return MotorCommand{last, last};
+  }
+  static inline double last = 0.0;
+};
+ELSIE_BEHAVIOR(SharesQuietly, "shares_quietly", "Smooths in a static, which reset() clears");
+
+class Address final : public elsie::Behavior {
+ public:
+  Response respond(const Perception&) override {
+    return MotorCommand{static_cast<double>(reinterpret_cast<std::uintptr_t>(this) % 100003), 0.0};
+  }
+};
+ELSIE_BEHAVIOR(Address, "address", "Goes by where it lies in memory");
+
+class Clock final : public elsie::Behavior {
+ public:
+  Response respond(const Perception&) override {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return MotorCommand{std::chrono::duration<double>(now).count(), 0.0};
+  }
+};
+ELSIE_BEHAVIOR(Clock, "clock", "Goes by the clock on the wall");
+
+class OtherRandom final : public elsie::Behavior {
+ public:
+  Response respond(const Perception&) override {
+    return MotorCommand{static_cast<double>(std::rand() % 10), 0.0};
+  }
+};
+ELSIE_BEHAVIOR(OtherRandom, "other_random", "Draws from the C library");
+
+class Forgetless final : public elsie::Behavior {
+ public:
+  Response respond(const Perception&) override { return MotorCommand{++count_, 0.0}; }
+
+ private:
+  double count_ = 0.0;
+};
+ELSIE_BEHAVIOR(Forgetless, "forgetless", "Has no reset()");
+
+class NotANumber final : public elsie::Behavior {
+ public:
+  Response respond(const Perception& now) override {
+    return MotorCommand{0.0, std::sqrt(now.self().pose.x)};
+  }
+};
+ELSIE_BEHAVIOR(NotANumber, "not_a_number", "Takes the root of what may be negative");
+
+class AtTheBound final : public elsie::Behavior {
+ public:
+  double distance = 1.0;
+  Response respond(const Perception&) override { return MotorCommand{1.0 / distance, 0.0}; }
+};
+ELSIE_BEHAVIOR(AtTheBound, "at_the_bound", "Divides by what its range lets be zero",
+               elsie::parameter("distance", &AtTheBound::distance,
+                                {.unit = "m", .min = 0, .max = 10, .meaning = "how far"}));
+
+class Undeclared final : public elsie::Behavior {
+ public:
+  Response respond(const Perception&) override {
+    Response response;
+    response.events.push_back({"surprise"});
+    return response;
+  }
+};
+ELSIE_BEHAVIOR(Undeclared, "undeclared", "Raises what it does not declare");
+
+class Overactive final : public elsie::Behavior {
+ public:
+  Response respond(const Perception&) override {
+    Response response;
+    response.activation = 1.5;
+    return response;
+  }
+};
+ELSIE_BEHAVIOR(Overactive, "overactive", "Is more active than can be");
+
+class BadRating final : public elsie::Behavior {
+ public:
+  Response respond(const Perception&) override { return {}; }
+  void rate(const Response&, std::span<const MotorCommand>,
+            std::span<double> desirability) const override {
+    desirability[0] = -0.1;
+  }
+};
+ELSIE_BEHAVIOR(BadRating, "bad_rating", "Rates below zero");
+
+class BadSets final : public elsie::Behavior {
+ public:
+  Response respond(const Perception&) override { return {}; }
+  elsie::CommandSets command_sets(const Response&) const override {
+    return {{{{1.0, 0.0}, {0.0, 1.0}}}, {}};
+  }
+};
+ELSIE_BEHAVIOR(BadSets, "bad_sets", "Hands over sets in no order");
+
+class Throws final : public elsie::Behavior {
+ public:
+  Response respond(const Perception& now) override {
+    if (now.time_s() > 0.1) {
+      throw std::runtime_error("out of ideas");
+    }
+    return {};
+  }
+};
+ELSIE_BEHAVIOR(Throws, "throws", "Throws in the middle of a run");
+
+class Grows final : public elsie::Behavior {
+ public:
+  void reset(elsie::Random&) override { all_.clear(); }
+  Response respond(const Perception& now) override {
+    all_.push_back(now.time_s());
+    return {};
+  }
+
+ private:
+  std::vector<double> all_;
+};
+ELSIE_BEHAVIOR(Grows, "grows", "Keeps all that it ever saw");
+
+class Leaks final : public elsie::Behavior {
+ public:
+  void configured() override { memory_ = new std::array<double, 20>(); }  // never deleted
+  Response respond(const Perception&) override { return MotorCommand{(*memory_)[3], 0.0}; }
+
+ private:
+  std::array<double, 20>* memory_ = nullptr;
+};
+ELSIE_BEHAVIOR(Leaks, "leaks", "Leaves memory behind");
+
+class ConfiguredTwice final : public elsie::Behavior {
+ public:
+  double angle = 10.0;
+  void configured() override { used_ += angle; }
+  Response respond(const Perception&) override { return MotorCommand{used_, 0.0}; }
+
+ private:
+  double used_ = 0.0;
+};
+ELSIE_BEHAVIOR(ConfiguredTwice, "configured_twice", "Adds up in configured()",
+               elsie::parameter("angle", &ConfiguredTwice::angle,
+                                {.unit = "deg", .meaning = "an angle"}));
+
+class UnsteadyDefault final : public elsie::Behavior {
+ public:
+  UnsteadyDefault() {
+    static double made = 0.0;
+    speed = ++made;
+  }
+  double speed = 0.0;
+  Response respond(const Perception&) override { return {}; }
+};
+ELSIE_BEHAVIOR(UnsteadyDefault, "unsteady_default", "Has another default each time",
+               elsie::parameter("speed", &UnsteadyDefault::speed,
+                                {.unit = "rad/s", .meaning = "a rate"}));
+
+class RefusesDefaults final : public elsie::Behavior {
+ public:
+  void configured() override { throw std::invalid_argument("never content"); }
+  Response respond(const Perception&) override { return {}; }
+};
+ELSIE_BEHAVIOR(RefusesDefaults, "refuses_defaults", "Cannot be used as it is");
+
+class RefusesRobots final : public elsie::Behavior {
+ public:
+  void equipped(const Perception&) override { throw std::invalid_argument("no robot will do"); }
+  Response respond(const Perception&) override { return {}; }
+};
+ELSIE_BEHAVIOR(RefusesRobots, "refuses_robots", "Takes no robot at all");
+
+struct RareReading {
+  static constexpr const char* kind = "rare";
+  double value = 0.0;
+};
+class Lonely final : public elsie::Behavior {
+ public:
+  Response respond(const Perception& now) override {
+    return MotorCommand{now.readings<RareReading>()[0]->value, 0.0};
+  }
+};
+ELSIE_BEHAVIOR(Lonely, "lonely", "Needs what no sensor makes", elsie::needs<RareReading>());
+
+/// Nothing but its words.
+class Wordless final : public elsie::Behavior {
+ public:
+  double speed = 1.0;
+  Response respond(const Perception&) override { return {}; }
+};
+ELSIE_BEHAVIOR(Wordless, "no_meaning", "Has a parameter that says nothing",
+               elsie::parameter("speed", &Wordless::speed, {.unit = "rad/s"}));
+class Unitless final : public elsie::Behavior {
+ public:
+  double speed = 1.0;
+  Response respond(const Perception&) override { return {}; }
+};
+ELSIE_BEHAVIOR(Unitless, "no_unit", "Has a number of anything",
+               elsie::parameter("speed", &Unitless::speed, {.meaning = "how fast"}));
+class OtherUnit final : public elsie::Behavior {
+ public:
+  double turn_deg = 1.0;
+  Response respond(const Perception&) override { return {}; }
+};
+ELSIE_BEHAVIOR(OtherUnit, "other_unit", "Has a name that says another unit",
+               elsie::parameter("turn_deg", &OtherUnit::turn_deg,
+                                {.unit = "rad", .meaning = "how far"}));
+class WordlessEvent final : public elsie::Behavior {
+ public:
+  Response respond(const Perception&) override { return {}; }
+};
+ELSIE_BEHAVIOR(WordlessEvent, "wordless_event", "Raises something, whatever it is",
+               elsie::raises("something", ""));
+
+class TooMuch final : public elsie::Coordinator {
+ public:
+  MotorCommand coordinate(std::span<elsie::Member> members, const Perception&) override {
+    for (elsie::Member& member : members) {
+      member.respond();
+      member.trace.share = 1.0;
+    }
+    return {};
+  }
+};
+ELSIE_COORDINATOR(TooMuch, "too_much", "Gives away more than there is");
+
+class Divides final : public elsie::Coordinator {
+ public:
+  MotorCommand coordinate(std::span<elsie::Member> members, const Perception&) override {
+    MotorCommand sum;
+    double activation = 0.0;
+    for (elsie::Member& member : members) {
+      sum += member.respond().command;
+      activation += member.respond().activation;
+    }
+    return sum / activation;
+  }
+};
+ELSIE_COORDINATOR(Divides, "divides", "Divides by nothing where nobody is active");
+
+class Remembers final : public elsie::Coordinator {
+ public:
+  MotorCommand coordinate(std::span<elsie::Member> members, const Perception&) override {
+    for (elsie::Member& member : members) {
+      last_ += member.respond().command;
+    }
+    return last_;
+  }
+
+ private:
+  MotorCommand last_;
+};
+ELSIE_COORDINATOR(Remembers, "remembers", "Remembers the last run");
+
+struct Brightness {
+  static constexpr const char* kind = "brightness";
+  double value = 0.0;
+  bool odd = false;
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("value", value);
+    if (odd) {
+      visitor("odd", odd);
+    }
+  }
+};
+class Infinite final : public elsie::SensorOf<Brightness> {
+ public:
+  Brightness sense(const elsie::SensorContext& now) override {
+    const auto robot = now.world->nearest_robot(2.0);
+    return {robot ? robot->distance_m : std::numeric_limits<double>::infinity(), false};
+  }
+};
+ELSIE_SENSOR(Infinite, "infinite", "Reads infinity where there is nothing");
+class Varying final : public elsie::SensorOf<Brightness> {
+ public:
+  void reset(elsie::Random&) override { odd_ = false; }
+  Brightness sense(const elsie::SensorContext&) override {
+    odd_ = !odd_;
+    return {1.0, odd_};
+  }
+
+ private:
+  bool odd_ = false;
+};
+ELSIE_SENSOR(Varying, "varying", "Lists other numbers now and then");
+class SharedNoise final : public elsie::SensorOf<Brightness> {
+ public:
+  Brightness sense(const elsie::SensorContext&) override {
+    static elsie::Random random(1);
+    return {random.uniform(), false};
+  }
+};
+ELSIE_SENSOR(SharedNoise, "shared_noise", "Has one noise for all");
+
+}  // namespace

@@ -1,0 +1,61 @@
+#include "elsie/testing/catch.h"
+
+using namespace elsie::testing;
+using elsie::MotorCommand;
+
+TEST_CASE("A behaviour answers what it perceives") {
+  Behavior avoid("avoid_obstacle");
+  CHECK_THAT(avoid.respond(Situation().beam(15, 1.0).beam(-15, 0.2)), turns_left());
+  CHECK_THAT(avoid.respond(Situation().beam(15, 0.2).beam(-15, 1.0)), turns_right());
+}
+
+TEST_CASE("It keeps its state from one answer to the next, until it is reset") {
+  Behavior finder("find_resource");
+  finder.respond(Situation().camera());
+  CHECK_THAT(finder.respond(Situation().blob(50)), raises("resource_in_view"));
+  CHECK_THAT(finder.respond(Situation().blob(50)), raises_nothing());
+  finder.reset();
+  CHECK_THAT(finder.respond(Situation().blob(50)), raises("resource_in_view"));
+}
+
+TEST_CASE("The same seed draws the same numbers, another one others") {
+  const Settings restless{{"restlessness", 1000}};
+  const auto first = [&](std::uint64_t seed) {
+    Behavior wander("wander", restless);
+    wander.reset(seed);
+    return wander.respond(Situation()).command;
+  };
+  CHECK(first(3) == first(3));
+  CHECK(first(3) != first(4));
+}
+
+TEST_CASE("Before its first answer it is told what the robot has, and may refuse") {
+  Behavior follower("wall_follow");
+  CHECK_THROWS_WITH(follower.respond(Situation().beam(0, 1)),
+                    Catch::Contains("one that looks to the right"));
+}
+
+TEST_CASE("Parameters change while it runs; the others keep their values") {
+  Behavior wander("wander", {{"speed", 3}, {"restlessness", 0}});
+  CHECK(wander.respond(Situation()).command == MotorCommand{3, 3});
+  wander.set({{"speed", 4}});
+  CHECK(wander.respond(Situation()).command == MotorCommand{4, 4});
+  CHECK_THROWS_WITH(wander.set({{"speed", -1}}), Catch::Contains("speed is -1"));
+}
+
+TEST_CASE("What is inside a behaviour that holds others answers what the test says") {
+  Behavior blend("blend");
+  blend.inside().answer = active(0.5, {3, 4});
+  CHECK_THAT(blend.respond(Situation()), commands(3, 4) && has_activation(0.5));
+  CHECK(blend.inside().asked == 1);
+}
+
+TEST_CASE("A sequence gives an answer for each instant") {
+  Behavior finder("find_resource");
+  Sequence way;
+  way.hold(0.05, Situation().camera()).hold(0.05, Situation().blob(20));
+  const auto answers = finder.respond(way);
+  REQUIRE(answers.size() == 10);
+  CHECK_THAT(answers[4], turns_left() && raises_nothing());
+  CHECK_THAT(answers[5], raises("resource_in_view"));
+}

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "elsie/testing/catch.h"
+
+#include "places.h"
+
+using namespace elsie;
+using elsie::testing::check_plugin;
+using elsie::testing::CheckOptions;
+using elsie::testing::finds_nothing;
+using elsie::testing::Plugins;
+
+namespace {
+
+const Plugins& broken() {
+  static const Plugins plugins{test::build_path("tests/testing/plugins/broken_plugins.so")};
+  return plugins;
+}
+
+// As the plugin "lonely" has it.
+struct RareReading {
+  static constexpr const char* kind = "rare";
+  double value = 0.0;
+};
+
+struct Fault {
+  PluginKind kind;
+  const char* name;
+  const char* told;
+};
+constexpr PluginKind kBehavior = PluginKind::behavior;
+constexpr PluginKind kCoordinator = PluginKind::coordinator;
+constexpr PluginKind kSensor = PluginKind::sensor;
+
+const Fault kFaults[] = {
+    {kBehavior, "shares_static", "state that all objects share (a static or a global)"},
+    {kBehavior, "shares_quietly", "while another object of it works on something else"},
+    {kBehavior, "address", "two objects answer the same input differently"},
+    {kBehavior, "clock", "goes by a clock"},
+    {kBehavior, "other_random", "random numbers other than now.random()"},
+    {kBehavior, "forgetless", "reset() must forget"},
+    {kBehavior, "not_a_number", "its right wheel rate is -nan, which is no finite number"},
+    {kBehavior, "at_the_bound",
+     "its left wheel rate is inf, which is no finite number (distance = 0"},
+    {kBehavior, "undeclared", "raises the event 'surprise', which its declaration does not name"},
+    {kBehavior, "overactive", "its activation is 1.5, which is not in [0, 1]"},
+    {kBehavior, "bad_rating", "in rate() is -0.1"},
+    {kBehavior, "bad_sets", "not in ascending order: 0 comes after 1"},
+    {kBehavior, "throws", "in step 11 it throws: out of ideas"},
+    {kBehavior, "grows", "its memory grows with the number of steps"},
+    {kBehavior, "leaks", "leave memory behind when they are destroyed: "},
+    {kBehavior, "configured_twice",
+     "after configured() was called once more it answers differently"},
+    {kBehavior, "unsteady_default",
+     "parameter 'speed' of a new object is not what the declaration"},
+    {kBehavior, "refuses_defaults", "it refuses its defaults: "},
+    {kBehavior, "refuses_robots", "it refused every robot that it was offered"},
+    {kBehavior, "lonely", "needs readings of the kind 'rare', which no sensor makes"},
+    {kBehavior, "no_meaning", "parameter 'speed' has no meaning"},
+    {kBehavior, "no_unit", "parameter 'speed' is a number without a unit"},
+    {kBehavior, "other_unit", "has the unit 'rad', but its name says 'deg'"},
+    {kBehavior, "wordless_event", "event 'something' has no meaning"},
+    {kCoordinator, "too_much", "the shares in its trace add up to"},
+    {kCoordinator, "divides", "which is no finite number"},
+    {kCoordinator, "remembers", "reset() must forget"},
+    {kSensor, "infinite", "value is inf, which is no finite number"},
+    {kSensor, "varying", "lists 1 numbers, and 2 before"},
+    {kSensor, "shared_noise", "two objects answer the same input differently"},
+};
+
+}  // namespace
+
+TEST_CASE("The checker tells what is wrong with a plugin, once, and names it") {
+  for (const Fault& fault : kFaults) {
+    CAPTURE(fault.name);
+    const auto findings = check_plugin(fault.kind, fault.name, {}, broken());
+    CAPTURE(findings);
+    REQUIRE(findings.size() == 1);
+    CHECK_THAT(findings[0], Catch::Contains(fault.told));
+    CHECK_THAT(findings[0], Catch::Contains("'" + std::string(fault.name) + "': "));
+  }
+}
+
+TEST_CASE("Each plugin that is broken on purpose is in the list") {
+  std::set<std::string> listed{"sound"};
+  for (const Fault& fault : kFaults) {
+    listed.insert(fault.name);
+  }
+  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor}) {
+    for (const Declaration* declaration : broken().host().all(kind)) {
+      if (broken().host().file_of(kind, declaration->name).stem() == "broken_plugins") {
+        CHECK(listed.count(declaration->name) == 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("The checker has nothing to say against a sound plugin, whatever the seed") {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    CheckOptions options;
+    options.seed = seed;
+    CHECK_THAT(check_plugin(kBehavior, "sound", options, broken()), finds_nothing());
+  }
+}
+
+TEST_CASE("Readings of a kind that no sensor makes can be handed to the checker") {
+  CheckOptions options;
+  options.add_readings = [](testing::Situation& now, Random& random) {
+    now.reading(RareReading{random.uniform()});
+  };
+  CHECK_THAT(check_plugin(kBehavior, "lonely", options, broken()), finds_nothing());
+}
+
+TEST_CASE("A robot that is handed to the checker is the one that is tried") {
+  CheckOptions options;
+  options.robots = {testing::Situation().beam(0, 0.5)};  // wall_follow wants one aside, too
+  const auto refused = check_plugin(kBehavior, "wall_follow", options);
+  REQUIRE(refused.size() == 1);
+  CHECK_THAT(refused[0], Catch::Contains("refused every robot") &&
+                             Catch::Contains("one that looks to the right"));
+  options.robots[0].beam(-90, 0.3);
+  CHECK_THAT(check_plugin(kBehavior, "wall_follow", options), finds_nothing());
+}
+
+TEST_CASE("A plugin that is not there is no finding") {
+  CHECK_THROWS_WITH(check_plugin(kBehavior, "wandr"), Catch::Contains("did you mean 'wander'?"));
+}
+
+TEST_CASE("All shipped plugins pass the checker") {
+  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor}) {
+    for (const Declaration* declaration : Plugins::found().host().all(kind)) {
+      const std::string& name = declaration->name;
+      CAPTURE(name);
+      CheckOptions options;
+      if (name == "fusion_context_blending") {
+        options.settings = {{"model", "fuzzy_models/contexts_of_travel.fcl"}};
+        options.members = {"go_to_point", "avoid_obstacle", "recharge"};
+      }
+      CHECK_THAT(check_plugin(kind, name, options), finds_nothing());
+    }
+  }
+}
+
+TEST_CASE("Subsumption passes with layers that suppress and inhibit each other") {
+  CheckOptions options;
+  options.members = {"low", "middle", "high"};
+  options.elements = {{"suppress", {{"by", "high"}, {"of", "low"}, {"hold", 0.05}}},
+                      {"inhibit", {{"by", "middle"}, {"of", "low"}}}};
+  CHECK_THAT(check_plugin(kCoordinator, "arbiter_subsumption", options), finds_nothing());
+}

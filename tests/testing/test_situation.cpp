@@ -1,0 +1,109 @@
+#include <cmath>
+
+#include "elsie/testing/catch.h"
+
+using namespace elsie;
+using elsie::testing::Sequence;
+using elsie::testing::Situation;
+
+namespace {
+
+/// A kind of reading that the library does not know.
+struct Light {
+  static constexpr const char* kind = "light";
+  double lux = 0.0;
+};
+
+}  // namespace
+
+TEST_CASE("A situation is perceived as it was put together") {
+  Situation now;
+  now.beam(15, 0.2).proximity(-90, true).beam(-15, 1.0).reading(Light{80}, 45);
+  const Perception seen = now.perception();
+  const auto beams = seen.readings<RangeReading>();
+  REQUIRE(beams.size() == 2);
+  CHECK(beams[0]->distance_m == 0.2);
+  CHECK(beams[0]->hit);
+  CHECK(beams[0].azimuth_rad() == Approx(radians(15)));
+  CHECK(beams[0].sensor() == "range1");
+  CHECK_FALSE(beams[1]->hit);
+  CHECK(seen.readings<ProximityReading>()[0]->detected);
+  CHECK(seen.readings<Light>()[0]->lux == 80);
+  CHECK(seen.readings<VisionReading>().empty());
+}
+
+TEST_CASE("A blob comes with a picture that shows it") {
+  Situation now;
+  now.blob(70, 30, 400, 0, testing::kBlue);
+  const auto seen = now.perception().readings<VisionReading>()[0];
+  CHECK(seen->found);
+  CHECK(seen->column == 70);
+  CHECK(*seen->raw.pixel(70, 50) == testing::kBlue.red);
+  CHECK(*seen->processed.pixel(70, 50) == 255);
+  CHECK(*seen->processed.pixel(20, 50) == 0);
+  double columns = 0, count = 0;
+  for (int column = 0; column < 100; ++column) {
+    for (int row = 0; row < 100; ++row) {
+      if (*seen->processed.pixel(column, row) != 0) {
+        columns += column + 0.5;
+        ++count;
+      }
+    }
+  }
+  CHECK(columns / count == Approx(70).margin(0.5));
+  CHECK(count == Approx(400).epsilon(0.05));
+}
+
+TEST_CASE("Mates are seen from where the robot is in the end") {
+  Situation now;
+  now.leader(1, 2, 90).at(1, 0, 0).charger(3, 4).battery(0.1).charging().event("collision");
+  const Perception seen = now.perception();
+  REQUIRE(seen.team().leader());
+  CHECK(seen.team().leader()->distance_m == Approx(2));
+  CHECK(seen.team().leader()->bearing_rad == Approx(radians(90)));
+  CHECK(seen.team().charger->x == 3);
+  CHECK(seen.self().energy == Approx(500));
+  CHECK(seen.self().charging);
+  REQUIRE(seen.events().size() == 1);
+  CHECK(seen.events()[0].name == "collision");
+}
+
+TEST_CASE("Wheel rates go with the speed") {
+  Situation now;
+  now.moving(0.2, 1.0);
+  CHECK(now.self.wheel_rates.left == Approx((0.2 - 0.045) / 0.02));
+  CHECK(now.self.wheel_rates.right == Approx((0.2 + 0.045) / 0.02));
+}
+
+TEST_CASE("A copy of a situation is one of its own") {
+  Situation one;
+  one.beam(0, 0.5).mate("a", 1, 0);
+  one.perception();
+  Situation other = one;
+  other.clear_readings().beam(0, 0.1).mate("b", 2, 0);
+  const Perception of_one = one.perception();
+  const Perception of_other = other.perception();
+  CHECK(of_one.readings<RangeReading>()[0]->distance_m == 0.5);
+  CHECK(of_other.readings<RangeReading>()[0]->distance_m == 0.1);
+  CHECK(of_one.team().mates.size() == 1);
+  CHECK(of_other.team().mates.size() == 2);
+}
+
+TEST_CASE("A sequence has an instant for each control period") {
+  Sequence way(0.1);
+  way.hold(0.3, Situation().beam(0, 1.0)).change(0.2, [](double t) {
+    return Situation().beam(0, 0.5 - t);
+  });
+  const auto& instants = way.instants();
+  REQUIRE(instants.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    CHECK(instants[i].time_s() == Approx(0.1 * static_cast<double>(i)));
+    CHECK(instants[i].perception().period_s() == 0.1);
+  }
+  CHECK(instants[3].perception().readings<RangeReading>()[0]->distance_m == 0.5);
+  CHECK(instants[4].perception().readings<RangeReading>()[0]->distance_m == Approx(0.4));
+}
+
+TEST_CASE("A picture that has no pixels cannot be drawn") {
+  CHECK_THROWS_WITH(testing::Picture(0, 5), "a picture of 0 x 5 pixels cannot be drawn");
+}
