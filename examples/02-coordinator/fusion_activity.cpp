@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <elsie/api/coordinator.h>
 
 // The mean of all wishes, each counted as much as its behaviour is active now.
@@ -10,7 +12,8 @@ class FusionActivity final : public elsie::Coordinator {
     double total = 0.0;
     for (elsie::Member& member : members) {
       const double activation = member.respond().activation;  // runs the behaviour
-      const double weight = activation < least ? 0.0 : activation * member.priority();
+      const double weight =
+          activation < least ? 0.0 : activation * std::max(0.0, member.priority());
       member.trace.weight = weight;
       member.trace.reason = weight > 0.0 ? "active" : "not active";
       total += weight;
