@@ -1,4 +1,4 @@
-// elsie new: a folder with a new plugin and a world that uses it.
+// elsie new: a folder with a new plugin, its test, a world that uses it.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -160,8 +160,8 @@ int make_project(const Options& options) {
 }  // namespace
 
 void add_new_command(CLI::App& program, Job& job) {
-  CLI::App* command =
-      program.add_subcommand("new", "Make a folder with a new plugin, and a world that uses it");
+  CLI::App* command = program.add_subcommand(
+      "new", "Make a folder with a new plugin, its test, and a world that uses it");
   command->footer(
       "\nExamples:\n  elsie new behavior circle_around\n"
       "  elsie new coordinator my_arbiter --folder plugins/my_arbiter\n"

@@ -15,8 +15,9 @@ TEST_CASE("What elsie new makes runs as it is, without a build system") {
     const std::string name = "my_first_" + kind;
     const auto made = here.elsie("new " + kind + " " + name);
     CHECK(made.exit_code == 0);
-    for (const std::string& file : {name + ".cpp", std::string("CMakeLists.txt"),
-                                    std::string("world.xml"), std::string("README.md")}) {
+    for (const std::string& file :
+         {name + ".cpp", "test_" + name + ".cpp", std::string("CMakeLists.txt"),
+          std::string("world.xml"), std::string("README.md")}) {
       CAPTURE(file);
       CHECK_THAT(made.out, Contains(file));
       const std::string text = here.read(name + "/" + file);

@@ -1,0 +1,19 @@
+#define CATCH_CONFIG_MAIN
+#include <elsie/testing/catch.h>
+
+using namespace elsie::testing;
+
+TEST_CASE("It drives on where all is clear") {
+  Behavior @name@("@name@");
+  CHECK_THAT(@name@.respond(Situation().beam(0, 1.0)), drives_straight_on() && commands(10, 10));
+}
+
+TEST_CASE("It stops before what is ahead") {
+  Behavior @name@("@name@", {{"distance", 0.4}});
+  CHECK_THAT(@name@.respond(Situation().beam(0, 0.3)), commands(5, 5, 1e-6));
+  CHECK_THAT(@name@.respond(Situation().beam(0, 0.2)), stands());
+}
+
+TEST_CASE("It keeps its promises, whatever it is given") {
+  CHECK_THAT(check_plugin(elsie::PluginKind::behavior, "@name@"), finds_nothing());
+}

@@ -1,0 +1,32 @@
+#define CATCH_CONFIG_MAIN
+#include <elsie/testing/catch.h>
+
+using namespace elsie::testing;
+
+TEST_CASE("The most active behaviour drives") {
+  Team team;
+  team.member("calm", 1, active(0.2, {10, 10})).member("alarmed", 1, active(0.9, {-5, 5}));
+  Coordinator @name@("@name@", team);
+  CHECK_THAT(@name@.decide(), commands(-5, 5));
+  CHECK(team.trace("alarmed").share == 1.0);
+  CHECK(team.trace("calm").share == 0.0);
+}
+
+TEST_CASE("It does not change its mind for a little") {
+  Team team;
+  team.member("one", 1, active(0.5, {10, 10})).member("other", 1, active(0.55, {-5, 5}));
+  Coordinator @name@("@name@", team, {{"margin", 0.1}});
+  CHECK_THAT(@name@.decide(), commands(10, 10));
+  team.next_step().answer(1).activation = 0.65;
+  CHECK_THAT(@name@.decide(), commands(-5, 5));
+}
+
+TEST_CASE("Without behaviours it stands") {
+  Team nobody;
+  Coordinator @name@("@name@", nobody);
+  CHECK_THAT(@name@.decide(), stands());
+}
+
+TEST_CASE("It keeps its promises, whatever it is given") {
+  CHECK_THAT(check_plugin(elsie::PluginKind::coordinator, "@name@"), finds_nothing());
+}
