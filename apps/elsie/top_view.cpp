@@ -43,6 +43,7 @@ void draw(const elsie::simulation::Simulation& simulation,
     if (tracks) {
       track.path = tracks->tracks()[i].path;
       track.touches = tracks->tracks()[i].touches;
+      track.placed = tracks->tracks()[i].placed;
     }
     view.robots.push_back(std::move(track));
   }

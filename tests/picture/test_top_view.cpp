@@ -163,6 +163,22 @@ TEST_CASE("The path is drawn, paler where it is old") {
   CHECK(image.at(scene.place(0, 0.3)).light());
 }
 
+TEST_CASE("Between the poses where a robot was put elsewhere there is no line") {
+  Scene scene;
+  scene.add_robot("r", "red", {0, 0, 0});
+  RobotTrack track{"r", {}, {4, 2, 0}, {}, {}};
+  for (int i = 0; i <= 300; ++i) track.path.push_back({-4 + 0.01 * i, -2, 0});
+  track.placed = {track.path.size()};
+  for (int i = 0; i <= 300; ++i) track.path.push_back({1 + 0.01 * i, 2, 0});
+  scene.view.robots = {track};
+  const Bitmap image = scene.image();
+  CHECK(image.at(scene.place(0, 0)).light());  // half-way
+  CHECK_FALSE(image.at(scene.place(-1.5, -2)).light());
+  CHECK_FALSE(image.at(scene.place(3, 2)).light());
+  scene.view.robots[0].placed.clear();
+  CHECK_FALSE(scene.image().at(scene.place(0, 0)).light());
+}
+
 TEST_CASE("A beam that hits ends in a dot; one that does not, does not") {
   Scene scene;
   scene.add_robot("r", "blue", {0, 0, 0});

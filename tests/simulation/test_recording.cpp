@@ -175,3 +175,18 @@ TEST_CASE("Tracks keep a pose a period, and where a robot collided") {
   REQUIRE(tracks.tracks()[0].touches.size() == 1);
   CHECK(tracks.tracks()[0].touches[0].x == Approx(0.35).margin(0.02));
 }
+
+TEST_CASE("Tracks tell which poses a robot did not drive to") {
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("wander", 1)));
+  world.robots.push_back(robot("r2", 0, 2, 0, behavior("wander", 1)));
+  world.limits.time = 2;
+  simulation::TrackRecorder tracks(0.25);
+  simulation::Observer* const observers[] = {&tracks};
+  const simulation::TimedChange changes[] = {{1.1, {"robot[r1]/@x", "-3"}},
+                                             {1.1, {"robot[r2]/@max_speed", "0.1"}}};
+  Simulation(world, shipped()).run(observers, changes);
+  CHECK(tracks.tracks()[0].placed == std::vector<std::size_t>{5});
+  CHECK(tracks.tracks()[0].path[5].x == Approx(-3).margin(0.1));
+  CHECK(tracks.tracks()[1].placed.empty());
+}

@@ -20,6 +20,7 @@ double length(const Vector2& a, const Vector2& b) { return std::hypot(b.x - a.x,
 struct Step {
   Vector2 at;
   double part = 0.0;
+  bool driven = true;  // to here from the step before; else the robot was put here
 };
 
 // The path without the points that would change nothing to be seen: a run of ten minutes has tens
@@ -28,20 +29,32 @@ std::vector<Step> visible_steps(const Layout& layout, const RobotTrack& track) {
   constexpr double kApart = 1.2;
   std::vector<Step> steps;
   const std::size_t count = track.path.size();
+  std::size_t placements = 0;
+  bool driven = true;
   for (std::size_t i = 0; i < count; ++i) {
     const Pose& pose = track.path[i];
+    if (placements < track.placed.size() && track.placed[placements] == i) {
+      driven = false;
+      ++placements;
+    }
     if (!std::isfinite(pose.x) || !std::isfinite(pose.y)) continue;
     const Vector2 here = at(layout, pose);
-    if (!steps.empty() && i + 1 < count && length(steps.back().at, here) < kApart) continue;
+    if (driven && !steps.empty() && i + 1 < count && length(steps.back().at, here) < kApart) {
+      continue;
+    }
     steps.push_back(
-        {here, static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(count - 1, 1))});
+        {here, static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(count - 1, 1)),
+         driven});
+    driven = true;
   }
   return steps;
 }
 
 double path_length(const std::vector<Step>& steps) {
   double sum = 0.0;
-  for (std::size_t i = 1; i < steps.size(); ++i) sum += length(steps[i - 1].at, steps[i].at);
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    sum += steps[i].driven ? length(steps[i - 1].at, steps[i].at) : 0.0;
+  }
   return sum;
 }
 
@@ -53,7 +66,11 @@ void draw_line(Canvas& canvas, const std::vector<Step>& steps, const Ink& ink, d
   while (first + 1 < steps.size()) {
     const int piece = std::min(kPieces - 1, static_cast<int>(steps[first].part * kPieces));
     std::size_t last = first + 1;
-    while (last + 1 < steps.size() &&
+    if (!steps[last].driven) {
+      first = last;
+      continue;
+    }
+    while (last + 1 < steps.size() && steps[last + 1].driven &&
            std::min(kPieces - 1, static_cast<int>(steps[last].part * kPieces)) == piece) {
       ++last;
     }
@@ -71,6 +88,7 @@ void draw_directions(Canvas& canvas, const std::vector<Step>& steps, const Ink& 
                      double size) {
   double since = apart * 0.5;
   for (std::size_t i = 1; i < steps.size(); ++i) {
+    if (!steps[i].driven) continue;
     since += length(steps[i - 1].at, steps[i].at);
     if (since < apart) continue;
     since = 0.0;

@@ -1,5 +1,7 @@
 #include "elsie/simulation/tracks.h"
 
+#include <string>
+
 #include "elsie/simulation/simulation.h"
 
 #include "sampling.h"
@@ -12,10 +14,13 @@ void TrackRecorder::started(const Simulation& simulation) {
   period_s_ = static_cast<double>(every_) * step;
   tracks_.assign(simulation.robots(), {});
   collisions_.assign(simulation.robots(), 0);
+  was_placed_.assign(simulation.robots(), false);
+  events_ = simulation.events().size();
   sample(simulation);
 }
 
 void TrackRecorder::stepped(const Simulation& simulation) {
+  note_placements(simulation);
   if (simulation.steps() % every_ == 0) {
     sample(simulation);
   }
@@ -30,7 +35,30 @@ void TrackRecorder::stepped(const Simulation& simulation) {
 
 void TrackRecorder::sample(const Simulation& simulation) {
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
-    tracks_[i].path.push_back(simulation.robot(i).state->pose);
+    Track& track = tracks_[i];
+    if (was_placed_[i]) {
+      track.placed.push_back(track.path.size());
+      was_placed_[i] = false;
+    }
+    track.path.push_back(simulation.robot(i).state->pose);
+  }
+}
+
+// A robot that is put elsewhere says so in an event, whose detail is "robot[r1]/@x=2".
+void TrackRecorder::note_placements(const Simulation& simulation) {
+  const auto events = simulation.events();
+  for (; events_ < events.size(); ++events_) {
+    const EventRecord& event = events[events_];
+    const std::string own = "robot[" + event.robot + "]/@";
+    if (event.name != "changed" ||
+        !(event.detail.starts_with(own + "x=") || event.detail.starts_with(own + "y="))) {
+      continue;
+    }
+    for (std::size_t i = 0; i < simulation.robots(); ++i) {
+      if (simulation.robot(i).description->id == event.robot) {
+        was_placed_[i] = true;
+      }
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 // what they saw.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -31,8 +32,9 @@ struct RobotTrack {
   std::vector<Pose> path;  // oldest first, TopView::path_period_s apart; may be empty
   Pose now;
   std::vector<Beam> beams;
-  std::vector<Vector2> touches;  // where it touched something that it should not have
-  std::vector<Pose> segments{};  // where those that it pulls are; those missing stand in line
+  std::vector<Vector2> touches;       // where it touched something that it should not have
+  std::vector<Pose> segments{};       // where those that it pulls are; those missing stand in line
+  std::vector<std::size_t> placed{};  // poses of the path that it did not drive to, ascending
 };
 
 /// What to draw. The world must live as long as the view.

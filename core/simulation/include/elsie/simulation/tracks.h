@@ -1,6 +1,7 @@
 // Where the robots went: what pictures of a run are made of.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace elsie::simulation {
 struct Track {
   std::vector<Pose> path;        // a pose per period, the first at the start
   std::vector<Vector2> touches;  // where it was when it collided
+  /// The poses that it did not drive to: a user had put it elsewhere since the one before. Places
+  /// in `path`, ascending.
+  std::vector<std::size_t> placed{};
 };
 
 /// Keeps the way of every robot.
@@ -31,12 +35,15 @@ class TrackRecorder final : public Observer {
 
  private:
   void sample(const Simulation& simulation);
+  void note_placements(const Simulation& simulation);
 
   double asked_period_s_;
   double period_s_ = 0.0;
   std::uint64_t every_ = 1;
   std::vector<Track> tracks_;
   std::vector<int> collisions_;
+  std::vector<bool> was_placed_;  // since the last pose of its path
+  std::size_t events_ = 0;        // that were looked at
 };
 
 }  // namespace elsie::simulation
