@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: api install package tools all demo test sanitize bench figures four-resources reference format lint dependencies configure clean
+.PHONY: transcript api install package tools all demo test sanitize bench figures four-resources reference format lint dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -57,6 +57,12 @@ four-resources: all
 reference: configure
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	scripts/reference $(BUILD)
+
+# The first page of the tutorial, followed on a fresh clone of what is committed: docs/tutorial/transcript.md, and the pictures of the tutorial.
+transcript: configure
+	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins elsie_help
+	tests/tutorial/follow --clone . --transcript docs/tutorial/transcript.md docs/tutorial/1-*.md
+	tests/tutorial/follow --installed $(BUILD) --pictures docs/tutorial/[1-9]-*.md
 
 # The reference of the C++ headers; a warning is an error.
 api: dependencies
