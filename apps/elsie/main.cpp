@@ -8,6 +8,7 @@
 
 #include "elsie/fuzzy/error.h"
 #include "elsie/neural/error.h"
+#include "elsie/plugin/crash_report.h"
 #include "elsie/plugin/source_build.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/world/error.h"
@@ -45,7 +46,7 @@ int finish(const Job& job) {
     return job();
   } catch (const elsie::world::WorldError& error) {
     std::cerr << error.what() << '\n';
-    return kBadInput;
+    return error.plugin_failed() ? kPluginFailed : kBadInput;
   } catch (const elsie::fuzzy::FclError& error) {
     std::cerr << error.what() << '\n';
     return kBadInput;
@@ -55,6 +56,9 @@ int finish(const Job& job) {
   } catch (const elsie::plugin::BuildError& error) {
     std::cerr << error.what() << '\n';  // the compiler's own messages
     return kBadInput;
+  } catch (const elsie::plugin::CreateError& error) {
+    std::cerr << "elsie: " << error.what() << '\n';
+    return kPluginFailed;
   } catch (const elsie::plugin::PluginError& error) {
     std::cerr << "elsie: " << error.what() << '\n';
     return kBadInput;
@@ -87,6 +91,7 @@ int with_output_written(int exit_code) {
 
 int main(int argc, char** argv) {
   set_up_log();
+  elsie::plugin::report_crashes(kPluginFailed);
   end_at_once_when_interrupted();
   // Pictures of cameras are small: where Mesa draws them in software, handing them to threads costs
   // more than it gains. Here, because nothing else runs yet that could look at the environment.

@@ -1,13 +1,16 @@
 #include "progress.h"
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <string_view>
 
 #include <unistd.h>
 
+#include "elsie/plugin/crash_report.h"
 #include "elsie/simulation/simulation.h"
 
 #include "command.h"
@@ -21,7 +24,21 @@ constexpr std::uint64_t kStepsBetweenLooks = 64;  // at the clock
 
 // A signal handler can reach nothing but a global of this kind.
 volatile std::sig_atomic_t interrupted = 0;
-void interrupt(int) { interrupted = 1; }
+std::atomic<std::int64_t> interrupted_at_ns{0};
+// timeout(1) and others send a signal to a process and to its group: that is one request.
+constexpr std::int64_t kOneRequestNs = 500'000'000;
+
+void interrupt(int) {
+  const std::int64_t now_ns =
+      std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch()).count();
+  if (interrupted == 0) {
+    interrupted_at_ns = now_ns;
+    interrupted = 1;
+  } else if (now_ns - interrupted_at_ns > kOneRequestNs) {
+    // Asked twice: whatever is at work does not come to an end.
+    elsie::plugin::end_process("was at work when the run was interrupted", kOtherFailure);
+  }
+}
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 

@@ -29,7 +29,8 @@ class ProgressBar final : public elsie::simulation::Observer {
 void end_at_once_when_interrupted();
 
 /// Ends the run in order on these signals: throws Interrupted from the next step. While it lives,
-/// they do not end the process.
+/// the first of them does not end the process; one that comes half a second later or more does at
+/// once, with a report of what was at work.
 class InterruptGuard final : public elsie::simulation::Observer {
  public:
   InterruptGuard();

@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "elsie/plugin/crash_report.h"
 #include "elsie/simulation/recording.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/simulation/trace_recorder.h"
@@ -38,6 +39,8 @@ struct RunOptions {
   std::optional<std::string> picture;
   std::optional<std::string> image_folder;
   double image_period_s = 0.0;
+  double time_budget_ms = 0.0;
+  double memory_budget_mb = 0.0;
   bool json = false;
   bool quiet = false;
 };
@@ -51,7 +54,8 @@ Examples:
   elsie run worlds/clutter.xml --set 'robot[r1]/behavior[wander]/@speed=15' --json
   elsie run worlds/clutter.xml --at '5:robot[r1]/@max_speed=0.2' --at '10:robot[r1]/@max_speed=0.4'
 
-The run ends with exit code 0 when the world's goals are reached, 1 when they are not.
+The run ends with exit code 0 when the world's goals are reached, 1 when they are not, 3 when a
+plugin failed.
 )";
 
 /// Everything that watches one run.
@@ -125,6 +129,21 @@ std::vector<elsie::simulation::TimedChange> changes_of(const RunOptions& options
   return changes;
 }
 
+elsie::simulation::Budget budget_of(const RunOptions& options) {
+  return {1e-3 * options.time_budget_ms, static_cast<std::size_t>(1e6 * options.memory_budget_mb)};
+}
+
+/// Stops plugins that do not return, if there is a budget of time. One that returns late by less
+/// than this ends the run in order.
+constexpr double kGrace = 1.0;  // s
+std::optional<elsie::plugin::Watchdog> watchdog_of(const RunOptions& options) {
+  if (options.time_budget_ms <= 0.0) {
+    return std::nullopt;
+  }
+  return std::optional<elsie::plugin::Watchdog>(std::in_place, budget_of(options).time_s + kGrace,
+                                                kPluginFailed);
+}
+
 /// The simulation of a world that is in order, with changes that can be made.
 elsie::simulation::Simulation simulation_of(
     const RunOptions& options, const elsie::plugin::Host& host,
@@ -136,7 +155,8 @@ elsie::simulation::Simulation simulation_of(
   }
   elsie::simulation::Simulation simulation(
       std::move(world), host,
-      {options.seed, options.record_times || options.explain_times, data_directories()});
+      {options.seed, options.record_times || options.explain_times, data_directories(),
+       budget_of(options)});
   try {
     simulation.check(changes);
   } catch (const elsie::simulation::ChangeRefused& refused) {
@@ -174,6 +194,7 @@ int run(const RunOptions& options) {
       draw(simulation, watchers.tracks(), {line}, *options.picture, 1000);
     }
   };
+  const auto watchdog = watchdog_of(options);
   try {
     const elsie::simulation::RunResult result = simulation.run(watchers.all(), changes);
     // First what the run came to: it is not lost when the picture cannot be written.
@@ -268,6 +289,18 @@ void add_run_command(CLI::App& program, Job& job) {
       ->needs("--save-images")
       ->check(positive_number())
       ->type_name("SECONDS");
+  command
+      ->add_option("--time-budget", options->time_budget_ms,
+                   "End the run when a plugin takes longer than this for one answer, by the clock, "
+                   "and name it; the run then depends on the machine")
+      ->check(positive_number())
+      ->type_name("MS");
+  command
+      ->add_option("--memory-budget", options->memory_budget_mb,
+                   "End the run when a plugin comes to hold more memory than this above what it "
+                   "had at the start, as one that leaks does, and name it")
+      ->check(positive_number())
+      ->type_name("MB");
   command->add_flag("--json", options->json,
                     "Print the result as one JSON object, and nothing else");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");

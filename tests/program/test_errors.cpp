@@ -63,26 +63,6 @@ TEST_CASE("Bad input ends with exit code 2, a sentence, and nothing on standard 
   expect("fuzzy fuzzy_models/avoid_obstacle_left.fcl --input rnge=1", "it has: range, azimuth");
 }
 
-TEST_CASE("A plugin that fails ends the run with exit code 3; it is named and the recording kept") {
-  Workplace here;
-  for (const std::string plugin : {"throwing", "not_a_number"}) {
-    here.write("world.xml", R"(<world format="1"><robots><robot id="r1" team="red"><behaviors><)" +
-                                plugin +
-                                R"(/></behaviors><coordinator><arbiter_suppression/></coordinator>
-                            </robot></robots></world>)");
-    const auto run = here.elsie("run world.xml --plugin-path " +
-                                elsie::test::build_path("tests/program/plugins") +
-                                " --record run.csv --record-rate 100 --picture run.png --json");
-    CHECK(run.exit_code == 3);
-    CHECK(run.out.empty());
-    CHECK_THAT(run.err,
-               Catch::Contains("plugin '" + plugin + "' of robot 'r1' failed in step 50: "));
-    const std::string table = here.read("run.csv");
-    CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 51);
-    CHECK_FALSE(here.read("run.png").empty());
-  }
-}
-
 TEST_CASE("A recording that cannot be written to its end is exit code 4") {
   Workplace here;
   const auto run = here.elsie("run worlds/open_arena.xml --duration 5 --record /dev/full");

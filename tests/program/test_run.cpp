@@ -96,7 +96,7 @@ TEST_CASE("An interrupted run ends in order and keeps what was recorded") {
       "elsie run worlds/clutter.xml --set limits/@time=100000 --set 'robot[r1]/@battery=1e9' "
       "--record run.csv --quiet & pid=$!\n"
       "while ! [ -s run.csv ]; do :; done\n"
-      "kill -TERM $pid\n"
+      "kill -TERM $pid; kill -HUP $pid\n"  // at once: it is one request
       "wait $pid");
   CHECK(run.exit_code == 4);
   CHECK_THAT(run.err, Catch::Contains("interrupted after"));

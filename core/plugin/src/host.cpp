@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 
 #include "elsie/plugin/abi_word.h"
+#include "elsie/plugin/call.h"
 #include "elsie/plugin/declaration_check.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/inspection.h"
@@ -185,6 +186,13 @@ void Host::State::enter(LoadedLibrary loaded, FileReport& file) {
   }
 }
 
+void Release::operator()(Component* object) {
+  // An emptied pointer keeps its deleter, and must not keep the library with it.
+  const std::shared_ptr<const Library> last = std::move(library);
+  const Call call({.library = last ? last->file().c_str() : nullptr, .doing = "while it went"});
+  delete object;
+}
+
 Host::Host() : state_(std::make_unique<State>()) {}
 
 Host::Host(std::vector<SearchDirectory> directories) : Host() {
@@ -253,6 +261,9 @@ Object<Component> Host::create_component(PluginKind kind, std::string_view name)
     throw PluginError(explain_missing(kind, name));
   }
   std::optional<std::string> problem;
+  const Call call({.plugin = entry->declaration.name.c_str(),
+                   .library = entry->library ? entry->library->file().c_str() : nullptr,
+                   .doing = "while it was made"});
   try {
     if (std::unique_ptr<Component> object = entry->declaration.create()) {
       return {object.release(), Release{entry->library}};
@@ -263,7 +274,7 @@ Object<Component> Host::create_component(PluginKind kind, std::string_view name)
   }
   // Thrown here, where nothing of the plugin's own exception is left.
   const std::string file = entry->file.empty() ? "" : " (" + entry->file.string() + ")";
-  throw PluginError(title(kind, name) + file + " could not be made: " + *problem);
+  throw CreateError(title(kind, name) + file + " could not be made: " + *problem);
 }
 
 void Host::refuse_class(PluginKind kind, std::string_view name) const {

@@ -10,6 +10,7 @@
 #include <boost/dll/shared_library.hpp>
 
 #include "elsie/api/registration.h"
+#include "elsie/plugin/call.h"
 
 #include "text.h"
 
@@ -19,8 +20,12 @@ struct Library::System {
   boost::dll::shared_library library;
 };
 
-Library::Library(std::unique_ptr<System> system) : system_(std::move(system)) {}
-Library::~Library() = default;
+Library::Library(std::unique_ptr<System> system, std::string file)
+    : system_(std::move(system)), file_(std::move(file)) {}
+Library::~Library() {
+  const Call call({.library = file_.c_str(), .doing = "while it was unloaded"});
+  system_.reset();
+}
 
 namespace {
 
@@ -79,6 +84,7 @@ std::string read_declarations(void* handle, std::string_view abi_word,
 LoadedLibrary load_library(const std::filesystem::path& file, std::string_view abi_word) {
   namespace dll = boost::dll;
   LoadedLibrary loaded;
+  const Call call({.library = file.c_str(), .doing = "while it was loaded"});
   auto system = std::make_unique<Library::System>();
   std::error_code error;
   // All symbols are bound at once, so that a missing one is found here and not in the middle of a
@@ -90,7 +96,7 @@ LoadedLibrary load_library(const std::filesystem::path& file, std::string_view a
     return loaded;
   }
   void* const handle = system->library.native();
-  loaded.library = std::make_shared<const Library>(std::move(system));
+  loaded.library = std::make_shared<const Library>(std::move(system), file.string());
   loaded.problem = read_declarations(handle, abi_word, loaded.declarations);
   if (!loaded.problem.empty()) {
     loaded.declarations.clear();

@@ -17,13 +17,17 @@ class Library {
  public:
   struct System;  // what Boost.DLL knows of it
 
-  explicit Library(std::unique_ptr<System> system);
+  Library(std::unique_ptr<System> system, std::string file);
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
   ~Library();
 
+  /// Where it was found.
+  const std::string& file() const { return file_; }
+
  private:
   std::unique_ptr<System> system_;
+  std::string file_;
 };
 
 /// What came of loading a library. The order of the members is that of their making: declarations

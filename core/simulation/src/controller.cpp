@@ -168,7 +168,7 @@ MotorCommand Controller::decide(const Perception& now) {
   }
   now_ = now;
   const world::PluginUse& use = *description_.coordinator;
-  command_ = setting_.guard.run(
+  command_ = setting_.guard.step(
       use, [&] { return coordinator_->coordinate(members_, now.with_random(random_)); });
   setting_.guard.check();
   if (!command_.is_finite()) {
@@ -210,8 +210,8 @@ void Controller::rate(std::span<const MotorCommand> candidates, std::span<double
     return;
   }
   const world::PluginUse& use = *description_.coordinator;
-  setting_.guard.run(use,
-                     [&] { coordinator_->rate(members_, command_, candidates, desirability); });
+  setting_.guard.step(use,
+                      [&] { coordinator_->rate(members_, command_, candidates, desirability); });
   setting_.guard.check();
   if (const std::string fault = fault_of(desirability); !fault.empty()) {
     setting_.guard.fail(use, fault);
@@ -224,7 +224,7 @@ CommandSets Controller::command_sets() {
   }
   const world::PluginUse& use = *description_.coordinator;
   CommandSets sets =
-      setting_.guard.run(use, [&] { return coordinator_->command_sets(members_, command_); });
+      setting_.guard.step(use, [&] { return coordinator_->command_sets(members_, command_); });
   setting_.guard.check();
   if (const char* fault = fault_of(sets)) {
     setting_.guard.fail(use, fault);
@@ -236,8 +236,10 @@ const Response& Controller::run(Member& member) {
   Slot& slot = slot_of(member);
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = setting_.measure_time ? Clock::now() : Clock::time_point();
-  slot.response = setting_.guard.run(
-      *slot.use, [&] { return slot.object->respond(now_->with_random(slot.random)); });
+  setting_.guard.step(*slot.use, [&] {
+    // In here, so that what the last answer held counts as freed.
+    slot.response = slot.object->respond(now_->with_random(slot.random));
+  });
   if (setting_.measure_time) {
     member.trace.time_s = std::chrono::duration<double>(Clock::now() - start).count();
   }
@@ -254,8 +256,8 @@ const Response& Controller::run(Member& member) {
 void Controller::rate(Member& member, std::span<const MotorCommand> candidates,
                       std::span<double> desirability) {
   const Slot& slot = slot_of(member);
-  setting_.guard.run(*slot.use,
-                     [&] { slot.object->rate(slot.response, candidates, desirability); });
+  setting_.guard.step(*slot.use,
+                      [&] { slot.object->rate(slot.response, candidates, desirability); });
   if (const std::string fault = fault_of(desirability); !fault.empty()) {
     setting_.guard.fail(*slot.use, fault);
   }
@@ -264,7 +266,7 @@ void Controller::rate(Member& member, std::span<const MotorCommand> candidates,
 CommandSets Controller::command_sets(Member& member) {
   const Slot& slot = slot_of(member);
   CommandSets sets =
-      setting_.guard.run(*slot.use, [&] { return slot.object->command_sets(slot.response); });
+      setting_.guard.step(*slot.use, [&] { return slot.object->command_sets(slot.response); });
   if (const char* fault = fault_of(sets)) {
     setting_.guard.fail(*slot.use, fault);
   }

@@ -9,7 +9,7 @@ namespace elsie::simulation {
 class EquippedRobot::Impl {
  public:
   Impl(const world::World& world, std::size_t index, const plugin::Host& host)
-      : robot(world.robots[index], Robot::membership(world, index), host, false) {}
+      : robot(world.robots[index], Robot::membership(world, index), host, Options{}) {}
 
   Robot robot;
 };

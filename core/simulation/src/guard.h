@@ -3,34 +3,53 @@
 
 #include <cstdint>
 #include <exception>
+#include <map>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
+#include "elsie/plugin/call.h"
 #include "elsie/plugin/error.h"
 #include "elsie/simulation/fault.h"
+#include "elsie/simulation/simulation.h"
 #include "elsie/world/description.h"
 #include "elsie/world/error.h"
 
 namespace elsie::simulation {
+
+/// What is allocated on the heap of the process, bytes. Takes a microsecond or so.
+std::int64_t heap_bytes();
 
 /// Runs code of a robot's plugins while the simulation runs: whatever it throws becomes a
 /// PluginFault that names the plugin, the robot and the step. The first fault is kept: a
 /// coordinator may swallow what a behaviour threw, but the run does not.
 class Guard {
  public:
-  explicit Guard(std::string robot) : robot_(std::move(robot)) {}
+  Guard(std::string robot, const Budget& budget) : robot_(std::move(robot)), budget_(budget) {}
 
+  /// A call that may take its time: before the run, or once in a while.
   template <class Action>
-  decltype(auto) run(const world::PluginUse& use, Action action) {
-    try {
-      return action();
-    } catch (const PluginFault&) {
-      throw;  // of another plugin, which this one had called
-    } catch (const std::exception& problem) {
-      fail(use, problem.what());
-    } catch (...) {
-      fail(use, "it threw something that is no std::exception");
+  auto run(const world::PluginUse& use, Action action) {
+    const plugin::Call call(facts(use));
+    return caught(use, action);
+  }
+
+  /// A call that belongs to the step: it has to keep to the budget.
+  template <class Action>
+  auto step(const world::PluginUse& use, Action action) {
+    plugin::Call call(facts(use));
+    if (!has_budget()) [[likely]] {
+      return caught(use, action);
+    }
+    const std::int64_t before = begin(call);
+    if constexpr (std::is_void_v<decltype(action())>) {
+      caught(use, action);
+      end(use, call, before);
+    } else {
+      auto result = caught(use, action);
+      end(use, call, before);
+      return result;
     }
   }
 
@@ -48,13 +67,49 @@ class Guard {
     }
   }
 
-  void begin_run() { fault_.reset(); }
+  void begin_run() {
+    fault_.reset();
+    held_.clear();
+  }
   void begin_step(std::uint64_t step) { step_ = step; }
+  /// The object is another one now.
+  void forget(const world::PluginUse& use) { held_.erase(&use); }
 
  private:
+  /// What the calls of one object have left on the heap.
+  struct Held {
+    std::int64_t bytes = 0;
+    std::uint64_t calls = 0;
+  };
+
+  plugin::CallFacts facts(const world::PluginUse& use) const {
+    return {
+        .plugin = use.plugin.c_str(), .id = use.id.c_str(), .robot = robot_.c_str(), .step = step_};
+  }
+
+  template <class Action>
+  auto caught(const world::PluginUse& use, Action& action) -> decltype(action()) {
+    try {
+      return action();
+    } catch (const PluginFault&) {
+      throw;  // of another plugin, which this one had called
+    } catch (const std::exception& problem) {
+      fail(use, problem.what());
+    } catch (...) {
+      fail(use, "it threw something that is no std::exception");
+    }
+  }
+
+  bool has_budget() const { return budget_.time_s > 0.0 || budget_.memory > 0; }
+  std::int64_t begin(plugin::Call& call) const;
+  /// Faults the plugin if it went beyond its budget.
+  void end(const world::PluginUse& use, const plugin::Call& call, std::int64_t before);
+
   std::string robot_;
+  Budget budget_;
   std::uint64_t step_ = 0;
   std::optional<PluginFault> fault_;
+  std::map<const world::PluginUse*, Held> held_;
 };
 
 /// While a robot is put together, what a plugin object refuses is a fault of the world file: it is
@@ -62,12 +117,19 @@ class Guard {
 template <class Action>
 auto blaming(const world::PluginUse& use, std::vector<world::Problem>& problems, Action action)
     -> decltype(action()) {
-  const auto blame = [&](const std::string& problem) {
-    problems.push_back(
-        {use.location.file, use.location.line, "plugin '" + use.plugin + "': " + problem});
+  const auto blame = [&](const std::string& problem, bool plugin_failed = false) {
+    problems.push_back({use.location.file, use.location.line,
+                        "plugin '" + use.plugin + "': " + problem, plugin_failed});
   };
+  const plugin::Call call({.plugin = use.plugin.c_str(),
+                           .id = use.id.c_str(),
+                           .file = use.location.file.c_str(),
+                           .line = use.location.line,
+                           .doing = "while it was prepared"});
   try {
     return action();
+  } catch (const plugin::CreateError& problem) {
+    problems.push_back({use.location.file, use.location.line, problem.what(), true});
   } catch (const plugin::PluginError& problem) {  // which names the plugin
     problems.push_back({use.location.file, use.location.line, problem.what()});
   } catch (const std::exception& problem) {

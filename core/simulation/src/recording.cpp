@@ -1,19 +1,17 @@
 #include "elsie/simulation/recording.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "elsie/simulation/simulation.h"
 
 #include "csv_line.h"
+#include "record_file.h"
 #include "sampling.h"
 
 namespace elsie::simulation {
@@ -41,12 +39,11 @@ std::size_t place_of(std::vector<std::string>& columns, const std::string& name)
 class CsvRecorder::Impl {
  public:
   Impl(const std::filesystem::path& file, double rate_hz, bool with_times)
-      : file_(file), rate_hz_(rate_hz), with_times_(with_times) {
+      : out_("recording '" + file.string() + "'"), rate_hz_(rate_hz), with_times_(with_times) {
     if (!(rate_hz > 0.0) || !std::isfinite(rate_hz)) {
       throw std::runtime_error("a recording needs a positive number of samples a second");
     }
-    out_.open(file, std::ios::binary | std::ios::trunc);
-    check("cannot be created");
+    out_.create(file);
   }
 
   void start(const Simulation& simulation) {
@@ -64,7 +61,7 @@ class CsvRecorder::Impl {
         all += ',' + quoted("behavior[" + behavior + "].time_s");
       }
     }
-    out_ << all << '\n';
+    out_.line(all);
     sample(simulation);
   }
 
@@ -74,11 +71,7 @@ class CsvRecorder::Impl {
     }
   }
 
-  void end() {
-    out_.flush();
-    check("could not be written to its end");
-    out_.close();
-  }
+  void end() { out_.close(); }
 
  private:
   /// Where each robot's readings and behaviours go in a row.
@@ -128,9 +121,8 @@ class CsvRecorder::Impl {
       }
       write_readings(simulation, r);
       write_trace(robot, places_[r], simulation.steps() > 0);
-      out_ << line_.take() << '\n';
+      out_.line(line_.take());
     }
-    check("could not be written");
   }
 
   void write_readings(const Simulation& simulation, std::size_t r) {
@@ -176,17 +168,9 @@ class CsvRecorder::Impl {
     }
   }
 
-  void check(const char* what) const {
-    if (!out_) {
-      throw std::runtime_error("recording '" + file_.string() + "' " + what + ": " +
-                               std::generic_category().message(errno));
-    }
-  }
-
-  std::filesystem::path file_;
+  RecordFile out_;
   double rate_hz_;
   bool with_times_;
-  std::ofstream out_;
   std::uint64_t every_ = 1;
   std::vector<std::string> reading_columns_;
   std::vector<std::string> behaviors_;

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "elsie/plugin/call.h"
 #include "elsie/world/error.h"
 
 #include "make_plugin.h"
@@ -44,8 +45,9 @@ Robot::Membership Robot::membership(const world::World& world, std::size_t robot
 }
 
 Robot::Robot(const world::Robot& description, const Membership& membership,
-             const plugin::Host& host, bool measure_time)
-    : description_(description), guard_(description.id) {
+             const plugin::Host& host, const Options& options)
+    : description_(description), guard_(description.id, options.budget) {
+  const plugin::Call call({.robot = description.id.c_str()});
   std::vector<world::Problem> problems;
   for (const world::SensorUse& use : description.sensors) {
     const Mounting mounting = mounting_of(use, description.body);
@@ -60,7 +62,7 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
     }
   }
   controller_ = std::make_unique<Controller>(
-      description, Controller::Setting{host, guard_, *this, measure_time}, problems);
+      description, Controller::Setting{host, guard_, *this, options.measure_time}, problems);
   controller_->list_members("", 0, -1, trace_);
   throw_if_any(problems);
   group_readings();
@@ -173,7 +175,7 @@ void Robot::sense(const Surroundings& surroundings, const Instant& now) {
     context.mounting = &slot.mounting;
     context.random = &slot.random;
     context.image = slot.camera ? &slot.picture : nullptr;
-    guard_.run(*slot.use, [&] { slot.object->update(context); });
+    guard_.step(*slot.use, [&] { slot.object->update(context); });
   }
 }
 

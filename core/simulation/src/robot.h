@@ -43,7 +43,7 @@ class Robot final : private Wishes {
 
   /// Makes the plugin objects. Throws world::WorldError.
   Robot(const world::Robot& description, const Membership& membership, const plugin::Host& host,
-        bool measure_time);
+        const Options& options);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 

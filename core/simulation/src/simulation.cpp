@@ -67,7 +67,7 @@ class Simulation::Impl {
     for (std::size_t i = 0; i < world_.robots.size(); ++i) {
       try {
         robots_.push_back(std::make_unique<Robot>(world_.robots[i], Robot::membership(world_, i),
-                                                  host, options.measure_time));
+                                                  host, options));
       } catch (const world::WorldError& error) {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());
       }

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -14,6 +12,7 @@
 #include "elsie/simulation/trace.h"
 
 #include "csv_line.h"
+#include "record_file.h"
 #include "trace_format.h"
 
 namespace elsie::simulation {
@@ -25,7 +24,6 @@ constexpr int kDecimals = 3;
 constexpr int kWeightDigits = 4;
 constexpr double kFlushEvery = 1.0;   // s, simulated
 constexpr double kStillEvery = 10.0;  // s, simulated, after which a trace says that it goes on
-constexpr std::size_t kFullBuffer = 1U << 16U;
 
 std::string text_of(double value) {
   CsvLine line;
@@ -56,15 +54,15 @@ double shortened(double value) {
 
 class TraceRecorder::Impl {
  public:
-  Impl(const std::filesystem::path& file, bool with_times) : file_(file), with_times_(with_times) {
+  Impl(const std::filesystem::path& file, bool with_times)
+      : out_("trace '" + file.string() + "'"), with_times_(with_times) {
     std::error_code error;
     if (std::filesystem::is_regular_file(file, error) && !may_be_trace(file)) {
-      throw std::runtime_error("trace '" + file_.string() +
+      throw std::runtime_error("trace '" + file.string() +
                                "' cannot be written: there is a file of that name that is no "
                                "trace; remove it or choose another name");
     }
-    out_.open(file, std::ios::binary | std::ios::trunc);
-    check("cannot be created");
+    out_.create(file);
   }
 
   void start(const Simulation& simulation) {
@@ -84,7 +82,7 @@ class TraceRecorder::Impl {
     }
     add(std::string(trace_format::kHeading));
     write_events(simulation);
-    flush();
+    out_.flush();
   }
 
   void step(const Simulation& simulation) {
@@ -101,8 +99,8 @@ class TraceRecorder::Impl {
       add(Remark("until").add("time_s", text_of(now_s)).line());
       written_until_s_ = now_s;
     }
-    if (now_s - flushed_at_s_ >= kFlushEvery || buffer_.size() >= kFullBuffer) {
-      flush();
+    if (now_s - flushed_at_s_ >= kFlushEvery) {
+      out_.flush();
       flushed_at_s_ = now_s;
     }
   }
@@ -130,9 +128,7 @@ class TraceRecorder::Impl {
             .add("outcome", stopped ? trace_format::kStopped : to_string(result.outcome))
             .add("reason", result.reason)
             .line());
-    flush();
     out_.close();
-    check("could not be written to its end");
   }
 
  private:
@@ -241,29 +237,10 @@ class TraceRecorder::Impl {
     written_until_s_ = time_s;
   }
 
-  void add(const std::string& line) {
-    buffer_ += line;
-    buffer_ += '\n';
-  }
+  void add(const std::string& line) { out_.line(line); }
 
-  void flush() {
-    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-    out_.flush();
-    buffer_.clear();
-    check("could not be written");
-  }
-
-  void check(const char* what) const {
-    if (!out_) {
-      throw std::runtime_error("trace '" + file_.string() + "' " + what + ": " +
-                               std::generic_category().message(errno));
-    }
-  }
-
-  std::filesystem::path file_;
+  RecordFile out_;
   bool with_times_;
-  std::ofstream out_;
-  std::string buffer_;
   std::uint64_t period_steps_ = 1;
   std::vector<RobotNotes> robots_;
   std::size_t events_ = 0;  // how many are written

@@ -28,8 +28,13 @@ std::string Problem::text() const {
 WorldError::WorldError(std::vector<Problem> problems)
     : std::runtime_error(joined(problems)), problems_(std::move(problems)) {}
 
-void Problems::add(const Location& where, std::string message) {
-  Problem problem{where.file, where.line, std::move(message)};
+bool WorldError::plugin_failed() const {
+  return std::any_of(problems_.begin(), problems_.end(),
+                     [](const Problem& problem) { return problem.plugin_failed; });
+}
+
+void Problems::add(const Location& where, std::string message, bool plugin_failed) {
+  Problem problem{where.file, where.line, std::move(message), plugin_failed};
   // A mistake in a template is met once for every robot that uses it.
   if (known_.emplace(problem.file, problem.line, problem.message).second) {
     problems_.push_back(std::move(problem));
@@ -38,7 +43,7 @@ void Problems::add(const Location& where, std::string message) {
 
 void Problems::add(const WorldError& error) {
   for (const Problem& problem : error.problems()) {
-    add({problem.file, problem.line}, problem.message);
+    add({problem.file, problem.line}, problem.message, problem.plugin_failed);
   }
 }
 

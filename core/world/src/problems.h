@@ -13,7 +13,7 @@ namespace elsie::world {
 
 class Problems {
  public:
-  void add(const Location& where, std::string message);
+  void add(const Location& where, std::string message, bool plugin_failed = false);
   /// Takes over what a file that could not be parsed had to say.
   void add(const WorldError& error);
   bool empty() const { return problems_.empty(); }

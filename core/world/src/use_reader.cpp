@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "elsie/api/behavior.h"
+#include "elsie/plugin/call.h"
+#include "elsie/plugin/error.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/parameters.h"
@@ -222,6 +224,11 @@ bool TreeReader::find_default(const ParameterDeclaration& parameter, const Eleme
 bool TreeReader::try_out(const Declaration& declaration, const Element& element,
                          const PluginUse& use) {
   NothingInside nothing;  // outlives the object that may point to it
+  const plugin::Call call({.plugin = use.plugin.c_str(),
+                           .id = use.id.c_str(),
+                           .file = element.where.file.c_str(),
+                           .line = element.where.line,
+                           .doing = "while it was given its parameters"});
   try {
     const auto object = host_.create<Component>(declaration.kind, declaration.name);
     if (declaration.hold) {
@@ -230,10 +237,12 @@ bool TreeReader::try_out(const Declaration& declaration, const Element& element,
     plugin::apply_parameters(declaration, *object, use.parameters,
                              {use.elements.begin(), use.elements.end()});
     return true;
+  } catch (const plugin::CreateError& error) {
+    problems_.add(element.where, error.what(), true);
   } catch (const std::exception& error) {
     problems_.add(element.where, error.what());
-    return false;
   }
+  return false;
 }
 
 std::string TreeReader::explain_missing(PluginKind kind, const std::string& name) const {

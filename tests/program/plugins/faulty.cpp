@@ -1,30 +1,205 @@
-// Behaviours that fail after half a second, for the tests of the program.
+// Plugins that fail after half a second, each in its own way, for the tests of the program.
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <unistd.h>
 
 #include <elsie/api/behavior.h>
+#include <elsie/api/coordinator.h>
+#include <elsie/api/sensor.h>
 
 namespace {
 
-class Throwing final : public elsie::Behavior {
+/// A function that the compiler cannot look into, so that the faults below stay.
+template <class Value>
+Value hidden(Value value) {
+  asm volatile("" : "+r"(value));
+  return value;
+}
+
+/// Drives on for half a second; then it does what `Fault` does.
+template <class Fault>
+class Failing final : public elsie::Behavior {
  public:
   elsie::Response respond(const elsie::Perception& now) override {
-    if (now.time_s() >= 0.5) {
-      throw std::runtime_error("it gave up");
+    return now.time_s() >= 0.495 ? fault_() : elsie::MotorCommand{10, 10};
+  }
+
+ private:
+  Fault fault_;
+};
+
+struct Throws {
+  elsie::MotorCommand operator()() { throw std::runtime_error("it gave up"); }
+};
+struct NotANumber {
+  elsie::MotorCommand operator()() { return {std::numeric_limits<double>::quiet_NaN(), 10}; }
+};
+struct Segfaults {
+  elsie::MotorCommand operator()() { return {*hidden<double*>(nullptr), 10}; }
+};
+struct Divides {
+  elsie::MotorCommand operator()() {
+    raise(SIGFPE);  // as 1 / 0 does on some processors, but not on all
+    return {};
+  }
+};
+struct Aborts {
+  elsie::MotorCommand operator()() { std::abort(); }
+};
+struct ThrowsWhereNoneMay {
+  elsie::MotorCommand operator()() noexcept { return Throws()(); }
+};
+struct IllegalInstruction {
+  elsie::MotorCommand operator()() { __builtin_trap(); }
+};
+struct BusError {
+  elsie::MotorCommand operator()() {
+    raise(SIGBUS);
+    return {};
+  }
+};
+struct Exits {
+  elsie::MotorCommand operator()() { std::exit(0); }
+};
+struct Overflows {
+  elsie::MotorCommand operator()() { return {deeper(1), 10}; }
+  static double deeper(int depth) {
+    volatile double here[64] = {};
+    here[0] = depth;
+    return hidden(depth) > 0 ? deeper(depth + 1) + here[0] : 0.0;
+  }
+};
+struct Loops {
+  elsie::MotorCommand operator()() {
+    while (hidden(true)) {
     }
-    return elsie::MotorCommand{10, 10};
+    return {};
+  }
+};
+struct Dawdles {
+  elsie::MotorCommand operator()() {
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    return {10, 10};
+  }
+};
+struct Leaks {
+  elsie::MotorCommand operator()() {
+    hidden(new char[1000]);
+    return {10, 10};
+  }
+};
+/// Allocates and frees in every call, and holds as much as ever.
+struct Thrifty {
+  elsie::MotorCommand operator()() {
+    texts_.assign(20, std::string(100, 'x'));
+    return {10, 10};
+  }
+  std::vector<std::string> texts_;
+};
+
+/// One object is made when the library is read, and goes well.
+int made = 0;
+class ThrowsWhenMade final : public elsie::Behavior {
+ public:
+  ThrowsWhenMade() {
+    if (made++ > 0) {
+      throw std::runtime_error("no more of these");
+    }
+  }
+  elsie::Response respond(const elsie::Perception&) override { return {}; }
+};
+int made_too = 0;
+class CrashesWhenMade final : public elsie::Behavior {
+ public:
+  CrashesWhenMade() {
+    if (made_too++ > 0) {
+      *hidden<int*>(nullptr) = 1;
+    }
+  }
+  elsie::Response respond(const elsie::Perception&) override { return {}; }
+};
+class CrashesWhenConfigured final : public elsie::Behavior {
+ public:
+  void configured() override { *hidden<int*>(nullptr) = 1; }
+  elsie::Response respond(const elsie::Perception&) override { return {}; }
+};
+class CrashesWhenDestroyed final : public elsie::Behavior {
+ public:
+  ~CrashesWhenDestroyed() override {
+    if (asked_) {
+      *hidden<int*>(nullptr) = 1;
+    }
+  }
+  elsie::Response respond(const elsie::Perception&) override {
+    asked_ = true;
+    return {};
+  }
+
+ private:
+  bool asked_ = false;
+};
+
+class CrashingCoordinator final : public elsie::Coordinator {
+ public:
+  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
+                                 const elsie::Perception& now) override {
+    const elsie::MotorCommand command = members[0].respond().command;
+    return now.time_s() >= 0.495 ? elsie::MotorCommand{*hidden<double*>(nullptr), 0} : command;
   }
 };
 
-class NotANumber final : public elsie::Behavior {
+class CrashingSensor final : public elsie::SensorOf<elsie::RangeReading> {
  public:
-  elsie::Response respond(const elsie::Perception& now) override {
-    const double rate = now.time_s() >= 0.5 ? std::numeric_limits<double>::quiet_NaN() : 10.0;
-    return elsie::MotorCommand{rate, rate};
+  elsie::RangeReading sense(const elsie::SensorContext& now) override {
+    return {now.time_s >= 0.495 ? *hidden<double*>(nullptr) : 1.0, 1.0, false};
   }
 };
+
+using ThrowsLate = Failing<Throws>;
+using NotANumberLate = Failing<NotANumber>;
+using SegfaultsLate = Failing<Segfaults>;
+using DividesLate = Failing<Divides>;
+using AbortsLate = Failing<Aborts>;
+using ThrowsWhereNoneMayLate = Failing<ThrowsWhereNoneMay>;
+using IllegalInstructionLate = Failing<IllegalInstruction>;
+using BusErrorLate = Failing<BusError>;
+using ExitsLate = Failing<Exits>;
+using OverflowsLate = Failing<Overflows>;
+using LoopsLate = Failing<Loops>;
+using DawdlesLate = Failing<Dawdles>;
+using LeaksLate = Failing<Leaks>;
+using ThriftyLate = Failing<Thrifty>;
 
 }  // namespace
 
-ELSIE_BEHAVIOR(Throwing, "throwing", "Throws after half a second");
-ELSIE_BEHAVIOR(NotANumber, "not_a_number", "Answers NaN after half a second");
+ELSIE_BEHAVIOR(ThrowsLate, "throwing", "Throws after half a second");
+ELSIE_BEHAVIOR(NotANumberLate, "not_a_number", "Answers NaN after half a second");
+ELSIE_BEHAVIOR(SegfaultsLate, "segfaulting", "Reads from nowhere after half a second");
+ELSIE_BEHAVIOR(DividesLate, "dividing", "Divides by zero after half a second");
+ELSIE_BEHAVIOR(AbortsLate, "aborting", "Calls abort() after half a second");
+ELSIE_BEHAVIOR(ThrowsWhereNoneMayLate, "throwing_through",
+               "Throws through a noexcept after half a second");
+ELSIE_BEHAVIOR(IllegalInstructionLate, "illegal",
+               "Runs an illegal instruction after half a second");
+ELSIE_BEHAVIOR(BusErrorLate, "bus_error", "Gets a bus error after half a second");
+ELSIE_BEHAVIOR(ExitsLate, "exiting", "Calls exit() after half a second");
+ELSIE_BEHAVIOR(OverflowsLate, "overflowing", "Overflows its stack after half a second");
+ELSIE_BEHAVIOR(LoopsLate, "looping", "Does not return after half a second");
+ELSIE_BEHAVIOR(DawdlesLate, "dawdling", "Takes 60 ms for each answer after half a second");
+ELSIE_BEHAVIOR(LeaksLate, "leaking", "Leaks 1000 bytes a call after half a second");
+ELSIE_BEHAVIOR(ThriftyLate, "thrifty", "Allocates and frees after half a second");
+ELSIE_BEHAVIOR(ThrowsWhenMade, "throws_when_made", "Throws when it is made");
+ELSIE_BEHAVIOR(CrashesWhenMade, "crashes_when_made", "Crashes when it is made");
+ELSIE_BEHAVIOR(CrashesWhenConfigured, "crashes_when_configured",
+               "Crashes when it gets its parameters");
+ELSIE_BEHAVIOR(CrashesWhenDestroyed, "crashes_when_destroyed", "Crashes when it goes");
+ELSIE_COORDINATOR(CrashingCoordinator, "crashing_coordinator",
+                  "Reads from nowhere after half a second");
+ELSIE_SENSOR(CrashingSensor, "crashing_sensor", "Reads from nowhere after half a second");

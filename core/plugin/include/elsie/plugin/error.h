@@ -13,4 +13,10 @@ class PluginError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A plugin whose constructor throws: nobody who writes a world can mend that.
+class CreateError : public PluginError {
+ public:
+  using PluginError::PluginError;
+};
+
 }  // namespace elsie::plugin

@@ -29,11 +29,7 @@ class Library;
 struct Release {
   std::shared_ptr<const Library> library;  // none for plugins that are linked into the program
 
-  void operator()(Component* object) {
-    // An emptied pointer keeps its deleter, and must not keep the library with it.
-    const std::shared_ptr<const Library> last = std::move(library);
-    delete object;
-  }
+  void operator()(Component* object);
 };
 
 /// A plugin's object. It may outlive the host: its library stays until the last object is gone.
@@ -67,8 +63,8 @@ class Host {
 
   /// Makes an object of a plugin, with all parameters at their defaults; configured() was not yet
   /// called (apply_parameters() does). T is Component or the kind's class (Sensor, Behavior,
-  /// Coordinator). Throws PluginError when there is no such plugin, when its constructor throws, or
-  /// when its class is no T.
+  /// Coordinator). Throws PluginError when there is no such plugin or its class is no T,
+  /// CreateError when its constructor throws.
   template <class T>
   Object<T> create(PluginKind kind, std::string_view name) const {
     Object<Component> object = create_component(kind, name);

@@ -7,8 +7,8 @@
 
 namespace elsie::simulation {
 
-/// A plugin threw, or answered with something that is not a number. what() is a sentence that names
-/// the plugin, the robot and the step. What was recorded until then is valid.
+/// A plugin threw, answered with something that is not a number, or went beyond a budget. what() is
+/// a sentence that names the plugin, the robot and the step. What was recorded until then is valid.
 class PluginFault : public std::runtime_error {
  public:
   /// `at_id`: the plugin's id on the robot, its name unless the world file gives another.

@@ -30,12 +30,23 @@
 
 namespace elsie::simulation {
 
+/// What a call of a plugin may take while the world runs. Beyond it, PluginFault. Zero: anything.
+/// Whether a budget is met depends on the machine: a run that ends for it may not end there again.
+struct Budget {
+  /// By the clock, for one call without those of other plugins within it, s.
+  double time_s = 0.0;
+  /// What one object may come to hold in all its calls since the start of the run, bytes: what it
+  /// leaves allocated on the heap, of which a plugin that leaks has more and more.
+  std::size_t memory = 0;
+};
+
 struct Options {
   std::uint64_t seed = 1;
   /// Measure how long each behaviour takes, for the trace. Changes nothing else.
   bool measure_time = false;
   /// Where data files that a change names are looked for when they are not beside the world's file.
   std::vector<std::string> data_directories{};
+  Budget budget{};
 };
 
 /// One sensor of a robot, to look at.

@@ -1,0 +1,61 @@
+// The last words of a process that a plugin brings down.
+//
+// A segmentation fault in a plugin cannot be caught like an exception: the process has to end. What
+// can be done is to say whose it was, and where, and to write down what was recorded until then.
+// All of it is done within the handler of the signal, without allocating and without locks.
+#pragma once
+
+namespace elsie::plugin {
+
+/// From now on a signal that ends the process because of an error (SIGSEGV, SIGBUS, SIGILL, SIGFPE,
+/// SIGABRT) is reported on standard error: plugin, robot, step (Call), the signal, and a stack
+/// trace with lines of the source where they can be found out. Files that were handed to
+/// EmergencyWriter are written. Then:
+///
+/// - in a plugin's code the process ends with `exit_status`, whatever the signal, and so it does
+///   when a plugin calls exit();
+/// - elsewhere the process ends by the signal, as it would without this.
+///
+/// A stack that has overflowed is reported in the thread that calls this, which gets a second stack
+/// for it. To be called once, early, by a program; a library never does.
+void report_crashes(int exit_status);
+
+/// Ends the process like a crash, from a handler of a signal: if a plugin is at work, after a
+/// report that says `what` it did: "did not return".
+[[noreturn]] void end_process(const char* what, int exit_status);
+
+/// Ends the process when a call of the thread that made this takes too long: a plugin that does not
+/// return cannot be stopped in any other way. Looks at calls whose clock was started
+/// (Call::start_clock()).
+class Watchdog {
+ public:
+  /// `limit_s`: how long a call may take by itself, s; positive. `exit_status`: of the process.
+  Watchdog(double limit_s, int exit_status);
+  ~Watchdog();
+  Watchdog(const Watchdog&) = delete;
+  Watchdog& operator=(const Watchdog&) = delete;
+
+ private:
+  void* timer_ = nullptr;
+};
+
+/// Something that is to be written, or removed, when the process is brought down.
+class EmergencyWriter {
+ public:
+  virtual ~EmergencyWriter() = default;
+  // Called within a handler of a signal: write(2), unlink(2) and the like, nothing else.
+
+  /// Before the stack trace. Whether there was anything to write to.
+  virtual bool write_now() noexcept { return false; }
+  /// After it.
+  virtual void clean_up_now() noexcept {}
+
+ protected:
+  EmergencyWriter();
+  EmergencyWriter(const EmergencyWriter&) = delete;
+  EmergencyWriter& operator=(const EmergencyWriter&) = delete;
+  /// Of the class itself, in its destructor: before anything of it is gone.
+  void retire() noexcept;
+};
+
+}  // namespace elsie::plugin

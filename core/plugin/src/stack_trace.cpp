@@ -1,0 +1,165 @@
+#include "stack_trace.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include <dlfcn.h>
+#include <execinfo.h>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+namespace elsie::plugin {
+namespace {
+
+constexpr int kMostFrames = 64;  // looked at
+constexpr int kMostShown = 24;
+
+char addr2line[256];  // where it is; "": nowhere
+
+struct Place {
+  const char* file = nullptr;  // of the library or program
+  std::uintptr_t offset = 0;   // from its beginning
+  const void* base = nullptr;
+};
+
+Place place_of(const void* address) {
+  Dl_info info{};
+  if (dladdr(address, &info) == 0 || !info.dli_fname) {
+    return {};
+  }
+  const auto base = reinterpret_cast<std::uintptr_t>(info.dli_fbase);
+  return {info.dli_fname, reinterpret_cast<std::uintptr_t>(address) - base, info.dli_fbase};
+}
+
+/// "0x1234", ended by a zero.
+using Hex = std::array<char, 20>;
+Hex hex(std::uintptr_t number) {
+  Hex text{};
+  char digits[16];
+  std::size_t count = 0;
+  do {
+    digits[count++] = "0123456789abcdef"[number % 16];
+    number /= 16;
+  } while (number != 0);
+  text[0] = '0';
+  text[1] = 'x';
+  std::reverse_copy(digits, digits + count, text.begin() + 2);
+  return text;
+}
+
+/// Waits for a process, but not for long.
+void wait_a_while(pid_t process) {
+  for (int i = 0; i < 500; ++i) {
+    if (waitpid(process, nullptr, WNOHANG) != 0) {
+      return;
+    }
+    const timespec pause{0, 10'000'000};
+    nanosleep(&pause, nullptr);
+  }
+}
+
+/// Has addr2line say what stands at these places of one file.
+void write_lines(const Place* places, int count) {
+  std::array<Hex, kMostShown> addresses;
+  std::array<char*, kMostShown + 5> words{};
+  char option[] = "-Cfpe";
+  std::size_t size = 0;
+  words[size++] = addr2line;
+  words[size++] = option;
+  words[size++] = const_cast<char*>(places->file);
+  for (int i = 0; i < count; ++i) {
+    addresses[static_cast<std::size_t>(i)] = hex(places[i].offset);
+    words[size++] = addresses[static_cast<std::size_t>(i)].data();
+  }
+  // Not fork(): that takes the locks of malloc, which may have been at work when the fault came.
+  const pid_t child = _Fork();
+  if (child == 0) {
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+    if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {
+      dup2(nowhere, STDERR_FILENO);
+    }
+    execv(addr2line, words.data());
+    _exit(127);
+  }
+  if (child > 0) {
+    wait_a_while(child);
+  }
+}
+
+}  // namespace
+
+void write_error(std::string_view text) noexcept {
+  while (!text.empty()) {
+    const ssize_t count = write(STDERR_FILENO, text.data(), text.size());
+    if (count <= 0) {
+      return;
+    }
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+void prepare_stack_trace() {
+  void* here[2];
+  backtrace(here, 2);  // loads the library that does it
+  for (const char* file : {"/usr/bin/addr2line", "/usr/local/bin/addr2line"}) {
+    if (addr2line[0] == '\0' && access(file, X_OK) == 0) {
+      std::strncpy(addr2line, file, sizeof(addr2line) - 1);
+    }
+  }
+}
+
+void write_stack_trace(const void* at) noexcept {
+  void* frames[kMostFrames];
+  const int count = backtrace(frames, kMostFrames);
+  // The handler's own frames come first, and after them the signal's.
+  const int found = static_cast<int>(std::find(frames, frames + count, at) - frames);
+  const bool known = found < count;
+  const void* const own = place_of(reinterpret_cast<const void*>(&write_stack_trace)).base;
+  Place places[kMostShown];
+  int shown = 0;
+  bool left_own = known;
+  for (int i = known ? found : 0; i < count && shown < kMostShown; ++i) {
+    // All but the first are where a call returns to: the call stands before.
+    const bool exact = known && i == found;
+    const Place place = place_of(static_cast<const char*>(frames[i]) - (exact ? 0 : 1));
+    const bool is_own = place.base == own;
+    if (is_own && left_own && shown > 0) {
+      break;
+    }
+    left_own = left_own || !is_own;
+    if (left_own && place.file) {
+      places[shown++] = place;
+    }
+  }
+  if (shown == 0) {
+    write_error("  (nothing is known of the stack)\n");
+    return;
+  }
+  for (int i = 0; i < shown; ++i) {
+    const char* const slash = std::strrchr(places[i].file, '/');
+    write_error("  ");
+    write_error(slash ? slash + 1 : places[i].file);
+    write_error("+");
+    write_error(hex(places[i].offset).data());
+    write_error("\n");
+  }
+  if (addr2line[0] == '\0') {
+    write_error(
+        "(addr2line would tell the lines of the source: on Debian, apt install binutils)\n");
+    return;
+  }
+  write_error("in the source:\n");
+  for (int first = 0, end = 0; first < shown; first = end) {
+    while (end < shown && places[end].base == places[first].base) {
+      ++end;
+    }
+    write_lines(places + first, end - first);
+  }
+}
+
+}  // namespace elsie::plugin

@@ -1,0 +1,181 @@
+// Plugins that fail: who it was is said, what was recorded is kept, the exit code is 3.
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "places.h"
+#include "program.h"
+
+using Catch::Contains;
+using elsie::test::ProgramRun;
+using elsie::test::Workplace;
+
+namespace {
+
+/// The plugins of plugins/faulty.cpp, one at a time, on the robot r1.
+class FaultyWorld {
+ public:
+  ProgramRun run(const std::string& behavior, const std::string& options = "",
+                 const std::string& coordinator = "arbiter_suppression",
+                 const std::string& sensor = "", const std::string& duration = "3") const {
+    here.write("world.xml", "<world format=\"1\"><robots><robot id=\"r1\" team=\"red\"><sensors>" +
+                                (sensor.empty() ? "" : "<" + sensor + "/>") +
+                                "</sensors>\n<behaviors><" + behavior + "/></behaviors>\n" +
+                                "<coordinator><" + coordinator +
+                                "/></coordinator></robot></robots></world>\n");
+    return here.elsie("run world.xml --duration " + duration + " --plugin-path " +
+                      elsie::test::build_path("tests/program/plugins") +
+                      " --record run.csv --record-rate 100 --explain run.trace --json " + options);
+  }
+  /// Lines of the recording, without its heading.
+  long rows() const {
+    const std::string table = here.read("run.csv");
+    CHECK(table.ends_with('\n'));
+    return std::count(table.begin(), table.end(), '\n') - 1;
+  }
+
+  Workplace here;
+};
+
+}  // namespace
+
+TEST_CASE("A plugin that throws or answers NaN is named; the recording and the picture are kept") {
+  FaultyWorld world;
+  for (const std::string plugin : {"throwing", "not_a_number"}) {
+    const auto run = world.run(plugin, "--picture run.png");
+    CHECK(run.exit_code == 3);
+    CHECK(run.out.empty());
+    CHECK_THAT(run.err, Contains("plugin '" + plugin + "' of robot 'r1' failed in step 50: "));
+    CHECK(world.rows() == 51);
+    CHECK_FALSE(world.here.read("run.png").empty());
+  }
+}
+
+TEST_CASE("A plugin that crashes is named with robot, step and stack, and the recording is kept") {
+  FaultyWorld world;
+  struct Case {
+    std::string plugin, what;
+  };
+  const Case cases[] = {
+      {"segfaulting", "segmentation fault (SIGSEGV)"},
+      {"overflowing", "segmentation fault (SIGSEGV)"},
+      {"dividing", "arithmetic error"},
+      {"aborting", "abort (SIGABRT)"},
+      {"throwing_through", "abort (SIGABRT)"},
+      {"illegal", "illegal instruction (SIGILL)"},
+      {"bus_error", "bus error (SIGBUS)"},
+      {"exiting", "by calling exit()"},
+  };
+  for (const Case& expected : cases) {
+    CAPTURE(expected.plugin);
+    const auto run = world.run(expected.plugin);
+    CAPTURE(run.err);
+    CHECK(run.exit_code == 3);
+    CHECK(run.out.empty());
+    CHECK_THAT(run.err,
+               Contains("elsie: plugin '" + expected.plugin + "' of robot 'r1' ended the program"));
+    CHECK_THAT(run.err, Contains(expected.what) && Contains(" in step 50\n"));
+    CHECK_THAT(run.err, Contains("the stack, from the inside out:\n") && Contains("faulty.so+0x"));
+    CHECK_THAT(run.err, Contains("what was recorded until then is kept"));
+    CHECK(world.rows() == 51);
+    CHECK_THAT(world.here.read("run.trace"), Contains("\n0,r1,,,10,10\n"));
+    const auto told = world.here.elsie("explain run.trace");
+    CHECK(told.exit_code == 0);
+  }
+}
+
+TEST_CASE("Sensors and coordinators that crash are told from the behaviours that they serve") {
+  FaultyWorld world;
+  CHECK_THAT(world.run("thrifty", "", "crashing_coordinator").err,
+             Contains("plugin 'crashing_coordinator' of robot 'r1' ended the program with a "
+                      "segmentation fault (SIGSEGV) in step 50\n"));
+  CHECK_THAT(world.run("segfaulting", "", "crashing_coordinator").err,
+             Contains("plugin 'segfaulting' of robot 'r1' ended the program"));
+  CHECK_THAT(world.run("thrifty", "", "arbiter_suppression", "crashing_sensor").err,
+             Contains("plugin 'crashing_sensor' of robot 'r1' ended the program"));
+}
+
+TEST_CASE("A plugin that fails while it is made is named with its place in the world") {
+  FaultyWorld world;
+  auto run = world.run("throws_when_made");
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("world.xml:2: ") && Contains("throws_when_made") &&
+                          Contains("faulty.so) could not be made: no more of these"));
+  run = world.run("crashes_when_made");
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("plugin 'crashes_when_made' ended the program with a segmentation "
+                               "fault (SIGSEGV), while it was made (world.xml:2); it is from ") &&
+                          Contains("faulty.so"));
+  run = world.run("crashes_when_configured");
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("plugin 'crashes_when_configured' ended the program") &&
+                          Contains(", while it was given its parameters (world.xml:2)"));
+  run = world.run("crashes_when_destroyed");
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("plugin library ") && Contains("faulty.so' ended the program") &&
+                          Contains(", while it went"));
+}
+
+TEST_CASE("A plugin that takes longer than its time budget ends the run in order") {
+  FaultyWorld world;
+  CHECK(world.run("dawdling", "", "arbiter_suppression", "", "0.6").exit_code ==
+        1);  // off by default
+  const auto run = world.run("dawdling", "--time-budget 50 --picture run.png");
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("plugin 'dawdling' of robot 'r1' failed in step 50: it took ") &&
+                          Contains(" ms to answer, which is beyond its time budget of 50 ms"));
+  CHECK(world.rows() == 51);
+  CHECK_FALSE(world.here.read("run.png").empty());
+}
+
+TEST_CASE("One that does not return at all is stopped") {
+  FaultyWorld world;
+  const auto start = std::chrono::steady_clock::now();
+  const auto run = world.run("looping", "--time-budget 1000");
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(60));
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("plugin 'looping' of robot 'r1' did not return within its time "
+                               "budget and was stopped in step 50\n") &&
+                          Contains("faulty.so+0x"));
+  CHECK(world.rows() == 51);
+}
+
+TEST_CASE("A second Ctrl-C ends even a plugin that does not return, and says which") {
+  FaultyWorld world;
+  world.run("thrifty");  // writes the world
+  std::string text = world.here.read("world.xml");
+  text.replace(text.find("thrifty"), 7, "looping");
+  world.here.write("world.xml", text);
+  // The shell makes a process in the background ignore Ctrl-C: so it is asked to terminate.
+  const auto run = world.here.sh("rm run.csv\nelsie run world.xml --record run.csv --plugin-path " +
+                                 elsie::test::build_path("tests/program/plugins") +
+                                 " & pid=$!\n"
+                                 "while [ ! -e run.csv ]; do sleep 0.1; done\n"
+                                 "sleep 1\nkill $pid\nsleep 1\nkill $pid\nwait $pid");
+  CHECK(run.exit_code == 4);
+  CHECK_THAT(run.err, Catch::Contains("plugin 'looping' of robot 'r1' was at work when the run was "
+                                      "interrupted in step 50\n"));
+  CHECK(world.rows() >= 1);
+}
+
+TEST_CASE("A plugin that leaks runs into its memory budget; one that only allocates does not") {
+  FaultyWorld world;
+  CHECK(world.run("leaking").exit_code == 1);  // off by default
+  const auto run = world.run("leaking", "--memory-budget 0.1");
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("plugin 'leaking' of robot 'r1' failed in step 1") &&
+                          Contains("it holds 0.1") && Contains(" MB more than when the run began"));
+  CHECK(world.run("thrifty", "--memory-budget 0.1 --time-budget 5000").exit_code == 1);
+}
+
+TEST_CASE("Budgets that are not met change nothing of a run") {
+  FaultyWorld world;
+  const auto hash = [](const std::string& json) {
+    return json.substr(json.find("\"state_hash\""), 40);
+  };
+  const std::string run = "run worlds/clutter.xml --duration 5 --json";
+  CHECK(hash(world.here.elsie(run).out) ==
+        hash(world.here.elsie(run + " --time-budget 10000 --memory-budget 100").out));
+}

@@ -1,0 +1,78 @@
+// What a plugin may take.
+#include <chrono>
+#include <thread>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "world_builder.h"
+
+using namespace elsie;
+using namespace elsie::test;
+using simulation::PluginFault;
+using simulation::Simulation;
+
+namespace {
+
+world::World one_robot() {
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world.limits.time = 1.0;
+  return world;
+}
+
+simulation::Options with(const simulation::Budget& budget) {
+  simulation::Options options;
+  options.budget = budget;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("Who takes longer than the time budget is named, not who asked it") {
+  ScriptedHost scripted([](const Perception& now) {
+    if (now.time_s() > 0.025) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    }
+    return MotorCommand{1, 1};
+  });
+  Simulation simulation(one_robot(), scripted.host, with({.time_s = 0.6, .memory = 0}));
+  CHECK_THROWS_WITH(
+      simulation.run(),
+      Catch::Contains("plugin 'scripted' of robot 'r1' failed in step 3: it took ") &&
+          Catch::Contains(" ms to answer, which is beyond its time budget of 600 ms"));
+}
+
+TEST_CASE("A leak meets the memory budget; what is freed or replaced does not") {
+  std::vector<std::vector<char>> kept;
+  bool leaks = false;
+  ScriptedHost scripted([&](const Perception&) {
+    std::vector<char> some(1000);
+    Response response;
+    response.events.push_back({"hello"});  // allocated here, freed by the next answer
+    if (leaks) {
+      kept.push_back(std::move(some));
+    }
+    return response;
+  });
+  kept.reserve(1000);
+  Simulation simulation(one_robot(), scripted.host, with({.time_s = 0.0, .memory = 20'000}));
+  CHECK_NOTHROW(simulation.run());
+  leaks = true;
+  simulation.reset();
+  try {
+    simulation.run();
+    FAIL("nobody minds");
+  } catch (const PluginFault& fault) {
+    CHECK(fault.plugin == "scripted");
+    CHECK(fault.step > 10);
+    CHECK(fault.step < 25);
+    CHECK_THAT(fault.what(), Catch::Contains("it holds 0.02") &&
+                                 Catch::Contains("beyond its memory budget of 0.02 MB"));
+  }
+  // The next run begins with nothing held.
+  kept.clear();
+  leaks = false;
+  simulation.reset();
+  CHECK_NOTHROW(simulation.run());
+}
