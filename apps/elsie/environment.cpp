@@ -29,17 +29,16 @@ void PluginOptions::add_to(CLI::App& command) {
 
 namespace {
 
-/// The library of a --plugin: itself, or what its source is compiled to.
-fs::path library_of(const std::string& file) {
-  if (elsie::plugin::is_source(file)) {
-    return elsie::plugin::build_source(file).library;
-  }
-  if (fs::path(file).extension() != ".so") {
-    throw BadInput("--plugin: '" + file +
-                   "' should be a plugin library (.so) or the source of one (.cpp)");
-  }
-  if (!fs::is_regular_file(file)) {
-    throw BadInput("--plugin: there is no file '" + file + "'");
+/// A --plugin, if it is a library or a source.
+fs::path checked(const std::string& file) {
+  if (!elsie::plugin::is_source(file)) {
+    if (fs::path(file).extension() != ".so") {
+      throw BadInput("--plugin: '" + file +
+                     "' should be a plugin library (.so) or the source of one (.cpp)");
+    }
+    if (!fs::is_regular_file(file)) {
+      throw BadInput("--plugin: there is no file '" + file + "'");
+    }
   }
   return file;
 }
@@ -55,9 +54,8 @@ void require_loaded(const elsie::plugin::Host& host, const std::vector<std::stri
   }
 }
 
-}  // namespace
-
-elsie::plugin::Host load_plugins(const PluginOptions& options) {
+/// Where plugins are looked for; sources as they are given.
+std::vector<elsie::plugin::SearchDirectory> places_of(const PluginOptions& options) {
   std::vector<fs::path> extra;
   for (const std::string& directory : options.directories) {
     if (!fs::is_directory(directory)) {
@@ -67,22 +65,45 @@ elsie::plugin::Host load_plugins(const PluginOptions& options) {
   }
   std::vector<elsie::plugin::SearchDirectory> places;
   for (const std::string& file : options.files) {
-    places.push_back({library_of(file), "--plugin"});
+    places.push_back({checked(file), "--plugin"});
   }
   for (auto& directory : elsie::plugin::default_search_path(extra)) {
     places.push_back(std::move(directory));
   }
-  elsie::plugin::Host host(std::move(places));
-  require_loaded(host, options.files);
-  for (const std::string& warning : host.report().warnings) {
+  return places;
+}
+
+void tell(const elsie::plugin::Report& report) {
+  for (const std::string& warning : report.warnings) {
     spdlog::warn(warning);
   }
-  for (const auto& directory : host.report().directories) {
+  for (const auto& directory : report.directories) {
     for (const auto& file : directory.files) {
       spdlog::debug("{}: {}", file.path.string(), file.sentence.empty() ? "loaded" : file.sentence);
     }
   }
+}
+
+}  // namespace
+
+elsie::plugin::Host load_plugins(const PluginOptions& options) {
+  auto places = places_of(options);
+  for (auto& place : places) {
+    if (elsie::plugin::is_source(place.path)) {
+      place.path = elsie::plugin::build_source(place.path).library;
+    }
+  }
+  elsie::plugin::Host host(std::move(places));
+  require_loaded(host, options.files);
+  tell(host.report());
   return host;
+}
+
+std::unique_ptr<elsie::plugin::Watch> watch_plugins(const PluginOptions& options) {
+  auto watch = std::make_unique<elsie::plugin::Watch>(places_of(options));
+  require_loaded(watch->host(), options.files);
+  tell(watch->host().report());
+  return watch;
 }
 
 std::vector<std::string> data_directories() {

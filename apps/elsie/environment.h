@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "elsie/plugin/host.h"
+#include "elsie/plugin/watch.h"
 #include "elsie/world/reader.h"
 
 namespace CLI {
@@ -24,6 +26,8 @@ struct PluginOptions {
 /// is set to errors only. Throws BadInput for what was given on the command line and cannot be
 /// used.
 elsie::plugin::Host load_plugins(const PluginOptions& options);
+/// The same, and follows the files from then on.
+std::unique_ptr<elsie::plugin::Watch> watch_plugins(const PluginOptions& options);
 
 /// ELSIE_DATA_PATH, then share/elsie beside the program's directory.
 std::vector<std::string> data_directories();

@@ -1,4 +1,5 @@
 // elsie run: one world, one run.
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "command.h"
 #include "environment.h"
 #include "image_saver.h"
+#include "live.h"
 #include "progress.h"
 #include "run_report.h"
 #include "top_view.h"
@@ -39,6 +41,8 @@ struct RunOptions {
   std::optional<std::string> picture;
   std::optional<std::string> image_folder;
   double image_period_s = 0.0;
+  bool watch = false;
+  std::optional<double> speed;
   double time_budget_ms = 0.0;
   double memory_budget_mb = 0.0;
   bool json = false;
@@ -52,6 +56,7 @@ Examples:
   elsie run worlds/clutter.xml --record clutter.csv --record-rate 20
   elsie run worlds/clutter.xml --explain clutter.trace
   elsie run worlds/clutter.xml --set 'robot[r1]/behavior[wander]/@speed=15' --json
+  elsie run my_world.xml --plugin my_behavior.cpp --watch --speed 1
   elsie run worlds/clutter.xml --at '5:robot[r1]/@max_speed=0.2' --at '10:robot[r1]/@max_speed=0.4'
 
 The run ends with exit code 0 when the world's goals are reached, 1 when they are not, 3 when a
@@ -82,6 +87,10 @@ class Watchers {
       progress_.emplace();
       all_.push_back(&*progress_);
     }
+    if (options.speed) {
+      pacer_.emplace(*options.speed);
+      all_.push_back(&*pacer_);
+    }
     all_.push_back(&interrupt_);
   }
   Watchers(const Watchers&) = delete;
@@ -96,6 +105,7 @@ class Watchers {
   std::optional<elsie::simulation::TraceRecorder> trace_;
   std::optional<elsie::simulation::TrackRecorder> tracks_;
   std::optional<ProgressBar> progress_;
+  std::optional<Pacer> pacer_;
   InterruptGuard interrupt_;
   std::vector<elsie::simulation::Observer*> all_;
 };
@@ -186,8 +196,14 @@ int run(const RunOptions& options) {
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
-  const elsie::plugin::Host host = load_plugins(options.plugins);
-  elsie::simulation::Simulation simulation = simulation_of(options, host, changes);
+  const auto watch = options.watch ? watch_plugins(options.plugins) : nullptr;
+  const auto host = watch ? elsie::plugin::Host() : load_plugins(options.plugins);
+  elsie::simulation::Simulation simulation =
+      simulation_of(options, watch ? watch->host() : host, changes);
+  std::function<void(elsie::simulation::Simulation&)> renew;
+  if (watch) {
+    renew = [&](auto& running) { replace_what_changed(*watch, running, options.quiet); };
+  }
   Watchers watchers(options);
   const auto draw_as = [&](const std::string& line) {
     if (options.picture) {
@@ -196,7 +212,7 @@ int run(const RunOptions& options) {
   };
   const auto watchdog = watchdog_of(options);
   try {
-    const elsie::simulation::RunResult result = simulation.run(watchers.all(), changes);
+    const elsie::simulation::RunResult result = simulation.run(watchers.all(), changes, renew);
     // First what the run came to: it is not lost when the picture cannot be written.
     if (options.json) {
       std::cout << json(result);
@@ -253,6 +269,15 @@ void add_run_command(CLI::App& program, Job& job) {
       ->type_name("TIME:PATH=VALUE")
       ->allow_extra_args(false);
   options->plugins.add_to(*command);
+  command->add_flag("--watch", options->watch,
+                    "Replace plugins while the world runs when their libraries, or the sources "
+                    "given by --plugin, change on disk");
+  command
+      ->add_option("--speed", options->speed,
+                   "Simulated seconds per second on the clock, at most; default: as fast as it "
+                   "goes. 1 is real time")
+      ->check(positive_number())
+      ->type_name("FACTOR");
   command
       ->add_option("--record", options->record,
                    "Write poses, commands, readings and the coordinators' traces as a table")

@@ -19,6 +19,7 @@
 #include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/near_name.h"
 
+#include "fingerprint.h"
 #include "library.h"
 #include "text.h"
 
@@ -35,7 +36,15 @@ struct Entry {
   Declaration declaration;
 };
 
-using Registry = std::map<std::string, Entry, std::less<>>;
+using EntryRef = std::shared_ptr<const Entry>;
+using Registry = std::map<std::string, EntryRef, std::less<>>;
+
+/// A file that was loaded, with all its plugins, also those that are shadowed by others.
+struct LoadedFile {
+  Fingerprint fingerprint;
+  std::string abi_word;
+  std::vector<EntryRef> plugins;
+};
 using FileId = std::pair<dev_t, ino_t>;  // the same whatever the path
 
 constexpr std::array kKinds{PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator};
@@ -49,7 +58,10 @@ std::string title(PluginKind kind, std::string_view name) {
 struct Host::State {
   std::array<Registry, kKinds.size()> registries;
   std::map<FileId, fs::path> seen;  // directories and libraries
+  std::map<fs::path, LoadedFile> loaded;
   Report report;
+  Loading loading = Loading::in_place;
+  const State* before = nullptr;  // while it is renewed
 
   Registry& registry(PluginKind kind) { return registries[static_cast<std::size_t>(kind)]; }
   const Registry& registry(PluginKind kind) const {
@@ -57,14 +69,18 @@ struct Host::State {
   }
   const Entry* entry(PluginKind kind, std::string_view name) const {
     const auto at = registry(kind).find(name);
-    return at == registry(kind).end() ? nullptr : &at->second;
+    return at == registry(kind).end() ? nullptr : at->second.get();
   }
 
   void search(SearchDirectory directory);
   std::string list(const SearchDirectory& directory, std::vector<fs::path>& files);
   FileReport examine(const fs::path& file);
   void load(FileReport& file);
-  void enter(LoadedLibrary loaded, FileReport& file);
+  std::optional<LoadedFile> load_anew(FileReport& file);
+  const LoadedFile* known(const fs::path& file) const;
+  void keep_old(FileReport& file);
+  void keep_gone(DirectoryReport& found, const std::vector<fs::path>& files);
+  void enter(LoadedFile found, FileReport& file);
 };
 
 /// Lists the directory's files in the order of their names, or the one that it is itself; a
@@ -97,6 +113,23 @@ std::string Host::State::list(const SearchDirectory& directory, std::vector<fs::
   return error ? "cannot be read: " + error.message() : "";
 }
 
+/// What is not in a directory any more, but is still in use.
+void Host::State::keep_gone(DirectoryReport& found, const std::vector<fs::path>& files) {
+  if (!before) {
+    return;
+  }
+  for (const auto& [path, old] : before->loaded) {
+    const bool here = path == found.directory.path || path.parent_path() == found.directory.path;
+    if (here && std::find(files.begin(), files.end(), path) == files.end()) {
+      FileReport file;
+      file.path = path;
+      file.sentence = "is gone";
+      keep_old(file);
+      found.files.push_back(std::move(file));
+    }
+  }
+}
+
 void Host::State::search(SearchDirectory directory) {
   DirectoryReport found{std::move(directory), "", {}};
   std::vector<fs::path> files;
@@ -107,6 +140,7 @@ void Host::State::search(SearchDirectory directory) {
       report.warnings.push_back(file.string() + ": " + result.sentence);
     }
   }
+  keep_gone(found, files);
   report.directories.push_back(std::move(found));
 }
 
@@ -135,36 +169,72 @@ FileReport Host::State::examine(const fs::path& path) {
   return file;
 }
 
+/// What the host before this one had loaded.
+const LoadedFile* Host::State::known(const fs::path& file) const {
+  const auto at = before ? before->loaded.find(file) : decltype(loaded)::const_iterator();
+  return before && at != before->loaded.end() ? &at->second : nullptr;
+}
+
 void Host::State::load(FileReport& file) {
+  const LoadedFile* const old = known(file.path);
+  if (old && fingerprint_of(file.path) == old->fingerprint) {
+    file.abi_word = old->abi_word;
+    enter(*old, file);
+  } else if (auto found = load_anew(file)) {
+    enter(*std::move(found), file);
+  } else if (old) {
+    keep_old(file);
+  }
+}
+
+/// The file is not to be used, but the library that it was before still is.
+void Host::State::keep_old(FileReport& file) {
+  report.warnings.push_back(file.path.string() + ": " + file.sentence +
+                            "; the library that was there before is still in use");
+  enter(*known(file.path), file);
+}
+
+/// None, and the reason in `file`, when it cannot be used.
+std::optional<LoadedFile> Host::State::load_anew(FileReport& file) {
+  LoadedFile found;
+  // Before it is read: what is written to it from now on makes another one of it.
+  found.fingerprint = fingerprint_of(file.path).value_or(Fingerprint());
   Inspection inspection = inspect_file(file.path);
   file.abi_word = std::move(inspection.abi_word);
   if (inspection.kind != FileKind::plugin_library) {
     file.status = inspection.kind == FileKind::other ? FileStatus::ignored : FileStatus::refused;
     file.sentence = std::move(inspection.sentence);
-    return;
+    return std::nullopt;
   }
   file.status = FileStatus::refused;
   if (auto mismatch = abi_mismatch(host_abi_word(), file.abi_word)) {
     file.sentence = std::move(*mismatch);
-    return;
+    return std::nullopt;
   }
-  LoadedLibrary loaded = load_library(file.path, file.abi_word);
-  if (!loaded.problem.empty()) {
-    file.sentence = std::move(loaded.problem);
-  } else if (loaded.declarations.empty()) {
+  LoadedLibrary library = load_library(file.path, file.abi_word, loading == Loading::copies);
+  if (!library.problem.empty()) {
+    file.sentence = std::move(library.problem);
+  } else if (library.declarations.empty()) {
     file.sentence =
         "declares no plugin; is an ELSIE_SENSOR, ELSIE_BEHAVIOR or "
         "ELSIE_COORDINATOR missing?";
-  } else if (const auto faults = check_declarations(loaded.declarations); !faults.empty()) {
+  } else if (const auto faults = check_declarations(library.declarations); !faults.empty()) {
     file.sentence = "is declared wrongly: " + joined(faults, "; ");
   } else {
-    enter(std::move(loaded), file);
+    found.abi_word = file.abi_word;
+    for (Declaration& declaration : library.declarations) {
+      found.plugins.push_back(
+          std::make_shared<const Entry>(Entry{library.library, file.path, std::move(declaration)}));
+    }
+    return found;
   }
+  return std::nullopt;
 }
 
-void Host::State::enter(LoadedLibrary loaded, FileReport& file) {
+void Host::State::enter(LoadedFile found, FileReport& file) {
   std::size_t used = 0;
-  for (Declaration& declaration : loaded.declarations) {
+  for (const EntryRef& ref : found.plugins) {
+    const Declaration& declaration = ref->declaration;
     FoundPlugin& plugin = file.plugins.emplace_back();
     plugin.kind = declaration.kind;
     plugin.name = declaration.name;
@@ -176,11 +246,14 @@ void Host::State::enter(LoadedLibrary loaded, FileReport& file) {
                                 "; the first one is used");
       continue;
     }
-    registry(plugin.kind)
-        .emplace(plugin.name, Entry{loaded.library, file.path, std::move(declaration)});
+    registry(plugin.kind).emplace(plugin.name, ref);
     ++used;
   }
+  if (used > 0) {  // otherwise the library goes
+    loaded.insert_or_assign(file.path, std::move(found));
+  }
   file.status = used > 0 ? FileStatus::loaded : FileStatus::ignored;
+  file.sentence.clear();
   if (used == 0) {
     file.sentence = "has only plugins that other libraries have too, which come first";
   }
@@ -195,10 +268,29 @@ void Release::operator()(Component* object) {
 
 Host::Host() : state_(std::make_unique<State>()) {}
 
-Host::Host(std::vector<SearchDirectory> directories) : Host() {
+Host::Host(std::vector<SearchDirectory> directories, Loading loading) : Host() {
+  state_->loading = loading;
   for (SearchDirectory& directory : directories) {
     state_->search(std::move(directory));
   }
+}
+
+Host Host::renewed(std::vector<SearchDirectory> directories) const {
+  Host host;
+  host.state_->loading = state_->loading;
+  host.state_->before = state_.get();
+  for (SearchDirectory& directory : directories) {
+    host.state_->search(std::move(directory));
+  }
+  host.state_->before = nullptr;
+  for (const PluginKind kind : kKinds) {
+    for (const auto& [name, entry] : state_->registry(kind)) {
+      if (!entry->library) {
+        host.state_->registry(kind).emplace(name, entry);
+      }
+    }
+  }
+  return host;
 }
 
 Host::Host(Host&&) noexcept = default;
@@ -213,7 +305,7 @@ const Declaration* Host::find(PluginKind kind, std::string_view name) const {
 std::vector<const Declaration*> Host::all(PluginKind kind) const {
   std::vector<const Declaration*> declarations;
   for (const auto& [name, entry] : state_->registry(kind)) {
-    declarations.push_back(&entry.declaration);
+    declarations.push_back(&entry->declaration);
   }
   return declarations;
 }
@@ -292,7 +384,8 @@ void Host::add(Declaration declaration) {
   if (find(kind, name)) {
     throw PluginError(title(kind, name) + " is there already");
   }
-  state_->registry(kind).emplace(name, Entry{nullptr, {}, std::move(declaration)});
+  state_->registry(kind).emplace(
+      name, std::make_shared<const Entry>(Entry{nullptr, {}, std::move(declaration)}));
 }
 
 const Report& Host::report() const { return state_->report; }

@@ -1,5 +1,6 @@
 #include "library.h"
 
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -20,8 +21,9 @@ struct Library::System {
   boost::dll::shared_library library;
 };
 
-Library::Library(std::unique_ptr<System> system, std::string file)
-    : system_(std::move(system)), file_(std::move(file)) {}
+Library::Library(std::unique_ptr<System> system, std::string file,
+                 std::unique_ptr<PrivateCopy> copy)
+    : copy_(std::move(copy)), system_(std::move(system)), file_(std::move(file)) {}
 Library::~Library() {
   const Call call({.library = file_.c_str(), .doing = "while it was unloaded"});
   system_.reset();
@@ -81,22 +83,32 @@ std::string read_declarations(void* handle, std::string_view abi_word,
 
 }  // namespace
 
-LoadedLibrary load_library(const std::filesystem::path& file, std::string_view abi_word) {
+LoadedLibrary load_library(const std::filesystem::path& file, std::string_view abi_word,
+                           bool as_copy) {
   namespace dll = boost::dll;
   LoadedLibrary loaded;
   const Call call({.library = file.c_str(), .doing = "while it was loaded"});
+  std::unique_ptr<PrivateCopy> copy;
+  try {
+    copy = as_copy ? std::make_unique<PrivateCopy>(file) : nullptr;
+  } catch (const std::runtime_error& error) {
+    loaded.problem = error.what();
+    return loaded;
+  }
+  const std::filesystem::path path = copy ? copy->path() : file;
   auto system = std::make_unique<Library::System>();
   std::error_code error;
   // All symbols are bound at once, so that a missing one is found here and not in the middle of a
   // run; none is offered to libraries loaded later.
-  system->library.load(file, dll::load_mode::rtld_now | dll::load_mode::rtld_local, error);
+  system->library.load(path, dll::load_mode::rtld_now | dll::load_mode::rtld_local, error);
   if (error) {
-    loaded.problem = "cannot be loaded: " + loader_message(file) +
+    loaded.problem = "cannot be loaded: " + loader_message(path) +
                      "; link it with all that it uses, and build it against this version of Elsie";
     return loaded;
   }
   void* const handle = system->library.native();
-  loaded.library = std::make_shared<const Library>(std::move(system), file.string());
+  loaded.library =
+      std::make_shared<const Library>(std::move(system), file.string(), std::move(copy));
   loaded.problem = read_declarations(handle, abi_word, loaded.declarations);
   if (!loaded.problem.empty()) {
     loaded.declarations.clear();

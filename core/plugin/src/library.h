@@ -9,6 +9,8 @@
 
 #include "elsie/api/declaration.h"
 
+#include "private_copy.h"
+
 namespace elsie::plugin {
 
 /// Keeps a library in memory; its destructor closes it. Whatever was made by the library's code
@@ -17,7 +19,7 @@ class Library {
  public:
   struct System;  // what Boost.DLL knows of it
 
-  Library(std::unique_ptr<System> system, std::string file);
+  Library(std::unique_ptr<System> system, std::string file, std::unique_ptr<PrivateCopy> copy);
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
   ~Library();
@@ -26,6 +28,7 @@ class Library {
   const std::string& file() const { return file_; }
 
  private:
+  std::unique_ptr<PrivateCopy> copy_;  // goes after what is loaded of it
   std::unique_ptr<System> system_;
   std::string file_;
 };
@@ -39,7 +42,9 @@ struct LoadedLibrary {
 };
 
 /// Loads a file that was inspected and found to be a plugin library with this ABI word, and has it
-/// declare its plugins. Throws nothing because of what the library does, short of crashing.
-LoadedLibrary load_library(const std::filesystem::path& file, std::string_view abi_word);
+/// declare its plugins. `as_copy`: not the file itself but a private copy, so that the file may be
+/// replaced. Throws nothing because of what the library does, short of crashing.
+LoadedLibrary load_library(const std::filesystem::path& file, std::string_view abi_word,
+                           bool as_copy);
 
 }  // namespace elsie::plugin

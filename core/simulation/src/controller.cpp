@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -61,6 +62,7 @@ Controller::Controller(const world::Coordination& description, const Setting& se
                                  });
     slots_.push_back(std::move(slot));
     members_.emplace_back(use.id, use.priority, runner);
+    reasons_.push_back("");
   }
   if (description.coordinator) {
     coordinator_ = make<Coordinator>(setting.host, PluginKind::coordinator,
@@ -310,9 +312,12 @@ void Controller::check_trace() {
       setting_.guard.fail(*description_.coordinator,
                           "a weight or share in its trace is not finite");
     }
-    if (!member.trace.reason) {
-      member.trace.reason = "";
+    const char* const reason = member.trace.reason ? member.trace.reason : "";
+    const char*& kept = reasons_[static_cast<std::size_t>(&member - members_.data())];
+    if (std::strcmp(reason, kept) != 0) {
+      kept = setting_.names.keep(reason);
     }
+    member.trace.reason = kept;
   }
 }
 

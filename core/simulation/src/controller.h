@@ -18,9 +18,12 @@
 #include "elsie/world/error.h"
 
 #include "guard.h"
+#include "names.h"
 #include "tuning.h"
 
 namespace elsie::simulation {
+
+class Swap;
 
 /// What behaviours want of their robot besides the command.
 class Wishes {
@@ -36,9 +39,10 @@ class Controller final : public Coordination, private Member::Runner {
  public:
   /// What all controllers of one robot share.
   struct Setting {
-    const plugin::Host& host;
+    const plugin::Host& host;  // while the objects are made; it may be gone later
     Guard& guard;
     Wishes& wishes;
+    Names& names;
     bool measure_time;
   };
 
@@ -66,6 +70,13 @@ class Controller final : public Coordination, private Member::Runner {
 
   /// The object that a use of a plugin stands for, at any depth; none when it is not in here.
   std::optional<TunedObject> object_of(const world::PluginUse& use);
+  /// Puts new objects in the places of those whose plugins have changed, at any depth. `path` is
+  /// what stands before their names and ends in "/".
+  void replace(Swap& swap, const std::string& path);
+  /// Throws ReplacementRefused when a behaviour needs readings that are not there.
+  void check_needs(std::span<const ReadingGroup> groups, const std::string& robot,
+                   const std::string& path) const;
+
   /// Sets the priority of a behaviour, at any depth, until the next reset. The trace of the last
   /// decision stays.
   void set_priority(const world::PluginUse& use, double priority);
@@ -102,6 +113,7 @@ class Controller final : public Coordination, private Member::Runner {
   Setting setting_;
   std::vector<Slot> slots_;
   std::vector<Member> members_;
+  std::vector<const char*> reasons_;  // of each member's trace, kept
   plugin::Object<Coordinator> coordinator_;
   const Declaration* coordinator_declaration_ = nullptr;
   Random random_;                  // the coordinator's

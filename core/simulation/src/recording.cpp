@@ -73,6 +73,19 @@ class CsvRecorder::Impl {
 
   void end() { out_.close(); }
 
+  /// The columns are written: numbers that are new have none.
+  void lay_out_again(const Simulation& simulation) {
+    const auto columns = reading_columns_;
+    lay_out(simulation);
+    for (Places& places : places_) {
+      for (std::size_t& place : places.readings) {
+        const auto known = std::find(columns.begin(), columns.end(), reading_columns_[place]);
+        place = static_cast<std::size_t>(known - columns.begin());
+      }
+    }
+    reading_columns_ = columns;
+  }
+
  private:
   /// Where each robot's readings and behaviours go in a row.
   struct Places {
@@ -130,11 +143,12 @@ class CsvRecorder::Impl {
     for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
       simulation.list_values(r, s, values_);
     }
-    row_.assign(reading_columns_.size(), nullptr);
+    row_.assign(reading_columns_.size() + 1, nullptr);  // the last is for what has no column
     const bool measured = simulation.steps() > 0;
     for (std::size_t i = 0; measured && i < places_[r].readings.size(); ++i) {
       row_[places_[r].readings[i]] = &values_[i];
     }
+    row_.pop_back();
     for (const NamedValue* value : row_) {
       value ? line_.number(value->value) : line_.empty();
     }
@@ -186,6 +200,7 @@ CsvRecorder::CsvRecorder(const std::filesystem::path& file, double rate_hz, bool
 CsvRecorder::~CsvRecorder() = default;
 void CsvRecorder::started(const Simulation& simulation) { impl_->start(simulation); }
 void CsvRecorder::stepped(const Simulation& simulation) { impl_->step(simulation); }
+void CsvRecorder::replaced(const Simulation& simulation) { impl_->lay_out_again(simulation); }
 void CsvRecorder::ended(const Simulation&) { impl_->end(); }
 
 }  // namespace elsie::simulation

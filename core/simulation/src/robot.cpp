@@ -62,7 +62,8 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
     }
   }
   controller_ = std::make_unique<Controller>(
-      description, Controller::Setting{host, guard_, *this, options.measure_time}, problems);
+      description, Controller::Setting{host, guard_, *this, names_, options.measure_time},
+      problems);
   controller_->list_members("", 0, -1, trace_);
   throw_if_any(problems);
   group_readings();

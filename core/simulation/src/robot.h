@@ -21,6 +21,8 @@
 
 namespace elsie::simulation {
 
+class Cameras;
+
 /// Time and identity of a control step, the same for all robots.
 struct Instant {
   double time_s = 0.0;
@@ -92,6 +94,10 @@ class Robot final : private Wishes {
   /// go back, PluginFault.
   void set_up(const world::PluginUse& use, const Setup& setup);
 
+  /// Puts new objects in the places of those whose plugins have changed. Throws ReplacementRefused.
+  void replace(Swap& swap, const Cameras& cameras);
+  Tuning& tuning() { return tuning_; }
+
   /// Appends what the plugins have to say, after a reset. Throws PluginFault.
   void list_notes(std::vector<Note>& notes) const;
   /// An event for the next perception and for the log.
@@ -139,8 +145,10 @@ class Robot final : private Wishes {
     std::string detail;
   };
 
-  void raise(const Event& event) override { raise(event.name); }
+  void raise(const Event& event) override { raise(names_.keep(event.name)); }
   void ask_for_charge() override { charge_asked_ = true; }
+  void replace(Swap& swap, SensorSlot& slot, const Cameras& cameras);
+  void regroup();
   void group_readings();
   void take_description();
   void sum_costs();
@@ -150,7 +158,8 @@ class Robot final : private Wishes {
   void stop_when_empty();
 
   const world::Robot& description_;
-  mutable Guard guard_;       // looking at a plugin's numbers can fail, too
+  mutable Guard guard_;  // looking at a plugin's numbers can fail, too
+  Names names_;
   double sensor_cost_ = 0.0;  // units per second, of all sensors together
 
   std::vector<SensorSlot> sensors_;

@@ -16,6 +16,7 @@
 #include "changes.h"
 #include "goals.h"
 #include "sampling.h"
+#include "swap.h"
 #include "teams.h"
 
 namespace elsie::simulation {
@@ -60,14 +61,13 @@ const char* to_string(Outcome outcome) {
 class Simulation::Impl {
  public:
   Impl(world::World world, const plugin::Host& host, const Options& options)
-      : world_(std::move(world)),
-        seed_(options.seed),
-        changes_(world_, host, options.data_directories) {
+      : world_(std::move(world)), seed_(options.seed), data_directories_(options.data_directories) {
+    changes_.emplace(world_, host, data_directories_);
     std::vector<world::Problem> problems;
     for (std::size_t i = 0; i < world_.robots.size(); ++i) {
       try {
-        robots_.push_back(std::make_unique<Robot>(world_.robots[i], Robot::membership(world_, i),
-                                                  host, options));
+        robots_.push_back(
+            std::make_unique<Robot>(world_.robots[i], Robot::membership(world_, i), host, options));
       } catch (const world::WorldError& error) {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());
       }
@@ -147,7 +147,7 @@ class Simulation::Impl {
   }
 
   void change(std::span<const Change> changes) {
-    changes_.make(changes, stage(), events_);
+    changes_->make(changes, stage(), events_);
     log_events();
   }
   void change(const DueChanges& due) {
@@ -159,8 +159,27 @@ class Simulation::Impl {
   }
   std::vector<DueChanges> checked(std::span<const TimedChange> changes) {
     std::vector<DueChanges> schedule = by_step(changes, world_.physics.step, world_.limits.time);
-    changes_.check(schedule, stage());
+    changes_->check(schedule, stage());
     return schedule;
+  }
+
+  Replacement replace_plugins(const plugin::Host& host) {
+    Swap swap(host, seed_, data_directories_);
+    for (const auto& robot : robots_) {
+      robot->replace(swap, *cameras_);
+    }
+    swap.settle([this](const std::string& id) -> Tuning& {
+      return (*std::find_if(robots_.begin(), robots_.end(),
+                            [&](const auto& robot) { return robot->description().id == id; }))
+          ->tuning();
+    });
+    changes_.emplace(world_, host, data_directories_);
+    Replacement replacement = swap.result();
+    for (const Replacement::Object& object : replacement.objects) {
+      events_.push_back({time_s(), object.robot, "replaced", object.path + ": " + object.plugin});
+    }
+    ++replacements_;
+    return replacement;
   }
 
   void stop(Outcome outcome, std::string reason) { verdict_ = {outcome, std::move(reason)}; }
@@ -197,6 +216,7 @@ class Simulation::Impl {
   Verdict verdict_;
   std::vector<EventRecord> events_;
   std::vector<Note> notes_;
+  std::uint64_t replacements_ = 0;
 
  private:
   struct MovingBox {
@@ -323,7 +343,8 @@ class Simulation::Impl {
 
   std::unique_ptr<physics::Engine> engine_;
   std::optional<Cameras> cameras_;
-  Changes changes_;
+  std::vector<std::string> data_directories_;
+  std::optional<Changes> changes_;
   std::vector<MovingBox> moving_;
   std::map<std::pair<physics::Body, physics::Body>, double> last_touch_;
 };
@@ -343,7 +364,8 @@ void Simulation::reset(std::optional<std::uint64_t> seed) {
 void Simulation::step() { impl_->step(*this); }
 
 RunResult Simulation::run(std::span<Observer* const> observers,
-                          std::span<const TimedChange> changes) {
+                          std::span<const TimedChange> changes,
+                          const std::function<void(Simulation&)>& before_control) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const auto wall = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
@@ -353,6 +375,16 @@ RunResult Simulation::run(std::span<Observer* const> observers,
   const auto change_what_is_due = [&] {
     for (; next != schedule.end() && next->step <= steps(); ++next) {
       impl_->change(*next);
+    }
+  };
+  const auto control_steps = static_cast<std::uint64_t>(world().physics.control_steps);
+  const auto let_user_act = [&] {
+    const std::uint64_t before = impl_->replacements_;
+    before_control(*this);
+    for (Observer* observer : observers) {
+      if (impl_->replacements_ != before) {
+        observer->replaced(*this);
+      }
     }
   };
   std::size_t watching = 0;  // observers that heard of the start, and will hear of the end
@@ -365,6 +397,9 @@ RunResult Simulation::run(std::span<Observer* const> observers,
     }
     while (outcome() == Outcome::running) {
       change_what_is_due();
+      if (before_control && steps() % control_steps == 0) {
+        let_user_act();
+      }
       step();
       for (Observer* observer : observers) {
         observer->stepped(*this);
@@ -416,6 +451,10 @@ void Simulation::set_leader(std::size_t robot, bool leader) {
   const Change one = change_of(robot, "leader", leader);
   impl_->change({&one, 1});
 }
+Replacement Simulation::replace_plugins(const plugin::Host& host) {
+  return impl_->replace_plugins(host);
+}
+
 void Simulation::set_energy(std::size_t robot, double units) {
   const Change one = change_of(robot, "energy", units);
   impl_->change({&one, 1});

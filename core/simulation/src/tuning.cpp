@@ -18,20 +18,10 @@ class NothingInside final : public Coordination {
   CommandSets command_sets() override { return {}; }
 };
 
-Setup as_described(const world::PluginUse& use) {
-  return {use.parameters, {use.elements.begin(), use.elements.end()}};
-}
-
 void apply(const TunedObject& tuned, Component& object, const Setup& setup,
            const Perception& example) {
   plugin::apply_parameters(*tuned.declaration, object, setup.parameters, setup.elements);
-  if (tuned.kind == PluginKind::behavior) {
-    static_cast<Behavior&>(object).equipped(example);
-  } else if (tuned.kind == PluginKind::coordinator) {
-    static_cast<Coordinator&>(object).equipped(tuned.members, example);
-  } else {
-    static_cast<Sensor&>(object).equipped(tuned.carrier);
-  }
+  Tuning::equip(tuned, object, example);
 }
 
 /// The same with the defaults of what `setup` says nothing of, but `now` does.
@@ -45,6 +35,34 @@ Setup complete(Setup setup, const Setup& now, const Declaration& declaration) {
 }
 
 }  // namespace
+
+Setup as_described(const world::PluginUse& use) {
+  return {use.parameters, {use.elements.begin(), use.elements.end()}};
+}
+
+bool Tuning::is_changed(const world::PluginUse& use) const {
+  return std::any_of(changed_.begin(), changed_.end(),
+                     [&](const auto& changed) { return changed.first == &use; });
+}
+
+void Tuning::equip(const TunedObject& tuned, Component& object, const Perception& example) {
+  if (tuned.kind == PluginKind::behavior) {
+    static_cast<Behavior&>(object).equipped(example);
+  } else if (tuned.kind == PluginKind::coordinator) {
+    static_cast<Coordinator&>(object).equipped(tuned.members, example);
+  } else {
+    static_cast<Sensor&>(object).equipped(tuned.carrier);
+  }
+}
+
+void Tuning::take_over(const world::PluginUse& use, Setup setup) {
+  for (auto& [changed, known] : changed_) {
+    if (changed == &use) {
+      known = std::move(setup);
+      return;
+    }
+  }
+}
 
 Setup Tuning::setup(const world::PluginUse& use) const {
   for (const auto& [changed, setup] : changed_) {

@@ -23,6 +23,8 @@ struct Setup {
   std::vector<ElementValue> elements;
 };
 
+Setup as_described(const world::PluginUse& use);
+
 /// A plugin object of a robot, and what it takes to set its parameters.
 struct TunedObject {
   PluginKind kind = PluginKind::behavior;
@@ -39,6 +41,12 @@ class Tuning {
   /// What the object's parameters are.
   Setup setup(const world::PluginUse& use) const;
 
+  bool is_changed(const world::PluginUse& use) const;
+
+  /// Tells a behaviour or coordinator what the robot has; see Behavior::equipped(). `object`: that
+  /// of `tuned` or another one of the same plugin. Throws what the plugin throws.
+  static void equip(const TunedObject& tuned, Component& object, const Perception& example);
+
   /// Has another object of the plugin take the parameters, on this robot (`example`). Throws what
   /// that throws. Of a sensor: the camera that it would look through.
   static std::optional<Camera> try_out(const TunedObject& tuned, const Setup& setup,
@@ -47,6 +55,9 @@ class Tuning {
   /// Sets them, and keeps what the object remembers. Throws what the plugin throws; it must be set
   /// back then.
   void set(const TunedObject& tuned, Setup setup, const Perception& example);
+
+  /// Of one that was changed: these are its parameters now, without its being told.
+  void take_over(const world::PluginUse& use, Setup setup);
 
   /// The objects that are not as the world says, in the order in which they were first changed.
   std::vector<const world::PluginUse*> changed() const;

@@ -36,8 +36,14 @@ struct Release {
 template <class T>
 using Object = std::unique_ptr<T, Release>;
 
-/// Hosts know nothing of each other. Loading and adding are for one thread; the const members may
-/// be called from several.
+/// How libraries are loaded.
+enum class Loading {
+  in_place,  // from their files, which must stay as they are for as long as they are in use
+  copies     // from private copies: the files may be replaced or overwritten
+};
+
+/// Hosts know nothing of each other, but for what renewed() says. Loading and adding are for one
+/// thread; the const members may be called from several.
 class Host {
  public:
   /// A host without plugins, for those that are added.
@@ -45,12 +51,21 @@ class Host {
   /// Loads every plugin library in the directories. The first of several plugins of one kind and
   /// name wins: in the order of the directories, and of file names within one; the report warns of
   /// the others. Never throws because of a file; read report() for what happened.
-  explicit Host(std::vector<SearchDirectory> directories);
+  explicit Host(std::vector<SearchDirectory> directories, Loading loading = Loading::in_place);
   Host(Host&&) noexcept;
   Host& operator=(Host&&) noexcept;
   ~Host();
 
-  /// The declaration of a plugin, or null. Valid as long as the host.
+  /// Another host, of what is in these directories now. A library that has not changed since this
+  /// host loaded it is not loaded again: both hosts have the same one, and find() gives the same
+  /// declarations. A library that has changed is loaded beside the old one, which stays for as long
+  /// as this host or an object of it is there. Where the new file is refused or gone, the new host
+  /// has the old library; the report says so. Plugins that were added are shared, too. For hosts
+  /// with Loading::copies: a file of the same path would otherwise be the old one.
+  Host renewed(std::vector<SearchDirectory> directories) const;
+
+  /// The declaration of a plugin, or null. Valid as long as the host, and as all that were renewed
+  /// from it and have the same library.
   const Declaration* find(PluginKind kind, std::string_view name) const;
   /// All declarations of a kind, sorted by name.
   std::vector<const Declaration*> all(PluginKind kind) const;

@@ -14,6 +14,8 @@ class Observer {
   virtual void started(const Simulation&) {}
   /// After every step.
   virtual void stepped(const Simulation&) {}
+  /// Between two steps, when plugins were replaced: sensors may list other numbers than before.
+  virtual void replaced(const Simulation&) {}
   /// After the last step; also when a plugin failed or an observer threw.
   virtual void ended(const Simulation&) {}
 };

@@ -18,6 +18,7 @@ namespace elsie::simulation {
 ///
 /// Poses are those at time_s; readings, commands and traces those of the decision that led there,
 /// and empty in the first row, before any. Columns of what a robot does not have stay empty.
+/// When plugins are replaced, numbers that sensors did not have at the start get no columns.
 /// Numbers are written so that reading them back gives the same number, bit for bit. The file is
 /// written as the run goes: what is there when a plugin fails is valid. A recorder serves one run.
 class CsvRecorder final : public Observer {
@@ -30,6 +31,7 @@ class CsvRecorder final : public Observer {
 
   void started(const Simulation& simulation) override;
   void stepped(const Simulation& simulation) override;
+  void replaced(const Simulation& simulation) override;
   /// Throws std::runtime_error when the file could not be written to its end (a full disk).
   void ended(const Simulation& simulation) override;
 

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,6 +26,7 @@
 #include "elsie/simulation/change.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/simulation/observer.h"
+#include "elsie/simulation/replacement.h"
 #include "elsie/simulation/run_result.h"
 #include "elsie/world/description.h"
 
@@ -120,8 +122,13 @@ class Simulation {
   /// then (a path, a type, a range, a time that never comes), in which case nothing has happened.
   /// It also ends a run in which there is no room for a robot when its time comes. One whose time
   /// has not come when a goal ends the run is not made.
+  ///
+  /// `before_control`: called before every step in which robots sense and decide, after the changes
+  /// for it. It may do to the simulation what a user may do between two steps; what it throws ends
+  /// the run.
   RunResult run(std::span<Observer* const> observers = {},
-                std::span<const TimedChange> changes = {});
+                std::span<const TimedChange> changes = {},
+                const std::function<void(Simulation&)>& before_control = {});
 
   /// The same check by itself, as things are now. Throws ChangeRefused.
   void check(std::span<const TimedChange> changes) const;
@@ -146,6 +153,13 @@ class Simulation {
   void set_coverage(std::size_t robot, double metres);
   void set_leader(std::size_t robot, bool leader);
   void set_energy(std::size_t robot, double units);
+
+  /// Replaces all objects of plugins whose declarations `host` has others of than the host before:
+  /// one that was renewed() from it. replacement.h says what becomes of them. Each is an event
+  /// "replaced" of its robot, which behaviours do not perceive. Throws ReplacementRefused, and all
+  /// is as it was. Otherwise the new host is the one that must stay from now on; a reset, too,
+  /// leaves the new objects where they are.
+  Replacement replace_plugins(const plugin::Host& host);
 
   /// What came of it so far.
   RunResult result() const;

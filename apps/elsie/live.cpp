@@ -1,0 +1,95 @@
+#include "live.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include <unistd.h>
+
+#include "elsie/simulation/simulation.h"
+
+#include "progress.h"
+
+using elsie::simulation::Replacement;
+using elsie::simulation::Simulation;
+
+void Pacer::started(const Simulation&) { start_ = std::chrono::steady_clock::now(); }
+
+void Pacer::stepped(const Simulation& simulation) {
+  using Seconds = std::chrono::duration<double>;
+  constexpr Seconds kNap{0.05};  // so that an interrupt is soon heard of
+  const Seconds due(simulation.time_s() / speed_);
+  for (;;) {
+    const Seconds left = due - (std::chrono::steady_clock::now() - start_);
+    if (left <= Seconds::zero() || InterruptGuard::is_interrupted()) {
+      return;
+    }
+    std::this_thread::sleep_for(std::min(left, kNap));
+  }
+}
+
+namespace {
+
+/// "wander of r1, r2 (with what it remembers)" for every plugin.
+std::string told(const Replacement& replacement) {
+  std::string text;
+  std::vector<std::string> plugins;
+  for (const Replacement::Object& object : replacement.objects) {
+    if (std::find(plugins.begin(), plugins.end(), object.plugin) != plugins.end()) {
+      continue;
+    }
+    plugins.push_back(object.plugin);
+    std::string robots;
+    for (const Replacement::Object& other : replacement.objects) {
+      if (other.plugin == object.plugin && !robots.ends_with("'" + other.robot + "'")) {
+        robots += (robots.empty() ? "'" : ", '") + other.robot + "'";
+      }
+    }
+    text += (text.empty() ? "" : "; ") + object.plugin + " of " + robots +
+            (object.remembers ? ", with what it remembers" : ", from its start");
+  }
+  return text.empty() ? "no robot has a plugin of it" : "new: " + text;
+}
+
+}  // namespace
+
+void replace_what_changed(elsie::plugin::Watch& watch, Simulation& simulation, bool quiet) {
+  auto renewal = watch.take();
+  if (!renewal) {
+    return;
+  }
+  if (isatty(STDERR_FILENO)) {
+    std::cerr << "\r\033[K";  // the progress bar
+  }
+  char at[48];
+  std::snprintf(at, sizeof(at), "elsie: at %.2f s, ", simulation.time_s());
+  for (const std::string& problem : renewal->problems) {
+    std::cerr << problem << '\n';
+  }
+  if (!renewal->problems.empty()) {
+    std::cerr << at << "what was there before goes on\n";
+  }
+  if (!renewal->host) {
+    return;
+  }
+  std::string files;
+  for (const auto& file : renewal->files) {
+    files += (files.empty() ? "" : ", ") + file.string();
+  }
+  try {
+    const Replacement replacement = simulation.replace_plugins(*renewal->host);
+    watch.accept(*std::move(renewal));
+    for (const std::string& note : replacement.notes) {
+      std::cerr << "elsie: " << note << '\n';
+    }
+    if (!quiet) {
+      std::cerr << at << files << ": " << told(replacement) << '\n';
+    }
+  } catch (const elsie::simulation::ReplacementRefused& refused) {
+    std::cerr << at << files << " cannot be used: " << refused.what()
+              << "\nwhat was there before goes on\n";
+  }
+}

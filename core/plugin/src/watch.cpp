@@ -1,0 +1,267 @@
+#include "elsie/plugin/watch.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <set>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "elsie/plugin/source_build.h"
+
+#include "fingerprint.h"
+
+namespace elsie::plugin {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What was seen of files; those that are not there are not in it.
+using Sight = std::map<fs::path, Fingerprint>;
+
+void look_at(const fs::path& file, Sight& sight) {
+  if (const auto fingerprint = fingerprint_of(file)) {
+    sight.insert_or_assign(file, *fingerprint);
+  }
+}
+
+bool is_header(const fs::path& file) {
+  const std::string end = file.extension().string();
+  return end.starts_with(".h") || end == ".inc" || end == ".ipp" || end == ".tpp";
+}
+
+/// The files of a folder that one is looking for; none when it cannot be read.
+template <class Wanted>
+std::vector<fs::path> files_in(const fs::path& folder, Wanted wanted) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    if (wanted(at->path())) {
+      files.push_back(at->path());
+    }
+  }
+  return files;
+}
+
+bool has_changed(const fs::path& file, const Sight& before, const Sight& now) {
+  const auto old = before.find(file), fresh = now.find(file);
+  return (old == before.end()) != (fresh == now.end()) ||
+         (old != before.end() && old->second != fresh->second);
+}
+
+/// Where plugins are looked for, sources being compiled.
+class Places {
+ public:
+  explicit Places(std::vector<SearchDirectory> places) {
+    for (SearchDirectory& place : places) {
+      places_.push_back({std::move(place), {}, false});
+      if (is_source(places_.back().place.path)) {
+        places_.back().build = build_source(places_.back().place.path);
+      }
+    }
+  }
+
+  /// For a host: libraries and directories.
+  std::vector<SearchDirectory> directories() const {
+    std::vector<SearchDirectory> directories;
+    for (const Place& place : places_) {
+      directories.push_back(place.place);
+      if (!place.build.library.empty()) {
+        directories.back().path = place.build.library;
+      }
+    }
+    return directories;
+  }
+
+  /// What the files look like now.
+  Sight look() const {
+    Sight sight;
+    for (const Place& place : places_) {
+      for (const fs::path& file : files_of(place)) {
+        look_at(file, sight);
+      }
+    }
+    return sight;
+  }
+
+  /// Compiles the sources of which something has changed; adds what the compiler has to say of
+  /// those that it refuses.
+  void rebuild(const Sight& before, const Sight& now, std::vector<std::string>& problems) {
+    for (Place& place : places_) {
+      if (place.build.library.empty()) {
+        continue;
+      }
+      // What one that does not compile includes is not known: any header beside it may be at fault.
+      const auto inputs = place.is_refused ? files_of(place) : place.build.inputs;
+      if (std::none_of(inputs.begin(), inputs.end(),
+                       [&](const fs::path& input) { return has_changed(input, before, now); })) {
+        continue;
+      }
+      place.is_refused = true;
+      try {
+        place.build = build_source(place.place.path);
+        place.is_refused = false;
+      } catch (const PluginError& error) {
+        problems.push_back(error.what());
+      }
+    }
+  }
+
+  /// The file that the user knows of a library.
+  fs::path known_as(const fs::path& library) const {
+    for (const Place& place : places_) {
+      if (place.build.library == library) {
+        return place.place.path;
+      }
+    }
+    return library;
+  }
+
+ private:
+  struct Place {
+    SearchDirectory place;
+    SourceBuild build;        // of a source; the last one that the compiler took
+    bool is_refused = false;  // by the compiler, as it is now
+  };
+
+  static std::vector<fs::path> files_of(const Place& place) {
+    const fs::path& path = place.place.path;
+    if (place.build.library.empty()) {
+      const auto is_library = [](const fs::path& file) { return file.extension() == ".so"; };
+      return is_library(path) ? std::vector{path} : files_in(path, is_library);
+    }
+    std::vector<fs::path> files =
+        files_in(path.parent_path().empty() ? "." : path.parent_path(), is_header);
+    files.insert(files.end(), place.build.inputs.begin(), place.build.inputs.end());
+    return files;
+  }
+
+  std::vector<Place> places_;
+};
+
+}  // namespace
+
+class Watch::Impl {
+ public:
+  Impl(std::vector<SearchDirectory> places, std::chrono::milliseconds period)
+      : places_(std::move(places)), period_(period) {
+    seen_ = places_.look();  // first: what changes while it is loaded is noticed
+    in_use_ = std::make_shared<const Host>(places_.directories(), Loading::copies);
+    thread_ = std::thread([this] { follow(); });
+  }
+  ~Impl() {
+    {
+      const std::lock_guard lock(mutex_);
+      ends_ = true;
+    }
+    wake_.notify_all();
+    thread_.join();
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  std::shared_ptr<const Host> in_use() const {
+    const std::lock_guard lock(mutex_);
+    return in_use_;
+  }
+  std::optional<Renewal> take() {
+    if (!is_there_one_) {
+      return std::nullopt;
+    }
+    const std::lock_guard lock(mutex_);
+    is_there_one_ = false;
+    return std::exchange(renewal_, std::nullopt);
+  }
+  void accept(std::shared_ptr<const Host> host) {
+    const std::lock_guard lock(mutex_);
+    in_use_.swap(host);
+  }
+
+ private:
+  void follow() {
+    Sight last = seen_;
+    for (;;) {
+      {
+        std::unique_lock lock(mutex_);
+        if (wake_.wait_for(lock, period_, [this] { return ends_; })) {
+          return;
+        }
+      }
+      Sight now = places_.look();
+      // Twice the same: whoever writes is done.
+      if (now != seen_ && now == last) {
+        try {
+          renew(now);
+        } catch (const std::exception& error) {
+          post({nullptr, {}, {error.what()}});
+        }
+        seen_ = now;
+      }
+      last = std::move(now);
+    }
+  }
+
+  void renew(const Sight& now) {
+    Renewal renewal;
+    places_.rebuild(seen_, now, renewal.problems);
+    const std::shared_ptr<const Host> before = in_use();
+    auto host = std::make_shared<const Host>(before->renewed(places_.directories()));
+    const auto& known = before->report().warnings;
+    for (const std::string& warning : host->report().warnings) {
+      if (std::find(known.begin(), known.end(), warning) == known.end()) {
+        renewal.problems.push_back(warning);
+      }
+    }
+    std::set<fs::path> files;
+    for (const PluginKind kind :
+         {PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator}) {
+      for (const Declaration* declaration : host->all(kind)) {
+        if (before->find(kind, declaration->name) != declaration) {
+          files.insert(places_.known_as(host->file_of(kind, declaration->name)));
+        }
+      }
+    }
+    renewal.files.assign(files.begin(), files.end());
+    if (!files.empty()) {
+      renewal.host = std::move(host);
+    }
+    if (renewal.host || !renewal.problems.empty()) {
+      post(std::move(renewal));
+    }
+  }
+
+  void post(Renewal renewal) {
+    const std::lock_guard lock(mutex_);
+    renewal_ = std::move(renewal);
+    is_there_one_ = true;
+  }
+
+  Places places_;  // the thread's, once it runs
+  Sight seen_;     // likewise
+  const std::chrono::milliseconds period_;
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  bool ends_ = false;  // under the lock, as the next two
+  std::shared_ptr<const Host> in_use_;
+  std::optional<Renewal> renewal_;
+  std::atomic<bool> is_there_one_{false};
+  std::thread thread_;
+};
+
+Watch::Watch(std::vector<SearchDirectory> places, std::chrono::milliseconds period)
+    : impl_(std::make_unique<Impl>(std::move(places), period)) {}
+Watch::~Watch() = default;
+
+const Host& Watch::host() const { return *impl_->in_use(); }
+std::optional<Renewal> Watch::take() { return impl_->take(); }
+void Watch::accept(Renewal renewal) {
+  if (renewal.host) {
+    impl_->accept(std::move(renewal.host));
+  }
+}
+
+}  // namespace elsie::plugin

@@ -1,0 +1,103 @@
+// elsie run --watch: the page on it, followed literally.
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "places.h"
+#include "program.h"
+
+using Catch::Contains;
+using elsie::test::Workplace;
+
+namespace {
+
+/// The first block of docs/hot-reload.md in that language.
+std::string block(const std::string& fence, const std::string& begins) {
+  std::ifstream in(elsie::test::source_path("docs/hot-reload.md"));
+  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  const std::size_t from = page.find("```" + fence + "\n" + begins) + fence.size() + 4;
+  return page.substr(from, page.find("```\n", from) - from);
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  REQUIRE(text.find(what) != std::string::npos);
+  return text.replace(text.find(what), what.size(), by);
+}
+
+/// Wheel rates in the order in which they first occur.
+std::vector<double> rates(const std::string& table) {
+  std::istringstream lines(table);
+  std::string line;
+  std::getline(lines, line);
+  std::vector<double> rates;
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    std::string cell;
+    for (int i = 0; i < 10; ++i) {  // up to command_left
+      std::getline(cells, cell, ',');
+    }
+    const double rate = std::abs(std::stod(cell));
+    if (rates.empty() || rates.back() != rate) {
+      rates.push_back(rate);
+    }
+  }
+  return rates;
+}
+
+}  // namespace
+
+TEST_CASE("A behaviour changes while it drives; one that does not compile changes nothing") {
+  Workplace here;
+  const std::string pace = block("cpp", "#include");
+  here.write("pace.cpp", pace);
+  here.write("world.xml", block("", "<world"));
+  here.write("wrong.cpp", replaced(pace, "now.time_s();", "now.time_s()"));
+  here.write("faster.cpp", replaced(pace, "speed = 5.0", "speed = 8.0"));
+  here.write("refusing.cpp", replaced(pace, ".meaning = \"wheel rate\"",
+                                      ".meaning = \"wheel rate\", .required = true"));
+  // Waits for a text in what the program says, for three minutes at the most.
+  const auto run = here.sh(
+      "says() { i=0; until grep -q \"$1\" err; do i=$((i+1)); [ $i -lt 1800 ] || exit 9; "
+      "sleep 0.1; done; }\n"
+      "export ELSIE_CACHE=$PWD/cache\n"
+      "elsie run world.xml --plugin pace.cpp --watch --speed 1 --duration 3000 "
+      "--record pace.csv --record-rate 100 2> err & pid=$!\n"
+      "i=0; until [ -s pace.csv ]; do i=$((i+1)); [ $i -lt 1800 ] || exit 9; sleep 0.1; done\n"
+      "cp wrong.cpp pace.cpp; says 'what was there before goes on'; echo >> err\n"
+      "cp refusing.cpp pace.cpp; says 'cannot be used'\n"
+      "cp faster.cpp pace.cpp; says 'new: pace'\n"
+      "sleep 2; kill $pid; wait $pid || exit $?");
+  const std::string err = here.read("err");
+  CAPTURE(run.err, err);
+  CHECK(run.exit_code == 4);  // interrupted
+  CHECK_THAT(err, Contains("pace.cpp:") && Contains("error: expected ‘;’") &&
+                      Contains("pace.cpp could not be compiled"));
+  CHECK_THAT(err, Contains("pace.cpp cannot be used: robot 'r1', behavior[pace]: it needs the "
+                           "parameter 'speed' now, which the world does not give"));
+  CHECK_THAT(err, Contains(" s, pace.cpp: new: pace of 'r1', with what it remembers\n"));
+  CHECK(rates(here.read("pace.csv")) == std::vector<double>{0.0, 5.0, 8.0});
+}
+
+TEST_CASE("Without a change on disk, --watch and --speed change nothing of a run") {
+  Workplace here;
+  const auto hash = [&](const std::string& options) {
+    const auto run = here.elsie("run worlds/clutter.xml --duration 2 --json " + options);
+    CAPTURE(run.err);
+    CHECK(run.exit_code == 1);
+    CHECK(run.err.empty());
+    return nlohmann::json::parse(run.out).at("state_hash").get<std::string>();
+  };
+  const std::string plain = hash("");
+  CHECK(hash("--watch") == plain);
+  CHECK(hash("--watch --speed 4") == plain);
+}
+
+TEST_CASE("--speed keeps to the clock") {
+  Workplace here;
+  const auto run = here.elsie("run worlds/open_arena.xml --duration 3 --speed 2 --json");
+  CHECK(nlohmann::json::parse(run.out).at("wall_s").get<double>() >= 1.49);
+}

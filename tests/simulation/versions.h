@@ -1,0 +1,76 @@
+// Versions of one plugin library, made without a compiler.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "elsie/plugin/host.h"
+
+#include "places.h"
+
+namespace elsie::test {
+
+/// A folder with the library of plugins/versioned.cpp, one version after the other in one file.
+class Versions {
+ public:
+  Versions() {
+    std::string name = (std::filesystem::temp_directory_path() / "elsie-versions-XXXXXX").string();
+    if (!mkdtemp(name.data())) {
+      throw std::runtime_error("no folder can be made for the test");
+    }
+    folder = name;
+  }
+  ~Versions() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder, ignored);
+  }
+  Versions(const Versions&) = delete;
+  Versions& operator=(const Versions&) = delete;
+
+  /// The file is this version from now on. `mode`: see versioned.cpp. `in_place`: the file is
+  /// overwritten; otherwise another one takes its name.
+  void write(int number, char mode = '-', bool in_place = false) const {
+    std::string bytes = original();
+    const std::size_t at = bytes.find("elsie-stamp:");
+    const std::string digits = std::to_string(10000 + number).substr(1);
+    bytes.replace(at + 12, 4, digits);
+    bytes[at + 17] = mode;
+    write(bytes, in_place);
+  }
+  void write(const std::string& bytes, bool in_place = false) const {
+    const std::filesystem::path to = in_place ? file() : folder / "new";
+    std::ofstream(to, std::ios::binary | std::ios::trunc) << bytes;
+    if (!in_place) {
+      std::filesystem::rename(to, file());
+    }
+  }
+  static std::string original() {
+    std::ifstream in(build_path("tests/simulation/plugins/versioned.so"), std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  std::filesystem::path file() const { return folder / "versioned.so"; }
+  plugin::Host host() const { return plugin::Host({{folder, "given"}}, plugin::Loading::copies); }
+  plugin::Host renewed(const plugin::Host& host) const { return host.renewed({{folder, "given"}}); }
+
+  /// How many versions are in memory.
+  static std::size_t loaded() {
+    std::set<std::string> files;
+    std::ifstream maps("/proc/self/maps");
+    for (std::string line; std::getline(maps, line);) {
+      if (const auto at = line.find('/');
+          at != std::string::npos && line.find("/versioned.so") != std::string::npos) {
+        files.insert(line.substr(at));
+      }
+    }
+    return files.size();
+  }
+
+  std::filesystem::path folder;
+};
+
+}  // namespace elsie::test
