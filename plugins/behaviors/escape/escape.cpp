@@ -5,12 +5,14 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <elsie/api/remember.h>
+
 #include "inactive.h"
 #include "stuck_watch.h"
 
 namespace {
 
-class Escape final : public elsie::Behavior {
+class Escape final : public elsie::Behavior, public elsie::Remembers {
  public:
   double patience = 1.0;
   double collision_patience = 0.2;
@@ -41,6 +43,23 @@ class Escape final : public elsie::Behavior {
     phase_ = Phase::none;
     asked_s_ = ended_s_ = -kLong;
     attempts_ = 0;
+  }
+  void remember(elsie::Memory& memory) override {
+    watch_.remember(memory);
+    memory("phase", phase_);
+    memory("asked_s", asked_s_);
+    memory("ended_s", ended_s_);
+    memory("attempts", attempts_);
+    memory("way", way_);
+    memory("side", side_);
+    memory("distance_m", distance_m_);
+    memory("angle_rad", angle_rad_);
+    memory("as_planned", as_planned_);
+    memory("phase_start_s", phase_start_s_);
+    memory("from.x", from_.x);
+    memory("from.y", from_.y);
+    memory("from.heading_rad", from_.heading_rad);
+    memory("turned_rad", turned_rad_);
   }
 
   elsie::Response respond(const elsie::Perception& now) override {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <elsie/api/perception.h>
+#include <elsie/api/remember.h>
 
 class StuckWatch {
  public:
@@ -24,6 +25,15 @@ class StuckWatch {
     last_s_ = -1.0;
     collided_s_ = -kMemory - 1.0;
     is_anchored_ = false;
+  }
+  void remember(elsie::Memory& memory) {
+    memory("held_s", held_s_);
+    memory("last_s", last_s_);
+    memory("collided_s", collided_s_);
+    memory("is_anchored", is_anchored_);
+    memory("anchor.x", anchor_.x);
+    memory("anchor.y", anchor_.y);
+    memory("anchored_s", anchored_s_);
   }
 
   /// To be asked once in every control period.

@@ -6,11 +6,12 @@
 #include <cmath>
 
 #include <elsie/api/behavior.h>
+#include <elsie/api/remember.h>
 #include <elsie/api/vision.h>
 
 namespace {
 
-class FindResource final : public elsie::Behavior {
+class FindResource final : public elsie::Behavior, public elsie::Remembers {
  public:
   double turn_above = 5.0;
   double gain = 1.0;
@@ -20,6 +21,10 @@ class FindResource final : public elsie::Behavior {
   double lost_after = 0.5;
 
   void reset(elsie::Random&) override { in_view_ = false; }
+  void remember(elsie::Memory& memory) override {
+    memory("in_view", in_view_);
+    memory("last_seen_s", last_seen_s_);
+  }
 
   elsie::Response respond(const elsie::Perception& now) override {
     const auto views = now.readings<elsie::VisionReading>();

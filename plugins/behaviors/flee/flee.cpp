@@ -6,11 +6,13 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <elsie/api/remember.h>
+
 #include "inactive.h"
 
 namespace {
 
-class Flee final : public elsie::Behavior {
+class Flee final : public elsie::Behavior, public elsie::Remembers {
  public:
   double sphere = 0.5;
   double margin = 0.1;
@@ -39,6 +41,10 @@ class Flee final : public elsie::Behavior {
   void reset(elsie::Random&) override {
     alarmed_ = false;
     turns_left_ = 0;
+  }
+  void remember(elsie::Memory& memory) override {
+    memory("alarmed", alarmed_);
+    memory("turns_left", turns_left_);
   }
 
   elsie::Response respond(const elsie::Perception& now) override {

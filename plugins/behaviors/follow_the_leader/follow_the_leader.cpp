@@ -1,16 +1,19 @@
 // Follows the leader of its team, as long as one is within communication range.
 #include <algorithm>
 
+#include <elsie/api/remember.h>
+
 #include "approach.h"
 #include "inactive.h"
 
 namespace {
 
-class FollowTheLeader final : public Approach {
+class FollowTheLeader final : public Approach, public elsie::Remembers {
  public:
   FollowTheLeader() : Approach(0.3) {}
 
   void reset(elsie::Random&) override { led_ = false; }
+  void remember(elsie::Memory& memory) override { memory("led", led_); }
 
   elsie::Response respond(const elsie::Perception& now) override {
     const elsie::TeamMate* leader = now.self().is_leader ? nullptr : now.team().leader();

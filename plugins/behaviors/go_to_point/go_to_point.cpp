@@ -3,10 +3,11 @@
 #include <cmath>
 
 #include <elsie/api/behavior.h>
+#include <elsie/api/remember.h>
 
 namespace {
 
-class GoToPoint final : public elsie::Behavior {
+class GoToPoint final : public elsie::Behavior, public elsie::Remembers {
  public:
   double x = 0.0;
   double y = 0.0;
@@ -37,6 +38,7 @@ class GoToPoint final : public elsie::Behavior {
   }
 
   void reset(elsie::Random&) override { arrived_ = false; }
+  void remember(elsie::Memory& memory) override { memory("arrived", arrived_); }
 
  private:
   bool arrived_ = false;

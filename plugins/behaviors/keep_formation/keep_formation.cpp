@@ -8,12 +8,14 @@
 #include <stdexcept>
 #include <string>
 
+#include <elsie/api/remember.h>
+
 #include "inactive.h"
 #include "stations.h"
 
 namespace {
 
-class KeepFormation final : public elsie::Behavior {
+class KeepFormation final : public elsie::Behavior, public elsie::Remembers {
  public:
   std::string formation = "wedge";
   double spacing = 0.3;
@@ -37,6 +39,21 @@ class KeepFormation final : public elsie::Behavior {
     led_ = in_position_ = false;
     leader_index_ = -1;
     velocity_.reset();
+  }
+  void remember(elsie::Memory& memory) override {
+    memory("led", led_);
+    memory("in_position", in_position_);
+    memory("leader_index", leader_index_);
+    memory("place.x", place_.x);
+    memory("place.y", place_.y);
+    memory("seen_s", seen_s_);
+    bool has_velocity = velocity_.has_value();
+    memory("has_velocity", has_velocity);
+    if (has_velocity) {
+      velocity_ = velocity_.value_or(elsie::Vector2{});
+      memory("velocity.x", velocity_->x);
+      memory("velocity.y", velocity_->y);
+    }
   }
 
   elsie::Response respond(const elsie::Perception& now) override {

@@ -9,12 +9,14 @@
 #include <string>
 #include <vector>
 
+#include <elsie/api/remember.h>
+
 #include "approach.h"
 #include "inactive.h"
 
 namespace {
 
-class Recharge final : public Approach {
+class Recharge final : public Approach, public elsie::Remembers {
  public:
   double start_level = 0.1;
   double idle_speed = 10.0;
@@ -38,6 +40,11 @@ class Recharge final : public Approach {
     status_ = Status::idle;
     said_no_charger_ = false;
     waiting_since_s_ = -1.0;
+  }
+  void remember(elsie::Memory& memory) override {
+    memory("status", status_);
+    memory("said_no_charger", said_no_charger_);
+    memory("waiting_since_s", waiting_since_s_);
   }
 
   elsie::Response respond(const elsie::Perception& now) override {

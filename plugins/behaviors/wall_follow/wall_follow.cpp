@@ -12,12 +12,14 @@
 #include <stdexcept>
 #include <string>
 
+#include <elsie/api/remember.h>
+
 #include "inactive.h"
 #include "wall_sight.h"
 
 namespace {
 
-class WallFollow final : public elsie::Behavior {
+class WallFollow final : public elsie::Behavior, public elsie::Remembers {
  public:
   std::string side = "right";
   double distance = 0.3;
@@ -68,6 +70,13 @@ class WallFollow final : public elsie::Behavior {
   void reset(elsie::Random&) override {
     state_ = State::searching;
     asked_s_ = -1e9;
+  }
+  void remember(elsie::Memory& memory) override {
+    memory("state", state_);
+    memory("asked_s", asked_s_);
+    memory("is_beside", is_beside_);
+    memory("heading_rad", heading_rad_);
+    memory("rounded_rad", rounded_rad_);
   }
 
   elsie::Response respond(const elsie::Perception& now) override {

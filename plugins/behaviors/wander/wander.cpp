@@ -1,9 +1,10 @@
 // Drives on, and changes its mind about the direction now and then.
 #include <elsie/api/behavior.h>
+#include <elsie/api/remember.h>
 
 namespace {
 
-class Wander final : public elsie::Behavior {
+class Wander final : public elsie::Behavior, public elsie::Remembers {
  public:
   double speed = 10.0;
   double restlessness = 0.2;
@@ -17,6 +18,7 @@ class Wander final : public elsie::Behavior {
   }
 
   void reset(elsie::Random&) override { bias_ = 0.0; }
+  void remember(elsie::Memory& memory) override { memory("bias", bias_); }
 
  private:
   double bias_ = 0.0;  // rad/s

@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <optional>
 
+#include <elsie/api/remember.h>
+
 #include "winner.h"
 
 namespace {
 
-class ArbiterActionSelection final : public WinnerTakesAll {
+class ArbiterActionSelection final : public WinnerTakesAll, public elsie::Remembers {
  public:
   double threshold = 0.0;
   double margin = 0.0;
@@ -17,6 +19,10 @@ class ArbiterActionSelection final : public WinnerTakesAll {
   void reset(elsie::Random&) override {
     winner_.reset();
     since_s_ = 0.0;
+  }
+  void remember(elsie::Memory& memory) override {
+    memory("winner", winner_);
+    memory("since_s", since_s_);
   }
 
   elsie::MotorCommand coordinate(std::span<elsie::Member> members,

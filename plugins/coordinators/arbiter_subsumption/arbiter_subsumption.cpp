@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include <elsie/api/remember.h>
 #include <elsie/plugin/near_name.h>
 
 #include "winner.h"
@@ -29,7 +30,7 @@ struct Link {
   double hold = 0.0;
 };
 
-class ArbiterSubsumption final : public WinnerTakesAll {
+class ArbiterSubsumption final : public WinnerTakesAll, public elsie::Remembers {
  public:
   double threshold = 0.0;
   double hold = 0.0;
@@ -74,6 +75,7 @@ class ArbiterSubsumption final : public WinnerTakesAll {
       node.last.reset();
     }
   }
+  void remember(elsie::Memory& memory) override;
 
   elsie::MotorCommand coordinate(std::span<elsie::Member> members,
                                  const elsie::Perception& now) override;
@@ -127,6 +129,27 @@ class ArbiterSubsumption final : public WinnerTakesAll {
   std::vector<bool> inhibited_;  // whether that was by inhibition
   bool held_ = false;            // the command is of a layer that is no longer active
 };
+
+/// The links that hold a signal; they are the same for both objects unless the world was changed.
+void ArbiterSubsumption::remember(elsie::Memory& memory) {
+  for (Node& node : nodes_) {
+    const std::string name =
+        layers_[node.by] + (node.suppresses ? " suppresses " : " inhibits ") + layers_[node.of];
+    std::optional<std::vector<double>> held;
+    if (node.last) {
+      held = {node.last->command.left, node.last->command.right, node.last_s};
+    }
+    memory(name, held);
+    std::string source = node.last ? layers_[node.last->source] : "";
+    memory(name + " from", source);
+    const auto from = std::find(layers_.begin(), layers_.end(), source);
+    if (memory.recalls() && held && held->size() == 3 && from != layers_.end()) {
+      const auto layer = static_cast<std::size_t>(from - layers_.begin());
+      node.last = Signal{{(*held)[0], (*held)[1]}, layer, false};
+      node.last_s = (*held)[2];
+    }
+  }
+}
 
 std::optional<ArbiterSubsumption::Signal> ArbiterSubsumption::tapped(Node& node, double now_s) {
   const std::optional<Signal>& line = lines_[node.by];

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <elsie/api/remember.h>
+
 #include "candidates.h"
 #include "desirability.h"
 #include "weighing.h"
@@ -17,7 +19,7 @@ struct Candidate {
   double right = 0.0;
 };
 
-class ArbiterVoting final : public elsie::Coordinator {
+class ArbiterVoting final : public elsie::Coordinator, public elsie::Remembers {
  public:
   std::string set = "wheels";
   int steps = 21;
@@ -37,6 +39,14 @@ class ArbiterVoting final : public elsie::Coordinator {
     build(example);
   }
   void reset(elsie::Random&) override { forget(); }
+  void remember(elsie::Memory& memory) override {
+    memory("last.left", last_.left);
+    memory("last.right", last_.right);
+    memory("elected", elected_);
+    if (elected_ && *elected_ >= candidates_.size()) {  // of another set of candidates
+      elected_.reset();
+    }
+  }
 
   elsie::MotorCommand coordinate(std::span<elsie::Member> members,
                                  const elsie::Perception& now) override {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <elsie/api/remember.h>
 #include <elsie/fuzzy/fcl.h>
 #include <elsie/plugin/near_name.h>
 
@@ -19,7 +20,7 @@ namespace {
 
 namespace fuzzy = elsie::fuzzy;
 
-class FusionContextBlending final : public SetFusion {
+class FusionContextBlending final : public SetFusion, public elsie::Remembers {
  public:
   FusionContextBlending() : SetFusion("clip", "gate") {}
 
@@ -56,6 +57,11 @@ class FusionContextBlending final : public SetFusion {
   void reset(elsie::Random&) override {
     // Not a number: no last value yet, for outputs that keep theirs.
     std::fill(outputs_.begin(), outputs_.end(), std::numeric_limits<double>::quiet_NaN());
+  }
+  void remember(elsie::Memory& memory) override {
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      memory(rules_->outputs()[i].name, outputs_[i]);
+    }
   }
 
   std::vector<std::string> notes() const override;

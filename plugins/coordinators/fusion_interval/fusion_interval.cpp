@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include <elsie/api/remember.h>
+
 #include "candidates.h"
 #include "desirability.h"
 #include "weighing.h"
@@ -20,7 +22,7 @@ namespace {
 
 using elsie::MotorCommand;
 
-class FusionInterval final : public elsie::Coordinator {
+class FusionInterval final : public elsie::Coordinator, public elsie::Remembers {
  public:
   int steps = 11;
   double max_rate = 0.0;
@@ -40,6 +42,16 @@ class FusionInterval final : public elsie::Coordinator {
     values_.reserve(starts_.capacity());
   }
   void reset(elsie::Random&) override { last_.reset(); }
+  void remember(elsie::Memory& memory) override {
+    std::optional<std::vector<double>> last;
+    if (last_) {
+      last = {last_->left, last_->right};
+    }
+    memory("last", last);
+    if (memory.recalls() && last && last->size() == 2) {
+      last_ = MotorCommand{(*last)[0], (*last)[1]};
+    }
+  }
 
   MotorCommand coordinate(std::span<elsie::Member> members, const elsie::Perception& now) override {
     build(now);

@@ -1,0 +1,115 @@
+// The plugins that Elsie ships hand over all that they remember.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/reader.h"
+
+#include "shipped.h"
+#include "versions.h"
+
+using namespace elsie;
+using namespace elsie::test;
+using simulation::Simulation;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLength = 20.0;  // s
+constexpr double kEvery = 2.93;   // s, from one replacement to the next
+
+/// The shipped libraries in a folder of their own.
+class Shelf {
+ public:
+  Shelf() {
+    for (const auto& entry : fs::directory_iterator(plugin_directory())) {
+      if (entry.path().extension() == ".so") {
+        fs::copy(entry.path(), folder_.folder / entry.path().filename());
+      }
+    }
+  }
+  plugin::Host host() const { return folder_.host(); }
+  /// The same libraries, as after a build of the same sources.
+  plugin::Host rebuilt(const plugin::Host& before) const {
+    for (const auto& entry : fs::directory_iterator(folder_.folder)) {
+      fs::last_write_time(entry.path(),
+                          fs::last_write_time(entry.path()) + std::chrono::seconds(1));
+    }
+    return folder_.renewed(before);
+  }
+
+ private:
+  Versions folder_;
+};
+
+struct Told {
+  std::uint64_t hash = 0;
+  std::vector<std::string> events;  // but for those of the replacement itself
+  bool operator==(const Told&) const = default;
+};
+
+Told run(const std::string& file, const std::vector<std::string>& overrides, bool replaces) {
+  const Shelf shelf;
+  auto host = std::make_unique<plugin::Host>(shelf.host());
+  world::ReadOptions options;
+  options.overrides = overrides;
+  options.data_directories = {source_path("")};
+  simulation::Options how;
+  how.data_directories = options.data_directories;
+  Simulation simulation(world::read_world(file, *host, options), *host, how);
+  double due_s = replaces ? kEvery : 2.0 * kLength;
+  while (simulation.outcome() == simulation::Outcome::running && simulation.time_s() < kLength) {
+    if (simulation.time_s() >= due_s) {
+      due_s += kEvery;
+      auto next = std::make_unique<plugin::Host>(shelf.rebuilt(*host));
+      const auto replacement = simulation.replace_plugins(*next);
+      CHECK_FALSE(replacement.objects.empty());
+      host = std::move(next);
+    }
+    simulation.step();
+  }
+  Told told;
+  told.hash = simulation.state_hash();
+  for (const auto& event : simulation.events()) {
+    if (event.name != "replaced") {
+      told.events.push_back(event.name + " " + event.robot + " " + std::to_string(event.time_s));
+    }
+  }
+  return told;
+}
+
+void check(const std::string& file, const std::vector<std::string>& overrides = {}) {
+  CAPTURE(file, overrides);
+  const Told undisturbed = run(file, overrides, false);
+  const Told replaced = run(file, overrides, true);
+  CHECK(replaced.hash == undisturbed.hash);
+  CHECK(replaced.events == undisturbed.events);
+}
+
+}  // namespace
+
+TEST_CASE("The same libraries anew, time and again, change nothing of any world, bit for bit") {
+  for (const auto& entry : fs::directory_iterator(source_path("worlds"))) {
+    if (entry.path().extension() == ".xml") {
+      check(entry.path().string());
+    }
+  }
+}
+
+TEST_CASE("Nor do they under coordinators that go by what was decided last") {
+  const std::string layers = source_path("worlds/layers.xml");
+  check(layers, {"robot[r1]/coordinator=<arbiter_voting margin=\"0.1\"/>"});
+  check(layers, {"robot[r1]/coordinator=<arbiter_action_selection margin=\"0.2\" hold=\"3\"/>"});
+  check(layers, {"robot[r1]/coordinator=<arbiter_subsumption threshold=\"0.4\"><suppress "
+                 "by=\"avoid_obstacle\" of=\"wander\" hold=\"1\"/></arbiter_subsumption>"});
+  const std::string pulls = source_path("worlds/equal_pulls.xml");
+  check(pulls, {"robot[r1]/coordinator=<arbiter_voting margin=\"0.05\"/>"});
+  check(pulls, {"robot[r1]/coordinator=<fusion_interval margin=\"0.1\"/>"});
+}
