@@ -1,10 +1,14 @@
 // elsie test-plugin: tries plugins on random input, says what is wrong with them.
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <sstream>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -47,8 +51,11 @@ template <class Number>
 Number number(const std::string& name, const std::string& text) {
   Number value{};
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) {
-    throw BadInput("--set " + name + ": expected a number, found '" + text + "'");
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size() ||
+      !std::isfinite(static_cast<double>(value))) {
+    throw BadInput("--set " + name + ": expected a " +
+                   (std::is_integral_v<Number> ? "whole number" : "number") + ", found '" + text +
+                   "'");
   }
   return value;
 }
@@ -135,9 +142,10 @@ int test_plugins(TestPluginOptions options) {
     }
   }
   std::size_t wrong = 0;
-  std::map<std::string, bool> used;
   try {
     const Plugins plugins(load_plugins(options.plugins));
+    std::vector<std::pair<const Declaration*, CheckOptions>> jobs;
+    std::map<std::string, bool> used;
     for (const std::string& name : options.names) {
       for (const Declaration* declaration : chosen(plugins, name)) {
         CheckOptions how;
@@ -145,24 +153,27 @@ int test_plugins(TestPluginOptions options) {
         how.members = options.members;
         how.seed = options.seed;
         how.variants = options.variants;
-        const auto findings = check_plugin(declaration->kind, declaration->name, how, plugins);
-        for (const std::string& finding : findings) {
-          std::cout << finding << '\n';
-        }
-        if (findings.empty()) {
-          std::cout << elsie::plugin::kind_name(declaration->kind) << " '" << declaration->name
-                    << "': nothing wrong was found\n";
-        }
-        wrong += findings.empty() ? 0 : 1;
+        jobs.emplace_back(declaration, std::move(how));
       }
+    }
+    for (const auto& [name, was_used] : used) {
+      if (!was_used) {
+        throw BadInput("--set " + name + ": none of these plugins has a parameter of that name");
+      }
+    }
+    for (const auto& [declaration, how] : jobs) {
+      const auto findings = check_plugin(declaration->kind, declaration->name, how, plugins);
+      for (const std::string& finding : findings) {
+        std::cout << finding << std::endl;
+      }
+      if (findings.empty()) {
+        std::cout << elsie::plugin::kind_name(declaration->kind) << " '" << declaration->name
+                  << "': nothing wrong was found" << std::endl;
+      }
+      wrong += findings.empty() ? 0 : 1;
     }
   } catch (const elsie::plugin::PluginError& error) {
     throw BadInput(error.what());
-  }
-  for (const auto& [name, was_used] : used) {
-    if (!was_used) {
-      throw BadInput("--set " + name + ": none of these plugins has a parameter of that name");
-    }
   }
   return wrong == 0 ? kSuccess : kGoalMissed;
 }
@@ -178,7 +189,8 @@ void add_test_plugin_command(CLI::App& program, Job& job) {
       "\nExamples:\n  elsie test-plugin wander\n  elsie test-plugin build/shy.so shy.cpp\n"
       "  elsie test-plugin fusion_context_blending --set model=my.fcl --members "
       "avoid_obstacle,wander\n"
-      "\nExit codes: 0 nothing wrong was found; 1 something was; 2 bad input or usage.");
+      "\nExit codes: 0 nothing wrong was found; 1 something was; 2 bad input or usage; 3 a plugin "
+      "crashed, and is named.");
   auto options = std::make_shared<TestPluginOptions>();
   command
       ->add_option("PLUGIN", options->names,

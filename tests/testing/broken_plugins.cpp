@@ -11,6 +11,7 @@
 
 #include "elsie/api/behavior.h"
 #include "elsie/api/coordinator.h"
+#include "elsie/api/remember.h"
 #include "elsie/api/sensor.h"
 
 using elsie::MotorCommand;
@@ -20,12 +21,13 @@ using elsie::Response;
 namespace {
 
 /// Nothing is wrong with this one.
-class Sound final : public elsie::Behavior {
+class Sound final : public elsie::Behavior, public elsie::Remembers {
  public:
   double speed = 5.0;
   double ratio = 0.5;
 
   void reset(elsie::Random&) override { steps_ = 0; }
+  void remember(elsie::Memory& memory) override { memory("steps", steps_); }
   Response respond(const Perception& now) override {
     Response response(MotorCommand{speed + now.random().uniform(), ratio * ++steps_});
     response.events.push_back({"stepped"});
@@ -94,6 +96,32 @@ class Forgetless final : public elsie::Behavior {
   double count_ = 0.0;
 };
 ELSIE_BEHAVIOR(Forgetless, "forgetless", "Has no reset()");
+
+class HalfForgets final : public elsie::Behavior, public elsie::Remembers {
+ public:
+  void reset(elsie::Random&) override { left_ = right_ = 0; }
+  void remember(elsie::Memory& memory) override { memory("left", left_); }
+  Response respond(const Perception&) override {
+    ++left_;
+    --right_;
+    return MotorCommand{static_cast<double>(left_), static_cast<double>(right_)};
+  }
+
+ private:
+  int left_ = 0, right_ = 0;
+};
+ELSIE_BEHAVIOR(HalfForgets, "half_forgets", "Hands over only half of what it has in mind");
+
+class RefusesMemory final : public elsie::Behavior, public elsie::Remembers {
+ public:
+  void remember(elsie::Memory& memory) override {
+    if (memory.recalls()) {
+      throw std::invalid_argument("that is too long ago");
+    }
+  }
+  Response respond(const Perception&) override { return MotorCommand{1.0, 1.0}; }
+};
+ELSIE_BEHAVIOR(RefusesMemory, "refuses_memory", "Does not take what it hands over");
 
 class NotANumber final : public elsie::Behavior {
  public:
@@ -293,7 +321,7 @@ class Divides final : public elsie::Coordinator {
 };
 ELSIE_COORDINATOR(Divides, "divides", "Divides by nothing where nobody is active");
 
-class Remembers final : public elsie::Coordinator {
+class KeepsLastRun final : public elsie::Coordinator {
  public:
   MotorCommand coordinate(std::span<elsie::Member> members, const Perception&) override {
     for (elsie::Member& member : members) {
@@ -305,7 +333,7 @@ class Remembers final : public elsie::Coordinator {
  private:
   MotorCommand last_;
 };
-ELSIE_COORDINATOR(Remembers, "remembers", "Remembers the last run");
+ELSIE_COORDINATOR(KeepsLastRun, "remembers", "Remembers the last run");
 
 struct Brightness {
   static constexpr const char* kind = "brightness";

@@ -59,3 +59,19 @@ TEST_CASE("A sequence gives an answer for each instant") {
   CHECK_THAT(answers[4], turns_left() && raises_nothing());
   CHECK_THAT(answers[5], raises("resource_in_view"));
 }
+
+TEST_CASE("One that takes over goes on with what the other one remembers, and its random stream") {
+  Behavior before("wander");
+  before.reset(7);
+  for (int i = 0; i < 50; ++i) {
+    before.respond(Situation().time(0.01 * i));
+  }
+  Behavior after("wander");
+  CHECK(after.take_over(before));
+  for (int i = 50; i < 100; ++i) {
+    const Situation now = Situation().time(0.01 * i);
+    CHECK(after.respond(now).command == before.respond(now).command);
+  }
+  Behavior still("avoid_obstacle"), other("avoid_obstacle");
+  CHECK_FALSE(other.take_over(still));  // nothing to remember
+}

@@ -43,7 +43,11 @@ const Fault kFaults[] = {
     {kBehavior, "clock", "goes by a clock"},
     {kBehavior, "other_random", "random numbers other than now.random()"},
     {kBehavior, "forgetless", "reset() must forget"},
-    {kBehavior, "not_a_number", "its right wheel rate is -nan, which is no finite number"},
+    {kBehavior, "half_forgets",
+     "what remember() names goes on differently: remember() must name everything that outlives a "
+     "step: in step 75 its right wheel rate is -1, and was -76"},
+    {kBehavior, "refuses_memory", "remember() fails, or what follows it: that is too long ago"},
+    {kBehavior, "not_a_number", "nan, which is no finite number"},
     {kBehavior, "at_the_bound",
      "its left wheel rate is inf, which is no finite number (distance = 0"},
     {kBehavior, "undeclared", "raises the event 'surprise', which its declaration does not name"},

@@ -50,6 +50,14 @@ TEST_CASE("Parameters on the page") {
   wander.set({{"speed", 3}});  // as a user does while it runs
 }
 
+TEST_CASE("An object takes over from another") {
+  testing::Behavior wander("wander");
+  wander.respond(Situation());
+  testing::Behavior renewed("wander");
+  CHECK(renewed.take_over(wander));
+  CHECK(renewed.respond(Situation()).command == wander.respond(Situation()).command);
+}
+
 TEST_CASE("Expectations on the page") {
   testing::Behavior avoid("avoid_obstacle");
   const elsie::Response response = avoid.respond(Situation().beam(15, 1.0).beam(-15, 0.2));

@@ -59,9 +59,16 @@ std::vector<Response> Behavior::respond(const Sequence& sequence) {
 }
 
 void Behavior::reset(std::uint64_t seed) {
+  seed_ = seed;
   random_ = Random(seed);
   object_->reset(random_);
   reset_ = true;
+}
+
+bool Behavior::take_over(Behavior& before) {
+  reset(before.seed_);
+  random_ = before.random_;
+  return hand_over(*before.object_, *object_);
 }
 
 void Behavior::equip(const Situation& example) {

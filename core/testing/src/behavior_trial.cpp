@@ -76,6 +76,10 @@ class BehaviorTrial final : public Trial {
   }
   void configure_again() override { behavior_.set(settings_); }
 
+  bool take_over(Trial& before) override {
+    return behavior_.take_over(static_cast<BehaviorTrial&>(before).behavior_);
+  }
+
   void step(std::size_t step, Answer& answer) override {
     const std::size_t at = step % instants_.size();
     Situation& now = instants_[at];

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "elsie/plugin/call.h"
 #include "elsie/plugin/kind_name.h"
 
 #include "memory.h"
@@ -49,6 +50,8 @@ class Checker {
         inputs_(declaration, options, plugins) {}
 
   std::vector<std::string> findings() && {
+    // A plugin that brings the process down is named by those who report crashes.
+    const plugin::Call call({.plugin = declaration_.name.c_str(), .doing = "while it was checked"});
     found_ = testing::check_declaration(declaration_);
     if (check_start() && make_inputs()) {
       for (int variant = 0; variant <= options_.variants; ++variant) {
@@ -175,6 +178,7 @@ class Checker {
         if (beside) {
           beside->step(step, ignored);
         }
+        const plugin::Call call({.step = step});
         trial.step(step, answers[step]);
       }
       return answers;
@@ -242,8 +246,39 @@ class Checker {
            "configured() fails when it is called once more: " + caught_text() + where_);
       return;
     }
-    same("configured", "after configured() was called once more it answers differently", *first,
-         run(one));
+    if (same("configured", "after configured() was called once more it answers differently", *first,
+             run(one))) {
+      compare_successor(one, *two, *first);
+    }
+  }
+
+  /// Whether an object that is put in the place of another in the middle of a run goes on as that
+  /// would have.
+  void compare_successor(Trial& one, Trial& successor, const Answers& first) {
+    const std::size_t middle = first.size() / 2;
+    Answer answer;
+    try {
+      one.reset(kRunSeed);
+      for (std::size_t step = 0; step < middle; ++step) {
+        one.step(step, answer);
+      }
+      if (!successor.take_over(one)) {
+        return;  // it does not offer to
+      }
+      for (std::size_t step = middle; step < first.size(); ++step) {
+        successor.step(step, answer);
+        if (const auto differs = difference(first[step], answer)) {
+          find("remembers",
+               "an object that takes over in step " + std::to_string(middle) +
+                   " what remember() names goes on differently: remember() must name everything "
+                   "that outlives a step: in step " +
+                   std::to_string(step) + " " + *differs + where_);
+          return;
+        }
+      }
+    } catch (...) {
+      find("remembers", "remember() fails, or what follows it: " + caught_text() + where_);
+    }
   }
 
   /// Bytes that are in use after `action` and were not before.

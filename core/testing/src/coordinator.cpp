@@ -55,9 +55,17 @@ std::vector<double> Coordinator::rate(const std::vector<MotorCommand>& candidate
 CommandSets Coordinator::sets() { return object_->command_sets(team_.members(), given_); }
 
 void Coordinator::reset(std::uint64_t seed) {
+  seed_ = seed;
   random_ = Random(seed);
   object_->reset(random_);
   reset_ = true;
+}
+
+bool Coordinator::take_over(Coordinator& before) {
+  reset(before.seed_);
+  random_ = before.random_;
+  given_ = before.given_;
+  return hand_over(*before.object_, *object_);
 }
 
 void Coordinator::equip(const Situation& example) {

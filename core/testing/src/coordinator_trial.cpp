@@ -32,6 +32,10 @@ class CoordinatorTrial final : public Trial {
     equipping([&] { coordinator_->equip(instants_.front()); });
   }
 
+  bool take_over(Trial& before) override {
+    return coordinator_->take_over(*static_cast<CoordinatorTrial&>(before).coordinator_);
+  }
+
   void step(std::size_t step, Answer& answer) override {
     const std::size_t at = step % instants_.size();
     Situation& now = instants_[at];

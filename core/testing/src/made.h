@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "elsie/api/remember.h"
+#include "elsie/plugin/call.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/testing/plugins.h"
 
@@ -12,11 +14,26 @@ namespace elsie::testing {
 template <class Kind, class Prepare>
 plugin::Object<Kind> make(const Plugins& plugins, const Declaration& declaration,
                           const Settings& settings, const Elements& elements, Prepare prepare) {
+  const plugin::Call call({.plugin = declaration.name.c_str(), .doing = "while it was made"});
   auto object = plugins.host().create<Kind>(declaration.kind, declaration.name);
   prepare(*object);
   plugin::apply_parameters(declaration, *object, plugins.completed(declaration, settings),
                            plugins.completed(declaration, elements));
   return object;
+}
+
+/// Hands what `before` remembers to `now`, if both classes derive from Remembers: whether they do.
+inline bool hand_over(Component& before, Component& now) {
+  auto* const from = dynamic_cast<Remembers*>(&before);
+  auto* const to = dynamic_cast<Remembers*>(&now);
+  if (!from || !to) {
+    return false;
+  }
+  Memory memory;
+  from->remember(memory);
+  memory.begin_recall();
+  to->remember(memory);
+  return true;
 }
 
 }  // namespace elsie::testing

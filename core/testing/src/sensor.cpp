@@ -82,11 +82,19 @@ std::vector<NamedValue> Sensor::values() const {
 }
 
 void Sensor::reset(std::uint64_t seed) {
+  seed_ = seed;
   random_ = Random(seed);
   time_s_ = 0.0;
   object_->forget();
   object_->reset(random_);
   reset_ = true;
+}
+
+bool Sensor::take_over(Sensor& before) {
+  reset(before.seed_);
+  random_ = before.random_;
+  time_s_ = before.time_s_;
+  return hand_over(*before.object_, *object_);
 }
 
 void Sensor::require(const ReadingKind& kind) const {

@@ -55,6 +55,10 @@ class SensorTrial final : public Trial {
     equipping([&] { sensor_.equip(*input_.scenes.front()); });
   }
 
+  bool take_over(Trial& before) override {
+    return sensor_.take_over(static_cast<SensorTrial&>(before).sensor_);
+  }
+
   void step(std::size_t step, Answer& answer) override {
     require_sound();
     const std::size_t at = step % input_.poses.size();

@@ -45,6 +45,9 @@ class Trial {
   virtual void reset(std::uint64_t seed) = 0;
   /// As when a user sets a parameter to the value that it has.
   virtual void configure_again() = 0;
+  /// As when it is put in the place of `before`, another trial of the same setting, by a hot
+  /// reload. Whether it remembers anything of what that did. Throws what the plugin throws.
+  virtual bool take_over(Trial& before) = 0;
   /// The next instant; `step` counts from 0 and goes round the input. Throws Wrong, and what the
   /// plugin throws.
   virtual void step(std::size_t step, Answer& answer) = 0;

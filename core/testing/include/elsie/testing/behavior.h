@@ -47,6 +47,11 @@ class Behavior {
 
   /// Back to the start of a run, with the random stream of this seed.
   void reset(std::uint64_t seed = 1);
+  /// As when its library is replaced while a robot drives (docs/hot-reload.md): from the start of
+  /// the run in which `before` is, with what that remembers, its random stream going on. Whether
+  /// both classes derive from Remembers; otherwise nothing is remembered. Throws what the plugin
+  /// throws.
+  bool take_over(Behavior& before);
   /// What the robot has; else the first situation says it. Throws what the plugin refuses.
   void equip(const Situation& example);
   /// Changes parameters, as a user does while it runs: configured() is called again, and
@@ -63,6 +68,7 @@ class Behavior {
   Plugins plugins_;
   const Declaration* declaration_;
   std::unique_ptr<Inside> inside_;
+  std::uint64_t seed_ = 1;  // of the random stream
   Random random_;
   plugin::Object<elsie::Behavior> object_;
   std::optional<Situation> example_;  // what it was equipped with

@@ -14,6 +14,9 @@
 //   the first again after reset() and after configured() was called once more: none shares state
 //   with others, and none depends on a clock, on an address, or on random numbers other than its
 //   own;
+// - an object that takes over in mid-run what another one remembers (elsie/api/remember.h) goes on
+// as
+//   that would have, where the class offers it;
 // - memory does not grow with the number of steps, and objects leave none behind.
 //
 // What no trial finds: a plugin that looks at a clock of whole seconds, or goes wrong on one input
@@ -45,7 +48,8 @@ struct CheckOptions {
   std::uint64_t seed = 1;
   /// How many sets of random parameters.
   int variants = 20;
-  /// Steps of the longest run, in which memory must not grow.
+  /// Steps for the look at memory, which must not grow: a run goes on for a few times as many when
+  /// it seems to.
   int steps = 20000;
 };
 

@@ -40,6 +40,11 @@ class Coordinator {
 
   /// Back to the start of a run, with the random stream of this seed.
   void reset(std::uint64_t seed = 1);
+  /// As when its library is replaced while a robot drives (docs/hot-reload.md): from the start of
+  /// the run in which `before` is, with what that remembers, its random stream going on. Whether
+  /// both classes derive from Remembers; otherwise nothing is remembered. Throws what the plugin
+  /// throws.
+  bool take_over(Coordinator& before);
   /// What the robot has; else the first situation says it. Throws what the plugin refuses.
   void equip(const Situation& example);
 
@@ -53,6 +58,7 @@ class Coordinator {
   Plugins plugins_;
   const Declaration* declaration_;
   Team& team_;
+  std::uint64_t seed_ = 1;  // of the random stream
   Random random_;
   plugin::Object<elsie::Coordinator> object_;
   MotorCommand given_;

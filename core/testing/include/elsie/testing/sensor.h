@@ -57,6 +57,11 @@ class Sensor {
   void equip(const elsie::Surroundings& surroundings);
   /// Back to the start of a run, with the random stream (the noise) of this seed.
   void reset(std::uint64_t seed = 1);
+  /// As when its library is replaced while a robot drives (docs/hot-reload.md): from the start of
+  /// the run in which `before` is, with what that remembers, its random stream going on. Whether
+  /// both classes derive from Remembers; otherwise nothing is remembered. Throws what the plugin
+  /// throws.
+  bool take_over(Sensor& before);
 
   const Declaration& declaration() const { return *declaration_; }
   elsie::Sensor& operator*() { return *object_; }
@@ -70,6 +75,7 @@ class Sensor {
   Plugins plugins_;
   const Declaration* declaration_;
   Mounting mounting_{{0.04, 0.0, 0.09}, 0.0, 0.0};
+  std::uint64_t seed_ = 1;  // of the random stream
   Random random_;
   plugin::Object<elsie::Sensor> object_;
   Image picture_;

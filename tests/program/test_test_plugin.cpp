@@ -1,0 +1,73 @@
+// elsie test-plugin: what it says, and how it ends.
+#include <catch2/catch.hpp>
+
+#include "places.h"
+#include "program.h"
+
+using Catch::Contains;
+using Catch::Equals;
+using elsie::test::Workplace;
+namespace test = elsie::test;
+
+namespace {
+
+std::string faulty() { return "--plugin-path " + test::build_path("tests/program/plugins") + " "; }
+
+}  // namespace
+
+TEST_CASE("A sound plugin is told to be so") {
+  Workplace here;
+  const auto run = here.elsie("test-plugin wander beam_range arbiter_voting --variants 2");
+  CHECK(run.exit_code == 0);
+  CHECK_THAT(run.out, Equals("behavior 'wander': nothing wrong was found\n"
+                             "sensor 'beam_range': nothing wrong was found\n"
+                             "coordinator 'arbiter_voting': nothing wrong was found\n"));
+}
+
+TEST_CASE("What is wrong with a source file is told in a sentence") {
+  Workplace here;
+  here.write("counts.cpp",
+             "#include <elsie/api/behavior.h>\n"
+             "class Counts final : public elsie::Behavior {\n"
+             "  elsie::Response respond(const elsie::Perception&) override {\n"
+             "    static int calls = 0;\n"
+             "    return elsie::MotorCommand{1.0 * ++calls, 0.0};\n"
+             "  }\n"
+             "};\n"
+             "ELSIE_BEHAVIOR(Counts, \"counts\", \"Counts in a static\");\n");
+  const auto run = here.sh("ELSIE_CACHE=$PWD/cache elsie test-plugin counts.cpp");
+  CHECK(run.exit_code == 1);
+  CHECK_THAT(run.out, Contains("behavior 'counts': two objects answer the same input differently"));
+}
+
+TEST_CASE("A plugin that brings the checker down is named") {
+  Workplace here;
+  const auto late = here.elsie("test-plugin segfaulting " + faulty());
+  CAPTURE(late.err);
+  CHECK(late.exit_code == 3);
+  CHECK_THAT(late.err, Contains("plugin 'segfaulting' ended the program with a segmentation fault "
+                                "(SIGSEGV) in step 50"));
+  const auto early = here.elsie("test-plugin crashes_when_made " + faulty());
+  CAPTURE(early.err);
+  CHECK(early.exit_code == 3);
+  CHECK_THAT(early.err, Contains("plugin 'crashes_when_made' ended the program"));
+}
+
+TEST_CASE("Wrong arguments are refused in a sentence") {
+  Workplace here;
+  const auto refused = [&](const std::string& arguments, const std::string& sentence) {
+    const auto run = here.elsie("test-plugin " + arguments);
+    CAPTURE(arguments, run.err);
+    CHECK(run.exit_code == 2);
+    CHECK_THAT(run.err, Contains(sentence));
+    CHECK(run.out.empty());
+  };
+  refused("wandre", "there is no plugin 'wandre'; did you mean 'wander'?");
+  refused("nowhere.so", "nowhere.so");
+  refused("wander --set speed", "--set: expected NAME=VALUE, found 'speed'");
+  refused("wander --set speed=fast", "--set speed: expected a number, found 'fast'");
+  refused("wander --set speed=nan", "--set speed: expected a number, found 'nan'");
+  refused("wander --set spede=1", "--set spede: none of these plugins has a parameter");
+  refused("wander --variants -1", "--variants");
+  refused("", "PLUGIN");
+}
