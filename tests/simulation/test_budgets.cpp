@@ -32,15 +32,15 @@ simulation::Options with(const simulation::Budget& budget) {
 TEST_CASE("Who takes longer than the time budget is named, not who asked it") {
   ScriptedHost scripted([](const Perception& now) {
     if (now.time_s() > 0.025) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(700));
+      std::this_thread::sleep_for(std::chrono::milliseconds(1500));
     }
     return MotorCommand{1, 1};
   });
-  Simulation simulation(one_robot(), scripted.host, with({.time_s = 0.6, .memory = 0}));
+  Simulation simulation(one_robot(), scripted.host, with({.time_s = 1.2, .memory = 0}));
   CHECK_THROWS_WITH(
       simulation.run(),
       Catch::Contains("plugin 'scripted' of robot 'r1' failed in step 3: it took ") &&
-          Catch::Contains(" ms to answer, which is beyond its time budget of 600 ms"));
+          Catch::Contains(" ms to answer, which is beyond its time budget of 1200 ms"));
 }
 
 TEST_CASE("A leak meets the memory budget; what is freed or replaced does not") {

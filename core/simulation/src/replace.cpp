@@ -24,7 +24,8 @@ void Controller::replace(Swap& swap, const std::string& path) {
           }
         });
     if (is_new) {
-      slot.response = {};  // its events are named by the old library
+      // Its events are named by the old library.
+      swap.when_settled([&slot] { slot.response = {}; });
     }
   }
   if (coordinator_) {
@@ -73,7 +74,7 @@ void Robot::replace(Swap& swap, const Cameras& cameras) {
   controller_->check_needs(groups_, description_.id, "");
   for (std::size_t i = first; i < swap.all().size(); ++i) {
     const Swap::Exchanged& exchanged = swap.all()[i];
-    guard_.forget(*exchanged.use);
+    swap.when_settled([this, use = exchanged.use] { guard_.forget(*use); });
     const TunedObject object = object_of(*exchanged.use);
     swap.run(exchanged, [&] { Tuning::equip(object, *object.object, example()); });
   }

@@ -96,6 +96,7 @@ Setup Swap::setup_for(Exchanged& exchanged) {
     require(find(declaration.elements, element.element)->parameters, element.parameters,
             " of <" + element.element + ">");
   }
+  exchanged.described = setup;
   if (tuning_->is_changed(*exchanged.use)) {
     setup = fitted(tuning_->setup(*exchanged.use), [](const std::string&) {});
     exchanged.changed = setup;
@@ -167,9 +168,7 @@ void Swap::settle(const std::function<Tuning&(const std::string& robot)>& tuning
     strip(*exchanged.declaration, use.parameters, use.elements, [](const std::string&) {});
     std::erase_if(use.file_names,
                   [&](const auto& named) { return !use.parameters.contains(named.first); });
-    Setup setup = as_described(use);
-    add_default_files(*exchanged.declaration, setup);
-    for (const auto& [name, value] : setup.parameters) {
+    for (const auto& [name, value] : exchanged.described.parameters) {  // files by default are new
       if (use.parameters.try_emplace(name, value).second) {
         use.file_names[name] = {std::get<std::string>(value), ""};
       }
@@ -177,6 +176,9 @@ void Swap::settle(const std::function<Tuning&(const std::string& robot)>& tuning
     if (exchanged.changed) {
       tuning_of(exchanged.robot).take_over(use, *std::move(exchanged.changed));
     }
+  }
+  for (const auto& action : when_settled_) {
+    action();
   }
   undo_.clear();  // and with it the old objects
 }

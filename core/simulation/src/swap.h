@@ -35,6 +35,7 @@ class Swap {
     Component* before = nullptr;
     Component* now = nullptr;
     Random* random = nullptr;
+    Setup described;               // what the world will say
     std::optional<Setup> changed;  // parameters that are not as the world says
     bool remembers = false;        // what the old object remembered
   };
@@ -64,7 +65,8 @@ class Swap {
     if (fresh == declaration) {
       return false;
     }
-    Exchanged exchanged{kind, &use, robot_, path, fresh, object.get(), nullptr, &random, {}, false};
+    Exchanged exchanged{kind,    &use,    robot_, path, fresh, object.get(),
+                        nullptr, &random, {},     {},   false};
     run(exchanged, [&] {
       auto made = host_.create<Kind>(kind, use.plugin);
       prepare(*made, *fresh);
@@ -84,6 +86,9 @@ class Swap {
 
   /// What else has to be put back, in reverse order, when this is not settled.
   void undo(std::function<void()> action) { undo_.push_back(std::move(action)); }
+
+  /// What follows from the new objects once all of them are in use, but not before. Throws nothing.
+  void when_settled(std::function<void()> action) { when_settled_.push_back(std::move(action)); }
 
   /// Runs code of a new object; what it throws becomes a ReplacementRefused.
   template <class Action>
@@ -108,7 +113,8 @@ class Swap {
   const std::vector<Exchanged>& all() const { return all_; }
 
   /// From here on nothing is undone. Takes over what is left of the parameters: the world's and, by
-  /// `tuning_of` a robot, those that were changed. The old objects go.
+  /// `tuning_of` a robot, those that were changed. The old objects go. All that can be refused was
+  /// refused before.
   void settle(const std::function<Tuning&(const std::string& robot)>& tuning_of);
 
   Replacement result() const;
@@ -122,7 +128,6 @@ class Swap {
   const Declaration* checked(PluginKind kind, const world::PluginUse& use, const std::string& path,
                              const Declaration& before) const;
   Setup setup_for(Exchanged& exchanged);
-  void leave_out(const Exchanged& exchanged, Setup& setup);
   void add_default_files(const Declaration& declaration, Setup& setup) const;
 
   const plugin::Host& host_;
@@ -132,7 +137,7 @@ class Swap {
   const Tuning* tuning_ = nullptr;
   std::vector<Exchanged> all_;
   std::vector<std::function<void()>> undo_;
-  std::vector<std::pair<world::PluginUse*, Setup>> described_;  // what the world will say
+  std::vector<std::function<void()>> when_settled_;
   std::vector<std::string> notes_;
 };
 
