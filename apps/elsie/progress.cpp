@@ -6,9 +6,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <string>
-#include <string_view>
-
-#include <unistd.h>
 
 #include "elsie/plugin/crash_report.h"
 #include "elsie/simulation/simulation.h"
@@ -36,16 +33,18 @@ void interrupt(int) {
     interrupted = 1;
   } else if (now_ns - interrupted_at_ns > kOneRequestNs) {
     // Asked twice: whatever is at work does not come to an end.
-    elsie::plugin::end_process("was at work when the run was interrupted", kOtherFailure);
+    elsie::plugin::end_process(
+        "was at work when the run was interrupted",
+        "something outside of all plugins was at work when the run was interrupted", kOtherFailure);
   }
 }
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 
 void end_at_once(int) {
-  constexpr std::string_view kMessage = "elsie: interrupted before the work began\n";
-  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage.data(), kMessage.size());
-  _exit(kOtherFailure);
+  elsie::plugin::end_process("was at work when the program was interrupted",
+                             "interrupted; no run was under way", kOtherFailure,
+                             elsie::plugin::Stack::left_out);
 }
 
 }  // namespace

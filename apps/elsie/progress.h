@@ -24,8 +24,9 @@ class ProgressBar final : public elsie::simulation::Observer {
 };
 
 /// From now on Ctrl-C (SIGINT), a request to terminate (SIGTERM) and a closed terminal (SIGHUP) end
-/// the program with a word and exit code 4: while worlds are read and networks trained, there is
-/// nothing to be kept. Signals that are ignored stay so.
+/// the program with exit code 4 and a word on the plugin that was at work, if one was: while worlds
+/// are read and plugins made, and when a run is over, there is nothing to be kept. Signals that are
+/// ignored stay so.
 void end_at_once_when_interrupted();
 
 /// Ends the run in order on these signals: throws Interrupted from the next step. While it lives,

@@ -1,6 +1,7 @@
 // Plugins that fail: who it was is said, what was recorded is kept, the exit code is 3.
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -20,14 +21,34 @@ class FaultyWorld {
   ProgramRun run(const std::string& behavior, const std::string& options = "",
                  const std::string& coordinator = "arbiter_suppression",
                  const std::string& sensor = "", const std::string& duration = "3") const {
+    write(behavior, coordinator, sensor);
+    return here.elsie("run world.xml --duration " + duration + " --plugin-path " +
+                      elsie::test::build_path("tests/program/plugins") +
+                      " --record run.csv --record-rate 100 --explain run.trace --json " + options);
+  }
+  /// Asks a run to terminate once the plugin loops, again and again until it does. Libraries are
+  /// copied to the folder copies.
+  ProgramRun interrupt(const std::string& behavior) const {
+    write(behavior, "arbiter_suppression", "");
+    // The shell makes a process in the background ignore Ctrl-C: so it is asked to terminate.
+    return here.sh(
+        "rm -rf copies err; mkdir copies; export TMPDIR=$PWD/copies\n"
+        "elsie run world.xml --watch --record run.csv --plugin-path " +
+        elsie::test::build_path("tests/program/plugins") +
+        " 2> err & pid=$!\n"
+        "until grep -q 'for ever' err; do sleep 0.1; done\n"
+        "ls copies | wc -l\n"
+        "while kill $pid; do sleep 1; done 2> none\n"
+        "ls copies | wc -l\n"
+        "wait $pid");
+  }
+  void write(const std::string& behavior, const std::string& coordinator,
+             const std::string& sensor) const {
     here.write("world.xml", "<world format=\"1\"><robots><robot id=\"r1\" team=\"red\"><sensors>" +
                                 (sensor.empty() ? "" : "<" + sensor + "/>") +
                                 "</sensors>\n<behaviors><" + behavior + "/></behaviors>\n" +
                                 "<coordinator><" + coordinator +
                                 "/></coordinator></robot></robots></world>\n");
-    return here.elsie("run world.xml --duration " + duration + " --plugin-path " +
-                      elsie::test::build_path("tests/program/plugins") +
-                      " --record run.csv --record-rate 100 --explain run.trace --json " + options);
   }
   /// Lines of the recording, without its heading.
   long rows() const {
@@ -67,6 +88,7 @@ TEST_CASE("A plugin that crashes is named with robot, step and stack, and the re
       {"illegal", "illegal instruction (SIGILL)"},
       {"bus_error", "bus error (SIGBUS)"},
       {"exiting", "by calling exit()"},
+      {"calling_nowhere", "segmentation fault (SIGSEGV)"},
   };
   for (const Case& expected : cases) {
     CAPTURE(expected.plugin);
@@ -78,12 +100,33 @@ TEST_CASE("A plugin that crashes is named with robot, step and stack, and the re
                Contains("elsie: plugin '" + expected.plugin + "' of robot 'r1' ended the program"));
     CHECK_THAT(run.err, Contains(expected.what) && Contains(" in step 50\n"));
     CHECK_THAT(run.err, Contains("the stack, from the inside out:\n") && Contains("faulty.so+0x"));
-    CHECK_THAT(run.err, Contains("what was recorded until then is kept"));
+    CHECK_THAT(run.err, Contains("what was recorded until then is kept\nthe stack"));
     CHECK(world.rows() == 51);
     CHECK_THAT(world.here.read("run.trace"), Contains("\n0,r1,,,10,10\n"));
     const auto told = world.here.elsie("explain run.trace");
     CHECK(told.exit_code == 0);
   }
+}
+
+TEST_CASE("A stack that was written over is no reason not to tell whose it was") {
+  FaultyWorld world;
+  const auto run = world.run("smashing_stack");
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("elsie: plugin 'smashing_stack' of robot 'r1' ended the program") &&
+                          Contains("what was recorded until then is kept"));
+  CHECK(world.rows() == 51);
+}
+
+TEST_CASE("Of a crash in a plugin's own thread, the recording is whole up to a line") {
+  FaultyWorld world;
+  const auto run = world.run("crashing_elsewhere");
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 128 + SIGSEGV);
+  CHECK_THAT(run.err, Contains("something outside of all plugins ended the program with a "
+                               "segmentation fault (SIGSEGV)"));
+  const std::string table = world.here.read("run.csv");
+  CHECK((table.empty() || table.ends_with('\n')));
 }
 
 TEST_CASE("Sensors and coordinators that crash are told from the behaviours that they serve") {
@@ -120,12 +163,13 @@ TEST_CASE("A plugin that fails while it is made is named with its place in the w
 
 TEST_CASE("A plugin that takes longer than its time budget ends the run in order") {
   FaultyWorld world;
-  CHECK(world.run("dawdling", "", "arbiter_suppression", "", "0.6").exit_code ==
+  CHECK(world.run("dawdling", "", "arbiter_suppression", "", "0.51").exit_code ==
         1);  // off by default
-  const auto run = world.run("dawdling", "--time-budget 50 --picture run.png");
+  // Wide, so that a machine that is busy elsewhere does not come in between.
+  const auto run = world.run("dawdling", "--time-budget 900 --picture run.png");
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.err, Contains("plugin 'dawdling' of robot 'r1' failed in step 50: it took ") &&
-                          Contains(" ms to answer, which is beyond its time budget of 50 ms"));
+                          Contains(" ms to answer, which is beyond its time budget of 900 ms"));
   CHECK(world.rows() == 51);
   CHECK_FALSE(world.here.read("run.png").empty());
 }
@@ -144,20 +188,69 @@ TEST_CASE("One that does not return at all is stopped") {
 
 TEST_CASE("A second Ctrl-C ends even a plugin that does not return, and says which") {
   FaultyWorld world;
-  world.run("thrifty");  // writes the world
-  std::string text = world.here.read("world.xml");
-  text.replace(text.find("thrifty"), 7, "looping");
-  world.here.write("world.xml", text);
-  // The shell makes a process in the background ignore Ctrl-C: so it is asked to terminate.
-  const auto run = world.here.sh("rm run.csv\nelsie run world.xml --record run.csv --plugin-path " +
-                                 elsie::test::build_path("tests/program/plugins") +
-                                 " & pid=$!\n"
-                                 "while [ ! -e run.csv ]; do sleep 0.1; done\n"
-                                 "sleep 1\nkill $pid\nsleep 1\nkill $pid\nwait $pid");
+  const auto run = world.interrupt("looping");
   CHECK(run.exit_code == 4);
-  CHECK_THAT(run.err, Catch::Contains("plugin 'looping' of robot 'r1' was at work when the run was "
-                                      "interrupted in step 50\n"));
+  CHECK_THAT(world.here.read("err"),
+             Contains("plugin 'looping' of robot 'r1' was at work when the run was interrupted in "
+                      "step 50\n") &&
+                 Contains("faulty.so+0x"));
   CHECK(world.rows() >= 1);
+  // The libraries that were loaded from copies; and none is left.
+  CHECK(std::stoi(run.out) > 1);
+  CHECK_THAT(run.out, Catch::EndsWith("\n0\n"));
+}
+
+TEST_CASE("Before the run, the first Ctrl-C says which plugin does not return") {
+  FaultyWorld world;
+  struct Case {
+    std::string plugin, when;
+  };
+  for (const Case& expected :
+       {Case{"loops_when_made",
+             " was at work when the program was "
+             "interrupted, while it was made (world.xml:2)"},
+        {"loops_when_configured",
+         " was at work when the program was interrupted, while it was given its parameters "
+         "(world.xml:2)"},
+        {"loops_when_equipped",
+         " of robot 'r1' was at work when the program was interrupted, while it was prepared "
+         "(world.xml:2)"},
+        {"loops_when_reset",
+         " of robot 'r1' was at work when the program was interrupted in step 0"}}) {
+    const auto run = world.interrupt(expected.plugin);
+    const std::string err = world.here.read("err");
+    CAPTURE(err);
+    CHECK(run.exit_code == 4);
+    CHECK_THAT(err, Contains("elsie: plugin '" + expected.plugin + "'" + expected.when));
+    CHECK_THAT(run.out, Catch::EndsWith("\n0\n"));
+  }
+}
+
+TEST_CASE("A signal that nobody handles ends the program as always, and leaves no copies") {
+  FaultyWorld world;
+  world.write("looping", "arbiter_suppression", "");
+  for (const std::string signal : {"USR1", "PIPE", "XCPU"}) {
+    CAPTURE(signal);
+    const auto run = world.here.sh(
+        "rm -rf copies err; mkdir copies; export TMPDIR=$PWD/copies; ulimit -c 0\n"
+        "elsie run world.xml --watch --plugin-path " +
+        elsie::test::build_path("tests/program/plugins") +
+        " 2> err & pid=$!\nuntil grep -q 'for ever' err; do sleep 0.1; done\nkill -" + signal +
+        " $pid; wait $pid || echo $(kill -l $?)\nls copies | wc -l");
+    CHECK(run.out == signal + "\n0\n");
+  }
+}
+
+TEST_CASE("Copies that a killed process left are removed by the next one") {
+  const Workplace here;
+  const auto run = here.sh(
+      "mkdir copies; export TMPDIR=$PWD/copies; cd copies\n"
+      "mkdir elsie-copy-999999999-dead elsie-copy-999999999-young elsie-copy-$$-alive other\n"
+      "touch elsie-copy-999999999-dead/x.so\n"
+      "touch -d '1 hour ago' elsie-copy-999999999-dead elsie-copy-$$-alive other\n"
+      "cd ..; elsie run worlds/open_arena.xml --watch --duration 0.1 --quiet || ls copies | tr "
+      "-d 0-9");
+  CHECK(run.out == "elsie-copy--alive\nelsie-copy--young\nother\n");
 }
 
 TEST_CASE("A plugin that leaks runs into its memory budget; one that only allocates does not") {

@@ -86,7 +86,9 @@ TEST_CASE("Before the run, while a network trains, an interrupt ends the program
                              "'robot[r1]/coordinator/@presentations=2000000000'");
     CHECK(run.exit_code == 4);
     CHECK(run.out.empty());
-    CHECK(run.err == "elsie: interrupted before the work began\n");
+    // Which plugin trains the network, once it does.
+    CHECK_THAT(run.err, Catch::StartsWith("elsie: ") && Catch::Contains("interrupted"));
+    CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
   }
 }
 

@@ -19,12 +19,16 @@
 #include "stack_trace.h"
 
 namespace elsie::plugin {
+
+bool write_all_now() noexcept;
+
 namespace {
 
 // All that a handler of signals can reach are globals, and so is what is told to all handlers.
 std::array<std::atomic<EmergencyWriter*>, 512> writers;
 std::atomic<int> status_of_crash{0};
-std::atomic_flag is_reporting;
+std::atomic<pid_t> reporter{0};  // the thread that has come to grief first
+std::atomic<bool> is_cleaning{false};
 
 constexpr std::size_t kStackSize = 256 * 1024;
 constexpr int kWatchdogSignal = SIGVTALRM;
@@ -46,6 +50,11 @@ constexpr Crash kCrashes[] = {
      "ended the program with an abort (SIGABRT), as an exception that nobody catches does"},
 };
 
+/// What ends a process as well, but is nobody's fault: it is only cleaned up after.
+constexpr int kOtherEnds[] = {SIGPIPE, SIGQUIT, SIGXCPU, SIGXFSZ, SIGUSR1, SIGUSR2, SIGALRM};
+
+pid_t this_thread() { return static_cast<pid_t>(syscall(SYS_gettid)); }
+
 void write_number(std::uint64_t number) {
   char digits[20];
   std::size_t count = 0;
@@ -64,6 +73,16 @@ void write_quoted(const char* before, const char* text) {
     write_error(text);
     write_error("'");
   }
+}
+
+/// Whether the thread is in a plugin's code, and not only in that which is about to call it.
+bool is_plugin_at_work() {
+  for (const Call* call = Call::innermost(); call; call = call->outer()) {
+    if (call->facts().plugin || call->facts().library) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// What is known of a call and those around it. Of the library only what belongs to the plugin.
@@ -119,7 +138,11 @@ void write_when(const CallFacts& facts) {
   }
 }
 
+/// Once, whatever comes of it.
 void clean_up() {
+  if (is_cleaning.exchange(true)) {
+    return;
+  }
   for (const auto& slot : writers) {
     if (EmergencyWriter* const writer = slot.load()) {
       writer->clean_up_now();
@@ -127,10 +150,10 @@ void clean_up() {
   }
 }
 
-void write_report(const char* what, const void* at) {
+void write_culprit_and(const char* what) {
   write_error("elsie: ");
-  if (const Call* const call = Call::innermost()) {
-    const CallFacts facts = all_facts(call);
+  if (is_plugin_at_work()) {
+    const CallFacts facts = all_facts(Call::innermost());
     write_culprit(facts);
     write_error(" ");
     write_error(what);
@@ -144,50 +167,87 @@ void write_report(const char* what, const void* at) {
     write_error(what);
   }
   write_error("\n");
-  bool kept = false;
-  for (const auto& slot : writers) {
-    if (EmergencyWriter* const writer = slot.load()) {
-      kept = writer->write_now() || kept;
-    }
-  }
-  write_error("the stack, from the inside out:\n");
-  write_stack_trace(at);
-  if (kept) {
+}
+
+void write_report(const char* what, const Fault& place) {
+  write_culprit_and(what);
+  // First what matters: a stack that was written over may be the end of the trace.
+  if (write_all_now()) {
     write_error("what was recorded until then is kept\n");
   }
+  write_error("the stack, from the inside out:\n");
+  write_stack_trace(place);
   clean_up();
 }
 
-const void* address_of(const void* context) {
+Fault place_of_fault(const void* context) {
 #if defined(__x86_64__)
-  return reinterpret_cast<const void*>(
-      static_cast<const ucontext_t*>(context)->uc_mcontext.gregs[REG_RIP]);
+  const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext.gregs;
+  return {reinterpret_cast<const void*>(registers[REG_RIP]),
+          reinterpret_cast<const void* const*>(registers[REG_RSP]), nullptr};
 #elif defined(__aarch64__)
-  return reinterpret_cast<const void*>(static_cast<const ucontext_t*>(context)->uc_mcontext.pc);
+  const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext;
+  return {reinterpret_cast<const void*>(registers.pc), nullptr,
+          reinterpret_cast<const void*>(registers.regs[30])};
 #else
   static_cast<void>(context);
-  return nullptr;
+  return {};
 #endif
 }
 
-void crashed(int signal, siginfo_t*, void* context) {
-  if (is_reporting.test_and_set()) {
-    _exit(status_of_crash);  // the report itself came to grief
+/// Whether this thread is the first one that comes to grief. If it did so before, its report came
+/// to grief too: false. The others' end here; the first one ends the process.
+bool may_report() {
+  pid_t none = 0;
+  if (reporter.compare_exchange_strong(none, this_thread())) {
+    return true;
   }
-  const auto crash = std::find_if(std::begin(kCrashes), std::end(kCrashes),
-                                  [&](const Crash& known) { return known.signal == signal; });
-  write_report(crash->what, address_of(context));
+  while (reporter != this_thread()) {
+    pause();
+  }
+  return false;
+}
+
+/// As it would have ended by itself.
+[[noreturn]] void end_by(int signal) {
+  struct sigaction action {};
+  action.sa_handler = SIG_DFL;
+  sigaction(signal, &action, nullptr);
+  sigset_t only;
+  sigemptyset(&only);
+  sigaddset(&only, signal);
+  raise(signal);
+  pthread_sigmask(SIG_UNBLOCK, &only, nullptr);
+  _exit(128 + signal);
+}
+
+void crashed(int signal, siginfo_t*, void* context) {
+  if (may_report()) {
+    const auto crash = std::find_if(std::begin(kCrashes), std::end(kCrashes),
+                                    [&](const Crash& known) { return known.signal == signal; });
+    write_report(crash->what, place_of_fault(context));
+    if (is_plugin_at_work()) {
+      _exit(status_of_crash);
+    }
+    end_by(signal);
+  }
+  // The report came to grief. Nothing that may be on the stack is looked at again.
+  write_error("  (no more of it can be read)\n");
+  clean_up();
   if (Call::innermost()) {
     _exit(status_of_crash);
   }
-  // As it would have ended by itself. The signal is blocked until this returns.
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
+  end_by(signal);
+}
+
+void ended(int signal) {
+  clean_up();
+  end_by(signal);
 }
 
 void left_by_exit() {
-  if (Call::innermost() && !is_reporting.test_and_set()) {
-    write_report("ended the program by calling exit()", nullptr);
+  if (is_plugin_at_work() && may_report()) {
+    write_report("ended the program by calling exit()", {});
     _exit(status_of_crash);
   }
 }
@@ -195,8 +255,8 @@ void left_by_exit() {
 void look_for_endless_call(int, siginfo_t*, void* context) {
   const Call* const call = Call::innermost();
   if (call && 1e9 * call->own_time_s() > static_cast<double>(watchdog_limit_ns.load()) &&
-      !is_reporting.test_and_set()) {
-    write_report("did not return within its time budget and was stopped", address_of(context));
+      may_report()) {
+    write_report("did not return within its time budget and was stopped", place_of_fault(context));
     _exit(watchdog_status);
   }
 }
@@ -222,22 +282,31 @@ void report_crashes(int exit_status) {
   second.ss_size = kStackSize;
   sigaltstack(&second, nullptr);
   for (const Crash& crash : kCrashes) {
-    handle(crash.signal, crashed, SA_ONSTACK);
+    // Not blocked while it is handled: a fault in the handler would end the process on the spot.
+    handle(crash.signal, crashed, SA_ONSTACK | SA_NODEFER);
+  }
+  for (const int signal : kOtherEnds) {
+    struct sigaction action {};
+    if (sigaction(signal, nullptr, &action) == 0 && !(action.sa_flags & SA_SIGINFO) &&
+        action.sa_handler == SIG_DFL) {
+      action = {};
+      action.sa_handler = ended;
+      sigemptyset(&action.sa_mask);
+      sigaction(signal, &action, nullptr);
+    }
   }
 }
 
-void end_process(const char* what, int exit_status) {
-  if (!is_reporting.test_and_set()) {
-    // Elsewhere a recorder may be in the middle of a line: what it holds is left alone.
-    if (Call::innermost()) {
-      write_report(what, nullptr);
-    } else {
-      write_error("elsie: something outside of all plugins ");
-      write_error(what);
-      write_error("\n");
-      clean_up();
-    }
+void end_process(const char* what, const char* else_say, int exit_status, Stack stack) {
+  // Outside of plugins a recorder may be in the middle of a line: what it holds is left alone.
+  if (may_report() && is_plugin_at_work()) {
+    stack == Stack::shown ? write_report(what, {}) : write_culprit_and(what);
+  } else if (!is_plugin_at_work()) {
+    write_error("elsie: ");
+    write_error(else_say);
+    write_error("\n");
   }
+  clean_up();
   _exit(exit_status);
 }
 
@@ -249,7 +318,7 @@ Watchdog::Watchdog(double limit_s, int exit_status) {
   sigevent event{};
   event.sigev_notify = SIGEV_THREAD_ID;
   event.sigev_signo = kWatchdogSignal;
-  event._sigev_un._tid = static_cast<pid_t>(syscall(SYS_gettid));
+  event._sigev_un._tid = this_thread();
   timer_t timer{};
   if (timer_create(CLOCK_MONOTONIC, &event, &timer) != 0) {
     throw std::runtime_error("no timer is to be had that would stop plugins which do not return");
@@ -270,7 +339,18 @@ Watchdog::~Watchdog() {
   std::signal(kWatchdogSignal, SIG_IGN);  // one may be on its way
 }
 
-EmergencyWriter::EmergencyWriter() {
+bool write_all_now() noexcept {
+  bool any = false;
+  for (const auto& slot : writers) {
+    EmergencyWriter* const writer = slot.load();
+    if (writer && writer->thread_ == this_thread()) {
+      any = writer->write_now() || any;
+    }
+  }
+  return any;
+}
+
+EmergencyWriter::EmergencyWriter() : thread_(this_thread()) {
   for (auto& slot : writers) {
     EmergencyWriter* none = nullptr;
     if (slot.compare_exchange_strong(none, this)) {

@@ -1,19 +1,62 @@
 #include "private_copy.h"
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdlib>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
+#include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 namespace elsie::plugin {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr std::string_view kBegin = "elsie-copy-";  // and the process, and chance
+
+/// Whether a folder of copies was left behind by a process that was killed. One that is young is
+/// let be: what cannot be seen from here (in another container) may be at work.
+bool is_left_behind(const fs::path& folder) {
+  constexpr time_t kYoung = 60;  // s
+  const std::string name = folder.filename().string();
+  if (!name.starts_with(kBegin)) {
+    return false;
+  }
+  pid_t process = 0;
+  const char* const end = name.data() + name.size();
+  const auto read = std::from_chars(name.data() + kBegin.size(), end, process);
+  struct stat status {};
+  return read.ec == std::errc() && read.ptr != end && *read.ptr == '-' && process > 0 &&
+         lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) &&
+         status.st_uid == geteuid() && time(nullptr) - status.st_mtim.tv_sec > kYoung &&
+         kill(process, 0) != 0 && errno == ESRCH;
+}
+
+/// Removes what processes left behind that could not clean up themselves.
+bool sweep(const fs::path& temporary) {
+  std::error_code error;
+  for (fs::directory_iterator at(temporary, error), end; !error && at != end; at.increment(error)) {
+    if (is_left_behind(at->path())) {
+      std::error_code ignored;
+      fs::remove_all(at->path(), ignored);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 PrivateCopy::PrivateCopy(const fs::path& file) {
   std::error_code error;
-  fs::path folder = fs::temp_directory_path(error) / "elsie-copy-XXXXXX";
+  const fs::path temporary = fs::temp_directory_path(error);
+  [[maybe_unused]] static const bool swept = sweep(temporary);
+  fs::path folder = temporary / (std::string(kBegin) + std::to_string(getpid()) + "-XXXXXX");
   folder_ = folder.string();
   if (!mkdtemp(folder_.data())) {
     error = {errno, std::generic_category()};

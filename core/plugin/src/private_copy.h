@@ -10,7 +10,8 @@ namespace elsie::plugin {
 
 /// A library that is in memory must not be overwritten, and the system takes a file of a path that
 /// it knows for the one that it has loaded. So a library that may be replaced is loaded from a copy
-/// of its own, in a folder of its own, which goes with this object.
+/// of its own, in a folder of its own, which goes with this object. Those of processes that were
+/// killed are removed by the first copy of a later one, of the same user.
 class PrivateCopy final : private EmergencyWriter {
  public:
   /// Throws std::runtime_error with a sentence.

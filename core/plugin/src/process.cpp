@@ -2,11 +2,14 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "elsie/plugin/crash_report.h"
 
 extern char** environ;
 
@@ -26,6 +29,19 @@ std::string read_all(int from) {
   }
 }
 
+/// A process that leads a group of its own, which goes with this one.
+class Group final : private EmergencyWriter {
+ public:
+  explicit Group(pid_t leader) : leader_(leader) {}
+  ~Group() override { retire(); }
+  void terminate() const noexcept { kill(-leader_, SIGTERM); }
+
+ private:
+  void clean_up_now() noexcept override { terminate(); }
+
+  const pid_t leader_;
+};
+
 int wait_for(pid_t process) {
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
@@ -35,7 +51,8 @@ int wait_for(pid_t process) {
 
 }  // namespace
 
-std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments) {
+std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments,
+                                         const std::stop_token& stop) {
   std::array<int, 2> pipe_ends{};
   if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) {
     return std::nullopt;
@@ -46,6 +63,15 @@ std::optional<ProcessResult> run_process(const std::vector<std::string>& argumen
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, writes, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, writes, STDERR_FILENO);
+  // A group of its own, so that it is ended with all that it starts; and no signal is kept from it,
+  // whatever the thread that asks for it has blocked.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
   std::vector<std::string> copies = arguments;
   std::vector<char*> words;
   for (std::string& word : copies) {
@@ -54,13 +80,18 @@ std::optional<ProcessResult> run_process(const std::vector<std::string>& argumen
   words.push_back(nullptr);
   pid_t process = 0;
   const int problem =
-      posix_spawnp(&process, words.front(), &actions, nullptr, words.data(), environ);
+      posix_spawnp(&process, words.front(), &actions, &attributes, words.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   close(writes);
   std::optional<ProcessResult> result;
   if (problem == 0) {
     result.emplace();
-    result->output = read_all(reads);
+    {
+      const Group group(process);
+      const std::stop_callback stopped(stop, [&group] { group.terminate(); });
+      result->output = read_all(reads);
+    }
     result->exit_code = wait_for(process);
   }
   close(reads);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,9 @@ struct ProcessResult {
 };
 
 /// Runs the program, which is looked for in $PATH, with these arguments (the first is its name) and
-/// waits for its end. None when it cannot be started.
-std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments);
+/// waits for its end. None when it cannot be started. `stop` asks it, and what it has started, to
+/// terminate; so does the end of this process if it is brought down (crash_report.h).
+std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments,
+                                         const std::stop_token& stop = {});
 
 }  // namespace elsie::plugin

@@ -113,7 +113,47 @@ void prepare_stack_trace() {
   }
 }
 
-void write_stack_trace(const void* at) noexcept {
+namespace {
+
+/// Writes them as they are in the libraries, and in the source if that can be found out.
+void write_places(const Place* places, int shown) {
+  for (int i = 0; i < shown; ++i) {
+    const char* const slash = std::strrchr(places[i].file, '/');
+    write_error("  ");
+    write_error(slash ? slash + 1 : places[i].file);
+    write_error("+");
+    write_error(hex(places[i].offset).data());
+    write_error("\n");
+  }
+  if (addr2line[0] == '\0') {
+    write_error(
+        "(addr2line would tell the lines of the source: on Debian, apt install binutils)\n");
+    return;
+  }
+  write_error("in the source:\n");
+  for (int first = 0, end = 0; first < shown; first = end) {
+    while (end < shown && places[end].base == places[first].base) {
+      ++end;
+    }
+    write_lines(places + first, end - first);
+  }
+}
+
+}  // namespace
+
+void write_stack_trace(const Fault& fault) noexcept {
+  const void* const at = fault.at;
+  if (at && !place_of(at).file) {  // nothing could follow the stack from there
+    write_error("  ");
+    write_error(hex(reinterpret_cast<std::uintptr_t>(at)).data());
+    write_error(", where there is no code\n");
+    const void* const back = fault.stack ? *fault.stack : fault.back;
+    const Place caller = back ? place_of(static_cast<const char*>(back) - 1) : Place();
+    if (caller.file) {
+      write_places(&caller, 1);
+    }
+    return;
+  }
   void* frames[kMostFrames];
   const int count = backtrace(frames, kMostFrames);
   // The handler's own frames come first, and after them the signal's.
@@ -140,26 +180,7 @@ void write_stack_trace(const void* at) noexcept {
     write_error("  (nothing is known of the stack)\n");
     return;
   }
-  for (int i = 0; i < shown; ++i) {
-    const char* const slash = std::strrchr(places[i].file, '/');
-    write_error("  ");
-    write_error(slash ? slash + 1 : places[i].file);
-    write_error("+");
-    write_error(hex(places[i].offset).data());
-    write_error("\n");
-  }
-  if (addr2line[0] == '\0') {
-    write_error(
-        "(addr2line would tell the lines of the source: on Debian, apt install binutils)\n");
-    return;
-  }
-  write_error("in the source:\n");
-  for (int first = 0, end = 0; first < shown; first = end) {
-    while (end < shown && places[end].base == places[first].base) {
-      ++end;
-    }
-    write_lines(places + first, end - first);
-  }
+  write_places(places, shown);
 }
 
 }  // namespace elsie::plugin

@@ -1,10 +1,12 @@
 // Plugins that fail after half a second, each in its own way, for the tests of the program.
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -76,16 +78,48 @@ struct Overflows {
     return hidden(depth) > 0 ? deeper(depth + 1) + here[0] : 0.0;
   }
 };
+/// Says so, for whoever waits for it.
+void loop() {
+  constexpr std::string_view kText = "for ever\n";
+  [[maybe_unused]] const ssize_t count = write(STDERR_FILENO, kText.data(), kText.size());
+  while (hidden(true)) {
+  }
+}
 struct Loops {
   elsie::MotorCommand operator()() {
-    while (hidden(true)) {
+    loop();
+    return {};
+  }
+};
+/// Calls what is no code.
+struct CallsNowhere {
+  elsie::MotorCommand operator()() {
+    hidden(reinterpret_cast<void (*)()>(0x1234))();
+    return {};
+  }
+};
+/// Writes over the addresses that it and its callers would return to.
+struct SmashesStack {
+  elsie::MotorCommand operator()() { return {smash(hidden(24)), 0}; }
+  __attribute__((noinline)) static double smash(int words) {
+    volatile std::uintptr_t here[4] = {};
+    volatile std::uintptr_t* const beyond = hidden(&here[0]);
+    for (int i = 0; i < words; ++i) {
+      beyond[i] = 0x4141414141414141;
     }
+    return static_cast<double>(here[1]);
+  }
+};
+/// A thread of its own that crashes while the robot drives.
+struct CrashesElsewhere {
+  elsie::MotorCommand operator()() {
+    std::thread([] { *hidden<int*>(nullptr) = 1; }).join();
     return {};
   }
 };
 struct Dawdles {
   elsie::MotorCommand operator()() {
-    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1000));
     return {10, 10};
   }
 };
@@ -123,6 +157,31 @@ class CrashesWhenMade final : public elsie::Behavior {
       *hidden<int*>(nullptr) = 1;
     }
   }
+  elsie::Response respond(const elsie::Perception&) override { return {}; }
+};
+int made_for_ever = 0;
+class LoopsWhenMade final : public elsie::Behavior {
+ public:
+  LoopsWhenMade() {
+    if (made_for_ever++ > 0) {
+      loop();
+    }
+  }
+  elsie::Response respond(const elsie::Perception&) override { return {}; }
+};
+class LoopsWhenConfigured final : public elsie::Behavior {
+ public:
+  void configured() override { loop(); }
+  elsie::Response respond(const elsie::Perception&) override { return {}; }
+};
+class LoopsWhenEquipped final : public elsie::Behavior {
+ public:
+  void equipped(const elsie::Perception&) override { loop(); }
+  elsie::Response respond(const elsie::Perception&) override { return {}; }
+};
+class LoopsWhenReset final : public elsie::Behavior {
+ public:
+  void reset(elsie::Random&) override { loop(); }
   elsie::Response respond(const elsie::Perception&) override { return {}; }
 };
 class CrashesWhenConfigured final : public elsie::Behavior {
@@ -173,6 +232,9 @@ using BusErrorLate = Failing<BusError>;
 using ExitsLate = Failing<Exits>;
 using OverflowsLate = Failing<Overflows>;
 using LoopsLate = Failing<Loops>;
+using CallsNowhereLate = Failing<CallsNowhere>;
+using SmashesStackLate = Failing<SmashesStack>;
+using CrashesElsewhereLate = Failing<CrashesElsewhere>;
 using DawdlesLate = Failing<Dawdles>;
 using LeaksLate = Failing<Leaks>;
 using ThriftyLate = Failing<Thrifty>;
@@ -192,10 +254,20 @@ ELSIE_BEHAVIOR(BusErrorLate, "bus_error", "Gets a bus error after half a second"
 ELSIE_BEHAVIOR(ExitsLate, "exiting", "Calls exit() after half a second");
 ELSIE_BEHAVIOR(OverflowsLate, "overflowing", "Overflows its stack after half a second");
 ELSIE_BEHAVIOR(LoopsLate, "looping", "Does not return after half a second");
-ELSIE_BEHAVIOR(DawdlesLate, "dawdling", "Takes 60 ms for each answer after half a second");
+ELSIE_BEHAVIOR(CallsNowhereLate, "calling_nowhere", "Calls a wild pointer after half a second");
+ELSIE_BEHAVIOR(SmashesStackLate, "smashing_stack", "Writes over its stack after half a second");
+ELSIE_BEHAVIOR(CrashesElsewhereLate, "crashing_elsewhere",
+               "Crashes in a thread of its own after half a second");
+ELSIE_BEHAVIOR(DawdlesLate, "dawdling", "Takes a second for each answer after half a second");
 ELSIE_BEHAVIOR(LeaksLate, "leaking", "Leaks 1000 bytes a call after half a second");
 ELSIE_BEHAVIOR(ThriftyLate, "thrifty", "Allocates and frees after half a second");
 ELSIE_BEHAVIOR(ThrowsWhenMade, "throws_when_made", "Throws when it is made");
+ELSIE_BEHAVIOR(LoopsWhenMade, "loops_when_made", "Does not return when it is made");
+ELSIE_BEHAVIOR(LoopsWhenConfigured, "loops_when_configured",
+               "Does not return when it gets its parameters");
+ELSIE_BEHAVIOR(LoopsWhenEquipped, "loops_when_equipped",
+               "Does not return when it hears what the robot has");
+ELSIE_BEHAVIOR(LoopsWhenReset, "loops_when_reset", "Does not return when it is reset");
 ELSIE_BEHAVIOR(CrashesWhenMade, "crashes_when_made", "Crashes when it is made");
 ELSIE_BEHAVIOR(CrashesWhenConfigured, "crashes_when_configured",
                "Crashes when it gets its parameters");

@@ -5,6 +5,8 @@
 // All of it is done within the handler of the signal, without allocating and without locks.
 #pragma once
 
+#include <sys/types.h>
+
 namespace elsie::plugin {
 
 /// From now on a signal that ends the process because of an error (SIGSEGV, SIGBUS, SIGILL, SIGFPE,
@@ -16,13 +18,20 @@ namespace elsie::plugin {
 ///   when a plugin calls exit();
 /// - elsewhere the process ends by the signal, as it would without this.
 ///
+/// So it does when the report itself comes to grief, as on a stack that was written over. Another
+/// thread that crashes meanwhile waits for the end. Other signals that end a process and are not
+/// handled (SIGPIPE, SIGQUIT, SIGXCPU, SIGUSR1...) end it as always, but after a clean-up.
+///
 /// A stack that has overflowed is reported in the thread that calls this, which gets a second stack
 /// for it. To be called once, early, by a program; a library never does.
 void report_crashes(int exit_status);
 
 /// Ends the process like a crash, from a handler of a signal: if a plugin is at work, after a
-/// report that says `what` it did: "did not return".
-[[noreturn]] void end_process(const char* what, int exit_status);
+/// report that says `what` it did: "did not return". Otherwise with the words `else_say`. Without
+/// the stack there is one line, and nothing is written but that.
+enum class Stack { shown, left_out };
+[[noreturn]] void end_process(const char* what, const char* else_say, int exit_status,
+                              Stack stack = Stack::shown);
 
 /// Ends the process when a call of the thread that made this takes too long: a plugin that does not
 /// return cannot be stopped in any other way. Looks at calls whose clock was started
@@ -45,7 +54,8 @@ class EmergencyWriter {
   virtual ~EmergencyWriter() = default;
   // Called within a handler of a signal: write(2), unlink(2) and the like, nothing else.
 
-  /// Before the stack trace. Whether there was anything to write to.
+  /// Before the stack trace, if it is the thread that made this which comes to grief: what another
+  /// one is in the middle of is left alone. Whether there was anything to write to.
   virtual bool write_now() noexcept { return false; }
   /// After it.
   virtual void clean_up_now() noexcept {}
@@ -56,6 +66,10 @@ class EmergencyWriter {
   EmergencyWriter& operator=(const EmergencyWriter&) = delete;
   /// Of the class itself, in its destructor: before anything of it is gone.
   void retire() noexcept;
+
+ private:
+  friend bool write_all_now() noexcept;  // of all those of this thread; whether there was any
+  const pid_t thread_;
 };
 
 }  // namespace elsie::plugin
