@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
 
 #include "elsie/plugin/abi_word.h"
 #include "elsie/plugin/host.h"
@@ -125,6 +128,48 @@ TEST_CASE("A missing symbol is found when the plugin is compiled, not when it ru
   if (host_abi_word().find("sanitizer=none") != std::string_view::npos) {
     CHECK_THAT(refusal(here / "unlinked.cpp", cache.path()), Contains("nowhere()"));
   }
+}
+
+TEST_CASE("The cache keeps the newest libraries of a source, and nothing that nobody asks for") {
+  namespace fs = std::filesystem;
+  Folder here, cache;
+  write(here / "straight.cpp", std::string_view(kSource));
+  write(here / "speed.h", std::string_view("constexpr double kSpeed = 3.0;\n"));
+  const auto days_ago = [](int days) {
+    return fs::file_time_type::clock::now() - std::chrono::hours(24 * days);
+  };
+  const SourceBuild first = build_source(here / "straight.cpp", cache.path());
+  const fs::path folder = first.library.parent_path();
+  fs::last_write_time(first.library, days_ago(1));
+  std::vector<fs::path> more;
+  for (int i = 0; i < static_cast<int>(kMostBuilds); ++i) {
+    more.push_back(folder / ("straight-" + std::to_string(i) + ".so"));
+    write(more.back(), std::string_view("another one"));
+    fs::last_write_time(more.back(), days_ago(2 + i));
+  }
+  write(folder / "new.999999999.so", std::string_view("of a compiler that was killed"));
+  write(folder / ("new." + std::to_string(getppid()) + ".d"), std::string_view("at work"));
+  // Of other sources: one that nobody asks for, one that is asked for, and what is not the cache's.
+  for (const std::string name : {"old", "used", "strange"}) {
+    fs::create_directory(cache / name);
+    write(cache / name / "inputs", std::string_view("x.so\n"));
+    write(cache / name / "x.so", std::string_view("a library"));
+    fs::last_write_time(cache / name / "inputs", days_ago(name == "used" ? 1 : kCacheDays + 1));
+  }
+  write(cache / "strange/notes.txt", std::string_view("not of the cache"));
+
+  write(here / "speed.h", std::string_view("constexpr double kSpeed = 4.0;\n"));
+  const SourceBuild second = build_source(here / "straight.cpp", cache.path());
+  CHECK(fs::exists(second.library));
+  CHECK(fs::exists(first.library));
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    CHECK(fs::exists(more[i]) == (i + 2 < kMostBuilds));
+  }
+  CHECK_FALSE(fs::exists(folder / "new.999999999.so"));
+  CHECK(fs::exists(folder / ("new." + std::to_string(getppid()) + ".d")));
+  CHECK_FALSE(fs::exists(cache / "old"));
+  CHECK(fs::exists(cache / "used/x.so"));
+  CHECK(fs::exists(cache / "strange/x.so"));
 }
 
 TEST_CASE("What cannot be compiled is told in a sentence") {

@@ -1,6 +1,10 @@
 #include "elsie/plugin/source_build.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -133,7 +137,8 @@ class Compiler {
   }
 
   /// Throws BuildError.
-  void compile(const fs::path& source, const fs::path& output, const fs::path& dependencies) const {
+  void compile(const fs::path& source, const fs::path& output, const fs::path& dependencies,
+               const std::stop_token& stop) const {
     std::vector<std::string> command = words_;
     const auto version = run_process({words_.front(), "--version"});
     if (version && version->output.find("clang") == std::string::npos) {
@@ -145,7 +150,7 @@ class Compiler {
           output.string(), source.string(), library_.string()}) {
       command.push_back(word);
     }
-    const auto result = run_process(command);
+    const auto result = run_process(command, stop);
     if (!result) {
       throw PluginError("the compiler '" + words_.front() + "' could not be started");
     }
@@ -189,11 +194,65 @@ std::vector<fs::path> prerequisites(const std::string& rule) {
   return files;
 }
 
+/// Scratch files are "new.", the process that writes them, and a suffix.
+constexpr std::string_view kScratch = "new.";
+
+/// Whether the process that wrote a scratch file is gone.
+bool is_left_behind(const std::string& name) {
+  pid_t process = 0;
+  const char* const number = name.data() + std::min(kScratch.size(), name.size());
+  const auto read = std::from_chars(number, name.data() + name.size(), process);
+  return name.starts_with(kScratch) && read.ec == std::errc() && process > 0 &&
+         kill(process, 0) != 0 && errno == ESRCH;
+}
+
+/// The files of a folder of the cache, the last used first. None when there is anything else in it:
+/// then it is not the cache's.
+std::vector<fs::path> cached_files(const fs::path& folder) {
+  std::vector<std::pair<fs::file_time_type, fs::path>> found;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    const bool known =
+        name == "inputs" || name.starts_with(kScratch) || at->path().extension() == ".so";
+    if (!known || !at->is_regular_file(error)) {
+      return {};
+    }
+    found.emplace_back(at->last_write_time(error), at->path());
+  }
+  std::sort(found.rbegin(), found.rend());
+  std::vector<fs::path> files;
+  for (auto& [time, file] : found) {
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+/// Removes what nobody has asked for in a long time. What is in use elsewhere stays in memory.
+void sweep(const fs::path& cache) {
+  const auto limit = fs::file_time_type::clock::now() - std::chrono::hours(24 * kCacheDays);
+  std::error_code error;
+  std::vector<fs::path> folders;
+  for (fs::directory_iterator at(cache, error), end; !error && at != end; at.increment(error)) {
+    if (fs::exists(at->path() / "inputs", error) &&
+        fs::last_write_time(at->path() / "inputs", error) < limit) {
+      folders.push_back(at->path());
+    }
+  }
+  for (const fs::path& folder : folders) {
+    for (const fs::path& file : cached_files(folder)) {
+      fs::remove(file, error);
+    }
+    fs::remove(folder, error);  // if nothing is left
+  }
+}
+
 /// What one source was compiled to last, and from which contents.
 class CacheEntry {
  public:
   CacheEntry(const fs::path& source, const Compiler& compiler, const fs::path& cache)
-      : folder_(cache / (source.stem().string() + '-' +
+      : cache_(cache),
+        folder_(cache / (source.stem().string() + '-' +
                          Hash().add(source.string()).add(compiler.identity()).text())),
         stem_(source.stem().string()) {
     std::error_code error;
@@ -222,12 +281,18 @@ class CacheEntry {
       }
       build.inputs.emplace_back(file);
     }
-    return fs::exists(build.library) ? std::optional(build) : std::nullopt;
+    if (!fs::exists(build.library)) {
+      return std::nullopt;
+    }
+    std::error_code ignored;  // in a cache that is only read
+    const auto now = fs::file_time_type::clock::now();
+    fs::last_write_time(folder_ / "inputs", now, ignored);
+    return build;
   }
 
   /// Where the compiler may write; another one for each process.
   fs::path scratch(const char* suffix) const {
-    return folder_ / ("new." + std::to_string(getpid()) + suffix);
+    return folder_ / (std::string(kScratch) + std::to_string(getpid()) + suffix);
   }
 
   /// Takes over what the compiler wrote.
@@ -244,10 +309,27 @@ class CacheEntry {
     std::ofstream(text) << name << '\n' << record;
     fs::rename(library, folder_ / name);
     fs::rename(text, folder_ / "inputs");
+    tidy(folder_ / name);
     return {folder_ / name, std::move(inputs), false};
   }
 
  private:
+  /// Removes the libraries that are too many, and what compilers left that were killed.
+  void tidy(const fs::path& newest) const {
+    std::size_t libraries = 1;
+    std::error_code ignored;
+    for (const fs::path& file : cached_files(folder_)) {
+      const std::string name = file.filename().string();
+      const bool is_scratch = name.starts_with(kScratch);
+      if (is_scratch ? is_left_behind(name)
+                     : file.extension() == ".so" && file != newest && ++libraries > kMostBuilds) {
+        fs::remove(file, ignored);
+      }
+    }
+    sweep(cache_);
+  }
+
+  fs::path cache_;
   fs::path folder_;
   std::string stem_;
 };
@@ -291,7 +373,8 @@ fs::path cache_directory() {
   return fs::temp_directory_path() / "elsie";
 }
 
-SourceBuild build_source(const fs::path& source, const fs::path& cache) {
+SourceBuild build_source(const fs::path& source, const fs::path& cache,
+                         const std::stop_token& stop) {
   const fs::path file = checked(source);
   const Compiler compiler;
   const CacheEntry entry(file, compiler, fs::absolute(cache));
@@ -302,7 +385,7 @@ SourceBuild build_source(const fs::path& source, const fs::path& cache) {
   const fs::path dependencies = entry.scratch(".d");
   try {
     // Under the name that the user gave, which is the one that the messages have.
-    compiler.compile(source, library, dependencies);
+    compiler.compile(source, library, dependencies, stop);
     std::vector<fs::path> inputs = prerequisites(content_of(dependencies).value_or(""));
     for (fs::path& input : inputs) {
       input = fs::absolute(input);

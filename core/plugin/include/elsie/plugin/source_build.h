@@ -6,10 +6,12 @@
 // The system's compiler does it ($CXX, else c++), against the headers and the library that this
 // program runs with, with the flags that plugins need and those of $CXXFLAGS. What was compiled is
 // kept in a cache: as long as the source, the headers it includes, the compiler and libelsie are
-// the same, it is not compiled again.
+// the same, it is not compiled again. Of each source the cache keeps the last kMostBuilds
+// libraries, and nothing of what was not asked for in kCacheDays days.
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -39,9 +41,16 @@ bool is_source(const std::filesystem::path& file);
 /// files.
 std::filesystem::path cache_directory();
 
-/// Compiles the source unless the cache has it. Throws BuildError; PluginError when there is no
-/// such file, no compiler, no headers, or no place to write to.
+/// How many libraries of one source are kept.
+inline constexpr std::size_t kMostBuilds = 16;
+/// After how many days without use a source's libraries are removed, when another one is compiled.
+inline constexpr int kCacheDays = 60;
+
+/// Compiles the source unless the cache has it. `stop`: ends the compiler. Throws BuildError, also
+/// when it was stopped; PluginError when there is no such file, no compiler, no headers, or no
+/// place to write to.
 SourceBuild build_source(const std::filesystem::path& source,
-                         const std::filesystem::path& cache = cache_directory());
+                         const std::filesystem::path& cache = cache_directory(),
+                         const std::stop_token& stop = {});
 
 }  // namespace elsie::plugin
