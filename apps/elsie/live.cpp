@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <unistd.h>
 
@@ -32,6 +34,14 @@ void Pacer::stepped(const Simulation& simulation) {
 }
 
 namespace {
+
+std::string joined(const std::vector<std::filesystem::path>& files) {
+  std::string text;
+  for (const auto& file : files) {
+    text += (text.empty() ? "" : ", ") + file.string();
+  }
+  return text;
+}
 
 /// "wander of r1, r2 (with what it remembers)" for every plugin.
 std::string told(const Replacement& replacement) {
@@ -69,16 +79,13 @@ void replace_what_changed(elsie::plugin::Watch& watch, Simulation& simulation, b
   for (const std::string& problem : renewal->problems) {
     std::cerr << problem << '\n';
   }
-  if (!renewal->problems.empty()) {
-    std::cerr << at << "what was there before goes on\n";
+  if (!renewal->kept.empty()) {
+    std::cerr << at << joined(renewal->kept) << ": what was there before goes on\n";
   }
   if (!renewal->host) {
     return;
   }
-  std::string files;
-  for (const auto& file : renewal->files) {
-    files += (files.empty() ? "" : ", ") + file.string();
-  }
+  const std::string files = joined(renewal->files);
   try {
     const Replacement replacement = simulation.replace_plugins(*renewal->host);
     watch.accept(*std::move(renewal));

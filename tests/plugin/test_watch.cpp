@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <thread>
@@ -57,6 +58,39 @@ void write_text(const fs::path& file, const std::string& text) {
   write(file, std::string_view(text));
 }
 
+long entries(const fs::path& folder) {
+  return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+}
+
+/// Sets a variable of the environment for the life of the object.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value) : name_(name) {
+    if (const char* before = std::getenv(name)) {
+      before_ = before;
+    }
+    setenv(name, value.c_str(), 1);
+  }
+  ~Variable() { before_.empty() ? unsetenv(name_) : setenv(name_, before_.c_str(), 1); }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+  std::string before_;
+};
+
+/// A plugin of the fixtures' name "good", whose parameter has this default; its maximum is 10.
+std::string own_good(const std::string& gain) {
+  return "#include <elsie/api/behavior.h>\n"
+         "class Good final : public elsie::Behavior {\n public:\n  double gain = " +
+         gain +
+         ";\n  elsie::Response respond(const elsie::Perception&) override {\n"
+         "    return elsie::MotorCommand{gain, gain};\n  }\n};\n"
+         "ELSIE_BEHAVIOR(Good, \"good\", \"Of the user's own\",\n"
+         "    elsie::parameter(\"gain\", &Good::gain, {.max = 10.0, .meaning = \"rate\"}));\n";
+}
+
 }  // namespace
 
 TEST_CASE("A renewed host shares what has not changed, and loads what has beside the old one") {
@@ -75,13 +109,17 @@ TEST_CASE("A renewed host shares what has not changed, and loads what has beside
 }
 
 TEST_CASE("The files of copies are not in memory, and the copies go with their last object") {
-  Folder folder;
+  Folder folder, temporary;
+  const Variable there("TMPDIR", temporary.path());
   folder.with("good");
   std::optional<Host> host = copies_of(folder);
   CHECK_FALSE(is_loaded(folder / "good.so"));
   auto object = host->create<Behavior>(PluginKind::behavior, "good");
   host.reset();
   CHECK(answer(*object).left == 3.0);
+  CHECK(entries(temporary.path()) == 1);
+  object.reset();
+  CHECK(entries(temporary.path()) == 0);
 }
 
 TEST_CASE("Plugins that are linked into the program are in a renewed host too") {
@@ -172,4 +210,120 @@ TEST_CASE("A watch compiles a source when it or a header of its own changes") {
   REQUIRE(renewal->host);
   CHECK(answer(*renewal->host->create<Behavior>(PluginKind::behavior, "straight")).right == 9.0);
   unsetenv("ELSIE_CACHE");
+}
+
+TEST_CASE("Of a source whose library is refused the old one goes on, not another of its name") {
+  Folder here, cache, others;
+  const Variable there("ELSIE_CACHE", cache.path());
+  const bool is_shadowed = GENERATE(true, false);
+  CAPTURE(is_shadowed);
+  others.with("twin_a", "twin.so");
+  if (is_shadowed) {
+    others.with("good");  // which answers 3
+  }
+  write_text(here / "mine.cpp", own_good("4.0"));
+  Watch watch({{here / "mine.cpp", "--plugin"}, {others.path(), "given"}}, milliseconds(20));
+  CHECK(speed(watch.host(), "good") == 4.0);
+
+  write_text(here / "mine.cpp", own_good("40.0"));
+  auto renewal = found(watch);
+  REQUIRE(renewal);
+  CHECK_FALSE(renewal->host);
+  REQUIRE(renewal->problems.size() == 1);
+  CHECK_THAT(renewal->problems[0], Catch::StartsWith((here / "mine.cpp").string() + ": ") &&
+                                       Contains("is declared wrongly") &&
+                                       Contains("is still in use"));
+  CHECK(renewal->kept == std::vector<fs::path>{here / "mine.cpp"});
+
+  // Nor does a change elsewhere bring the other one in; not even one after the other.
+  for (const std::string twin : {"twin_b", "twin_a"}) {
+    write(others / "twin.so", bytes_of(fixture(twin)));
+    renewal = found(watch);
+    REQUIRE(renewal);
+    REQUIRE(renewal->host);
+    CHECK(renewal->files == std::vector<fs::path>{others / "twin.so"});
+    CHECK(speed(*renewal->host, "good") == 4.0);
+    watch.accept(*std::move(renewal));
+  }
+
+  write_text(here / "mine.cpp", own_good("5.0"));
+  renewal = found(watch);
+  REQUIRE(renewal);
+  REQUIRE(renewal->host);
+  CHECK(renewal->files == std::vector<fs::path>{here / "mine.cpp"});
+  CHECK(speed(*renewal->host, "good") == 5.0);
+}
+
+TEST_CASE("What was not taken is not lost; a watch ends a compiler that is at work") {
+  Folder here, cache, others;
+  // A compiler that says when it has read all, and never comes to an end if it is told so.
+  const std::string done = (here / "done").string(), endless = (here / "endless").string();
+  write_text(here / "compiler",
+             "#!/bin/sh\nc++ \"$@\"; result=$?\n"
+             "if [ \"$1\" = --version ]; then exit $result; fi\n"
+             "if [ -e " +
+                 endless + " ]; then echo >> " + done +
+                 "; sleep 1000; fi\n"
+                 "echo >> " +
+                 done + "; exit $result\n");
+  fs::permissions(here / "compiler", fs::perms::owner_all);
+  const Variable compiler("CXX", here / "compiler");
+  const Variable there("ELSIE_CACHE", cache.path());
+  const auto wait_for_compilers = [&](std::size_t count) {
+    for (int i = 0; i < 12000 && bytes_of(here / "done").size() < count; ++i) {
+      std::this_thread::sleep_for(milliseconds(10));
+    }
+    REQUIRE(bytes_of(here / "done").size() == count);
+  };
+  write_text(here / "mine.cpp", own_good("4.0"));
+  others.with("twin_a", "twin.so");
+  std::optional<Watch> watch;
+  watch.emplace(
+      std::vector<SearchDirectory>{{here / "mine.cpp", "--plugin"}, {others.path(), "given"}},
+      milliseconds(20));
+  write_text(here / "mine.cpp", own_good("nothing_known"));
+  wait_for_compilers(2);
+  // What comes from here on is noticed after what the compiler says was left to be taken.
+  write_text(here / "mine.cpp", own_good("nothing_either"));
+  write(others / "twin.so", bytes_of(fixture("twin_b")));
+  wait_for_compilers(3);
+  write_text(here / "endless", "");
+  write_text(here / "mine.cpp", own_good("6.0"));
+  wait_for_compilers(4);
+  const auto renewal = watch->take();
+  REQUIRE(renewal);
+  REQUIRE(renewal->problems.size() == 2);
+  CHECK_THAT(renewal->problems[0], Contains("nothing_known"));
+  CHECK_THAT(renewal->problems[1], Contains("nothing_either"));
+  CHECK(renewal->kept == std::vector<fs::path>{here / "mine.cpp"});
+  REQUIRE(renewal->host);
+  CHECK(twin(*renewal->host) == "The second twin");
+  const auto start = std::chrono::steady_clock::now();
+  watch.reset();
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(300));
+}
+
+TEST_CASE("A hundred libraries in a row leave nothing open and no copies") {
+  Folder folder, temporary;
+  const Variable there("TMPDIR", temporary.path());
+  folder.with("twin_a", "twin.so");
+  const long open_files = entries("/proc/self/fd");
+  {
+    Watch watch({{folder.path(), "given"}}, milliseconds(2));
+    for (int i = 0; i < 100; ++i) {
+      write(folder / "next", bytes_of(fixture(i % 2 == 0 ? "twin_b" : "twin_a")));
+      fs::rename(folder / "next", folder / "twin.so");
+      auto renewal = found(watch);
+      REQUIRE(renewal);
+      REQUIRE(renewal->host);
+      watch.accept(*std::move(renewal));
+      // The old one goes once the thread, which has left the new one, is done with it too.
+      for (int tries = 0; tries < 12000 && entries(temporary.path()) > 1; ++tries) {
+        std::this_thread::sleep_for(milliseconds(10));
+      }
+      REQUIRE(entries(temporary.path()) == 1);
+    }
+  }
+  CHECK(entries("/proc/self/fd") == open_files);
+  CHECK(entries(temporary.path()) == 0);
 }

@@ -73,13 +73,15 @@ struct Host::State {
   }
 
   void search(SearchDirectory directory);
+  fs::path former_of(std::size_t place) const;
   std::string list(const SearchDirectory& directory, std::vector<fs::path>& files);
-  FileReport examine(const fs::path& file);
-  void load(FileReport& file);
+  FileReport examine(const fs::path& file, const fs::path& former);
+  void load(FileReport& file, const fs::path& former);
   std::optional<LoadedFile> load_anew(FileReport& file);
   const LoadedFile* known(const fs::path& file) const;
-  void keep_old(FileReport& file);
-  void keep_gone(DirectoryReport& found, const std::vector<fs::path>& files);
+  void keep_old(FileReport& file, const fs::path& former);
+  void keep_gone(DirectoryReport& found, const std::vector<fs::path>& files,
+                 const fs::path& former);
   void enter(LoadedFile found, FileReport& file);
 };
 
@@ -113,38 +115,52 @@ std::string Host::State::list(const SearchDirectory& directory, std::vector<fs::
   return error ? "cannot be read: " + error.message() : "";
 }
 
+/// The library that was in use of a place that is one library, whatever its name was; "": none.
+fs::path Host::State::former_of(std::size_t place) const {
+  if (!before || place >= before->report.directories.size()) {
+    return {};
+  }
+  const DirectoryReport& old = before->report.directories[place];
+  const bool is_library = old.directory.path.extension() == ".so" && old.files.size() == 1 &&
+                          (old.files[0].path == old.directory.path || old.files[0].is_former);
+  return is_library ? old.files[0].path : fs::path();
+}
+
 /// What is not in a directory any more, but is still in use.
-void Host::State::keep_gone(DirectoryReport& found, const std::vector<fs::path>& files) {
+void Host::State::keep_gone(DirectoryReport& found, const std::vector<fs::path>& files,
+                            const fs::path& former) {
   if (!before) {
     return;
   }
   for (const auto& [path, old] : before->loaded) {
-    const bool here = path == found.directory.path || path.parent_path() == found.directory.path;
+    const bool here = path == found.directory.path || path.parent_path() == found.directory.path ||
+                      (path == former && files.empty());
     if (here && std::find(files.begin(), files.end(), path) == files.end()) {
       FileReport file;
       file.path = path;
       file.sentence = "is gone";
-      keep_old(file);
+      keep_old(file, path);
       found.files.push_back(std::move(file));
     }
   }
 }
 
 void Host::State::search(SearchDirectory directory) {
+  const fs::path former = former_of(report.directories.size());
   DirectoryReport found{std::move(directory), "", {}};
   std::vector<fs::path> files;
   found.problem = list(found.directory, files);
   for (const fs::path& file : files) {
-    FileReport& result = found.files.emplace_back(examine(file));
+    FileReport& result = found.files.emplace_back(examine(file, former));
     if (result.status == FileStatus::refused) {
       report.warnings.push_back(file.string() + ": " + result.sentence);
     }
   }
-  keep_gone(found, files);
+  keep_gone(found, files, former);
   report.directories.push_back(std::move(found));
 }
 
-FileReport Host::State::examine(const fs::path& path) {
+FileReport Host::State::examine(const fs::path& path, const fs::path& former) {
   FileReport file;
   file.path = path;
   if (path.extension() != ".so") {
@@ -165,7 +181,7 @@ FileReport Host::State::examine(const fs::path& path) {
       return file;
     }
   }
-  load(file);
+  load(file, former);
   return file;
 }
 
@@ -175,7 +191,7 @@ const LoadedFile* Host::State::known(const fs::path& file) const {
   return before && at != before->loaded.end() ? &at->second : nullptr;
 }
 
-void Host::State::load(FileReport& file) {
+void Host::State::load(FileReport& file, const fs::path& former) {
   const LoadedFile* const old = known(file.path);
   if (old && fingerprint_of(file.path) == old->fingerprint) {
     file.abi_word = old->abi_word;
@@ -183,15 +199,20 @@ void Host::State::load(FileReport& file) {
   } else if (auto found = load_anew(file)) {
     enter(*std::move(found), file);
   } else if (old) {
-    keep_old(file);
+    keep_old(file, file.path);
+  } else if (known(former)) {
+    keep_old(file, former);
   }
 }
 
-/// The file is not to be used, but the library that it was before still is.
-void Host::State::keep_old(FileReport& file) {
+/// The file is not to be used, but the library that it was before, which was `former`, still is.
+void Host::State::keep_old(FileReport& file, const fs::path& former) {
   report.warnings.push_back(file.path.string() + ": " + file.sentence +
                             "; the library that was there before is still in use");
-  enter(*known(file.path), file);
+  file.path = former;
+  file.abi_word = known(former)->abi_word;
+  file.is_former = true;
+  enter(*known(former), file);
 }
 
 /// None, and the reason in `file`, when it cannot be used.

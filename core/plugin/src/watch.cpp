@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <csignal>
 #include <exception>
 #include <map>
 #include <mutex>
 #include <set>
+#include <stop_token>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -88,11 +90,12 @@ class Places {
     return sight;
   }
 
-  /// Compiles the sources of which something has changed; adds what the compiler has to say of
-  /// those that it refuses.
-  void rebuild(const Sight& before, const Sight& now, std::vector<std::string>& problems) {
+  /// Compiles the sources of which something has changed; adds those that cannot be compiled to
+  /// what is kept, and what the compiler has to say of them to the problems.
+  void rebuild(const Sight& before, const Sight& now, const std::stop_token& stop,
+               Renewal& renewal) {
     for (Place& place : places_) {
-      if (place.build.library.empty()) {
+      if (place.build.library.empty() || stop.stop_requested()) {
         continue;
       }
       // What one that does not compile includes is not known: any header beside it may be at fault.
@@ -103,10 +106,11 @@ class Places {
       }
       place.is_refused = true;
       try {
-        place.build = build_source(place.place.path);
+        place.build = build_source(place.place.path, cache_directory(), stop);
         place.is_refused = false;
-      } catch (const PluginError& error) {
-        problems.push_back(error.what());
+      } catch (const std::exception& error) {  // also of the system's, for want of room
+        renewal.problems.push_back(error.what());
+        renewal.kept.push_back(place.place.path);
       }
     }
   }
@@ -119,6 +123,38 @@ class Places {
       }
     }
     return library;
+  }
+
+  /// The same of a warning, which begins with the file.
+  std::string known_as(const std::string& warning) const {
+    for (const Place& place : places_) {
+      const std::string library = place.build.library.string();
+      if (!library.empty() && warning.starts_with(library + ": ")) {
+        return place.place.path.string() + warning.substr(library.size());
+      }
+    }
+    return warning;
+  }
+
+  /// Adds the files, as the user knows them, in the place of which a host has older ones.
+  void list_kept(const Report& report, const Report& before, std::vector<fs::path>& kept) const {
+    const auto former = [](const Report& of) {
+      std::set<std::pair<std::size_t, fs::path>> files;
+      for (std::size_t i = 0; i < of.directories.size(); ++i) {
+        for (const FileReport& file : of.directories[i].files) {
+          if (file.is_former) {
+            files.emplace(i, file.path);
+          }
+        }
+      }
+      return files;
+    };
+    const auto known = former(before);
+    for (const auto& [i, file] : former(report)) {
+      if (!known.contains({i, file})) {
+        kept.push_back(places_[i].build.library.empty() ? file : places_[i].place.path);
+      }
+    }
   }
 
  private:
@@ -143,6 +179,36 @@ class Places {
   std::vector<Place> places_;
 };
 
+/// While it lives, this thread and those that it starts take no signals, but for those of errors
+/// of their own: a handler that asks who is at work should be run by the thread that knows.
+class NoSignals {
+ public:
+  NoSignals() {
+    sigset_t signals;
+    sigfillset(&signals);
+    for (const int error : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) {
+      sigdelset(&signals, error);
+    }
+    pthread_sigmask(SIG_SETMASK, &signals, &before_);
+  }
+  ~NoSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  NoSignals(const NoSignals&) = delete;
+  NoSignals& operator=(const NoSignals&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+/// Both, in order, each once.
+template <class Items>
+void merge(Items& items, Items others) {
+  for (auto& other : others) {
+    if (std::find(items.begin(), items.end(), other) == items.end()) {
+      items.push_back(std::move(other));
+    }
+  }
+}
+
 }  // namespace
 
 class Watch::Impl {
@@ -151,6 +217,7 @@ class Watch::Impl {
       : places_(std::move(places)), period_(period) {
     seen_ = places_.look();  // first: what changes while it is loaded is noticed
     in_use_ = std::make_shared<const Host>(places_.directories(), Loading::copies);
+    const NoSignals for_the_thread;
     thread_ = std::thread([this] { follow(); });
   }
   ~Impl() {
@@ -159,6 +226,7 @@ class Watch::Impl {
       ends_ = true;
     }
     wake_.notify_all();
+    stop_.request_stop();
     thread_.join();
   }
   Impl(const Impl&) = delete;
@@ -183,23 +251,32 @@ class Watch::Impl {
 
  private:
   void follow() {
+    constexpr int kPause = 25;  // periods after a failure
     Sight last = seen_;
-    for (;;) {
+    std::string told;
+    for (bool failed = false;;) {
       {
         std::unique_lock lock(mutex_);
-        if (wake_.wait_for(lock, period_, [this] { return ends_; })) {
+        if (wake_.wait_for(lock, failed ? kPause * period_ : period_, [this] { return ends_; })) {
           return;
         }
       }
       Sight now = places_.look();
+      failed = failed && now != seen_;
       // Twice the same: whoever writes is done.
       if (now != seen_ && now == last) {
         try {
           renew(now);
-        } catch (const std::exception& error) {
-          post({nullptr, {}, {error.what()}});
+          seen_ = now;
+          told.clear();
+          failed = false;
+        } catch (const std::exception& error) {  // of the system: tried again, and told once
+          failed = true;
+          if (told != error.what()) {
+            told = error.what();
+            post({nullptr, {}, {told}, {}});
+          }
         }
-        seen_ = now;
       }
       last = std::move(now);
     }
@@ -207,15 +284,19 @@ class Watch::Impl {
 
   void renew(const Sight& now) {
     Renewal renewal;
-    places_.rebuild(seen_, now, renewal.problems);
+    places_.rebuild(seen_, now, stop_.get_token(), renewal);
+    if (stop_.stop_requested()) {
+      return;
+    }
     const std::shared_ptr<const Host> before = in_use();
     auto host = std::make_shared<const Host>(before->renewed(places_.directories()));
     const auto& known = before->report().warnings;
     for (const std::string& warning : host->report().warnings) {
       if (std::find(known.begin(), known.end(), warning) == known.end()) {
-        renewal.problems.push_back(warning);
+        renewal.problems.push_back(places_.known_as(warning));
       }
     }
+    places_.list_kept(host->report(), before->report(), renewal.kept);
     std::set<fs::path> files;
     for (const PluginKind kind :
          {PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator}) {
@@ -231,13 +312,36 @@ class Watch::Impl {
     }
     if (renewal.host || !renewal.problems.empty()) {
       post(std::move(renewal));
+    } else {
+      withdraw();
     }
   }
 
+  /// Whoever takes it is told of what was not taken before, too. A new host has all that the one
+  /// before it had; where there is none, that one is still the best.
   void post(Renewal renewal) {
     const std::lock_guard lock(mutex_);
+    if (renewal_) {
+      merge(renewal_->problems, std::move(renewal.problems));
+      merge(renewal_->kept, std::move(renewal.kept));
+      renewal.problems = std::move(renewal_->problems);
+      renewal.kept = std::move(renewal_->kept);
+      if (!renewal.host) {
+        renewal.host = std::move(renewal_->host);
+        renewal.files = std::move(renewal_->files);
+      }
+    }
     renewal_ = std::move(renewal);
     is_there_one_ = true;
+  }
+
+  /// All is as it was: a host that was not taken is out of date.
+  void withdraw() {
+    const std::lock_guard lock(mutex_);
+    if (renewal_) {
+      renewal_->host.reset();
+      renewal_->files.clear();
+    }
   }
 
   Places places_;  // the thread's, once it runs
@@ -245,7 +349,8 @@ class Watch::Impl {
   const std::chrono::milliseconds period_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
-  bool ends_ = false;  // under the lock, as the next two
+  std::stop_source stop_;  // of the compiler
+  bool ends_ = false;      // under the lock, as the next two
   std::shared_ptr<const Host> in_use_;
   std::optional<Renewal> renewal_;
   std::atomic<bool> is_there_one_{false};

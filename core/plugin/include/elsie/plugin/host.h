@@ -60,8 +60,9 @@ class Host {
   /// host loaded it is not loaded again: both hosts have the same one, and find() gives the same
   /// declarations. A library that has changed is loaded beside the old one, which stays for as long
   /// as this host or an object of it is there. Where the new file is refused or gone, the new host
-  /// has the old library; the report says so. Plugins that were added are shared, too. For hosts
-  /// with Loading::copies: a file of the same path would otherwise be the old one.
+  /// has the old library; the report says so. So it is when the n-th place is one library here and
+  /// was another one there, as with the builds of a source. Plugins that were added are shared,
+  /// too. For hosts with Loading::copies: a file of the same path would otherwise be the old one.
   Host renewed(std::vector<SearchDirectory> directories) const;
 
   /// The declaration of a plugin, or null. Valid as long as the host, and as all that were renewed

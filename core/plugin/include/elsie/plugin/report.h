@@ -30,7 +30,8 @@ struct FileReport {
   FileStatus status = FileStatus::ignored;
   std::string abi_word;  // empty when none was found
   std::vector<FoundPlugin> plugins;
-  std::string sentence;  // why it is ignored or refused, without the path; empty when loaded
+  std::string sentence;    // why it is ignored or refused, without the path; empty when loaded
+  bool is_former = false;  // of a renewed host: refused or gone, what was there before is in use
 };
 
 struct DirectoryReport {

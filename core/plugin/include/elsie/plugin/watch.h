@@ -12,7 +12,9 @@
 //
 // A thread looks a few times a second at the files: libraries that were replaced, sources and
 // headers that were edited. It compiles and loads what has changed and leaves a new host to be
-// taken, in which the other plugins are the very same as in the old one.
+// taken, in which the other plugins are the very same as in the old one. The thread takes no
+// signals. A library that crashes while it is loaded brings the process down, as always; one that
+// does not come to an end with it keeps the watch from ending, and from finding anything else.
 #pragma once
 
 #include <chrono>
@@ -35,6 +37,7 @@ struct Renewal {
   /// What cannot be used and why: what the compiler says, an ABI that differs, a file that is no
   /// library any more. What was in use before is in `host` still.
   std::vector<std::string> problems;
+  std::vector<std::filesystem::path> kept;  // of which what was there before goes on
 };
 
 /// For one thread, besides its own.
@@ -47,14 +50,14 @@ class Watch {
   /// look at the files to the next; a file is read when it was the same twice. Throws what
   /// build_source() throws.
   explicit Watch(std::vector<SearchDirectory> places, std::chrono::milliseconds period = kPeriod);
-  /// Waits for a compiler that is at work.
+  /// Ends a compiler that is at work; waits for a library that is being loaded.
   ~Watch();
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
   /// The plugins as they are in use: at first, or as last accepted.
   const Host& host() const;
-  /// What has changed since it was last taken, once.
+  /// What has changed since it was last taken, once: all of it, if it changed more than once.
   std::optional<Renewal> take();
   /// The plugins of this renewal are in use now, and host() is its host. One that is not accepted
   /// is forgotten: what has changed in it is looked at again when it changes again.
