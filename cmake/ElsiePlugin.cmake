@@ -5,6 +5,9 @@
 # - -Wl,--no-undefined: a missing symbol is found when the plugin is linked, not when it is loaded;
 # - -fno-gnu-unique: an inline static in a template would keep the library loaded for ever.
 function(elsie_add_plugin name)
+  if(NOT ARGN)
+    message(FATAL_ERROR "elsie_add_plugin(${name}) names no source; write elsie_add_plugin(${name} ${name}.cpp)")
+  endif()
   add_library(${name} MODULE ${ARGN})
   target_link_libraries(${name} PRIVATE elsie::elsie)
   if(TARGET elsie_compiler)
@@ -31,13 +34,16 @@ endfunction()
 
 # elsie_add_plugin_test(NAME source... [PLUGINS plugin...])
 #
-# A test program test_NAME with the test library and Catch2 (find_package() of both comes first), as a test of this name. It finds the
+# A test program test_NAME with the test library, and with Catch2 if it was found (find_package() comes first), as a test of this name. It finds the
 # plugins that are named, or else those that are built into the same folder, before those that are installed; and it runs in the source
 # folder, so that worlds and golden traces are found by their names.
 function(elsie_add_plugin_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PLUGINS")
+  if(NOT TARGET elsie::testing)
+    message(FATAL_ERROR "elsie_add_plugin_test(${name} ...) needs the test library; write find_package(elsie REQUIRED COMPONENTS testing)")
+  endif()
   add_executable(test_${name} ${arg_UNPARSED_ARGUMENTS})
-  target_link_libraries(test_${name} PRIVATE elsie::testing Catch2::Catch2)
+  target_link_libraries(test_${name} PRIVATE elsie::testing $<TARGET_NAME_IF_EXISTS:Catch2::Catch2>)
   if(TARGET elsie_compiler)
     target_link_libraries(test_${name} PRIVATE elsie_compiler)
   endif()
@@ -55,6 +61,9 @@ endfunction()
 #
 # A test that runs a world of this folder with the plugins that are built here: it must reach its goals.
 function(elsie_add_world_test world)
+  if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${world}")
+    message(FATAL_ERROR "elsie_add_world_test(${world}): there is no such file in ${CMAKE_CURRENT_SOURCE_DIR}")
+  endif()
   get_filename_component(name "${world}" NAME_WE)
   add_test(NAME ${name} COMMAND "${ELSIE_PROGRAM}" run "${CMAKE_CURRENT_SOURCE_DIR}/${world}" --plugin-path
                                 "${CMAKE_CURRENT_BINARY_DIR}" --quiet)

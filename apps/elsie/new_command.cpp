@@ -34,6 +34,60 @@ struct Options {
 constexpr std::array<std::string_view, 9> kTaken = {
     "all", "clean", "edit_cache", "help", "install", "package", "rebuild_cache", "test", "world"};
 
+/// What C++ keeps for itself or, like main, has a use for, and what the generated files use.
+constexpr std::string_view kWords[] = {"active",       "alignas",
+                                       "alignof",      "and",
+                                       "and_eq",       "asm",
+                                       "auto",         "bitand",
+                                       "bitor",        "bool",
+                                       "break",        "case",
+                                       "catch",        "char",
+                                       "char16_t",     "char32_t",
+                                       "char8_t",      "class",
+                                       "co_await",     "co_return",
+                                       "co_yield",     "commands",
+                                       "compl",        "concept",
+                                       "const",        "const_cast",
+                                       "consteval",    "constexpr",
+                                       "constinit",    "continue",
+                                       "decltype",     "default",
+                                       "delete",       "do",
+                                       "double",       "dynamic_cast",
+                                       "else",         "elsie",
+                                       "enum",         "explicit",
+                                       "export",       "extern",
+                                       "false",        "float",
+                                       "for",          "friend",
+                                       "goto",         "if",
+                                       "inline",       "int",
+                                       "long",         "main",
+                                       "mutable",      "namespace",
+                                       "new",          "nobody",
+                                       "noexcept",     "not",
+                                       "not_eq",       "nullptr",
+                                       "operator",     "or",
+                                       "or_eq",        "private",
+                                       "protected",    "public",
+                                       "register",     "reinterpret_cast",
+                                       "requires",     "return",
+                                       "seek",         "sees",
+                                       "short",        "signed",
+                                       "sizeof",       "stands",
+                                       "static",       "static_assert",
+                                       "static_cast",  "std",
+                                       "struct",       "switch",
+                                       "team",         "template",
+                                       "testing",      "this",
+                                       "thread_local", "throw",
+                                       "true",         "try",
+                                       "typedef",      "typeid",
+                                       "typename",     "union",
+                                       "unsigned",     "using",
+                                       "virtual",      "void",
+                                       "volatile",     "wchar_t",
+                                       "while",        "xor",
+                                       "xor_eq"};
+
 void check_name(const std::string& name) {
   const auto fits = [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; };
   const bool sound =
@@ -47,6 +101,10 @@ void check_name(const std::string& name) {
   }
   if (std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end()) {
     throw BadInput("'" + name + "' is a word of the build system; choose another name");
+  }
+  if (std::find(std::begin(kWords), std::end(kWords), name) != std::end(kWords)) {
+    throw BadInput("'" + name +
+                   "' is a word of C++ or one that the generated files use; choose another name");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "places.h"
 #include "program.h"
 
 using elsie::test::Workplace;
@@ -198,4 +199,23 @@ TEST_CASE("A full disk ends the run with a sentence") {
   const auto run = here.elsie("run worlds/clutter.xml --duration 5 --explain /dev/full");
   CHECK(run.exit_code == 4);
   CHECK_THAT(run.err, Catch::Contains("'/dev/full' could not be written: No space left"));
+}
+
+TEST_CASE("A crash ends the trace at the last step that was whole") {
+  Workplace here;
+  here.write("world.xml",
+             "<world format=\"1\"><robots><robot id=\"r1\" team=\"red\">\n"
+             "<behaviors><segfaulting/></behaviors>\n"
+             "<coordinator><arbiter_suppression/></coordinator>\n"
+             "</robot></robots></world>\n");
+  const auto run =
+      here.elsie("run world.xml --plugin-path " + elsie::test::build_path("tests/program/plugins") +
+                 " --explain crash.trace --record crash.csv");
+  CHECK(run.exit_code == 3);
+  const auto told = here.elsie("explain crash.trace");
+  CAPTURE(told.out, told.err);
+  CHECK(told.exit_code == 0);
+  CHECK_THAT(told.out, Catch::Contains("stopped after 0.5 s: the program was brought down in the "
+                                       "step after it"));
+  CHECK_THAT(here.read("crash.csv"), Catch::Contains("\n0.5,r1,"));
 }

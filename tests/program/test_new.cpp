@@ -55,6 +55,10 @@ TEST_CASE("elsie new leaves what is there alone, and makes all or nothing") {
   CHECK_THAT(refused("behavior ''"), Contains("is no name for a plugin"));
   CHECK(refused("sensor test") ==
         "elsie: 'test' is a word of the build system; choose another name");
+  for (const std::string word : {"class", "register", "main", "std", "xor_eq", "active"}) {
+    CHECK_THAT(refused("behavior " + word),
+               Contains("'" + word + "' is a word of C++ or one that the generated files use"));
+  }
   CHECK_THAT(refused("behavior wander"), Contains("there is a behavior 'wander' already"));
   CHECK_THAT(refused("sensor light --folder notes/light"), Contains("cannot be made"));
   CHECK(refused("sensor") == "elsie: NAME is missing");

@@ -1,6 +1,7 @@
 #include "record_file.h"
 
 #include <cerrno>
+#include <charconv>
 #include <stdexcept>
 #include <system_error>
 
@@ -62,10 +63,18 @@ void RecordFile::close() {
 }
 
 bool RecordFile::write_now() noexcept {
-  if (file_ >= 0) {
-    write_all(file_, buffer_);
+  if (file_ < 0) {
+    return false;
   }
-  return file_ >= 0;
+  write_all(file_, buffer_);
+  if (!before_time_.empty()) {
+    char time[32];
+    char* const end = std::to_chars(time, time + sizeof time, time_s_).ptr;
+    write_all(file_, before_time_);
+    write_all(file_, {time, static_cast<std::size_t>(end - time)});
+    write_all(file_, after_time_);
+  }
+  return true;
 }
 
 void RecordFile::fail(const char* problem, int error) const {

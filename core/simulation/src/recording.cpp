@@ -20,6 +20,7 @@ namespace {
 constexpr const char* kBodyColumns =
     "time_s,robot,x_m,y_m,heading_rad,speed_m_s,turn_rate_rad_s,distance_m,energy,"
     "command_left,command_right";
+constexpr double kFlushEvery = 1.0;  // s, simulated: what a killed program may lose
 constexpr std::size_t kTraceColumns = 9;
 constexpr const char* kTraceNames[kTraceColumns] = {"asked",      "left",         "right",
                                                     "activation", "strength",     "weight",
@@ -68,6 +69,10 @@ class CsvRecorder::Impl {
   void step(const Simulation& simulation) {
     if (simulation.steps() % every_ == 0) {
       sample(simulation);
+      if (simulation.time_s() - flushed_at_s_ >= kFlushEvery) {
+        out_.flush();
+        flushed_at_s_ = simulation.time_s();
+      }
     }
   }
 
@@ -185,6 +190,7 @@ class CsvRecorder::Impl {
   RecordFile out_;
   double rate_hz_;
   bool with_times_;
+  double flushed_at_s_ = 0.0;
   std::uint64_t every_ = 1;
   std::vector<std::string> reading_columns_;
   std::vector<std::string> behaviors_;

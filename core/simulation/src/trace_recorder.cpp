@@ -81,6 +81,13 @@ class TraceRecorder::Impl {
       introduce(simulation.robot(r));
     }
     add(std::string(trace_format::kHeading));
+    out_.set_last_words("# end time_s=\"",
+                        Remark("\"")
+                                .add("outcome", trace_format::kStopped)
+                                .add("reason", "the program was brought down in the step after it")
+                                .line()
+                                .substr(2) +
+                            "\n");
     write_events(simulation);
     out_.flush();
   }
@@ -95,6 +102,7 @@ class TraceRecorder::Impl {
     }
     write_events(simulation);
     const double now_s = tidy_time(simulation.time_s());
+    out_.at(now_s);
     if (now_s - written_until_s_ >= kStillEvery) {
       add(Remark("until").add("time_s", text_of(now_s)).line());
       written_until_s_ = now_s;
