@@ -298,3 +298,52 @@ TEST_CASE("What replaces an element is checked like the file, and blamed on the 
   CHECK(wrong("robot[r1]/coordinator=<sum/><sum/>")
             .starts_with("--set robot[r1]/coordinator=<sum/><sum/>: "));
 }
+
+TEST_CASE("An element is not replaced when something was set in it before: that would be lost") {
+  CHECK(
+      problems(kWorld, {"robot[r1]/coordinator/@weighted=true", "robot[r1]/coordinator=<pick/>"}) ==
+      "--set robot[r1]/coordinator=<pick/>: this replaces the element in which "
+      "'robot[r1]/coordinator/@weighted=true' is set before; set that afterwards, or in the new "
+      "element");
+  CHECK(problems(kWorld, {"robot[r1]/coordinator=<layers/>", "robot[r1]/coordinator=<pick/>"}) ==
+        "");
+  CHECK(problems(kWorld,
+                 {"robot[r1]/coordinator=<sum/>", "robot[r1]/coordinator/@weighted=true"}) == "");
+  CHECK_THAT(
+      problems(kWorld, {"robot[r1]/coordinator=<sum/>", "robot[r1]/coordinator/@weighted=true",
+                        "robot[r1]/coordinator=<pick/>"}),
+      Catch::Contains("'robot[r1]/coordinator/@weighted=true' is set before"));
+}
+
+TEST_CASE("Files that overrides name are looked for beside the file in which the overrides stand") {
+  const auto with_song = [](const std::string& from, const std::string& song) {
+    world::ReadOptions reading = options({"robot[r1]/behavior[roam]/@song=" + song});
+    reading.overrides_from = from;
+    return world::parse_world("<world format=\"1\">" + std::string(kWorld) + "</world>",
+                              kFolder + "world.xml", host(), reading);
+  };
+  const world::World w = with_song(kFolder + "data/songs/other.xml", "one.txt");
+  const world::BehaviorUse& roam = w.robots[0].behaviors[1];
+  CHECK(std::get<std::string>(roam.parameters.at("song")) == kFolder + "data/songs/one.txt");
+  CHECK(roam.file_names.at("song").name == "songs/one.txt");  // as the world would call it
+  try {
+    with_song(kFolder + "wrong/other.xml", "data/songs/one.txt");
+    FAIL("that lies beside the world");
+  } catch (const world::WorldError& error) {
+    CHECK_THAT(error.what(), Catch::Contains("there is no such file; looked in the folder " +
+                                             kFolder + "wrong or in the data directory"));
+  }
+}
+
+TEST_CASE("What a template would have had is not missed when the template is not there") {
+  const std::string world =
+      "<robots><robot id=\"r1\" template=\"nowhere.xml\"/><robot id=\"r2\" x=\"1\"/></robots>";
+  for (const char* path : {"robot[r1]/behavior[roam]/@speed", "robot[r1]/sensor[2]/@yaw_deg",
+                           "behavior[roam]/@speed"}) {
+    CHECK_THAT(problems(world, {std::string(path) + "=3"}),
+               Catch::StartsWith("world.xml:1: the template 'nowhere.xml' is not there") &&
+                   !Catch::Contains("\n"));
+  }
+  CHECK_THAT(problems(world, {"robot[r2]/behavior[roam]/@speed=3"}),
+             Catch::Contains("--set robot[r2]/behavior[roam]/@speed=3: there is no 'behavior'"));
+}

@@ -1,5 +1,4 @@
 // The schema accepts what the reader accepts, and refuses what it refuses where a schema can.
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -12,6 +11,7 @@
 
 #include "fixture.h"
 #include "places.h"
+#include "schema_judge.h"
 
 using namespace elsie;
 using namespace elsie::test;
@@ -19,20 +19,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A schema in a file, and xmllint to judge by it.
-class Judge {
+class Judge : public test::SchemaJudge {
  public:
-  explicit Judge(const plugin::Host& host) { std::ofstream(schema_) << world::world_schema(host); }
-  ~Judge() { fs::remove(schema_); }
-
-  bool accepts(const std::string& file) const {
-    const std::string command =
-        "xmllint --noout --nonet --schema '" + schema_ + "' '" + file + "' >/dev/null 2>&1";
-    return std::system(command.c_str()) == 0;
-  }
-
- private:
-  std::string schema_ = test::build_path("world.xsd");
+  explicit Judge(const plugin::Host& host) : SchemaJudge(world::world_schema(host), "world.xsd") {}
 };
 
 // Wrong worlds that no schema of this language can refuse, and why.

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "elsie/plugin/host.h"
+#include "elsie/world/files.h"
+#include "elsie/world/markup.h"
+#include "elsie/world/problems.h"
+#include "elsie/world/values.h"
 
-#include "files.h"
-#include "markup.h"
 #include "path.h"
-#include "problems.h"
-#include "values.h"
 
 namespace elsie::world {
 

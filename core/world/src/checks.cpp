@@ -10,8 +10,7 @@
 
 #include "elsie/plugin/host.h"
 #include "elsie/world/train.h"
-
-#include "values.h"
+#include "elsie/world/values.h"
 
 namespace elsie::world {
 

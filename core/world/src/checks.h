@@ -1,8 +1,9 @@
 // What no single attribute can say: how the parts of a world fit together.
 #pragma once
 
-#include "markup.h"
-#include "problems.h"
+#include "elsie/world/markup.h"
+#include "elsie/world/problems.h"
+
 #include "reading.h"
 
 namespace elsie::plugin {

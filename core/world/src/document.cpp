@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "elsie/world/error.h"
+#include "elsie/world/markup.h"
 
 #include "ids.h"
-#include "markup.h"
 #include "path.h"
 #include "tags.h"
 

@@ -1,4 +1,4 @@
-#include "files.h"
+#include "elsie/world/files.h"
 
 #include <filesystem>
 
@@ -14,20 +14,29 @@ std::optional<std::string> file_in(const std::string& folder, const std::string&
   return fs::is_regular_file(path, error) ? std::optional(path.string()) : std::nullopt;
 }
 
-/// What is given on a command line may be meant from where the user stands.
 bool is_override(const Location& from) { return from.line == 0 && !from.file.empty(); }
 
 }  // namespace
 
 std::string Files::folder(const Location& from) const {
-  return fs::path(from.line > 0 ? from.file : main_file_).parent_path().string();
+  const bool in_a_file = is_override(from) && !overrides_from_.empty();
+  return fs::path(from.line > 0 ? from.file
+                  : in_a_file   ? overrides_from_
+                                : main_file_)
+      .parent_path()
+      .string();
+}
+
+// What is given on a command line may be meant from where the user stands.
+bool Files::given_by_hand(const Location& from) const {
+  return is_override(from) && overrides_from_.empty();
 }
 
 std::optional<std::string> Files::find(const std::string& name, const Location& from) const {
   if (auto beside = file_in(folder(from), name)) {
     return beside;
   }
-  if (is_override(from)) {
+  if (given_by_hand(from)) {
     if (auto here = file_in(".", name)) {
       return here;
     }
@@ -75,7 +84,7 @@ std::string Files::name_for_world(const std::string& found, const std::string& w
 std::string Files::places(const Location& from) const {
   const std::string beside = folder(from);
   return "in the folder " + (beside.empty() ? "." : beside) +
-         (is_override(from) && !beside.empty() ? ", in the current folder" : "") +
+         (given_by_hand(from) && !beside.empty() ? ", in the current folder" : "") +
          (data_directories_.empty() ? "" : " or " + data_places());
 }
 

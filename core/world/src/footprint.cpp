@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "elsie/world/train.h"
-
-#include "values.h"
+#include "elsie/world/values.h"
 
 namespace elsie::world {
 

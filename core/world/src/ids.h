@@ -1,7 +1,7 @@
 // Default names of what a file leaves without an id.
 #pragma once
 
-#include "markup.h"
+#include "elsie/world/markup.h"
 
 namespace elsie::world {
 

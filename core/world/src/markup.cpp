@@ -1,4 +1,4 @@
-#include "markup.h"
+#include "elsie/world/markup.h"
 
 #include <algorithm>
 #include <cctype>
@@ -100,7 +100,7 @@ void check_encoding(const tinyxml2::XMLDocument& document, const std::string& fi
 
 // That every element is closed by its own tag, that there is one root, and that nothing is nested
 // deeper than what is parsed by recursion later can bear.
-void check_nesting(const std::vector<Tag>& tags, const std::string& file) {
+void check_nesting(const std::vector<Tag>& tags, const std::string& file, const std::string& kind) {
   constexpr std::size_t kDeepest = 50;
   std::vector<const Tag*> open;
   bool rooted = false;
@@ -128,8 +128,8 @@ void check_nesting(const std::vector<Tag>& tags, const std::string& file) {
       open.push_back(&tag);
       if (open.size() > kDeepest) {
         fail(file, line,
-             "elements are nested deeper than " + std::to_string(kDeepest) +
-                 " levels; no world needs that many");
+             "elements are nested deeper than " + std::to_string(kDeepest) + " levels; no " + kind +
+                 " needs that many");
       }
     }
   }
@@ -138,7 +138,9 @@ void check_nesting(const std::vector<Tag>& tags, const std::string& file) {
     fail(file, open.back()->line, "<" + name + "> is never closed; expected </" + name + ">");
   }
   if (!rooted) {
-    fail(file, 0, "there is no element in the file; expected <world format=\"1\"> ... </world>");
+    fail(file, 0,
+         "there is no element in the file; expected <" + kind + " format=\"1\"> ... </" + kind +
+             ">");
   }
 }
 
@@ -236,9 +238,9 @@ std::string read_text(const std::string& file) {
   return text;
 }
 
-Element parse_markup(std::string_view text, const std::string& file) {
+Element parse_markup(std::string_view text, const std::string& file, const std::string& kind) {
   check_characters(text, file);
-  check_nesting(scan_tags(text, file), file);
+  check_nesting(scan_tags(text, file, kind), file, kind);
 
   tinyxml2::XMLDocument document;
   document.Parse(text.data(), text.size());
@@ -264,6 +266,21 @@ Element parse_markup(std::string_view text, const std::string& file) {
 
 std::string in_words(const Attribute& attribute, const Element& element) {
   return attribute.name + "=\"" + attribute.value + "\" of <" + element.name + ">";
+}
+
+std::string markup_of(const Element& element) {
+  std::string text = "<" + element.name;
+  for (const Attribute& attribute : element.attributes) {
+    text += " " + attribute.name + "=\"" + escaped(attribute.value) + "\"";
+  }
+  if (element.children.empty() && element.text.empty()) {
+    return text + "/>";
+  }
+  text += ">" + escaped(element.text);
+  for (const Element& child : element.children) {
+    text += markup_of(child);
+  }
+  return text + "</" + element.name + ">";
 }
 
 std::string escaped(std::string_view text) {

@@ -174,6 +174,16 @@ std::vector<Place> step_from_robots(const Place& world, const PathStep& step) {
   return result;
 }
 
+// Whether what is not there may stand in a template that could not be read: that is told already.
+bool lacks_a_template(const std::vector<Place>& places) {
+  return std::any_of(places.begin(), places.end(), [](const Place& place) {
+    const auto robots = children(place, "robot");
+    return place.element->incomplete ||
+           std::any_of(robots.begin(), robots.end(),
+                       [](const Place& robot) { return robot.element->incomplete; });
+  });
+}
+
 void place(Element& element, const Location& where) {
   element.where = where;
   element.text_line = where.line;
@@ -198,8 +208,33 @@ Element element_of(const std::string& text, const Location& where) {
   return element;
 }
 
+bool is_override(const Location& where) { return where.file.starts_with("--set "); }
+
+// An override in the element that did not come with the element itself; or null.
+const Location* set_in(const Element& element, const Location& own) {
+  const auto foreign = [&](const Location& where) {
+    return is_override(where) && where.file != own.file;
+  };
+  for (const Attribute& attribute : element.attributes) {
+    if (foreign(attribute.where)) {
+      return &attribute.where;
+    }
+  }
+  for (const Element& child : element.children) {
+    const Location* found = foreign(child.where) ? &child.where : set_in(child, own);
+    if (found) {
+      return found;
+    }
+  }
+  return nullptr;
+}
+
 // It keeps its id, unless the new one brings another or the old one was only its name.
 void replace(Element& element, const Element& given) {
+  if (const Location* lost = set_in(element, element.where)) {
+    fail("this replaces the element in which '" + lost->file.substr(6) +
+         "' is set before; set that afterwards, or in the new element");
+  }
   const std::string id = element.value("id");
   const bool has_own_id = !id.empty() && id != element.name;
   const Location where = given.where;
@@ -258,6 +293,9 @@ std::vector<Element*> select(Element& world, const Path& path) {
     }
     if (next.empty() && places.front().spec == &vocabulary()) {
       next = step_from_robots(places.front(), step);
+    }
+    if (next.empty() && lacks_a_template(places)) {
+      return {};
     }
     if (next.empty()) {
       const auto names = names_at(places.front());

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "markup.h"
-#include "problems.h"
+#include "elsie/world/markup.h"
+#include "elsie/world/problems.h"
 
 namespace elsie::world {
 
@@ -24,7 +24,8 @@ struct Path {
 /// Throws std::invalid_argument with a sentence.
 Path parse_path(std::string_view text);
 
-/// The elements that the steps lead to, at least one.
+/// The elements that the steps lead to, at least one; none only where a robot's template could not
+/// be read.
 ///
 /// The groups may be left out: a member is called by its element's name or by its group's word for
 /// it ("sensor" for any child of <sensors>, "obstacle", "goal" ...); "coordinator" is the one child

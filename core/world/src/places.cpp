@@ -5,9 +5,9 @@
 
 #include "elsie/api/geometry.h"
 #include "elsie/world/footprint.h"
+#include "elsie/world/values.h"
 
 #include "checks.h"
-#include "values.h"
 
 namespace elsie::world {
 

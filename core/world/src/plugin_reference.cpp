@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "elsie/plugin/kind_name.h"
+#include "elsie/world/markup.h"
 #include "elsie/world/reference.h"
+#include "elsie/world/values.h"
 #include "elsie/world/vocabulary.h"
 
-#include "markup.h"
 #include "reference_table.h"
-#include "values.h"
 
 namespace elsie::world {
 

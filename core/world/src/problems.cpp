@@ -1,4 +1,4 @@
-#include "problems.h"
+#include "elsie/world/problems.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -44,6 +44,12 @@ void Problems::add(const Location& where, std::string message, bool plugin_faile
 void Problems::add(const WorldError& error) {
   for (const Problem& problem : error.problems()) {
     add({problem.file, problem.line}, problem.message, problem.plugin_failed);
+  }
+}
+
+void Problems::add(const Problems& others) {
+  for (const Problem& problem : others.problems_) {
+    add({problem.file, problem.line}, problem.message);
   }
 }
 

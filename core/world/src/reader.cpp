@@ -4,14 +4,15 @@
 #include <utility>
 
 #include "elsie/world/colours.h"
+#include "elsie/world/files.h"
+#include "elsie/world/markup.h"
+#include "elsie/world/object_reader.h"
+#include "elsie/world/problems.h"
 #include "elsie/world/vocabulary.h"
 
 #include "checks.h"
-#include "files.h"
 #include "ids.h"
-#include "markup.h"
 #include "path.h"
-#include "problems.h"
 #include "reading.h"
 #include "templates.h"
 #include "tree_reader.h"
@@ -19,26 +20,6 @@
 namespace elsie::world {
 
 namespace {
-
-// A file in another format has another vocabulary: nothing else in it is looked at.
-void check_root(const Element& root, Problems& problems) {
-  const std::string right = "<world format=\"" + std::to_string(kFormat) + "\">";
-  if (root.name == "robot_template") {
-    problems.add(root.where, "this file is a template of a robot; expected " + right +
-                                 ", in which a <robot template=\"...\"> may use the template");
-  } else if (root.name != "world") {
-    problems.add(root.where, "found <" + root.name + "> as the root element; expected " + right);
-  } else if (const Attribute* format = root.find("format")) {
-    if (format->value != std::to_string(kFormat)) {
-      problems.add(format->where, "format=\"" + format->value +
-                                      "\" of <world>: this program reads " + "format \"" +
-                                      std::to_string(kFormat) + "\"");
-    }
-  } else {
-    problems.add(root.where, "<world> lacks its format; expected " + right);
-  }
-  problems.raise(root.where.file);
-}
 
 // "red" and "blue" are there by themselves; the file may change their colours and add others.
 void add_default_teams(std::vector<Team>& teams) {
@@ -64,9 +45,14 @@ World read_world(const std::string& file, const plugin::Host& host, const ReadOp
 World parse_world(std::string_view text, const std::string& file, const plugin::Host& host,
                   const ReadOptions& options) {
   Problems problems;
-  const Files files(file, options.data_directories);
+  const Files files(file, options.data_directories, options.overrides_from);
   Element root = parse_markup(text, file);
-  check_root(root, problems);
+  const std::string right = "expected <world format=\"" + std::to_string(kFormat) + "\">";
+  check_root(root, "world", kFormat,
+             {{"robot_template", "this file is a template of a robot; " + right +
+                                     ", in which a <robot template=\"...\"> may use the template"},
+              {"experiment", "this file is an experiment, which names worlds; " + right}},
+             problems);
 
   complete_world_ids(root);
   for (const bool before_templates : {true, false}) {

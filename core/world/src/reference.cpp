@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "elsie/world/values.h"
 #include "elsie/world/vocabulary.h"
 
 #include "reference_table.h"
-#include "values.h"
 
 namespace elsie::world {
 
@@ -69,6 +69,9 @@ std::string list_of_children(const ElementSpec& spec) {
     list += child.plugins ? "an element named after any " + child.name + " plugin"
                           : "`<" + child.name + ">`";
   }
+  if (spec.take) {
+    list += std::string(list.empty() ? "" : ", ") + "an element of a world";
+  }
   return list;
 }
 
@@ -76,7 +79,7 @@ void describe(const ElementSpec& spec, const std::string& path, std::string& tex
   const bool is_use = spec.plugins.has_value();
   text += "\n## " + path + (is_use ? " / *any " + spec.name + " plugin*" : "") + "\n\n" +
           cell(spec.meaning) + ".\n";
-  if (!spec.children.empty()) {
+  if (!spec.children.empty() || spec.take) {
     text += "\nHolds: " + list_of_children(spec) + ".\n";
   }
   if (is_use) {
@@ -106,6 +109,12 @@ std::string world_reference() {
   text += "\n## robot_template\n\n" + cell(template_vocabulary().meaning) +
           ". It has what a `<robot>` has, but no `id`, and a `format`; the robot that names it "
           "overrides what differs.\n";
+  return text;
+}
+
+std::string vocabulary_reference(const ElementSpec& root) {
+  std::string text;
+  describe(root, root.name, text);
   return text;
 }
 

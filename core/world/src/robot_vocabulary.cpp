@@ -1,6 +1,6 @@
 #include "robot_vocabulary.h"
 
-#include "facts.h"
+#include "elsie/world/facts.h"
 
 namespace elsie::world {
 

@@ -1,155 +1,50 @@
 #include "elsie/world/schema.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <functional>
-#include <limits>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/world/vocabulary.h"
 
-#include "markup.h"
-#include "values.h"
+#include "schema_text.h"
 
 namespace elsie::world {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLargest = std::numeric_limits<double>::max();
-
-std::string number(double value) { return format_value(ParameterValue(value)); }
-
-std::string indented(const std::string& text, std::size_t depth) {
-  return std::string(2 * depth, ' ') + text + "\n";
-}
-
-std::string documentation(const std::string& text, std::size_t depth) {
-  return indented(
-      "<xs:annotation><xs:documentation>" + escaped(text) + "</xs:documentation></xs:annotation>",
-      depth);
-}
-
-std::string facet(const std::string& name, const std::string& value) {
-  return "<xs:" + name + " value=\"" + escaped(value) + "\"/>";
-}
-
-std::string restriction(const std::string& base, const std::string& facets) {
-  return "<xs:restriction base=\"" + base + "\">" + facets + "</xs:restriction>";
-}
-
-// The types that the facets of every attribute start from: stricter than XML Schema's own, which
-// take NaN, INF, a leading "+", and 1 for true.
-std::string basic_types() {
-  const auto type = [](const std::string& name, const std::string& content) {
-    return indented("<xs:simpleType name=\"" + name + "\">" + content + "</xs:simpleType>", 1);
-  };
-  const std::string digits = "-?([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][+\\-]?[0-9]+)?";
-  return type("number", restriction("xs:double", facet("pattern", digits) +
-                                                     facet("minInclusive", number(-kLargest)) +
-                                                     facet("maxInclusive", number(kLargest)))) +
-         type("whole_number", restriction("xs:long", facet("pattern", "-?[0-9]+"))) +
-         type("truth", restriction("xs:string",
-                                   facet("enumeration", "true") + facet("enumeration", "false"))) +
-         type("name", restriction("xs:string", facet("pattern", "[A-Za-z_][A-Za-z0-9_.\\-]*"))) +
-         type("colour", restriction("xs:string", facet("pattern", "#[0-9a-fA-F]{6}")));
-}
-
-std::string range_facets(const Field& field) {
-  const ParameterFacts& facts = field.facts;
-  const double low = std::max(facts.min, field.lowest);
-  const double high = std::min(facts.max, field.highest);
-  std::string range;
-  if (facts.above > -kInfinity && facts.above >= low) {
-    range += facet("minExclusive", number(facts.above));
-  } else if (low > -kInfinity) {
-    range += facet("minInclusive", number(low));
-  }
-  return high < kInfinity ? range + facet("maxInclusive", number(high)) : range;
-}
-
-// The same for whole numbers, whose bounds must be whole: a bound between two of them says the same
-// as the next one inside. Beyond 9e18 lies what no number here can be.
-std::string whole_facets(const Field& field) {
-  const auto whole = [](double bound) {
-    return format_value(ParameterValue(static_cast<std::int64_t>(bound)));
-  };
-  const ParameterFacts& facts = field.facts;
-  const double low = std::max({std::ceil(facts.min), std::floor(facts.above) + 1, field.lowest});
-  const double high = std::min(std::floor(facts.max), field.highest);
-  return (low > -9e18 ? facet("minInclusive", whole(low)) : "") +
-         (high < 9e18 ? facet("maxInclusive", whole(high)) : "");
-}
-
-// The content of a simpleType.
-std::string value_type(const Field& field) {
-  switch (field.type) {
-    case ParameterType::real:
-      return restriction("number", range_facets(field));
-    case ParameterType::integer:
-      return restriction("whole_number", whole_facets(field));
-    case ParameterType::boolean:
-      return restriction("truth", "");
-    case ParameterType::reals:
-      return "<xs:list><xs:simpleType>" + restriction("number", range_facets(field)) +
-             "</xs:simpleType></xs:list>";
-    case ParameterType::text:
-    case ParameterType::file:
-      break;
-  }
-  std::string choices;
-  for (const std::string& choice : field.facts.choices) {
-    choices += facet("enumeration", choice);
-  }
-  return restriction(field.form == TextForm::id       ? "name"
-                     : field.form == TextForm::colour ? "colour"
-                                                      : "xs:string",
-                     choices);
-}
-
-std::string attribute(const Field& field) {
-  std::string about = field.facts.meaning;
-  if (!field.facts.unit.empty()) {
-    about += " (" + field.facts.unit + ")";
-  }
-  if (field.default_value && !format_value(*field.default_value).empty()) {
-    about += "; default " + format_value(*field.default_value);
-  }
-  return indented("<xs:attribute name=\"" + field.name + "\"" +
-                      (field.required ? " use=\"required\"" : "") + ">",
-                  2) +
-         documentation(about, 3) +
-         indented("<xs:simpleType>" + value_type(field) + "</xs:simpleType>", 3) +
-         indented("</xs:attribute>", 2);
-}
-
 class Schema {
  public:
   explicit Schema(const plugin::Host& host) : host_(host) {}
 
-  std::string text() {
-    std::string roots =
+  std::string of_worlds() {
+    const std::string roots =
         element("world", type_of(vocabulary()), vocabulary().meaning, world_constraints(), 1) +
         element("robot_template", type_of(template_vocabulary()), template_vocabulary().meaning,
                 robot_constraints("template"), 1);
+    return text("World files of Elsie, format " + std::to_string(kFormat), roots);
+  }
+
+  std::string of(const ElementSpec& root, const std::string& about) {
+    own_ = root.name + ".";
+    return text(about, element(root.name, type_of(root), root.meaning, unique(root), 1));
+  }
+
+ private:
+  std::string text(const std::string& about, const std::string& roots) const {
     std::string all =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<xs:schema xmlns:xs=\"http://www.w3.org/2001/XMLSchema\">\n" +
-        documentation("World files of Elsie, format " + std::to_string(kFormat) +
-                          ", with the plugins that were found",
-                      1) +
-        roots + basic_types();
+        documentation(about + ", with the plugins that were found", 1) + roots + basic_types();
     for (const std::string& name : order_) {
       all += types_.at(name);
     }
     return all + "</xs:schema>\n";
   }
 
- private:
   static std::string element(const std::string& name, const std::string& type,
                              const std::string& meaning, const std::string& constraints,
                              std::size_t depth, const std::string& occurs = "") {
@@ -194,9 +89,19 @@ class Schema {
     return constraint("unique", where + ".behavior_id", "behaviors/*", "id");
   }
 
+  std::string unique(const ElementSpec& spec) const {
+    std::string text;
+    for (const ElementSpec::Unique& each : spec.unique) {
+      std::string name = own_ + spec.name + "." + each.elements + "." + each.attribute;
+      std::replace(name.begin(), name.end(), '/', '.');
+      text += constraint("unique", name, each.elements, each.attribute);
+    }
+    return text;
+  }
+
   // Defines the type of an element, and of all below it; returns its name.
   std::string type_of(const ElementSpec& spec) {
-    return define(spec.name, [&] { return content(spec); },
+    return define(own_ + spec.name, [&] { return content(spec); },
                   {spec.attributes.begin(), spec.attributes.end()});
   }
 
@@ -208,12 +113,19 @@ class Schema {
       types_[type] = "";
       std::string text = indented("<xs:complexType name=\"" + type + "\">", 1) + content();
       for (const Field& field : fields) {
-        text += attribute(field);
+        text += schema_attribute(field);
       }
       types_[type] = text + indented("</xs:complexType>", 1);
       order_.push_back(type);
     }
     return type;
+  }
+
+  static bool is_choice(const ElementSpec& spec) {
+    return spec.group || spec.take ||
+           (spec.children.size() > 1 &&
+            std::any_of(spec.children.begin(), spec.children.end(),
+                        [](const ElementSpec& child) { return child.at_most > 1; }));
   }
 
   std::string content(const ElementSpec& spec) {
@@ -223,47 +135,121 @@ class Schema {
       many |= child.at_most > 1;
       elements += child.plugins ? plugin_elements(child) : child_element(spec, child);
     }
+    if (spec.take) {
+      const std::string any = indented("<xs:group ref=\"" + world_elements() + "\"/>", 3);
+      return indented(elements.empty() ? "<xs:choice minOccurs=\"0\">"
+                                       : "<xs:choice minOccurs=\"0\" maxOccurs=\"unbounded\">",
+                      2) +
+             elements + any + indented("</xs:choice>", 2);
+    }
     if (elements.empty()) {
       return "";
     }
-    // In a group any number in any order; otherwise each once in any order, or a plain list.
+    // In a group, or where some may stand once and others often, any number in any order; otherwise
+    // each once in any order, or a plain list.
     const bool once = spec.group && !many;
-    const std::string model = spec.group ? "choice" : many ? "sequence" : "all";
-    const std::string occurs = !spec.group ? ""
-                               : once      ? " minOccurs=\"0\""
-                                           : " minOccurs=\"0\" maxOccurs=\"unbounded\"";
+    const std::string model = is_choice(spec) ? "choice" : many ? "sequence" : "all";
+    const bool needed = spec.children.size() == 1 && spec.children[0].at_least > 0;
+    const std::string occurs = model != "choice" ? ""
+                               : needed          ? " maxOccurs=\"unbounded\""
+                               : once            ? " minOccurs=\"0\""
+                                                 : " minOccurs=\"0\" maxOccurs=\"unbounded\"";
     return indented("<xs:" + model + occurs + ">", 2) + elements +
            indented("</xs:" + model + ">", 2);
   }
 
   std::string child_element(const ElementSpec& parent, const ElementSpec& child) {
     std::string occurs;
-    if (!parent.group) {
+    if (!is_choice(parent)) {
       occurs = " minOccurs=\"" + std::to_string(child.at_least) + "\"";
       occurs += child.at_most > 1 ? " maxOccurs=\"unbounded\"" : "";
     }
     return element(child.name, type_of(child), child.meaning,
-                   child.name == "robot" ? robot_constraints("robot") : "", 3, occurs);
+                   unique(child) + (child.name == "robot" ? robot_constraints("robot") : ""), 3,
+                   occurs);
+  }
+
+  // Refers to a group of all elements of worlds, each of which may stand in the place of another.
+  std::string world_elements() {
+    const std::string group = "world_elements";
+    if (!types_.contains(group)) {
+      types_[group] = "";
+      const std::string own = std::exchange(own_, "");
+      std::map<std::string, std::string> types;
+      collect(vocabulary(), types);
+      own_ = own;
+      std::string elements;
+      for (const auto& [name, type] : types) {
+        elements += indented("<xs:element name=\"" + name + "\" type=\"" + type + "\"/>", 3);
+      }
+      types_[group] = indented("<xs:group name=\"" + group + "\">", 1) +
+                      indented("<xs:choice>", 2) + elements + indented("</xs:choice>", 2) +
+                      indented("</xs:group>", 1);
+      order_.push_back(group);
+    }
+    return group;
+  }
+
+  // What may stand anywhere below, by name; of two things of one name nothing more is told.
+  void collect(const ElementSpec& spec, std::map<std::string, std::string>& types) {
+    const auto add = [&](const std::string& name, const std::string& type) {
+      std::string& known = types[name];
+      known = known.empty() || known == type ? type : "xs:anyType";
+    };
+    for (const ElementSpec& child : spec.children) {
+      if (!child.plugins) {
+        add(child.name, replacement_type(child));
+        collect(child, types);
+        continue;
+      }
+      for (const Declaration* declaration : host_.all(*child.plugins)) {
+        add(declaration->name, plugin_type(child, *declaration));
+        for (const ElementDeclaration& element : declaration->elements) {
+          add(element.name, plugin_name(*declaration) + "." + element.name + ".type");
+        }
+      }
+    }
+  }
+
+  // What stands in the place of another element has its id unless it brings one.
+  std::string replacement_type(const ElementSpec& spec) {
+    const AttributeSpec* id = spec.attribute("id");
+    if (!id || !id->required) {
+      return type_of(spec);
+    }
+    std::vector<Field> fields(spec.attributes.begin(), spec.attributes.end());
+    for (Field& field : fields) {
+      field.required &= field.name != "id";
+    }
+    return define(
+        spec.name + ".replacement", [&] { return content(spec); }, fields);
+  }
+
+  static std::string plugin_name(const Declaration& declaration) {
+    return std::string(plugin::kind_name(declaration.kind)) + "." + declaration.name;
   }
 
   std::string plugin_elements(const ElementSpec& spec) {
     std::string elements;
     for (const Declaration* declaration : host_.all(*spec.plugins)) {
-      const std::string name =
-          std::string(plugin::kind_name(*spec.plugins)) + "." + declaration->name;
-      std::vector<Field> fields(spec.attributes.begin(), spec.attributes.end());
-      for (const ParameterDeclaration& parameter : declaration->parameters) {
-        if (!spec.attribute(parameter.name)) {  // the reader refuses such a plugin
-          fields.push_back(field_of(parameter));
-          fields.back().required = false;  // a template may give it
-        }
-      }
-      const std::string type = define(
-          name, [&] { return inside(name, *declaration); }, fields);
-      elements += element(declaration->name, type, declaration->description,
-                          declaration->hold ? behavior_constraint(name) : "", 3);
+      elements +=
+          element(declaration->name, plugin_type(spec, *declaration), declaration->description,
+                  declaration->hold ? behavior_constraint(plugin_name(*declaration)) : "", 3);
     }
     return elements;
+  }
+
+  std::string plugin_type(const ElementSpec& spec, const Declaration& declaration) {
+    std::vector<Field> fields(spec.attributes.begin(), spec.attributes.end());
+    for (const ParameterDeclaration& parameter : declaration.parameters) {
+      if (!spec.attribute(parameter.name)) {  // the reader refuses such a plugin
+        fields.push_back(field_of(parameter));
+        fields.back().required = false;  // a template may give it
+      }
+    }
+    const std::string name = plugin_name(declaration);
+    return define(
+        name, [&] { return inside(name, declaration); }, fields);
   }
 
   // The content of a plugin's element: what it declares, any number in any order, and with that, if
@@ -313,12 +299,17 @@ class Schema {
   }
 
   const plugin::Host& host_;
+  std::string own_;  // what the names of types begin with that belong to another vocabulary
   std::map<std::string, std::string> types_;  // and groups, by name
   std::vector<std::string> order_;
 };
 
 }  // namespace
 
-std::string world_schema(const plugin::Host& host) { return Schema(host).text(); }
+std::string world_schema(const plugin::Host& host) { return Schema(host).of_worlds(); }
+
+std::string schema_of(const ElementSpec& root, const std::string& about, const plugin::Host& host) {
+  return Schema(host).of(root, about);
+}
 
 }  // namespace elsie::world

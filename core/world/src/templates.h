@@ -8,10 +8,9 @@
 #include <vector>
 
 #include "elsie/api/declaration.h"
-
-#include "files.h"
-#include "markup.h"
-#include "problems.h"
+#include "elsie/world/files.h"
+#include "elsie/world/markup.h"
+#include "elsie/world/problems.h"
 
 namespace elsie::plugin {
 class Host;

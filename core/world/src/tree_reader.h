@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "elsie/api/declaration.h"
+#include "elsie/world/files.h"
+#include "elsie/world/markup.h"
+#include "elsie/world/object_reader.h"
+#include "elsie/world/problems.h"
 #include "elsie/world/vocabulary.h"
 
-#include "files.h"
-#include "markup.h"
-#include "problems.h"
 #include "reading.h"
 
 namespace elsie::plugin {
@@ -19,13 +20,17 @@ class Host;
 
 namespace elsie::world {
 
-/// Walks the tree and the vocabulary side by side and fills the objects; where the vocabulary ends,
-/// at the use of a plugin, the plugin's declaration goes on. For one reading.
-class TreeReader {
+/// Where the vocabulary ends, at the use of a plugin, the plugin's declaration goes on. For one
+/// reading.
+class TreeReader : private ObjectReader {
  public:
   /// `check_plugins`: ReadOptions::check_plugins.
   TreeReader(const plugin::Host& host, const Files& files, bool check_plugins, Problems& problems)
-      : host_(host), files_(files), check_plugins_(check_plugins), problems_(problems) {}
+      : ObjectReader(problems),
+        host_(host),
+        files_(files),
+        check_plugins_(check_plugins),
+        problems_(problems) {}
 
   Reading read(const Element& root);
 
@@ -36,22 +41,15 @@ class TreeReader {
     std::map<std::string, FileName>& file_names;
   };
 
-  // Those that read something return whether it is as its element says: whether the element's own
-  // attributes are without mistakes, and those of the elements that describe it further.
-
-  bool read_object(const ElementSpec& spec, const Element& element, void* object);
-  bool read_child(const ElementSpec& spec, const Element& element, void* parent);
-  bool read_attribute(const ElementSpec& spec, const Element& element, const Attribute& attribute,
-                      void* object);
-  bool has_required(const std::vector<Field>& fields, const Element& element);
-  void refuse_text(const Element& element);
-  void refuse_attribute(const Element& element, const Attribute& attribute,
-                        const std::vector<std::string>& names);
-  const ElementSpec* spec_of(const ElementSpec& parent, const Element& child);
+  bool read_use(const ElementSpec& spec, const Element& element, void* object) override;
+  void begin(const Element& element) override;
+  void end(const ElementSpec& spec, const Element& element, bool sound) override;
+  void mention(const AttributeSpec& field, const Attribute& attribute,
+               const Element& element) override;
   void mark_robot_incomplete();
 
-  // The uses of plugins: use_reader.cpp.
-  bool read_use(const ElementSpec& spec, const Element& element, void* object);
+  // The uses of plugins: use_reader.cpp. Those that read something return whether it is as its
+  // element says.
   bool read_inside(const ElementSpec& spec, const Declaration& declaration, const Element& element,
                    void* object);
   bool read_element(const ElementDeclaration& declared, const Element& element, ElementUse& use);

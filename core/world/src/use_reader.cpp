@@ -12,9 +12,9 @@
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/parameters.h"
+#include "elsie/world/values.h"
 
 #include "tree_reader.h"
-#include "values.h"
 
 namespace elsie::world {
 

@@ -1,4 +1,4 @@
-#include "values.h"
+#include "elsie/world/values.h"
 
 #include <algorithm>
 #include <array>

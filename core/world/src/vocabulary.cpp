@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "facts.h"
+#include "elsie/world/facts.h"
+
 #include "robot_vocabulary.h"
 
 namespace elsie::world {

@@ -4,10 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/world/markup.h"
+#include "elsie/world/values.h"
 #include "elsie/world/vocabulary.h"
-
-#include "markup.h"
-#include "values.h"
 
 namespace elsie::world {
 

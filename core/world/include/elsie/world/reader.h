@@ -39,6 +39,10 @@ struct ReadOptions {
   /// Groups (<robots>, <sensors>...) may be left out or named; a member is called by its element's
   /// name or by its group's word for it. A step that could mean several elements needs brackets.
   std::vector<std::string> overrides;
+  /// The file in which the overrides stand: what files they name are looked for beside it and in
+  /// the data directories. "": they were given by hand, and are looked for beside the world's file
+  /// and in the current folder, too.
+  std::string overrides_from;
   /// Where templates and data files are looked for when they are not beside the file that names
   /// them, in this order.
   std::vector<std::string> data_directories;

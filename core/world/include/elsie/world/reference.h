@@ -4,11 +4,15 @@
 #include <string>
 
 #include "elsie/api/declaration.h"
+#include "elsie/world/vocabulary.h"
 
 namespace elsie::world {
 
 /// The vocabulary of world files, in Markdown: every element with its attributes.
 std::string world_reference();
+
+/// The elements and attributes of a file of another kind, in Markdown, without a title.
+std::string vocabulary_reference(const ElementSpec& root);
 
 /// What a plugin's declaration says, in Markdown: what it does, its parameters, the elements that
 /// may stand in its own with what is there by default, whether it holds behaviours, its readings

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "elsie/world/vocabulary.h"
+
 namespace elsie::plugin {
 class Host;
 }
@@ -14,5 +16,9 @@ namespace elsie::world {
 /// types, ranges, choices and ids. What takes more than one attribute to tell (what stands in what,
 /// what a behaviour needs) is left to the reader.
 std::string world_schema(const plugin::Host& host);
+
+/// The same for files of another kind, whose vocabulary has no plugins of its own. `about` is what
+/// the schema says of itself: "Experiment files of Elsie, format 1".
+std::string schema_of(const ElementSpec& root, const std::string& about, const plugin::Host& host);
 
 }  // namespace elsie::world

@@ -3,7 +3,7 @@
 //
 // Reading, writing, paths, the XML schema, the reference page and forms all walk this one table. A
 // plugin's parameters are described in the same terms (Field), so that all of those serve plugins
-// too.
+// too; and so are files of another kind (experiments), with a table of their own.
 #pragma once
 
 #include <cstddef>
@@ -77,6 +77,7 @@ struct ElementSpec {
   std::vector<ElementSpec> children;
   std::size_t at_least = 0;  // times in its parent
   std::size_t at_most = 1;
+  bool root = false;                  // of a file
   bool group = false;                 // only holds others and stands for no object of its own
   std::string members;                // of a group: what a path calls any of its children
   std::optional<PluginKind> plugins;  // then `name` is a word for it, not the element's name
@@ -91,6 +92,16 @@ struct ElementSpec {
   /// coordination_vocabulary(), which in turn has such uses in it: nesting goes to any depth.
   std::function<Coordination&(void* object)> make_inside;
   std::function<const Coordination*(const void* object)> inside;
+
+  /// It may hold one element of a world, whatever that is, besides its own `children`: the object
+  /// gets its markup as it stands.
+  std::function<void(void* object, const std::string& markup)> take;
+  /// What no two of the elements in it have in common, for the schema.
+  struct Unique {
+    std::string elements;  // the way down to them: "worlds/world"
+    std::string attribute;
+  };
+  std::vector<Unique> unique;
 
   const AttributeSpec* attribute(const std::string& attribute_name) const;
   /// The child of this name.

@@ -1,4 +1,4 @@
-// How the table of vocabulary.cpp is put together: an element is described by the class of the
+// How a vocabulary's table is put together: an element is described by the class of the
 // objects that it stands for, an attribute by the member that it fills.
 #pragma once
 
@@ -8,9 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/world/values.h"
 #include "elsie/world/vocabulary.h"
-
-#include "values.h"
 
 namespace elsie::world {
 
@@ -41,8 +40,8 @@ class Describe {
     spec_.meaning = std::move(meaning);
   }
 
-  /// An attribute held by a member of type double, int, bool, std::string, Colour or an optional of
-  /// these. Its default is the member's in a default-constructed object.
+  /// An attribute held by a member of type double, int, std::int64_t, bool, std::string, Colour or
+  /// an optional of these. Its default is the member's in a default-constructed object.
   template <class Owner, class Member>
   Describe&& attribute(const char* name, Member Owner::*member, ParameterFacts facts,
                        AttributeExtras extras = {}) && {
@@ -61,8 +60,14 @@ class Describe {
     if constexpr (std::is_same_v<Value, Colour>) {
       extras.form = TextForm::colour;
     }
-    return std::move(*this).attribute(name, parameter_type<Value>(), std::move(facts), extras, set,
-                                      get);
+    auto&& described = std::move(*this).attribute(name, parameter_type<Value>(), std::move(facts),
+                                                  extras, set, get);
+    if constexpr (std::is_same_v<Value, std::int64_t>) {
+      AttributeSpec& attribute = spec_.attributes.back();
+      attribute.lowest = static_cast<double>(std::numeric_limits<std::int64_t>::min());
+      attribute.highest = static_cast<double>(std::numeric_limits<std::int64_t>::max());
+    }
+    return std::move(described);
   }
 
   /// An attribute with a way of its own from and to the object.
@@ -223,6 +228,27 @@ class Describe {
       const auto& inside = static_cast<const Object*>(object)->*member;
       return inside.empty() ? nullptr : &inside.front();
     };
+    return std::move(*this);
+  }
+
+  /// It may hold one element of a world, whose markup this member gets.
+  Describe&& takes_element(std::optional<std::string> Object::*member) && {
+    spec_.take = [member](void* object, const std::string& markup) {
+      static_cast<Object*>(object)->*member = markup;
+    };
+    return std::move(*this);
+  }
+
+  /// No two of the elements at the end of this way ("worlds/world") have the same attribute of this
+  /// name.
+  Describe&& unique(std::string elements, std::string attribute) && {
+    spec_.unique.push_back({std::move(elements), std::move(attribute)});
+    return std::move(*this);
+  }
+
+  /// It is the one element of a file that holds all others.
+  Describe&& root() && {
+    spec_.root = true;
     return std::move(*this);
   }
 

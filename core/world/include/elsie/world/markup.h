@@ -45,11 +45,15 @@ inline constexpr std::size_t kLargestFile = std::size_t{32} << 20;  // bytes
 
 /// The root element. Throws WorldError when the text is not well-formed XML in UTF-8, has a
 /// document type declaration (entities could make a small file huge) or is nested deeper than any
-/// world.
-Element parse_markup(std::string_view text, const std::string& file);
+/// world. `kind` is the root element that the file should have.
+Element parse_markup(std::string_view text, const std::string& file,
+                     const std::string& kind = "world");
 
 /// `speed="5" of <roam>`
 std::string in_words(const Attribute& attribute, const Element& element);
+
+/// The element as text that parses as the same: on one line, without the comments that stood in it.
+std::string markup_of(const Element& element);
 
 /// The text as an attribute's value between double quotes.
 std::string escaped(std::string_view text);

@@ -16,6 +16,7 @@ class Problems {
   void add(const Location& where, std::string message, bool plugin_failed = false);
   /// Takes over what a file that could not be parsed had to say.
   void add(const WorldError& error);
+  void add(const Problems& others);
   bool empty() const { return problems_.empty(); }
   /// Throws them as a WorldError, sorted by line, those of `main_file` first; does nothing when
   /// there are none.

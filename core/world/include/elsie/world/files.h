@@ -11,12 +11,16 @@ namespace elsie::world {
 
 class Files {
  public:
-  Files(std::string main_file, std::vector<std::string> data_directories)
-      : main_file_(std::move(main_file)), data_directories_(std::move(data_directories)) {}
+  /// `overrides_from`: ReadOptions::overrides_from.
+  Files(std::string main_file, std::vector<std::string> data_directories,
+        std::string overrides_from = "")
+      : main_file_(std::move(main_file)),
+        data_directories_(std::move(data_directories)),
+        overrides_from_(std::move(overrides_from)) {}
 
   /// The regular file called `name` in the text at `from`: in the folder of that file (for an
-  /// override: of the world file), else in the data directories. Its path is as short as the names
-  /// that it was made of.
+  /// override: of the world file, or of that in which overrides stand), else in the data
+  /// directories. Its path is as short as the names that it was made of.
   std::optional<std::string> find(const std::string& name, const Location& from) const;
   /// The same in the data directories only: for defaults, which no file names.
   std::optional<std::string> find_data(const std::string& name) const;
@@ -37,9 +41,11 @@ class Files {
 
  private:
   std::string folder(const Location& from) const;
+  bool given_by_hand(const Location& from) const;
 
   std::string main_file_;
   std::vector<std::string> data_directories_;
+  std::string overrides_from_;
 };
 
 }  // namespace elsie::world

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "describe.h"
+#include "elsie/world/describe.h"
 
 namespace elsie::world {
 
@@ -29,13 +29,16 @@ inline ParameterFacts angle(std::string meaning) {
 
 /// The version of the vocabulary, on the root element; the reader looks at it before anything else.
 template <class Object>
-Describe<Object> root(const char* name, const char* meaning) {
+Describe<Object> root(const char* name, const char* meaning, int version = kFormat) {
   return Describe<Object>(name, meaning)
+      .root()
       .attribute(
           "format", ParameterType::text,
-          {.choices = {std::to_string(kFormat)}, .meaning = "version of this vocabulary"},
+          {.choices = {std::to_string(version)}, .meaning = "version of this vocabulary"},
           kRequired, [](void*, const ParameterValue&) {},
-          [](const void*) -> std::optional<ParameterValue> { return std::to_string(kFormat); });
+          [version](const void*) -> std::optional<ParameterValue> {
+            return std::to_string(version);
+          });
 }
 
 }  // namespace elsie::world
