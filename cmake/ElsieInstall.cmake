@@ -11,7 +11,7 @@ foreach(plugin IN LISTS ELSIE_SHIPPED_PLUGINS)
   install(TARGETS ${plugin} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie/plugins")
 endforeach()
 
-install(DIRECTORY fuzzy_models robots templates training_sets worlds DESTINATION "${CMAKE_INSTALL_DATADIR}/elsie")
+install(DIRECTORY experiments fuzzy_models robots templates training_sets worlds DESTINATION "${CMAKE_INSTALL_DATADIR}/elsie")
 install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES README.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 

@@ -1,11 +1,13 @@
-// elsie check: reads world files, says what is wrong with them, runs nothing.
+// elsie check: reads world and experiment files, says what is wrong with them, runs nothing.
 #include <iostream>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
 
+#include "elsie/experiment/reader.h"
 #include "elsie/simulation/simulation.h"
+#include "elsie/world/markup.h"
 #include "elsie/world/reader.h"
 
 #include "command.h"
@@ -15,10 +17,38 @@ namespace {
 
 struct CheckOptions {
   PluginOptions plugins;
-  std::vector<std::string> worlds;
+  std::vector<std::string> files;
   std::vector<std::string> overrides;
   bool quiet = false;
 };
+
+/// "1 robot", "2 robots"
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : what == "box" ? "es" : "s");
+}
+
+/// What there is to say of a world that is in order.
+std::string check_world(const std::string& file, const elsie::plugin::Host& host,
+                        const CheckOptions& options) {
+  const elsie::world::World world =
+      elsie::world::read_world(file, host, read_options(options.overrides));
+  // Putting it together asks the plugins whether they fit their robots.
+  const elsie::simulation::Simulation simulation(world, host);
+  return counted(world.robots.size(), "robot") + ", " + counted(world.boxes.size(), "box");
+}
+
+std::string check_experiment(const std::string& file, const elsie::plugin::Host& host,
+                             const CheckOptions& options) {
+  if (!options.overrides.empty()) {
+    throw BadInput("--set is for worlds; '" + file +
+                   "' is an experiment, which has elements <set> for that");
+  }
+  const elsie::experiment::Experiment experiment =
+      elsie::experiment::read_experiment(file, host, experiment_options());
+  return counted(elsie::experiment::cells(experiment).size(), "cell") + ", " +
+         counted(elsie::experiment::number_of_runs(experiment), "run") + ", " +
+         counted(experiment.expectations.size(), "expectation");
+}
 
 int check(const CheckOptions& options) {
   if (options.quiet) {
@@ -26,24 +56,21 @@ int check(const CheckOptions& options) {
   }
   const elsie::plugin::Host host = load_plugins(options.plugins);
   int wrong = 0;
-  for (const std::string& file : options.worlds) {
+  for (const std::string& file : options.files) {
     try {
-      const elsie::world::World world =
-          elsie::world::read_world(file, host, read_options(options.overrides));
-      // Putting it together asks the plugins whether they fit their robots.
-      const elsie::simulation::Simulation simulation(world, host);
+      const auto root = elsie::world::parse_markup(elsie::world::read_text(file), file);
+      const std::string found = root.name == "experiment" ? check_experiment(file, host, options)
+                                                          : check_world(file, host, options);
       if (!options.quiet) {
-        std::cout << file << ": in order: " << world.robots.size()
-                  << (world.robots.size() == 1 ? " robot, " : " robots, ") << world.boxes.size()
-                  << (world.boxes.size() == 1 ? " box\n" : " boxes\n");
+        std::cout << file << ": in order: " << found << '\n';
       }
     } catch (const elsie::world::WorldError& error) {
       std::cerr << error.what() << '\n';
       ++wrong;
     }
   }
-  if (wrong > 0 && options.worlds.size() > 1) {
-    std::cerr << "elsie: " << wrong << " of " << options.worlds.size() << " worlds are wrong\n";
+  if (wrong > 0 && options.files.size() > 1) {
+    std::cerr << "elsie: " << wrong << " of " << options.files.size() << " files are wrong\n";
   }
   return wrong == 0 ? kSuccess : kBadInput;
 }
@@ -51,19 +78,20 @@ int check(const CheckOptions& options) {
 }  // namespace
 
 void add_check_command(CLI::App& program, Job& job) {
-  CLI::App* command =
-      program.add_subcommand("check", "Read world files and report everything that is wrong");
+  CLI::App* command = program.add_subcommand(
+      "check", "Read world and experiment files and report everything that is wrong");
   command->footer(
-      "\nExamples:\n  elsie check worlds/*.xml\n"
+      "\nExamples:\n  elsie check worlds/*.xml experiments/*.xml\n"
       "  elsie check worlds/maze.xml --set physics/@step=0.02\n");
   auto options = std::make_shared<CheckOptions>();
-  command->add_option("WORLD", options->worlds, "World files")->required();
+  command->add_option("FILE", options->files, "World and experiment files")->required();
   command
       ->add_option("--set", options->overrides,
-                   "Change an attribute first, e.g. 'robot[r1]/@max_speed=0.3'; may be repeated")
+                   "Change an attribute of the worlds first, e.g. 'robot[r1]/@max_speed=0.3'; may "
+                   "be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
-  command->add_flag("--quiet", options->quiet, "Say nothing of worlds that are in order");
+  command->add_flag("--quiet", options->quiet, "Say nothing of files that are in order");
   options->plugins.add_to(*command);
   command->callback([&job, options] { job = [options] { return check(*options); }; });
 }

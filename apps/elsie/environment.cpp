@@ -131,6 +131,12 @@ elsie::world::ReadOptions read_options(const std::vector<std::string>& overrides
   return options;
 }
 
+elsie::experiment::ReadOptions experiment_options() {
+  elsie::experiment::ReadOptions options;
+  options.data_directories = data_directories();
+  return options;
+}
+
 void require_writable(const fs::path& file, const char* option) {
   const std::string what = std::string(option) + ": cannot write '" + file.string() + "': ";
   std::error_code error;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/experiment/reader.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/watch.h"
 #include "elsie/world/reader.h"
@@ -35,6 +36,9 @@ std::vector<std::string> data_directories();
 /// How worlds are read here: with the data directories, and every plugin asked about its
 /// parameters.
 elsie::world::ReadOptions read_options(const std::vector<std::string>& overrides = {});
+
+/// The same for experiments.
+elsie::experiment::ReadOptions experiment_options();
 
 /// Checks, before any work is done, that a file can be written there. Throws BadInput.
 void require_writable(const std::filesystem::path& file, const char* option);

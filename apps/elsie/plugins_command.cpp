@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "elsie/experiment/vocabulary.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/near_name.h"
 #include "elsie/world/reference.h"
@@ -260,13 +261,14 @@ int plugins(const PluginsOptions& options) {
 }
 
 int describe(const DescribeOptions& options) {
-  if (options.name == "world") {
+  if (options.name == "world" || options.name == "experiment") {
     if (options.json) {
-      throw BadInput(
-          "the vocabulary of world files is not to be had as JSON; `elsie schema` prints its "
-          "schema");
+      throw BadInput("the vocabulary of " + options.name +
+                     " files is not to be had as JSON; `elsie schema " + options.name +
+                     "` prints its schema");
     }
-    std::cout << elsie::world::world_reference();
+    std::cout << (options.name == "world" ? elsie::world::world_reference()
+                                          : elsie::experiment::experiment_reference());
     return kSuccess;
   }
   const Host host = load_plugins(options.plugins);
@@ -341,13 +343,15 @@ void add_describe_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "describe",
       "Print what a plugin does, its parameters with defaults and ranges, what may stand in its "
-      "element, its events; or the vocabulary of world files");
+      "element, its events; or the vocabulary of world or experiment files");
   command->footer(
-      "\nExamples:\n  elsie describe beam_range\n  elsie describe world\n"
+      "\nExamples:\n  elsie describe beam_range\n  elsie describe world\n  elsie describe "
+      "experiment\n"
       "  elsie describe wander --kind behavior --declaration\n");
   auto options = std::make_shared<DescribeOptions>();
   command
-      ->add_option("PLUGIN", options->name, "Name of a sensor, behavior or coordinator; or 'world'")
+      ->add_option("PLUGIN", options->name,
+                   "Name of a sensor, behavior or coordinator; or 'world', or 'experiment'")
       ->required();
   command
       ->add_option_function<std::string>(

@@ -1,9 +1,11 @@
-// elsie schema: the XML schema of world files, for editors.
+// elsie schema: the XML schemas of world and experiment files, for editors.
 #include <iostream>
 #include <memory>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "elsie/experiment/vocabulary.h"
 #include "elsie/world/schema.h"
 
 #include "command.h"
@@ -11,15 +13,21 @@
 
 void add_schema_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
-      "schema", "Print the XML schema (XSD) of world files, with all plugins found");
+      "schema", "Print the XML schema (XSD) of world or experiment files, with all plugins found");
   command->footer(
-      "\nExample:\n  elsie schema > world.xsd\n"
-      "  xmllint --noout --schema world.xsd worlds/clutter.xml\n");
+      "\nExamples:\n  elsie schema > world.xsd\n"
+      "  xmllint --noout --schema world.xsd worlds/clutter.xml\n"
+      "  elsie schema experiment > experiment.xsd\n");
   auto plugins = std::make_shared<PluginOptions>();
+  auto kind = std::make_shared<std::string>("world");
+  command->add_option("KIND", *kind, "world or experiment; default: world")
+      ->check(CLI::IsMember({"world", "experiment"}));
   plugins->add_to(*command);
-  command->callback([&job, plugins] {
-    job = [plugins] {
-      std::cout << elsie::world::world_schema(load_plugins(*plugins));
+  command->callback([&job, plugins, kind] {
+    job = [plugins, kind] {
+      const elsie::plugin::Host host = load_plugins(*plugins);
+      std::cout << (*kind == "world" ? elsie::world::world_schema(host)
+                                     : elsie::experiment::experiment_schema(host));
       return kSuccess;
     };
   });

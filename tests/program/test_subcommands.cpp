@@ -79,6 +79,63 @@ TEST_CASE("check says of each world whether it is in order") {
   CHECK(here.elsie("check worlds/*.xml --quiet").out.empty());
 }
 
+TEST_CASE("check tells experiments from worlds, and says of each whether it is in order") {
+  Workplace here;
+  const auto run = here.elsie("check worlds/maze.xml experiments/four_resources.xml");
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 0);
+  CHECK(run.out ==
+        "worlds/maze.xml: in order: 1 robot, 14 boxes\n"
+        "experiments/four_resources.xml: in order: 8 cells, 160 runs, 7 expectations\n");
+  const auto with_set = here.elsie("check experiments/four_resources.xml --set @name=a");
+  CHECK(with_set.exit_code == 2);
+  CHECK_THAT(with_set.err, Catch::Contains("--set is for worlds; 'experiments/four_resources.xml' "
+                                           "is an experiment"));
+}
+
+TEST_CASE("check tells all that is wrong with an experiment, and with which levels") {
+  Workplace here;
+  here.write("wrong.xml", R"(<experiment format="1">
+  <worlds><world file="worlds/four_resources.xml"/></worlds>
+  <vary path="robot[collector]/coordinator">
+    <level><fusion_interval/></level>
+    <level><arbiter_suppression/></level>
+  </vary>
+  <vary path="robot[collector]/coordinator/@steps" values="11; 21"/>
+  <seeds from="1" to="20"/>
+  <expectations>
+    <expect measure="success" where="coordinator=fusion_intervall" at_least="1"/>
+  </expectations>
+</experiment>
+)");
+  const auto run = here.elsie("check wrong.xml worlds/maze.xml");
+  CHECK(run.exit_code == 2);
+  CHECK_THAT(run.err, Catch::Contains("wrong.xml:10: where=\"coordinator=fusion_intervall\" of "
+                                      "<expect>: 'coordinator' has no level 'fusion_intervall'; "
+                                      "did you mean 'fusion_interval'?\n"));
+  CHECK_THAT(run.err, Catch::Contains("wrong.xml:7: ") &&
+                          Catch::Contains("has no attribute 'steps'") &&
+                          Catch::Contains("(with coordinator=arbiter_suppression)\n"));
+  CHECK_THAT(run.err, Catch::Contains("elsie: 1 of 2 files are wrong\n"));
+  CHECK_THAT(run.out, Catch::Contains("worlds/maze.xml: in order"));
+}
+
+TEST_CASE("schema and describe know experiments") {
+  Workplace here;
+  const auto run = here.sh(
+      "elsie schema experiment > experiment.xsd\n"
+      "xmllint --noout --schema experiment.xsd experiments/*.xml");
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 0);
+  CHECK(here.elsie("schema world").out == here.elsie("schema").out);
+  CHECK(here.elsie("schema experment").exit_code == 2);
+  CHECK_THAT(here.elsie("describe experiment").out,
+             Catch::StartsWith("# Experiment files") && Catch::Contains("`confidence`"));
+  const auto as_json = here.elsie("describe experiment --json");
+  CHECK(as_json.exit_code == 2);
+  CHECK_THAT(as_json.err, Catch::Contains("`elsie schema experiment` prints its schema"));
+}
+
 TEST_CASE("picture draws a world, as PNG or SVG") {
   Workplace here;
   CHECK(here.elsie("picture worlds/maze.xml").exit_code == 0);

@@ -26,7 +26,8 @@ Workplace::Workplace() {
     throw std::runtime_error("cannot make a folder for the test");
   }
   folder_ = name;
-  for (const char* data : {"worlds", "robots", "fuzzy_models", "training_sets", "examples"}) {
+  for (const char* data :
+       {"experiments", "worlds", "robots", "fuzzy_models", "training_sets", "examples"}) {
     fs::create_directory_symlink(source_path(data), folder_ / data);
   }
 }

@@ -1,0 +1,61 @@
+// That what is to be shown, and what is expected, is measured at all.
+#include <algorithm>
+#include <map>
+
+#include "cell_check.h"
+
+namespace elsie::experiment {
+
+namespace {
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Those of each cell that the expectation is about, and of what it is compared with.
+void check_expectation(const Experiment& experiment, const Expectation& expectation,
+                       const std::vector<Cell>& grid, const CellMeasures& measures,
+                       world::Problems& problems) {
+  const auto check = [&](std::size_t cell, const std::string& name) {
+    const auto& names = measures.lists[measures.of_cell[cell]];
+    if (has(names, name)) {
+      return true;
+    }
+    const bool nowhere = std::none_of(measures.lists.begin(), measures.lists.end(),
+                                      [&](const auto& list) { return has(list, name); });
+    problems.add(
+        expectation.location,
+        (nowhere ? "no run has a" : "runs of the cell '" + grid[cell].label + "' have no") +
+            " measure '" + name + "'" + world::near_or_all(name, names, "there are"));
+    return false;
+  };
+  for (const std::string& name : {expectation.measure, expectation.per}) {
+    for (const std::size_t cell : cells_of(experiment, expectation, grid)) {
+      const auto other = reference_of(experiment, expectation, grid[cell]);
+      if (!name.empty() && (!check(cell, name) || (other && !check(*other, name)))) {
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void check_measures(const Experiment& experiment, const std::vector<Cell>& grid,
+                    const CellMeasures& measures, world::Problems& problems) {
+  std::vector<std::string> all;
+  for (const auto& names : measures.lists) {
+    all.insert(all.end(), names.begin(), names.end());
+  }
+  for (const MeasureUse& use : experiment.measures) {
+    if (!has(all, use.name)) {
+      problems.add(use.location, "no run has a measure '" + use.name + "'" +
+                                     world::near_or_all(use.name, all, "there are"));
+    }
+  }
+  for (const Expectation& expectation : experiment.expectations) {
+    check_expectation(experiment, expectation, grid, measures, problems);
+  }
+}
+
+}  // namespace elsie::experiment

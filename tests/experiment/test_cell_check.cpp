@@ -1,0 +1,71 @@
+// Every cell is read before anything begins, and what is wrong is told once, with what it takes.
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "fixture.h"
+
+using namespace elsie;
+using namespace elsie::test;
+
+TEST_CASE("A mistake in a setting is told where it stands, once for all cells that have it") {
+  CHECK(problems(kTwoWorlds + "\n<set path='robot[r1]/@max_sped' value='1'/>\n"
+                              "<vary path='robot[r1]/@coverage' values='1; 2'/>") ==
+        "experiment.xml:2: <robot> has no attribute 'max_sped'; did you mean 'max_speed'?");
+}
+
+TEST_CASE("What shows in some cells only is told with what they have in common") {
+  const std::string levels =
+      "\n<vary path='robot[r1]/coordinator'><level><pick/></level><level><sum/></level></vary>\n";
+  CHECK(problems(kTwoWorlds + levels +
+                 "<vary path='robot[r1]/coordinator/@weighted' "
+                 "values='true; false'/>") ==
+        "experiment.xml:3: <pick> has no attribute 'weighted'; it may have: id, remove (with "
+        "coordinator=pick)");
+  CHECK(problems(kTwoWorlds + "\n<set path='obstacle[crate]/@mass' value='1'/>") ==
+        "experiment.xml:2: there is no 'obstacle' in <world> of this world (with world=arena)");
+}
+
+TEST_CASE("A mistake that takes two settings is told of the cell that has both") {
+  CHECK(problems(kArena + "\n<vary path='robot[r1]/behavior[roam]/@shy' values='false; true'/>\n"
+                          "<vary path='robot[r1]/behavior[roam]/@mood' values='calm; bold'/>") ==
+        "data/arena.xml:6: behavior 'roam': shy and bold do not go together (in the cell 'true, "
+        "bold')");
+  CHECK(problems(kArena + "\n<vary path='robot[r1]/behavior[roam]/@shy' values='false; true'/>\n"
+                          "<vary path='robot[r1]/behavior[roam]/@mood' values='calm; bold'/>\n"
+                          "<vary path='robot[r1]/@max_speed' values='0.1; 0.2; 0.3'/>") ==
+        "data/arena.xml:6: behavior 'roam': shy and bold do not go together (in 3 cells, the first "
+        "of them 'true, "
+        "bold, 0.1')");
+}
+
+TEST_CASE("A mistake of a world is told of the world, whatever is set in it") {
+  CHECK(problems("<worlds><world file='data/arena.xml'/><world file='data/faulty.xml'/></worlds>"
+                 "<vary path='robot[r1]/@max_speed' values='0.1; 0.2; 0.3'/>") ==
+        "data/faulty.xml:4: <robot> has no attribute 'max_sped'; did you mean 'max_speed'?");
+}
+
+TEST_CASE("Of many mistakes on one line the first are told, and how many more there are") {
+  const std::string all = problems(
+      kArena + "\n<vary path='robot[r1]/behavior[roam]/@speed' from='1' to='100' step='1'/>");
+  CHECK(std::count(all.begin(), all.end(), '\n') == 20);
+  CHECK_THAT(all, Catch::StartsWith("experiment.xml:2: speed=\"100\" of <roam>: expected "));
+  CHECK_THAT(all, Catch::EndsWith("experiment.xml:2: ... and 30 more problems on this line"));
+}
+
+TEST_CASE("Levels that make no difference are a mistake, and so is what a later setting undoes") {
+  CHECK(problems(kArena + "\n<vary name='a' path='robot[r1]/@max_speed' values='0.1; 0.2'/>\n"
+                          "<vary name='b' path='robot[r1]/@max_speed' values='0.3; 0.4'/>") ==
+        "experiment.xml:2: the level '0.2' of 'a' is the same as '0.1': the cells '0.1, 0.3' and "
+        "'0.2, 0.3' do not differ in anything; a later setting may undo it");
+  CHECK(problems("<worlds><world file='data/arena.xml'/><world id='again' file='data/arena.xml'/>"
+                 "</worlds>") ==
+        "experiment.xml:1: 'again' is the same as 'arena': the cells 'arena' and 'again' do not "
+        "differ in anything; a later setting may undo it");
+  // What was set in an element that is replaced then.
+  CHECK_THAT(
+      problems(kArena + "<set path='robot[r1]/coordinator/@weighted' value='true'/>"
+                        "<vary path='robot[r1]/coordinator'><level><pick/></level></vary>"),
+      Catch::Contains("this replaces the element in which 'robot[r1]/coordinator/@weighted=true' "
+                      "is set before"));
+}

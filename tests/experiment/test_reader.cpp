@@ -1,0 +1,188 @@
+// What an experiment file says, and what is read from it.
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "fixture.h"
+
+using namespace elsie;
+using namespace elsie::test;
+using experiment::Experiment;
+
+namespace {
+
+std::vector<std::string> labels(const experiment::Factor& factor) {
+  std::vector<std::string> all;
+  for (const experiment::Level& level : factor.levels) {
+    all.push_back(level.label);
+  }
+  return all;
+}
+
+using Texts = std::vector<std::string>;
+
+Texts range(const std::string& from, const std::string& to, const std::string& step) {
+  return labels(read(kArena + "<vary path='robot[r1]/@x' from='" + from + "' to='" + to +
+                     "' step='" + step + "'/><set path='robot[r2]/@x' value='4'/>")
+                    .factors.at(0));
+}
+
+}  // namespace
+
+TEST_CASE("An experiment that says everything") {
+  const Experiment e =
+      experiment::read_experiment(kFolder + "data/everything.xml", host(), options());
+  CHECK(e.name == "Everything & more");
+  CHECK(e.description == "All that there is");
+  CHECK(e.file == kFolder + "data/everything.xml");
+
+  REQUIRE(e.worlds.size() == 2);
+  CHECK(e.worlds[0].id == "arena");
+  CHECK(e.worlds[0].file == kFolder + "data/arena.xml");
+  CHECK(e.worlds[0].name == "arena.xml");
+  CHECK(e.worlds[1].id == "full");
+  REQUIRE(e.worlds[1].settings.size() == 1);
+  CHECK(e.worlds[1].settings[0].path == "obstacle[crate]/@mass");
+  CHECK(e.worlds[1].settings[0].value == "0.5");
+  CHECK(e.worlds[1].settings[0].location.line == 8);
+
+  REQUIRE(e.settings.size() == 2);
+  CHECK(e.settings[1].path == "physics");
+  CHECK(e.settings[1].value == "<physics step=\"0.02\"/>");
+
+  REQUIRE(e.factors.size() == 4);
+  CHECK(e.factors[0].name == "coordinator");
+  CHECK(labels(e.factors[0]) == Texts{"fusion", "layers", "arbitration"});
+  CHECK(e.factors[0].levels[1].settings.at(0).path == "robot[r1]/coordinator");
+  CHECK(e.factors[0].levels[1].settings.at(0).value ==
+        "<layers><inhibit by=\"roam\" of=\"roam\"/></layers>");
+  CHECK(e.factors[0].levels[2].settings.at(1).path == "robot[r1]/@max_speed");
+  CHECK(e.factors[1].name == "speed");
+  CHECK(labels(e.factors[1]) == Texts{"0.1", "0.2", "0.3"});
+  CHECK(e.factors[2].name == "weights");
+  CHECK(labels(e.factors[2]) == Texts{"1 1", "2 -2"});
+  CHECK(labels(e.factors[3]) == Texts{"as ever", "daring"});
+  CHECK(e.factors[3].levels[0].settings.empty());
+
+  CHECK(e.seeds == std::vector<std::uint64_t>{3, 5, 8});
+  CHECK(e.repeats == 2);
+  CHECK(e.time_limit == 30.0);
+  CHECK(e.wall_limit == 60.0);
+  CHECK(e.trajectory_period == 0.25);
+  REQUIRE(e.measures.size() == 2);
+  CHECK(e.measures[1].name == "time_s");
+  CHECK(experiment::number_of_runs(e) == 2 * 3 * 3 * 2 * 2 * 3 * 2);
+  CHECK(experiment::cells(e).size() == 2 * 3 * 3 * 2 * 2);
+}
+
+TEST_CASE("Expectations") {
+  const Experiment e =
+      experiment::read_experiment(kFolder + "data/everything.xml", host(), options());
+  REQUIRE(e.expectations.size() == 4);
+  const experiment::Expectation& works = e.expectations[0];
+  CHECK(works.name == "it works");
+  CHECK(works.statistic == experiment::Statistic::rate);  // of success, without a word
+  CHECK(works.at_least == 0.9);
+  CHECK(works.confidence == 0.95);
+  CHECK(works.where.empty());
+  CHECK(works.relation == experiment::Relation::none);
+
+  const experiment::Expectation& path = e.expectations[1];
+  CHECK(path.name ==
+        "mean of path_length_m of successes, coordinator=fusion|layers, speed=0.*: about 2.5 give "
+        "or take 0.5");
+  CHECK(path.statistic == experiment::Statistic::mean);
+  CHECK(path.runs == experiment::Runs::successes);
+  REQUIRE(path.where.size() == 2);
+  CHECK(path.where[0].factor == "coordinator");
+  CHECK(path.where[0].levels == Texts{"fusion", "layers"});
+  CHECK(path.about == 2.5);
+  CHECK(path.tolerance == 0.5);
+
+  const experiment::Expectation& ratio = e.expectations[2];
+  CHECK(ratio.name ==
+        "median of time_s per path_length_m, world=full, coordinator=*tion: at most 1.5 times that "
+        "of coordinator=layers");
+  CHECK(ratio.per == "path_length_m");
+  CHECK(ratio.relation == experiment::Relation::ratio);
+  REQUIRE(ratio.reference.size() == 1);
+  CHECK(ratio.reference[0].factor == "coordinator");
+  CHECK(ratio.reference[0].level == "layers");
+
+  const experiment::Expectation& difference = e.expectations[3];
+  CHECK(difference.name ==
+        "maximum of collisions: at least -3 and at most 3 more than that of world=arena, mood=as "
+        "ever");
+  CHECK(difference.relation == experiment::Relation::difference);
+  CHECK(difference.reference.size() == 2);
+}
+
+TEST_CASE("What a short experiment leaves out") {
+  const Experiment e = read(kArena);
+  CHECK(e.name == "experiment");
+  CHECK(e.seeds == std::vector<std::uint64_t>{1});
+  CHECK(e.repeats == 1);
+  CHECK_FALSE(e.time_limit);
+  CHECK(e.wall_limit == 600.0);
+  CHECK(e.trajectory_period == 0.5);
+  CHECK(e.measures.empty());
+  CHECK(experiment::cells(e).size() == 1);
+}
+
+TEST_CASE("The levels of a range are the decimal numbers that a reader expects") {
+  CHECK(range("0.1", "0.5", "0.1") == Texts{"0.1", "0.2", "0.3", "0.4", "0.5"});
+  CHECK(range("-0.1", "0.2", "0.15") == Texts{"-0.1", "0.05", "0.2"});
+  CHECK(range("1", "3", "1") == Texts{"1", "2", "3"});
+  CHECK(range("0.50", "1", "0.25") == Texts{"0.5", "0.75", "1"});
+  CHECK(range("2", "2", "1") == Texts{"2"});
+  CHECK(range("-1", "1", "0.5") == Texts{"-1", "-0.5", "0", "0.5", "1"});
+  CHECK(range("1e-3", "3e-3", "1e-3") == Texts{"0.001", "0.002", "0.003"});
+  CHECK(range("0", "3e-07", "1e-07") == Texts{"0", "1e-07", "2e-07", "3e-07"});
+  const Texts fine = range("0", "0.999", "0.001");
+  CHECK(fine.size() == 1000);
+  CHECK(fine[700] == "0.7");  // 700 x 0.001 is 0.7000000000000001 otherwise
+}
+
+TEST_CASE("Seeds from the first to the last") {
+  CHECK(read(kArena + "<seeds from='0' to='3'/>").seeds == std::vector<std::uint64_t>{0, 1, 2, 3});
+  CHECK(read(kArena + "<seeds from='9223372036854775806' to='9223372036854775807'/>").seeds ==
+        std::vector<std::uint64_t>{9223372036854775806u, 9223372036854775807u});
+  CHECK(read(kArena + "<seeds list='  7\n 1 '/>").seeds == std::vector<std::uint64_t>{7, 1});
+}
+
+TEST_CASE("Values may have blanks in them, and are without those around them") {
+  const Experiment e =
+      read(kArena + "<vary path='robot[r1]/behavior[roam]/@weights' values=' 1 2 ;3 4; 5  5'/>");
+  CHECK(labels(e.factors.at(0)) == Texts{"1 2", "3 4", "5  5"});
+}
+
+TEST_CASE("Measures of worlds are as good as those of every run") {
+  experiment::ReadOptions with_more = options();
+  with_more.measures = [](const world::World& world) {
+    return world.name == "arena" ? Texts{"success", "formation_error_m"} : Texts{"success"};
+  };
+  const auto message = [&](const std::string& content) {
+    try {
+      experiment::parse_experiment("<experiment format='1'>" + kTwoWorlds + content +
+                                       "<seeds from='1' to='1'/></experiment>",
+                                   kFolder + "experiment.xml", host(), with_more);
+      return std::string();
+    } catch (const world::WorldError& error) {
+      return without_folder(error.what());
+    }
+  };
+  CHECK(message("<measures><measure name='formation_error_m'/></measures>") == "");
+  CHECK(message("<measures><measure name='time_s'/></measures>") ==
+        "experiment.xml:1: no run has a measure 'time_s'; there are: success, formation_error_m, "
+        "success");
+  CHECK(
+      message("<expectations><expect measure='formation_error_m' at_most='1' where='world=arena'/>"
+              "</expectations>") == "");
+  CHECK(message("<expectations><expect measure='formation_error_m' at_most='1'/></expectations>") ==
+        "experiment.xml:1: runs of the cell 'clutter' have no measure 'formation_error_m'; there "
+        "are: success");
+  CHECK(message("<expectations><expect measure='formation_error_m' at_most='1' where='world=arena'"
+                " ratio_to='world=clutter'/></expectations>") ==
+        "experiment.xml:1: runs of the cell 'clutter' have no measure 'formation_error_m'; there "
+        "are: success");
+}
