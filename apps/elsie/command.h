@@ -18,6 +18,9 @@ enum ExitCode {
   kOtherFailure = 4,  // anything else: a full disk, an interrupt
 };
 
+/// The one word on the command line of a worker, which `elsie batch` starts; for no user.
+inline constexpr const char* kWorkerCommand = "batch-worker";
+
 /// Input that the program cannot work with; what() is a sentence for the user. Ends the program
 /// with kBadInput.
 class BadInput : public std::runtime_error {
@@ -36,6 +39,9 @@ void add_describe_command(CLI::App& program, Job& job);
 void add_schema_command(CLI::App& program, Job& job);
 void add_picture_command(CLI::App& program, Job& job);
 void add_fuzzy_command(CLI::App& program, Job& job);
+void add_batch_command(CLI::App& program, Job& job);
+void add_merge_command(CLI::App& program, Job& job);
+void add_replay_command(CLI::App& program, Job& job);
 void add_explain_command(CLI::App& program, Job& job);
 void add_test_plugin_command(CLI::App& program, Job& job);
 void add_train_command(CLI::App& program, Job& job);

@@ -86,14 +86,18 @@ void tell(const elsie::plugin::Report& report) {
 
 }  // namespace
 
-elsie::plugin::Host load_plugins(const PluginOptions& options) {
+std::vector<elsie::plugin::SearchDirectory> search_path(const PluginOptions& options) {
   auto places = places_of(options);
   for (auto& place : places) {
     if (elsie::plugin::is_source(place.path)) {
       place.path = elsie::plugin::build_source(place.path).library;
     }
   }
-  elsie::plugin::Host host(std::move(places));
+  return places;
+}
+
+elsie::plugin::Host load_plugins(const PluginOptions& options) {
+  elsie::plugin::Host host(search_path(options));
   require_loaded(host, options.files);
   tell(host.report());
   return host;

@@ -23,6 +23,11 @@ struct PluginOptions {
   void add_to(CLI::App& command);
 };
 
+/// Where plugins are looked for: libraries given by name, those given as source after compiling
+/// them, then directories. Throws BadInput for what was given on the command line and cannot be
+/// used.
+std::vector<elsie::plugin::SearchDirectory> search_path(const PluginOptions& options);
+
 /// Loads the plugins, those given as source after compiling them; warnings go to the log, unless it
 /// is set to errors only. Throws BadInput for what was given on the command line and cannot be
 /// used.

@@ -1,11 +1,14 @@
 // The command-line program: elsie SUBCOMMAND ...
 #include <cstdlib>
 #include <iostream>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include "elsie/batch/results_database.h"
+#include "elsie/batch/worker.h"
 #include "elsie/fuzzy/error.h"
 #include "elsie/neural/error.h"
 #include "elsie/plugin/crash_report.h"
@@ -25,6 +28,7 @@ Examples:
   elsie run worlds/maze.xml --set 'robot[r1]/@max_speed=0.3' --json
   elsie run worlds/clutter.xml --explain clutter.trace
   elsie explain clutter.trace --picture clutter.png
+  elsie batch experiments/coordinators.xml
   elsie check worlds/*.xml
   elsie describe wander
 
@@ -65,6 +69,9 @@ int finish(const Job& job) {
   } catch (const BadInput& error) {
     std::cerr << "elsie: " << error.what() << '\n';
     return kBadInput;
+  } catch (const elsie::batch::DatabaseRefused& error) {
+    std::cerr << "elsie: " << error.what() << '\n';
+    return kBadInput;
   } catch (const elsie::simulation::PluginFault& fault) {
     std::cerr << "elsie: " << fault.what() << '\n';
     return kPluginFailed;
@@ -91,11 +98,14 @@ int with_output_written(int exit_code) {
 
 int main(int argc, char** argv) {
   set_up_log();
-  elsie::plugin::report_crashes(kPluginFailed);
-  end_at_once_when_interrupted();
   // Pictures of cameras are small: where Mesa draws them in software, handing them to threads costs
   // more than it gains. Here, because nothing else runs yet that could look at the environment.
   setenv("LP_NUM_THREADS", "0", 0);
+  if (argc == 2 && std::string_view(argv[1]) == kWorkerCommand) {
+    elsie::batch::work();
+  }
+  elsie::plugin::report_crashes(kPluginFailed);
+  end_at_once_when_interrupted();
   CLI::App program("Elsie: behaviour-based mobile robot control", "elsie");
   program.set_version_flag("--version", "elsie " ELSIE_VERSION);
   program.require_subcommand(1);
@@ -103,6 +113,9 @@ int main(int argc, char** argv) {
   program.failure_message(usage_message);
   Job job;
   add_run_command(program, job);
+  add_batch_command(program, job);
+  add_replay_command(program, job);
+  add_merge_command(program, job);
   add_explain_command(program, job);
   add_check_command(program, job);
   add_picture_command(program, job);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -78,6 +79,11 @@ TEST_CASE("Every command in the docs runs, and reaches its goals unless it is cu
       }
       std::istringstream lines(block);
       for (std::string line; std::getline(lines, line);) {
+        // A text in quotation marks may go on.
+        for (std::string more; std::count(line.begin(), line.end(), '"') % 2 != 0 &&
+                               std::getline(lines, more);) {
+          line += '\n' + more;
+        }
         CAPTURE(page.filename().string(), line);
         const auto run = here.sh(line);
         CAPTURE(run.err);

@@ -1,4 +1,4 @@
-#include "own_library.h"
+#include "elsie/plugin/own_library.h"
 
 #include <dlfcn.h>
 

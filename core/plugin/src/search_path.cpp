@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "own_library.h"
+#include "elsie/plugin/own_library.h"
 
 namespace elsie::plugin {
 namespace {

@@ -18,7 +18,7 @@
 
 #include "elsie/plugin/abi_word.h"
 
-#include "own_library.h"
+#include "elsie/plugin/own_library.h"
 #include "process.h"
 
 namespace elsie::plugin {

@@ -14,14 +14,13 @@
 #include "csv_line.h"
 #include "record_file.h"
 #include "trace_format.h"
+#include "trace_row.h"
 
 namespace elsie::simulation {
 namespace {
 
 using trace_format::Remark;
 
-constexpr int kDecimals = 3;
-constexpr int kWeightDigits = 4;
 constexpr double kFlushEvery = 1.0;   // s, simulated
 constexpr double kStillEvery = 10.0;  // s, simulated, after which a trace says that it goes on
 
@@ -29,25 +28,6 @@ std::string text_of(double value) {
   CsvLine line;
   line.number(value);
   return line.take();
-}
-
-/// The two rows say the same, to the last bit.
-bool same(const TraceRow& a, const TraceRow& b) {
-  return a.asked == b.asked && a.command == b.command && a.activation == b.activation &&
-         a.strength == b.strength && a.weight == b.weight && a.share == b.share &&
-         a.inhibited_by == b.inhibited_by &&
-         (a.reason == b.reason || std::strcmp(a.reason, b.reason) == 0);
-}
-
-/// The number to a few significant digits, as it will be read back.
-double shortened(double value) {
-  std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                 std::chars_format::general, kWeightDigits)
-                       .ptr;
-  double result = 0.0;
-  std::from_chars(digits.data(), end, result);
-  return result + 0.0;
 }
 
 }  // namespace

@@ -33,6 +33,9 @@ bool Files::given_by_hand(const Location& from) const {
 }
 
 std::optional<std::string> Files::find(const std::string& name, const Location& from) const {
+  if (const auto known = known_.find(name); known != known_.end()) {
+    return known->second;
+  }
   if (auto beside = file_in(folder(from), name)) {
     return beside;
   }

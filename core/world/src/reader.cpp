@@ -45,7 +45,7 @@ World read_world(const std::string& file, const plugin::Host& host, const ReadOp
 World parse_world(std::string_view text, const std::string& file, const plugin::Host& host,
                   const ReadOptions& options) {
   Problems problems;
-  const Files files(file, options.data_directories, options.overrides_from);
+  const Files files(file, options.data_directories, options.overrides_from, options.files);
   Element root = parse_markup(text, file);
   const std::string right = "expected <world format=\"" + std::to_string(kFormat) + "\">";
   check_root(root, "world", kFormat,

@@ -1,6 +1,7 @@
 // Finding the files that a world file names.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,12 +12,13 @@ namespace elsie::world {
 
 class Files {
  public:
-  /// `overrides_from`: ReadOptions::overrides_from.
+  /// `overrides_from`: ReadOptions::overrides_from. `known`: ReadOptions::files.
   Files(std::string main_file, std::vector<std::string> data_directories,
-        std::string overrides_from = "")
+        std::string overrides_from = "", std::map<std::string, std::string> known = {})
       : main_file_(std::move(main_file)),
         data_directories_(std::move(data_directories)),
-        overrides_from_(std::move(overrides_from)) {}
+        overrides_from_(std::move(overrides_from)),
+        known_(std::move(known)) {}
 
   /// The regular file called `name` in the text at `from`: in the folder of that file (for an
   /// override: of the world file, or of that in which overrides stand), else in the data
@@ -46,6 +48,7 @@ class Files {
   std::string main_file_;
   std::vector<std::string> data_directories_;
   std::string overrides_from_;
+  std::map<std::string, std::string> known_;  // by name; they come first
 };
 
 }  // namespace elsie::world

@@ -1,6 +1,7 @@
 // Reading a world file: XML in, a checked description out.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,9 @@ struct ReadOptions {
   /// Where templates and data files are looked for when they are not beside the file that names
   /// them, in this order.
   std::vector<std::string> data_directories;
+  /// Files that are known beforehand: what the text calls one, and where it is. They come before
+  /// everything that is found.
+  std::map<std::string, std::string> files{};
   /// Whether to make every plugin's object once, so that what it says about its parameters in
   /// Component::configured() is reported too.
   bool check_plugins = false;

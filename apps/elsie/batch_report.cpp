@@ -1,0 +1,242 @@
+#include "batch_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "progress.h"
+#include "text_table.h"
+
+using elsie::batch::CellCount;
+using elsie::batch::RunState;
+
+namespace {
+
+constexpr std::size_t kShownFailures = 10;
+constexpr std::size_t kAllFailures = 1'000'000'000;
+
+struct Total {
+  std::int64_t runs = 0;
+  std::int64_t pending = 0;
+  std::int64_t done = 0;
+  std::int64_t failed = 0;
+  std::int64_t successes = 0;
+};
+
+Total total(const std::vector<CellCount>& cells) {
+  Total sum;
+  for (const CellCount& cell : cells) {
+    sum.runs += cell.pending + cell.done + cell.failed;
+    sum.pending += cell.pending;
+    sum.done += cell.done;
+    sum.failed += cell.failed;
+    sum.successes += cell.successes;
+  }
+  return sum;
+}
+
+std::string rate(std::int64_t successes, std::int64_t done) {
+  return done == 0
+             ? ""
+             : text("%.0f %%", 100.0 * static_cast<double>(successes) / static_cast<double>(done));
+}
+
+std::vector<std::string> row(const std::string& label, const Total& of) {
+  return {label,
+          std::to_string(of.runs),
+          std::to_string(of.done),
+          std::to_string(of.failed),
+          std::to_string(of.pending),
+          rate(of.successes, of.done)};
+}
+
+/// The first line of a message, as far as it fits.
+std::string shortened(const std::string& message) {
+  constexpr std::size_t kMost = 160;
+  std::string line = message.substr(0, message.find('\n'));
+  if (line.size() > kMost) {
+    std::size_t end = kMost;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0U) == 0x80U) {
+      --end;
+    }
+    line = line.substr(0, end) + "...";
+  }
+  return line;
+}
+
+}  // namespace
+
+std::string shell_word(const std::string& word) {
+  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("_-./,+=:@%").find(c) != std::string_view::npos;
+  });
+  if (plain) {
+    return word;
+  }
+  std::string quoted = "'";
+  for (const char c : word) {
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return quoted + "'";
+}
+
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<long>(std::ceil(seconds));
+  const long hours = whole / 3600;
+  const long minutes = whole / 60 % 60;
+  if (hours > 0) {
+    return std::to_string(hours) + " h " + std::to_string(minutes) + " min";
+  }
+  if (minutes > 0) {
+    return std::to_string(minutes) + " min " + std::to_string(whole % 60) + " s";
+  }
+  return std::to_string(whole) + " s";
+}
+
+BatchReport::BatchReport(const elsie::batch::Plan& plan, elsie::batch::ResultsDatabase& database,
+                         std::string resume)
+    : plan_(plan), database_(database), resume_(std::move(resume)) {}
+
+void BatchReport::begin(bool bar) { bar_ = bar; }
+
+void BatchReport::progress(const elsie::batch::Progress& progress) {
+  last_ = progress;
+  if (!bar_ || progress.runs == 0) {
+    return;
+  }
+  const double part = static_cast<double>(progress.ended) / static_cast<double>(progress.runs);
+  std::string line = bar_text(part) + "  " + std::to_string(progress.ended) + " of " +
+                     std::to_string(progress.runs) + " runs";
+  if (progress.failed > 0) {
+    line += ", " + std::to_string(progress.failed) + " failed";
+  }
+  if (const double left = progress.left_s(); left > 0.0) {
+    line += ", " + duration_text(left) + " left";
+  }
+  std::fprintf(stderr, "\r%s\033[K", line.c_str());
+  std::fflush(stderr);
+}
+
+void BatchReport::end(bool interrupted) {
+  interrupted_ = interrupted;
+  if (bar_) {
+    std::fputs("\r\033[K", stderr);
+    std::fflush(stderr);
+  }
+}
+
+std::string BatchReport::table() {
+  const std::vector<CellCount> cells = database_.cells();
+  const Total sum = total(cells);
+  const std::string name = database_.file().string();
+  std::string out = plan_.experiment + ": ";
+  if (done_already_) {
+    out += "all " + std::to_string(sum.runs) + " runs are done already";
+  } else {
+    out += std::to_string(last_.ended) + " runs in " + duration_text(last_.elapsed_s);
+  }
+  if (plan_.shard.of > 1) {
+    out += "; shard " + plan_.shard.text() + " of " + std::to_string(plan_.all_runs) + " runs";
+  }
+  out += "\n\n";
+  std::vector<std::vector<std::string>> rows{
+      {"cell", "runs", "done", "failed", "to do", "success"}};
+  for (const CellCount& cell : cells) {
+    rows.push_back(row(cell.label, total({cell})));
+  }
+  if (cells.size() > 1) {
+    rows.push_back(row("all", sum));
+  }
+  out += laid_out(rows, 1);
+  const auto failed = database_.failed(kShownFailures);
+  if (!failed.empty()) {
+    out += "\nfailed:\n";
+    for (const auto& run : failed) {
+      out += "  run " + std::to_string(run.id) + " (" + run.cell + ", seed " +
+             std::to_string(run.seed) + "), " + to_string(run.state) + ": " +
+             shortened(run.message) + '\n';
+    }
+    if (sum.failed > static_cast<std::int64_t>(failed.size())) {
+      out += "  and " + std::to_string(sum.failed - static_cast<std::int64_t>(failed.size())) +
+             " more\n";
+    }
+    out += "\nlook at one again with\n  elsie replay " + shell_word(name) + " " +
+           std::to_string(failed.front().id) + '\n';
+  }
+  for (const auto& found : database_.disagreements()) {
+    out += "\nthe same seed gave different runs: " + found.cell + ", seed " +
+           std::to_string(found.seed) + ", runs";
+    for (const std::int64_t run : found.runs) {
+      out += " " + std::to_string(run);
+    }
+    out += "; a plugin of this cell takes something else for chance than its random stream\n";
+  }
+  out += "\nresults: " + name + '\n';
+  return out;
+}
+
+std::string BatchReport::json() {
+  using Json = nlohmann::ordered_json;
+  const std::vector<CellCount> cells = database_.cells();
+  const Total sum = total(cells);
+  Json object;
+  object["experiment"] = plan_.experiment;
+  object["database"] = database_.file().string();
+  object["fingerprint"] = plan_.fingerprint;
+  object["shard"] = plan_.shard.text();
+  object["runs"] = sum.runs;
+  object["done"] = sum.done;
+  object["failed"] = sum.failed;
+  object["to_do"] = sum.pending;
+  object["successes"] = sum.successes;
+  object["interrupted"] = interrupted_;
+  object["wall_s"] = last_.elapsed_s;
+  object["cells"] = Json::array();
+  for (const CellCount& cell : cells) {
+    object["cells"].push_back({{"cell", cell.label},
+                               {"done", cell.done},
+                               {"failed", cell.failed},
+                               {"to_do", cell.pending},
+                               {"successes", cell.successes}});
+  }
+  object["failures"] = Json::array();
+  for (const auto& run : database_.failed(kAllFailures)) {
+    object["failures"].push_back({{"run", run.id},
+                                  {"state", to_string(run.state)},
+                                  {"cell", run.cell},
+                                  {"seed", run.seed},
+                                  {"message", run.message}});
+  }
+  object["disagreements"] = Json::array();
+  for (const auto& found : database_.disagreements()) {
+    object["disagreements"].push_back(
+        {{"cell", found.cell}, {"seed", found.seed}, {"runs", found.runs}});
+  }
+  return object.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string BatchReport::interruption() {
+  const Total sum = total(database_.cells());
+  return "elsie: interrupted; " + std::to_string(sum.pending) + " of " + std::to_string(sum.runs) +
+         " runs are still to be done. Go on with\n  " + resume_ + '\n';
+}
+
+int BatchReport::exit_code() {
+  if (interrupted_) {
+    return kOtherFailure;
+  }
+  bool error = false;
+  for (const auto& run : database_.failed(kAllFailures)) {
+    if (run.state != RunState::error) {
+      return kPluginFailed;
+    }
+    error = true;
+  }
+  return !database_.disagreements().empty() ? kPluginFailed : error ? kOtherFailure : kSuccess;
+}

@@ -1,0 +1,57 @@
+// elsie merge: the databases of an experiment's shards as one.
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "elsie/batch/merge.h"
+
+#include "command.h"
+#include "environment.h"
+
+namespace {
+
+struct Options {
+  std::string into;
+  std::vector<std::string> databases;
+  bool quiet = false;
+};
+
+constexpr const char* kExamples = R"(
+Example:
+  elsie merge beams.sqlite beams-1of2.sqlite beams-2of2.sqlite
+)";
+
+int merge(const Options& options) {
+  require_writable(options.into, "OUT");
+  const elsie::batch::Merged merged =
+      elsie::batch::merge(options.into, {options.databases.begin(), options.databases.end()});
+  if (!options.quiet) {
+    const std::int64_t to_do = merged.pending + merged.missing;
+    std::cout << options.into << ": " << merged.all_runs - to_do << " of " << merged.all_runs
+              << " runs are done\n";
+    if (merged.duplicates > 0) {
+      std::cout << merged.duplicates << " runs were there more than once, and count once\n";
+    }
+    if (to_do > 0) {
+      std::cout << to_do << " are still to be done: elsie batch EXPERIMENT --database "
+                << options.into << " --resume\n";
+    }
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_merge_command(CLI::App& program, Job& job) {
+  CLI::App* command = program.add_subcommand(
+      "merge", "Make one database of those of an experiment's shards (elsie batch --shard)");
+  command->footer(kExamples);
+  auto options = std::make_shared<Options>();
+  command->add_option("OUT", options->into, "Database to make")->required();
+  command->add_option("DATABASE", options->databases, "Databases of results")->required();
+  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->callback([&job, options] { job = [options] { return merge(*options); }; });
+}

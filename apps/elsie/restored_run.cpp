@@ -1,0 +1,135 @@
+#include "restored_run.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+
+#include "elsie/batch/hash.h"
+#include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/own_library.h"
+#include "elsie/world/reader.h"
+
+#include "command.h"
+
+namespace fs = std::filesystem;
+using elsie::batch::StoredRun;
+using elsie::plugin::Host;
+
+namespace {
+
+/// None when it cannot be read.
+std::optional<std::string> hash_of(const fs::path& file) {
+  try {
+    return elsie::batch::sha256(elsie::batch::file_content(file.string()));
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
+Host host_of(const StoredRun& run, const PluginOptions& plugins) {
+  std::vector<elsie::plugin::SearchDirectory> places = search_path(plugins);
+  // Before all directories but those that the user has given.
+  const auto own = std::find_if(places.begin(), places.end(), [](const auto& place) {
+    return place.origin != "--plugin" && place.origin != "given";
+  });
+  std::vector<elsie::plugin::SearchDirectory> stored;
+  for (const StoredRun::Library& library : run.libraries) {
+    if (hash_of(library.path)) {
+      stored.push_back({library.path, "the database"});
+    }
+  }
+  places.insert(own, stored.begin(), stored.end());
+  return Host(std::move(places));
+}
+
+/// "behavior wander 1.0": its kind and name.
+fs::path file_of(const Host& host, const std::string& plugin) {
+  const std::string kind = plugin.substr(0, plugin.find(' '));
+  const std::string rest = plugin.substr(kind.size() + 1);
+  const std::string name = rest.substr(0, rest.find(' '));
+  for (const auto one :
+       {elsie::PluginKind::sensor, elsie::PluginKind::behavior, elsie::PluginKind::coordinator}) {
+    if (elsie::plugin::kind_name(one) == kind) {
+      return host.file_of(one, name);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+RestoredRun::RestoredRun(const StoredRun& run, const PluginOptions& plugins)
+    : host_(host_of(run, plugins)) {
+  if (run.elsie_version != ELSIE_VERSION) {
+    differences_.push_back("the run was done with Elsie " + run.elsie_version +
+                           ", and this is " ELSIE_VERSION "; it may come to something else");
+  } else if (const auto now = hash_of(elsie::plugin::file_of_this_library());
+             now && *now != run.elsie.sha256) {
+    differences_.push_back(
+        "the run was done with another build of libelsie; it may come to something else");
+  }
+  compare_libraries(run);
+  elsie::world::ReadOptions options = read_options();
+  restore_data(run, options.files);
+  world_ = elsie::world::parse_world(run.job.world_text, run.job.world_file, host_, options);
+}
+
+RestoredRun::~RestoredRun() {
+  if (!folder_.empty()) {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+}
+
+void RestoredRun::compare_libraries(const StoredRun& run) {
+  for (const StoredRun::Library& library : run.libraries) {
+    for (const std::string& plugin : library.plugins) {
+      const fs::path file = file_of(host_, plugin);
+      if (file.empty()) {
+        continue;  // reading the world says so, and more
+      }
+      if (hash_of(file) != library.sha256) {
+        differences_.push_back("the plugin '" + plugin + "' comes from another library, '" +
+                               file.string() + "', than the run was done with" +
+                               (file == library.path ? " (it has changed since)" : "") +
+                               "; it may come to something else");
+      }
+    }
+  }
+}
+
+void RestoredRun::restore_data(const StoredRun& run, std::map<std::string, std::string>& files) {
+  std::size_t place = 0;
+  for (const StoredRun::Data& data : run.data) {
+    const auto now = hash_of(data.path);
+    if (now == data.sha256) {
+      files[data.name] = data.path;
+      continue;
+    }
+    if (folder_.empty()) {
+      std::string name = (fs::temp_directory_path() / "elsie-replay-XXXXXX").string();
+      if (!mkdtemp(name.data())) {
+        throw std::runtime_error("no folder can be made in '" + fs::temp_directory_path().string() +
+                                 "' for the data files of the run");
+      }
+      folder_ = name;
+    }
+    // By its own name, which plugins may mention, in a folder of its own.
+    const fs::path folder = folder_ / std::to_string(place++);
+    const fs::path file = folder / fs::path(data.path).filename();
+    fs::create_directory(folder);
+    std::ofstream out(file, std::ios::binary);
+    out << data.content;
+    if (!out.flush()) {
+      throw std::runtime_error("the file '" + file.string() + "' cannot be written");
+    }
+    files[data.name] = file.string();
+    differences_.push_back("'" + data.path + "' " +
+                           (now ? "has changed since" : "is not there any more") +
+                           "; the run takes what was in it, from the database");
+  }
+}

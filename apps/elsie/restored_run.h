@@ -1,0 +1,39 @@
+// What it takes to do a stored run again, as far as it is still to be had.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "elsie/batch/results_database.h"
+#include "elsie/plugin/host.h"
+#include "elsie/world/description.h"
+
+#include "environment.h"
+
+/// Data files that have changed on disk are taken from the database. Plugins are taken from the
+/// libraries that the run was done with, unless the user gives others; where they are gone, from
+/// where plugins are looked for.
+class RestoredRun {
+ public:
+  /// Throws BadInput, and world::WorldError when a plugin is not to be had at all.
+  RestoredRun(const elsie::batch::StoredRun& run, const PluginOptions& plugins);
+  ~RestoredRun();
+  RestoredRun(const RestoredRun&) = delete;
+  RestoredRun& operator=(const RestoredRun&) = delete;
+
+  const elsie::world::World& world() const { return world_; }
+  const elsie::plugin::Host& host() const { return host_; }
+  /// Sentences on what is not as it was.
+  const std::vector<std::string>& differences() const { return differences_; }
+
+ private:
+  void restore_data(const elsie::batch::StoredRun& run, std::map<std::string, std::string>& files);
+  void compare_libraries(const elsie::batch::StoredRun& run);
+
+  std::vector<std::string> differences_;
+  std::filesystem::path folder_;  // of data files that were restored; empty: there is none
+  elsie::plugin::Host host_;
+  elsie::world::World world_;
+};

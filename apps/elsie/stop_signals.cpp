@@ -1,0 +1,55 @@
+#include "stop_signals.h"
+
+#include <atomic>
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace {
+
+constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
+
+// A handler can reach nothing but a global.
+std::atomic<int> to_write{-1};
+
+void stop(int) {
+  const int error = errno;
+  for (const int number : kSignals) {
+    signal(number, SIG_DFL);
+  }
+  [[maybe_unused]] const ssize_t written = write(to_write, "!", 1);
+  errno = error;
+}
+
+}  // namespace
+
+StopSignals::StopSignals() {
+  if (pipe2(ends_.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
+    throw std::runtime_error("signals cannot be waited for: " +
+                             std::generic_category().message(errno));
+  }
+  to_write = ends_[1];
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    sigaction(kSignals[i], nullptr, &before_[i]);
+    // Ignored hang-ups (nohup) stay ignored; Ctrl-C ends batches that a script has in the
+    // background, too.
+    if (kSignals[i] != SIGHUP || before_[i].sa_handler != SIG_IGN) {
+      struct sigaction action {};
+      action.sa_handler = stop;
+      sigemptyset(&action.sa_mask);
+      sigaction(kSignals[i], &action, nullptr);
+    }
+  }
+}
+
+StopSignals::~StopSignals() {
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    sigaction(kSignals[i], &before_[i], nullptr);
+  }
+  to_write = -1;
+  close(ends_[0]);
+  close(ends_[1]);
+}

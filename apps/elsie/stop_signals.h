@@ -1,0 +1,22 @@
+// Ctrl-C for work that waits for other processes.
+#pragma once
+
+#include <array>
+
+#include <signal.h>
+
+/// While it lives, Ctrl-C (SIGINT), a request to terminate (SIGTERM) and a closed terminal (SIGHUP)
+/// make a descriptor readable. A second one ends the process at once. One at a time.
+class StopSignals {
+ public:
+  StopSignals();
+  ~StopSignals();
+  StopSignals(const StopSignals&) = delete;
+  StopSignals& operator=(const StopSignals&) = delete;
+
+  int descriptor() const { return ends_[0]; }
+
+ private:
+  std::array<int, 2> ends_;
+  std::array<struct sigaction, 3> before_;
+};

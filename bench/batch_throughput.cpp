@@ -1,0 +1,116 @@
+// What a second worker brings: whole batches by the program, with one worker and with two, in turn.
+//
+//   batch_throughput PROGRAM
+//
+// Runs of two lengths: the shorter a run, the more of it is starting a process and writing results.
+// Median of 9 pairs of batches. Prints Markdown.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kPairs = 9;
+
+struct Work {
+  const char* name;
+  const char* world;
+  int simulated_s;
+  int runs;
+};
+constexpr Work kWork[] = {{"clutter, 10 s", "clutter.xml", 10, 40},
+                          {"clutter, 100 s", "clutter.xml", 100, 20},
+                          {"ten robots, 60 s", "ten_robots.xml", 60, 12}};
+
+/// A folder that is gone at the end.
+class Folder {
+ public:
+  Folder() : path_((fs::temp_directory_path() / "elsie-bench-XXXXXX").string()) {
+    if (!mkdtemp(path_.data())) {
+      throw std::runtime_error("cannot make a folder");
+    }
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  fs::path operator/(const std::string& name) const { return fs::path(path_) / name; }
+
+ private:
+  std::string path_;
+};
+
+void write_experiment(const fs::path& file, const Work& work) {
+  std::ofstream(file) << "<experiment format=\"1\"><worlds><world file=\"" << ELSIE_SOURCE_DIR
+                      << "/worlds/" << work.world << "\"/></worlds><seeds from=\"1\" to=\""
+                      << work.runs << "\"/><limits time=\"" << work.simulated_s
+                      << "\"/></experiment>\n";
+}
+
+/// Seconds that a batch takes from its command to its end.
+double seconds_of(const std::string& program, const Folder& folder, int workers) {
+  const fs::path database = folder / "results.sqlite";
+  fs::remove(database);
+  const std::string command = "'" + program + "' batch '" + (folder / "work.xml").string() +
+                              "' --quiet --database '" + database.string() + "' --workers " +
+                              std::to_string(workers);
+  const auto start = std::chrono::steady_clock::now();
+  const int status = std::system(command.c_str());
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (status != 0) {
+    throw std::runtime_error("a batch failed");
+  }
+  return seconds;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+void measure(const std::string& program, const Work& work) {
+  const Folder folder;
+  write_experiment(folder / "work.xml", work);
+  std::vector<double> one, two, ratio;
+  for (int pair = 0; pair < kPairs; ++pair) {
+    one.push_back(work.runs / seconds_of(program, folder, 1));
+    two.push_back(work.runs / seconds_of(program, folder, 2));
+    ratio.push_back(two.back() / one.back());
+  }
+  std::printf("| %s | %.1f | %.1f | %.2f | %.2f to %.2f |\n", work.name, median(one), median(two),
+              median(ratio), *std::min_element(ratio.begin(), ratio.end()),
+              *std::max_element(ratio.begin(), ratio.end()));
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: batch_throughput PROGRAM\n");
+    return 2;
+  }
+  try {
+    std::printf(
+        "| runs of | one worker, runs/s | two workers, runs/s | ratio | spread of the ratio "
+        "|\n|---|---|---|---|---|\n");
+    for (const Work& work : kWork) {
+      measure(argv[1], work);
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "batch_throughput: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,71 @@
+#include "elsie/batch/batch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "elsie/batch/worker_pool.h"
+
+namespace elsie::batch {
+
+Job job_of(const Plan& plan, const PlannedRun& run) {
+  const PlannedCell& cell = plan.cells[run.cell];
+  Job job;
+  job.run = run.id;
+  job.world_text = cell.world_text;
+  job.world_file = cell.world_file;
+  for (const PlannedCell::Data& data : cell.data) {
+    job.files[data.name] = plan.files[data.file].path;
+  }
+  job.libraries = plan.libraries(cell);
+  job.seed = run.seed;
+  job.trajectory_period_s = plan.trajectory_period_s;
+  return job;
+}
+
+bool carry_out(const Plan& plan, ResultsDatabase& database, const BatchOptions& options,
+               const std::function<void(const Progress&)>& watch) {
+  using Clock = std::chrono::steady_clock;
+  const std::vector<std::int64_t> pending = database.pending();
+  Progress progress{static_cast<std::int64_t>(pending.size()), 0, 0, 0.0};
+  FileCheck files(plan);
+  const auto start = Clock::now();
+  WorkerPool pool({.command = options.worker,
+                   .workers = options.workers,
+                   .wall_limit_s = plan.wall_limit_s,
+                   .stop_descriptor = options.stop_descriptor});
+  auto at = pending.begin();
+  const auto next = [&]() -> std::optional<Job> {
+    if (at == pending.end()) {
+      return std::nullopt;
+    }
+    const auto run = std::lower_bound(
+        plan.runs.begin(), plan.runs.end(), *at,
+        [](const PlannedRun& planned, std::int64_t id) { return planned.id < id; });
+    if (run == plan.runs.end() || run->id != *at) {
+      throw DatabaseError("run " + std::to_string(*at) + " of the database '" +
+                          database.file().string() + "' is not among those of the experiment");
+    }
+    if (const auto changed = files.changed(run->cell)) {
+      throw FileChanged("'" + *changed +
+                        "' has changed since the batch began, and the runs would no longer be of "
+                        "one experiment; put it back and go on with --resume, or begin anew with "
+                        "another --database");
+    }
+    ++at;
+    return job_of(plan, *run);
+  };
+  const auto ended = [&](std::int64_t run, const RunRecord& record) {
+    database.write(run, record);
+    ++progress.ended;
+    progress.failed += record.state == RunState::done ? 0 : 1;
+  };
+  return pool.run(next, ended, [&] {
+    progress.elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
+    if (watch) {
+      watch(progress);
+    }
+  });
+}
+
+}  // namespace elsie::batch

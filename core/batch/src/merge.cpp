@@ -1,0 +1,188 @@
+#include "elsie/batch/merge.h"
+
+#include <string>
+#include <system_error>
+
+#include "elsie/batch/results_database.h"
+
+#include "database_file.h"
+#include "lock_file.h"
+#include "sqlite.h"
+#include "write_plan.h"
+
+namespace elsie::batch {
+namespace {
+
+namespace fs = std::filesystem;
+using sqlite::Connection;
+using sqlite::Statement;
+
+constexpr const char* kOfExperiment[] = {"about", "factors",     "files",        "plugins",
+                                         "cells", "cell_levels", "cell_plugins", "cell_files"};
+constexpr const char* kOfRun[] = {"run_measures", "run_robots", "run_events", "trajectories",
+                                  "curves",       "timelines",  "notes"};
+
+/// Copies rows of a table, whatever its columns.
+class Copier {
+ public:
+  Copier(Connection& from, Connection& to, const std::string& table, const std::string& where = "")
+      : select_(from, "SELECT * FROM " + table + where), insert_(to, insert_into(table)) {}
+
+  void copy() {
+    while (select_.next()) {
+      for (int column = 0; column < select_.columns(); ++column) {
+        insert_.bind_value(column + 1, select_, column);
+      }
+      insert_.run();
+    }
+  }
+  void copy(std::int64_t key) {
+    select_.bind(1, key);
+    copy();
+  }
+
+ private:
+  std::string insert_into(const std::string& table) const {
+    std::string values;
+    for (int column = 0; column < select_.columns(); ++column) {
+      values += values.empty() ? "?" : ", ?";
+    }
+    return "INSERT INTO " + table + " VALUES (" + values + ")";
+  }
+
+  Statement select_;
+  Statement insert_;
+};
+
+/// The runs of one database, into the one that is being made.
+class Merger {
+ public:
+  Merger(const fs::path& file, Connection& from, Connection& to)
+      : file_(file),
+        from_(from),
+        to_(to),
+        run_(from, to, "runs", " WHERE id = ?"),
+        known_(to, "SELECT state, state_hash, outcome FROM runs WHERE id = ?"),
+        forget_(to, "DELETE FROM runs WHERE id = ? AND state = 'pending'") {
+    for (const char* table : kOfRun) {
+      of_run_.emplace_back(from, to, table, " WHERE run_id = ?");
+    }
+  }
+
+  /// Returns how many runs were there already.
+  std::int64_t add() {
+    std::int64_t duplicates = 0;
+    add_measures();
+    Statement runs(from_, "SELECT id, state, state_hash, outcome FROM runs ORDER BY id");
+    while (runs.next()) {
+      duplicates += add(runs) ? 0 : 1;
+    }
+    return duplicates;
+  }
+
+ private:
+  void add_measures() {
+    Statement insert(to_,
+                     "INSERT INTO measures (name, unit, meaning) VALUES (?, ?, ?) ON CONFLICT "
+                     "(name) DO UPDATE SET unit = min(unit, excluded.unit), meaning = "
+                     "min(meaning, excluded.meaning)");
+    Statement measures(from_, "SELECT name, unit, meaning FROM measures");
+    while (measures.next()) {
+      insert.bind(1, measures.text(0)).bind(2, measures.text(1)).bind(3, measures.text(2)).run();
+    }
+  }
+
+  bool add(const Statement& run) {
+    const std::int64_t id = run.integer(0);
+    known_.bind(1, id);
+    if (known_.next()) {
+      const std::string known = known_.text(0);
+      const bool same =
+          known == run.text(1) && known_.text(1) == run.text(2) && known_.text(2) == run.text(3);
+      while (known_.next()) {
+      }
+      if (run.text(1) == "pending" || same) {
+        return false;
+      }
+      if (known != "pending") {
+        throw DatabaseRefused("run " + std::to_string(id) + " has another result in '" +
+                              file_.string() +
+                              "' than in a database before it; the same run must come to the same "
+                              "everywhere. Were they made on machines that compute differently?");
+      }
+      forget_.bind(1, id).run();
+    }
+    run_.copy(id);
+    for (Copier& table : of_run_) {
+      table.copy(id);
+    }
+    return true;
+  }
+
+  const fs::path& file_;
+  Connection& from_;
+  Connection& to_;
+  Copier run_;
+  std::vector<Copier> of_run_;
+  Statement known_;
+  Statement forget_;
+};
+
+Connection opened(const fs::path& file) {
+  if (const auto holder = LockFile::holder(file)) {
+    throw DatabaseRefused("the database '" + file.string() + "' is being written by a batch (" +
+                          *holder + "); wait until it has ended");
+  }
+  return open_results(file, Connection::Mode::read);
+}
+
+Merged merge_into(Connection& to, const std::vector<fs::path>& databases) {
+  Merged merged;
+  sqlite::Transaction transaction(to);
+  to.run("PRAGMA defer_foreign_keys = ON");
+  make_schema(to);
+  std::string fingerprint;
+  for (const fs::path& file : databases) {
+    Connection from = opened(file);
+    const std::string own = from.text("SELECT fingerprint FROM about");
+    if (fingerprint.empty()) {
+      fingerprint = own;
+      for (const char* table : kOfExperiment) {
+        Copier(from, to, table).copy();
+      }
+    } else if (own != fingerprint) {
+      throw DatabaseRefused("'" + file.string() + "' is of another experiment than '" +
+                            databases.front().string() +
+                            "': their worlds, settings, seeds, files or plugins differ, or the "
+                            "versions of Elsie");
+    }
+    merged.duplicates += Merger(file, from, to).add();
+  }
+  to.run("UPDATE about SET shard = '1/1'");
+  merged.all_runs = to.integer("SELECT runs FROM about");
+  merged.pending = to.integer("SELECT count(*) FROM runs WHERE state = 'pending'");
+  merged.missing = merged.all_runs - to.integer("SELECT count(*) FROM runs");
+  transaction.commit();
+  return merged;
+}
+
+}  // namespace
+
+Merged merge(const fs::path& into, const std::vector<fs::path>& databases) {
+  const LockFile lock(into);
+  if (!ResultsDatabase::is_vacant(into)) {
+    throw DatabaseRefused("there is a file '" + into.string() +
+                          "' already; remove it or choose another name");
+  }
+  try {
+    Connection to = make_results(into);
+    return guarded(into, "could not be written", [&] { return merge_into(to, databases); });
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(into, ignored);
+    fs::remove(into.string() + "-journal", ignored);
+    throw;
+  }
+}
+
+}  // namespace elsie::batch

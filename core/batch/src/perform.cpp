@@ -1,0 +1,162 @@
+#include "elsie/batch/perform.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "elsie/experiment/measures.h"
+#include "elsie/plugin/host.h"
+#include "elsie/simulation/account_recorder.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/simulation/tracks.h"
+#include "elsie/world/reader.h"
+
+#include "run_texts.h"
+
+namespace elsie::batch {
+namespace {
+
+std::atomic<std::uint64_t> current_step{0};
+
+class StepTeller final : public simulation::Observer {
+ public:
+  void started(const simulation::Simulation& run) override { current_step = run.steps(); }
+  void stepped(const simulation::Simulation& run) override { current_step = run.steps(); }
+};
+
+/// All that watches the run.
+struct Watchers {
+  explicit Watchers(double trajectory_period_s) : tracks(trajectory_period_s) {}
+
+  StepTeller step;
+  simulation::TrackRecorder tracks;
+  simulation::AccountRecorder accounts;
+};
+
+plugin::Host host_of(const Job& job) {
+  std::vector<plugin::SearchDirectory> libraries;
+  for (const std::string& library : job.libraries) {
+    libraries.push_back({library, "the batch"});
+  }
+  return plugin::Host(std::move(libraries));
+}
+
+world::World world_of(const Job& job, const plugin::Host& host) {
+  world::ReadOptions options;
+  options.files = job.files;
+  return world::parse_world(job.world_text, job.world_file, host, options);
+}
+
+/// What every run is measured by, whatever its world.
+std::vector<Measure> measures_of(const simulation::RunResult& result) {
+  double path_m = 0.0;
+  double collected = 0.0;
+  double collisions = 0.0;
+  double energy = 0.0;
+  for (const simulation::RobotResult& robot : result.robots) {
+    path_m += robot.distance_m;
+    collected += robot.collected;
+    collisions += robot.collisions;
+    energy += robot.energy;
+  }
+  const std::map<std::string, double> values = {
+      {"success", result.outcome == simulation::Outcome::success ? 1.0 : 0.0},
+      {"time_s", result.simulated_s},
+      {"path_length_m", path_m},
+      {"collected", collected},
+      {"collisions", collisions},
+      {"energy_left", energy}};
+  std::vector<Measure> measures;
+  for (const experiment::Measure& measure : experiment::measures_of_every_run()) {
+    measures.push_back({measure.name, measure.unit, measure.meaning, values.at(measure.name)});
+  }
+  return measures;
+}
+
+bool is_finite(const simulation::RobotResult& robot) {
+  return std::isfinite(robot.distance_m) && std::isfinite(robot.energy) &&
+         std::isfinite(robot.pose.x) && std::isfinite(robot.pose.y) &&
+         std::isfinite(robot.pose.heading_rad);
+}
+
+/// What there is of a run, however it ended.
+void take(const simulation::Simulation& run, const Watchers& watchers, RunRecord& record) {
+  const simulation::RunResult result = run.result();
+  record.steps = result.steps;
+  record.simulated_s = result.simulated_s;
+  record.wall_s = result.wall_s;
+  if (std::all_of(result.robots.begin(), result.robots.end(), is_finite)) {
+    record.robots = result.robots;
+  }
+  record.notes = result.notes;
+  record.events = result.events;
+  if (record.events.size() > kMostEvents) {
+    record.notes.push_back({"", "",
+                            std::to_string(record.events.size() - kMostEvents) +
+                                " events after the first " + std::to_string(kMostEvents) +
+                                " were left out."});
+    record.events.resize(kMostEvents);
+  }
+  for (std::size_t i = 0; i < watchers.tracks.tracks().size(); ++i) {
+    record.trajectories.push_back(trajectory_of(run.world().robots[i].id,
+                                                watchers.tracks.tracks()[i],
+                                                watchers.tracks.period_s(), kMostPoses));
+  }
+  for (std::size_t i = 0; i < watchers.accounts.accounts().size(); ++i) {
+    record.timelines.push_back(
+        timeline_of(watchers.accounts.robots()[i], watchers.accounts.accounts()[i], kMostEpisodes));
+  }
+}
+
+void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) {
+  Watchers watchers(job.trajectory_period_s);
+  simulation::Observer* const observers[] = {&watchers.step, &watchers.tracks, &watchers.accounts};
+  try {
+    const simulation::RunResult result = run.run(observers);
+    take(run, watchers, record);
+    record.state = RunState::done;
+    record.outcome = to_string(result.outcome);
+    record.message = result.reason;
+    record.state_hash = hash_text(result.state_hash);
+    record.measures = measures_of(result);
+  } catch (...) {
+    take(run, watchers, record);
+    throw;
+  }
+}
+
+}  // namespace
+
+RunRecord perform(const Job& job) {
+  RunRecord record;
+  try {
+    const plugin::Host host = host_of(job);
+    simulation::Simulation run(world_of(job, host), host, {.seed = job.seed});
+    run_to_end(run, job, record);
+  } catch (const simulation::PluginFault& fault) {
+    record.state = RunState::fault;
+    record.message = fault.what();
+    record.plugin = fault.plugin;
+    record.robot = fault.robot;
+    record.step = fault.step;
+  } catch (const std::exception& error) {
+    record.state = RunState::error;
+    record.message = error.what();
+  } catch (...) {
+    record.state = RunState::error;
+    record.message = "something was thrown that is no std::exception";
+  }
+  if (record.state != RunState::done) {
+    record.outcome.reset();
+  }
+  return record;
+}
+
+std::uint64_t step_at_work() noexcept { return current_step; }
+
+}  // namespace elsie::batch

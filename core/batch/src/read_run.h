@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include "elsie/batch/results_database.h"
+
+#include "sqlite.h"
+
+namespace elsie::batch {
+
+/// All that it takes to do a run again; none: there is no such run.
+std::optional<StoredRun> read_run(sqlite::Connection& connection, std::int64_t id);
+
+}  // namespace elsie::batch

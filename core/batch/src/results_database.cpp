@@ -1,0 +1,270 @@
+#include "elsie/batch/results_database.h"
+
+#include <map>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "database_file.h"
+#include "lock_file.h"
+#include "read_run.h"
+#include "sqlite.h"
+#include "write_plan.h"
+#include "write_run.h"
+
+namespace elsie::batch {
+namespace {
+
+namespace fs = std::filesystem;
+using Mode = sqlite::Connection::Mode;
+
+/// What makes this plan another one than that of the database, in words.
+std::string difference(sqlite::Connection& connection, const Plan& plan) {
+  const std::string version = connection.text("SELECT elsie_version FROM about");
+  if (version != plan.elsie_version) {
+    return "it was begun with Elsie " + version + ", and this is " + plan.elsie_version;
+  }
+  std::map<std::string, std::string> hashes;
+  sqlite::Statement files(connection, "SELECT path, sha256 FROM files WHERE kind <> 'world'");
+  while (files.next()) {
+    hashes[files.text(0)] = files.text(1);
+  }
+  std::string changed;
+  for (const PlannedFile& file : plan.files) {
+    const auto known = hashes.find(file.path);
+    if (known != hashes.end() && known->second != file.sha256) {
+      changed += (changed.empty() ? "'" : ", '") + file.path + "'";
+    }
+  }
+  return changed.empty() ? "its worlds, settings, plugins or seeds are others"
+                         : "these files have changed since: " + changed;
+}
+
+}  // namespace
+
+class ResultsDatabase::Impl {
+ public:
+  Impl(fs::path file, std::optional<LockFile> lock, sqlite::Connection connection)
+      : file_(std::move(file)), lock_(std::move(lock)), connection_(std::move(connection)) {}
+
+  ~Impl() {
+    writer_.reset();
+    if (lock_) {
+      // In the end it is one plain file, which can be read where nothing can be written.
+      sqlite3_exec(connection_.handle(), "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+    }
+  }
+
+  template <class Action>
+  auto reading(Action action) {
+    return guarded(file_, "could not be read", action);
+  }
+  template <class Action>
+  auto writing(Action action) {
+    return guarded(file_, "could not be written", action);
+  }
+
+  RunWriter& writer() {
+    if (!writer_) {
+      writer_.emplace(connection_);
+    }
+    return *writer_;
+  }
+
+  fs::path file_;
+  std::optional<LockFile> lock_;  // given back when the connection is closed
+  sqlite::Connection connection_;
+
+ private:
+  std::optional<RunWriter> writer_;
+};
+
+ResultsDatabase::ResultsDatabase(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ResultsDatabase::ResultsDatabase(ResultsDatabase&&) noexcept = default;
+ResultsDatabase::~ResultsDatabase() = default;
+
+const fs::path& ResultsDatabase::file() const { return impl_->file_; }
+
+bool ResultsDatabase::is_vacant(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) {
+    return true;
+  }
+  try {
+    // For writing, so that what was half made when a process was killed can be undone.
+    sqlite::Connection connection(file, Mode::write);
+    return connection.integer("PRAGMA application_id") == 0 &&
+           connection.integer("SELECT count(*) FROM sqlite_schema") == 0;
+  } catch (const sqlite::Error&) {
+    return false;
+  }
+}
+
+ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) {
+  LockFile lock(file);
+  if (!is_vacant(file)) {
+    open_results(file, Mode::read);  // if it is none, that is what the user wants to know
+    throw DatabaseRefused("there is a database '" + file.string() +
+                          "' already; go on with it by --resume, or choose another --database");
+  }
+  try {
+    sqlite::Connection connection = make_results(file);
+    guarded(file, "could not be written", [&] {
+      {
+        sqlite::Transaction transaction(connection);
+        write_plan(connection, plan);
+        add_runs(connection, plan);
+        transaction.commit();
+      }
+      prepare_for_writing(connection);
+    });
+    return ResultsDatabase(std::make_unique<Impl>(file, std::move(lock), std::move(connection)));
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    fs::remove(file.string() + "-journal", ignored);
+    throw;
+  }
+}
+
+ResultsDatabase ResultsDatabase::resume(const fs::path& file, const Plan& plan) {
+  LockFile lock(file);
+  sqlite::Connection connection = open_results(file, Mode::write);
+  return guarded(file, "could not be written", [&] {
+    if (connection.text("SELECT fingerprint FROM about") != plan.fingerprint) {
+      throw DatabaseRefused("the database '" + file.string() + "' is of another experiment than '" +
+                            plan.file + "' is now: " + difference(connection, plan) +
+                            "; choose another --database to begin anew");
+    }
+    const std::string shard = connection.text("SELECT shard FROM about");
+    if (shard != plan.shard.text()) {
+      throw DatabaseRefused("the database '" + file.string() + "' has the shard " + shard +
+                            " of the experiment, not " + plan.shard.text());
+    }
+    prepare_for_writing(connection);
+    sqlite::Transaction transaction(connection);
+    add_runs(connection, plan);
+    // What may change without any run becoming another one.
+    sqlite::Statement(connection,
+                      "UPDATE about SET experiment = ?, description = ?, text = ?, "
+                      "wall_limit_s = ?")
+        .bind(1, plan.experiment)
+        .bind(2, plan.description)
+        .bind(3, plan.text)
+        .bind(4, plan.wall_limit_s)
+        .run();
+    transaction.commit();
+    return ResultsDatabase(std::make_unique<Impl>(file, std::move(lock), std::move(connection)));
+  });
+}
+
+ResultsDatabase ResultsDatabase::open(const fs::path& file) {
+  return ResultsDatabase(
+      std::make_unique<Impl>(file, std::nullopt, open_results(file, Mode::read)));
+}
+
+std::vector<std::int64_t> ResultsDatabase::pending() {
+  return impl_->reading([&] {
+    std::vector<std::int64_t> runs;
+    sqlite::Statement query(impl_->connection_,
+                            "SELECT id FROM runs WHERE state = 'pending' ORDER BY id");
+    while (query.next()) {
+      runs.push_back(query.integer(0));
+    }
+    return runs;
+  });
+}
+
+void ResultsDatabase::write(std::int64_t run, const RunRecord& record) {
+  if (!impl_->writing([&] { return impl_->writer().write(run, record); })) {
+    throw DatabaseError("run " + std::to_string(run) + " is not to be done in the database '" +
+                        file().string() + "'; was it changed by another program?");
+  }
+}
+
+std::int64_t ResultsDatabase::redo_failed() {
+  return impl_->writing([&] {
+    sqlite::Connection& connection = impl_->connection_;
+    sqlite::Transaction transaction(connection);
+    const std::string failed = "(SELECT id FROM runs WHERE state NOT IN ('pending', 'done'))";
+    for (const char* table : {"run_measures", "run_robots", "run_events", "trajectories", "curves",
+                              "timelines", "notes"}) {
+      connection.run(("DELETE FROM " + std::string(table) + " WHERE run_id IN " + failed).c_str());
+    }
+    connection.run(
+        "UPDATE runs SET state = 'pending', outcome = NULL, message = NULL, steps = NULL, "
+        "simulated_s = NULL, state_hash = NULL, exit_code = NULL, signal = NULL, plugin = NULL, "
+        "robot = NULL, step = NULL, log = NULL, wall_s = NULL, ended = NULL "
+        "WHERE state NOT IN ('pending', 'done')");
+    const std::int64_t count = connection.changes();
+    transaction.commit();
+    return count;
+  });
+}
+
+std::vector<CellCount> ResultsDatabase::cells() {
+  return impl_->reading([&] {
+    std::vector<CellCount> cells;
+    sqlite::Statement query(
+        impl_->connection_,
+        "SELECT label, sum(state = 'pending'), sum(state = 'done'), "
+        "sum(coalesce(outcome = 'success', 0)), sum(state NOT IN ('pending', 'done')) "
+        "FROM cells JOIN runs ON cells.id = runs.cell_id GROUP BY cells.id ORDER BY cells.id");
+    while (query.next()) {
+      cells.push_back(
+          {query.text(0), query.integer(1), query.integer(2), query.integer(3), query.integer(4)});
+    }
+    return cells;
+  });
+}
+
+std::vector<FailedRun> ResultsDatabase::failed(std::size_t most) {
+  return impl_->reading([&] {
+    std::vector<FailedRun> runs;
+    sqlite::Statement query(
+        impl_->connection_,
+        "SELECT runs.id, state, label, seed, message FROM runs JOIN cells ON cells.id = "
+        "runs.cell_id WHERE state NOT IN ('pending', 'done') ORDER BY runs.id LIMIT ?");
+    query.bind(1, static_cast<std::int64_t>(most));
+    while (query.next()) {
+      runs.push_back({query.integer(0), run_state(query.text(1)), query.text(2),
+                      static_cast<std::uint64_t>(query.integer(3)), query.text(4)});
+    }
+    return runs;
+  });
+}
+
+std::vector<Disagreement> ResultsDatabase::disagreements() {
+  return impl_->reading([&] {
+    std::vector<Disagreement> found;
+    sqlite::Statement query(
+        impl_->connection_,
+        "SELECT label, seed, runs.id, cell_id FROM runs JOIN cells ON cells.id = runs.cell_id "
+        "WHERE (cell_id, seed) IN (SELECT cell_id, seed FROM runs WHERE state = 'done' "
+        "GROUP BY cell_id, seed HAVING count(DISTINCT state_hash) > 1) "
+        "AND state = 'done' ORDER BY runs.id");
+    std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> places;
+    while (query.next()) {
+      const auto [at, is_new] =
+          places.try_emplace({query.integer(3), query.integer(1)}, found.size());
+      if (is_new) {
+        found.push_back({query.text(0), static_cast<std::uint64_t>(query.integer(1)), {}});
+      }
+      found[at->second].runs.push_back(query.integer(2));
+    }
+    return found;
+  });
+}
+
+std::optional<StoredRun> ResultsDatabase::run(std::int64_t id) {
+  return impl_->reading([&] { return read_run(impl_->connection_, id); });
+}
+
+std::pair<std::int64_t, std::int64_t> ResultsDatabase::numbers() {
+  return impl_->reading([&] {
+    return std::pair(impl_->connection_.integer("SELECT min(id) FROM runs"),
+                     impl_->connection_.integer("SELECT max(id) FROM runs"));
+  });
+}
+
+}  // namespace elsie::batch

@@ -1,0 +1,89 @@
+#include "run_texts.h"
+
+#include <charconv>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace elsie::batch {
+namespace {
+
+/// To three decimals, as few characters as it takes; what is not finite is null.
+void append(std::string& text, double value) {
+  if (!std::isfinite(value)) {
+    text += "null";
+    return;
+  }
+  char digits[32];
+  const double rounded = std::round(value * 1e3) / 1e3 + 0.0;
+  text.append(digits, std::to_chars(digits, digits + sizeof(digits), rounded).ptr);
+}
+
+template <class... Values>
+void append_list(std::string& text, Values... values) {
+  text += text.size() > 1 ? ",[" : "[";
+  std::size_t count = 0;
+  ((count++ > 0 ? text += ',' : text, append(text, values)), ...);
+  text += ']';
+}
+
+double thousandths(double value) { return std::round(value * 1e3) / 1e3 + 0.0; }
+
+std::string name_of(simulation::Decider decider, const simulation::TraceRobot& robot) {
+  if (decider >= 0) {
+    return robot.members[static_cast<std::size_t>(decider)].path;
+  }
+  return decider == simulation::kTogether ? "*" : "";
+}
+
+}  // namespace
+
+Trajectory trajectory_of(const std::string& robot, const simulation::Track& track, double period_s,
+                         std::size_t most) {
+  const std::size_t every = (track.path.size() + most - 1) / most;
+  Trajectory trajectory{robot, period_s * static_cast<double>(std::max<std::size_t>(every, 1)), "[",
+                        "["};
+  for (std::size_t i = 0; i < track.path.size(); i += every) {
+    const Pose& pose = track.path[i];
+    append_list(trajectory.poses, pose.x, pose.y, pose.heading_rad);
+  }
+  for (const Vector2& touch : track.touches) {
+    append_list(trajectory.touches, touch.x, touch.y);
+  }
+  trajectory.poses += ']';
+  trajectory.touches += ']';
+  return trajectory;
+}
+
+Timeline timeline_of(const simulation::TraceRobot& robot, const simulation::RobotAccount& account,
+                     std::size_t most) {
+  using Json = nlohmann::ordered_json;
+  Json behaviors = Json::array();
+  for (std::size_t i = 0; i < robot.members.size(); ++i) {
+    behaviors.push_back({{"path", robot.members[i].path},
+                         {"share", thousandths(account.members[i].robot_share)},
+                         {"decided_s", thousandths(account.members[i].decided_s)}});
+  }
+  Json episodes = Json::array();
+  for (const simulation::Episode& episode :
+       condensed(account.coordinators.front().episodes, most)) {
+    const simulation::Episode::Part& longest = episode.parts.front();
+    Json told = {{"from_s", thousandths(episode.from_s)},
+                 {"to_s", thousandths(episode.to_s)},
+                 {"decider", episode.parts.size() > 1 ? "*" : name_of(longest.decider, robot)},
+                 {"share", thousandths(longest.share)}};
+    if (episode.parts.size() > 1) {
+      Json parts = Json::array();
+      for (const simulation::Episode::Part& part : episode.parts) {
+        parts.push_back({{"decider", name_of(part.decider, robot)},
+                         {"time_s", thousandths(part.time_s)},
+                         {"share", thousandths(part.share)}});
+      }
+      told["parts"] = std::move(parts);
+    }
+    episodes.push_back(std::move(told));
+  }
+  return {robot.id, behaviors.dump(), episodes.dump()};
+}
+
+}  // namespace elsie::batch

@@ -1,0 +1,22 @@
+// The parts of a run that are kept as JSON texts.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "elsie/batch/job.h"
+#include "elsie/simulation/trace.h"
+#include "elsie/simulation/trace_account.h"
+#include "elsie/simulation/tracks.h"
+
+namespace elsie::batch {
+
+/// Poses and touches, thinned to at most `most` poses.
+Trajectory trajectory_of(const std::string& robot, const simulation::Track& track, double period_s,
+                         std::size_t most);
+
+/// Who decided when, in at most `most` episodes.
+Timeline timeline_of(const simulation::TraceRobot& robot, const simulation::RobotAccount& account,
+                     std::size_t most);
+
+}  // namespace elsie::batch

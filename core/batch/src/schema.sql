@@ -1,0 +1,177 @@
+-- The results of one experiment. docs/results-database.md tells what is in it, for those who ask it questions of their own.
+-- Everything about what to run is written before the first run begins; everything about a run in one transaction when it
+-- has ended. So a row of `runs` is either pending and empty, or complete.
+-- PRAGMA application_id is 0x456C7369 ("Elsi"), PRAGMA user_version the version of this schema.
+
+CREATE TABLE about (                  -- one row
+  id             INTEGER PRIMARY KEY CHECK (id = 1),
+  elsie_version  TEXT NOT NULL,
+  abi            TEXT NOT NULL,       -- the word that plugins must match
+  experiment     TEXT NOT NULL,       -- its name
+  description    TEXT NOT NULL,
+  file           TEXT NOT NULL,       -- as the user named it
+  text           TEXT NOT NULL,       -- of the experiment file
+  fingerprint    TEXT NOT NULL,       -- SHA-256 over everything that decides the runs: --resume compares it
+  shard          TEXT NOT NULL,       -- "2/5": the runs here are every fifth one from the second on; or "1/1"
+  runs           INTEGER NOT NULL,    -- of the experiment, in all shards
+  wall_limit_s   REAL NOT NULL,       -- on the clock, for one run
+  trajectory_period_s REAL NOT NULL,  -- asked for; see trajectories
+  created        TEXT NOT NULL        -- UTC, ISO 8601
+) STRICT;
+
+CREATE TABLE factors (
+  id   INTEGER PRIMARY KEY,           -- in the order of the file; 0 is "world"
+  name TEXT NOT NULL UNIQUE
+) STRICT;
+
+CREATE TABLE files (                  -- world files, models, training sets, libraries of plugins, libelsie
+  id      INTEGER PRIMARY KEY,
+  kind    TEXT NOT NULL CHECK (kind IN ('data', 'library', 'world')),
+  path    TEXT NOT NULL UNIQUE,       -- absolute
+  sha256  TEXT NOT NULL,
+  content BLOB,                       -- of data files, so that a run can be done again elsewhere
+  load_order INTEGER,                 -- of libraries of plugins: of two with the same plugin, the first one counts
+  CHECK ((kind = 'data') = (content IS NOT NULL))
+) STRICT;
+
+CREATE TABLE plugins (
+  id      INTEGER PRIMARY KEY,
+  kind    TEXT NOT NULL,              -- "behavior", "coordinator", "sensor", "measure"
+  name    TEXT NOT NULL,
+  version TEXT NOT NULL,
+  file_id INTEGER REFERENCES files(id),
+  UNIQUE (kind, name)
+) STRICT;
+
+CREATE TABLE cells (
+  id         INTEGER PRIMARY KEY,     -- Cell::index
+  label      TEXT NOT NULL UNIQUE,
+  world      TEXT NOT NULL,           -- the id in the experiment
+  world_text TEXT NOT NULL,           -- as resolved: templates merged in, settings made
+  world_file TEXT NOT NULL,           -- whose folder relative names in it are looked up from
+  sha256     TEXT NOT NULL            -- of world_text
+) STRICT;
+
+CREATE TABLE cell_levels (
+  cell_id   INTEGER NOT NULL REFERENCES cells(id) ON DELETE CASCADE,
+  factor_id INTEGER NOT NULL REFERENCES factors(id),
+  label     TEXT NOT NULL,
+  place     INTEGER NOT NULL,         -- among the factor's levels, for sorting
+  PRIMARY KEY (cell_id, factor_id)
+) STRICT;
+
+CREATE TABLE cell_plugins (
+  cell_id   INTEGER NOT NULL REFERENCES cells(id) ON DELETE CASCADE,
+  plugin_id INTEGER NOT NULL REFERENCES plugins(id),
+  PRIMARY KEY (cell_id, plugin_id)
+) STRICT;
+
+CREATE TABLE cell_files (             -- data files
+  cell_id INTEGER NOT NULL REFERENCES cells(id) ON DELETE CASCADE,
+  file_id INTEGER NOT NULL REFERENCES files(id),
+  name    TEXT NOT NULL,              -- what world_text calls it
+  PRIMARY KEY (cell_id, name)
+) STRICT;
+
+CREATE TABLE runs (
+  id          INTEGER PRIMARY KEY,    -- from 1, in the order of the grid: cell, seed, repetition
+  cell_id     INTEGER NOT NULL REFERENCES cells(id) ON DELETE CASCADE,
+  seed        INTEGER NOT NULL,       -- the 64 bits as a signed number
+  repetition  INTEGER NOT NULL,       -- from 1
+  -- pending: to be done. done: it ended by itself, outcome says how. fault: a plugin failed and the run was ended in order.
+  -- crash: the process ended without a result, by a signal or because a plugin called exit(). hang: it was ended at the
+  -- wall limit. error: anything else, see message.
+  state       TEXT NOT NULL DEFAULT 'pending'
+              CHECK (state IN ('pending', 'done', 'fault', 'crash', 'hang', 'error')),
+  outcome     TEXT CHECK (outcome IN ('success', 'failure', 'time_limit')),
+  message     TEXT,                   -- one sentence: why it ended, what failed
+  steps       INTEGER,
+  simulated_s REAL,
+  state_hash  TEXT,                   -- 16 hexadecimal digits
+  exit_code   INTEGER,                -- of the process, when it ended by itself
+  signal      TEXT,                   -- "SIGSEGV"
+  plugin      TEXT,                   -- that was at work when it failed
+  robot       TEXT,
+  step        INTEGER,
+  log         TEXT,                   -- the tail of what the process said, when it did not end well
+  wall_s      REAL,
+  ended       TEXT,                   -- UTC, ISO 8601
+  UNIQUE (cell_id, seed, repetition),
+  CHECK ((state = 'pending') = (ended IS NULL)),
+  CHECK ((state = 'done') = (outcome IS NOT NULL))
+) STRICT;
+CREATE INDEX runs_by_state ON runs (state);
+
+CREATE TABLE measures (               -- what is measured, once for the experiment
+  name    TEXT PRIMARY KEY,           -- "path_length_m"
+  unit    TEXT NOT NULL,
+  meaning TEXT NOT NULL
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE run_measures (           -- of runs that are done
+  run_id  INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
+  measure TEXT NOT NULL REFERENCES measures(name),
+  value   REAL,                       -- null: it has none in this run
+  PRIMARY KEY (run_id, measure)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE run_robots (
+  run_id     INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
+  robot      TEXT NOT NULL,
+  team       TEXT NOT NULL,
+  distance_m REAL NOT NULL,
+  collected  INTEGER NOT NULL,
+  energy     REAL NOT NULL,
+  collisions INTEGER NOT NULL,
+  x_m        REAL NOT NULL,
+  y_m        REAL NOT NULL,
+  heading_rad REAL NOT NULL,
+  PRIMARY KEY (run_id, robot)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE run_events (
+  run_id INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
+  place  INTEGER NOT NULL,
+  time_s REAL NOT NULL,
+  robot  TEXT NOT NULL,
+  name   TEXT NOT NULL,
+  detail TEXT NOT NULL,
+  PRIMARY KEY (run_id, place)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE trajectories (
+  run_id   INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
+  robot    TEXT NOT NULL,
+  period_s REAL NOT NULL,             -- simulated, between two poses
+  poses    TEXT NOT NULL,             -- JSON: [[x_m, y_m, heading_rad], ...], millimetres and milliradians, the first at time 0
+  touches  TEXT NOT NULL,             -- JSON: [[x_m, y_m], ...], where it collided
+  PRIMARY KEY (run_id, robot)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE curves (                 -- what plugins learned before the run
+  run_id  INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
+  robot   TEXT NOT NULL,
+  plugin  TEXT NOT NULL,              -- its id on the robot
+  name    TEXT NOT NULL,              -- "error"
+  x_label TEXT NOT NULL,
+  y_label TEXT NOT NULL,
+  points  TEXT NOT NULL,              -- JSON: [[x, y], ...]
+  PRIMARY KEY (run_id, robot, plugin, name)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE timelines (              -- who decided when: the condensed account of docs/explaining-a-run.md
+  run_id INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
+  robot  TEXT NOT NULL,
+  behaviors TEXT NOT NULL,            -- JSON: [{"path", "share": mean share in the robot's command, "decided_s"}, ...]
+  episodes  TEXT NOT NULL,            -- JSON: [{"from_s", "to_s", "decider", "share"}, ...]; decider: a path, "" nobody, "*" several
+  PRIMARY KEY (run_id, robot)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE notes (                  -- what plugins said before the run
+  run_id INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
+  place  INTEGER NOT NULL,
+  robot  TEXT NOT NULL,
+  plugin TEXT NOT NULL,
+  text   TEXT NOT NULL,
+  PRIMARY KEY (run_id, place)
+) STRICT, WITHOUT ROWID;

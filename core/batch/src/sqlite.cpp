@@ -1,0 +1,138 @@
+#include "sqlite.h"
+
+namespace elsie::batch::sqlite {
+
+Statement::Statement(Connection& connection, std::string_view sql) : connection_(&connection) {
+  sqlite3_stmt* statement = nullptr;
+  const int code = sqlite3_prepare_v3(connection.handle(), sql.data(), static_cast<int>(sql.size()),
+                                      SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
+  statement_.reset(statement);
+  check(code);
+}
+
+void Statement::check(int code) const {
+  if (code != SQLITE_OK) {
+    connection_->fail(code);
+  }
+}
+
+Statement& Statement::bind(int place, std::string_view text) {
+  check(sqlite3_bind_text64(statement_.get(), place, text.data() ? text.data() : "", text.size(),
+                            SQLITE_TRANSIENT, SQLITE_UTF8));
+  return *this;
+}
+
+Statement& Statement::bind(int place, std::int64_t number) {
+  check(sqlite3_bind_int64(statement_.get(), place, number));
+  return *this;
+}
+
+Statement& Statement::bind(int place, double number) {
+  check(sqlite3_bind_double(statement_.get(), place, number));
+  return *this;
+}
+
+Statement& Statement::bind_null(int place) {
+  check(sqlite3_bind_null(statement_.get(), place));
+  return *this;
+}
+
+Statement& Statement::bind_bytes(int place, std::string_view bytes) {
+  check(sqlite3_bind_blob64(statement_.get(), place, bytes.data() ? bytes.data() : "", bytes.size(),
+                            SQLITE_TRANSIENT));
+  return *this;
+}
+
+Statement& Statement::bind_value(int place, const Statement& from, int column) {
+  check(sqlite3_bind_value(statement_.get(), place,
+                           sqlite3_column_value(from.statement_.get(), column)));
+  return *this;
+}
+
+int Statement::columns() const { return sqlite3_column_count(statement_.get()); }
+
+bool Statement::next() {
+  const int code = sqlite3_step(statement_.get());
+  if (code == SQLITE_ROW) {
+    return true;
+  }
+  if (code != SQLITE_DONE) {
+    const Error error(code & 0xff, sqlite3_errmsg(connection_->handle()));
+    sqlite3_reset(statement_.get());
+    throw error;
+  }
+  sqlite3_reset(statement_.get());
+  return false;
+}
+
+void Statement::run() {
+  while (next()) {
+  }
+}
+
+bool Statement::is_null(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
+}
+
+std::int64_t Statement::integer(int column) const {
+  return sqlite3_column_int64(statement_.get(), column);
+}
+
+double Statement::number(int column) const {
+  return sqlite3_column_double(statement_.get(), column);
+}
+
+std::string Statement::text(int column) const {
+  const void* const bytes = sqlite3_column_blob(statement_.get(), column);
+  const int size = sqlite3_column_bytes(statement_.get(), column);
+  return bytes ? std::string(static_cast<const char*>(bytes), static_cast<std::size_t>(size))
+               : std::string();
+}
+
+Connection::Connection(const std::filesystem::path& file, Mode mode) {
+  const int flags = mode == Mode::read    ? SQLITE_OPEN_READONLY
+                    : mode == Mode::write ? SQLITE_OPEN_READWRITE
+                                          : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  sqlite3* handle = nullptr;
+  const int code = sqlite3_open_v2(file.c_str(), &handle, flags, nullptr);
+  handle_.reset(handle);
+  if (code != SQLITE_OK) {
+    fail(code);
+  }
+  sqlite3_busy_timeout(handle, 10'000);  // somebody reads, or makes a copy
+}
+
+void Connection::run(const char* sql) {
+  const int code = sqlite3_exec(handle_.get(), sql, nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK) {
+    fail(code);
+  }
+}
+
+std::int64_t Connection::integer(std::string_view sql) {
+  Statement statement(*this, sql);
+  return statement.next() ? statement.integer(0) : 0;
+}
+
+std::string Connection::text(std::string_view sql) {
+  Statement statement(*this, sql);
+  return statement.next() ? statement.text(0) : std::string();
+}
+
+void Connection::fail(int code) const {
+  throw Error(code & 0xff, handle_ ? sqlite3_errmsg(handle_.get()) : "out of memory");
+}
+
+Transaction::~Transaction() {
+  if (open_) {
+    // A full disk may have ended it already.
+    sqlite3_exec(connection_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+  }
+}
+
+void Transaction::commit() {
+  connection_.run("COMMIT");
+  open_ = false;
+}
+
+}  // namespace elsie::batch::sqlite

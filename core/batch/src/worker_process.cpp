@@ -1,0 +1,338 @@
+#include "worker_process.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <stdexcept>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "last_words.h"
+
+namespace elsie::batch {
+namespace {
+
+constexpr std::size_t kLongestAnswer = 256U << 20U;  // bytes
+
+[[noreturn]] void fail(const char* what) {
+  throw std::runtime_error(std::string("no worker can be started: ") + what + ": " +
+                           std::generic_category().message(errno));
+}
+
+struct Pipe {
+  Pipe() {
+    std::array<int, 2> ends;
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+      fail("pipe");
+    }
+    from = Descriptor(ends[0]);
+    to = Descriptor(ends[1]);
+    fcntl(from.get(), F_SETFL, O_NONBLOCK);
+  }
+  Descriptor from;
+  Descriptor to;
+};
+
+/// The job as a file in memory, to be read from its start.
+Descriptor file_of(const Job& job) {
+  Descriptor file(memfd_create("job", MFD_CLOEXEC));
+  if (!file) {
+    fail("memfd_create");
+  }
+  const std::string text = to_json(job);
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t written = write(file.get(), text.data() + done, text.size() - done);
+    if (written < 0 && errno != EINTR) {
+      fail("write");
+    }
+    done += static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+  }
+  lseek(file.get(), 0, SEEK_SET);
+  return file;
+}
+
+/// All that is in a pipe now. False at its end.
+template <class Take>
+bool drain(const Descriptor& from, const Take& take) {
+  std::array<char, 64 * 1024> buffer;
+  for (;;) {
+    const ssize_t size = read(from.get(), buffer.data(), buffer.size());
+    if (size > 0) {
+      take(buffer.data(), static_cast<std::size_t>(size));
+    } else if (size == 0) {
+      return false;
+    } else if (errno != EINTR) {
+      return errno == EAGAIN;
+    }
+  }
+}
+
+/// What is in the child between fork and exec: calls that are allowed there, nothing else.
+[[noreturn]] void become_worker(char* const* command, int job, int output, int answer,
+                                pid_t parent) {
+  setpgid(0,
+          0);  // it can be killed with all that it starts, and a terminal's Ctrl-C is not its own
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) {
+    _exit(127);  // the parent is gone already
+  }
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+    std::signal(number, SIG_DFL);
+  }
+  // None of them is one of the numbers that they become: 0 to 2 are taken, and 3 is kept free.
+  dup2(job, STDIN_FILENO);
+  dup2(output, STDOUT_FILENO);
+  dup2(output, STDERR_FILENO);
+  dup2(answer, kResultDescriptor);
+  execv(command[0], command);
+  _exit(127);
+}
+
+/// Text that any reader takes: valid UTF-8 without control characters, but for ends of lines.
+std::string readable(const std::string& text) {
+  std::string clean;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const std::size_t length = byte < 0x80        ? 1
+                               : byte >> 5U == 6  ? 2
+                               : byte >> 4U == 14 ? 3
+                               : byte >> 3U == 30 ? 4
+                                                  : 0;
+    bool valid = length > 0 && i + length <= text.size();
+    for (std::size_t k = 1; valid && k < length; ++k) {
+      valid = (static_cast<unsigned char>(text[i + k]) & 0xc0U) == 0x80;
+    }
+    if (!valid || (byte < 0x20 && byte != '\n' && byte != '\t')) {
+      clean += '?';
+      ++i;
+    } else {
+      clean.append(text, i, length);
+      i += length;
+    }
+  }
+  return clean;
+}
+
+std::string seconds_text(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.6g s", seconds);
+  return text;
+}
+
+/// "plugin 'wander' (id 'roam') of robot 'r1'", or a word for what is not known.
+std::string culprit(const LastWords& words) {
+  if (words.plugin.empty()) {
+    return "the process";
+  }
+  return "plugin '" + words.plugin + "'" +
+         (words.id.empty() || words.id == words.plugin ? "" : " (id '" + words.id + "')") +
+         (words.robot.empty() ? "" : " of robot '" + words.robot + "'");
+}
+
+}  // namespace
+
+WorkerPool::Worker::Worker(const PoolOptions& options, const Job& job)
+    : run_(job.run), wall_limit_s_(options.wall_limit_s), grace_s_(options.grace_s) {
+  start(options, job);
+}
+
+void WorkerPool::Worker::start(const PoolOptions& options, const Job& job) {
+  const Descriptor input = file_of(job);
+  Pipe output;
+  Pipe answer;
+  std::vector<char*> command;
+  for (const std::string& word : options.command) {
+    command.push_back(const_cast<char*>(word.c_str()));
+  }
+  command.push_back(nullptr);
+  // Copies above the numbers that the child gives them.
+  const Descriptor high_input(fcntl(input.get(), F_DUPFD_CLOEXEC, kResultDescriptor + 1));
+  const Descriptor high_output(fcntl(output.to.get(), F_DUPFD_CLOEXEC, kResultDescriptor + 1));
+  const Descriptor high_answer(fcntl(answer.to.get(), F_DUPFD_CLOEXEC, kResultDescriptor + 1));
+  if (!high_input || !high_output || !high_answer) {
+    fail("fcntl");
+  }
+  begun_ = Clock::now();
+  due_ = begun_ +
+         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wall_limit_s_));
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child < 0) {
+    fail("fork");
+  }
+  if (child == 0) {
+    become_worker(command.data(), high_input.get(), high_output.get(), high_answer.get(), parent);
+  }
+  process_ = child;
+  setpgid(child, child);  // whoever of the two is first
+  // By its number: the header of glibc 2.36 is not for C++.
+  process_end_ = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
+  if (!process_end_) {
+    const int error = errno;
+    reap();
+    errno = error;
+    fail("pidfd_open");
+  }
+  fcntl(process_end_.get(), F_SETFD, FD_CLOEXEC);
+  output_ = std::move(output.from);
+  answer_ = std::move(answer.from);
+}
+
+WorkerPool::Worker::~Worker() {
+  if (process_ > 0) {
+    reap();
+  }
+}
+
+/// Kills the process, if it is still there, and all that it has started.
+void WorkerPool::Worker::reap() {
+  kill(-process_, SIGKILL);
+  kill(process_, SIGKILL);  // it may not be in a group of its own yet
+  while (waitpid(process_, &status_, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+}
+
+void WorkerPool::Worker::list(std::vector<pollfd>& polled) const {
+  for (const Descriptor* one : {&process_end_, &output_, &answer_}) {
+    polled.push_back({one->get(), POLLIN, 0});
+  }
+}
+
+void WorkerPool::Worker::read_output() {
+  const bool more = drain(output_, [&](const char* text, std::size_t size) {
+    log_.append(text, size);
+    if (log_.size() > 2 * kLogTail) {
+      log_.erase(0, log_.size() - kLogTail);
+      log_is_cut_ = true;
+    }
+  });
+  if (!more) {
+    output_.reset();
+  }
+}
+
+void WorkerPool::Worker::read_answer() {
+  const bool more = drain(answer_, [&](const char* text, std::size_t size) {
+    if (answered_.size() + size <= kLongestAnswer) {
+      answered_.append(text, size);
+    } else {
+      too_long_ = true;
+    }
+  });
+  if (!more) {
+    answer_.reset();
+  }
+}
+
+void WorkerPool::Worker::read(const pollfd* polled) {
+  if (polled[0].revents != 0) {
+    // It is dead, but its number is still its own: nobody else's group is killed. A process that
+    // it has started and left must not hold the pipes open.
+    siginfo_t info{};
+    waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOWAIT);
+    wall_s_ = std::chrono::duration<double>(Clock::now() - begun_).count();
+    reap();
+    ended_ = true;
+    process_end_.reset();
+  }
+  if (output_ && (ended_ || polled[1].revents != 0)) {
+    read_output();
+  }
+  if (answer_ && (ended_ || polled[2].revents != 0)) {
+    read_answer();
+  }
+}
+
+void WorkerPool::Worker::overdue(Clock::time_point now) {
+  if (hangs_) {
+    kill(-process_, SIGKILL);
+    due_ = Clock::time_point::max();
+    return;
+  }
+  hangs_ = true;
+  kill(process_, SIGTERM);
+  due_ = now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(grace_s_));
+}
+
+RunRecord WorkerPool::Worker::record() {
+  RunRecord record;
+  if (log_.size() > kLogTail) {
+    log_.erase(0, log_.size() - kLogTail);
+    log_is_cut_ = true;
+  }
+  const std::optional<LastWords> words = last_words_in(answered_);
+  std::string problem;
+  if (!words && answered_.ends_with('\n')) {
+    try {
+      record = record_from(answered_);
+    } catch (const std::exception& error) {
+      problem = error.what();
+    }
+  }
+  const bool answered = record.state != RunState::error || !record.message.empty();
+  if (WIFEXITED(status_)) {
+    record.exit_code = WEXITSTATUS(status_);
+  }
+  if (!answered) {
+    record.wall_s = wall_s_;
+    const LastWords known = words.value_or(LastWords{});
+    const std::string step = known.step ? " in step " + std::to_string(*known.step) : "";
+    if (!known.plugin.empty()) {
+      record.plugin = known.plugin;
+    }
+    if (!known.robot.empty()) {
+      record.robot = known.robot;
+    }
+    record.step = known.step;
+    if (hangs_) {
+      record.state = RunState::hang;
+      record.message = "the run did not end within " + seconds_text(wall_limit_s_) +
+                       " on the clock and was ended" +
+                       (words ? ", while " + culprit(known) + " was at work" + step : "");
+    } else if (WIFSIGNALED(status_) || words) {
+      record.state = RunState::crash;
+      if (WIFSIGNALED(status_)) {
+        record.signal = signal_name(WTERMSIG(status_));
+      } else if (!known.signal.empty()) {
+        record.signal = known.signal;
+      }
+      record.message = culprit(known) +
+                       (record.signal ? " was ended by " + *record.signal
+                                      : " ended the process by calling exit()") +
+                       step;
+      if (record.signal && record.plugin) {
+        record.message = culprit(known) + " crashed with " + *record.signal + step;
+      }
+      if (record.signal == "SIGKILL" && !record.plugin) {
+        record.message += "; somebody killed it, or the system did so because memory ran out";
+      }
+    } else if (too_long_) {
+      record.message =
+          "the results of the run are longer than " + std::to_string(kLongestAnswer >> 20U) + " MB";
+    } else if (record.exit_code == 127 && answered_.empty()) {
+      record.message = "the worker could not be started";
+    } else {
+      record.state = answered_.empty() ? RunState::crash : RunState::error;
+      record.message = "the process ended with exit code " +
+                       std::to_string(record.exit_code.value_or(-1)) + " before its run did" +
+                       (problem.empty() ? "" : ": " + problem);
+    }
+  }
+  if (record.state != RunState::done) {
+    record.log = (log_is_cut_ ? "[...]\n" : "") + readable(log_);
+  }
+  return record;
+}
+
+}  // namespace elsie::batch

@@ -1,0 +1,118 @@
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/batch/merge.h"
+#include "elsie/batch/results_database.h"
+
+#include "support.h"
+#include "tables.h"
+
+using namespace elsie;
+using batch::ResultsDatabase;
+using Catch::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A record of its own for each run.
+batch::RunRecord record_of(std::int64_t run) {
+  batch::RunRecord record = test::some_record(batch::hash_text(static_cast<std::uint64_t>(run)));
+  record.robots[0].distance_m = static_cast<double>(run);
+  if (run == 4) {
+    record.measures.push_back({"extra", "m", "only this one has it", 4.0});
+  }
+  return record;
+}
+
+std::string shard(const test::Folder& folder, std::size_t index, std::size_t of,
+                  const std::string& name, bool complete = true) {
+  const std::string file = folder.file(name);
+  const batch::Plan plan = test::small_plan(folder, {index, of});
+  auto database = ResultsDatabase::create(file, plan);
+  for (const std::int64_t run : database.pending()) {
+    if (complete || run != 6) {
+      database.write(run, record_of(run));
+    }
+  }
+  return file;
+}
+
+}  // namespace
+
+TEST_CASE("Shards that are merged are the whole, whatever their order") {
+  const test::Folder folder;
+  const std::string whole = shard(folder, 1, 1, "whole.sqlite");
+  const std::string a = shard(folder, 1, 3, "a.sqlite");
+  const std::string b = shard(folder, 2, 3, "b.sqlite");
+  const std::string c = shard(folder, 3, 3, "c.sqlite");
+  const std::string merged = folder.file("merged.sqlite");
+  const auto count = batch::merge(merged, {c, a, b});
+  CHECK(count.all_runs == 6);
+  CHECK(count.pending == 0);
+  CHECK(count.missing == 0);
+  CHECK(count.duplicates == 0);
+  CHECK(test::all_tables(merged) == test::all_tables(whole));
+  CHECK(test::rows(merged, "PRAGMA integrity_check") == "ok\n");
+  CHECK(test::rows(merged, "PRAGMA foreign_key_check").empty());
+  CHECK(ResultsDatabase::open(merged).pending().empty());
+}
+
+TEST_CASE("A run that is there twice counts once; what is missing can be done later") {
+  const test::Folder folder;
+  const std::string a = shard(folder, 1, 3, "a.sqlite");
+  const std::string again = folder.file("again.sqlite");
+  fs::copy(a, again);
+  const std::string c = shard(folder, 3, 3, "c.sqlite", false);
+  const std::string merged = folder.file("merged.sqlite");
+  const auto count = batch::merge(merged, {a, again, c});
+  CHECK(count.duplicates == 2);
+  CHECK(count.pending == 1);
+  CHECK(count.missing == 2);
+  auto database = ResultsDatabase::resume(merged, test::small_plan(folder));
+  CHECK(database.pending() == std::vector<std::int64_t>{2, 5, 6});
+}
+
+TEST_CASE("A run that is pending in one database and done in another is done") {
+  const test::Folder folder;
+  const std::string open = shard(folder, 1, 1, "open.sqlite", false);
+  const std::string c = shard(folder, 3, 3, "c.sqlite");
+  for (const auto& order : {std::vector<fs::path>{open, c}, std::vector<fs::path>{c, open}}) {
+    const std::string merged = folder.file("merged.sqlite");
+    fs::remove(merged);
+    CHECK(batch::merge(merged, order).pending == 0);
+    CHECK(test::rows(merged, "SELECT state FROM runs WHERE id = 6") == "done\n");
+    CHECK(test::rows(merged, "SELECT distance_m FROM run_robots WHERE run_id = 6") == "6.0\n");
+  }
+}
+
+TEST_CASE("Databases that do not fit together are refused, and nothing is left behind") {
+  const test::Folder folder;
+  const std::string a = shard(folder, 1, 3, "a.sqlite");
+  const std::string merged = folder.file("merged.sqlite");
+  const auto refused = [&](const std::vector<fs::path>& given, const std::string& why) {
+    CHECK_THROWS_WITH(batch::merge(merged, given), Contains(why));
+    CHECK_FALSE(fs::exists(merged));
+    CHECK_FALSE(fs::exists(merged + "-journal"));
+    CHECK_FALSE(fs::exists(merged + "-lock"));
+  };
+  auto other = test::small_experiment(folder);
+  other.seeds = {5};
+  const std::string b = folder.file("b.sqlite");
+  ResultsDatabase::create(b, batch::make_plan(other, test::shipped(), test::plan_options()));
+  refused({a, b}, "b.sqlite' is of another experiment than '" + a);
+  refused({a, folder.write("c.sqlite", "text")}, "c.sqlite");
+  refused({a, folder.file("none.sqlite")}, "there is no database");
+
+  const std::string twin = folder.file("twin.sqlite");
+  {
+    auto database = ResultsDatabase::create(twin, test::small_plan(folder, {1, 3}));
+    refused({a, twin}, "is being written by a batch (process ");
+    database.write(1, test::some_record("ffffffffffffffff"));
+  }
+  refused({a, twin}, "run 1 has another result in '" + twin);
+
+  folder.write("merged.sqlite", "mine");
+  CHECK_THROWS_WITH(batch::merge(merged, {a}), Contains("there is a file"));
+  CHECK(folder.read("merged.sqlite") == "mine");
+}

@@ -1,0 +1,158 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "elsie/batch/batch.h"
+#include "elsie/batch/perform.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/reader.h"
+
+#include "support.h"
+
+using namespace elsie;
+using Catch::Contains;
+
+namespace {
+
+batch::Job small_job(const test::Folder& folder) {
+  const batch::Plan plan = test::small_plan(folder);
+  return batch::job_of(plan, plan.runs[4]);
+}
+
+double measure(const batch::RunRecord& record, const std::string& name) {
+  for (const batch::Measure& one : record.measures) {
+    if (one.name == name) {
+      return one.value.value();
+    }
+  }
+  throw std::runtime_error("no measure " + name);
+}
+
+}  // namespace
+
+TEST_CASE("A job comes to what the same world and seed come to by themselves") {
+  const test::Folder folder;
+  const batch::Job job = small_job(folder);
+  const batch::RunRecord record = batch::perform(job);
+  CAPTURE(record.message);
+  REQUIRE(record.state == batch::RunState::done);
+
+  world::ReadOptions options;
+  options.data_directories = {test::source_path("")};
+  options.overrides = {"robot[r1]/@max_speed=0.4"};
+  simulation::Simulation alone(
+      world::read_world(folder.file("small.xml"), test::shipped(), options), test::shipped(),
+      {.seed = 2});
+  const simulation::RunResult result = alone.run();
+  CHECK(record.state_hash == batch::hash_text(result.state_hash));
+  CHECK(record.outcome == to_string(result.outcome));
+  CHECK(record.message == result.reason);
+  CHECK(record.steps == result.steps);
+  CHECK(record.simulated_s == result.simulated_s);
+  REQUIRE(record.robots.size() == 2);
+  CHECK(record.robots[0].distance_m == result.robots[0].distance_m);
+  CHECK(record.robots[1].pose.x == result.robots[1].pose.x);
+  CHECK(record.events.size() == result.events.size());
+
+  CHECK(measure(record, "success") == (result.outcome == simulation::Outcome::success ? 1 : 0));
+  CHECK(measure(record, "time_s") == result.simulated_s);
+  CHECK(measure(record, "path_length_m") ==
+        result.robots[0].distance_m + result.robots[1].distance_m);
+  CHECK(measure(record, "energy_left") == result.robots[0].energy + result.robots[1].energy);
+  CHECK(measure(record, "collected") == 0);
+}
+
+TEST_CASE("A job gives the same record whenever it is done") {
+  const test::Folder folder;
+  const batch::Job job = small_job(folder);
+  const auto without_time = [](batch::RunRecord record) {
+    record.wall_s = 0.0;
+    return to_json(record);
+  };
+  CHECK(without_time(batch::perform(job)) == without_time(batch::perform(job)));
+}
+
+TEST_CASE("A record has the way of every robot and who decided when") {
+  const test::Folder folder;
+  const batch::RunRecord record = batch::perform(small_job(folder));
+  REQUIRE(record.trajectories.size() == 2);
+  CHECK(record.trajectories[0].robot == "r1");
+  CHECK(record.trajectories[0].period_s == Approx(0.1));
+  const auto poses = nlohmann::json::parse(record.trajectories[0].poses);
+  CHECK(poses.size() == static_cast<std::size_t>(*record.simulated_s / 0.1 + 1e-9) + 1);
+  CHECK(poses[0] == nlohmann::json{0.0, 0.0, 0.0});
+  REQUIRE(record.timelines.size() == 2);
+  const auto behaviors = nlohmann::json::parse(record.timelines[0].behaviors);
+  REQUIRE(behaviors.size() == 2);
+  CHECK(behaviors[0]["path"] == "wander");
+  CHECK(behaviors[1]["path"] == "avoid_obstacle");
+  CHECK(behaviors[0]["share"].get<double>() + behaviors[1]["share"].get<double>() ==
+        Approx(1.0).margin(0.002));
+  const auto episodes = nlohmann::json::parse(record.timelines[1].episodes);
+  REQUIRE(episodes.size() == 1);
+  CHECK(episodes[0]["decider"] == "wander");
+  CHECK(episodes[0]["from_s"] == 0.0);
+  CHECK(episodes[0]["to_s"] == *record.simulated_s);
+  CHECK(episodes[0]["share"] == 1.0);
+}
+
+TEST_CASE("A long way is thinned") {
+  const test::Folder folder;
+  auto experiment = test::small_experiment(folder);
+  experiment.settings = {test::setting("limits/@time", "30"),
+                         test::setting("goal[1]/@distance", "100")};
+  experiment.trajectory_period = 0.01;
+  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  const batch::RunRecord record = batch::perform(batch::job_of(plan, plan.runs[0]));
+  REQUIRE(record.steps == 3000U);
+  const auto poses = nlohmann::json::parse(record.trajectories[0].poses);
+  CHECK(poses.size() == 1501);  // every second one of 3001
+  CHECK(record.trajectories[0].period_s == Approx(0.02));
+}
+
+TEST_CASE("What goes wrong is in the record, not thrown") {
+  const test::Folder folder;
+  batch::Job job = small_job(folder);
+  SECTION("a world that is wrong") {
+    job.world_text = "<world format=\"1\"><nonsense/></world>";
+    CHECK_THAT(batch::perform(job).message, Contains("nonsense"));
+  }
+  SECTION("a library that is gone") {
+    job.libraries.clear();
+    CHECK_THAT(batch::perform(job).message, Contains("wander"));
+  }
+  SECTION("a data file that is gone") {
+    job.files.begin()->second = folder.file("gone.fcl");
+    CHECK_THAT(batch::perform(job).message, Contains("gone.fcl"));
+  }
+  const batch::RunRecord record = batch::perform(job);
+  CHECK(record.state == batch::RunState::error);
+  CHECK_FALSE(record.outcome);
+  CHECK_FALSE(record.state_hash);
+  CHECK(record.measures.empty());
+}
+
+TEST_CASE("A plugin that fails is named with robot and step, and what there was is kept") {
+  const test::Folder folder;
+  const std::string faulty = test::build_path("tests/program/plugins/faulty.so");
+  for (const std::string plugin : {"throwing", "not_a_number"}) {
+    batch::Job job;
+    job.world_text = R"(<world format="1"><robots><robot id="r1" team="red"><behaviors><)" +
+                     plugin + R"(/></behaviors><coordinator><arbiter_suppression/></coordinator>
+                     </robot></robots></world>)";
+    job.world_file = "w.xml";
+    job.libraries = {test::plugin_directory() + "/arbiter_suppression.so", faulty};
+    job.trajectory_period_s = 0.1;
+    const batch::RunRecord record = batch::perform(job);
+    CHECK(record.state == batch::RunState::fault);
+    CHECK(record.plugin == plugin);
+    CHECK(record.robot == "r1");
+    CHECK(record.step == 50U);
+    CHECK_THAT(record.message, Contains("plugin '" + plugin + "' of robot 'r1' failed in step 50"));
+    CHECK(record.steps == 50U);
+    CHECK_FALSE(record.outcome);
+    CHECK(record.measures.empty());
+    REQUIRE(record.trajectories.size() == 1);
+    CHECK(nlohmann::json::parse(record.trajectories[0].poses).size() == 6);
+    CHECK(record.timelines.size() == 1);
+  }
+}

@@ -1,0 +1,205 @@
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/batch/hash.h"
+#include "elsie/batch/plan.h"
+#include "elsie/world/error.h"
+#include "elsie/world/reader.h"
+#include "elsie/world/writer.h"
+
+#include "support.h"
+
+using namespace elsie;
+using Catch::Contains;
+
+TEST_CASE("A plan has every cell and every run, in the order of the grid") {
+  const test::Folder folder;
+  const batch::Plan plan = test::small_plan(folder);
+  CHECK(plan.factors == std::vector<std::string>{"world", "speed"});
+  REQUIRE(plan.cells.size() == 2);
+  CHECK(plan.cells[0].label == "slow");
+  CHECK(plan.cells[1].label == "fast");
+  REQUIRE(plan.cells[1].levels.size() == 2);
+  CHECK(plan.cells[1].levels[0].label == "small");
+  CHECK(plan.cells[1].levels[1].label == "fast");
+  CHECK(plan.cells[1].levels[1].place == 1);
+  REQUIRE(plan.runs.size() == 6);
+  CHECK(plan.all_runs == 6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    CHECK(plan.runs[i].id == static_cast<std::int64_t>(i) + 1);
+    CHECK(plan.runs[i].cell == i / 3);
+    CHECK(plan.runs[i].seed == std::vector<std::uint64_t>{1, 2, 18446744073709551615U}[i % 3]);
+  }
+}
+
+TEST_CASE("Repetitions of a seed stand side by side") {
+  const test::Folder folder;
+  auto experiment = test::small_experiment(folder);
+  experiment.repeats = 2;
+  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  REQUIRE(plan.runs.size() == 12);
+  CHECK(plan.runs[1].repetition == 2);
+  CHECK(plan.runs[1].seed == plan.runs[0].seed);
+  CHECK(plan.runs[2].seed != plan.runs[0].seed);
+}
+
+TEST_CASE("A cell's world is one text with all that is set in it, and names every data file") {
+  const test::Folder folder;
+  const batch::Plan plan = test::small_plan(folder);
+  const batch::PlannedCell& cell = plan.cells[0];
+  CHECK_THAT(cell.world_text, Contains("max_speed=\"0.1\""));
+  CHECK_THAT(cell.world_text, Contains("left_model=\"fuzzy_models/avoid_obstacle_left.fcl\""));
+  CHECK(cell.sha256 == batch::sha256(cell.world_text));
+  REQUIRE(cell.data.size() == 2);
+  CHECK(cell.data[0].name == "fuzzy_models/avoid_obstacle_left.fcl");
+  const batch::PlannedFile& file = plan.files[cell.data[0].file];
+  CHECK(file.path == test::source_path("fuzzy_models/avoid_obstacle_left.fcl"));
+  CHECK(file.content == batch::file_content(file.path));
+  CHECK(file.sha256 == batch::sha256(file.content));
+  std::vector<std::string> plugins;
+  for (const std::size_t plugin : cell.plugins) {
+    plugins.push_back(plan.plugins[plugin].kind + " " + plan.plugins[plugin].name);
+    CHECK(plan.plugins[plugin].file);
+  }
+  CHECK(plugins.size() == 5);
+  CHECK(std::find(plugins.begin(), plugins.end(), "coordinator arbiter_suppression") !=
+        plugins.end());
+  CHECK(plan.libraries(cell).size() == 5);
+  CHECK(plan.files[0].kind == batch::FileKind::library);
+  CHECK_THAT(plan.files[0].path, Contains("libelsie.so"));
+}
+
+TEST_CASE("The text of a cell is all of its world, wherever the files are by then") {
+  const test::Folder folder;
+  const batch::Plan plan = test::small_plan(folder);
+  const test::Folder elsewhere;
+  world::ReadOptions options;
+  for (const auto& data : plan.cells[0].data) {
+    options.files[data.name] = elsewhere.write(std::filesystem::path(data.name).filename().string(),
+                                               plan.files[data.file].content);
+  }
+  const world::World world =
+      world::parse_world(plan.cells[0].world_text, "/nowhere/w.xml", test::shipped(), options);
+  CHECK(world.robots[0].max_speed == 0.1);
+  CHECK(std::get<std::string>(world.robots[0].behaviors[1].parameters.at("left_model")) ==
+        elsewhere.file("avoid_obstacle_left.fcl"));
+}
+
+TEST_CASE("Two files of one name are told apart in a cell's text") {
+  const test::Folder folder;
+  const std::string model =
+      batch::file_content(test::source_path("fuzzy_models/avoid_obstacle_left.fcl"));
+  // The default is looked for in the data directories, what a world names beside it.
+  folder.write("fuzzy_models/avoid_obstacle_left.fcl", model + "// another one\n");
+  auto experiment = test::small_experiment(folder);
+  experiment.settings.push_back(test::setting("robot[r1]/behavior[avoid_obstacle]/@right_model",
+                                              "fuzzy_models/avoid_obstacle_left.fcl"));
+  experiment.settings.back().location = {};
+  std::string text = test::kWorld;
+  text.replace(text.find("<avoid_obstacle/>"), 17,
+               "<avoid_obstacle right_model=\"fuzzy_models/avoid_obstacle_left.fcl\"/>");
+  folder.write("small.xml", text);
+  experiment.settings.clear();
+  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  REQUIRE(plan.cells[0].data.size() == 2);
+  CHECK(plan.cells[0].data[0].file != plan.cells[0].data[1].file);
+}
+
+TEST_CASE("The fingerprint follows from what decides the runs, and from nothing else") {
+  const test::Folder folder;
+  const std::string before = test::small_plan(folder).fingerprint;
+  CHECK(before.size() == 64);
+  CHECK(test::small_plan(folder).fingerprint == before);
+  const auto changed = [&](auto change) {
+    auto experiment = test::small_experiment(folder);
+    change(experiment);
+    return batch::make_plan(experiment, test::shipped(), test::plan_options()).fingerprint !=
+           before;
+  };
+  using experiment::Experiment;
+  CHECK(changed([](Experiment& e) { e.seeds.back() = 3; }));
+  CHECK(changed([](Experiment& e) { e.repeats = 2; }));
+  CHECK(changed([](Experiment& e) { e.factors[0].levels[0].label = "slower"; }));
+  CHECK(changed([](Experiment& e) { e.settings = {test::setting("arena/@length", "12")}; }));
+  CHECK_FALSE(changed([](Experiment& e) { e.description = "another"; }));
+  CHECK_FALSE(changed([](Experiment& e) { e.wall_limit = 5.0; }));
+  auto options = test::plan_options();
+  options.elsie_version = "1.2.4";
+  CHECK(batch::make_plan(test::small_experiment(folder), test::shipped(), options).fingerprint !=
+        before);
+  CHECK(test::small_plan(folder, {2, 3}).fingerprint == before);
+  // A copy of it all in another folder, data files too, is the same experiment.
+  const test::Folder copy;
+  for (const char* side : {"left", "right"}) {
+    const std::string name = std::string("fuzzy_models/avoid_obstacle_") + side + ".fcl";
+    copy.write(name, batch::file_content(test::source_path(name)));
+  }
+  options = test::plan_options();
+  options.data_directories = {copy.file("")};
+  const auto elsewhere = test::small_experiment(copy);
+  CHECK(batch::make_plan(elsewhere, test::shipped(), options).fingerprint == before);
+  copy.write("fuzzy_models/avoid_obstacle_left.fcl",
+             copy.read("fuzzy_models/avoid_obstacle_left.fcl") + " ");
+  CHECK(batch::make_plan(elsewhere, test::shipped(), options).fingerprint != before);
+}
+
+TEST_CASE("Shards share the runs among them") {
+  CHECK(batch::parse_shard("2/5") == batch::Shard{2, 5});
+  CHECK(batch::parse_shard("1/1") == batch::Shard{});
+  for (const char* wrong : {"", "2", "0/5", "6/5", "2/", "/5", "2/5x", "a/b", "-1/5", "1/0"}) {
+    CAPTURE(wrong);
+    CHECK_FALSE(batch::parse_shard(wrong));
+  }
+  const test::Folder folder;
+  std::vector<int> count(7, 0);
+  for (std::size_t index = 1; index <= 4; ++index) {
+    const batch::Plan plan = test::small_plan(folder, {index, 4});
+    CHECK(plan.all_runs == 6);
+    for (const batch::PlannedRun& run : plan.runs) {
+      CHECK((static_cast<std::size_t>(run.id) - 1) % 4 == index - 1);
+      ++count[static_cast<std::size_t>(run.id)];
+    }
+  }
+  CHECK(count == std::vector<int>{0, 1, 1, 1, 1, 1, 1});
+}
+
+TEST_CASE("A plan is not made of a world that is wrong") {
+  const test::Folder folder;
+  auto experiment = test::small_experiment(folder);
+  experiment.settings = {test::setting("robot[r9]/@max_speed", "1")};
+  CHECK_THROWS_AS(batch::make_plan(experiment, test::shipped(), test::plan_options()),
+                  world::WorldError);
+}
+
+TEST_CASE("A world's own limit of time on the clock does not count") {
+  const test::Folder folder;
+  auto experiment = test::small_experiment(folder);
+  experiment.settings = {test::setting("limits/@wall_time", "0.001")};
+  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  CHECK(plan.cells[0].world_text.find("wall_time") == std::string::npos);
+}
+
+TEST_CASE("A file that changes while a batch goes on is noticed") {
+  const test::Folder folder;
+  for (const char* side : {"left", "right"}) {
+    const std::string name = std::string("fuzzy_models/avoid_obstacle_") + side + ".fcl";
+    folder.write(name, batch::file_content(test::source_path(name)));
+  }
+  auto options = test::plan_options();
+  options.data_directories = {folder.file("")};
+  const auto plan = batch::make_plan(test::small_experiment(folder), test::shipped(), options);
+  batch::FileCheck check(plan);
+  CHECK_FALSE(check.changed(0));
+  CHECK_FALSE(check.changed(0));
+  const std::string name = "fuzzy_models/avoid_obstacle_left.fcl";
+  const std::string content = folder.read(name);
+  folder.write(name, content);  // written anew, with the same in it
+  CHECK_FALSE(check.changed(1));
+  folder.write(name, content + "\n");
+  CHECK(check.changed(1) == folder.file(name));
+  folder.write(name, content);
+  CHECK_FALSE(check.changed(1));
+  std::filesystem::remove(folder.file(name));
+  CHECK(check.changed(0) == folder.file(name));
+}

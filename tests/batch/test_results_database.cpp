@@ -1,0 +1,329 @@
+#include <csignal>
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+#include <sqlite3.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "elsie/batch/results_database.h"
+
+#include "support.h"
+#include "tables.h"
+
+using namespace elsie;
+using batch::DatabaseRefused;
+using batch::ResultsDatabase;
+using Catch::Contains;
+namespace fs = std::filesystem;
+
+TEST_CASE("A new database has everything to be done, and what it takes to do it") {
+  const test::Folder folder;
+  const std::string file = folder.file("r.sqlite");
+  const batch::Plan plan = test::small_plan(folder);
+  {
+    auto database = ResultsDatabase::create(file, plan);
+    CHECK(database.pending() == std::vector<std::int64_t>{1, 2, 3, 4, 5, 6});
+    CHECK(database.numbers() == std::pair<std::int64_t, std::int64_t>(1, 6));
+    CHECK(test::rows(file, "PRAGMA journal_mode") == "wal\n");  // while it is being written
+  }
+  CHECK(test::rows(file, "PRAGMA integrity_check; ") == "ok\n");
+  CHECK(test::rows(file, "PRAGMA foreign_key_check").empty());
+  CHECK(test::rows(file, "PRAGMA journal_mode") == "delete\n");
+  CHECK(
+      test::rows(file, "SELECT experiment, elsie_version, shard, runs, wall_limit_s FROM about") ==
+      "small|1.2.3|1/1|6|60.0\n");
+  CHECK(test::rows(file, "SELECT id, name FROM factors ORDER BY id") == "0|world\n1|speed\n");
+  CHECK(
+      test::rows(file, "SELECT cell_id, factor_id, label, place FROM cell_levels ORDER BY 1, 2") ==
+      "0|0|small|0\n0|1|slow|0\n1|0|small|0\n1|1|fast|1\n");
+  CHECK(test::rows(file, "SELECT seed FROM runs WHERE id = 3") == "-1\n");
+  CHECK(test::rows(file,
+                   "SELECT count(*) FROM cell_files JOIN files ON files.id = file_id WHERE kind = "
+                   "'data' AND length(content) > 100") == "4\n");
+  CHECK(test::rows(file,
+                   "SELECT count(*) FROM plugins JOIN files ON files.id = file_id WHERE files.kind "
+                   "= 'library' AND length(sha256) = 64") == "5\n");
+  CHECK_FALSE(fs::exists(file + "-wal"));
+  CHECK_FALSE(fs::exists(file + "-lock"));
+}
+
+TEST_CASE("A run is written once, whole") {
+  const test::Folder folder;
+  const std::string file = folder.file("r.sqlite");
+  auto database = ResultsDatabase::create(file, test::small_plan(folder));
+  database.write(4, test::some_record());
+  CHECK(database.pending() == std::vector<std::int64_t>{1, 2, 3, 5, 6});
+  CHECK_THROWS_WITH(database.write(4, test::some_record()),
+                    Contains("run 4 is not to be done in the database"));
+  CHECK_THROWS_WITH(database.write(7, test::some_record()), Contains("run 7 is not to be done"));
+  CHECK(test::rows(file,
+                   "SELECT state, outcome, steps, simulated_s, state_hash, exit_code FROM "
+                   "runs WHERE id = 4") == "done|success|200|2.0|0123456789abcdef|0\n");
+  CHECK(test::rows(file,
+                   "SELECT measure, unit, value FROM run_measures JOIN measures ON measure = "
+                   "name WHERE run_id = 4") == "success||1.0\ntime_s|s|2.0\n");
+  CHECK(test::rows(file, "SELECT * FROM run_robots") == "4|r1|red|0.3|1|4998.0|3|1.0|-2.0|0.5\n");
+  CHECK(test::rows(file, "SELECT place, name FROM run_events") == "0|collected\n1|hello\n");
+  CHECK(test::rows(file, "SELECT poses FROM trajectories") == "[[0,0,0]]\n");
+  CHECK(test::rows(file, "SELECT points FROM curves") == "[[1,0.5]]\n");
+  CHECK(test::rows(file, "SELECT count(*) FROM timelines") == "1\n");
+  CHECK(test::rows(file, "SELECT text FROM notes") == "It has learned.\n");
+  CHECK(test::rows(file, "PRAGMA foreign_key_check").empty());
+}
+
+TEST_CASE("A run of which a part cannot be written is not written at all") {
+  const test::Folder folder;
+  const std::string file = folder.file("r.sqlite");
+  auto database = ResultsDatabase::create(file, test::small_plan(folder));
+  batch::RunRecord record = test::some_record();
+  record.robots.push_back(record.robots[0]);  // twice
+  CHECK_THROWS_AS(database.write(1, record), batch::DatabaseError);
+  CHECK(database.pending().size() == 6);
+  CHECK(test::rows(file, "SELECT count(*) FROM run_robots").substr(0, 1) == "0");
+  CHECK(test::rows(file, "SELECT count(*) FROM measures").substr(0, 1) == "0");
+  database.write(1, test::some_record());
+  CHECK(database.pending().size() == 5);
+}
+
+TEST_CASE("Cells, failures and seeds that disagree are counted") {
+  const test::Folder folder;
+  auto experiment = test::small_experiment(folder);
+  experiment.repeats = 2;
+  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  auto database = ResultsDatabase::create(folder.file("r.sqlite"), plan);
+  database.write(1, test::some_record());
+  database.write(2, test::some_record());
+  database.write(3, test::some_record());
+  database.write(4, test::some_record("fedcba9876543210"));
+  batch::RunRecord fault;
+  fault.state = batch::RunState::fault;
+  fault.message = "plugin 'x' failed";
+  database.write(7, fault);
+  batch::RunRecord limit = test::some_record();
+  limit.outcome = "time_limit";
+  database.write(8, limit);
+  const auto cells = database.cells();
+  REQUIRE(cells.size() == 2);
+  CHECK(cells[0].label == "slow");
+  CHECK(cells[0].done == 4);
+  CHECK(cells[0].successes == 4);
+  CHECK(cells[0].pending == 2);
+  CHECK(cells[1].failed == 1);
+  CHECK(cells[1].done == 1);
+  CHECK(cells[1].successes == 0);
+  const auto failed = database.failed(10);
+  REQUIRE(failed.size() == 1);
+  CHECK(failed[0].id == 7);
+  CHECK(failed[0].message == "plugin 'x' failed");
+  const auto found = database.disagreements();
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].cell == "slow");
+  CHECK(found[0].seed == 2);
+  CHECK(found[0].runs == std::vector<std::int64_t>{3, 4});
+
+  CHECK(database.redo_failed() == 1);
+  CHECK(database.failed(10).empty());
+  const auto pending = database.pending();
+  CHECK(std::find(pending.begin(), pending.end(), 7) != pending.end());
+  database.write(7, test::some_record());
+}
+
+TEST_CASE("A stored run has all that it takes to do it again") {
+  const test::Folder folder;
+  auto database = ResultsDatabase::create(folder.file("r.sqlite"), test::small_plan(folder));
+  database.write(6, test::some_record());
+  const auto run = database.run(6);
+  REQUIRE(run);
+  CHECK(run->job.seed == 18446744073709551615U);
+  CHECK(run->cell == "fast");
+  CHECK_THAT(run->job.world_text, Contains("max_speed=\"0.4\""));
+  CHECK(run->job.world_file == folder.file("small.xml"));
+  REQUIRE(run->data.size() == 2);
+  CHECK(run->data[0].name == "fuzzy_models/avoid_obstacle_left.fcl");
+  CHECK(run->data[0].content.size() > 100);
+  CHECK(run->libraries.size() == 5);
+  CHECK_THAT(run->elsie.path, Contains("libelsie"));
+  CHECK(run->record.state == batch::RunState::done);
+  CHECK(run->record.state_hash == "0123456789abcdef");
+  CHECK_FALSE(database.run(7));
+}
+
+TEST_CASE("A batch goes on only with its own database") {
+  const test::Folder folder;
+  const std::string file = folder.file("r.sqlite");
+  const batch::Plan plan = test::small_plan(folder);
+  {
+    auto database = ResultsDatabase::create(file, plan);
+    database.write(1, test::some_record());
+  }
+  CHECK_THROWS_WITH(
+      ResultsDatabase::create(file, plan),
+      Contains("there is a database '" + file + "' already; go on with it by --resume"));
+  CHECK(ResultsDatabase::resume(file, plan).pending().size() == 5);
+
+  auto other = test::small_experiment(folder);
+  other.seeds.push_back(77);
+  CHECK_THROWS_WITH(
+      ResultsDatabase::resume(file, batch::make_plan(other, test::shipped(), test::plan_options())),
+      Contains("is of another experiment than") && Contains("worlds, settings, plugins or seeds"));
+  auto newer = test::plan_options();
+  newer.elsie_version = "9.9.9";
+  CHECK_THROWS_WITH(ResultsDatabase::resume(file, batch::make_plan(test::small_experiment(folder),
+                                                                   test::shipped(), newer)),
+                    Contains("begun with Elsie 1.2.3, and this is 9.9.9"));
+  CHECK_THROWS_WITH(ResultsDatabase::resume(file, test::small_plan(folder, {1, 2})),
+                    Contains("has the shard 1/1 of the experiment, not 1/2"));
+}
+
+TEST_CASE("A model that has changed is named when a batch is to go on") {
+  const test::Folder folder;
+  for (const char* side : {"left", "right"}) {
+    const std::string name = std::string("fuzzy_models/avoid_obstacle_") + side + ".fcl";
+    fs::create_directories(folder.file("fuzzy_models"));
+    fs::copy(test::source_path(name), folder.file(name));
+  }
+  auto options = test::plan_options();
+  options.data_directories = {folder.file("")};
+  const auto experiment = test::small_experiment(folder);
+  const std::string file = folder.file("r.sqlite");
+  ResultsDatabase::create(file, batch::make_plan(experiment, test::shipped(), options));
+  const std::string model = "fuzzy_models/avoid_obstacle_left.fcl";
+  folder.write(model, folder.read(model) + "\n");
+  CHECK_THROWS_WITH(
+      ResultsDatabase::resume(file, batch::make_plan(experiment, test::shipped(), options)),
+      Contains("these files have changed since: '" + folder.file(model) + "'"));
+}
+
+TEST_CASE("Files that are no database of results are refused with a sentence, and left alone") {
+  const test::Folder folder;
+  const batch::Plan plan = test::small_plan(folder);
+  const auto refused = [&](const std::string& file, const std::string& why) {
+    CAPTURE(file);
+    CHECK_THROWS_WITH(ResultsDatabase::open(file), Contains(why));
+    CHECK_THROWS_WITH(ResultsDatabase::resume(file, plan), Contains(why));
+    CHECK_THROWS_AS(ResultsDatabase::create(file, plan), DatabaseRefused);
+  };
+  const std::string text = folder.write("text.sqlite", std::string(5000, 'x'));
+  refused(text, "it is no SQLite database");
+  CHECK(folder.read("text.sqlite") == std::string(5000, 'x'));
+  const std::string other = folder.file("other.sqlite");
+  test::rows(other, "CREATE TABLE t (x)");
+  refused(other, "none that `elsie batch` has written");
+  const std::string newer = folder.file("newer.sqlite");
+  ResultsDatabase::create(newer, plan);
+  test::rows(newer, "PRAGMA user_version = 2");
+  refused(newer, "has format 2, but this program reads format 1");
+  CHECK_THROWS_WITH(ResultsDatabase::open(folder.file("none.sqlite")), Contains("there is no"));
+  CHECK_THROWS_WITH(ResultsDatabase::create(folder.file("no/r.sqlite"), plan),
+                    Contains("cannot be made"));
+}
+
+TEST_CASE("An empty file is a database that was not begun") {
+  const test::Folder folder;
+  const std::string file = folder.write("r.sqlite", "");
+  CHECK(ResultsDatabase::is_vacant(file));
+  CHECK(ResultsDatabase::create(file, test::small_plan(folder)).pending().size() == 6);
+  CHECK_FALSE(ResultsDatabase::is_vacant(file));
+}
+
+TEST_CASE("One batch at a time writes a database, while others may read it") {
+  const test::Folder folder;
+  const std::string file = folder.file("r.sqlite");
+  const batch::Plan plan = test::small_plan(folder);
+  {
+    auto first = ResultsDatabase::create(file, plan);
+    CHECK_THROWS_WITH(
+        ResultsDatabase::resume(file, plan),
+        Contains("is being written by another batch (process " + std::to_string(getpid())));
+    CHECK_THROWS_AS(ResultsDatabase::create(file, plan), DatabaseRefused);
+    first.write(1, test::some_record());
+    CHECK(ResultsDatabase::open(file).pending().size() == 5);
+    first.write(2, test::some_record());
+  }
+  CHECK(ResultsDatabase::resume(file, plan).pending().size() == 4);
+}
+
+TEST_CASE("The lock goes with the process, however that ends; what it has written stays") {
+  const test::Folder folder;
+  const std::string file = folder.file("r.sqlite");
+  const batch::Plan plan = test::small_plan(folder);
+  const pid_t child = fork();
+  if (child == 0) {
+    auto database = ResultsDatabase::create(file, plan);
+    database.write(1, test::some_record());
+    kill(getpid(), SIGKILL);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  REQUIRE(WIFSIGNALED(status));
+  CHECK(fs::exists(file + "-lock"));
+  {
+    auto database = ResultsDatabase::resume(file, plan);
+    CHECK(database.pending() == std::vector<std::int64_t>{2, 3, 4, 5, 6});
+  }
+  CHECK_FALSE(fs::exists(file + "-lock"));
+  CHECK(test::rows(file, "PRAGMA integrity_check") == "ok\n");
+}
+
+TEST_CASE("On a full disk the batch ends with a sentence, and what was written is valid") {
+  const test::Folder folder;
+  const std::string file = folder.file("r.sqlite");
+  const batch::Plan plan = test::small_plan(folder);
+  const pid_t child = fork();
+  if (child == 0) {
+    // No file may grow beyond this: as a disk that is full.
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{400'000, 400'000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    int code = 1;
+    try {
+      auto database = ResultsDatabase::create(file, plan);
+      batch::RunRecord large = test::some_record();
+      large.trajectories[0].poses = std::string(150'000, ' ');
+      for (std::int64_t run = 1; run <= 6; ++run) {
+        database.write(run, large);
+      }
+    } catch (const batch::DatabaseError& error) {
+      const std::string what = error.what();
+      code = what.find("could not be written: ") != std::string::npos ? 42 : 2;
+    }
+    _exit(code);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  CHECK(WEXITSTATUS(status) == 42);
+  auto database = ResultsDatabase::resume(file, plan);
+  const auto pending = database.pending();
+  CHECK(pending.size() > 0);
+  CHECK(pending.size() < 6);
+  for (const std::int64_t run : pending) {
+    database.write(run, test::some_record());
+  }
+  CHECK(test::rows(file, "PRAGMA integrity_check") == "ok\n");
+}
+
+TEST_CASE("No database is left behind when it cannot be made") {
+  const test::Folder folder;
+  const std::string file = folder.file("r.sqlite");
+  const batch::Plan plan = test::small_plan(folder);
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{10'000, 10'000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      ResultsDatabase::create(file, plan);
+    } catch (const batch::DatabaseError&) {
+      _exit(42);
+    }
+    _exit(1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  CHECK(WEXITSTATUS(status) == 42);
+  CHECK_FALSE(fs::exists(file));
+  CHECK_FALSE(fs::exists(file + "-journal"));
+  CHECK_FALSE(fs::exists(file + "-lock"));
+}
