@@ -11,13 +11,12 @@
 #include <unistd.h>
 
 #include "elsie/batch/batch.h"
-#include "elsie/batch/hash.h"
-#include "elsie/experiment/reader.h"
+#include "elsie/cluster/shard_folder.h"
 
 #include "arguments.h"
+#include "batch_options.h"
 #include "batch_report.h"
 #include "command.h"
-#include "environment.h"
 #include "stop_signals.h"
 
 namespace fs = std::filesystem;
@@ -26,24 +25,13 @@ using elsie::batch::ResultsDatabase;
 
 namespace {
 
-struct Options {
-  PluginOptions plugins;
-  std::string experiment;
-  std::optional<std::size_t> workers;
-  std::optional<std::string> database;
-  bool resume = false;
-  bool again = false;
-  std::string shard = "1/1";
-  bool json = false;
-  bool quiet = false;
-};
-
 constexpr const char* kExamples = R"(
 Examples:
   elsie batch experiments/beams.xml
   elsie batch experiments/beams.xml --workers 4 --database beams.sqlite
   elsie batch experiments/beams.xml --resume
   elsie batch experiments/beams.xml --shard 2/5 --database beams-2.sqlite
+  elsie batch experiments/beams.xml --cluster slurm --shards 100 --sbatch=--partition=short
 
 Exit codes: 0 all runs ended by themselves, 2 bad input (nothing was begun), 3 a plugin failed in
 some run, 4 interrupted, or an error.
@@ -59,37 +47,7 @@ std::size_t processors() {
   return 1;
 }
 
-elsie::batch::Shard shard_of(const Options& options) {
-  const auto shard = elsie::batch::parse_shard(options.shard);
-  if (!shard) {
-    throw BadInput("--shard: '" + options.shard +
-                   "' is no part of an experiment; expected K/N with K from 1 to N, such as 2/5");
-  }
-  return *shard;
-}
-
-fs::path database_of(const Options& options, const elsie::batch::Shard& shard) {
-  if (options.database) {
-    return *options.database;
-  }
-  const std::string name = fs::path(options.experiment).stem().string();
-  return name +
-         (shard.of > 1 ? "-" + std::to_string(shard.index) + "of" + std::to_string(shard.of) : "") +
-         ".sqlite";
-}
-
-Plan plan_of(const Options& options, const elsie::batch::Shard& shard) {
-  const elsie::plugin::Host host = load_plugins(options.plugins);
-  const elsie::experiment::ReadOptions reading = experiment_options();
-  const auto experiment = elsie::experiment::read_experiment(options.experiment, host, reading);
-  return elsie::batch::make_plan(experiment, host,
-                                 {.elsie_version = ELSIE_VERSION,
-                                  .text = elsie::batch::file_content(options.experiment),
-                                  .data_directories = reading.data_directories,
-                                  .shard = shard});
-}
-
-ResultsDatabase opened(const Options& options, const fs::path& file, const Plan& plan) {
+ResultsDatabase opened(const BatchOptions& options, const fs::path& file, const Plan& plan) {
   if (!options.resume || ResultsDatabase::is_vacant(file)) {
     return ResultsDatabase::create(file, plan);
   }
@@ -103,24 +61,51 @@ ResultsDatabase opened(const Options& options, const fs::path& file, const Plan&
   return database;
 }
 
-/// The command line that goes on with it.
-std::string resume_command(const Options& options, const fs::path& database) {
-  std::string line = "elsie batch " + shell_word(options.experiment);
-  for (const std::string& directory : options.plugins.directories) {
-    line += " --plugin-path " + shell_word(directory);
+/// How far the batch is, in a file for other programs.
+class ProgressFile {
+ public:
+  ProgressFile(const BatchOptions& options, ResultsDatabase& database) : file_(options.progress) {
+    if (!file_) {
+      return;
+    }
+    for (const elsie::batch::CellCount& cell : database.cells()) {
+      before_.runs += cell.pending + cell.done + cell.failed;
+      before_.ended += cell.done + cell.failed;
+      before_.failed += cell.failed;
+    }
+    require_writable(*file_, "--progress");
+    elsie::cluster::write_count(*file_, before_);
   }
-  for (const std::string& file : options.plugins.files) {
-    line += " --plugin " + shell_word(file);
-  }
-  if (options.shard != "1/1") {
-    line += " --shard " + options.shard;
-  }
-  return line + " --database " + shell_word(database.string()) + " --resume";
-}
 
-int run(const Options& options) {
+  void write(const elsie::batch::Progress& progress) const noexcept {
+    if (!file_) {
+      return;
+    }
+    try {
+      elsie::cluster::write_count(*file_, {.runs = before_.runs,
+                                           .ended = before_.ended + progress.ended,
+                                           .failed = before_.failed + progress.failed});
+    } catch (const std::exception&) {  // results are what counts: they have a word of their own
+    }
+  }
+
+ private:
+  const std::optional<std::string> file_;
+  elsie::cluster::Count before_;
+};
+
+int run(const BatchOptions& options) {
   if (options.again && !options.resume) {
     throw BadInput("--again is for a batch that is there already; it needs --resume");
+  }
+  if (options.cluster) {
+    return run_on_cluster(options);
+  }
+  if (options.shards || options.detach || !options.sbatch.empty()) {
+    throw BadInput(std::string(options.shards   ? "--shards"
+                               : options.detach ? "--detach"
+                                                : "--sbatch") +
+                   " is for a cluster; it needs --cluster slurm");
   }
   const elsie::batch::Shard shard = shard_of(options);
   const fs::path file = database_of(options, shard);
@@ -133,6 +118,7 @@ int run(const Options& options) {
   }
   const Plan plan = plan_of(options, shard);
   ResultsDatabase database = opened(options, file, plan);
+  const ProgressFile progress_file(options, database);
   BatchReport report(plan, database, resume_command(options, file));
   if (database.pending().empty() && options.resume) {
     report.all_done_already();
@@ -141,12 +127,15 @@ int run(const Options& options) {
     const StopSignals signals;
     report.begin(bar);
     try {
-      const bool complete = elsie::batch::carry_out(
-          plan, database,
-          {.worker = {"/proc/self/exe", kWorkerCommand},
-           .workers = options.workers.value_or(processors()),
-           .stop_descriptor = signals.descriptor()},
-          [&](const elsie::batch::Progress& progress) { report.progress(progress); });
+      const bool complete =
+          elsie::batch::carry_out(plan, database,
+                                  {.worker = {"/proc/self/exe", kWorkerCommand},
+                                   .workers = options.workers.value_or(processors()),
+                                   .stop_descriptor = signals.descriptor()},
+                                  [&](const elsie::batch::Progress& progress) {
+                                    report.progress(progress);
+                                    progress_file.write(progress);
+                                  });
       report.end(!complete);
     } catch (...) {
       report.end(true);
@@ -173,7 +162,7 @@ void add_batch_command(CLI::App& program, Job& job) {
   CLI::App* command =
       program.add_subcommand("batch", "Do all runs of an experiment, into a database of results");
   command->footer(kExamples);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BatchOptions>();
   command->add_option("EXPERIMENT", options->experiment, "Experiment file")->required();
   command
       ->add_option("--workers", options->workers,
@@ -196,6 +185,28 @@ void add_batch_command(CLI::App& program, Job& job) {
                    "parts; `elsie merge` makes one database of theirs")
       ->type_name("K/N")
       ->capture_default_str();
+  command
+      ->add_option("--progress", options->progress,
+                   "Keep in this file how far the batch is, as a JSON object: runs, ended, failed")
+      ->type_name("FILE.json");
+  command
+      ->add_option("--cluster", options->cluster,
+                   "Hand the runs to a cluster, as a job array of shards, follow it, and make one "
+                   "database of theirs; with --resume: follow it again, hand over what is left")
+      ->check(CLI::IsMember({"slurm"}));
+  command
+      ->add_option("--shards", options->shards,
+                   "With --cluster: tasks of the job array; default: 16. --workers are those of "
+                   "each task then; default: 1")
+      ->check(CLI::Range(1, 1'000'000));
+  command
+      ->add_option("--sbatch", options->sbatch,
+                   "With --cluster: an option for sbatch, such as --sbatch=--time=02:00:00; may be "
+                   "given more than once")
+      ->type_name("OPTION")
+      ->allow_extra_args(false);
+  command->add_flag("--detach", options->detach,
+                    "With --cluster: hand over, and do not wait; --resume follows later");
   options->plugins.add_to(*command);
   command->add_flag("--json", options->json,
                     "Print a summary as one JSON object, and nothing else");

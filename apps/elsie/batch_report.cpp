@@ -8,12 +8,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "elsie/cluster/shell_word.h"
+
 #include "command.h"
 #include "progress.h"
 #include "text_table.h"
 
 using elsie::batch::CellCount;
 using elsie::batch::RunState;
+using elsie::cluster::shell_word;
 
 namespace {
 
@@ -71,21 +74,6 @@ std::string shortened(const std::string& message) {
 
 }  // namespace
 
-std::string shell_word(const std::string& word) {
-  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           std::string_view("_-./,+=:@%").find(c) != std::string_view::npos;
-  });
-  if (plain) {
-    return word;
-  }
-  std::string quoted = "'";
-  for (const char c : word) {
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return quoted + "'";
-}
-
 std::string duration_text(double seconds) {
   const auto whole = static_cast<long>(std::ceil(seconds));
   const long hours = whole / 3600;
@@ -99,6 +87,19 @@ std::string duration_text(double seconds) {
   return std::to_string(whole) + " s";
 }
 
+std::string progress_line(const elsie::batch::Progress& progress) {
+  const double part = static_cast<double>(progress.ended) / static_cast<double>(progress.runs);
+  std::string line = bar_text(part) + "  " + std::to_string(progress.ended) + " of " +
+                     std::to_string(progress.runs) + " runs";
+  if (progress.failed > 0) {
+    line += ", " + std::to_string(progress.failed) + " failed";
+  }
+  if (const double left = progress.left_s(); left > 0.0) {
+    line += ", " + duration_text(left) + " left";
+  }
+  return line;
+}
+
 BatchReport::BatchReport(const elsie::batch::Plan& plan, elsie::batch::ResultsDatabase& database,
                          std::string resume)
     : plan_(plan), database_(database), resume_(std::move(resume)) {}
@@ -110,16 +111,7 @@ void BatchReport::progress(const elsie::batch::Progress& progress) {
   if (!bar_ || progress.runs == 0) {
     return;
   }
-  const double part = static_cast<double>(progress.ended) / static_cast<double>(progress.runs);
-  std::string line = bar_text(part) + "  " + std::to_string(progress.ended) + " of " +
-                     std::to_string(progress.runs) + " runs";
-  if (progress.failed > 0) {
-    line += ", " + std::to_string(progress.failed) + " failed";
-  }
-  if (const double left = progress.left_s(); left > 0.0) {
-    line += ", " + duration_text(left) + " left";
-  }
-  std::fprintf(stderr, "\r%s\033[K", line.c_str());
+  std::fprintf(stderr, "\r%s\033[K", progress_line(progress).c_str());
   std::fflush(stderr);
 }
 

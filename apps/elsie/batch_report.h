@@ -38,8 +38,8 @@ class BatchReport {
   elsie::batch::Progress last_;
 };
 
-/// A word as a shell takes it, quoted where it has to be.
-std::string shell_word(const std::string& word);
+/// A bar, how many runs have ended, how long the rest will take.
+std::string progress_line(const elsie::batch::Progress& progress);
 
 /// "1 h 5 min", "2 min 10 s", "8 s".
 std::string duration_text(double seconds);

@@ -1,11 +1,6 @@
 // Small experiments put together in code, and a folder to keep them in.
 #pragma once
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,41 +8,10 @@
 #include "elsie/batch/results_database.h"
 #include "elsie/experiment/experiment.h"
 
+#include "folder.h"
 #include "shipped.h"
 
 namespace elsie::test {
-
-/// A folder of its own for each test; gone at the end.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "elsie-batch-XXXXXX").string();
-    if (!mkdtemp(name.data())) {
-      throw std::runtime_error("cannot make a folder for the test");
-    }
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::filesystem::create_directories((path_ / name).parent_path());
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return file(name);
-  }
-  std::string read(const std::string& name) const {
-    std::ifstream in(path_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// A robot that wanders, and one that avoids what its beams see: a plugin with data files.
 inline constexpr const char* kWorld = R"(<world format="1" name="small">

@@ -72,6 +72,9 @@ TEST_CASE("Every command in the docs runs, and reaches its goals unless it is cu
     if (page.parent_path().filename() == "tutorial") {
       continue;  // followed as a whole by tests/tutorial
     }
+    if (page.filename() == "clusters.md") {
+      continue;  // run by test_cluster.cpp, beside a Slurm
+    }
     Workplace here;
     for (const std::string& block : blocks(read(page), "sh")) {
       if (block.find("make ") != std::string::npos) {

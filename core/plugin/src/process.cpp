@@ -1,4 +1,4 @@
-#include "process.h"
+#include "elsie/plugin/process.h"
 
 #include <array>
 #include <cerrno>

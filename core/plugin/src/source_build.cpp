@@ -17,9 +17,8 @@
 #include <unistd.h>
 
 #include "elsie/plugin/abi_word.h"
-
 #include "elsie/plugin/own_library.h"
-#include "process.h"
+#include "elsie/plugin/process.h"
 
 namespace elsie::plugin {
 namespace {

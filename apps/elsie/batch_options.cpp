@@ -1,0 +1,62 @@
+#include "batch_options.h"
+
+#include "elsie/batch/hash.h"
+#include "elsie/cluster/shell_word.h"
+#include "elsie/experiment/reader.h"
+
+#include "command.h"
+
+namespace fs = std::filesystem;
+using elsie::batch::Plan;
+using elsie::cluster::shell_word;
+
+elsie::batch::Shard shard_of(const BatchOptions& options) {
+  const auto shard = elsie::batch::parse_shard(options.shard);
+  if (!shard) {
+    throw BadInput("--shard: '" + options.shard +
+                   "' is no part of an experiment; expected K/N with K from 1 to N, such as 2/5");
+  }
+  return *shard;
+}
+
+fs::path database_of(const BatchOptions& options, const elsie::batch::Shard& shard) {
+  if (options.database) {
+    return *options.database;
+  }
+  const std::string name = fs::path(options.experiment).stem().string();
+  return name +
+         (shard.of > 1 ? "-" + std::to_string(shard.index) + "of" + std::to_string(shard.of) : "") +
+         ".sqlite";
+}
+
+Plan plan_of(const BatchOptions& options, const elsie::batch::Shard& shard) {
+  const elsie::plugin::Host host = load_plugins(options.plugins);
+  const elsie::experiment::ReadOptions reading = experiment_options();
+  const auto experiment = elsie::experiment::read_experiment(options.experiment, host, reading);
+  return elsie::batch::make_plan(experiment, host,
+                                 {.elsie_version = ELSIE_VERSION,
+                                  .text = elsie::batch::file_content(options.experiment),
+                                  .data_directories = reading.data_directories,
+                                  .shard = shard});
+}
+
+/// The command line that goes on with it.
+std::string resume_command(const BatchOptions& options, const fs::path& database) {
+  std::string line = "elsie batch " + shell_word(options.experiment);
+  for (const std::string& directory : options.plugins.directories) {
+    line += " --plugin-path " + shell_word(directory);
+  }
+  for (const std::string& file : options.plugins.files) {
+    line += " --plugin " + shell_word(file);
+  }
+  if (options.shard != "1/1") {
+    line += " --shard " + options.shard;
+  }
+  if (options.cluster) {
+    line += " --cluster " + *options.cluster;
+    for (const std::string& option : options.sbatch) {
+      line += " --sbatch=" + shell_word(option);
+    }
+  }
+  return line + " --database " + shell_word(database.string()) + " --resume";
+}

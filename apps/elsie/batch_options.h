@@ -1,0 +1,44 @@
+// The options of `elsie batch`, and what they name.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elsie/batch/plan.h"
+
+#include "environment.h"
+
+struct BatchOptions {
+  PluginOptions plugins;
+  std::string experiment;
+  std::optional<std::size_t> workers;
+  std::optional<std::string> database;
+  bool resume = false;
+  bool again = false;
+  std::string shard = "1/1";
+  std::optional<std::string> progress;
+  std::optional<std::string> cluster;
+  std::optional<std::size_t> shards;
+  std::vector<std::string> sbatch;
+  bool detach = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// Throws BadInput when it is no part of an experiment.
+elsie::batch::Shard shard_of(const BatchOptions& options);
+
+/// Where the results go.
+std::filesystem::path database_of(const BatchOptions& options, const elsie::batch::Shard& shard);
+
+/// Reads the experiment, with the plugins, and what all of its runs take.
+elsie::batch::Plan plan_of(const BatchOptions& options, const elsie::batch::Shard& shard);
+
+/// The command line that goes on with a batch.
+std::string resume_command(const BatchOptions& options, const std::filesystem::path& database);
+
+/// The batch as a job array of a cluster, followed to its end; returns the exit code.
+int run_on_cluster(const BatchOptions& options);

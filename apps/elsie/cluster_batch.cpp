@@ -1,0 +1,328 @@
+// A batch as a job array of Slurm: handed over, followed, gone on with, made one database.
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include <poll.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include "elsie/batch/results_database.h"
+#include "elsie/cluster/shard_folder.h"
+#include "elsie/cluster/shell_word.h"
+#include "elsie/cluster/slurm.h"
+
+#include "batch_options.h"
+#include "batch_report.h"
+#include "command.h"
+#include "stop_signals.h"
+
+namespace fs = std::filesystem;
+namespace cluster = elsie::cluster;
+using cluster::ShardFolder;
+using cluster::Task;
+using elsie::batch::Plan;
+using elsie::batch::ResultsDatabase;
+
+namespace {
+
+constexpr std::size_t kDefaultShards = 16;
+// A cluster's scheduler is everybody's: it is asked often in the beginning only.
+constexpr double kFirstPause_s = 0.5;
+constexpr double kLongestPause_s = 15.0;
+constexpr double kPauseGrowth = 1.2;
+// A scheduler may be away for as long: it is started anew, the network is down.
+constexpr double kSilenceLimit_s = 600.0;
+
+void require_sound(const BatchOptions& options) {
+  if (options.shard != "1/1") {
+    throw BadInput(
+        "--shard is one part of an experiment, and --cluster does all of them; expected "
+        "one of the two");
+  }
+  if (options.again) {
+    throw BadInput(
+        "--again does not go with --cluster; do the runs that failed again, without "
+        "--cluster, in the database that was made of all");
+  }
+  if (options.progress) {
+    throw BadInput("--progress is for a part of an experiment; it does not go with --cluster");
+  }
+  if (options.detach && options.json) {
+    throw BadInput(
+        "--json tells how the runs ended, and --detach does not wait for that; expected "
+        "one of the two");
+  }
+}
+
+/// What each task does, but for its shard.
+std::vector<std::string> task_command(const BatchOptions& options) {
+  const auto absolute = [](const std::string& name) {
+    return fs::absolute(name).lexically_normal().string();
+  };
+  std::vector<std::string> command{fs::read_symlink("/proc/self/exe").string(), "batch",
+                                   absolute(options.experiment)};
+  for (const std::string& directory : options.plugins.directories) {
+    command.insert(command.end(), {"--plugin-path", absolute(directory)});
+  }
+  for (const std::string& file : options.plugins.files) {
+    command.insert(command.end(), {"--plugin", absolute(file)});
+  }
+  command.insert(command.end(), {"--workers", std::to_string(options.workers.value_or(1))});
+  return command;
+}
+
+std::vector<std::size_t> numbers(const std::vector<Task>& tasks) {
+  std::vector<std::size_t> found;
+  for (const Task& task : tasks) {
+    found.push_back(task.number);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// One batch on the cluster, from the folder of its shards to one database.
+class ClusterBatch {
+ public:
+  ClusterBatch(const BatchOptions& options, fs::path file, const Plan& plan, ShardFolder folder)
+      : options_(options), file_(std::move(file)), plan_(plan), folder_(std::move(folder)) {}
+
+  /// Hands over what is to be done and in nobody's hands.
+  void submit() {
+    const ShardFolder::Turn turn(folder_);
+    const std::vector<Task> at_work = cluster::unfinished(folder_.name());
+    const std::vector<std::size_t> to_do = folder_.unfinished(numbers(at_work));
+    if (to_do.empty()) {
+      if (!at_work.empty()) {
+        say("job array " + folder_.job() + " is at work: " + std::to_string(at_work.size()) +
+            " tasks");
+      }
+      return;
+    }
+    folder_.set_job(cluster::submit({.name = folder_.name(),
+                                     .script = folder_.script(),
+                                     .tasks = to_do,
+                                     .processors = options_.workers.value_or(1),
+                                     .log = folder_.log("%a"),
+                                     .options = options_.sbatch}));
+    say("job array " + folder_.job() + ": " + std::to_string(to_do.size()) + " of " +
+        std::to_string(folder_.shards()) + " shards, " + std::to_string(plan_.all_runs) +
+        " runs in all");
+  }
+
+  /// Until no task is left. False: this command was stopped before, the tasks go on.
+  bool follow() {
+    using Clock = std::chrono::steady_clock;
+    const StopSignals signals;
+    const auto begun = Clock::now();
+    const std::int64_t ended_before = folder_.count().ended;
+    auto answered = begun;
+    double pause = kFirstPause_s;
+    for (;;) {
+      std::optional<std::vector<Task>> tasks;
+      try {
+        tasks = cluster::unfinished(folder_.name());
+        answered = Clock::now();
+      } catch (const cluster::ClusterSilent&) {
+        if (std::chrono::duration<double>(Clock::now() - answered).count() > kSilenceLimit_s) {
+          wipe();
+          throw;
+        }
+      }
+      elapsed_s_ = std::chrono::duration<double>(Clock::now() - begun).count();
+      if (tasks && tasks->empty()) {
+        wipe();
+        return true;
+      }
+      show(tasks, ended_before);
+      pollfd stop{.fd = signals.descriptor(), .events = POLLIN, .revents = 0};
+      if (poll(&stop, 1, static_cast<int>(1000.0 * pause)) > 0) {
+        wipe();
+        return false;
+      }
+      pause = std::min(kLongestPause_s, pause * kPauseGrowth);
+    }
+  }
+
+  /// What remains to be said when this command leaves before the tasks.
+  std::string goes_on() const {
+    return "job array " + folder_.job() + " goes on; follow it by\n  " +
+           resume_command(options_, file_) + "\nand end it by\n  scancel --name=" + folder_.name() +
+           '\n';
+  }
+
+  /// Which shards did not come to their end, and why; empty: all did.
+  std::string left_over() const {
+    std::string text;
+    for (const std::size_t shard : folder_.unfinished()) {
+      text += "  shard " + std::to_string(shard) + ": " + std::to_string(folder_.pending(shard)) +
+              " of " + std::to_string(folder_.runs(shard)) + " runs are still to be done";
+      if (const std::string fate = cluster::fate(folder_.job(), shard); !fate.empty()) {
+        text += "; " + fate;
+      }
+      text += "; see " + folder_.log(std::to_string(shard)).string() + '\n';
+    }
+    return text;
+  }
+
+  /// One database of all, and what is in it.
+  int conclude() {
+    folder_.merge_into(file_);
+    folder_.remove();
+    ResultsDatabase database = ResultsDatabase::open(file_);
+    BatchReport report(plan_, database, resume_command(options_, file_));
+    report.progress({.runs = plan_.all_runs, .ended = plan_.all_runs, .elapsed_s = elapsed_s_});
+    return print(report);
+  }
+
+  int print(BatchReport& report) const {
+    if (options_.json) {
+      std::cout << report.json();
+    } else if (!options_.quiet) {
+      std::cout << report.table();
+    }
+    return report.exit_code();
+  }
+
+ private:
+  void say(const std::string& line) const {
+    if (!options_.quiet && !options_.json) {
+      std::cout << line << '\n' << std::flush;
+    }
+  }
+
+  bool has_bar() const { return !options_.quiet && !options_.json && isatty(STDERR_FILENO) != 0; }
+
+  void show(const std::optional<std::vector<Task>>& tasks, std::int64_t ended_before) const {
+    if (!has_bar()) {
+      return;
+    }
+    std::string note = ", Slurm does not answer";
+    if (tasks) {
+      const auto running = std::count_if(tasks->begin(), tasks->end(),
+                                         [](const Task& task) { return task.running; });
+      const auto waits = std::find_if(tasks->begin(), tasks->end(),
+                                      [](const Task& task) { return !task.running; });
+      note = ", " + std::to_string(running) + " tasks run";
+      if (waits != tasks->end()) {
+        note +=
+            ", " + std::to_string(std::ssize(*tasks) - running) + " wait (" + waits->reason + ")";
+      }
+    }
+    const cluster::Count count = folder_.count();
+    std::cerr << '\r'
+              << progress_line({.runs = count.runs - ended_before,
+                                .ended = count.ended - ended_before,
+                                .failed = count.failed,
+                                .elapsed_s = elapsed_s_})
+              << note << "\033[K" << std::flush;
+  }
+
+  void wipe() const {
+    if (has_bar()) {
+      std::cerr << "\r\033[K" << std::flush;
+    }
+  }
+
+  const BatchOptions& options_;
+  const fs::path file_;
+  const Plan& plan_;
+  ShardFolder folder_;
+  double elapsed_s_ = 0.0;
+};
+
+/// The folder of the shards, a new one or, to go on, the one that is there.
+ShardFolder folder_of(const BatchOptions& options, const fs::path& file, const Plan& plan,
+                      bool& made) {
+  made = !(options.resume && fs::exists(ShardFolder::beside(file)));
+  if (made) {
+    const auto runs = static_cast<std::size_t>(plan.all_runs);
+    const std::size_t shards = std::min(options.shards.value_or(kDefaultShards), runs);
+    return ShardFolder::create(file, plan, shards, task_command(options));
+  }
+  ShardFolder folder = ShardFolder::open(file, plan);
+  if (options.shards && *options.shards != folder.shards()) {
+    throw BadInput("--shards: the batch was begun with " + std::to_string(folder.shards()) +
+                   " shards, not " + std::to_string(*options.shards));
+  }
+  return folder;
+}
+
+/// A batch that was made one database already; its folder may have been left when it was killed.
+int already_there(const BatchOptions& options, const fs::path& file, const Plan& plan) {
+  ResultsDatabase database = ResultsDatabase::resume(file, plan);
+  if (!database.pending().empty()) {
+    throw BadInput("'" + file.string() +
+                   "' has runs to be done, and is of no cluster; go on with it without --cluster");
+  }
+  std::error_code error;
+  if (fs::exists(ShardFolder::beside(file), error)) {
+    ShardFolder::open(file, plan).remove();
+  }
+  BatchReport report(plan, database, resume_command(options, file));
+  report.all_done_already();
+  if (options.json) {
+    std::cout << report.json();
+  } else if (!options.quiet) {
+    std::cout << report.table();
+  }
+  return report.exit_code();
+}
+
+}  // namespace
+
+int run_on_cluster(const BatchOptions& options) {
+  require_sound(options);
+  const fs::path file = database_of(options, {});
+  if (!options.resume && !ResultsDatabase::is_vacant(file)) {
+    throw BadInput("there is a file '" + file.string() +
+                   "' already; go on with it by --resume, or choose another --database");
+  }
+  if (options.quiet) {
+    spdlog::set_level(spdlog::level::err);
+  }
+  const Plan plan = plan_of(options, {});
+  if (!ResultsDatabase::is_vacant(file)) {
+    return already_there(options, file, plan);
+  }
+  bool made = false;
+  const ShardFolder folder = folder_of(options, file, plan, made);
+  ClusterBatch batch(options, file, plan, folder);
+  try {
+    batch.submit();
+  } catch (const std::exception& error) {
+    if (made) {
+      folder.remove();
+    }
+    throw BadInput(error.what());
+  }
+  if (options.detach) {
+    if (!options.quiet) {
+      std::cout << batch.goes_on();
+    }
+    return kSuccess;
+  }
+  try {
+    if (!batch.follow()) {
+      std::cerr << "elsie: interrupted; " << batch.goes_on();
+      return kOtherFailure;
+    }
+  } catch (const cluster::ClusterSilent& error) {
+    std::cerr << "elsie: " << error.what() << ";\n" << batch.goes_on();
+    return kOtherFailure;
+  }
+  const ShardFolder::Turn turn(folder);
+  // Somebody else who followed it may have been first.
+  if (!folder.exists() && !ResultsDatabase::is_vacant(file)) {
+    return already_there(options, file, plan);
+  }
+  if (const std::string left = batch.left_over(); !left.empty()) {
+    std::cerr << "elsie: tasks of the job array ended before their shards did:\n"
+              << left << "go on with\n  " << resume_command(options, file) << '\n';
+    return kOtherFailure;
+  }
+  return batch.conclude();
+}
