@@ -63,7 +63,8 @@ void write_manual(std::ostream& out, const CLI::App& program) {
   out << ".SH DESCRIPTION\n"
          "A physics\\-based, fixed\\-step simulator in which a robot is driven by several small "
          "behaviours that run side by side, and a coordinator that turns their wishes into one "
-         "motor command. Worlds are XML files; sensors, behaviours and coordinators are shared "
+         "motor command. Worlds are XML files; sensors, behaviours, coordinators and measures are "
+         "shared "
          "libraries that are found at run time.\n"
          ".SH COMMANDS\n";
   for (const CommandFacts& command : commands) {

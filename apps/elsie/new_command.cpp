@@ -110,8 +110,7 @@ void check_name(const std::string& name) {
 
 void check_free(const Options& options) {
   const elsie::plugin::Host host = load_plugins(options.plugins);
-  for (const PluginKind kind :
-       {PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator}) {
+  for (const PluginKind kind : elsie::plugin::kPluginKinds) {
     if (elsie::plugin::kind_name(kind) == options.kind && host.find(kind, options.name)) {
       throw BadInput("there is a " + options.kind + " '" + options.name + "' already (" +
                      host.file_of(kind, options.name).string() + "); choose another name");
@@ -223,9 +222,10 @@ void add_new_command(CLI::App& program, Job& job) {
   command->footer(
       "\nExamples:\n  elsie new behavior circle_around\n"
       "  elsie new coordinator my_arbiter --folder plugins/my_arbiter\n"
-      "  elsie new sensor light\n");
+      "  elsie new sensor light\n  elsie new measure detour\n");
   auto options = std::make_shared<Options>();
-  command->add_option("KIND", options->kind, "behavior, coordinator or sensor")->required();
+  command->add_option("KIND", options->kind, "behavior, coordinator, sensor or measure")
+      ->required();
   command->add_option("NAME", options->name, "Its name: small letters, digits, underscores")
       ->required();
   command->add_option("--folder", options->folder, "Where to put it; default: NAME, here")
@@ -236,10 +236,13 @@ void add_new_command(CLI::App& program, Job& job) {
       if (options->kind == "behaviour") {
         options->kind = "behavior";
       }
-      if (options->kind != "behavior" && options->kind != "coordinator" &&
-          options->kind != "sensor") {
-        throw BadInput("'" + options->kind +
-                       "' is no kind of plugin; there are behavior, coordinator and sensor");
+      const auto& kinds = elsie::plugin::kPluginKinds;
+      if (std::none_of(kinds.begin(), kinds.end(), [&](PluginKind kind) {
+            return options->kind == elsie::plugin::kind_name(kind);
+          })) {
+        throw BadInput(
+            "'" + options->kind +
+            "' is no kind of plugin; there are behavior, coordinator, sensor and measure");
       }
       return make_project(*options);
     };

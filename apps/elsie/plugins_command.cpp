@@ -27,9 +27,8 @@ using elsie::plugin::FileReport;
 using elsie::plugin::FileStatus;
 using elsie::plugin::Host;
 using elsie::plugin::kind_name;
+using elsie::plugin::kPluginKinds;
 using nlohmann::ordered_json;
-
-constexpr PluginKind kKinds[] = {PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator};
 
 struct PluginsOptions {
   PluginOptions plugins;
@@ -76,12 +75,12 @@ std::string contents_of(const Declaration& plugin) {
 
 void print_list(const Host& host) {
   std::size_t width = 0;
-  for (const PluginKind kind : kKinds) {
+  for (const PluginKind kind : kPluginKinds) {
     for (const Declaration* plugin : host.all(kind)) {
       width = std::max(width, plugin->name.size());
     }
   }
-  for (const PluginKind kind : kKinds) {
+  for (const PluginKind kind : kPluginKinds) {
     std::cout << kind_name(kind) << "s\n";
     for (const Declaration* plugin : host.all(kind)) {
       std::cout << "  " << plugin->name << std::string(width + 2 - plugin->name.size(), ' ')
@@ -218,7 +217,7 @@ ordered_json to_json(const Host& host, const Declaration& plugin) {
 void print_json(const Host& host) {
   ordered_json json;
   json["plugins"] = ordered_json::array();
-  for (const PluginKind kind : kKinds) {
+  for (const PluginKind kind : kPluginKinds) {
     for (const Declaration* plugin : host.all(kind)) {
       json["plugins"].push_back(to_json(host, *plugin));
     }
@@ -241,7 +240,7 @@ void print_json(const Host& host) {
 }
 
 void print_names(const Host& host) {
-  for (const PluginKind kind : kKinds) {
+  for (const PluginKind kind : kPluginKinds) {
     for (const Declaration* plugin : host.all(kind)) {
       std::cout << plugin->name << '\n';
     }
@@ -275,7 +274,7 @@ int describe(const DescribeOptions& options) {
   bool found = false;
   std::vector<std::string> names;
   ordered_json all = ordered_json::array();
-  for (const PluginKind kind : kKinds) {
+  for (const PluginKind kind : kPluginKinds) {
     if (options.kind && kind != *options.kind) {
       continue;
     }
@@ -324,7 +323,7 @@ void add_plugins_command(CLI::App& program, Job& job) {
 namespace {
 
 PluginKind kind_of(const std::string& word) {
-  for (const PluginKind kind : kKinds) {
+  for (const PluginKind kind : kPluginKinds) {
     if (word == kind_name(kind)) {
       return kind;
     }
@@ -334,7 +333,7 @@ PluginKind kind_of(const std::string& word) {
   }
   throw CLI::ValidationError("--kind", "'" + word +
                                            "' is no kind of plugin; there are sensor, "
-                                           "behavior and coordinator");
+                                           "behavior, coordinator and measure");
 }
 
 }  // namespace
@@ -350,14 +349,15 @@ void add_describe_command(CLI::App& program, Job& job) {
       "  elsie describe wander --kind behavior --declaration\n");
   auto options = std::make_shared<DescribeOptions>();
   command
-      ->add_option("PLUGIN", options->name,
-                   "Name of a sensor, behavior or coordinator; or 'world', or 'experiment'")
+      ->add_option(
+          "PLUGIN", options->name,
+          "Name of a sensor, behavior, coordinator or measure; or 'world', or 'experiment'")
       ->required();
   command
       ->add_option_function<std::string>(
           "--kind", [options](const std::string& word) { options->kind = kind_of(word); },
           "Which, when plugins of several kinds have that name")
-      ->type_name("KIND:{sensor,behavior,coordinator}");
+      ->type_name("KIND:{sensor,behavior,coordinator,measure}");
   CLI::Option* json =
       command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
   command

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "elsie/api/geometry.h"
+#include "elsie/simulation/measures.h"
 
 #include "text_table.h"
 
@@ -17,6 +18,7 @@ using elsie::simulation::RobotResult;
 using elsie::simulation::RunResult;
 
 constexpr std::size_t kTextColumns = 2;  // id and team
+constexpr std::size_t kMeasureTextColumns = 2;
 
 std::vector<std::string> row(const RobotResult& robot) {
   return {robot.id,
@@ -27,6 +29,20 @@ std::vector<std::string> row(const RobotResult& robot) {
           std::to_string(robot.collisions),
           text("%.2f", robot.pose.x) + ", " + text("%.2f", robot.pose.y) + ", " +
               text("%.0f", elsie::degrees(robot.pose.heading_rad))};
+}
+
+/// What the world measures; what every run has is said elsewhere in the table.
+std::string measures(const RunResult& result) {
+  if (result.measures.size() <= elsie::simulation::kMeasuresOfEveryRun) {
+    return "";
+  }
+  std::vector<std::vector<std::string>> rows{{"measure", "meaning", "value", "unit"}};
+  for (std::size_t i = elsie::simulation::kMeasuresOfEveryRun; i < result.measures.size(); ++i) {
+    const elsie::simulation::MeasuredValue& measured = result.measures[i];
+    rows.push_back({measured.name, measured.meaning,
+                    measured.value ? text("%.6g", *measured.value) : "none", measured.unit});
+  }
+  return '\n' + laid_out(rows, kMeasureTextColumns);
 }
 
 /// JSON text must be UTF-8; ids come from XML, which is.
@@ -55,10 +71,11 @@ std::string table(const RunResult& result) {
     }
     out += '\n' + laid_out(rows, kTextColumns);
   }
+  out += measures(result);
   if (!result.notes.empty()) {
     out += '\n';
     for (const auto& note : result.notes) {
-      out += note.robot + ", " + note.plugin + ": " + note.text + '\n';
+      out += (note.robot.empty() ? "" : note.robot + ", ") + note.plugin + ": " + note.text + '\n';
     }
   }
   std::map<std::string, int> counts;
@@ -107,6 +124,14 @@ std::string json(const RunResult& result) {
   for (const auto& note : result.notes) {
     object["notes"].push_back(
         {{"robot", note.robot}, {"plugin", note.plugin}, {"text", note.text}});
+  }
+  object["measures"] = nlohmann::ordered_json::array();
+  for (const auto& measured : result.measures) {
+    object["measures"].push_back(
+        {{"name", measured.name},
+         {"unit", measured.unit},
+         {"meaning", measured.meaning},
+         {"value", measured.value ? nlohmann::ordered_json(*measured.value) : nullptr}});
   }
   return dumped(object) + '\n';
 }

@@ -28,6 +28,7 @@ using elsie::Declaration;
 using elsie::ParameterDeclaration;
 using elsie::ParameterType;
 using elsie::PluginKind;
+using elsie::plugin::kPluginKinds;
 using elsie::testing::CheckOptions;
 using elsie::testing::Plugins;
 
@@ -39,8 +40,6 @@ struct TestPluginOptions {
   std::uint64_t seed = 1;
   int variants = CheckOptions().variants;
 };
-
-constexpr PluginKind kKinds[] = {PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator};
 
 /// A library or a source, not a plugin's name.
 bool is_file(const std::string& name) {
@@ -115,7 +114,7 @@ std::vector<const Declaration*> chosen(const Plugins& plugins, const std::string
   std::vector<std::string> names;
   const fs::path library =
       elsie::plugin::is_source(name) ? elsie::plugin::build_source(name).library : fs::path(name);
-  for (const PluginKind kind : kKinds) {
+  for (const PluginKind kind : kPluginKinds) {
     for (const Declaration* declaration : plugins.host().all(kind)) {
       std::error_code error;
       const bool is_meant =

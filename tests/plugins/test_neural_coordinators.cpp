@@ -307,6 +307,51 @@ TEST_CASE("Weights that were written are used as they are, and nothing is traine
                            Catch::EndsWith("nothing is trained."));
 }
 
+TEST_CASE("The learning curve is that of the training, in at most two hundred points") {
+  Team team;
+  add_two_behaviors(team);
+  for (const std::int64_t presentations : {9, 90, 1800, 3600, 200'000}) {
+    CAPTURE(presentations);
+    const Object object = coordinator(kFusion, {{"presentations", presentations}});
+    CHECK(object->curves().empty());
+    start(*object, team, 5);
+    const std::vector<Curve> curves = object->curves();
+    REQUIRE(curves.size() == 1);
+    CHECK(curves[0].name == "error");
+    Random random(5);
+    const neural::Lesson lesson = dynamic_cast<const neural::Trainable&>(*object).learn(random, {});
+    const auto& all = lesson.training.curve;
+    const auto& points = curves[0].points;
+    CHECK(points.size() == std::min<std::size_t>(points.size(), 200));
+    CHECK(points.size() >= std::min<std::size_t>(all.size(), 100));
+    // It begins where the training does, and ends where that ends.
+    CHECK(points.front() ==
+          Curve::Point{static_cast<double>(all.front().presentations), all.front().error});
+    CHECK(points.back().x == static_cast<double>(all.back().presentations));
+    // Nothing is left out: each point is the mean of what came since the one before.
+    std::size_t i = 0;
+    for (const Curve::Point& point : points) {
+      double sum = 0.0;
+      int count = 0;
+      for (; i < all.size() && static_cast<double>(all[i].presentations) <= point.x; ++i, ++count) {
+        sum += all[i].error;
+      }
+      REQUIRE(count > 0);
+      CHECK(point.y == Approx(sum / count));
+    }
+    CHECK(i == all.size());
+  }
+}
+
+TEST_CASE("Weights from a file have no learning curve") {
+  Files files;
+  Team team;
+  add_two_behaviors(team);
+  const Object loaded = coordinator(kFusion, {{"weights", files.weights({simple_network()})}});
+  start(*loaded, team);
+  CHECK(loaded->curves().empty());
+}
+
 TEST_CASE("The notes tell error and presentations, and a plateau in words") {
   Team team;
   add_two_behaviors(team);

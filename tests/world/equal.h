@@ -129,7 +129,7 @@ inline bool same(const world::World& a, const world::World& b) {
   return a.name == b.name && a.description == b.description && same(a.arena, b.arena) &&
          same(a.physics, b.physics) && same(a.teams, b.teams) && same(a.boxes, b.boxes) &&
          same(a.chargers, b.chargers) && same(a.robots, b.robots) && same(a.goals, b.goals) &&
-         same(a.limits, b.limits);
+         same(a.measures, b.measures) && same(a.limits, b.limits);
 }
 
 }  // namespace elsie::test

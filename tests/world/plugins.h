@@ -9,6 +9,7 @@
 
 #include "elsie/api/behavior.h"
 #include "elsie/api/coordinator.h"
+#include "elsie/api/measure.h"
 #include "elsie/api/sensor.h"
 #include "elsie/plugin/host.h"
 
@@ -151,6 +152,35 @@ class Blend final : public Behavior {
   }
 };
 
+// Watches, and has gates beside it.
+struct Gate {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+class Way final : public Measure {
+ public:
+  std::string robot;
+  double from_s = 0.0;
+  double to_s = 1e9;
+  std::vector<Gate> gates;
+  std::vector<Quantity> quantities() const override { return {{"", "m", "how far"}}; }
+  void observe(const Observation&) override {}
+  void report(const RunEnd&, std::span<std::optional<double>>) const override {}
+  void configured() override {
+    if (from_s > to_s) {
+      throw std::invalid_argument("it begins after it ends");
+    }
+  }
+};
+
+class Hits final : public Measure {
+ public:
+  std::vector<Quantity> quantities() const override { return {{"", "", "how many"}}; }
+  void observe(const Observation&) override {}
+  void report(const RunEnd&, std::span<std::optional<double>>) const override {}
+};
+
 inline plugin::Host make_host() {
   plugin::Host host;
   host.add(declare<Beam>(
@@ -220,6 +250,16 @@ inline plugin::Host make_host() {
                    "inhibit", "One behaviour's command is taken away",
                    parameter("by", &Inhibit::by, {.meaning = "by this one", .required = true}),
                    parameter("of", &Inhibit::of, {.meaning = "of this one", .required = true})))));
+  host.add(declare<Way>(
+      PluginKind::measure, "way", "How far robots went",
+      parameter("robot", &Way::robot, {.meaning = "which one"}),
+      parameter("from_s", &Way::from_s, {.unit = "s", .min = 0, .meaning = "since when"}),
+      parameter("to_s", &Way::to_s, {.unit = "s", .min = 0, .meaning = "until when"}),
+      elements(&Way::gates,
+               element<Gate>("gate", "A place on the way",
+                             parameter("x", &Gate::x, {.unit = "m", .meaning = "east"}),
+                             parameter("y", &Gate::y, {.unit = "m", .meaning = "north"})))));
+  host.add(declare<Hits>(PluginKind::measure, "hits", "How often robots touched something"));
   host.add(declare<Pick>(PluginKind::coordinator, "pick", "Runs the first behaviour"));
   host.add(declare<Sum>(PluginKind::coordinator, "sum", "Adds the commands",
                         parameter("weighted", &Sum::weighted, {.meaning = "by priority"})));

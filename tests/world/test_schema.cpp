@@ -77,6 +77,7 @@ const std::map<std::string, std::string> kBeyondSchemas = {
     {"goal_pushes_a_brick", "whether goals can be met"},
     {"goal_gathers_one", "whether goals can be met"},
     {"goal_relative_to_itself", "attributes that depend on each other"},
+    {"measures_that_do_not_fit", "attributes that depend on each other"},
     {"other_encoding", "it is well-formed XML"},
     {"utf16", "it is well-formed XML"},
 };

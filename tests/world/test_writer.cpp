@@ -42,16 +42,27 @@ TEST_CASE("A colour that a team was given is kept, whatever comes to the world l
 TEST_CASE("The comparison of these tests sees a difference") {
   const world::World w = world::read_world(kFolder + "data/everything.xml", host(), options());
   for (const char* change :
-       {"robot[r1]/beam[1]/@max_range=3", "robot[r1]/eye/threshold[1]/@high=0.8",
-        "robot[r1]/eye/mask[2]/@margin=1", "robot[r2]/coordinator/suppress[2]/@by=avoid",
+       {"robot[r1]/beam[1]/@max_range=3",
+        "robot[r1]/eye/threshold[1]/@high=0.8",
+        "robot[r1]/eye/mask[2]/@margin=1",
+        "robot[r2]/coordinator/suppress[2]/@by=avoid",
         "robot[r1]/behavior[explore]/rule[2]/@weight=2",
         "robot[r1]/behavior[explore]/behavior[roam]/@speed=2",
         "robot[r1]/behavior[explore]/behavior[blend]/behavior[seek]/@priority=2",
         "robot[r1]/behavior[explore]/behavior[blend]/coordinator/inhibit/@by=roam",
-        "robot[r1]/behavior[explore]/coordinator/@weighted=false", "robot[r1]/body/@mass=2",
-        "goal[3]/@radius=1", "moving_box[patrol]/waypoint[2]/@y=3", "charger[dock]/@rate=3",
-        "team[blue]/@colour=#000000", "robot[r1]/segment[2]/@gap=0.02", "limits/@time=200",
-        "@name=x", "physics/@bounce=0", "arena/@wall_height=1"}) {
+        "robot[r1]/behavior[explore]/coordinator/@weighted=false",
+        "robot[r1]/body/@mass=2",
+        "goal[3]/@radius=1",
+        "measure[way_2]/@from_s=3",
+        "measure[way_2]/gate[2]/@x=3",
+        "moving_box[patrol]/waypoint[2]/@y=3",
+        "charger[dock]/@rate=3",
+        "team[blue]/@colour=#000000",
+        "robot[r1]/segment[2]/@gap=0.02",
+        "limits/@time=200",
+        "@name=x",
+        "physics/@bounce=0",
+        "arena/@wall_height=1"}) {
     CAPTURE(change);
     CHECK_FALSE(
         same(w, world::read_world(kFolder + "data/everything.xml", host(), options({change}))));

@@ -57,9 +57,9 @@ class Checker {
   }
 
   void check_plugin() {
-    if (declaration_.kind != PluginKind::sensor && declaration_.kind != PluginKind::behavior &&
-        declaration_.kind != PluginKind::coordinator) {
-      fault("it is neither a sensor nor a behavior nor a coordinator");
+    if (std::find(kPluginKinds.begin(), kPluginKinds.end(), declaration_.kind) ==
+        kPluginKinds.end()) {
+      fault("it is neither a sensor nor a behavior nor a coordinator nor a measure");
     }
     check_name("the plugin", declaration_.name);
     if (declaration_.version.empty()) {
@@ -169,6 +169,14 @@ class Checker {
     }
     if (!is_sensor && produced != 0) {
       fault("only a sensor produces readings");
+    }
+    if (declaration_.kind == PluginKind::measure) {
+      if (!declaration_.needs.empty()) {
+        fault("a measure is not given readings, so it cannot need any");
+      }
+      if (!declaration_.events.empty()) {
+        fault("a measure only watches, so it raises no events");
+      }
     }
   }
 

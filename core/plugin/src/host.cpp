@@ -47,8 +47,6 @@ struct LoadedFile {
 };
 using FileId = std::pair<dev_t, ino_t>;  // the same whatever the path
 
-constexpr std::array kKinds{PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator};
-
 std::string title(PluginKind kind, std::string_view name) {
   return std::string(kind_name(kind)) + " '" + std::string(name) + "'";
 }
@@ -56,7 +54,7 @@ std::string title(PluginKind kind, std::string_view name) {
 }  // namespace
 
 struct Host::State {
-  std::array<Registry, kKinds.size()> registries;
+  std::array<Registry, kPluginKinds.size()> registries;
   std::map<FileId, fs::path> seen;  // directories and libraries
   std::map<fs::path, LoadedFile> loaded;
   Report report;
@@ -304,7 +302,7 @@ Host Host::renewed(std::vector<SearchDirectory> directories) const {
     host.state_->search(std::move(directory));
   }
   host.state_->before = nullptr;
-  for (const PluginKind kind : kKinds) {
+  for (const PluginKind kind : kPluginKinds) {
     for (const auto& [name, entry] : state_->registry(kind)) {
       if (!entry->library) {
         host.state_->registry(kind).emplace(name, entry);
@@ -346,7 +344,7 @@ std::string Host::explain_missing(PluginKind kind, std::string_view name) const 
   if (!hint.empty()) {
     return text + hint;
   }
-  for (const PluginKind other : kKinds) {
+  for (const PluginKind other : kPluginKinds) {
     if (other != kind && find(other, name)) {
       text += "; '" + std::string(name) + "' is a " + std::string(kind_name(other));
     }

@@ -13,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/source_build.h"
 
 #include "fingerprint.h"
@@ -298,8 +299,7 @@ class Watch::Impl {
     }
     places_.list_kept(host->report(), before->report(), renewal.kept);
     std::set<fs::path> files;
-    for (const PluginKind kind :
-         {PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator}) {
+    for (const PluginKind kind : kPluginKinds) {
       for (const Declaration* declaration : host->all(kind)) {
         if (before->find(kind, declaration->name) != declaration) {
           files.insert(places_.known_as(host->file_of(kind, declaration->name)));

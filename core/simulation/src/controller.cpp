@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "curves.h"
 #include "make_plugin.h"
 
 namespace elsie::simulation {
@@ -148,6 +149,22 @@ void Controller::list_notes(std::string_view robot, std::vector<Note>& notes) {
     list(*slot.use, *slot.object);
     if (slot.inside) {
       slot.inside->list_notes(robot, notes);
+    }
+  }
+  if (coordinator_) {
+    list(*description_.coordinator, *coordinator_);
+  }
+}
+
+void Controller::list_curves(const std::string& robot, const std::string& path,
+                             std::vector<LearningCurve>& curves) {
+  const auto list = [&](const world::PluginUse& use, const Component& object) {
+    append_curves(object, use, robot, path + use.id, setting_.guard, curves);
+  };
+  for (const Slot& slot : slots_) {
+    list(*slot.use, *slot.object);
+    if (slot.inside) {
+      slot.inside->list_curves(robot, path + slot.use->id + "/", curves);
     }
   }
   if (coordinator_) {

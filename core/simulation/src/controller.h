@@ -58,6 +58,9 @@ class Controller final : public Coordination, private Member::Runner {
   void reset(std::uint64_t seed, const std::string& path);
   /// Appends what the objects have to say once they are reset.
   void list_notes(std::string_view robot, std::vector<Note>& notes);
+  /// Appends what they have to show. `path` is what stands before their ids and ends in "/", or "".
+  void list_curves(const std::string& robot, const std::string& path,
+                   std::vector<LearningCurve>& curves);
 
   /// Before each decision: forgets the last answers, at every depth.
   void begin_step();

@@ -1,4 +1,4 @@
-// The border between the simulator and the plugins of one robot.
+// The border between the simulator and the plugins of one robot, or the measures of the world.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +26,7 @@ std::int64_t heap_bytes();
 /// coordinator may swallow what a behaviour threw, but the run does not.
 class Guard {
  public:
+  /// `robot`: "" for measures.
   Guard(std::string robot, const Budget& budget) : robot_(std::move(robot)), budget_(budget) {}
 
   /// A call that may take its time: before the run, or once in a while.
@@ -83,8 +84,10 @@ class Guard {
   };
 
   plugin::CallFacts facts(const world::PluginUse& use) const {
-    return {
-        .plugin = use.plugin.c_str(), .id = use.id.c_str(), .robot = robot_.c_str(), .step = step_};
+    return {.plugin = use.plugin.c_str(),
+            .id = use.id.c_str(),
+            .robot = robot_.empty() ? nullptr : robot_.c_str(),
+            .step = step_};
   }
 
   template <class Action>

@@ -8,6 +8,7 @@
 #include "elsie/plugin/call.h"
 #include "elsie/world/error.h"
 
+#include "curves.h"
 #include "make_plugin.h"
 #include "teams.h"
 
@@ -160,6 +161,7 @@ void Robot::reset(std::uint64_t seed) {
   charge_asked_ = false;
   empty_ = false;
   distance_m_ = 0.0;
+  energy_used_ = 0.0;
   collected_ = 0;
   collisions_ = 0;
   stop_when_empty();
@@ -210,6 +212,13 @@ void Robot::list_notes(std::vector<Note>& notes) const {
   controller_->list_notes(description_.id, notes);
 }
 
+void Robot::list_curves(std::vector<LearningCurve>& curves) const {
+  for (const SensorSlot& slot : sensors_) {
+    append_curves(*slot.object, *slot.use, description_.id, slot.use->id, guard_, curves);
+  }
+  controller_->list_curves(description_.id, "", curves);
+}
+
 void Robot::list_values(std::size_t sensor, std::vector<NamedValue>& values) const {
   const SensorSlot& slot = sensors_[sensor];
   guard_.run(*slot.use, [&] { slot.object->list_values(values); });
@@ -217,7 +226,9 @@ void Robot::list_values(std::size_t sensor, std::vector<NamedValue>& values) con
 
 void Robot::use_energy(double period_s) {
   if (!empty_) {
-    state_.energy = std::max(0.0, state_.energy - sensor_cost_ * period_s);
+    const double before = state_.energy;
+    state_.energy = std::max(0.0, before - sensor_cost_ * period_s);
+    energy_used_ += before - state_.energy;
     stop_when_empty();
   }
 }

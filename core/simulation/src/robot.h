@@ -100,6 +100,8 @@ class Robot final : private Wishes {
 
   /// Appends what the plugins have to say, after a reset. Throws PluginFault.
   void list_notes(std::vector<Note>& notes) const;
+  /// Appends what they have to show, likewise.
+  void list_curves(std::vector<LearningCurve>& curves) const;
   /// An event for the next perception and for the log.
   void raise(std::string_view name, std::string detail = {});
   /// Appends the numbers of one sensor's reading. Throws PluginFault.
@@ -117,6 +119,8 @@ class Robot final : private Wishes {
   std::span<const Member> members() const { return controller_->members(); }
   std::span<const TracedMember> trace() const { return trace_; }
   double distance_m() const { return distance_m_; }
+  /// Taken from the battery so far, units.
+  double energy_used() const { return energy_used_; }
   int collected() const { return collected_; }
   int collisions() const { return collisions_; }
   void count_collision() { ++collisions_; }
@@ -183,6 +187,7 @@ class Robot final : private Wishes {
   bool charge_asked_ = false;
   bool empty_ = false;
   double distance_m_ = 0.0;
+  double energy_used_ = 0.0;
   int collected_ = 0;
   int collisions_ = 0;
 };

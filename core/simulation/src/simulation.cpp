@@ -15,6 +15,7 @@
 #include "carrier.h"
 #include "changes.h"
 #include "goals.h"
+#include "measuring.h"
 #include "sampling.h"
 #include "swap.h"
 #include "teams.h"
@@ -40,6 +41,20 @@ std::uint64_t hash_of(std::uint64_t hash, double value) {
 /// robot is its number in the file, so that it need not have an id of its own.
 Change change_of(std::size_t robot, const char* attribute, const ParameterValue& value) {
   return {"robot[" + std::to_string(robot + 1) + "]/@" + attribute, world::text_of(value)};
+}
+
+RunEnd::Outcome to_run_end(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::success:
+      return RunEnd::Outcome::success;
+    case Outcome::failure:
+      return RunEnd::Outcome::failure;
+    case Outcome::time_limit:
+      return RunEnd::Outcome::time_limit;
+    case Outcome::running:
+      break;
+  }
+  return RunEnd::Outcome::running;
 }
 
 }  // namespace
@@ -72,6 +87,7 @@ class Simulation::Impl {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());
       }
     }
+    measuring_ = std::make_unique<Measuring>(world_, host, options.budget, problems);
     if (problems.empty()) {
       cameras_.emplace(world_, robots_, problems);
     }
@@ -114,15 +130,23 @@ class Simulation::Impl {
     events_.clear();
     log_events();
     notes_.clear();
+    curves_.clear();
     for (const auto& robot : robots_) {
       robot->list_notes(notes_);
+      robot->list_curves(curves_);
     }
+    measuring_->reset(seed);
+    measuring_->list_notes(notes_);
+    measuring_->list_curves(curves_);
   }
 
   void step(const Simulation& self) {
     const double h = world_.physics.step;
     const auto control_steps = static_cast<std::uint64_t>(world_.physics.control_steps);
     const bool decides = steps_ % control_steps == 0;
+    if (!measuring_->empty() && !measuring_->has_begun()) {
+      observe(false);
+    }
     const double period = h * static_cast<double>(control_steps);
     try {
       if (decides) {
@@ -143,6 +167,9 @@ class Simulation::Impl {
     log_events();
     if (verdict_.outcome == Outcome::running) {
       verdict_ = judge(self);
+    }
+    if (!measuring_->empty()) {
+      observe(decides);
     }
   }
 
@@ -175,6 +202,7 @@ class Simulation::Impl {
     });
     changes_.emplace(world_, host, data_directories_);
     Replacement replacement = swap.result();
+    measuring_->list_replaced(host, replacement.notes);
     for (const Replacement::Object& object : replacement.objects) {
       events_.push_back({time_s(), object.robot, "replaced", object.path + ": " + object.plugin});
     }
@@ -216,6 +244,8 @@ class Simulation::Impl {
   Verdict verdict_;
   std::vector<EventRecord> events_;
   std::vector<Note> notes_;
+  std::vector<LearningCurve> curves_;
+  std::unique_ptr<Measuring> measuring_;
   std::uint64_t replacements_ = 0;
 
  private:
@@ -240,6 +270,11 @@ class Simulation::Impl {
     for (const auto& robot : robots_) {
       robot->use_energy(period_s);
     }
+  }
+
+  /// `decided`: in the step just made, if there was one.
+  void observe(bool decided) {
+    measuring_->observe(robots_, *engine_, time_s(), steps_ > 0 ? steps_ - 1 : 0, decided);
   }
 
   /// Motors, physics.
@@ -476,6 +511,9 @@ RunResult Simulation::result() const {
   }
   result.events = impl_->events_;
   result.notes = impl_->notes_;
+  result.curves = impl_->curves_;
+  measure_every_run(result);
+  impl_->measuring_->report({to_run_end(outcome()), time_s()}, result.measures);
   return result;
 }
 

@@ -112,6 +112,8 @@ class Checker {
         return make_behavior_trial(setting);
       case PluginKind::coordinator:
         return make_coordinator_trial(setting);
+      case PluginKind::measure:
+        return make_measure_trial(setting);
       case PluginKind::sensor:
         break;
     }
@@ -159,8 +161,12 @@ class Checker {
                    other_input_[(robot + static_cast<std::size_t>(variant)) % input_.size()]);
     }
     if (as_given && !tried && told_.empty()) {
-      find("nothing", "it refused every robot that it was offered, so nothing of it was tried: " +
-                          refusal_ + "; give the checker robots and members that it takes");
+      const bool watches = declaration_.kind == PluginKind::measure;
+      find("nothing", std::string("it refused every ") + (watches ? "world" : "robot") +
+                          " that it was offered, so nothing of it was tried: " + refusal_ +
+                          "; give the checker " +
+                          (watches ? "scenes and settings" : "robots and members") +
+                          " that it takes");
     }
   }
 

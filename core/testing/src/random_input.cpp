@@ -130,6 +130,9 @@ struct InputMaker::Layout {
 };
 
 int InputMaker::robots() const {
+  if (declaration_.kind == PluginKind::measure) {
+    return options_.scenes.empty() ? 6 : static_cast<int>(options_.scenes.size());
+  }
   return options_.robots.empty() ? 6 : static_cast<int>(options_.robots.size());
 }
 
@@ -225,6 +228,9 @@ void InputMaker::add_own_kinds(Situation& now, Random& random) const {
 }
 
 Input InputMaker::make(int robot, Random& random) const {
+  if (declaration_.kind == PluginKind::measure) {
+    return make_watched(robot, random);
+  }
   Input input;
   input.mounting = {
       {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), random.uniform(0.01, 0.3)},

@@ -7,6 +7,7 @@
 
 #include "elsie/api/behavior.h"
 #include "elsie/testing/checker.h"
+#include "elsie/testing/scene.h"
 #include "elsie/testing/sensor.h"
 
 namespace elsie::testing {
@@ -24,6 +25,9 @@ struct Input {
   std::vector<std::shared_ptr<Surroundings>> scenes;
   std::vector<Pose> poses;
   Mounting mounting;
+  /// For measures: the start and the instants after it, and the boxes that are gone at the end.
+  std::vector<Scene> watched;
+  std::vector<std::string> gone;
 };
 
 class InputMaker {
@@ -31,7 +35,7 @@ class InputMaker {
   InputMaker(const Declaration& declaration, const CheckOptions& options, const Plugins& plugins)
       : declaration_(declaration), options_(options), plugins_(plugins) {}
 
-  /// How many robots there are to try.
+  /// How many robots there are to try; for measures, worlds.
   int robots() const;
   /// Something for the robot of this number to meet. The same random stream, the same input. Throws
   /// std::runtime_error, with a sentence, when a reading that the plugin needs cannot be made.
@@ -40,6 +44,7 @@ class InputMaker {
  private:
   struct Layout;
   Layout layout(int robot, Random& random) const;
+  Input make_watched(int number, Random& random) const;
   void add_own_kinds(Situation& now, Random& random) const;
 
   const Declaration& declaration_;

@@ -75,6 +75,7 @@ class Refused : public std::runtime_error {
 std::unique_ptr<Trial> make_behavior_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_coordinator_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_sensor_trial(const TrialSetting& setting);
+std::unique_ptr<Trial> make_measure_trial(const TrialSetting& setting);
 
 /// Runs equipped(); a std::exception becomes Refused.
 template <class Action>

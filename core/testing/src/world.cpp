@@ -120,4 +120,16 @@ int World::count(std::string_view event, std::string_view robot) const {
   return count;
 }
 
+std::optional<double> World::measured(const std::string& name) const {
+  std::vector<std::string> names;
+  for (const simulation::MeasuredValue& measured : simulation_->result().measures) {
+    if (measured.name == name) {
+      return measured.value;
+    }
+    names.push_back(measured.name);
+  }
+  throw std::invalid_argument("the run has no measure '" + name + "'" +
+                              plugin::did_you_mean(name, names));
+}
+
 }  // namespace elsie::testing

@@ -191,7 +191,9 @@ class Attributes::Impl {
       }
     };
     for (const ParameterDeclaration& parameter : parameters(meaning)) {
-      add(field_of(parameter), true);
+      Field field = field_of(parameter);
+      field.live = field.live && meaning.kind != PluginKind::measure;
+      add(field, true);
     }
     if (meaning.spec) {
       for (const AttributeSpec& attribute : meaning.spec->attributes) {

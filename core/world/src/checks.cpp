@@ -66,6 +66,7 @@ void check_ids(const Element& root, Problems& problems) {
   check_unique({root.child("teams")}, "team", problems);
   check_unique({root.child("obstacles"), root.child("resources")}, "box", problems);
   check_unique({root.child("chargers")}, "charger", problems);
+  check_unique({root.child("measures")}, "measure", problems);
   const Element* robots = root.child("robots");
   check_unique({robots}, "robot", problems);
   if (robots) {

@@ -52,6 +52,9 @@ void complete_world_ids(Element& world) {
       complete_ids(*found, true);
     }
   }
+  if (Element* measures = world.child("measures")) {
+    complete_ids(*measures, false);
+  }
   if (Element* robots = world.child("robots")) {
     for (Element& robot : robots->children) {
       complete_robot_ids(robot);

@@ -10,8 +10,8 @@ namespace elsie::world {
 /// Ids that are given elsewhere in the list are passed over.
 void complete_ids(Element& list, bool numbered);
 
-/// The same for the obstacles, resources, chargers, sensors, behaviours and coordinators of a
-/// world.
+/// The same for the obstacles, resources, chargers, measures, sensors, behaviours and coordinators
+/// of a world.
 void complete_world_ids(Element& world);
 /// ... and of a robot, of a template, or of what a behaviour holds; those of behaviours go to any
 /// depth.

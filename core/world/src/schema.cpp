@@ -64,6 +64,7 @@ class Schema {
     std::string text = constraint("key", "robot_id", "robots/robot", "id") +
                        constraint("unique", "box_id", "obstacles/*|resources/*", "id") +
                        constraint("unique", "charger_id", "chargers/charger", "id") +
+                       constraint("unique", "measure_id", "measures/*", "id") +
                        constraint("unique", "team_id", "teams/team", "id");
     // References to robots. Teams and boxes may be there without being named in the file.
     for (const ElementSpec& group : vocabulary().children) {

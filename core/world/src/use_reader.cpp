@@ -20,9 +20,7 @@ namespace elsie::world {
 
 namespace {
 
-constexpr PluginKind kKinds[] = {PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator};
-
-// <sensors>, <behaviors>, <coordinator>.
+// <sensors>, <behaviors>, <coordinator>, <measures>.
 std::string group_of(PluginKind kind) {
   return kind == PluginKind::coordinator ? "coordinator"
                                          : std::string(plugin::kind_name(kind)) + "s";
@@ -64,7 +62,9 @@ bool TreeReader::read_use(const ElementSpec& spec, const Element& element, void*
   const Declaration* declaration = host_.find(*spec.plugins, element.name);
   if (!declaration) {
     problems_.add(element.where, explain_missing(*spec.plugins, element.name));
-    mark_robot_incomplete();
+    if (*spec.plugins != PluginKind::measure) {
+      mark_robot_incomplete();
+    }
     return false;
   }
   refuse_text(element);
@@ -246,7 +246,7 @@ bool TreeReader::try_out(const Declaration& declaration, const Element& element,
 }
 
 std::string TreeReader::explain_missing(PluginKind kind, const std::string& name) const {
-  for (const PluginKind other : kKinds) {
+  for (const PluginKind other : plugin::kPluginKinds) {
     if (other != kind && host_.find(other, name)) {
       return "'" + name + "' is a " + std::string(plugin::kind_name(other)) + "; it belongs in <" +
              group_of(other) + ">";
@@ -258,7 +258,7 @@ std::string TreeReader::explain_missing(PluginKind kind, const std::string& name
 // The plugins that declare an element of this name.
 std::vector<std::string> TreeReader::holders_of(const std::string& element) const {
   std::vector<std::string> holders;
-  for (const PluginKind kind : kKinds) {
+  for (const PluginKind kind : plugin::kPluginKinds) {
     for (const Declaration* plugin : host_.all(kind)) {
       if (find(plugin->elements, element)) {
         holders.push_back("<" + plugin->name + ">");
@@ -289,10 +289,13 @@ std::string TreeReader::explain_child(const Declaration& declaration, const Elem
     names.push_back("<" + element.name + ">");
   }
   if (declaration.hold) {
-    for (const PluginKind kind : kKinds) {
+    for (const PluginKind kind : plugin::kPluginKinds) {
       if (host_.find(kind, child.name)) {
         return "; a " + std::string(plugin::kind_name(kind)) + " belongs in " +
-               (kind == PluginKind::sensor ? "the robot's" : "its") + " <" + group_of(kind) + ">";
+               (kind == PluginKind::sensor    ? "the robot's"
+                : kind == PluginKind::measure ? "the world's"
+                                              : "its") +
+               " <" + group_of(kind) + ">";
       }
     }
     for (const ElementSpec& group : coordination.children) {

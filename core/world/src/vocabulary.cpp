@@ -202,6 +202,19 @@ ElementSpec goals() {
           &World::goals);
 }
 
+ElementSpec measures() {
+  ElementSpec measure =
+      Describe<PluginUse>("measure", "A measure: the element has the name of its plugin")
+          .plugins(PluginKind::measure)
+          .attribute("id", &PluginUse::id,
+                     fact("what its values are called after; by default the plugin's name, with a "
+                          "number if there are several"),
+                     kId);
+  return Describe<World>("measures", "What is measured in a run, beside what every run tells")
+      .members("measure")
+      .each(std::move(measure), &World::measures);
+}
+
 ElementSpec limits() {
   return Describe<Limits>("limits", "What ends a run that has not ended by itself")
       .attribute("time", &Limits::time,
@@ -247,6 +260,7 @@ ElementSpec world() {
                  .members("robot")
                  .each(robot_element(), &World::robots))
       .group(goals())
+      .group(measures())
       .one(limits(), &World::limits);
 }
 

@@ -7,6 +7,8 @@
 
 #include <elsie/neural/training.h>
 
+#include "learning_curve.h"
+
 using namespace elsie::neural;
 
 namespace {
@@ -131,6 +133,7 @@ void PriorityNetwork::load_weights() {
     refuse("its network was trained with inputs in " + std::string(inputs) + ", but normalise is " +
            (normalise ? "true" : "false"));
   }
+  curves_.clear();
   notes_.clear();
   notes_.push_back("Network " + sizes_text(network.sizes()) + " with the weights of " +
                    file_name(weights) + "; nothing is trained.");
@@ -192,11 +195,13 @@ void PriorityNetwork::prepare_run(elsie::Random& random) {
   if (std::string warned = warning(lesson.assessment, behaviors_); !warned.empty()) {
     notes_.push_back(std::move(warned));
   }
+  curves_ = {learning_curve(lesson.training)};
   use(std::move(lesson.weights));
   fixed_ = seed >= 0;
 }
 
 std::vector<std::string> PriorityNetwork::tell() const { return notes_; }
+std::vector<elsie::Curve> PriorityNetwork::show() const { return curves_; }
 
 std::span<const double> PriorityNetwork::priorities(const elsie::Perception& now) {
   if (behaviors_.empty()) {

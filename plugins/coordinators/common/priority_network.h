@@ -46,6 +46,7 @@ class PriorityNetwork : public elsie::neural::Trainable {
   void equip(std::span<const elsie::Member> members, const elsie::Perception& example);
   void prepare_run(elsie::Random& random);
   std::vector<std::string> tell() const;
+  std::vector<elsie::Curve> show() const;
 
   /// The priorities now, one for each member. Valid until the next call. Allocates nothing.
   std::span<const double> priorities(const elsie::Perception& now);
@@ -68,6 +69,7 @@ class PriorityNetwork : public elsie::neural::Trainable {
   std::optional<elsie::neural::Workspace> workspace_;
   bool fixed_ = false;  // whether what was learned is what every run needs
   std::vector<std::string> notes_;
+  std::vector<elsie::Curve> curves_;  // of the training that the network in use had
   std::vector<double> readings_;
   std::vector<double> priorities_;
 };
@@ -82,6 +84,7 @@ class WithPriorityNetwork : public Base, public PriorityNetwork {
   }
   void reset(elsie::Random& random) override { prepare_run(random); }
   std::vector<std::string> notes() const override { return tell(); }
+  std::vector<elsie::Curve> curves() const override { return show(); }
 };
 
 /// The parameters of such a coordinator: items of its declaration.

@@ -4,18 +4,20 @@
 #include <string>
 #include <vector>
 
+#include "elsie/api/curve.h"
 #include "elsie/api/random.h"
 
 namespace elsie {
 
-/// A sensor, behaviour or coordinator at run time. Life of one:
+/// A sensor, behaviour, coordinator or measure at run time. Life of one:
 ///
 ///   constructed -> parameters and nested elements set -> configured() -> equipped()
-///     -> { reset() -> notes() -> many steps }... -> destroyed
+///     -> { reset() -> notes(), curves() -> many steps }... -> destroyed
 ///
-/// It belongs to one robot; instances share nothing. It is called from one thread at a time,
-/// perhaps not always the same one. Exceptions thrown anywhere are caught by the simulator, which
-/// names the plugin, the robot and the step, and ends the run in an orderly way.
+/// It belongs to one robot (a measure: to the world); instances share nothing. It is called from
+/// one thread at a time, perhaps not always the same one. Exceptions thrown anywhere are caught by
+/// the simulator, which names the plugin, the robot and the step, and ends the run in an orderly
+/// way.
 class Component {
  public:
   Component() = default;
@@ -38,6 +40,10 @@ class Component {
   /// What a user should be told once a run is prepared, a sentence each: how well a network was
   /// trained, what was left out. Asked after reset().
   virtual std::vector<std::string> notes() const { return {}; }
+
+  /// What a user may want to see drawn, likewise: the learning curve of a network that was trained
+  /// for this run. A few hundred points say enough. Each by another name.
+  virtual std::vector<Curve> curves() const { return {}; }
 };
 
 }  // namespace elsie

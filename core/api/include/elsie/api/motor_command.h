@@ -17,6 +17,9 @@ struct MotorCommand {
   friend MotorCommand operator+(const MotorCommand& a, const MotorCommand& b) {
     return {a.left + b.left, a.right + b.right};
   }
+  friend MotorCommand operator-(const MotorCommand& a, const MotorCommand& b) {
+    return {a.left - b.left, a.right - b.right};
+  }
   friend MotorCommand operator*(double s, const MotorCommand& c) {
     return {s * c.left, s * c.right};
   }

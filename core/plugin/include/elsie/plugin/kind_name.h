@@ -1,12 +1,17 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "elsie/api/declaration.h"
 
 namespace elsie::plugin {
 
-/// "sensor", "behavior" or "coordinator": as written in a world file.
+/// All kinds, in the order in which they are listed.
+inline constexpr std::array kPluginKinds{PluginKind::sensor, PluginKind::behavior,
+                                         PluginKind::coordinator, PluginKind::measure};
+
+/// "sensor", "behavior", "coordinator" or "measure": as written in a world file.
 constexpr std::string_view kind_name(PluginKind kind) {
   switch (kind) {
     case PluginKind::sensor:
@@ -15,6 +20,8 @@ constexpr std::string_view kind_name(PluginKind kind) {
       return "behavior";
     case PluginKind::coordinator:
       return "coordinator";
+    case PluginKind::measure:
+      return "measure";
   }
   return "plugin";  // a kind made up by a faulty library
 }

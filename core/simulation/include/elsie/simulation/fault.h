@@ -12,12 +12,14 @@ namespace elsie::simulation {
 class PluginFault : public std::runtime_error {
  public:
   /// `at_id`: the plugin's id on the robot, its name unless the world file gives another.
+  /// `on_robot`: "" for a measure, which is the world's.
   PluginFault(std::string faulty_plugin, std::string at_id, std::string on_robot,
               std::uint64_t at_step, const std::string& problem)
-      : std::runtime_error("plugin '" + faulty_plugin + "'" +
-                           (at_id == faulty_plugin ? "" : " (id '" + at_id + "')") + " of robot '" +
-                           on_robot + "' failed in step " + std::to_string(at_step) + ": " +
-                           problem),
+      : std::runtime_error(
+            "plugin '" + faulty_plugin + "'" +
+            (at_id == faulty_plugin ? "" : " (id '" + at_id + "')") +
+            (on_robot.empty() ? " among the world's measures" : " of robot '" + on_robot + "'") +
+            " failed in step " + std::to_string(at_step) + ": " + problem),
         plugin(std::move(faulty_plugin)),
         id(std::move(at_id)),
         robot(std::move(on_robot)),
@@ -25,7 +27,7 @@ class PluginFault : public std::runtime_error {
 
   std::string plugin;
   std::string id;
-  std::string robot;
+  std::string robot;  // "": a measure failed
   std::uint64_t step;
 };
 

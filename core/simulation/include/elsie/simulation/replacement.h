@@ -11,6 +11,8 @@
 // - what the old one remembers, if both classes derive from Remembers (elsie/api/remember.h);
 // - its random stream at the place where the old one left it.
 //
+// Measures are not replaced: what a new one would tell of the run so far, nobody could say.
+//
 // The readings of a new sensor are empty until its next update. Priorities, traces, events and the
 // bodies of the robots stay as they are.
 //

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "elsie/api/curve.h"
 #include "elsie/api/geometry.h"
 
 namespace elsie::simulation {
@@ -25,9 +27,25 @@ struct EventRecord {
 
 /// What a plugin has to say to the user before a run: how its training went, for example.
 struct Note {
-  std::string robot;
+  std::string robot;   // "": a measure says it
   std::string plugin;  // its id on the robot
   std::string text;    // one sentence or several
+};
+
+/// What a plugin has to show: how a network learned before the run, in general.
+struct LearningCurve {
+  std::string robot;   // "": of a measure
+  std::string plugin;  // its id on the robot, behind those of the behaviours that it is inside of:
+                       // "explore/fusion_neural_network"
+  Curve curve;
+};
+
+/// A figure of the run: one that every run has, or one of the world's measures.
+struct MeasuredValue {
+  std::string name;  // "path_length_m", or "ID.VALUE" of a measure; see measure_names()
+  std::string unit;
+  std::string meaning;
+  std::optional<double> value;  // none: there is none in this run
 };
 
 struct RobotResult {
@@ -51,6 +69,9 @@ struct RunResult {
   std::vector<RobotResult> robots;
   std::vector<EventRecord> events;
   std::vector<Note> notes;
+  /// Those of every run first, then those of the world's measures, in the order of the world file.
+  std::vector<MeasuredValue> measures;
+  std::vector<LearningCurve> curves;
 };
 
 }  // namespace elsie::simulation

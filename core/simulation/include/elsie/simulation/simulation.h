@@ -115,7 +115,7 @@ class Simulation {
   /// stays.
   void step();
 
-  /// Steps until a goal or a limit ends the run. Throws PluginFault.
+  /// Steps until a goal or a limit ends the run. Throws PluginFault, also of a measure.
   ///
   /// `changes` are made on the way, those for one step together, at time zero before observers hear
   /// of the start. They are checked before the run begins: ChangeRefused tells of what can be known
@@ -161,7 +161,8 @@ class Simulation {
   /// leaves the new objects where they are.
   Replacement replace_plugins(const plugin::Host& host);
 
-  /// What came of it so far.
+  /// What came of it so far. Throws PluginFault when a measure fails to tell; from then on it has
+  /// no values.
   RunResult result() const;
 
   const world::World& world() const;

@@ -9,7 +9,8 @@
 //
 // Its objects, on random but possible input, with the given parameters and with random ones within
 // their ranges (which configured() and equipped() may refuse, with a sentence):
-// - answers are finite and in their ranges, events declared, nothing is thrown;
+// - answers are finite and in their ranges, events declared, nothing is thrown; the values of a
+//   measure stay what it says that they are;
 // - two objects answer the same input alike, also while a third one works on something else, and
 //   the first again after reset() and after configured() was called once more: none shares state
 //   with others, and none depends on a clock, on an address, or on random numbers other than its
@@ -29,6 +30,7 @@
 #include <vector>
 
 #include "elsie/testing/plugins.h"
+#include "elsie/testing/scene.h"
 #include "elsie/testing/situation.h"
 
 namespace elsie::testing {
@@ -43,6 +45,9 @@ struct CheckOptions {
   /// several, with beams, switches, cameras, and a sensor for each kind of reading that the plugin
   /// needs.
   std::vector<Situation> robots{};
+  /// The worlds to be tried, for a measure: their robots, behaviours and boxes. What happens there
+  /// is random all the same. Else several, with robots r1, r2... of the teams red and blue.
+  std::vector<Scene> scenes{};
   /// Puts in readings of kinds that no sensor plugin makes.
   std::function<void(Situation&, Random&)> add_readings{};
   std::uint64_t seed = 1;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -58,6 +59,10 @@ class World {
   }
   /// How often an event was raised so far, on this robot or ("") on any.
   int count(std::string_view event, std::string_view robot = "") const;
+  /// A figure of the run so far, by its name in RunResult::measures: "path_length_m", or what a
+  /// measure of the world reports. None when it has no value. Throws std::invalid_argument for
+  /// another name.
+  std::optional<double> measured(const std::string& name) const;
   const simulation::Simulation& simulation() const { return *simulation_; }
 
  private:

@@ -115,8 +115,8 @@ struct ElementUse : ElementValue {
 /// the declared default.
 struct PluginUse {
   std::string plugin;
-  std::string id;  // unique within the robot's sensors, behaviours...; the plugin's name unless the
-                   // file says otherwise
+  std::string id;  // unique within the robot's sensors, behaviours..., or the world's measures; the
+                   // plugin's name unless the file says otherwise
   std::map<std::string, ParameterValue>
       parameters;  // checked against the declaration; file paths resolved
   std::map<std::string, FileName> file_names;  // of file parameters that are not empty
@@ -273,6 +273,7 @@ struct World {
   std::vector<Charger> chargers;
   std::vector<Robot> robots;
   std::vector<Goal> goals;
+  std::vector<PluginUse> measures;
   Limits limits;
 };
 

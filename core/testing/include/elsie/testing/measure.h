@@ -1,0 +1,61 @@
+// A measure, ready to watch.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elsie/api/measure.h"
+#include "elsie/testing/plugins.h"
+#include "elsie/testing/scene.h"
+
+namespace elsie::testing {
+
+///   Scene now;
+///   now.robot("r1");
+///   Measure length("path_length", {{"robot", "r1"}});
+///   length.observe(now);
+///   now["r1"].distance_m = 0.5;
+///   length.observe(now.step());
+///   CHECK(length.value() == 0.5);
+///
+/// Any measure by its name. On the first observe() it is told what is in the world (equipped()) and
+/// reset, as before a run.
+class Measure {
+ public:
+  /// Throws plugin::PluginError, with a sentence: no such plugin, wrong names and values of
+  /// parameters, what configured() refuses.
+  explicit Measure(const std::string& name, const Settings& settings = {},
+                   const Elements& elements = {});
+  Measure(const Plugins& plugins, const std::string& name, const Settings& settings = {},
+          const Elements& elements = {});
+
+  /// Shows it an instant. Throws what the plugin throws.
+  void observe(const Scene& now);
+
+  /// What it has to report so far. Throws std::invalid_argument for a name that is none of its
+  /// quantities(), and std::logic_error when it was not equipped.
+  std::optional<double> value(const std::string& name = "",
+                              RunEnd::Outcome outcome = RunEnd::Outcome::time_limit) const;
+  std::vector<Quantity> quantities() const;
+
+  /// Back to the start of a run.
+  void reset();
+  /// What the world has; else the first scene says it. Throws what the plugin refuses.
+  void equip(const Scene& start);
+
+  const Declaration& declaration() const { return *declaration_; }
+  elsie::Measure& operator*() { return *object_; }
+  elsie::Measure* operator->() { return object_.get(); }
+
+ private:
+  Plugins plugins_;
+  const Declaration* declaration_;
+  plugin::Object<elsie::Measure> object_;
+  double time_s_ = 0.0;
+  bool equipped_ = false;
+  bool reset_ = false;
+};
+
+}  // namespace elsie::testing

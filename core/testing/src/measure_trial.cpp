@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "elsie/plugin/parameters.h"
+#include "elsie/testing/measure.h"
+
+#include "text.h"
+#include "trial.h"
+
+namespace elsie::testing {
+namespace {
+
+class MeasureTrial final : public Trial {
+ public:
+  explicit MeasureTrial(const TrialSetting& setting)
+      : input_(setting.input),
+        settings_(setting.plugins.completed(setting.declaration, setting.settings)),
+        measure_(setting.plugins, setting.declaration.name, setting.settings, setting.elements) {
+    equipping([&] { measure_.equip(input_.watched.front()); });
+  }
+
+  void reset(std::uint64_t /*seed*/) override {
+    measure_.reset();
+    measure_->notes();
+    measure_->curves();
+    check_quantities();
+    std::vector<std::optional<double>> values(quantities_.size());
+    measure_->report({}, values);  // it may be asked before anything was seen
+    measure_.observe(input_.watched.front());
+  }
+  bool take_over(Trial& /*before*/) override { return false; }  // measures are not replaced
+  void configure_again() override {
+    plugin::apply_parameters(measure_.declaration(), *measure_, settings_);
+    equipping([&] { measure_.equip(input_.watched.front()); });
+  }
+
+  void step(std::size_t step, Answer& answer) override {
+    show(step);
+    const RunEnd end{RunEnd::Outcome::running, now_.time_s()};
+    std::vector<std::optional<double>> values(quantities_.size()), again(quantities_.size());
+    measure_->report(end, values);
+    measure_->report(end, again);
+    if (values != again) {
+      throw Wrong("report() answers differently when it is called once more");
+    }
+    answer.clear();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i]) {
+        require_finite(said_[i].c_str(), *values[i]);
+      }
+      answer.add(said_[i].c_str(), values[i].value_or(0.0));
+      answer.add("whether there is a value", values[i].has_value());
+    }
+  }
+
+ private:
+  void check_quantities() {
+    std::vector<Quantity> quantities = measure_.quantities();
+    if (!said_.empty() && quantities != quantities_) {
+      throw Wrong("quantities() differs from run to run");
+    }
+    if (quantities.empty()) {
+      throw Wrong("quantities() is empty: it has nothing to report");
+    }
+    std::set<std::string> names;
+    said_.clear();
+    for (const Quantity& quantity : quantities) {
+      const std::string title =
+          quantity.name.empty() ? "its own value" : "its value '" + quantity.name + "'";
+      if (!names.insert(quantity.name).second) {
+        throw Wrong("two of its values have the name '" + quantity.name + "'");
+      }
+      if (quantity.meaning.find_first_not_of(' ') == std::string::npos) {
+        throw Wrong(title + " has no meaning; say in a line what it is");
+      }
+      said_.push_back(title);
+    }
+    quantities_ = std::move(quantities);
+  }
+
+  /// The instants go round; what is counted goes on, and what is gone stays away.
+  void show(std::size_t step) {
+    const auto& instants = input_.watched;
+    const std::size_t count = instants.size() - 1;  // the first is the start
+    const auto laps = static_cast<double>(step / count);
+    now_ = instants[1 + step % count];
+    const Observation& last = instants.back().observation();
+    for (const ObservedRobot& total : last.robots) {
+      ObservedRobot& robot = now_[std::string(total.id)];
+      robot.distance_m += laps * total.distance_m;
+      robot.energy_used += laps * total.energy_used;
+      robot.collisions += static_cast<int>(laps) * total.collisions;
+      robot.collected += static_cast<int>(laps) * total.collected;
+    }
+    if (laps > 0.0) {
+      for (const std::string& box : input_.gone) {
+        now_.remove_box(box);
+      }
+    }
+    now_.at_step(static_cast<int>(step) + 1);
+    measure_.observe(now_);
+  }
+
+  const Input& input_;
+  Settings settings_;
+  Measure measure_;
+  Scene now_;
+  std::vector<Quantity> quantities_;
+  std::vector<std::string> said_;  // what each of them is called in a finding
+};
+
+}  // namespace
+
+std::unique_ptr<Trial> make_measure_trial(const TrialSetting& setting) {
+  return std::make_unique<MeasureTrial>(setting);
+}
+
+}  // namespace elsie::testing

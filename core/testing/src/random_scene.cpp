@@ -1,0 +1,146 @@
+// The part of InputMaker about what a measure watches.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "random_input.h"
+
+namespace elsie::testing {
+namespace {
+
+constexpr std::size_t kInstants = 64;
+
+std::size_t index(Random& random, std::size_t size) {
+  return static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(size)));
+}
+
+/// Robots r1, r2... of which r1 leads, in general.
+Scene random_world(int number, Random& random) {
+  Scene made;
+  const std::size_t robots = number == 2 ? 1 : number == 1 ? 10 : 2 + index(random, 4);
+  made.steps_of(0.01, number == 3 ? 5 : 1);
+  for (std::size_t i = 0; i < robots; ++i) {
+    made.robot("r" + std::to_string(i + 1), random.uniform(-4, 4), random.uniform(-4, 4),
+               number == 1 && i % 2 == 1 ? "blue" : "red", random.uniform(-180, 180));
+    made.leads(i == 0 && number != 3);
+    if (number != 2) {
+      made.behaves("avoid_obstacle");
+      made.behaves("explore");
+      made.behaves("explore/find_resource").behaves("explore/wander");
+    }
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    made.resource("food_" + std::to_string(i + 1), random.uniform(-4, 4), random.uniform(-4, 4),
+                  i == 3 ? "blue" : "");
+  }
+  made.box("crate", ObservedBox::Kind::dynamic, random.uniform(-4, 4), random.uniform(-4, 4));
+  return made;
+}
+
+void move(ObservedRobot& robot, double step_s, bool decides, Random& random) {
+  if (decides) {
+    robot.command = {random.uniform(-25, 25), random.uniform(-25, 25)};
+  }
+  robot.wheel_rates = robot.command;
+  robot.speed_m_s = random.uniform(-0.5, 0.5);
+  robot.turn_rate_rad_s = random.uniform(-5, 5);
+  robot.pose.x += robot.speed_m_s * step_s * std::cos(robot.pose.heading_rad);
+  robot.pose.y += robot.speed_m_s * step_s * std::sin(robot.pose.heading_rad);
+  robot.pose.heading_rad = wrap_angle(robot.pose.heading_rad + robot.turn_rate_rad_s * step_s);
+  robot.distance_m += std::abs(robot.speed_m_s) * step_s;
+  robot.energy_used += 0.03;
+  robot.energy = std::max(0.0, robot.energy - 0.03);
+  robot.collisions += random.chance(0.05) ? 1 : 0;
+  if (random.chance(0.02)) {  // a user puts it elsewhere
+    robot.pose.x = random.uniform(-5, 5);
+    robot.pose.y = random.uniform(-5, 5);
+  }
+  if (random.chance(0.01)) {
+    robot.is_leader = !robot.is_leader;
+  }
+}
+
+/// A robot's behaviours, as a scene is asked for them.
+struct Cast {
+  std::string robot;
+  std::vector<std::string> behaviors;
+  std::vector<int> parents;
+};
+
+/// Among those beside each other some have a share, and all shares together are 1 or 0.
+void decide(Scene& scene, const Cast& cast, const MotorCommand& command, Random& random) {
+  std::vector<double> shares;
+  std::map<int, double> sums;
+  for (const int parent : cast.parents) {
+    shares.push_back(random.chance(0.5) ? random.uniform() : 0.0);
+    sums[parent] += shares.back();
+  }
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const double sum = sums[cast.parents[i]];
+    ObservedBehavior& behavior = scene.behavior(cast.robot, cast.behaviors[i]);
+    behavior.share = sum > 0.0 ? shares[i] / sum : 0.0;
+    behavior.asked = behavior.share > 0.0 || random.chance(0.5);
+    behavior.activation = behavior.asked ? random.uniform() : 0.0;
+    behavior.command = behavior.asked ? command : MotorCommand{};
+  }
+}
+
+std::vector<Cast> casts_of(const Observation& now) {
+  std::vector<Cast> casts;
+  for (const ObservedRobot& robot : now.robots) {
+    Cast& cast = casts.emplace_back();
+    cast.robot = robot.id;
+    for (const ObservedBehavior& behavior : robot.behaviors) {
+      cast.behaviors.emplace_back(behavior.path);
+      cast.parents.push_back(behavior.parent);
+    }
+  }
+  return casts;
+}
+
+/// The id of some resource; "" when a look at a random box found none.
+std::string some_resource(const Observation& now, Random& random) {
+  if (now.boxes.empty()) {
+    return "";
+  }
+  const ObservedBox& box = now.boxes[index(random, now.boxes.size())];
+  return box.kind == ObservedBox::Kind::resource ? std::string(box.id) : "";
+}
+
+}  // namespace
+
+Input InputMaker::make_watched(int number, Random& random) const {
+  Input input;
+  const bool given = !options_.scenes.empty();
+  Scene now =
+      given ? options_.scenes[static_cast<std::size_t>(number)] : random_world(number, random);
+  now.restart();
+  const std::vector<Cast> casts = casts_of(now.observation());
+  input.robot = given ? "world " + std::to_string(number + 1) + " of those given"
+                      : "a world with " + std::to_string(casts.size()) +
+                            (casts.size() == 1 ? " robot" : " robots");
+  input.watched.push_back(now);
+  for (std::size_t step = 0; step < kInstants; ++step) {
+    now.step();
+    const double step_s = now.observation().step_s;
+    const bool decides = now.observation().decided;
+    for (const Cast& cast : casts) {
+      move(now[cast.robot], step_s, decides, random);
+      if (decides) {
+        decide(now, cast, now[cast.robot].command, random);
+      }
+    }
+    if (const std::string box = some_resource(now.observation(), random);
+        !box.empty() && !casts.empty() && random.chance(0.1)) {
+      input.gone.push_back(box);
+      ++now[casts[index(random, casts.size())].robot].collected;
+      now.remove_box(box);
+    }
+    input.watched.push_back(now);
+  }
+  return input;
+}
+
+}  // namespace elsie::testing
