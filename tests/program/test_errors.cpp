@@ -134,6 +134,7 @@ TEST_CASE("A command line that does not fit is told in sentences") {
   CHECK(refused("explain a.trace --from -1") ==
         "elsie: --from: '-1' is not a number of zero or above");
   CHECK(refused("describe vision --kind camera") ==
-        "elsie: --kind: 'camera' is no kind of plugin; there are sensor, behavior and coordinator");
+        "elsie: --kind: 'camera' is no kind of plugin; there are sensor, behavior, coordinator and "
+        "measure");
   CHECK(here.elsie("describe wander --kind behaviour").exit_code == 0);
 }

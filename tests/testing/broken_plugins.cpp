@@ -1,4 +1,5 @@
 // Plugins with one fault each, for the checker to find.
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -11,6 +12,7 @@
 
 #include "elsie/api/behavior.h"
 #include "elsie/api/coordinator.h"
+#include "elsie/api/measure.h"
 #include "elsie/api/remember.h"
 #include "elsie/api/sensor.h"
 
@@ -383,5 +385,70 @@ class SharedNoise final : public elsie::SensorOf<Brightness> {
   }
 };
 ELSIE_SENSOR(SharedNoise, "shared_noise", "Has one noise for all");
+
+/// Counts what it was shown, and is wrong in one way each.
+class Counting : public elsie::Measure {
+ public:
+  std::vector<elsie::Quantity> quantities() const override { return {{"", "", "instants"}}; }
+  void reset(elsie::Random&) override { count_ = 0; }
+  void observe(const elsie::Observation&) override { ++count_; }
+  void report(const elsie::RunEnd&, std::span<std::optional<double>> values) const override {
+    values[0] = count_;
+  }
+
+ protected:
+  int count_ = 0;
+};
+class CountsOn final : public Counting {
+ public:
+  void reset(elsie::Random&) override {}
+};
+ELSIE_MEASURE(CountsOn, "counts_on", "Counts on in the next run");
+class KeepsAll final : public Counting {
+ public:
+  void reset(elsie::Random& random) override {
+    Counting::reset(random);
+    times_.clear();
+  }
+  void observe(const elsie::Observation& now) override {
+    times_.push_back(now.time_s);
+    count_ = static_cast<int>(times_.size());
+  }
+
+ private:
+  std::vector<double> times_;
+};
+ELSIE_MEASURE(KeepsAll, "keeps_all", "Keeps a list of all that it was shown");
+class CountsCalls final : public Counting {
+ public:
+  void report(const elsie::RunEnd&, std::span<std::optional<double>> values) const override {
+    values[0] = ++calls_;
+  }
+
+ private:
+  mutable int calls_ = 0;
+};
+ELSIE_MEASURE(CountsCalls, "counts_calls", "Counts how often it is asked");
+class Dividing final : public Counting {
+ public:
+  void report(const elsie::RunEnd&, std::span<std::optional<double>> values) const override {
+    values[0] = 1.0 / std::max(0.0, 6.0 - count_);
+  }
+};
+ELSIE_MEASURE(Dividing, "dividing", "Divides by nothing once it has seen enough");
+class Twins final : public Counting {
+ public:
+  std::vector<elsie::Quantity> quantities() const override {
+    return {{"one", "", "instants"}, {"one", "", "instants"}};
+  }
+};
+ELSIE_MEASURE(Twins, "twins", "Has two values of one name");
+class Choosy final : public Counting {
+ public:
+  void equipped(const elsie::Observation& start) override { start.robot("nobody"); }
+};
+ELSIE_MEASURE(Choosy, "choosy", "Watches a robot that is not there");
+class Lasting final : public Counting {};
+ELSIE_MEASURE(Lasting, "lasting", "Counts instants, and nothing is wrong with it");
 
 }  // namespace

@@ -35,8 +35,15 @@ struct Fault {
 constexpr PluginKind kBehavior = PluginKind::behavior;
 constexpr PluginKind kCoordinator = PluginKind::coordinator;
 constexpr PluginKind kSensor = PluginKind::sensor;
+constexpr PluginKind kMeasure = PluginKind::measure;
 
 const Fault kFaults[] = {
+    {kMeasure, "counts_on", "reset() must forget"},
+    {kMeasure, "keeps_all", "its memory grows with the number of steps"},
+    {kMeasure, "counts_calls", "report() answers differently when it is called once more"},
+    {kMeasure, "dividing", "its own value is inf, which is no finite number"},
+    {kMeasure, "twins", "two of its values have the name 'one'"},
+    {kMeasure, "choosy", "refused every world that it was offered"},
     {kBehavior, "shares_static", "state that all objects share (a static or a global)"},
     {kBehavior, "shares_quietly", "while another object of it works on something else"},
     {kBehavior, "address", "two objects answer the same input differently"},

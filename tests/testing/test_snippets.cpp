@@ -115,3 +115,17 @@ TEST_CASE("Libraries on the page") {
   testing::Behavior behavior(mine, "sound");
   CHECK_THAT(behavior.respond(Situation()), testing::raises("stepped"));
 }
+
+TEST_CASE("A measure on the page") {
+  testing::Scene now;
+  now.robot("r1", 1, 2).behaves("avoid_obstacle").behaves("wander").robot("r2").leads();
+  testing::Measure share("time_share", {{"behavior", "wander"}, {"robot", "r1"}});
+  share.observe(now);
+  for (const double part : {1.0, 0.25}) {
+    now.behavior("r1", "wander").share = part;
+    now.behavior("r1", "avoid_obstacle").share = 1.0 - part;
+    share.observe(now.step());
+  }
+  CHECK(share.value("decided") == 0.5);
+  CHECK(share.value("share") == 0.625);
+}

@@ -1,0 +1,82 @@
+// How much of the arena robots have been in: visited cells of a grid.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "chosen_robots.h"
+
+namespace {
+
+class Coverage final : public elsie::Measure, public ChosenRobots {
+ public:
+  double cell = 0.5;
+
+  void equipped(const elsie::Observation& start) override {
+    choose(start);
+    length_ = start.arena_length_m;
+    width_ = start.arena_width_m;
+    const double columns = cells_in(length_), rows = cells_in(width_);
+    if (columns * rows > kMostCells) {
+      std::ostringstream text;
+      text << "its grid would have " << columns << " x " << rows
+           << " cells; make 'cell' larger, so that there are at most " << kMostCells;
+      throw std::invalid_argument(text.str());
+    }
+    columns_ = static_cast<std::size_t>(columns);
+    visited_.assign(columns_ * static_cast<std::size_t>(rows), false);
+  }
+  std::vector<elsie::Quantity> quantities() const override {
+    return {{"share", "", "part of the arena that was visited"},
+            {"area_m2", "m2", "area of the cells that were visited"}};
+  }
+  void reset(elsie::Random&) override {
+    std::fill(visited_.begin(), visited_.end(), false);
+    area_ = 0.0;
+  }
+  void observe(const elsie::Observation& now) override {
+    for (const std::size_t i : chosen()) {
+      visit(now.robots[i].pose);
+    }
+  }
+  void report(const elsie::RunEnd&, std::span<std::optional<double>> values) const override {
+    values[0] = area_ / (length_ * width_);
+    values[1] = area_;
+  }
+
+ private:
+  static constexpr double kMostCells = 1e6;
+
+  /// The last one may be cut off by the wall; one that would be a sliver is none.
+  double cells_in(double side) const { return std::max(1.0, std::ceil(side / cell - 1e-6)); }
+
+  void visit(const elsie::Pose& pose) {
+    const double x = pose.x + 0.5 * length_, y = pose.y + 0.5 * width_;
+    if (x < 0.0 || x >= length_ || y < 0.0 || y >= width_) {
+      return;  // there may be no walls
+    }
+    const std::size_t rows = visited_.size() / columns_;
+    const std::size_t column = std::min(columns_ - 1, static_cast<std::size_t>(x / cell));
+    const std::size_t row = std::min(rows - 1, static_cast<std::size_t>(y / cell));
+    if (!visited_[row * columns_ + column]) {
+      visited_[row * columns_ + column] = true;
+      area_ += extent(column, columns_, length_) * extent(row, rows, width_);
+    }
+  }
+
+  double extent(std::size_t place, std::size_t of, double side) const {
+    return place + 1 < of ? cell : side - cell * static_cast<double>(of - 1);
+  }
+
+  double length_ = 0.0;
+  double width_ = 0.0;
+  std::size_t columns_ = 1;
+  std::vector<bool> visited_;  // row by row
+  double area_ = 0.0;          // m2
+};
+
+}  // namespace
+
+ELSIE_MEASURE(Coverage, "coverage", "How much of the arena robots have been in",
+              elsie::parameter("cell", &Coverage::cell,
+                               {.unit = "m", .above = 0, .meaning = "edge of a cell of the grid"}),
+              CHOSEN_ROBOTS_PARAMETERS);
