@@ -129,6 +129,48 @@ TEST_CASE("The page on behaviours quotes the example as it is built") {
   CHECK(code[0] == read(source / "examples" / "01-first-behavior" / "shy.cpp"));
 }
 
+TEST_CASE("The page on measures quotes what elsie new makes, and what it then tells") {
+  const std::string page =
+      read(fs::path(elsie::test::source_path("docs")) / "writing-a-measure.md");
+  const auto code = blocks(page, "cpp"), told = blocks(page, "text");
+  REQUIRE(code.size() == 2);
+  REQUIRE(told.size() == 1);
+  Workplace here;
+  REQUIRE(here.elsie("new measure excursion").exit_code == 0);
+  CHECK(code[0] == here.read("excursion/excursion.cpp"));
+  CHECK(code[1] == here.read("excursion/test_excursion.cpp"));
+  const auto run =
+      here.sh("ELSIE_CACHE=cache elsie run excursion/world.xml --plugin excursion/excursion.cpp");
+  CHECK(run.exit_code == 0);
+  CHECK_THAT(run.out, Catch::EndsWith(told[0]));
+}
+
+TEST_CASE("The measures that pages show are in order in a world that has what they name") {
+  const std::string robots = R"(<robots>
+      <robot id="r1"><behaviors><avoid_obstacle/><wander/></behaviors>
+        <sensors><beam_range/></sensors>
+        <coordinator><arbiter_suppression/></coordinator></robot>
+      <robot id="leader" x="1" leader="true"/><robot id="f1" x="2"/><robot id="f2" x="3"/>
+      <robot id="f3" x="-1"/><robot id="b1" x="-2" team="blue"/>
+    </robots>)";
+  int count = 0;
+  for (const fs::path& page : pages()) {
+    for (const std::string& block : blocks(read(page), "xml")) {
+      if (!block.starts_with("<measures>")) {
+        continue;
+      }
+      ++count;
+      CAPTURE(page.filename().string(), block);
+      Workplace here;
+      here.write("world.xml", "<world format=\"1\">" + robots + block + "</world>");
+      const auto run = here.elsie("check world.xml");
+      CHECK(run.err.empty());
+      CHECK(run.exit_code == 0);
+    }
+  }
+  CHECK(count >= 12);
+}
+
 TEST_CASE("The page on testing shows what is compiled and run by the tests") {
   // Without what formatting makes of it: the page does not indent.
   const auto plain = [](const std::string& code) {

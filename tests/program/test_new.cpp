@@ -10,7 +10,7 @@ using elsie::test::Workplace;
 
 TEST_CASE("What elsie new makes runs as it is, without a build system") {
   Workplace here;
-  for (const std::string kind : {"behavior", "coordinator", "sensor"}) {
+  for (const std::string kind : {"behavior", "coordinator", "sensor", "measure"}) {
     CAPTURE(kind);
     const std::string name = "my_first_" + kind;
     const auto made = here.elsie("new " + kind + " " + name);
@@ -48,7 +48,7 @@ TEST_CASE("elsie new leaves what is there alone, and makes all or nothing") {
         "elsie: 'notes' is there already; choose another name, or --folder");
   CHECK(here.read("notes") == "mine");
   CHECK(refused("robot r1") ==
-        "elsie: 'robot' is no kind of plugin; there are behavior, coordinator and sensor");
+        "elsie: 'robot' is no kind of plugin; there are behavior, coordinator, sensor and measure");
   CHECK_THAT(refused("behavior Wall"), Contains("'Wall' is no name for a plugin"));
   CHECK_THAT(refused("behavior 2nd"), Contains("'2nd' is no name for a plugin"));
   CHECK_THAT(refused("behavior a-b"), Contains("'a-b' is no name for a plugin"));
