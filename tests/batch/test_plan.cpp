@@ -70,6 +70,22 @@ TEST_CASE("A cell's world is one text with all that is set in it, and names ever
   CHECK_THAT(plan.files[0].path, Contains("libelsie.so"));
 }
 
+TEST_CASE("What measures a world is among its plugins, and in its text") {
+  const test::Folder folder;
+  std::string text = test::kWorld;
+  text.insert(text.rfind("</world>"), "<measures><coverage cell=\"0.25\"/></measures>");
+  experiment::Experiment experiment = test::small_experiment(folder);
+  folder.write("small.xml", text);
+  const batch::Plan plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  const batch::PlannedCell& cell = plan.cells[0];
+  CHECK_THAT(cell.world_text, Contains("<coverage id=\"coverage\" cell=\"0.25\"/>"));
+  CHECK(std::any_of(cell.plugins.begin(), cell.plugins.end(), [&](std::size_t plugin) {
+    return plan.plugins[plugin].kind == "measure" && plan.plugins[plugin].name == "coverage" &&
+           plan.plugins[plugin].file.has_value();
+  }));
+  CHECK(plan.libraries(cell).size() == 6);
+}
+
 TEST_CASE("The text of a cell is all of its world, wherever the files are by then") {
   const test::Folder folder;
   const batch::Plan plan = test::small_plan(folder);

@@ -28,6 +28,9 @@ void for_each_use(world::World& world, const See& see) {
     }
     for_each_use(static_cast<world::Coordination&>(robot), see);
   }
+  for (world::PluginUse& measure : world.measures) {
+    see(PluginKind::measure, measure);
+  }
 }
 
 }  // namespace elsie::batch
