@@ -95,6 +95,50 @@ TEST_CASE("A record has the way of every robot and who decided when") {
   CHECK(episodes[0]["share"] == 1.0);
 }
 
+TEST_CASE("A record has the measures of its world, after those of every run") {
+  const test::Folder folder;
+  auto experiment = test::small_experiment(folder);
+  std::string text = folder.read("small.xml");
+  text.insert(text.find("<robots>"),
+              "<measures><path_length id=\"way\" robot=\"r1\"/></measures>");
+  folder.write("small.xml", text);
+  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  CHECK(std::count_if(plan.plugins.begin(), plan.plugins.end(), [](const auto& plugin) {
+          return plugin.kind == "measure" && plugin.name == "path_length";
+        }) == 1);
+  const batch::RunRecord record = batch::perform(batch::job_of(plan, plan.runs[0]));
+  REQUIRE(record.robots.size() == 2);
+  CHECK(record.measures.front().name == "success");
+  const auto way = std::find_if(record.measures.begin(), record.measures.end(),
+                                [](const auto& each) { return each.name.rfind("way", 0) == 0; });
+  REQUIRE(way != record.measures.end());
+  CHECK(way->unit == "m");
+  CHECK(way->value == Approx(record.robots[0].distance_m));
+}
+
+TEST_CASE("A record has the learning curves of a run, thinned") {
+  const test::Folder folder;
+  experiment::Experiment experiment;
+  experiment.file = folder.write("e.xml", "<experiment/>");
+  experiment.worlds.push_back(
+      {"learned", test::source_path("worlds/learned_priorities.xml"), "learned.xml", {}, {}});
+  experiment.seeds = {1};
+  experiment.time_limit = 1.0;
+  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  const batch::Job job = batch::job_of(plan, plan.runs[0]);
+  const batch::RunRecord record = batch::perform(job);
+  CAPTURE(record.message);
+  REQUIRE(record.curves.size() == 1);
+  CHECK_FALSE(record.curves[0].robot.empty());
+  const auto points = nlohmann::json::parse(record.curves[0].points);
+  REQUIRE(points.size() > 10);
+  CHECK(points.size() <= batch::kMostCurvePoints);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    CHECK(points[i][0].get<double>() > points[i - 1][0].get<double>());
+  }
+  CHECK(points.back()[1].get<double>() < points.front()[1].get<double>());
+}
+
 TEST_CASE("A long way is thinned") {
   const test::Folder folder;
   auto experiment = test::small_experiment(folder);

@@ -157,32 +157,18 @@ TEST_CASE("Values may have blanks in them, and are without those around them") {
 }
 
 TEST_CASE("Measures of worlds are as good as those of every run") {
-  experiment::ReadOptions with_more = options();
-  with_more.measures = [](const world::World& world) {
-    return world.name == "arena" ? Texts{"success", "formation_error_m"} : Texts{"success"};
-  };
-  const auto message = [&](const std::string& content) {
-    try {
-      experiment::parse_experiment("<experiment format='1'>" + kTwoWorlds + content +
-                                       "<seeds from='1' to='1'/></experiment>",
-                                   kFolder + "experiment.xml", host(), with_more);
-      return std::string();
-    } catch (const world::WorldError& error) {
-      return without_folder(error.what());
-    }
-  };
-  CHECK(message("<measures><measure name='formation_error_m'/></measures>") == "");
-  CHECK(message("<measures><measure name='time_s'/></measures>") ==
-        "experiment.xml:1: no run has a measure 'time_s'; there are: success, formation_error_m, "
-        "success");
-  CHECK(
-      message("<expectations><expect measure='formation_error_m' at_most='1' where='world=arena'/>"
-              "</expectations>") == "");
-  CHECK(message("<expectations><expect measure='formation_error_m' at_most='1'/></expectations>") ==
-        "experiment.xml:1: runs of the cell 'clutter' have no measure 'formation_error_m'; there "
-        "are: success");
-  CHECK(message("<expectations><expect measure='formation_error_m' at_most='1' where='world=arena'"
-                " ratio_to='world=clutter'/></expectations>") ==
-        "experiment.xml:1: runs of the cell 'clutter' have no measure 'formation_error_m'; there "
-        "are: success");
+  const std::string both =
+      "<worlds><world file='data/measured.xml'/><world file='data/arena.xml'/></worlds>\n";
+  const std::string every = "success, time_s, path_length_m, collected, collisions, energy_left";
+  CHECK(problems(both + "<measures><measure name='bumps'/><measure name='time_s'/></measures>") ==
+        "");
+  CHECK(problems(both + "<measures><measure name='hits'/></measures>") ==
+        "experiment.xml:2: no run has a measure 'hits'; there are: " + every + ", bumps");
+  CHECK(problems(both + "<expectations><expect measure='bumps' at_most='1' where='world=measured'/>"
+                        "</expectations>") == "");
+  CHECK(problems(both + "<expectations><expect measure='bumps' at_most='1'/></expectations>") ==
+        "experiment.xml:2: runs of the cell 'arena' have no measure 'bumps'; there are: " + every);
+  CHECK(problems(both + "<expectations><expect measure='bumps' at_most='1' where='world=measured' "
+                        "ratio_to='world=arena'/></expectations>") ==
+        "experiment.xml:2: runs of the cell 'arena' have no measure 'bumps'; there are: " + every);
 }

@@ -1,7 +1,7 @@
 // The reference page has every element and attribute of the vocabulary.
 #include <catch2/catch.hpp>
 
-#include "elsie/experiment/measures.h"
+#include "elsie/simulation/measures.h"
 #include "elsie/experiment/vocabulary.h"
 
 using namespace elsie;
@@ -32,7 +32,7 @@ TEST_CASE("The reference of experiments is complete") {
   CHECK_THAT(page, Catch::Contains("\n## experiment / vary / level / set\n"));
   CHECK_THAT(page, Catch::Contains("Holds: an element of a world."));
   CHECK_THAT(page, Catch::Contains("Holds: `<set>`, an element of a world."));
-  for (const experiment::Measure& measure : experiment::measures_of_every_run()) {
+  for (const Quantity& measure : simulation::measures_of_every_run()) {
     CHECK_THAT(page, Catch::Contains("| `" + measure.name + "` | "));
   }
 }

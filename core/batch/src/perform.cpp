@@ -4,12 +4,10 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "elsie/experiment/measures.h"
 #include "elsie/plugin/host.h"
 #include "elsie/simulation/account_recorder.h"
 #include "elsie/simulation/simulation.h"
@@ -52,32 +50,6 @@ world::World world_of(const Job& job, const plugin::Host& host) {
   return world::parse_world(job.world_text, job.world_file, host, options);
 }
 
-/// What every run is measured by, whatever its world.
-std::vector<Measure> measures_of(const simulation::RunResult& result) {
-  double path_m = 0.0;
-  double collected = 0.0;
-  double collisions = 0.0;
-  double energy = 0.0;
-  for (const simulation::RobotResult& robot : result.robots) {
-    path_m += robot.distance_m;
-    collected += robot.collected;
-    collisions += robot.collisions;
-    energy += robot.energy;
-  }
-  const std::map<std::string, double> values = {
-      {"success", result.outcome == simulation::Outcome::success ? 1.0 : 0.0},
-      {"time_s", result.simulated_s},
-      {"path_length_m", path_m},
-      {"collected", collected},
-      {"collisions", collisions},
-      {"energy_left", energy}};
-  std::vector<Measure> measures;
-  for (const experiment::Measure& measure : experiment::measures_of_every_run()) {
-    measures.push_back({measure.name, measure.unit, measure.meaning, values.at(measure.name)});
-  }
-  return measures;
-}
-
 bool is_finite(const simulation::RobotResult& robot) {
   return std::isfinite(robot.distance_m) && std::isfinite(robot.energy) &&
          std::isfinite(robot.pose.x) && std::isfinite(robot.pose.y) &&
@@ -94,6 +66,9 @@ void take(const simulation::Simulation& run, const Watchers& watchers, RunRecord
     record.robots = result.robots;
   }
   record.notes = result.notes;
+  for (const simulation::LearningCurve& curve : result.curves) {
+    record.curves.push_back(curve_of(curve, kMostCurvePoints));
+  }
   record.events = result.events;
   if (record.events.size() > kMostEvents) {
     record.notes.push_back({"", "",
@@ -123,7 +98,9 @@ void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) 
     record.outcome = to_string(result.outcome);
     record.message = result.reason;
     record.state_hash = hash_text(result.state_hash);
-    record.measures = measures_of(result);
+    for (const simulation::MeasuredValue& measure : result.measures) {
+      record.measures.push_back({measure.name, measure.unit, measure.meaning, measure.value});
+    }
   } catch (...) {
     take(run, watchers, record);
     throw;

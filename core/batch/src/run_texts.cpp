@@ -1,5 +1,6 @@
 #include "run_texts.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -53,6 +54,18 @@ Trajectory trajectory_of(const std::string& robot, const simulation::Track& trac
   trajectory.poses += ']';
   trajectory.touches += ']';
   return trajectory;
+}
+
+Curve curve_of(const simulation::LearningCurve& curve, std::size_t most) {
+  const std::vector<elsie::Curve::Point>& all = curve.curve.points;
+  const std::size_t count = std::min(all.size(), most);
+  nlohmann::json points = nlohmann::json::array();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& point = all[count > 1 ? i * (all.size() - 1) / (count - 1) : 0];
+    points.push_back({point.x, point.y});
+  }
+  return {curve.robot,         curve.plugin,        curve.curve.name,
+          curve.curve.x_label, curve.curve.y_label, points.dump()};
 }
 
 Timeline timeline_of(const simulation::TraceRobot& robot, const simulation::RobotAccount& account,

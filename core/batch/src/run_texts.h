@@ -5,6 +5,7 @@
 #include <string>
 
 #include "elsie/batch/job.h"
+#include "elsie/simulation/run_result.h"
 #include "elsie/simulation/trace.h"
 #include "elsie/simulation/trace_account.h"
 #include "elsie/simulation/tracks.h"
@@ -14,6 +15,9 @@ namespace elsie::batch {
 /// Poses and touches, thinned to at most `most` poses.
 Trajectory trajectory_of(const std::string& robot, const simulation::Track& track, double period_s,
                          std::size_t most);
+
+/// A curve, thinned to at most `most` points, which are 2 or more.
+Curve curve_of(const simulation::LearningCurve& curve, std::size_t most);
 
 /// Who decided when, in at most `most` episodes.
 Timeline timeline_of(const simulation::TraceRobot& robot, const simulation::RobotAccount& account,

@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "elsie/experiment/measures.h"
 #include "elsie/plugin/host.h"
+#include "elsie/simulation/measures.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/writer.h"
@@ -31,9 +31,9 @@ world::World read(const Experiment& experiment, const Cell& cell, const std::str
   return world::read_world(file, host, reading);
 }
 
-std::vector<std::string> names_of_every_run() {
+std::vector<std::string> names_of_measures(const world::World& world, const plugin::Host& host) {
   std::vector<std::string> names;
-  for (const Measure& measure : measures_of_every_run()) {
+  for (const Quantity& measure : simulation::measure_names(world, host)) {
     names.push_back(measure.name);
   }
   return names;
@@ -92,7 +92,7 @@ class CellCheck {
     const world::World world = read(experiment_, cell, files_[cell.world], host_, options_);
     // Putting it together asks the plugins whether they fit their robots.
     const simulation::Simulation simulation(world, host_);
-    note_measures(options_.measures ? options_.measures(world) : names_of_every_run());
+    note_measures(names_of_measures(world, host_));
     compare(cell, world::write_world(world));
   }
 

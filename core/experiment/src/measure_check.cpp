@@ -1,5 +1,6 @@
 // That what is to be shown, and what is expected, is measured at all.
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "cell_check.h"
@@ -45,7 +46,8 @@ void check_measures(const Experiment& experiment, const std::vector<Cell>& grid,
                     const CellMeasures& measures, world::Problems& problems) {
   std::vector<std::string> all;
   for (const auto& names : measures.lists) {
-    all.insert(all.end(), names.begin(), names.end());
+    std::copy_if(names.begin(), names.end(), std::back_inserter(all),
+                 [&](const std::string& name) { return !has(all, name); });
   }
   for (const MeasureUse& use : experiment.measures) {
     if (!has(all, use.name)) {

@@ -1,6 +1,6 @@
 #include "elsie/experiment/vocabulary.h"
 
-#include "elsie/experiment/measures.h"
+#include "elsie/simulation/measures.h"
 #include "elsie/world/facts.h"
 #include "elsie/world/reference.h"
 #include "elsie/world/schema.h"
@@ -194,7 +194,7 @@ std::string experiment_reference() {
                      ". Paths and values are those of world files (`elsie describe world`).\n" +
                      world::vocabulary_reference(vocabulary()) +
                      "\n## Measures of every run\n\n| measure | unit | meaning |\n|---|---|---|\n";
-  for (const Measure& measure : measures_of_every_run()) {
+  for (const Quantity& measure : simulation::measures_of_every_run()) {
     text += "| `" + measure.name + "` | " + measure.unit + " | " + measure.meaning + " |\n";
   }
   return text;

@@ -8,6 +8,9 @@ namespace elsie::batch {
 /// At most so many poses of a robot are kept; a longer way is thinned to every second, third...
 /// one.
 inline constexpr std::size_t kMostPoses = 2000;
+/// At most so many points of a learning curve are kept, spread evenly; the first and the last
+/// always.
+inline constexpr std::size_t kMostCurvePoints = 500;
 /// At most so many episodes tell who decided when.
 inline constexpr std::size_t kMostEpisodes = 60;
 /// At most so many events are kept, the first ones; a note says how many more there were.

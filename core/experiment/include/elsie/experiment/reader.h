@@ -28,9 +28,6 @@ struct ReadOptions {
   /// Where worlds, and what they name, are looked for when they are not beside the file that names
   /// them.
   std::vector<std::string> data_directories;
-  /// The names of all measures that runs of a world have; by default those that every run has
-  /// (measures.h).
-  std::function<std::vector<std::string>(const world::World&)> measures;
 };
 
 /// Reads an experiment file and makes sure that it can be run: every cell's world is read with what
