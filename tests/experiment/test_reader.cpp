@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/world/markup.h"
+
 #include "fixture.h"
 
 using namespace elsie;
@@ -171,4 +173,36 @@ TEST_CASE("Measures of worlds are as good as those of every run") {
   CHECK(problems(both + "<expectations><expect measure='bumps' at_most='1' where='world=measured' "
                         "ratio_to='world=arena'/></expectations>") ==
         "experiment.xml:2: runs of the cell 'arena' have no measure 'bumps'; there are: " + every);
+}
+
+TEST_CASE("An outline is the same experiment, without its worlds and plugins") {
+  const std::string file = kFolder + "data/everything.xml";
+  const Experiment whole = experiment::read_experiment(file, host(), options());
+  // Called as if it were somewhere else: nothing that it names is found there.
+  const Experiment outline =
+      experiment::parse_outline(world::read_text(file), "/nowhere/everything.xml");
+  CHECK(outline.name == whole.name);
+  REQUIRE(outline.worlds.size() == whole.worlds.size());
+  CHECK(outline.worlds[1].id == whole.worlds[1].id);
+  CHECK(outline.worlds[0].file.empty());
+  REQUIRE(outline.factors.size() == whole.factors.size());
+  CHECK(labels(outline.factors[0]) == labels(whole.factors[0]));
+  CHECK(outline.seeds == whole.seeds);
+  CHECK(outline.measures.size() == whole.measures.size());
+  REQUIRE(outline.expectations.size() == whole.expectations.size());
+  for (std::size_t i = 0; i < whole.expectations.size(); ++i) {
+    CHECK(outline.expectations[i].name == whole.expectations[i].name);
+  }
+}
+
+TEST_CASE("An outline's own mistakes are told") {
+  CHECK_THROWS_AS(experiment::parse_outline("<experiment format=\"1\"><worlds/></experiment>", "x"),
+                  world::WorldError);
+  CHECK_THROWS_WITH(
+      experiment::parse_outline(
+          "<experiment format=\"1\"><worlds><world file=\"a.xml\"/></worlds><seeds list=\"1\"/>"
+          "<expectations><expect measure=\"success\" where=\"colour=red\" at_least=\"1\"/>"
+          "</expectations></experiment>",
+          "x"),
+      Catch::Contains("there is no factor 'colour'"));
 }

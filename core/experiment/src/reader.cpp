@@ -72,7 +72,8 @@ struct Worlds {
   std::vector<std::string> files;  // as they were found, for messages
 };
 
-Worlds worlds_from(const std::vector<WorldDraft>& drafts, const world::Files& files,
+// Without `files` nobody looks whether they are there.
+Worlds worlds_from(const std::vector<WorldDraft>& drafts, const world::Files* files,
                    Problems& problems) {
   Worlds worlds;
   std::map<std::string, int> lines;
@@ -82,12 +83,13 @@ Worlds worlds_from(const std::vector<WorldDraft>& drafts, const world::Files& fi
     use.location = draft.location;
     use.id = draft.id ? *draft.id : std::filesystem::path(draft.file).stem().string();
     use.settings = settings_from(draft.settings, problems);
-    const auto found = draft.file.empty() ? std::nullopt : files.find(draft.file, draft.location);
-    if (!found) {
+    const auto found =
+        draft.file.empty() || !files ? std::nullopt : files->find(draft.file, draft.location);
+    if (draft.file.empty() || (files && !found)) {
       problems.add(draft.location, "file=\"" + draft.file + "\" of <world>: " +
                                        (draft.file.empty() ? "expected the path of a world file"
                                                            : "there is no such file; looked " +
-                                                                 files.places(draft.location)));
+                                                                 files->places(draft.location)));
     } else if (const std::string why = why_no_label(use.id); !why.empty()) {
       problems.add(draft.location, "the world's file gives it the id '" + use.id + "', but " + why +
                                        "; give it another one with id=\"...\"");
@@ -153,16 +155,19 @@ std::vector<MeasureUse> measures_from(const std::vector<MeasureDraft>& drafts, P
   return uses;
 }
 
-}  // namespace
+// What stands around an experiment while it is read.
+struct Parsed {
+  Experiment experiment;
+  std::vector<Cell> grid;          // none when it is not sound
+  std::vector<std::string> files;  // of the worlds, as they were found
+  Problems problems, grid_problems;
+};
 
-Experiment read_experiment(const std::string& file, const plugin::Host& host,
-                           const ReadOptions& options) {
-  return parse_experiment(world::read_text(file), file, host, options);
-}
-
-Experiment parse_experiment(std::string_view text, const std::string& file,
-                            const plugin::Host& host, const ReadOptions& options) {
-  Problems problems;
+Parsed parsed(std::string_view text, const std::string& file, const world::Files* files) {
+  Parsed result;
+  Problems& problems = result.problems;
+  Problems& grid_problems = result.grid_problems;
+  Experiment& experiment = result.experiment;
   const Element root = world::parse_markup(text, file, "experiment");
   const std::string right = "expected <experiment format=\"" + std::to_string(kFormat) + "\">";
   world::check_root(
@@ -173,7 +178,6 @@ Experiment parse_experiment(std::string_view text, const std::string& file,
 
   DraftReader reader(problems);
   const ExperimentDraft draft = reader.read(root);
-  Experiment experiment;
   experiment.file = file;
   experiment.name = draft.name ? *draft.name : std::filesystem::path(file).stem().string();
   experiment.description = draft.description;
@@ -184,10 +188,9 @@ Experiment parse_experiment(std::string_view text, const std::string& file,
   experiment.trajectory_period = draft.trajectories.value_or(TrajectoriesDraft{}).period;
   experiment.measures = measures_from(draft.measures, problems);
 
-  Problems grid_problems;
-  Worlds worlds =
-      worlds_from(draft.worlds, world::Files(file, options.data_directories), grid_problems);
+  Worlds worlds = worlds_from(draft.worlds, files, grid_problems);
   experiment.worlds = std::move(worlds.uses);
+  result.files = std::move(worlds.files);
   experiment.settings = settings_from(draft.settings, grid_problems);
   experiment.factors = factors_from(draft.factors, grid_problems);
   if (draft.seeds && reader.is_sound(draft.seeds->location)) {
@@ -198,18 +201,42 @@ Experiment parse_experiment(std::string_view text, const std::string& file,
     check_size(experiment, root.where, grid_problems);
   }
   if (grid_problems.empty() && reader.grid_is_sound()) {
-    const std::vector<Cell> grid = cells(experiment);
-    check_labels(grid, root.where, grid_problems);
+    result.grid = cells(experiment);
+    check_labels(result.grid, root.where, grid_problems);
     experiment.expectations = expectations_from(draft.expectations, experiment, problems);
-    const CellMeasures measures =
-        check_cells(experiment, grid, worlds.files, host, options, grid_problems);
-    if (grid_problems.empty()) {
-      check_measures(experiment, grid, measures, problems);
+  }
+  return result;
+}
+
+Experiment checked(Parsed parsed, const std::string& file) {
+  parsed.problems.add(parsed.grid_problems);
+  parsed.problems.raise(file);
+  return std::move(parsed.experiment);
+}
+
+}  // namespace
+
+Experiment read_experiment(const std::string& file, const plugin::Host& host,
+                           const ReadOptions& options) {
+  return parse_experiment(world::read_text(file), file, host, options);
+}
+
+Experiment parse_experiment(std::string_view text, const std::string& file,
+                            const plugin::Host& host, const ReadOptions& options) {
+  const world::Files files(file, options.data_directories);
+  Parsed result = parsed(text, file, &files);
+  if (!result.grid.empty()) {
+    const CellMeasures measures = check_cells(result.experiment, result.grid, result.files, host,
+                                              options, result.grid_problems);
+    if (result.grid_problems.empty()) {
+      check_measures(result.experiment, result.grid, measures, result.problems);
     }
   }
-  problems.add(grid_problems);
-  problems.raise(file);
-  return experiment;
+  return checked(std::move(result), file);
+}
+
+Experiment parse_outline(std::string_view text, const std::string& file) {
+  return checked(parsed(text, file, nullptr), file);
 }
 
 }  // namespace elsie::experiment

@@ -36,6 +36,24 @@ void add_default_teams(std::vector<Team>& teams) {
   teams = std::move(all);
 }
 
+// What is in the arena, places to reach included, and nothing of who decides and for how long.
+void leave_bodies_only(Element& root) {
+  const auto drop = [](Element& from, std::initializer_list<std::string_view> parts) {
+    std::erase_if(from.children, [&](const Element& part) {
+      return std::find(parts.begin(), parts.end(), part.name) != parts.end();
+    });
+  };
+  drop(root, {"limits", "measures"});
+  if (Element* goals = root.child("goals")) {
+    drop(*goals, {"endure"});
+  }
+  if (Element* robots = root.child("robots")) {
+    for (Element& robot : robots->children) {
+      drop(robot, {"sensors", "behaviors", "coordinator"});
+    }
+  }
+}
+
 }  // namespace
 
 World read_world(const std::string& file, const plugin::Host& host, const ReadOptions& options) {
@@ -66,6 +84,9 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
     }
   }
   remove_overridden(root, problems);
+  if (options.bodies_only) {
+    leave_bodies_only(root);
+  }
 
   Reading reading = TreeReader(host, files, options.check_plugins, problems).read(root);
   World& world = reading.world;

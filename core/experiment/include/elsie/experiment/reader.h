@@ -43,6 +43,11 @@ Experiment read_experiment(const std::string& file, const plugin::Host& host,
 Experiment parse_experiment(std::string_view text, const std::string& file,
                             const plugin::Host& host, const ReadOptions& options = {});
 
+/// What an experiment asks, for those who have its runs already: the same without a look at its
+/// worlds, which need not be there, nor need the plugins that settings name. WorldUse::file is
+/// empty. Throws as parse_experiment() does, but for mistakes that only worlds would show.
+Experiment parse_outline(std::string_view text, const std::string& file);
+
 /// The world of a cell, with all that is set in it. Throws world::WorldError, for the files may
 /// have changed since the experiment was read.
 world::World read_cell(const Experiment& experiment, const Cell& cell, const plugin::Host& host,

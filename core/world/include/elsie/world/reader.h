@@ -53,6 +53,9 @@ struct ReadOptions {
   /// Whether to make every plugin's object once, so that what it says about its parameters in
   /// Component::configured() is reported too.
   bool check_plugins = false;
+  /// Leave out, unread, sensors, behaviours, coordinators, measures, the limits of the run, goals
+  /// about time: what is left needs no plugin. For those who only want to look at the world.
+  bool bodies_only = false;
 };
 
 /// Reads a world file, with its templates merged in, overrides applied and every default filled in.
