@@ -43,6 +43,7 @@ void add_batch_command(CLI::App& program, Job& job);
 void add_merge_command(CLI::App& program, Job& job);
 void add_replay_command(CLI::App& program, Job& job);
 void add_explain_command(CLI::App& program, Job& job);
+void add_report_command(CLI::App& program, Job& job);
 void add_test_plugin_command(CLI::App& program, Job& job);
 void add_train_command(CLI::App& program, Job& job);
 void add_new_command(CLI::App& program, Job& job);

@@ -117,6 +117,7 @@ int main(int argc, char** argv) {
   add_replay_command(program, job);
   add_merge_command(program, job);
   add_explain_command(program, job);
+  add_report_command(program, job);
   add_check_command(program, job);
   add_picture_command(program, job);
   add_plugins_command(program, job);

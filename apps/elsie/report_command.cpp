@@ -1,0 +1,150 @@
+// elsie report: what the runs of an experiment come to.
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "elsie/experiment/reader.h"
+#include "elsie/report/report.h"
+
+#include "command.h"
+#include "environment.h"
+
+namespace fs = std::filesystem;
+using elsie::report::Findings;
+using elsie::report::ResultsFile;
+
+namespace {
+
+struct Options {
+  std::string database;
+  std::optional<std::string> csv;
+  std::optional<std::string> junit;
+  std::optional<std::string> html;
+  bool json = false;
+  bool quiet = false;
+};
+
+constexpr const char* kExamples = R"(
+Examples:
+  elsie report beams.sqlite
+  elsie report beams.sqlite --html beams.html
+  elsie report beams.sqlite --csv runs.csv --junit results.xml --quiet
+
+Exit codes: 0 everything is as expected; 1 an expectation is not met, a run did not end by itself or
+is still to be done, or equal seeds gave different runs; 2 bad input.
+)";
+
+void require_output(const std::optional<std::string>& file, const char* option, const char* suffix,
+                    const std::string& database) {
+  if (!file) {
+    return;
+  }
+  std::error_code error;
+  const bool device = fs::is_character_file(*file, error) || fs::is_fifo(*file, error);
+  if (!device && fs::path(*file).extension() != suffix) {
+    throw BadInput(std::string(option) + ": expected a name that ends in " + suffix + ", but '" +
+                   *file + "' does not");
+  }
+  if (fs::equivalent(*file, database, error)) {
+    throw BadInput(std::string(option) + ": '" + *file +
+                   "' is the database itself; choose another name");
+  }
+  require_writable(*file, option);
+}
+
+/// The file as a whole, or as it was before. What is no regular file, a device or a link, is
+/// written to as it is, and so is one in a folder that takes no new files.
+void write(const std::string& file, const std::string& text, const char* option) {
+  std::error_code error;
+  const fs::path folder = fs::path(file).has_parent_path() ? fs::path(file).parent_path() : ".";
+  const bool regular = access(folder.c_str(), W_OK) == 0 &&
+                       (fs::symlink_status(file, error).type() == fs::file_type::not_found ||
+                        fs::symlink_status(file, error).type() == fs::file_type::regular);
+  const std::string part = regular ? file + ".part" : file;
+  std::ofstream out(part, std::ios::binary);
+  out << text;
+  out.close();
+  if (out && regular) {
+    fs::rename(part, file, error);
+  }
+  if (!out || error) {
+    if (regular) {
+      fs::remove(part, error);
+    }
+    throw BadInput(std::string(option) + ": '" + file +
+                   "' could not be written as a whole: is the disk full?");
+  }
+}
+
+/// How wide the terminal is, in characters; a table for a file is not wrapped for one.
+std::size_t width() {
+  winsize size{};
+  const bool terminal = isatty(STDOUT_FILENO) && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0;
+  return terminal && size.ws_col >= 40 ? size.ws_col : 120;
+}
+
+Findings found(const ResultsFile& file) {
+  elsie::report::Results results = file.results();
+  const auto experiment = elsie::experiment::parse_outline(results.text, results.file);
+  elsie::report::Questions questions;
+  for (const auto& measure : experiment.measures) {
+    questions.measures.push_back(measure.name);
+  }
+  questions.expectations = experiment.expectations;
+  return elsie::report::find(std::move(results), questions);
+}
+
+int report(const Options& options) {
+  require_output(options.csv, "--csv", ".csv", options.database);
+  require_output(options.junit, "--junit", ".xml", options.database);
+  require_output(options.html, "--html", ".html", options.database);
+  try {
+    const ResultsFile file(options.database);
+    const Findings findings = found(file);
+    if (options.csv) {
+      write(*options.csv, elsie::report::csv_report(findings), "--csv");
+    }
+    if (options.junit) {
+      write(*options.junit, elsie::report::junit_report(findings, options.database), "--junit");
+    }
+    if (options.html) {
+      write(*options.html, elsie::report::html_report(findings, file, options.database), "--html");
+    }
+    if (options.json) {
+      std::cout << elsie::report::json_report(findings);
+    } else if (!options.quiet) {
+      std::cout << elsie::report::terminal_report(findings, options.database, width());
+    }
+    return findings.good() ? kSuccess : kGoalMissed;
+  } catch (const elsie::report::ResultsError& error) {
+    throw BadInput(error.what());
+  }
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& program, Job& job) {
+  CLI::App* command = program.add_subcommand(
+      "report", "Tell what the runs of an experiment come to: tables, a page, tests for CI");
+  command->footer(kExamples);
+  auto options = std::make_shared<Options>();
+  command->add_option("DATABASE", options->database, "Results, written by `elsie batch`")
+      ->required();
+  command->add_option("--html", options->html, "Write a page with figures; needs no network")
+      ->type_name("FILE.html");
+  command->add_option("--csv", options->csv, "Write a table with a row for each run")
+      ->type_name("FILE.csv");
+  command->add_option("--junit", options->junit, "Write the expectations as test cases, for CI")
+      ->type_name("FILE.xml");
+  CLI::Option* json =
+      command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
+  command->add_flag("--quiet", options->quiet, "Print nothing")->excludes(json);
+  command->callback([&job, options] { job = [options] { return report(*options); }; });
+}

@@ -1,0 +1,94 @@
+// Statistics of small samples: what the runs of a cell come to.
+//
+// Everything here is a function of its arguments alone, down to the last bit: the same results give
+// the same report.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "elsie/experiment/experiment.h"
+
+namespace elsie::report {
+
+using experiment::Relation;
+using experiment::Statistic;
+
+/// From `low` to `high`, both included.
+struct Interval {
+  double low = 0.0;
+  double high = 0.0;
+
+  friend bool operator==(const Interval&, const Interval&) = default;
+};
+
+/// A sample in numbers. All values are finite.
+struct Summary {
+  std::size_t count = 0;  // at least 1
+  double mean = 0.0;
+  /// With n - 1 below the line; none for a single value.
+  std::optional<double> standard_deviation;
+  double least = 0.0;
+  double lower_quartile = 0.0;  // quantile() at 1/4
+  double median = 0.0;          // quantile() at 1/2
+  double upper_quartile = 0.0;  // quantile() at 3/4
+  double largest = 0.0;
+
+  double quartile_range() const { return upper_quartile - lower_quartile; }
+};
+
+/// None for an empty sample. Mean and standard deviation in two passes with the rounding error of
+/// the first taken back (Chan, Golub and LeVeque 1983).
+std::optional<Summary> summary(std::span<const double> values);
+
+/// The quantile of an ascending sample that is not empty, `part` in [0, 1]: linear between the
+/// order statistics, the first at 0 and the last at 1. Definition 7 of Hyndman and Fan (1996),
+/// which R, S and NumPy take unless told otherwise.
+double quantile(std::span<const double> ascending, double part);
+
+/// One number about a sample that is not empty. A rate is the part of the values that are not zero;
+/// the standard deviation of a single value is none.
+std::optional<double> statistic_of(Statistic statistic, std::span<const double> values);
+
+/// Wilson's score interval (1927) for a probability of which `successes` of `trials` were seen;
+/// `confidence` in (0, 1). For no trials: from 0 to 1.
+Interval wilson_interval(std::size_t successes, std::size_t trials, double confidence);
+
+/// How many resamples a bootstrap interval is made of.
+inline constexpr int kResamples = 4000;
+
+/// The percentile bootstrap interval of a statistic (Efron 1979; Efron and Tibshirani 1993, chapter
+/// 13): its quantiles over kResamples samples of the same size, drawn with replacement. None for
+/// fewer than two values. `seed` and `path` name the stream of random numbers: see Random.
+std::optional<Interval> bootstrap_interval(Statistic statistic, std::span<const double> values,
+                                           double confidence, std::uint64_t seed,
+                                           std::string_view path);
+
+/// What two cells have for one seed; either may have nothing.
+struct Pair {
+  std::optional<double> cell;
+  std::optional<double> reference;
+};
+
+/// The statistic of a cell beside that of its reference: their ratio or difference, by `relation`
+/// (not Relation::none). None when one of them is not known, and for 0 / 0.
+std::optional<double> relation_of(Relation relation, Statistic statistic,
+                                  std::span<const Pair> pairs);
+
+/// bootstrap_interval() for relation_of(): the pairs are drawn, so that both cells always have the
+/// same seeds. Resamples in which it is not known are left out; none when these are more than half.
+std::optional<Interval> paired_interval(Relation relation, Statistic statistic,
+                                        std::span<const Pair> pairs, double confidence,
+                                        std::uint64_t seed, std::string_view path);
+
+/// Values outside of these are outliers: 1.5 quartile ranges beyond the quartiles (Tukey 1977).
+Interval tukey_fences(const Summary& summary);
+
+/// Where a box plot's whiskers end: the outermost values within the fences.
+Interval whiskers(std::span<const double> ascending, const Interval& fences);
+
+}  // namespace elsie::report

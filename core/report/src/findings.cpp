@@ -1,0 +1,151 @@
+#include "elsie/report/findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "judge.h"
+
+namespace elsie::report {
+
+namespace {
+
+std::vector<std::size_t> shown_measures(const Results& results,
+                                        const std::vector<std::string>& names) {
+  std::vector<std::size_t> shown;
+  const auto place_of = [&](const std::string& name) {
+    const auto found = std::find_if(results.measures.begin(), results.measures.end(),
+                                    [&](const Measure& measure) { return measure.name == name; });
+    return static_cast<std::size_t>(found - results.measures.begin());
+  };
+  for (const std::string& name : names) {
+    const std::size_t place = place_of(name);
+    if (place < results.measures.size() && name != kSuccess) shown.push_back(place);
+  }
+  for (std::size_t i = 0; names.empty() && i < results.measures.size(); ++i) {
+    if (results.measures[i].name != kSuccess) shown.push_back(i);
+  }
+  return shown;
+}
+
+bool has(const Run& run, std::size_t measure) {
+  return run.state == RunState::done && run.values[measure] && std::isfinite(*run.values[measure]);
+}
+
+MeasureFindings look_at(const Results& results, const CellFindings& cell, const std::string& label,
+                        std::size_t measure) {
+  MeasureFindings found;
+  std::vector<double> successes;
+  for (const std::size_t place : cell.runs) {
+    const Run& run = results.runs[place];
+    if (!has(run, measure)) continue;
+    found.values.push_back(*run.values[measure]);
+    if (run.success()) successes.push_back(found.values.back());
+  }
+  found.all = summary(found.values);
+  found.successes = summary(successes);
+  found.interval = bootstrap_interval(Statistic::mean, found.values, kConfidence, results.seed(),
+                                      label + '\n' + results.measures[measure].name);
+  if (found.values.size() >= kFewest) found.fences = tukey_fences(*found.all);
+  return found;
+}
+
+void collect_outliers(const Findings& findings, CellFindings& cell) {
+  for (std::size_t i = 0; i < findings.measures.size(); ++i) {
+    const MeasureFindings& found = cell.measures[i];
+    if (!found.fences) continue;
+    const double range = found.all->quartile_range();
+    // Values that differ by rounding only do not stand out.
+    const double rounding =
+        1e-12 * std::max(std::abs(found.all->least), std::abs(found.all->largest));
+    for (const std::size_t place : cell.runs) {
+      const Run& run = findings.results.runs[place];
+      if (!has(run, findings.measures[i])) continue;
+      const double value = *run.values[findings.measures[i]];
+      const double outside = std::max(found.fences->low - value, value - found.fences->high);
+      if (outside <= rounding) continue;
+      cell.outliers.push_back(
+          {place, findings.measures[i], value,
+           range > rounding ? outside / range : std::numeric_limits<double>::infinity()});
+    }
+  }
+  std::stable_sort(cell.outliers.begin(), cell.outliers.end(),
+                   [](const Outlier& a, const Outlier& b) { return a.beyond > b.beyond; });
+}
+
+void sort_out_runs(Findings& findings) {
+  const Results& results = findings.results;
+  findings.cells.resize(results.cells.size());
+  std::map<std::pair<std::size_t, std::uint64_t>, std::vector<std::size_t>> alike;
+  for (std::size_t i = 0; i < results.runs.size(); ++i) {
+    const Run& run = results.runs[i];
+    CellFindings& cell = findings.cells[run.cell];
+    std::vector<std::size_t>& same = alike[{run.cell, run.seed}];
+    if (same.empty()) cell.runs.push_back(i);
+    same.push_back(i);
+    if (!run.ended()) ++cell.pending;
+    if (run.broken()) cell.broken.push_back(i);
+  }
+  for (const auto& [what, runs] : alike) {
+    std::vector<std::size_t> done;
+    for (const std::size_t run : runs) {
+      if (results.runs[run].state == RunState::done) done.push_back(run);
+    }
+    const bool differ = std::any_of(done.begin(), done.end(), [&](std::size_t run) {
+      return results.runs[run].state_hash != results.runs[done.front()].state_hash;
+    });
+    if (differ) findings.disagreements.push_back({done});
+  }
+}
+
+}  // namespace
+
+bool Verdict::met() const {
+  return trouble.empty() &&
+         std::all_of(claims.begin(), claims.end(), [](const Claim& claim) { return claim.holds; });
+}
+
+std::size_t Findings::ended() const {
+  return static_cast<std::size_t>(std::count_if(results.runs.begin(), results.runs.end(),
+                                                [](const Run& run) { return run.ended(); }));
+}
+
+std::size_t Findings::broken() const {
+  return static_cast<std::size_t>(std::count_if(results.runs.begin(), results.runs.end(),
+                                                [](const Run& run) { return run.broken(); }));
+}
+
+bool Findings::good() const {
+  return pending() == 0 && broken() == 0 && disagreements.empty() &&
+         std::all_of(verdicts.begin(), verdicts.end(),
+                     [](const Verdict& verdict) { return verdict.met(); });
+}
+
+Findings find(Results results, const Questions& questions) {
+  Findings findings;
+  findings.results = std::move(results);
+  findings.measures = shown_measures(findings.results, questions.measures);
+  sort_out_runs(findings);
+  for (std::size_t i = 0; i < findings.cells.size(); ++i) {
+    CellFindings& cell = findings.cells[i];
+    for (const std::size_t place : cell.runs) {
+      const Run& run = findings.results.runs[place];
+      cell.ended += run.ended() ? 1 : 0;
+      cell.successes += run.success() ? 1 : 0;
+    }
+    cell.success = wilson_interval(cell.successes, cell.ended, kConfidence);
+    for (const std::size_t measure : findings.measures) {
+      cell.measures.push_back(
+          look_at(findings.results, cell, findings.results.cells[i].label, measure));
+    }
+    collect_outliers(findings, cell);
+  }
+  for (const experiment::Expectation& expectation : questions.expectations) {
+    findings.verdicts.push_back(judge(expectation, findings));
+  }
+  return findings;
+}
+
+}  // namespace elsie::report

@@ -1,0 +1,138 @@
+#include <nlohmann/json.hpp>
+
+#include "elsie/report/report.h"
+
+#include "markup.h"
+#include "words.h"
+
+namespace elsie::report {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json json_of(const std::optional<Interval>& interval) {
+  return interval ? Json::array({interval->low, interval->high}) : Json(nullptr);
+}
+
+Json json_of(const std::optional<Summary>& summary) {
+  if (!summary) return nullptr;
+  return {{"count", summary->count},
+          {"mean", summary->mean},
+          {"standard_deviation", or_null(summary->standard_deviation)},
+          {"least", summary->least},
+          {"lower_quartile", summary->lower_quartile},
+          {"median", summary->median},
+          {"upper_quartile", summary->upper_quartile},
+          {"largest", summary->largest}};
+}
+
+Json json_of(const Findings& findings, std::size_t place) {
+  const Results& results = findings.results;
+  const CellFindings& cell = findings.cells[place];
+  Json levels = Json::object();
+  for (std::size_t i = 0; i < results.factors.size(); ++i) {
+    levels[clean(results.factors[i].name)] = clean(results.cells[place].levels[i]);
+  }
+  Json measures = Json::object();
+  for (std::size_t i = 0; i < findings.measures.size(); ++i) {
+    const MeasureFindings& found = cell.measures[i];
+    Json of_all = json_of(found.all);
+    if (found.all) {
+      of_all["interval"] = json_of(found.interval);
+      of_all["fences"] = json_of(found.fences);
+      of_all["successes"] = json_of(found.successes);
+    }
+    measures[clean(results.measures[findings.measures[i]].name)] = std::move(of_all);
+  }
+  Json outliers = Json::array();
+  for (const Outlier& outlier : cell.outliers) {
+    const Run& run = results.runs[outlier.run];
+    outliers.push_back({{"run", run.id},
+                        {"seed", run.seed},
+                        {"measure", clean(results.measures[outlier.measure].name)},
+                        {"value", outlier.value}});
+  }
+  return {{"label", clean(results.cells[place].label)},
+          {"levels", std::move(levels)},
+          {"ended", cell.ended},
+          {"successes", cell.successes},
+          {"success_interval", json_of(std::optional(cell.success))},
+          {"broken", cell.broken.size()},
+          {"pending", cell.pending},
+          {"measures", std::move(measures)},
+          {"outliers", std::move(outliers)}};
+}
+
+Json json_of(const Findings& findings, const Verdict& verdict) {
+  Json claims = Json::array();
+  for (const Claim& claim : verdict.claims) {
+    claims.push_back({{"cell", clean(findings.results.cells[claim.cell].label)},
+                      {"met", claim.holds},
+                      {"value", or_null(claim.value)},
+                      {"interval", json_of(claim.interval)},
+                      {"sentence", clean(claim.sentence)}});
+  }
+  return {{"name", clean(verdict.name)},
+          {"met", verdict.met()},
+          {"expected", clean(verdict.expected)},
+          {"trouble", verdict.trouble.empty() ? Json(nullptr) : Json(clean(verdict.trouble))},
+          {"cells", std::move(claims)}};
+}
+
+}  // namespace
+
+std::string json_report(const Findings& findings) {
+  const Results& results = findings.results;
+  Json measures = Json::array();
+  for (const std::size_t place : findings.measures) {
+    const Measure& measure = results.measures[place];
+    measures.push_back({{"name", clean(measure.name)},
+                        {"unit", clean(measure.unit)},
+                        {"meaning", clean(measure.meaning)}});
+  }
+  Json cells = Json::array();
+  for (std::size_t i = 0; i < findings.cells.size(); ++i) cells.push_back(json_of(findings, i));
+  Json expectations = Json::array();
+  for (const Verdict& verdict : findings.verdicts) {
+    expectations.push_back(json_of(findings, verdict));
+  }
+  Json failures = Json::array();
+  for (const Run& run : results.runs) {
+    if (!run.broken()) continue;
+    failures.push_back({{"run", run.id},
+                        {"cell", clean(results.cells[run.cell].label)},
+                        {"seed", run.seed},
+                        {"state", to_string(run.state)},
+                        {"told", clean(ending_in_words(run))}});
+  }
+  Json disagreements = Json::array();
+  for (const Disagreement& disagreement : findings.disagreements) {
+    Json runs = Json::array();
+    for (const std::size_t run : disagreement.runs) runs.push_back(results.runs[run].id);
+    disagreements.push_back(std::move(runs));
+  }
+  const Json all = {{"experiment", clean(results.experiment)},
+                    {"description", clean(results.description)},
+                    {"file", clean(results.file)},
+                    {"fingerprint", clean(results.fingerprint)},
+                    {"shard", clean(results.shard)},
+                    {"good", findings.good()},
+                    {"runs", findings.runs()},
+                    {"broken", findings.broken()},
+                    {"pending", findings.pending()},
+                    {"confidence", kConfidence},
+                    {"measures", std::move(measures)},
+                    {"cells", std::move(cells)},
+                    {"expectations", std::move(expectations)},
+                    {"failures", std::move(failures)},
+                    {"disagreements", std::move(disagreements)}};
+  return all.dump(2) + '\n';
+}
+
+}  // namespace elsie::report

@@ -1,0 +1,378 @@
+#include "judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "elsie/plugin/near_name.h"
+
+#include "numbers.h"
+
+namespace elsie::report {
+
+namespace {
+
+using experiment::Expectation;
+using experiment::Runs;
+
+// "*" stands for any text, also none.
+bool matches(std::string_view pattern, std::string_view text) {
+  std::size_t star = std::string_view::npos, tried = 0, at = 0, in = 0;
+  while (in < text.size()) {
+    if (at < pattern.size() && pattern[at] == '*') {
+      star = ++at;
+      tried = in;
+    } else if (at < pattern.size() && pattern[at] == text[in]) {
+      ++at;
+      ++in;
+    } else if (star != std::string_view::npos) {
+      at = star;
+      in = ++tried;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', at) == std::string_view::npos;
+}
+
+std::optional<std::string> level_of(const Results& results, const CellInfo& cell,
+                                    const std::string& factor) {
+  for (std::size_t i = 0; i < results.factors.size(); ++i) {
+    if (results.factors[i].name == factor) return cell.levels[i];
+  }
+  return std::nullopt;
+}
+
+bool concerns(const Expectation& expectation, const Results& results, const CellInfo& cell) {
+  return std::all_of(expectation.where.begin(), expectation.where.end(), [&](const auto& where) {
+    const auto label = level_of(results, cell, where.factor);
+    return label && std::any_of(where.levels.begin(), where.levels.end(),
+                                [&](const auto& pattern) { return matches(pattern, *label); });
+  });
+}
+
+// The cell that has the reference's levels, and this one's in all other factors.
+std::optional<std::size_t> reference_of(const Expectation& expectation, const Results& results,
+                                        const CellInfo& cell) {
+  std::vector<std::string> levels = cell.levels;
+  for (const auto& other : expectation.reference) {
+    for (std::size_t i = 0; i < results.factors.size(); ++i) {
+      if (results.factors[i].name == other.factor) levels[i] = other.level;
+    }
+  }
+  for (std::size_t i = 0; i < results.cells.size(); ++i) {
+    if (results.cells[i].levels == levels) return i;
+  }
+  return std::nullopt;
+}
+
+std::string word_of(Statistic statistic) {
+  switch (statistic) {
+    case Statistic::mean:
+      return "mean ";
+    case Statistic::median:
+      return "median ";
+    case Statistic::standard_deviation:
+      return "standard deviation of ";
+    case Statistic::minimum:
+      return "minimum ";
+    case Statistic::maximum:
+      return "maximum ";
+    case Statistic::rate:
+      return "rate of ";
+  }
+  return "";
+}
+
+// Which of Results::measures an expectation is about; kSuccess is none of them.
+struct Subject {
+  std::optional<std::size_t> measure, per;
+  std::string words;
+  std::string unit;  // of the statistic
+};
+
+// Judges one expectation.
+class Judge {
+ public:
+  Judge(const Expectation& expectation, const Findings& findings)
+      : expectation_(expectation), findings_(findings), results_(findings.results) {}
+
+  Verdict verdict() {
+    Verdict verdict;
+    verdict.name = expectation_.name;
+    verdict.trouble = find_subject();
+    verdict.expected = expected();
+    if (!verdict.trouble.empty()) return verdict;
+    if (findings_.partial()) {
+      verdict.trouble = "the database has a part of the runs only, shard " + results_.shard +
+                        "; an expectation is about all of them";
+      return verdict;
+    }
+    for (std::size_t cell = 0; cell < results_.cells.size(); ++cell) {
+      if (!concerns(expectation_, results_, results_.cells[cell])) continue;
+      if (expectation_.relation == Relation::none) {
+        verdict.claims.push_back(about(cell));
+        continue;
+      }
+      const auto reference = reference_of(expectation_, results_, results_.cells[cell]);
+      if (reference != cell) verdict.claims.push_back(about(cell, reference));
+    }
+    if (verdict.claims.empty()) verdict.trouble = "there is no cell that it is about";
+    return verdict;
+  }
+
+ private:
+  // What the name does not say already: without one, an expectation is called what it says.
+  std::string expected() const {
+    const auto names = [&](const char* word, const std::optional<double>& limit) {
+      return limit && expectation_.name.find(word + exact(*limit)) != std::string::npos;
+    };
+    if (!names(": at least ", expectation_.at_least) &&
+        !names(": at most ", expectation_.at_most) && !names(": about ", expectation_.about)) {
+      return subject_.words + ": " + limits();
+    }
+    return expectation_.confidence
+               ? "with " + brief(100.0 * *expectation_.confidence) + " % confidence"
+               : "";
+  }
+
+  // What is wrong with the names of measures; "" for nothing.
+  std::string find_subject() {
+    std::vector<std::string> names{kSuccess};
+    for (const Measure& measure : results_.measures) names.push_back(measure.name);
+    const auto place = [&](const std::string& name, std::optional<std::size_t>& found) {
+      for (std::size_t i = 0; i < results_.measures.size(); ++i) {
+        if (results_.measures[i].name == name && name != kSuccess) found = i;
+      }
+      return found || name == kSuccess
+                 ? std::string()
+                 : "no run has a measure '" + name + "'" + plugin::did_you_mean(name, names);
+    };
+    const bool rate = expectation_.statistic == Statistic::rate;
+    const bool plain = rate && expectation_.measure == kSuccess && expectation_.per.empty();
+    subject_.words = plain ? "success rate"
+                           : word_of(expectation_.statistic) + expectation_.measure +
+                                 (expectation_.per.empty() ? "" : " per " + expectation_.per);
+    if (expectation_.runs == Runs::successes) subject_.words += " of successful runs";
+    std::string trouble = place(expectation_.measure, subject_.measure);
+    if (trouble.empty() && !expectation_.per.empty()) {
+      trouble = place(expectation_.per, subject_.per);
+    }
+    if (!rate && subject_.measure && expectation_.per.empty()) {
+      subject_.unit = results_.measures[*subject_.measure].unit;
+    }
+    return trouble;
+  }
+
+  std::string limits() const {
+    const bool ratio = expectation_.relation == Relation::ratio;
+    const bool difference = expectation_.relation == Relation::difference;
+    const std::string unit = ratio || subject_.unit.empty() ? "" : " " + subject_.unit;
+    const auto number = [&](double value) { return exact(value) + unit; };
+    std::string text;
+    const auto add = [&](const std::string& part) { text += (text.empty() ? "" : " and ") + part; };
+    if (expectation_.at_least) add("at least " + number(*expectation_.at_least));
+    if (expectation_.at_most) add("at most " + number(*expectation_.at_most));
+    if (expectation_.about) add("about " + number(*expectation_.about));
+    if (expectation_.tolerance > 0.0) text += " give or take " + number(expectation_.tolerance);
+    if (ratio) text += " times that of the cell with ";
+    if (difference) text += " more than in the cell with ";
+    for (std::size_t i = 0; i < expectation_.reference.size(); ++i) {
+      text += (i ? ", " : "") + expectation_.reference[i].factor + " " +
+              expectation_.reference[i].level;
+    }
+    if (expectation_.confidence) {
+      text += ", with " + brief(100.0 * *expectation_.confidence) + " % confidence";
+    }
+    return text;
+  }
+
+  bool keeps(double value) const {
+    const double tolerance = expectation_.tolerance;
+    return (!expectation_.at_least || value >= *expectation_.at_least - tolerance) &&
+           (!expectation_.at_most || value <= *expectation_.at_most + tolerance) &&
+           (!expectation_.about || std::abs(value - *expectation_.about) <= tolerance);
+  }
+
+  bool keeps(const std::optional<Interval>& interval) const {
+    return interval && keeps(interval->low) && keeps(interval->high);
+  }
+
+  // So short that it can be read, but not so short that a value beside a limit looks like it.
+  std::string shown(double value) const {
+    const std::string text = brief(value, 5);
+    for (const auto& limit : {expectation_.at_least, expectation_.at_most, expectation_.about}) {
+      if (limit && value != *limit && text == brief(*limit, 5)) return exact(value);
+    }
+    return text;
+  }
+
+  std::string with_unit(double value) const {
+    return shown(value) + (subject_.unit.empty() ? "" : " " + subject_.unit);
+  }
+
+  // What one run says; none: nothing.
+  std::optional<double> value_of(const Run& run) const {
+    if (expectation_.runs == Runs::successes && !run.success()) return std::nullopt;
+    if (run.broken()) {  // counts as one that missed what a rate is about
+      return expectation_.statistic == Statistic::rate ? std::optional(0.0) : std::nullopt;
+    }
+    const auto of = [&](const std::optional<std::size_t>& measure) {
+      return measure ? run.values[*measure] : std::optional(run.success() ? 1.0 : 0.0);
+    };
+    std::optional<double> value = of(subject_.measure);
+    if (value && !expectation_.per.empty()) {
+      const std::optional<double> per = of(subject_.per);
+      value = per && *per != 0.0 ? std::optional(*value / *per) : std::nullopt;
+    }
+    return value && std::isfinite(*value) ? value : std::nullopt;
+  }
+
+  std::vector<double> values_of(std::size_t cell) const {
+    std::vector<double> values;
+    for (const std::size_t run : findings_.cells[cell].runs) {
+      if (const auto value = value_of(results_.runs[run])) values.push_back(*value);
+    }
+    return values;
+  }
+
+  std::string label(std::size_t cell) const { return results_.cells[cell].label; }
+
+  std::string stream(std::size_t cell) const { return label(cell) + '\n' + expectation_.name; }
+
+  // "19 of 20", "20 runs"
+  std::string basis(const std::vector<double>& values) const {
+    if (expectation_.statistic != Statistic::rate) return counted(values.size(), "run");
+    const auto hits =
+        std::count_if(values.begin(), values.end(), [](double v) { return v != 0.0; });
+    return std::to_string(hits) + " of " + std::to_string(values.size());
+  }
+
+  // What there is to be said against the values of a cell: "; 2 runs did not end by themselves".
+  std::string reservations(std::size_t cell) const {
+    std::size_t broken = 0;
+    for (const std::size_t run : findings_.cells[cell].runs) {
+      broken += results_.runs[run].broken() ? 1 : 0;
+    }
+    if (broken == 0 || expectation_.runs == Runs::successes) return "";
+    return "; " + counted(broken, "run") + " did not end by " +
+           (broken == 1 ? "itself" : "themselves");
+  }
+
+  std::string interval_in_words(const std::optional<Interval>& interval) const {
+    if (!expectation_.confidence) return "";
+    if (!interval) return "; too few for an interval";
+    return "; " + brief(100.0 * *expectation_.confidence) + " % interval from " +
+           shown(interval->low) + " to " + shown(interval->high);
+  }
+
+  std::string unknown(std::size_t cell, const std::vector<double>& values) const {
+    const std::string who =
+        expectation_.runs == Runs::successes ? "successful run" : "run that ended by itself";
+    return (values.empty() ? "no " : "only one ") + who + " of " + label(cell) + " has a value";
+  }
+
+  // "not all runs of fusion are done, 3 are still to be done"; "" when they are.
+  std::string incomplete(std::size_t cell) const {
+    const std::size_t pending = findings_.cells[cell].pending;
+    return pending == 0 ? ""
+                        : "not all runs of " + label(cell) + " are done, " +
+                              counted(pending, "is", "are") + " still to be done";
+  }
+
+  Claim not_known(std::size_t cell, const std::string& why) const {
+    Claim claim;
+    claim.cell = cell;
+    claim.found = subject_.words + " of " + label(cell) + " is not known: " + why;
+    claim.sentence = claim.found + "; expected " + limits();
+    return claim;
+  }
+
+  // A cell by itself.
+  Claim about(std::size_t cell) const {
+    const std::string missing = incomplete(cell);
+    if (!missing.empty()) return not_known(cell, missing);
+    const std::vector<double> values = values_of(cell);
+    Claim claim;
+    claim.cell = cell;
+    if (!values.empty()) claim.value = statistic_of(expectation_.statistic, values);
+    if (!claim.value) return not_known(cell, unknown(cell, values));
+    claim.holds = keeps(*claim.value);
+    if (expectation_.confidence) {
+      claim.interval = interval_of(cell, values);
+      claim.holds = keeps(claim.interval);
+    }
+    claim.found = subject_.words + " of " + label(cell) + " is " + with_unit(*claim.value) + " (" +
+                  basis(values) + interval_in_words(claim.interval) + reservations(cell) + ")";
+    claim.sentence = claim.found + ", expected " + limits();
+    return claim;
+  }
+
+  std::optional<Interval> interval_of(std::size_t cell, const std::vector<double>& values) const {
+    if (expectation_.statistic != Statistic::rate) {
+      return bootstrap_interval(expectation_.statistic, values, *expectation_.confidence,
+                                results_.seed(), stream(cell));
+    }
+    const auto hits =
+        std::count_if(values.begin(), values.end(), [](double v) { return v != 0.0; });
+    return wilson_interval(static_cast<std::size_t>(hits), values.size(), *expectation_.confidence);
+  }
+
+  // A cell beside another one.
+  Claim about(std::size_t cell, std::optional<std::size_t> reference) const {
+    if (!reference) return not_known(cell, "there is no cell to compare it with");
+    for (const std::size_t each : {cell, *reference}) {
+      const std::string missing = incomplete(each);
+      if (!missing.empty()) return not_known(cell, missing);
+    }
+    std::map<std::uint64_t, Pair> by_seed;
+    for (const std::size_t run : findings_.cells[cell].runs) {
+      by_seed[results_.runs[run].seed].cell = value_of(results_.runs[run]);
+    }
+    for (const std::size_t run : findings_.cells[*reference].runs) {
+      by_seed[results_.runs[run].seed].reference = value_of(results_.runs[run]);
+    }
+    std::vector<Pair> pairs;
+    for (const auto& [seed, pair] : by_seed) pairs.push_back(pair);
+
+    const std::vector<double> own = values_of(cell), others = values_of(*reference);
+    if (own.empty()) return not_known(cell, unknown(cell, own));
+    if (others.empty()) return not_known(cell, unknown(*reference, others));
+    Claim claim;
+    claim.cell = cell;
+    claim.value = relation_of(expectation_.relation, expectation_.statistic, pairs);
+    const auto mine = statistic_of(expectation_.statistic, own);
+    const auto theirs = statistic_of(expectation_.statistic, others);
+    if (!claim.value || !mine || !theirs) {
+      return not_known(cell, "that of " + label(*reference) + " has no value to compare it with");
+    }
+    claim.holds = keeps(*claim.value);
+    if (expectation_.confidence) {
+      claim.interval = paired_interval(expectation_.relation, expectation_.statistic, pairs,
+                                       *expectation_.confidence, results_.seed(), stream(cell));
+      claim.holds = keeps(claim.interval);
+    }
+    const bool ratio = expectation_.relation == Relation::ratio;
+    claim.found = subject_.words + " of " + label(cell) + " is " +
+                  (ratio ? shown(*claim.value) + " times that of "
+                         : with_unit(*claim.value) + " more than that of ") +
+                  label(*reference) + " (" + with_unit(*mine) + ", " + basis(own) +
+                  reservations(cell) + ", beside " + with_unit(*theirs) + ", " + basis(others) +
+                  reservations(*reference) + interval_in_words(claim.interval) + ")";
+    claim.sentence = claim.found + ", expected " + limits();
+    return claim;
+  }
+
+  const Expectation& expectation_;
+  const Findings& findings_;
+  const Results& results_;
+  Subject subject_;
+};
+
+}  // namespace
+
+Verdict judge(const Expectation& expectation, const Findings& findings) {
+  return Judge(expectation, findings).verdict();
+}
+
+}  // namespace elsie::report

@@ -1,0 +1,76 @@
+// Comfort only: without it everything is there to read.
+"use strict";
+for (const table of document.querySelectorAll("table.sortable")) {
+  const body = table.tBodies[0];
+  const heads = [...table.tHead.rows[0].cells];
+  const value = (row, column) => {
+    const cell = row.cells[column];
+    const text = cell.dataset.v ?? cell.textContent.trim();
+    return text === "" ? null : isNaN(text) ? text : Number(text);
+  };
+  heads.forEach((head, column) => {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.append(...head.childNodes);
+    head.append(button);
+    button.addEventListener("click", () => {
+      const up = head.getAttribute("aria-sort") !== "ascending";
+      for (const other of heads) other.removeAttribute("aria-sort");
+      head.setAttribute("aria-sort", up ? "ascending" : "descending");
+      const rows = [...body.rows].map((row) => [value(row, column), row]);
+      rows.sort(([a], [b]) => {
+        if (a === null || b === null) return (a === null) - (b === null);
+        const order = typeof a === "number" && typeof b === "number" ? a - b : String(a).localeCompare(String(b));
+        return up ? order : -order;
+      });
+      body.append(...rows.map(([, row]) => row));
+    });
+  });
+}
+const cells = document.querySelectorAll("[data-cell]");
+const table = document.querySelector("#comparison .scroll");
+if (table && document.querySelectorAll(".cell").length > 3) {
+  const box = document.createElement("label");
+  box.className = "filter";
+  const input = document.createElement("input");
+  input.type = "search";
+  input.placeholder = "Show only cells with these words";
+  input.setAttribute("aria-label", "Show only cells with these words");
+  box.append(input);
+  table.before(box);
+  input.addEventListener("input", () => {
+    const words = input.value.toLowerCase().split(/\s+/).filter(Boolean);
+    for (const cell of cells) {
+      const label = cell.dataset.cell.toLowerCase();
+      cell.hidden = !words.every((word) => label.includes(word));
+    }
+  });
+}
+const unfold = () => {
+  const folded = location.hash && document.querySelector(location.hash + " > details");
+  if (folded) folded.open = true;
+};
+addEventListener("hashchange", unfold);
+unfold();
+if (navigator.clipboard) {
+  for (const code of document.querySelectorAll("code.command")) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "copy";
+    button.textContent = "copy";
+    button.addEventListener("click", async () => {
+      await navigator.clipboard.writeText(code.textContent);
+      button.textContent = "copied";
+      setTimeout(() => (button.textContent = "copy"), 1500);
+    });
+    code.after(button);
+  }
+}
+let opened = [];
+addEventListener("beforeprint", () => {
+  opened = [...document.querySelectorAll(".cell > details:not([open])")];
+  for (const details of opened) details.open = true;
+});
+addEventListener("afterprint", () => {
+  for (const details of opened) details.open = false;
+});

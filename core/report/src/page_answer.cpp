@@ -1,0 +1,161 @@
+// The head of the page: what was asked, and the answer.
+#include <algorithm>
+#include <set>
+
+#include "markup.h"
+#include "numbers.h"
+#include "page.h"
+#include "words.h"
+
+namespace elsie::report {
+
+namespace {
+
+constexpr const char* kYes =
+    "<svg class=\"icon yes\" viewBox=\"0 0 20 20\" role=\"img\" aria-label=\"met\"><circle "
+    "cx=\"10\" "
+    "cy=\"10\" r=\"9\"/><path d=\"M5.8 10.4l2.8 2.8 5.6-6\"/></svg>";
+constexpr const char* kNo =
+    "<svg class=\"icon no\" viewBox=\"0 0 20 20\" role=\"img\" aria-label=\"not met\"><circle "
+    "cx=\"10\" cy=\"10\" r=\"9\"/><path d=\"M6.6 6.6l6.8 6.8M13.4 6.6l-6.8 6.8\"/></svg>";
+
+std::string tile(const std::string& value, const std::string& of, const std::string& label) {
+  return "<div><dt>" + label + "</dt><dd>" + value + (of.empty() ? "" : "<i>" + of + "</i>") +
+         "</dd></div>";
+}
+
+std::string duration(double seconds) {
+  if (seconds < 120.0) return brief(seconds, 3) + " s";
+  if (seconds < 7200.0) return brief(seconds / 60.0, 3) + " min";
+  return brief(seconds / 3600.0, 3) + " h";
+}
+
+std::string tiles(const Findings& findings) {
+  std::size_t successes = 0, ended = 0;
+  for (const CellFindings& cell : findings.cells) {
+    successes += cell.successes;
+    ended += cell.ended;
+  }
+  std::set<std::uint64_t> seeds;
+  double simulated_s = 0.0, wall_s = 0.0;
+  for (const Run& run : findings.results.runs) {
+    seeds.insert(run.seed);
+    simulated_s += run.simulated_s.value_or(0.0);
+    wall_s += run.wall_s.value_or(0.0);
+  }
+  std::string text = "<dl class=\"tiles\">";
+  text += tile(std::to_string(successes), " of " + std::to_string(ended), "successful runs");
+  text += tile(std::to_string(findings.cells.size()), "",
+               findings.cells.size() == 1 ? "cell" : "cells");
+  text += tile(std::to_string(seeds.size()), "", seeds.size() == 1 ? "seed" : "seeds");
+  if (findings.broken() > 0) {
+    text += tile(std::to_string(findings.broken()), "", "did not end by themselves");
+  }
+  if (findings.pending() > 0)
+    text += tile(std::to_string(findings.pending()), "", "still to be done");
+  text += tile(duration(simulated_s), "", "simulated");
+  text += tile(duration(wall_s), "", "of computing");
+  return text + "</dl>\n";
+}
+
+std::string headline(const Findings& findings) {
+  const auto& verdicts = findings.verdicts;
+  const auto met = static_cast<std::size_t>(std::count_if(
+      verdicts.begin(), verdicts.end(), [](const Verdict& verdict) { return verdict.met(); }));
+  std::string words;
+  if (verdicts.empty()) {
+    words = findings.good() ? "Every run ended by itself" : "Not all runs ended by themselves";
+    if (findings.pending() > 0) words = "Not all runs are done";
+  } else if (met == verdicts.size()) {
+    words = verdicts.size() == 1 ? "What was expected came true"
+                                 : "All " + std::to_string(met) + " expectations are met";
+  } else {
+    words = std::to_string(verdicts.size() - met) + " of " +
+            counted(verdicts.size(), "expectation") +
+            (verdicts.size() - met == 1 ? " is" : " are") + " not met";
+  }
+  const bool good = verdicts.empty() ? findings.good() : met == verdicts.size();
+  return "<h2 class=\"verdict " + std::string(good ? "good" : "bad") + "\">" + (good ? kYes : kNo) +
+         "<span>" + words + "</span></h2>\n";
+}
+
+std::string verdict_item(const Verdict& verdict) {
+  std::string text = "<li>" + std::string(verdict.met() ? kYes : kNo) + "<div><b>" +
+                     escaped(verdict.name) + "</b> <span>" + escaped(verdict.expected) + "</span>";
+  if (!verdict.trouble.empty()) {
+    text += "<p class=\"bad\">" + escaped(verdict.trouble) + "</p>";
+  }
+  // What failed is told at once, the rest on request.
+  std::string others;
+  std::size_t count = 0;
+  for (const Claim& claim : verdict.claims) {
+    if (!claim.holds) {
+      text += "<p class=\"bad\">" + escaped(claim.found) + "</p>";
+    } else {
+      others += "<p>" + escaped(claim.found) + "</p>";
+      ++count;
+    }
+  }
+  if (count == 1 && verdict.claims.size() == 1) {
+    text += others;
+  } else if (count > 0) {
+    text += "<details><summary>" + counted(count, "cell keeps to it", "cells keep to it") +
+            "</summary>" + others + "</details>";
+  }
+  return text + "</div></li>\n";
+}
+
+// Runs that tell more about plugins or the machine than about the experiment.
+std::string troubles(const PageContext& page) {
+  const Findings& findings = page.findings;
+  std::string rows;
+  for (const Run& run : findings.results.runs) {
+    if (!run.broken()) continue;
+    rows += "<tr><td class=\"n\">" + std::to_string(run.id) + "</td><td class=\"n\">" +
+            std::to_string(run.seed) + "</td><td>" +
+            escaped(findings.results.cells[run.cell].label) + "</td><td>" + ending_tag(run) + " " +
+            escaped(circumstances(run)) +
+            (run.log.empty() ? ""
+                             : "<details><summary>its last words</summary><pre>" +
+                                   escaped(run.log) + "</pre></details>") +
+            "</td><td>" + command(page, run) + "</td></tr>\n";
+  }
+  std::string text;
+  if (!rows.empty()) {
+    text +=
+        "<section id=\"broken\"><h2>Runs that did not end by themselves</h2><p class=\"lead\">"
+        "They count as not successful and have no values.</p><div class=\"scroll\">"
+        "<table class=\"runs\"><thead><tr><th class=\"n\">run</th><th class=\"n\">seed</th>"
+        "<th>cell</th><th>what happened</th><th>again</th></tr></thead><tbody>" +
+        rows + "</tbody></table></div></section>\n";
+  }
+  if (!findings.disagreements.empty()) {
+    text += "<section id=\"unlike\"><h2>Equal seeds, different runs</h2><ul>";
+    for (const Disagreement& disagreement : findings.disagreements) {
+      text += "<li class=\"bad\">" + escaped(in_words(findings.results, disagreement)) + "</li>";
+    }
+    text += "</ul></section>\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string answer_section(const PageContext& page) {
+  const Findings& findings = page.findings;
+  const Results& results = findings.results;
+  std::string text =
+      "<header><p class=\"eyebrow\">Experiment</p><h1>" + escaped(results.experiment) + "</h1>\n";
+  if (!results.description.empty()) {
+    text += "<p class=\"lead\">" + escaped(results.description) + "</p>\n";
+  }
+  text += "</header>\n<section id=\"answer\">" + headline(findings) + tiles(findings);
+  if (!findings.verdicts.empty()) {
+    text += "<ul class=\"expectations\">\n";
+    for (const Verdict& verdict : findings.verdicts) text += verdict_item(verdict);
+    text += "</ul>\n";
+  }
+  return text + "</section>\n" + troubles(page);
+}
+
+}  // namespace elsie::report

@@ -1,0 +1,116 @@
+// What there is much of: read cell by cell, when it is drawn.
+#include <cmath>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "elsie/report/results.h"
+
+#include "results_state.h"
+#include "sqlite.h"
+
+namespace elsie::report {
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::string query(const std::string& columns, const std::string& table, const std::string& order) {
+  return "SELECT run_id, " + columns + " FROM " + table +
+         " WHERE run_id IN (SELECT id FROM runs WHERE cell_id = ?) ORDER BY " + order;
+}
+
+// The numbers of one row of a list of lists; what is no number is not finite.
+double number(const Json& row, std::size_t place) {
+  return row.is_array() && place < row.size() && row[place].is_number() ? row[place].get<double>()
+                                                                        : std::nan("");
+}
+
+std::string text_of(const Json& object, const char* member) {
+  const auto found = object.find(member);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+double number_of(const Json& object, const char* member) {
+  const auto found = object.find(member);
+  return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
+}
+
+// A list of JSON, each of its elements handed over.
+template <class Visitor>
+void each(const std::string& text, const std::string& file, const char* table, Visitor visit) {
+  const Json list = Json::parse(text, nullptr, false);
+  if (!list.is_array()) {
+    throw ResultsError("the database '" + file + "' is damaged: in its table `" + table +
+                       "` stands what is no JSON list");
+  }
+  for (const Json& element : list) visit(element);
+}
+
+}  // namespace
+
+std::vector<Trajectory> ResultsFile::trajectories(std::int64_t cell) const {
+  std::vector<Trajectory> all;
+  const std::string& file = state_->connection.file();
+  Query rows(state_->connection,
+             query("robot, period_s, poses, touches", "trajectories", "run_id, robot"));
+  rows.bind(1, cell);
+  while (rows.next()) {
+    Trajectory way{rows.integer(0), rows.text(1), rows.number(2), {}, {}};
+    each(rows.text(3), file, "trajectories", [&](const Json& pose) {
+      way.poses.push_back({number(pose, 0), number(pose, 1), number(pose, 2)});
+    });
+    each(rows.text(4), file, "trajectories", [&](const Json& at) {
+      way.touches.push_back({number(at, 0), number(at, 1)});
+    });
+    all.push_back(std::move(way));
+  }
+  return all;
+}
+
+std::vector<Curve> ResultsFile::curves(std::int64_t cell) const {
+  std::vector<Curve> all;
+  Query rows(state_->connection, query("robot, plugin, name, x_label, y_label, points", "curves",
+                                       "run_id, robot, plugin, name"));
+  rows.bind(1, cell);
+  while (rows.next()) {
+    Curve curve{
+        rows.integer(0), rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5), {}};
+    each(rows.text(6), state_->connection.file(), "curves", [&](const Json& point) {
+      curve.points.push_back({number(point, 0), number(point, 1)});
+    });
+    all.push_back(std::move(curve));
+  }
+  return all;
+}
+
+std::vector<Timeline> ResultsFile::timelines(std::int64_t cell) const {
+  std::vector<Timeline> all;
+  const std::string& file = state_->connection.file();
+  Query rows(state_->connection, query("robot, behaviors, episodes", "timelines", "run_id, robot"));
+  rows.bind(1, cell);
+  while (rows.next()) {
+    Timeline timeline{rows.integer(0), rows.text(1), {}, {}};
+    each(rows.text(2), file, "timelines", [&](const Json& behavior) {
+      timeline.behaviors.push_back({text_of(behavior, "path"), number_of(behavior, "share"),
+                                    number_of(behavior, "decided_s")});
+    });
+    each(rows.text(3), file, "timelines", [&](const Json& episode) {
+      Timeline::Episode& told =
+          timeline.episodes.emplace_back(Timeline::Episode{number_of(episode, "from_s"),
+                                                           number_of(episode, "to_s"),
+                                                           text_of(episode, "decider"),
+                                                           number_of(episode, "share"),
+                                                           {}});
+      const auto parts = episode.find("parts");
+      if (parts == episode.end() || !parts->is_array()) return;
+      for (const Json& part : *parts) {
+        told.parts.emplace_back(text_of(part, "decider"), number_of(part, "time_s"));
+      }
+    });
+    all.push_back(std::move(timeline));
+  }
+  return all;
+}
+
+}  // namespace elsie::report

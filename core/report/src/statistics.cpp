@@ -1,0 +1,174 @@
+#include "elsie/report/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <boost/math/distributions/normal.hpp>
+
+#include "elsie/api/random.h"
+
+namespace elsie::report {
+
+namespace {
+
+double mean_of(std::span<const double> values) {
+  const auto count = static_cast<double>(values.size());
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  const double first = sum / count;
+  double rest = 0.0;  // what rounding has left over
+  for (const double value : values) rest += value - first;
+  return first + rest / count;
+}
+
+double deviation_of(std::span<const double> values, double mean) {
+  double squares = 0.0, rest = 0.0;
+  for (const double value : values) {
+    squares += (value - mean) * (value - mean);
+    rest += value - mean;
+  }
+  const auto count = static_cast<double>(values.size());
+  return std::sqrt(std::max(0.0, squares - rest * rest / count) / (count - 1.0));
+}
+
+std::vector<double> ascending(std::span<const double> values) {
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+}  // namespace
+
+double quantile(std::span<const double> ascending, double part) {
+  const double at = part * static_cast<double>(ascending.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(at), ascending.size() - 1);
+  const std::size_t above = std::min(below + 1, ascending.size() - 1);
+  const double rest = at - static_cast<double>(below);
+  // Equal neighbours give exactly their value, infinite ones too.
+  if (rest == 0.0 || ascending[below] == ascending[above]) return ascending[below];
+  return ascending[below] + rest * (ascending[above] - ascending[below]);
+}
+
+std::optional<Summary> summary(std::span<const double> values) {
+  if (values.empty()) return std::nullopt;
+  const std::vector<double> sorted = ascending(values);
+  Summary result;
+  result.count = sorted.size();
+  // In ascending order, so that a sample's numbers do not depend on the order of its values.
+  result.mean = std::clamp(mean_of(sorted), sorted.front(), sorted.back());
+  if (sorted.size() > 1) result.standard_deviation = deviation_of(sorted, result.mean);
+  result.least = sorted.front();
+  result.lower_quartile = quantile(sorted, 0.25);
+  result.median = quantile(sorted, 0.5);
+  result.upper_quartile = quantile(sorted, 0.75);
+  result.largest = sorted.back();
+  return result;
+}
+
+std::optional<double> statistic_of(Statistic statistic, std::span<const double> values) {
+  switch (statistic) {
+    case Statistic::mean:
+      return mean_of(values);
+    case Statistic::median:
+      return quantile(ascending(values), 0.5);
+    case Statistic::standard_deviation:
+      if (values.size() < 2) return std::nullopt;
+      return deviation_of(values, mean_of(values));
+    case Statistic::minimum:
+      return *std::min_element(values.begin(), values.end());
+    case Statistic::maximum:
+      return *std::max_element(values.begin(), values.end());
+    case Statistic::rate:
+      return static_cast<double>(
+                 std::count_if(values.begin(), values.end(), [](double v) { return v != 0.0; })) /
+             static_cast<double>(values.size());
+  }
+  return std::nullopt;
+}
+
+Interval wilson_interval(std::size_t successes, std::size_t trials, double confidence) {
+  if (trials == 0) return {0.0, 1.0};
+  const double z = boost::math::quantile(boost::math::normal(), 0.5 + 0.5 * confidence);
+  const auto n = static_cast<double>(trials);
+  const double p = static_cast<double>(successes) / n;
+  const double shrink = 1.0 + z * z / n;
+  const double middle = (p + z * z / (2.0 * n)) / shrink;
+  const double half = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n)) / shrink;
+  // At the ends the formula gives 0 and 1 but for rounding.
+  return {successes == 0 ? 0.0 : std::max(0.0, middle - half),
+          successes == trials ? 1.0 : std::min(1.0, middle + half)};
+}
+
+std::optional<Interval> bootstrap_interval(Statistic statistic, std::span<const double> values,
+                                           double confidence, std::uint64_t seed,
+                                           std::string_view path) {
+  if (values.size() < 2) return std::nullopt;
+  const std::vector<double> sorted = ascending(values);
+  if (sorted.front() == sorted.back()) {
+    const double only = statistic_of(statistic, sorted).value_or(0.0);
+    return Interval{only, only};
+  }
+  Random random(seed, path);
+  std::vector<double> sample(sorted.size());
+  std::vector<double> found;
+  found.reserve(kResamples);
+  for (int i = 0; i < kResamples; ++i) {
+    for (double& value : sample) {
+      value =
+          sorted[static_cast<std::size_t>(random.uniform() * static_cast<double>(sorted.size()))];
+    }
+    found.push_back(statistic_of(statistic, sample).value_or(0.0));
+  }
+  std::sort(found.begin(), found.end());
+  const double tail = 0.5 * (1.0 - confidence);
+  return Interval{quantile(found, tail), quantile(found, 1.0 - tail)};
+}
+
+std::optional<double> relation_of(Relation relation, Statistic statistic,
+                                  std::span<const Pair> pairs) {
+  std::vector<double> cell, reference;
+  for (const Pair& pair : pairs) {
+    if (pair.cell) cell.push_back(*pair.cell);
+    if (pair.reference) reference.push_back(*pair.reference);
+  }
+  if (cell.empty() || reference.empty()) return std::nullopt;
+  const auto above = statistic_of(statistic, cell), below = statistic_of(statistic, reference);
+  if (!above || !below) return std::nullopt;
+  if (relation == Relation::difference) return *above - *below;
+  const double ratio = *above / *below;
+  return std::isnan(ratio) ? std::nullopt : std::optional(ratio);
+}
+
+std::optional<Interval> paired_interval(Relation relation, Statistic statistic,
+                                        std::span<const Pair> pairs, double confidence,
+                                        std::uint64_t seed, std::string_view path) {
+  if (pairs.size() < 2) return std::nullopt;
+  Random random(seed, path);
+  std::vector<Pair> sample(pairs.size());
+  std::vector<double> found;
+  for (int i = 0; i < kResamples; ++i) {
+    for (Pair& pair : sample) {
+      pair = pairs[static_cast<std::size_t>(random.uniform() * static_cast<double>(pairs.size()))];
+    }
+    if (const auto value = relation_of(relation, statistic, sample)) found.push_back(*value);
+  }
+  if (2 * found.size() < static_cast<std::size_t>(kResamples)) return std::nullopt;
+  std::sort(found.begin(), found.end());
+  const double tail = 0.5 * (1.0 - confidence);
+  return Interval{quantile(found, tail), quantile(found, 1.0 - tail)};
+}
+
+Interval tukey_fences(const Summary& summary) {
+  const double reach = 1.5 * summary.quartile_range();
+  return {summary.lower_quartile - reach, summary.upper_quartile + reach};
+}
+
+Interval whiskers(std::span<const double> ascending, const Interval& fences) {
+  const auto low = std::lower_bound(ascending.begin(), ascending.end(), fences.low);
+  const auto high = std::upper_bound(ascending.begin(), ascending.end(), fences.high);
+  if (low >= high) return {ascending.front(), ascending.back()};
+  return {*low, *std::prev(high)};
+}
+
+}  // namespace elsie::report

@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elsie/report/report.h"
+
+#include "markup.h"
+#include "numbers.h"
+#include "words.h"
+
+namespace elsie::report {
+
+namespace {
+
+constexpr std::size_t kMostRuns = 20;  // that did not end by themselves, told one by one
+
+using Column = std::vector<std::string>;  // its head, then a text for each cell
+
+std::size_t width_of(const Column& column) {
+  std::size_t width = 0;
+  for (const std::string& text : column) width = std::max(width, characters(text));
+  return width;
+}
+
+// The first column stands to the left, the others to the right.
+std::string table(const std::vector<const Column*>& columns) {
+  std::string text;
+  for (std::size_t row = 0; row < columns.front()->size(); ++row) {
+    std::string line;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const std::string& cell = (*columns[i])[row];
+      const std::string padding(width_of(*columns[i]) - characters(cell), ' ');
+      line += i == 0 ? cell + padding : "   " + padding + cell;
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
+  }
+  return text;
+}
+
+std::string one_line(std::string_view text) {
+  std::string line = clean(text);
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  std::replace(line.begin(), line.end(), '\t', ' ');
+  return line;
+}
+
+Column labels(const Findings& findings) {
+  Column column{"cell"};
+  for (std::size_t i = 0; i < findings.cells.size(); ++i) {
+    const std::string& label = findings.results.cells[i].label;
+    column.push_back(label.empty() ? "all" : shortened(one_line(label), 60));
+  }
+  return column;
+}
+
+Column success_column(const Findings& findings) {
+  Column column{"success"};
+  for (const CellFindings& cell : findings.cells) {
+    column.push_back(std::to_string(cell.successes) + "/" + std::to_string(cell.ended));
+  }
+  return column;
+}
+
+Column measure_column(const Findings& findings, std::size_t place) {
+  const Measure& measure = findings.results.measures[findings.measures[place]];
+  const std::optional<int> decimals = decimals_of(findings, place);
+  Column column{one_line(measure.name)};
+  for (const CellFindings& cell : findings.cells) {
+    const MeasureFindings& found = cell.measures[place];
+    if (!found.all) {
+      column.emplace_back("-");
+      continue;
+    }
+    const MeanText text = mean_text(*found.all, found.interval, decimals);
+    column.push_back(text.deviation.empty() ? text.mean : text.mean + " +- " + text.deviation);
+  }
+  // One below the other: the signs, and so the points.
+  std::size_t after = 0;
+  for (const std::string& text : column) {
+    const std::size_t sign = text.find(" +- ");
+    if (sign != std::string::npos) after = std::max(after, text.size() - sign);
+  }
+  for (std::size_t i = 1; i < column.size(); ++i) {
+    const std::size_t sign = column[i].find(" +- ");
+    const std::size_t length = sign == std::string::npos ? 0 : column[i].size() - sign;
+    if (sign != std::string::npos) column[i] += std::string(after - length, ' ');
+  }
+  return column;
+}
+
+void add_counts(const Findings& findings, std::vector<Column>& columns) {
+  Column broken{"failed"}, pending{"to do"};
+  for (const CellFindings& cell : findings.cells) {
+    broken.push_back(std::to_string(cell.broken.size()));
+    pending.push_back(std::to_string(cell.pending));
+  }
+  if (findings.broken() > 0) columns.push_back(std::move(broken));
+  if (findings.pending() > 0) columns.push_back(std::move(pending));
+}
+
+std::string tables(const Findings& findings, std::size_t width) {
+  const Column cells = labels(findings);
+  std::vector<Column> columns{success_column(findings)};
+  add_counts(findings, columns);
+  for (std::size_t i = 0; i < findings.measures.size(); ++i) {
+    columns.push_back(measure_column(findings, i));
+  }
+  std::string text;
+  for (std::size_t next = 0; next < columns.size();) {
+    std::vector<const Column*> part{&cells};
+    std::size_t used = width_of(cells);
+    do {
+      used += 3 + width_of(columns[next]);
+      part.push_back(&columns[next++]);
+    } while (next < columns.size() && used + 3 + width_of(columns[next]) <= width);
+    text += (text.empty() ? "" : "\n") + table(part);
+  }
+  return text;
+}
+
+std::string expectations(const Findings& findings) {
+  if (findings.verdicts.empty()) return "";
+  std::string text = "\nExpectations\n";
+  for (const Verdict& verdict : findings.verdicts) {
+    text += (verdict.met() ? "  met      " : "  NOT MET  ") + one_line(verdict.name) +
+            (verdict.expected.empty() ? "" : ": " + one_line(verdict.expected)) + '\n';
+    if (!verdict.trouble.empty()) text += "           " + one_line(verdict.trouble) + '\n';
+    for (const Claim& claim : verdict.claims) {
+      if (!claim.holds) text += "           " + one_line(claim.sentence) + '\n';
+    }
+  }
+  return text;
+}
+
+std::string troubles(const Findings& findings, const std::string& database) {
+  std::string text;
+  std::size_t told = 0;
+  for (const Run& run : findings.results.runs) {
+    if (!run.broken() || ++told > kMostRuns) continue;
+    text += "  " + one_line(name_of(findings.results, run)) + ": " +
+            one_line(ending_in_words(run)) + "\n    " + one_line(replay_command(database, run.id)) +
+            '\n';
+  }
+  if (told > kMostRuns) text += "  and " + counted(told - kMostRuns, "more", "more") + '\n';
+  if (told > 0) text = "\nRuns that did not end by themselves\n" + text;
+  if (!findings.disagreements.empty()) text += "\nEqual seeds, different runs\n";
+  for (const Disagreement& disagreement : findings.disagreements) {
+    text += "  " + one_line(in_words(findings.results, disagreement)) + '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string terminal_report(const Findings& findings, const std::string& database,
+                            std::size_t width) {
+  std::string text = one_line(findings.results.experiment);
+  if (!findings.results.description.empty()) text += ": " + one_line(findings.results.description);
+  text += '\n' + one_line(size_in_words(findings));
+  if (findings.broken() > 0) {
+    text += "; " + std::to_string(findings.broken()) + " did not end by " +
+            (findings.broken() == 1 ? "itself" : "themselves");
+  }
+  if (findings.pending() > 0)
+    text += "; " + std::to_string(findings.pending()) + " still to be done";
+  text += "\n\n" + tables(findings, width) +
+          "\nmean +- standard deviation over the runs of a cell that ended by themselves\n";
+  return text + expectations(findings) + troubles(findings, database);
+}
+
+}  // namespace elsie::report

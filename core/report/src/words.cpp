@@ -1,0 +1,73 @@
+#include "words.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "numbers.h"
+
+namespace elsie::report {
+
+std::string size_in_words(const Findings& findings) {
+  std::set<std::uint64_t> seeds;
+  int repeats = 1;
+  for (const Run& run : findings.results.runs) {
+    seeds.insert(run.seed);
+    repeats = std::max(repeats, run.repetition);
+  }
+  std::string text = counted(findings.runs(), "run") + ": " +
+                     counted(findings.cells.size(), "cell") + ", " + counted(seeds.size(), "seed");
+  if (repeats > 1) text += ", each " + std::to_string(repeats) + " times";
+  if (findings.partial()) text += "; shard " + findings.results.shard + " of the experiment";
+  return text;
+}
+
+std::optional<int> decimals_of(const Findings& findings, std::size_t measure) {
+  std::optional<int> least, most;
+  for (const CellFindings& cell : findings.cells) {
+    const auto& all = cell.measures[measure].all;
+    if (!all) continue;
+    const auto decimals = decimals_for(all->mean, all->standard_deviation.value_or(0.0));
+    if (!decimals) return std::nullopt;
+    least = std::min(least.value_or(*decimals), *decimals);
+    most = std::max(most.value_or(*decimals), *decimals);
+  }
+  return most ? std::min(*most, *least + 3) : most;
+}
+
+std::string circumstances(const Run& run) {
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : " ") + part; };
+  if (!run.signal.empty()) add("by " + run.signal);
+  if (!run.plugin.empty()) add("in plugin '" + run.plugin + "'");
+  if (!run.robot.empty()) add("of robot '" + run.robot + "'");
+  if (run.step) add("at step " + std::to_string(*run.step));
+  if (!run.message.empty()) text += (text.empty() ? "" : ": ") + run.message;
+  return text;
+}
+
+std::string ending_in_words(const Run& run) {
+  const std::string how = circumstances(run);
+  const bool message_only = how == run.message;
+  return to_string(run.state) + std::string(how.empty() ? "" : message_only ? ": " : " ") + how;
+}
+
+std::string name_of(const Results& results, const Run& run) {
+  const std::string& label = results.cells[run.cell].label;
+  return "run " + std::to_string(run.id) + " (" + (label.empty() ? "" : label + ", ") + "seed " +
+         std::to_string(run.seed) + ")";
+}
+
+std::string in_words(const Results& results, const Disagreement& disagreement) {
+  std::string text = "runs ";
+  for (std::size_t i = 0; i < disagreement.runs.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == disagreement.runs.size() ? " and " : ", ";
+    text += std::to_string(results.runs[disagreement.runs[i]].id);
+  }
+  const Run& first = results.runs[disagreement.runs.front()];
+  const std::string& label = results.cells[first.cell].label;
+  return text + " (" + (label.empty() ? "" : label + ", ") + "seed " + std::to_string(first.seed) +
+         ") ended in different states: a plugin does not follow from the seed alone";
+}
+
+}  // namespace elsie::report

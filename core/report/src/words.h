@@ -1,0 +1,33 @@
+// Sentences that several forms of the report have in common.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "elsie/report/findings.h"
+
+namespace elsie::report {
+
+/// "160 runs: 8 cells with 20 seeds each"; of a part of an experiment also which.
+std::string size_in_words(const Findings& findings);
+
+/// How many decimals a measure (a place in Findings::measures) has in a table of all cells: what
+/// the cell with the finest spread asks for, but at most three more than the coarsest one. None:
+/// its values are better written with exponents.
+std::optional<int> decimals_of(const Findings& findings, std::size_t measure);
+
+/// How a run ended that did not end by itself: "crash: SIGSEGV in plugin 'x' of robot 'r1' at step
+/// 812". What is not known is left out.
+std::string ending_in_words(const Run& run);
+
+/// The same without the first word: "by SIGSEGV in plugin...".
+std::string circumstances(const Run& run);
+
+/// "run 17 (fusion, seed 3)"
+std::string name_of(const Results& results, const Run& run);
+
+/// "runs 17 and 18 (fusion, seed 3) ended in different states"
+std::string in_words(const Results& results, const Disagreement& disagreement);
+
+}  // namespace elsie::report

@@ -1,0 +1,198 @@
+// elsie report, as a user and a CI server call it.
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "made_up.h"
+#include "program.h"
+
+namespace fs = std::filesystem;
+using Catch::Contains;
+using elsie::test::MadeExperiment;
+using elsie::test::Workplace;
+
+namespace {
+
+// The worlds and plugins that it names are nowhere: a report does without them.
+std::string experiment_text(const std::string& expectations) {
+  return "<experiment format=\"1\" name=\"made up\">\n"
+         "  <worlds><world id=\"w\" file=\"nowhere.xml\"/></worlds>\n"
+         "  <vary name=\"scheme\" path=\"robot[r1]/coordinator\">\n"
+         "    <level label=\"a\"><no_such_plugin/></level>\n"
+         "    <level label=\"b\"><neither/></level>\n"
+         "  </vary>\n"
+         "  <seeds from=\"1\" to=\"3\"/>\n"
+         "  <expectations>" +
+         expectations + "</expectations>\n</experiment>\n";
+}
+
+MadeExperiment experiment(const std::string& expectations) {
+  MadeExperiment made_up = elsie::test::made_from({{60, 64, 68}, {30, 33, 36}});
+  made_up.text = experiment_text(expectations);
+  return made_up;
+}
+
+const std::string kMet =
+    "<expect name=\"both succeed\" measure=\"success\" at_least=\"1\"/>"
+    "<expect name=\"b is shorter\" measure=\"path_length_m\" where=\"scheme=b\" "
+    "ratio_to=\"scheme=a\" at_most=\"0.6\" confidence=\"0.95\"/>";
+const std::string kMissed =
+    "<expect name=\"both are short\" measure=\"path_length_m\" at_most=\"40\"/>";
+
+}  // namespace
+
+TEST_CASE("report tells cells, measures and expectations; 0 when all is as expected") {
+  Workplace here;
+  write_database(experiment(kMet), here.file("runs.sqlite"));
+  const auto run = here.elsie("report runs.sqlite");
+  CHECK(run.exit_code == 0);
+  CHECK(run.err.empty());
+  CHECK_THAT(run.out, Contains("a          3/3     64.0 +- 4.0"));
+  CHECK_THAT(run.out, Contains("b          3/3     33.0 +- 3.0"));
+  CHECK_THAT(run.out, Contains("  met      both succeed"));
+  CHECK_THAT(run.out, Contains("  met      b is shorter"));
+}
+
+TEST_CASE("report ends with 1 when an expectation is not met, so that CI fails") {
+  Workplace here;
+  write_database(experiment(kMet + kMissed), here.file("runs.sqlite"));
+  const auto run = here.elsie("report runs.sqlite");
+  CHECK(run.exit_code == 1);
+  CHECK(run.err.empty());
+  CHECK_THAT(run.out, Contains("  NOT MET  both are short"));
+  CHECK_THAT(run.out, Contains("mean path_length_m of a is 64 m (3 runs), expected at most 40 m"));
+}
+
+TEST_CASE("report ends with 1 when a run crashed, or is still to be done") {
+  Workplace here;
+  MadeExperiment made_up = experiment("");
+  made_up.text = experiment_text("<expect measure=\"path_length_m\" at_least=\"0\"/>");
+  made_up.cells[0].runs[1].measures.clear();
+  made_up.cells[0].runs[1].state = GENERATE("crash", "pending");
+  write_database(made_up, here.file("runs.sqlite"));
+  CHECK(here.elsie("report runs.sqlite").exit_code == 1);
+}
+
+TEST_CASE("report writes a page, a table and test cases; the database stays as it is") {
+  Workplace here;
+  write_database(experiment(kMet + kMissed), here.file("runs.sqlite"));
+  const std::string before = here.read("runs.sqlite");
+  const auto run =
+      here.elsie("report runs.sqlite --html page.html --csv runs.csv --junit results.xml --quiet");
+  CHECK(run.exit_code == 1);
+  CHECK(run.out.empty());
+  CHECK(run.err.empty());
+  CHECK_THAT(here.read("page.html"), Catch::StartsWith("<!doctype html>"));
+  CHECK_THAT(here.read("page.html"), Contains("both are short"));
+  CHECK_THAT(here.read("runs.csv"), Catch::StartsWith("run,cell,seed,"));
+  CHECK_THAT(here.read("results.xml"), Contains("<testcase classname=\"made up\" name=\"both are "
+                                                "short\""));
+  CHECK(here.read("runs.sqlite") == before);
+  // Again: the same bytes, wherever and whenever.
+  const std::string page = here.read("page.html"), csv = here.read("runs.csv"),
+                    junit = here.read("results.xml");
+  here.sh(
+      "LC_ALL=C.UTF-8 TZ=Asia/Tokyo COLUMNS=60 elsie report runs.sqlite --html page.html "
+      "--csv runs.csv --junit results.xml --quiet || true");
+  CHECK(here.read("page.html") == page);
+  CHECK(here.read("runs.csv") == csv);
+  CHECK(here.read("results.xml") == junit);
+  for (const auto& entry : fs::directory_iterator(here.file("."))) {
+    CHECK(entry.path().extension() != ".part");
+  }
+}
+
+TEST_CASE("report --json prints one object and nothing else") {
+  Workplace here;
+  write_database(experiment(kMet), here.file("runs.sqlite"));
+  const auto run = here.elsie("report runs.sqlite --json");
+  const auto json = nlohmann::json::parse(run.out);
+  CHECK(json["good"] == true);
+  CHECK(json["expectations"][1]["cells"][0]["value"] == Approx(33.0 / 64.0));
+}
+
+TEST_CASE("report refuses bad input in a sentence, with exit code 2") {
+  Workplace here;
+  write_database(experiment(kMet), here.file("runs.sqlite"));
+  here.write("text.sqlite", std::string(200, 'x'));
+  here.write("empty.sqlite", "");
+  here.write("short.sqlite", here.read("runs.sqlite").substr(0, 5000));
+  fs::create_directory(here.file("folder"));
+  fs::create_directory(here.file("folder.html"));
+  REQUIRE(here.sh("sqlite3 other.sqlite 'CREATE TABLE about (id INTEGER)'\n"
+                  "cp runs.sqlite newer.sqlite; sqlite3 newer.sqlite 'PRAGMA user_version = 99'\n"
+                  "cp runs.sqlite planless.sqlite; sqlite3 planless.sqlite 'DELETE FROM about'\n"
+                  "cp runs.sqlite broken.sqlite\n"
+                  "sqlite3 broken.sqlite \"UPDATE about SET text = '<experiment>'\"\n"
+                  "cp runs.sqlite runs.html")
+              .exit_code == 0);
+  const auto refused = [&](const std::string& arguments, const std::string& why) {
+    const auto run = here.elsie("report " + arguments);
+    CAPTURE(arguments);
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    CHECK_THAT(run.err, Contains(why));
+  };
+  refused("", "DATABASE is missing");
+  refused("missing.sqlite", "there is no database 'missing.sqlite'");
+  refused("folder", "'folder' is not a file");
+  refused("empty.sqlite", "'empty.sqlite' is empty: there is not a byte in it");
+  refused("text.sqlite", "'text.sqlite' is not a database");
+  refused("short.sqlite", "the database 'short.sqlite'");
+  refused("other.sqlite", "'other.sqlite' is a database of another program");
+  refused("newer.sqlite", "'newer.sqlite' has version 99 of the results schema");
+  refused("planless.sqlite", "'planless.sqlite' is empty: its batch ended before");
+  refused("broken.sqlite", "<experiment>");
+  refused("runs.sqlite --html page.txt", "--html: expected a name that ends in .html");
+  refused("runs.sqlite --csv runs.sqlite", "--csv: expected a name that ends in .csv");
+  refused("runs.sqlite --junit nowhere/results.xml", "there is no folder 'nowhere'");
+  refused("runs.sqlite --html folder.html", "cannot write 'folder.html': it is a directory");
+  refused("runs.sqlite --csv ''", "--csv");
+  refused("runs.html --html runs.html", "--html: 'runs.html' is the database itself");
+  refused("runs.sqlite --quiet --csv /dev/full", "--csv: '/dev/full' could not be written");
+  refused("runs.sqlite --json --quiet", "--quiet");
+  refused("runs.sqlite --pdf page.pdf", "--pdf");
+  CHECK_FALSE(fs::exists(here.file("missing.sqlite")));
+  CHECK(here.read("runs.html") == here.read("runs.sqlite"));
+}
+
+TEST_CASE("report replaces what it wrote before, through a link too, and writes to devices") {
+  Workplace here;
+  write_database(experiment(kMet), here.file("runs.sqlite"));
+  here.write("target.csv", "old");
+  fs::create_symlink("target.csv", here.file("link.csv"));
+  REQUIRE(here.elsie("report runs.sqlite --quiet --csv link.csv").exit_code == 0);
+  CHECK(fs::is_symlink(here.file("link.csv")));
+  CHECK_THAT(here.read("target.csv"), Catch::StartsWith("run,cell,seed,"));
+  const auto run = here.sh("elsie report runs.sqlite --quiet --csv /dev/stdout | cat");
+  CHECK(run.exit_code == 0);
+  CHECK(run.out == here.read("target.csv"));
+}
+
+TEST_CASE("From an experiment to its page: batch, report, replay") {
+  Workplace here;
+  here.write("beams.xml",
+             "<experiment format=\"1\" name=\"beams\">\n"
+             "  <worlds><world file=\"worlds/clutter.xml\"/></worlds>\n"
+             "  <set path=\"goals\"><goals><travel distance=\"100\"/></goals></set>\n"
+             "  <vary path=\"robot[r1]/coordinator\">\n"
+             "    <level label=\"fusion\"><fusion_vector_summation/></level>\n"
+             "    <level label=\"arbitration\"><arbiter_suppression/></level>\n"
+             "  </vary>\n"
+             "  <seeds from=\"1\" to=\"3\"/>\n"
+             "  <limits time=\"10\"/>\n"
+             "  <expectations><expect measure=\"time_s\" about=\"10\" tolerance=\"0.1\"/>"
+             "</expectations>\n"
+             "</experiment>\n");
+  REQUIRE(here.elsie("batch beams.xml --database beams.sqlite --quiet").exit_code == 0);
+  const auto run = here.elsie("report beams.sqlite --html beams.html");
+  CHECK(run.exit_code == 0);
+  CHECK_THAT(run.out, Contains("fusion"));
+  const std::string page = here.read("beams.html");
+  CHECK_THAT(page, Contains("Who decided when"));
+  CHECK_THAT(page, Contains("<path class=\"way"));
+  // No run reached its goals: each is worth a look, and its command does what it says.
+  CHECK_THAT(page, Contains("elsie replay beams.sqlite 6</code>"));
+  CHECK(here.sh("elsie replay beams.sqlite 6 --quiet").exit_code == 0);
+}

@@ -1,0 +1,78 @@
+// Results databases with made-up runs, written with the schema of core/batch.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elsie/api/geometry.h"
+
+namespace elsie::test {
+
+struct MadeEpisode {
+  double from_s = 0.0, to_s = 0.0;
+  std::string decider;
+};
+
+struct MadeRobot {
+  std::string id = "r1";
+  std::vector<Pose> poses;
+  std::vector<Vector2> touches;
+  std::vector<MadeEpisode> episodes;
+  std::vector<std::pair<std::string, double>> shares;  // of behaviours, by path
+  std::vector<Vector2> curve;                          // of its coordinator; empty: none
+};
+
+struct MadeRun {
+  std::uint64_t seed = 1;
+  int repetition = 1;
+  std::string state = "done";
+  std::string outcome = "success";  // of those that are done
+  std::string message;
+  std::map<std::string, std::optional<double>> measures;
+  std::string state_hash = "0123456789abcdef";
+  std::string signal, plugin, robot, log;
+  std::optional<std::int64_t> step;
+  std::vector<MadeRobot> robots;
+};
+
+struct MadeCell {
+  std::string label;
+  std::vector<std::string> levels;  // of the factors, the world's first
+  std::string world_text;
+  std::vector<MadeRun> runs;
+};
+
+struct MadeExperiment {
+  std::string name = "made up";
+  std::string description;
+  std::string text;  // of the experiment file
+  std::string fingerprint = "4fd1";
+  std::string shard = "1/1";
+  std::int64_t all_runs = 0;                     // 0: as many as there are
+  std::vector<std::string> factors = {"world"};  // the world's first
+  std::vector<std::pair<std::string, std::string>> units = {{"path_length_m", "m"},
+                                                            {"time_s", "s"}};
+  std::vector<MadeCell> cells;
+};
+
+/// Writes the database anew.
+void write_database(const MadeExperiment& experiment, const std::filesystem::path& file);
+
+/// A world with four resources and this many robots, of two teams.
+std::string made_world(std::size_t robots = 1);
+
+/// Cells "a", "b"... of a factor "scheme", each with runs that have these path lengths; seeds from
+/// 1.
+MadeExperiment made_from(const std::vector<std::vector<double>>& path_lengths);
+
+/// What a study looks like: four networks by two coordinators, 20 seeds each, with ways, learning
+/// curves and timelines. Some runs of the small networks fail, a few crash, a few stand out.
+MadeExperiment made_study();
+
+}  // namespace elsie::test

@@ -1,0 +1,257 @@
+#include <catch2/catch.hpp>
+
+#include "fixture.h"
+
+using namespace elsie::report;
+using elsie::experiment::Expectation;
+using elsie::test::expecting;
+using elsie::test::Made;
+using elsie::test::made_from;
+using elsie::test::MadeExperiment;
+
+namespace {
+
+// One verdict about one study.
+Verdict judged(const MadeExperiment& experiment, const Expectation& expectation) {
+  return Made(experiment, expecting(expectation)).findings().verdicts.at(0);
+}
+
+Expectation success_at_least(double rate) {
+  Expectation expectation;
+  expectation.name = "it succeeds";
+  expectation.measure = "success";
+  expectation.statistic = Statistic::rate;
+  expectation.at_least = rate;
+  return expectation;
+}
+
+Expectation mean_path() {
+  Expectation expectation;
+  expectation.name = "it is short";
+  expectation.measure = "path_length_m";
+  return expectation;
+}
+
+// 20 runs, the last of them without success.
+MadeExperiment nineteen_of_twenty() {
+  MadeExperiment made_up = made_from({std::vector<double>(20, 5.0)});
+  made_up.cells[0].label = "fusion";
+  made_up.cells[0].runs[19].outcome = "time_limit";
+  return made_up;
+}
+
+}  // namespace
+
+TEST_CASE("A rate of success is told with its counts") {
+  const Verdict verdict = judged(nineteen_of_twenty(), success_at_least(1.0));
+  CHECK_FALSE(verdict.met());
+  REQUIRE(verdict.claims.size() == 1);
+  CHECK(verdict.claims[0].value == 0.95);
+  CHECK(verdict.claims[0].sentence ==
+        "success rate of fusion is 0.95 (19 of 20), expected at least 1");
+  CHECK(judged(nineteen_of_twenty(), success_at_least(0.95)).met());
+}
+
+TEST_CASE("A run that crashed counts as not successful, and is told of") {
+  MadeExperiment made_up = nineteen_of_twenty();
+  made_up.cells[0].runs[0].state = "crash";
+  made_up.cells[0].runs[0].measures.clear();
+  const Verdict verdict = judged(made_up, success_at_least(0.95));
+  CHECK_FALSE(verdict.met());
+  CHECK(verdict.claims[0].sentence ==
+        "success rate of fusion is 0.9 (18 of 20; 1 run did not end by itself), expected at least "
+        "0.95");
+}
+
+TEST_CASE("With confidence the whole interval must keep to what is expected") {
+  Expectation expectation = success_at_least(0.8);
+  CHECK(judged(nineteen_of_twenty(), expectation).met());
+  expectation.confidence = 0.95;  // Wilson: 19 of 20 is from 0.764 on
+  const Verdict verdict = judged(nineteen_of_twenty(), expectation);
+  CHECK_FALSE(verdict.met());
+  CHECK(verdict.claims[0].interval->low == Approx(0.7639).margin(1e-4));
+  CHECK(verdict.claims[0].sentence ==
+        "success rate of fusion is 0.95 (19 of 20; 95 % interval from 0.76387 to 0.99112), "
+        "expected at least 0.8, with 95 % confidence");
+  expectation.at_least = 0.76;
+  CHECK(judged(nineteen_of_twenty(), expectation).met());
+}
+
+TEST_CASE("Limits, from below, from above, around") {
+  const MadeExperiment made_up = made_from({{1, 2, 3}});
+  Expectation expectation = mean_path();
+  const auto met = [&] { return judged(made_up, expectation).met(); };
+  SECTION("at most") {
+    expectation.at_most = 2.0;
+    CHECK(met());
+    expectation.at_most = 1.9;
+    CHECK_FALSE(met());
+    expectation.tolerance = 0.1;
+    CHECK(met());
+  }
+  SECTION("at least and at most") {
+    expectation.at_least = 1.5;
+    expectation.at_most = 2.5;
+    CHECK(met());
+    expectation.at_least = 2.1;
+    CHECK_FALSE(met());
+  }
+  SECTION("about") {
+    expectation.about = 2.2;
+    expectation.tolerance = 0.1;
+    CHECK_FALSE(met());
+    CHECK(judged(made_up, expectation).claims[0].sentence ==
+          "mean path_length_m of a is 2 m (3 runs), expected about 2.2 m give or take 0.1 m");
+    expectation.tolerance = 0.25;
+    CHECK(met());
+  }
+}
+
+TEST_CASE("A value just beside a limit is not told as if it were the limit") {
+  Expectation expectation = mean_path();
+  expectation.at_least = 2.0;
+  const Verdict verdict = judged(made_from({{1.999999999, 1.999999999}}), expectation);
+  CHECK_FALSE(verdict.met());
+  CHECK(verdict.claims[0].sentence ==
+        "mean path_length_m of a is 1.999999999 m (2 runs), expected at least 2 m");
+}
+
+TEST_CASE("An expectation is about the cells that it names") {
+  const MadeExperiment made_up = made_from({{1, 1}, {5, 5}, {9, 9}});
+  Expectation expectation = mean_path();
+  expectation.at_most = 6.0;
+  CHECK(judged(made_up, expectation).claims.size() == 3);
+  CHECK_FALSE(judged(made_up, expectation).met());
+  expectation.where = {{"scheme", {"a", "b"}}};
+  CHECK(judged(made_up, expectation).claims.size() == 2);
+  CHECK(judged(made_up, expectation).met());
+  expectation.where = {{"scheme", {"*"}}, {"world", {"w*"}}};
+  CHECK(judged(made_up, expectation).claims.size() == 3);
+  expectation.where = {{"scheme", {"d"}}};
+  CHECK_FALSE(judged(made_up, expectation).met());
+  CHECK(judged(made_up, expectation).trouble == "there is no cell that it is about");
+}
+
+TEST_CASE("Other statistics, and successful runs only") {
+  MadeExperiment made_up = made_from({{1, 2, 3, 100}});
+  made_up.cells[0].runs[3].outcome = "failure";
+  Expectation expectation = mean_path();
+  expectation.at_most = 3.0;
+  for (const Statistic statistic : {Statistic::mean, Statistic::maximum}) {
+    expectation.statistic = statistic;
+    expectation.runs = elsie::experiment::Runs::all;
+    CHECK_FALSE(judged(made_up, expectation).met());
+    expectation.runs = elsie::experiment::Runs::successes;
+    CHECK(judged(made_up, expectation).met());
+  }
+  expectation.runs = elsie::experiment::Runs::all;
+  expectation.statistic = Statistic::median;
+  CHECK(judged(made_up, expectation).met());
+  expectation.statistic = Statistic::minimum;
+  CHECK(judged(made_up, expectation).claims[0].value == 1.0);
+}
+
+TEST_CASE("One measure per another") {
+  MadeExperiment made_up = made_from({{10, 20, 30}});
+  for (auto& run : made_up.cells[0].runs) run.measures["time_s"] = 10.0;
+  made_up.cells[0].runs[2].measures["time_s"] = 0.0;  // no speed: left out
+  Expectation expectation = mean_path();
+  expectation.per = "time_s";
+  expectation.at_least = 1.5;
+  const Verdict verdict = judged(made_up, expectation);
+  CHECK(verdict.met());
+  CHECK(verdict.claims[0].sentence ==
+        "mean path_length_m per time_s of a is 1.5 (2 runs), expected at least 1.5");
+}
+
+TEST_CASE("Cells beside each other") {
+  const MadeExperiment made_up = made_from({{60, 64, 68}, {30, 33, 36}});
+  Expectation expectation = mean_path();
+  expectation.relation = Relation::ratio;
+  expectation.reference = {{"scheme", "a"}};
+  expectation.at_most = 0.6;
+  const Verdict verdict = judged(made_up, expectation);
+  CHECK(verdict.met());
+  REQUIRE(verdict.claims.size() == 1);  // the reference is not compared with itself
+  CHECK(verdict.claims[0].cell == 1);
+  CHECK(verdict.claims[0].sentence ==
+        "mean path_length_m of b is 0.51562 times that of a (33 m, 3 runs, beside 64 m, 3 runs), "
+        "expected at most 0.6 times that of the cell with scheme a");
+  SECTION("with confidence: pairs of a seed are drawn together") {
+    expectation.confidence = 0.95;
+    const Claim claim = judged(made_up, expectation).claims[0];
+    CHECK(claim.holds);
+    CHECK(claim.interval->low >= 0.5);
+    CHECK(claim.interval->high <= 36.0 / 68.0 + 1e-12);
+  }
+  SECTION("as a difference") {
+    expectation.relation = Relation::difference;
+    expectation.at_most = -30.0;
+    CHECK(judged(made_up, expectation).met());
+    CHECK(judged(made_up, expectation).claims[0].value == -31.0);
+  }
+  SECTION("while the other one is not done") {
+    MadeExperiment incomplete = made_up;
+    incomplete.cells[0].runs[0].state = "pending";
+    incomplete.cells[0].runs[0].measures.clear();
+    const Claim claim = judged(incomplete, expectation).claims[0];
+    CHECK_FALSE(claim.holds);
+    CHECK(
+        claim.sentence ==
+        "mean path_length_m of b is not known: not all runs of a are done, 1 is still to be done; "
+        "expected at most 0.6 times that of the cell with scheme a");
+  }
+}
+
+TEST_CASE("What cannot be judged is not met") {
+  MadeExperiment made_up = made_from({{1, 2, 3}});
+  SECTION("not all runs are done") {
+    made_up.cells[0].runs[1].state = made_up.cells[0].runs[2].state = "pending";
+    made_up.cells[0].runs[1].measures.clear();
+    made_up.cells[0].runs[2].measures.clear();
+    const Verdict verdict = judged(made_up, success_at_least(0.0));
+    CHECK_FALSE(verdict.met());
+    CHECK(verdict.claims[0].sentence ==
+          "success rate of a is not known: not all runs of a are done, 2 are still to be done; "
+          "expected at least 0");
+  }
+  SECTION("there is no such measure") {
+    Expectation expectation = mean_path();
+    expectation.measure = "path_lenght_m";
+    expectation.at_least = 0.0;
+    CHECK_FALSE(judged(made_up, expectation).met());
+    CHECK(judged(made_up, expectation).trouble ==
+          "no run has a measure 'path_lenght_m'; did you mean 'path_length_m'?");
+  }
+  SECTION("no run has a value") {
+    for (auto& run : made_up.cells[0].runs) run.outcome = "failure";
+    Expectation expectation = mean_path();
+    expectation.runs = elsie::experiment::Runs::successes;
+    expectation.at_least = 0.0;
+    const Verdict verdict = judged(made_up, expectation);
+    CHECK_FALSE(verdict.met());
+    CHECK(verdict.claims[0].sentence ==
+          "mean path_length_m of successful runs of a is not known: no successful run of a has a "
+          "value; expected at least 0 m");
+  }
+  SECTION("too few for an interval") {
+    Expectation expectation = mean_path();
+    expectation.at_least = 0.0;
+    expectation.confidence = 0.9;
+    CHECK_FALSE(judged(made_from({{1}}), expectation).met());
+  }
+  SECTION("a part of the runs is in another database") {
+    made_up.shard = "1/2";
+    made_up.all_runs = 6;
+    CHECK_FALSE(judged(made_up, success_at_least(0.0)).met());
+  }
+}
+
+TEST_CASE("An expectation without a name of its own is not told twice") {
+  Expectation expectation = success_at_least(0.5);
+  CHECK(judged(nineteen_of_twenty(), expectation).expected == "success rate: at least 0.5");
+  expectation.name = "rate of success, scheme=a: at least 0.5";
+  CHECK(judged(nineteen_of_twenty(), expectation).expected.empty());
+  expectation.confidence = 0.9;
+  CHECK(judged(nineteen_of_twenty(), expectation).expected == "with 90 % confidence");
+}

@@ -1,0 +1,289 @@
+// The page: what a browser is given. tests/report/browser/ looks at it in one.
+#include <cctype>
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/plugin/host.h"
+#include "elsie/world/reader.h"
+
+#include "hostile.h"
+
+using namespace elsie::report;
+using Catch::Contains;
+using elsie::test::expecting;
+using elsie::test::hostile;
+using elsie::test::hostile_expectation;
+using elsie::test::Made;
+using elsie::test::made_from;
+using elsie::test::MadeExperiment;
+using elsie::test::source_path;
+
+namespace {
+
+// A page is read as strictly as XML would be: every element is closed in order, every attribute
+// quoted, no bare "<" in texts. What is wrong, or "". Counts the elements by name.
+std::string badly_nested(const std::string& html, std::map<std::string, int>& elements) {
+  static const std::set<std::string> kVoid{"meta", "link", "!doctype"};
+  std::vector<std::string> open;
+  std::size_t at = 0;
+  const auto around = [&] { return html.substr(at > 40 ? at - 40 : 0, 120); };
+  while ((at = html.find_first_of("<>", at)) != std::string::npos) {
+    if (html[at] == '>') return "a bare > near: " + around();
+    const std::size_t start = ++at;
+    if (html[at] == '/') {
+      const std::size_t end = html.find('>', at);
+      const std::string name = html.substr(at + 1, end - at - 1);
+      if (open.empty() || open.back() != name) return "</" + name + "> near: " + around();
+      open.pop_back();
+      at = end + 1;
+      continue;
+    }
+    while (at < html.size() &&
+           (std::isalnum(static_cast<unsigned char>(html[at])) || html[at] == '!')) {
+      ++at;
+    }
+    const std::string name = html.substr(start, at - start);
+    if (name.empty()) return "a bare < near: " + around();
+    bool closed = false;
+    while (html.at(at) != '>') {
+      if (html[at] == '/' && html.at(at + 1) == '>') {
+        closed = true;
+        ++at;
+      } else if (html[at] == '"') {
+        at = html.find('"', at + 1);
+        if (at == std::string::npos) return "an attribute without an end in <" + name;
+        ++at;
+      } else if (html[at] == '<') {
+        return "a < in the tag <" + name;
+      } else {
+        ++at;
+      }
+    }
+    ++at;
+    ++elements[name];
+    if (closed || kVoid.contains(name)) continue;
+    if (name == "style" || name == "script") {
+      at = html.find("</" + name + ">", at) + name.size() + 3;
+      continue;
+    }
+    open.push_back(name);
+  }
+  return open.empty() ? "" : "<" + open.back() + "> is not closed";
+}
+
+MadeExperiment with_ways(std::size_t cells, std::size_t runs, std::size_t poses) {
+  MadeExperiment made_up;
+  made_up.factors = {"world", "number"};
+  elsie::Random random(1, "ways");
+  for (std::size_t i = 0; i < cells; ++i) {
+    auto& cell = made_up.cells.emplace_back();
+    cell.label = "cell number " + std::to_string(i);
+    cell.levels = {"w", std::to_string(i)};
+    cell.world_text = elsie::test::made_world();
+    for (std::size_t j = 0; j < runs; ++j) {
+      auto& run = cell.runs.emplace_back();
+      run.seed = j + 1;
+      for (const char* name : {"success", "path_length_m", "time_s", "collisions"}) {
+        run.measures[name] = random.normal(10.0, 2.0);
+      }
+      auto& robot = run.robots.emplace_back();
+      elsie::Pose pose;
+      for (std::size_t k = 0; k < poses; ++k) {
+        robot.poses.push_back(pose);
+        pose.x = std::clamp(pose.x + random.normal(0.0, 0.2), -5.0, 5.0);
+        pose.y = std::clamp(pose.y + random.normal(0.0, 0.2), -5.0, 5.0);
+      }
+      for (int k = 0; k < 60; ++k) {
+        robot.episodes.push_back({1.0 * k, 1.0 * k + 1.0, k % 2 ? "avoid" : "find"});
+      }
+      robot.shares = {{"avoid", 0.5}, {"find", 0.5}};
+    }
+  }
+  return made_up;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++found;
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("The page of a study has all its parts") {
+  elsie::experiment::Expectation expectation;
+  expectation.name = "fusion completes every case";
+  expectation.measure = "success";
+  expectation.statistic = Statistic::rate;
+  expectation.where = {{"coordinator", {"arbitration"}}};
+  expectation.at_least = 1.0;
+  const Made made(elsie::test::made_study(), expecting(expectation));
+  const std::string html = made.html();
+  std::map<std::string, int> elements;
+  CHECK(badly_nested(html, elements) == "");
+  CHECK(elements["article"] == 8);
+  CHECK_THAT(html, Contains("<h1>Coordination by neural networks</h1>"));
+  CHECK(count(html, "<figure class=\"map ") == 8);
+  CHECK(count(html, "<figure class=\"decisions\"") == 8);
+  CHECK(count(html, "<figure class=\"curves ") == 8);
+  CHECK(count(html, "<figure class=\"boxes\"") == 5);
+  CHECK_THAT(html, Contains("1 of 1 expectation is not met"));
+  // Every run that is no success has its command, and so has every outlier.
+  const Findings findings = made.findings();
+  for (const Run& run : findings.results.runs) {
+    if (run.success()) continue;
+    CHECK_THAT(html, Contains("elsie replay results.db " + std::to_string(run.id) + "</code>"));
+  }
+  for (const CellFindings& cell : findings.cells) {
+    for (const Outlier& outlier : cell.outliers) {
+      CHECK_THAT(html, Contains("elsie replay results.db " +
+                                std::to_string(findings.results.runs[outlier.run].id) + "</code>"));
+    }
+  }
+}
+
+TEST_CASE("The same results give the same page, table and test cases, byte for byte") {
+  const Made made(elsie::test::made_study()), again(elsie::test::made_study());
+  CHECK(made.html() == again.html());
+  CHECK(csv_report(made.findings()) == csv_report(again.findings()));
+  CHECK(junit_report(made.findings(), "r.db") == junit_report(again.findings(), "r.db"));
+}
+
+TEST_CASE("What is the same in every run is told, not drawn") {
+  MadeExperiment made_up = made_from({{1, 2, 3}, {4, 5, 6}});
+  for (auto& cell : made_up.cells) {
+    for (auto& run : cell.runs) run.measures["time_s"] = 30.0;
+  }
+  const std::string html = Made(made_up).html();
+  CHECK(count(html, "<figure class=\"boxes\"") == 1);
+  CHECK_THAT(html, Contains("The same in every run: time 30 s."));
+  made_up.cells[1].runs[2].measures["time_s"] = 31.0;
+  CHECK(count(Made(made_up).html(), "<figure class=\"boxes\"") == 2);
+}
+
+TEST_CASE("Of many runs that are worth a look, some are told and the others folded") {
+  const auto told = [](std::size_t missed) {
+    MadeExperiment made_up = made_from({std::vector<double>(20, 5.0)});
+    for (std::size_t i = 0; i < missed; ++i) made_up.cells[0].runs[i].outcome = "failure";
+    const std::string html = Made(made_up).html();
+    std::map<std::string, int> elements;
+    CHECK(badly_nested(html, elements) == "");
+    CHECK(count(html, "elsie replay results.db ") == missed);
+    return html;
+  };
+  CHECK_THAT(told(9), !Contains(" more</summary>"));
+  CHECK_THAT(told(10), Contains("<summary>2 more</summary>"));
+  CHECK_THAT(told(20), Contains("<summary>12 more</summary>"));
+}
+
+TEST_CASE("The page refers to nothing outside of itself") {
+  for (const auto& experiment : {elsie::test::made_study(), hostile()}) {
+    const std::string html = Made(experiment).html();
+    CHECK_THAT(html, !Contains("http:"));
+    CHECK_THAT(html, !Contains("https:"));
+    CHECK_THAT(html, !Contains(" src="));
+    CHECK_THAT(html, !Contains("@import"));
+    CHECK_THAT(html, !Contains("url("));
+    for (std::size_t at = 0; (at = html.find("href=\"", at)) != std::string::npos; ++at) {
+      const char first = html.at(at + 6);
+      CHECK((first == '#' || html.substr(at + 6, 6) == "data:,"));
+    }
+    CHECK_THAT(html, Contains("default-src 'none'"));
+  }
+}
+
+TEST_CASE("Whatever things are called, it is only text") {
+  const Made made(hostile(), expecting(hostile_expectation()));
+  const std::string html = made.html(elsie::test::kHostile);
+  std::map<std::string, int> elements;
+  CHECK(badly_nested(html, elements) == "");
+  CHECK(elements["script"] == 1);
+  CHECK_THAT(html, !Contains("<script>alert"));
+  CHECK_THAT(html, Contains("&lt;script&gt;alert(1)&lt;/script&gt;"));
+  CHECK_THAT(html, Contains("\xf0\x9f\x90\xa2"));  // a turtle stays
+  CHECK_THAT(html, !Contains("\xff"));             // what is no UTF-8 goes
+  CHECK_THAT(html, !Contains(std::string(1, '\x01')));
+}
+
+TEST_CASE("Worlds are drawn although their plugins are not there") {
+  const std::string html = Made(made_from({{1, 2}})).html();
+  CHECK(count(html, "class=\"resource\"") == 4);
+  CHECK(count(html, "class=\"start\"") == 1);
+  CHECK(count(html, "<path class=\"way\"") == 2);
+  CHECK_THAT(html, Contains("10 m \xc3\x97 10 m"));
+}
+
+TEST_CASE("Every world that is shipped can be looked at without a plugin") {
+  elsie::world::ReadOptions options;
+  options.bodies_only = true;
+  int count = 0;
+  for (const char* folder : {"worlds", "experiments/worlds"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(source_path(folder))) {
+      if (entry.path().extension() != ".xml") continue;
+      CAPTURE(entry.path().string());
+      CHECK_NOTHROW(
+          elsie::world::read_world(entry.path().string(), elsie::plugin::Host(), options));
+      ++count;
+    }
+  }
+  CHECK(count > 10);
+}
+
+TEST_CASE("A world that cannot be read does not keep the rest from being shown") {
+  MadeExperiment made_up = made_from({{1, 2}});
+  made_up.cells[0].world_text = "<world format=\"1\"><arena length=\"much\"/></world>";
+  const std::string html = Made(made_up).html();
+  CHECK_THAT(html, Contains("cannot be drawn"));
+  CHECK_THAT(html, Contains("Comparison"));
+}
+
+TEST_CASE("Several robots: a row for each in a typical run") {
+  MadeExperiment made_up = made_from({{1, 2, 3}});
+  made_up.cells[0].world_text = elsie::test::made_world(3);
+  for (auto& run : made_up.cells[0].runs) {
+    run.robots.clear();
+    for (const char* id : {"r1", "r2", "r3"}) {
+      auto& robot = run.robots.emplace_back();
+      robot.id = id;
+      robot.poses = {{0, 0, 0}, {1, 1, 0}};
+      robot.episodes = {{0, 5, "follow"}, {5, 10, ""}};
+      robot.shares = {{"follow", 0.5}};
+    }
+  }
+  const std::string html = Made(made_up).html();
+  CHECK_THAT(html, Contains("run 2, seed 2, a typical one"));
+  CHECK(count(html, "class=\"start\"") == 3);
+  CHECK(count(html, "<path class=\"way\"") == 9);
+}
+
+TEST_CASE("Nothing but a plan: a page of a batch that has just begun") {
+  MadeExperiment made_up = made_from({{1, 2}, {3, 4}});
+  for (auto& cell : made_up.cells) {
+    for (auto& run : cell.runs) {
+      run.state = "pending";
+      run.measures.clear();
+      run.robots.clear();
+    }
+  }
+  std::map<std::string, int> elements;
+  const std::string html = Made(made_up).html();
+  CHECK(badly_nested(html, elements) == "");
+  CHECK_THAT(html, Contains("Not all runs are done"));
+}
+
+TEST_CASE("Hundreds of cells: the page stays within a few megabytes, and cells are folded") {
+  const std::string html = Made(with_ways(300, 10, 400)).html();
+  CHECK(html.size() < 6'000'000);
+  CHECK(count(html, "<article class=\"cell\"") == 300);
+  CHECK(count(html, "<details><summary><h3>") == 300);
+}
+
+TEST_CASE("Many runs in a cell: some are drawn, and the page says how many") {
+  const std::string html = Made(with_ways(1, 200, 100)).html();
+  CHECK_THAT(html, Contains("60 of 200 runs are drawn."));
+  CHECK(html.size() < 1'000'000);
+}

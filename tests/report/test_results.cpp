@@ -1,0 +1,118 @@
+// Files that are no results database, or one that this program cannot read.
+#include <filesystem>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+#include <sqlite3.h>
+
+#include "fixture.h"
+
+using namespace elsie::report;
+using Catch::Contains;
+using elsie::test::Made;
+using elsie::test::made_from;
+
+namespace {
+
+void run(const std::filesystem::path& file, const std::string& sql) {
+  sqlite3* handle = nullptr;
+  REQUIRE(sqlite3_open(file.c_str(), &handle) == SQLITE_OK);
+  REQUIRE(sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK);
+  REQUIRE(sqlite3_close(handle) == SQLITE_OK);
+}
+
+std::string refusal(const std::filesystem::path& file) {
+  try {
+    const ResultsFile results(file);
+    results.results();
+  } catch (const ResultsError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("A database is read as it was written") {
+  const Made made(elsie::test::made_study());
+  const ResultsFile file(made.path);
+  const Results results = file.results();
+  CHECK(results.experiment == "Coordination by neural networks");
+  CHECK(results.cells.size() == 8);
+  CHECK(results.runs.size() == 160);
+  CHECK(results.factors.size() == 3);
+  CHECK(results.cells[3].levels == std::vector<std::string>{"four_resources", "4 4", "fusion"});
+  CHECK(results.cells[3].places == std::vector<int>{0, 1, 1});
+  const Run& crash = results.runs[51];
+  CHECK(crash.state == RunState::crash);
+  CHECK(crash.signal == "SIGSEGV");
+  CHECK(crash.step == 8123);
+  CHECK_FALSE(crash.outcome);
+  const auto ways = file.trajectories(results.cells[0].id);
+  REQUIRE(ways.size() == 20);
+  CHECK(ways[0].robot == "collector");
+  CHECK(ways[0].period_s == 0.5);
+  CHECK(ways[0].poses.size() > 100);
+  CHECK(file.timelines(results.cells[0].id)[0].behaviors[0].path == "find_resource");
+  CHECK(file.curves(results.cells[0].id)[0].points.size() == 201);
+}
+
+TEST_CASE("Files that are no results database are refused in a sentence") {
+  const std::string folder = elsie::test::build_path("tests/report/");
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path file = folder + "refused.db";
+  std::filesystem::remove(file);
+  CHECK_THAT(refusal(file), Contains("there is no database '" + file.string() + "'"));
+  CHECK_THAT(refusal(folder), Contains("is not a file"));
+  std::ofstream(file) << "This is a text, and it is long enough to be taken for one. ............."
+                         "..............................................................";
+  CHECK_THAT(refusal(file), Contains("is not a database"));
+  std::ofstream(file, std::ios::trunc).close();
+  CHECK_THAT(refusal(file), Contains("is empty: there is not a byte in it"));
+  std::filesystem::remove(file);
+  run(file, "CREATE TABLE about (id INTEGER)");
+  CHECK_THAT(refusal(file), Contains("is a database of another program"));
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("A database of another version of the schema is refused with both versions") {
+  const Made made(made_from({{1, 2}}));
+  run(made.path, "PRAGMA user_version = 7");
+  CHECK_THAT(refusal(made.path), Contains("has version 7 of the results schema; this program reads "
+                                          "version 1"));
+}
+
+TEST_CASE("A database without a plan, and one that is damaged") {
+  const Made made(made_from({{1, 2}}));
+  SECTION("no plan") {
+    run(made.path, "DELETE FROM about");
+    CHECK_THAT(refusal(made.path), Contains("is empty"));
+  }
+  SECTION("rows that lead nowhere") {
+    run(made.path, "PRAGMA foreign_keys = OFF; DELETE FROM cells WHERE id = 0");
+    CHECK_THAT(refusal(made.path), Contains("contradicts itself"));
+  }
+  SECTION("no JSON") {
+    run(made.path, "UPDATE trajectories SET poses = '[[1, 2'");
+    const ResultsFile file(made.path);
+    CHECK_THROWS_WITH(file.trajectories(0), Contains("is damaged") && Contains("trajectories"));
+  }
+}
+
+TEST_CASE("What is written while it is read is not seen") {
+  const Made made(made_from({{1, 2}}));
+  run(made.path, "PRAGMA journal_mode = WAL");
+  const ResultsFile file(made.path);
+  run(made.path, "UPDATE about SET experiment = 'another'");
+  CHECK(file.results().experiment == "made up");
+  CHECK(ResultsFile(made.path).results().experiment == "another");
+}
+
+TEST_CASE("Poses that are not finite are gaps") {
+  const Made made(made_from({{1, 2}}));
+  run(made.path,
+      "UPDATE trajectories SET poses = '[[0,0,0],[1,0,0],[null,null,0],[3,0,0],[4,0,0]]'");
+  const ResultsFile file(made.path);
+  CHECK(std::isnan(file.trajectories(0)[0].poses[2].x));
+  CHECK_THAT(html_report(find(file.results(), {}), file, "r.db"), Contains("M"));
+}

@@ -1,0 +1,218 @@
+#include <cmath>
+#include <vector>
+
+#include <boost/math/distributions/binomial.hpp>
+#include <catch2/catch.hpp>
+
+#include "elsie/api/random.h"
+#include "elsie/report/statistics.h"
+
+using namespace elsie::report;
+
+namespace {
+
+// NIST, Statistical Reference Datasets: univariate summary statistics.
+std::vector<double> michelson() {
+  return {299.85, 299.74, 299.90, 300.07, 299.93, 299.85, 299.95, 299.98, 299.98, 299.88,
+          300.00, 299.98, 299.93, 299.65, 299.76, 299.81, 300.00, 300.00, 299.96, 299.96,
+          299.96, 299.94, 299.96, 299.94, 299.88, 299.80, 299.85, 299.88, 299.90, 299.84,
+          299.83, 299.79, 299.81, 299.88, 299.88, 299.83, 299.80, 299.79, 299.76, 299.80,
+          299.88, 299.88, 299.88, 299.86, 299.72, 299.72, 299.62, 299.86, 299.97, 299.95,
+          299.88, 299.91, 299.85, 299.87, 299.84, 299.84, 299.85, 299.84, 299.84, 299.84,
+          299.89, 299.81, 299.81, 299.82, 299.80, 299.77, 299.76, 299.74, 299.75, 299.76,
+          299.91, 299.92, 299.89, 299.86, 299.88, 299.72, 299.84, 299.85, 299.85, 299.78,
+          299.89, 299.84, 299.78, 299.81, 299.76, 299.81, 299.79, 299.81, 299.82, 299.85,
+          299.87, 299.87, 299.81, 299.74, 299.81, 299.94, 299.95, 299.80, 299.81, 299.87};
+}
+
+// NumAcc3 and NumAcc4 of the same source: a first value, then two others in turns.
+std::vector<double> in_turns(double first, double a, double b) {
+  std::vector<double> values{first};
+  for (int i = 0; i < 500; ++i) {
+    values.push_back(a);
+    values.push_back(b);
+  }
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("Mean and standard deviation are those that NIST certifies") {
+  const auto light = *summary(michelson());
+  CHECK(light.count == 100);
+  CHECK(light.mean == Approx(299.852400000000).epsilon(1e-14));
+  CHECK(*light.standard_deviation == Approx(0.0790105478190518).epsilon(1e-12));
+
+  const auto stiff = *summary(std::vector{10000001.0, 10000003.0, 10000002.0});  // NumAcc1
+  CHECK(stiff.mean == 10000002.0);
+  CHECK(*stiff.standard_deviation == 1.0);
+
+  const auto third = *summary(in_turns(1000000.2, 1000000.1, 1000000.3));  // NumAcc3
+  CHECK(third.mean == Approx(1000000.2).epsilon(1e-15));
+  CHECK(*third.standard_deviation == Approx(0.1).epsilon(1e-9));
+  const auto fourth = *summary(in_turns(10000000.2, 10000000.1, 10000000.3));  // NumAcc4
+  CHECK(fourth.mean == Approx(10000000.2).epsilon(1e-15));
+  CHECK(*fourth.standard_deviation == Approx(0.1).epsilon(1e-8));
+}
+
+TEST_CASE("A sample's numbers do not depend on the order of its values") {
+  std::vector<double> values = michelson();
+  const auto before = *summary(values);
+  std::vector<double> turned(values.rbegin(), values.rend());
+  const auto after = *summary(turned);
+  CHECK(before.mean == after.mean);
+  CHECK(before.standard_deviation == after.standard_deviation);
+  CHECK(bootstrap_interval(Statistic::mean, values, 0.95, 1, "x") ==
+        bootstrap_interval(Statistic::mean, turned, 0.95, 1, "x"));
+}
+
+TEST_CASE("Quartiles are those of Hyndman and Fan's definition 7") {
+  // R: quantile(c(1, 2, 3, 4), type = 7) and quantile(c(15, 20, 35, 40, 50), c(.05, .3, .4), type =
+  // 7)
+  const std::vector<double> four{1, 2, 3, 4};
+  CHECK(quantile(four, 0.25) == 1.75);
+  CHECK(quantile(four, 0.5) == 2.5);
+  CHECK(quantile(four, 0.75) == 3.25);
+  const std::vector<double> five{15, 20, 35, 40, 50};
+  CHECK(quantile(five, 0.05) == Approx(16.0));
+  CHECK(quantile(five, 0.3) == Approx(23.0));
+  CHECK(quantile(five, 0.4) == Approx(29.0));
+  CHECK(quantile(five, 0.0) == 15.0);
+  CHECK(quantile(five, 1.0) == 50.0);
+  CHECK(quantile(std::vector{7.0}, 0.3) == 7.0);
+}
+
+TEST_CASE("Few values have few numbers") {
+  CHECK_FALSE(summary(std::vector<double>{}));
+  const auto one = *summary(std::vector{3.5});
+  CHECK(one.mean == 3.5);
+  CHECK(one.median == 3.5);
+  CHECK_FALSE(one.standard_deviation);
+  CHECK_FALSE(bootstrap_interval(Statistic::mean, std::vector{3.5}, 0.95, 1, ""));
+  CHECK_FALSE(statistic_of(Statistic::standard_deviation, std::vector{3.5}));
+}
+
+TEST_CASE("Statistics of a sample") {
+  const std::vector<double> values{4, 0, 2, 0, 9};
+  CHECK(*statistic_of(Statistic::mean, values) == 3.0);
+  CHECK(*statistic_of(Statistic::median, values) == 2.0);
+  CHECK(*statistic_of(Statistic::minimum, values) == 0.0);
+  CHECK(*statistic_of(Statistic::maximum, values) == 9.0);
+  CHECK(*statistic_of(Statistic::rate, values) == Approx(0.6));
+  CHECK(*statistic_of(Statistic::standard_deviation, values) == Approx(std::sqrt(14.0)));
+}
+
+TEST_CASE("Wilson's interval is that of Newcombe's table") {
+  // Newcombe, "Two-sided confidence intervals for the single proportion" (1998), table I, method 3.
+  const auto check = [](std::size_t successes, std::size_t trials, double low, double high) {
+    const Interval interval = wilson_interval(successes, trials, 0.95);
+    CHECK(interval.low == Approx(low).margin(5e-5));
+    CHECK(interval.high == Approx(high).margin(5e-5));
+  };
+  check(81, 263, 0.2553, 0.3662);
+  check(15, 148, 0.0624, 0.1605);
+  check(0, 20, 0.0, 0.1611);
+  check(1, 29, 0.0061, 0.1718);
+  CHECK(wilson_interval(20, 20, 0.95).high == 1.0);
+  CHECK(wilson_interval(20, 20, 0.95).low == Approx(1.0 - 0.1611).margin(5e-5));
+  CHECK(wilson_interval(0, 0, 0.95) == Interval{0.0, 1.0});
+  CHECK(wilson_interval(19, 20, 0.99).low < wilson_interval(19, 20, 0.95).low);
+}
+
+TEST_CASE("The bootstrap of zeros and ones is the binomial distribution") {
+  // 12 of 30: the sum of a resample is binomial with n = 30, p = 0.4, whose quantiles are known.
+  std::vector<double> values(30, 0.0);
+  std::fill(values.begin(), values.begin() + 12, 1.0);
+  const boost::math::binomial sums(30.0, 0.4);
+  for (const double confidence : {0.8, 0.95, 0.99}) {
+    const auto found = *bootstrap_interval(Statistic::mean, values, confidence, 42, "binomial");
+    const double tail = 0.5 * (1.0 - confidence);
+    // By at most one success: the quantile of a sample may fall on the next step.
+    CHECK(30.0 * found.low == Approx(quantile(sums, tail)).margin(1.01));
+    CHECK(30.0 * found.high == Approx(quantile(complement(sums, tail))).margin(1.01));
+  }
+}
+
+TEST_CASE("The bootstrap of a mean has the plug-in standard error") {
+  // Efron and Tibshirani (1993), table 2.1, treated mice: mean 86.86, standard error 23.36 by the
+  // formula with n below the line. Normal quantiles are near enough for 7 mice.
+  const std::vector<double> mice{94, 197, 16, 38, 99, 141, 23};
+  CHECK(*statistic_of(Statistic::mean, mice) == Approx(86.86).margin(5e-3));
+  const auto interval = *bootstrap_interval(Statistic::mean, mice, 0.6827, 7, "mice");
+  CHECK(0.5 * (interval.high - interval.low) == Approx(23.36).epsilon(0.06));
+}
+
+TEST_CASE("Bootstrap intervals keep their promise about as often as they say") {
+  // 95 % for the mean of 20 normal values; the percentile interval is known to be a little short
+  // for so few (about 93 %).
+  int hits = 0;
+  constexpr int kSamples = 400;
+  for (int i = 0; i < kSamples; ++i) {
+    elsie::Random random(static_cast<std::uint64_t>(i), "coverage");
+    std::vector<double> values(20);
+    for (double& value : values) value = random.normal(10.0, 2.0);
+    const auto interval = *bootstrap_interval(Statistic::mean, values, 0.95,
+                                              static_cast<std::uint64_t>(i), "coverage");
+    hits += interval.low <= 10.0 && 10.0 <= interval.high ? 1 : 0;
+  }
+  CHECK(hits > 0.89 * kSamples);
+  CHECK(hits < 0.97 * kSamples);
+}
+
+TEST_CASE("Bootstrap intervals are the same for the same stream, and others for another") {
+  const std::vector<double> values = michelson();
+  const auto of = [&](std::uint64_t seed, const char* path) {
+    return *bootstrap_interval(Statistic::median, values, 0.95, seed, path);
+  };
+  CHECK(of(1, "a") == of(1, "a"));
+  const auto mean = [&](std::uint64_t seed, const char* path) {
+    return *bootstrap_interval(Statistic::mean, values, 0.95, seed, path);
+  };
+  CHECK_FALSE(mean(1, "a") == mean(2, "a"));
+  CHECK_FALSE(mean(1, "a") == mean(1, "b"));
+}
+
+TEST_CASE("Values that are all equal have an interval of no width") {
+  const std::vector<double> values(20, 0.1);
+  const auto interval = *bootstrap_interval(Statistic::mean, values, 0.95, 1, "");
+  CHECK(interval.low == Approx(0.1));
+  CHECK(interval.low == interval.high);
+}
+
+TEST_CASE("Outliers are beyond Tukey's fences") {
+  // Quartiles 2 and 4 of 1..5: the fences are 3 below and above them.
+  const auto fences = tukey_fences(*summary(std::vector<double>{1, 2, 3, 4, 5}));
+  CHECK(fences == Interval{-1.0, 7.0});
+  const std::vector<double> sorted{-3, 1, 2, 3, 4, 5, 7, 8};
+  CHECK(whiskers(sorted, fences) == Interval{1.0, 7.0});
+}
+
+TEST_CASE("Cells beside each other: ratio and difference") {
+  const std::vector<Pair> pairs{{2.0, 4.0}, {4.0, 8.0}, {6.0, std::nullopt}};
+  CHECK(*relation_of(Relation::ratio, Statistic::mean, pairs) == Approx(4.0 / 6.0));
+  CHECK(*relation_of(Relation::difference, Statistic::mean, pairs) == Approx(-2.0));
+  CHECK_FALSE(
+      relation_of(Relation::ratio, Statistic::mean, std::vector<Pair>{{1.0, std::nullopt}}));
+  CHECK_FALSE(relation_of(Relation::ratio, Statistic::mean, std::vector<Pair>{{0.0, 0.0}}));
+}
+
+TEST_CASE("What both cells share by seed does not widen their interval") {
+  // Each cell varies from seed to seed by far more than the cells differ.
+  std::vector<Pair> pairs;
+  std::vector<Pair> unpaired;
+  elsie::Random random(5, "pairs");
+  for (int i = 0; i < 20; ++i) {
+    const double seed = random.normal(100.0, 20.0);
+    pairs.push_back({seed + 1.0 + random.normal(0.0, 0.1), seed});
+  }
+  for (std::size_t i = 0; i < 20; ++i) {
+    unpaired.push_back({pairs[i].cell, pairs[(i + 7) % 20].reference});
+  }
+  const auto tight =
+      *paired_interval(Relation::difference, Statistic::mean, pairs, 0.95, 1, "pairs");
+  CHECK(tight.low == Approx(1.0).margin(0.1));
+  CHECK(tight.high == Approx(1.0).margin(0.1));
+  const auto wide =
+      *paired_interval(Relation::difference, Statistic::mean, unpaired, 0.95, 1, "pairs");
+  CHECK(wide.high - wide.low > 50.0 * (tight.high - tight.low));
+}

@@ -1,0 +1,207 @@
+// The report as text: for a terminal, as CSV, JUnit's XML, JSON.
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "hostile.h"
+
+using namespace elsie::report;
+using Catch::Contains;
+using elsie::test::expecting;
+using elsie::test::hostile;
+using elsie::test::hostile_expectation;
+using elsie::test::kHostile;
+using elsie::test::Made;
+using elsie::test::made_from;
+using elsie::test::MadeExperiment;
+using elsie::test::xmllint;
+
+namespace {
+
+// RFC 4180, read strictly.
+std::vector<std::vector<std::string>> parsed_csv(const std::string& text) {
+  std::vector<std::vector<std::string>> rows(1, std::vector<std::string>(1));
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ',') {
+      rows.back().emplace_back();
+    } else if (text[i] == '\n') {
+      rows.emplace_back(1);
+    } else if (text[i] == '"') {
+      REQUIRE(rows.back().back().empty());
+      for (++i; text.at(i) != '"' || (i + 1 < text.size() && text[i + 1] == '"'); ++i) {
+        if (text[i] == '"') ++i;
+        rows.back().back() += text[i];
+      }
+    } else {
+      rows.back().back() += text[i];
+    }
+  }
+  REQUIRE(rows.back() == std::vector<std::string>(1));  // the last line ends
+  rows.pop_back();
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("A row of CSV for each run; its numbers are read back bit for bit") {
+  MadeExperiment made_up = made_from({{1.0 / 3.0, 1e-300, 12345678901234567890.0, 0.1}});
+  made_up.cells[0].runs[0].seed = std::numeric_limits<std::uint64_t>::max();
+  made_up.cells[0].runs[3].measures["path_length_m"] = std::nullopt;
+  const Made made(made_up);
+  const auto rows = parsed_csv(csv_report(made.findings()));
+  REQUIRE(rows.size() == 5);
+  const auto column = [&](const std::string& name) {
+    const auto found = std::find(rows[0].begin(), rows[0].end(), name);
+    REQUIRE(found != rows[0].end());
+    return static_cast<std::size_t>(found - rows[0].begin());
+  };
+  for (const auto& row : rows) REQUIRE(row.size() == rows[0].size());
+  CHECK(rows[1][column("run")] == "1");
+  CHECK(rows[1][column("seed")] == "18446744073709551615");
+  CHECK(rows[1][column("scheme")] == "a");
+  CHECK(rows[1][column("outcome")] == "success");
+  const double values[] = {1.0 / 3.0, 1e-300, 12345678901234567890.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string& text = rows[i + 1][column("path_length_m")];
+    double value = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    CHECK(std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(values[i]));
+  }
+  CHECK(rows[4][column("path_length_m")].empty());
+}
+
+TEST_CASE("CSV names two columns of one name apart, and quotes what it must") {
+  MadeExperiment made_up = hostile();
+  made_up.factors[1] = "seed";
+  const auto rows = parsed_csv(csv_report(Made(made_up).findings()));
+  CHECK(std::count(rows[0].begin(), rows[0].end(), "seed") == 1);
+  CHECK(std::count(rows[0].begin(), rows[0].end(), "factor:seed") == 1);
+  CHECK(rows[1][1] == kHostile);
+}
+
+TEST_CASE("Runs that are still to be done have a row of CSV, too") {
+  MadeExperiment made_up = made_from({{1, 2}});
+  made_up.cells[0].runs[1].state = "pending";
+  made_up.cells[0].runs[1].measures.clear();
+  const auto rows = parsed_csv(csv_report(Made(made_up).findings()));
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[2][4] == "pending");
+}
+
+TEST_CASE("JUnit: a test case for each expectation and one for the runs") {
+  elsie::experiment::Expectation met;
+  met.name = "short enough";
+  met.measure = "path_length_m";
+  met.at_most = 3.0;
+  elsie::experiment::Expectation missed = met;
+  missed.name = "very short";
+  missed.at_most = 1.5;
+  Questions questions;
+  questions.expectations = {met, missed};
+  MadeExperiment made_up = made_from({{1, 2, 3}, {2, 2, 2}});
+  const std::string xml = junit_report(Made(made_up, questions).findings(), "results.db");
+  CHECK_THAT(xml, Contains("<testsuites name=\"elsie\" tests=\"4\" failures=\"1\" errors=\"0\""));
+  CHECK_THAT(xml, Contains("<testsuite name=\"made up\" tests=\"4\" failures=\"1\""));
+  CHECK_THAT(xml, Contains("timestamp=\"2026-03-01T12:00:00\""));
+  CHECK_THAT(xml, Contains("<testcase classname=\"made up\" name=\"short enough\" time=\"0\">\n"
+                           "      <system-out>met: mean path_length_m of a is 2 m (3 runs)"));
+  CHECK_THAT(xml,
+             Contains("<failure message=\"mean path_length_m of a is 2 m (3 runs), expected at "
+                      "most 1.5 m (and 1 more)\" type=\"expectation\">"));
+  CHECK_THAT(xml, Contains("name=\"every run ended by itself\" time=\"0\"/>"));
+  const std::string schema =
+      "--schema '" + elsie::test::source_path("tests/report/junit.xsd") + "'";
+  CHECK(xmllint(xml, schema).empty());
+}
+
+TEST_CASE("JUnit: runs that crashed, and those still to be done, are a failure") {
+  MadeExperiment made_up = made_from({{1, 2, 3}});
+  made_up.cells[0].runs[0].state = "crash";
+  made_up.cells[0].runs[0].signal = "SIGSEGV";
+  made_up.cells[0].runs[0].plugin = "wander";
+  made_up.cells[0].runs[0].measures.clear();
+  made_up.cells[0].runs[1].state = "pending";
+  made_up.cells[0].runs[1].measures.clear();
+  const std::string xml = junit_report(Made(made_up).findings(), "my results.db");
+  CHECK_THAT(xml, Contains("1 of 3 runs did not end by itself; 1 of 3 runs is still to be done"));
+  CHECK_THAT(xml, Contains("run 1 (a, seed 1): crash by SIGSEGV in plugin &#39;wander&#39;; elsie "
+                           "replay &#39;my results.db&#39; 1"));
+}
+
+TEST_CASE("JUnit's XML is well-formed whatever things are called") {
+  const Made made(hostile(), expecting(hostile_expectation()));
+  const std::string xml = junit_report(made.findings(), kHostile);
+  const std::string schema =
+      "--schema '" + elsie::test::source_path("tests/report/junit.xsd") + "'";
+  CHECK(xmllint(xml, schema).empty());
+  CHECK_THAT(xml, !Contains("<script"));
+}
+
+TEST_CASE("JSON has it all") {
+  elsie::experiment::Expectation expectation;
+  expectation.name = "short";
+  expectation.measure = "path_length_m";
+  expectation.at_most = 1.0;
+  const Made made(made_from({{1, 2, 3, 4, 5, 60}}), expecting(expectation));
+  const auto json = nlohmann::json::parse(json_report(made.findings()));
+  CHECK(json["experiment"] == "made up");
+  CHECK(json["good"] == false);
+  CHECK(json["cells"][0]["levels"]["scheme"] == "a");
+  CHECK(json["cells"][0]["successes"] == 6);
+  CHECK(json["cells"][0]["measures"]["path_length_m"]["mean"] == 12.5);
+  CHECK(json["cells"][0]["measures"]["path_length_m"]["interval"].size() == 2);
+  CHECK(json["cells"][0]["outliers"][0]["value"] == 60.0);
+  CHECK(json["expectations"][0]["met"] == false);
+  CHECK(json["expectations"][0]["cells"][0]["value"] == 12.5);
+  CHECK_NOTHROW(nlohmann::json::parse(
+      json_report(Made(hostile(), expecting(hostile_expectation())).findings())));
+}
+
+TEST_CASE("The terminal shows cells, measures, what was expected, what went wrong") {
+  MadeExperiment made_up = made_from({{29.4, 29.5, 29.6}, {64.0, 65.0, 66.0}});
+  made_up.cells[1].runs[0].state = "hang";
+  made_up.cells[1].runs[0].message = "It did not end within 600 s.";
+  made_up.cells[1].runs[0].measures.clear();
+  elsie::experiment::Expectation expectation;
+  expectation.name = "short";
+  expectation.measure = "path_length_m";
+  expectation.at_most = 40.0;
+  const std::string text =
+      terminal_report(Made(made_up, expecting(expectation)).findings(), "results.db");
+  CHECK(text ==
+        "made up\n"
+        "6 runs: 2 cells, 3 seeds; 1 did not end by itself\n"
+        "\n"
+        "cell   success   failed   path_length_m\n"
+        "a          3/3        0   29.50 +- 0.10\n"
+        "b          2/3        1   65.50 +- 0.71\n"
+        "\n"
+        "mean +- standard deviation over the runs of a cell that ended by themselves\n"
+        "\n"
+        "Expectations\n"
+        "  NOT MET  short: mean path_length_m: at most 40 m\n"
+        "           mean path_length_m of b is 65.5 m (2 runs; 1 run did not end by itself), "
+        "expected at most 40 m\n"
+        "\n"
+        "Runs that did not end by themselves\n"
+        "  run 4 (b, seed 1): hang: It did not end within 600 s.\n"
+        "    elsie replay results.db 4\n");
+}
+
+TEST_CASE("A table that is too wide for the terminal becomes several") {
+  MadeExperiment made_up = made_from({{1, 2}});
+  for (auto& run : made_up.cells[0].runs) {
+    for (int i = 0; i < 8; ++i) run.measures["measure_number_" + std::to_string(i)] = i;
+  }
+  const std::string text = terminal_report(Made(made_up).findings(), "r.db", 60);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("measure_number") != std::string::npos) CHECK(line.size() <= 60);
+  }
+  CHECK_THAT(text, Contains("measure_number_7"));
+}
