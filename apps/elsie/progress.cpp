@@ -72,7 +72,7 @@ void ProgressBar::stepped(const elsie::simulation::Simulation& simulation) {
     return;
   }
   last_drawn_ = now;
-  const double part = std::min(1.0, simulation.time_s() / simulation.world().limits.time);
+  const double part = std::min(1.0, simulation.time_s() / simulation.time_limit_s());
   const double speed = simulation.time_s() / std::chrono::duration<double>(now - start_).count();
   std::fprintf(stderr, "\r%s  %.1f s  %.0f x real time ", bar_text(part).c_str(),
                simulation.time_s(), speed);

@@ -8,10 +8,6 @@
 
 #include "support.h"
 
-// fontconfig keeps the fonts that it found for the life of the process.
-extern "C" const char* __lsan_default_suppressions();  // NOLINT: the sanitizer's name
-extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }
-
 using namespace elsie;
 using namespace elsie::picture;
 using picture::test::Bitmap;

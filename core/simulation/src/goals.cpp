@@ -147,7 +147,7 @@ Verdict judge(const Simulation& simulation) {
   if (any_to_reach && all_reached) {
     return {Outcome::success, "all goals are reached"};
   }
-  if (simulation.time_s() >= simulation.world().limits.time - kTimeTolerance) {
+  if (simulation.time_s() >= simulation.time_limit_s() - kTimeTolerance) {
     if (!any_to_reach && !simulation.world().goals.empty()) {
       return {Outcome::success, "all goals were kept until the time limit"};
     }

@@ -49,6 +49,9 @@ struct Options {
   /// Where data files that a change names are looked for when they are not beside the world's file.
   std::vector<std::string> data_directories{};
   Budget budget{};
+  /// Simulated time after which the run ends, s, instead of the world's <limits>; above 0. The
+  /// world stays as its file says: an <endure> goal may last longer.
+  std::optional<double> time_limit_s{};
 };
 
 /// One sensor of a robot, to look at.
@@ -167,6 +170,8 @@ class Simulation {
 
   const world::World& world() const;
   double time_s() const;
+  /// Simulated time after which a run ends, whatever its goals.
+  double time_limit_s() const;
   std::uint64_t steps() const;
   Outcome outcome() const;
   std::uint64_t state_hash() const;
