@@ -168,8 +168,8 @@ bool is_device(const fs::path& file) {
 }  // namespace
 
 void require_recording(const fs::path& file, const char* option) {
-  if (!is_device(file) && file.extension() != ".csv") {
-    throw BadInput(std::string(option) + ": a recording's name must end in .csv, but '" +
+  if (!is_device(file) && file.extension() != ".csv" && file.extension() != ".mcap") {
+    throw BadInput(std::string(option) + ": a recording's name must end in .csv or .mcap, but '" +
                    file.string() + "' does not");
   }
   require_writable(file, option);

@@ -47,7 +47,8 @@ elsie::experiment::ReadOptions experiment_options();
 
 /// Checks, before any work is done, that a file can be written there. Throws BadInput.
 void require_writable(const std::filesystem::path& file, const char* option);
-/// The same for a recording: its name must end in .csv, so that no input is overwritten by a slip.
+/// The same for a recording: its name must end in .csv or .mcap, so that no input is overwritten by
+/// a slip.
 void require_recording(const std::filesystem::path& file, const char* option);
 /// The same for a trace: its name must end in .trace, and what is there already must be a trace,
 /// too.

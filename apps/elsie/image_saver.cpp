@@ -41,16 +41,19 @@ void require_image_folder(const fs::path& folder, const char* option) {
   }
 }
 
-void ImageSaver::started(const Simulation& simulation) {
-  bool cameras = false;
+void require_cameras(const Simulation& simulation, const char* option) {
   for (std::size_t robot = 0; robot < simulation.robots(); ++robot) {
     for (std::size_t sensor = 0; sensor < simulation.sensors(robot); ++sensor) {
-      cameras = cameras || simulation.sensor(robot, sensor).camera;
+      if (simulation.sensor(robot, sensor).camera) {
+        return;
+      }
     }
   }
-  if (!cameras) {
-    throw BadInput("--save-images: no robot of this world has a sensor with a camera");
-  }
+  throw BadInput(std::string(option) + ": no robot of this world has a sensor with a camera");
+}
+
+void ImageSaver::started(const Simulation& simulation) {
+  require_cameras(simulation, "--save-images");
   std::error_code error;
   fs::create_directory(folder_, error);
   if (error) {

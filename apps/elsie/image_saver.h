@@ -10,6 +10,9 @@
 /// there yet beside something that can be written to. Throws BadInput.
 void require_image_folder(const std::filesystem::path& folder, const char* option);
 
+/// Throws BadInput when no robot has a sensor with a camera: then there is nothing to save.
+void require_cameras(const elsie::simulation::Simulation& simulation, const char* option);
+
 /// Saves pictures of all sensors with cameras as PNG files:
 ///
 ///   0000120_r1+eye_raw.png        as the camera saw it before step 120 (counted from 0)

@@ -1,221 +1,145 @@
-// elsie replay: a run of a database once more.
+// elsie replay: a run that was, looked at again: from its recording, or done once more from a
+// database.
+#include <array>
 #include <filesystem>
-#include <iostream>
+#include <fstream>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
-#include <spdlog/spdlog.h>
-#include <unistd.h>
 
-#include "elsie/batch/results_database.h"
-#include "elsie/simulation/recording.h"
-#include "elsie/simulation/simulation.h"
-#include "elsie/simulation/trace_recorder.h"
-#include "elsie/simulation/tracks.h"
-#include "elsie/world/reader.h"
+#include "elsie/mcap/reader.h"
 
 #include "arguments.h"
 #include "command.h"
-#include "environment.h"
-#include "progress.h"
-#include "restored_run.h"
-#include "run_report.h"
-#include "top_view.h"
-
-using elsie::batch::RunState;
-using elsie::batch::StoredRun;
-using elsie::simulation::PluginFault;
-using elsie::simulation::RunResult;
-using elsie::simulation::Simulation;
+#include "replay_recording.h"
+#include "replay_run.h"
 
 namespace {
 
-struct Options {
-  PluginOptions plugins;
-  std::string database;
-  std::int64_t run = 0;
-  std::optional<std::string> record;
-  double record_rate = 10.0;
-  std::optional<std::string> explain;
-  std::optional<std::string> picture;
-  bool quiet = false;
-};
-
 constexpr const char* kExamples = R"(
 Examples:
-  elsie replay beams.sqlite 17
-  elsie replay beams.sqlite 17 --picture run.png --explain run.trace
+  elsie run worlds/clutter.xml --record clutter.mcap
+  elsie replay clutter.mcap
+  elsie replay clutter.mcap --picture end.png
+  elsie replay clutter.mcap --picture half-way.svg --at 30
+  elsie batch experiments/top_speed.xml --database speed.sqlite
+  elsie replay speed.sqlite 17
+  elsie replay speed.sqlite 17 --picture run.png --explain run.trace --record run.mcap
 
-Exit codes: 0 the run came to the same, 1 it did not, 2 bad input, 3 a plugin failed in another
-way than before, or brought the program down, 4 anything else.
+Exit codes for a run of a database: 0 it came to the same, 1 it did not, 2 bad input, 3 a plugin
+failed in another way than before, or brought the program down, 4 anything else. For a recording:
+0, or 2 when it cannot be read or is damaged.
 )";
 
-StoredRun stored_run(const Options& options) {
-  auto database = elsie::batch::ResultsDatabase::open(options.database);
-  auto run = database.run(options.run);
-  if (!run) {
-    const auto [first, last] = database.numbers();
-    throw BadInput("'" + options.database + "' has no run " + std::to_string(options.run) +
-                   "; its runs have numbers from " + std::to_string(first) + " to " +
-                   std::to_string(last));
-  }
-  if (run->record.state == RunState::pending) {
-    throw BadInput("run " + std::to_string(options.run) + " of '" + options.database +
-                   "' is still to be done; go on with `elsie batch --resume`");
-  }
-  return *std::move(run);
-}
+// Help shows what is for one kind of file alone under these words.
+constexpr const char* kForRecordings = "For recordings";
+constexpr const char* kForRuns = "For runs of databases";
 
-/// Everything that watches it.
-class Watchers {
- public:
-  explicit Watchers(const Options& options) {
-    if (options.record) {
-      all_.push_back(&recorder_.emplace(*options.record, options.record_rate));
-    }
-    if (options.explain) {
-      all_.push_back(&trace_.emplace(*options.explain));
-    }
-    if (options.picture) {
-      all_.push_back(&tracks_.emplace());
-    }
-    if (!options.quiet && isatty(STDERR_FILENO)) {
-      all_.push_back(&progress_.emplace());
-    }
-    all_.push_back(&interrupt_);
-  }
-  Watchers(const Watchers&) = delete;
-  Watchers& operator=(const Watchers&) = delete;
-
-  std::span<elsie::simulation::Observer* const> all() const { return all_; }
-  const elsie::simulation::TrackRecorder* tracks() const { return tracks_ ? &*tracks_ : nullptr; }
-
- private:
-  std::optional<elsie::simulation::CsvRecorder> recorder_;
-  std::optional<elsie::simulation::TraceRecorder> trace_;
-  std::optional<elsie::simulation::TrackRecorder> tracks_;
-  std::optional<ProgressBar> progress_;
-  InterruptGuard interrupt_;
-  std::vector<elsie::simulation::Observer*> all_;
+struct ReplayOptions {
+  std::string file;
+  std::optional<std::int64_t> run;
+  std::optional<std::string> picture;
+  int width = 1000;
+  std::optional<double> at;
+  RunAgainOptions again;
 };
 
-void tell_of(const StoredRun& run, const Options& options) {
-  if (options.quiet) {
-    return;
-  }
-  std::cout << "run " << run.job.run << " of " << run.experiment << ": " << run.cell << ", seed "
-            << run.job.seed << '\n'
-            << "before: " << to_string(run.record.state) << ", " << run.record.message << '\n';
-  std::cout.flush();  // a plugin may bring the program down
+/// https://www.sqlite.org/fileformat.html, "The Database Header"
+bool may_be_database(const std::filesystem::path& file) {
+  constexpr std::string_view kMark{"SQLite format 3\0", 16};
+  std::array<char, kMark.size()> start{};
+  std::ifstream in(file, std::ios::binary);
+  return in.read(start.data(), start.size()) &&
+         std::string_view(start.data(), start.size()) == kMark;
 }
 
-/// Whether it came to the same; says so.
-bool compare(const StoredRun& run, const RunResult& result, const RestoredRun& restored) {
-  const std::string hash = elsie::batch::hash_text(result.state_hash);
-  if (run.record.state == RunState::done && run.record.state_hash == hash) {
-    std::cout << "the same: state hash " << hash << '\n';
-    return true;
-  }
-  if (run.record.state == RunState::done) {
-    std::cout << "not the same: state hash " << hash << ", before "
-              << run.record.state_hash.value_or("none") << '\n';
-  } else {
-    std::cout << "not the same: it ended by itself, state hash " << hash << '\n';
-  }
-  if (!restored.differences().empty()) {
-    std::cout << "what differs from what it was done with then may be why\n";
-  }
-  return false;
-}
-
-bool is_as_before(const StoredRun& run, const PluginFault& fault) {
-  return run.record.state == RunState::fault && run.record.plugin == fault.plugin &&
-         run.record.robot == fault.robot && run.record.step == fault.step;
-}
-
-void check(const Options& options) {
-  if (options.record) {
-    require_recording(*options.record, "--record");
-  }
-  if (options.explain) {
-    require_trace(*options.explain, "--explain");
-  }
-  if (options.picture) {
-    require_picture(*options.picture, "--picture");
-  }
-}
-
-int replay(const Options& options) {
-  check(options);
-  if (options.quiet) {
-    spdlog::set_level(spdlog::level::err);
-  }
-  const StoredRun run = stored_run(options);
-  RestoredRun restored(run, options.plugins);
-  for (const std::string& difference : restored.differences()) {
-    std::cerr << "elsie: " << difference << '\n';
-  }
-  tell_of(run, options);
-  Simulation simulation(restored.world(), restored.host(), {.seed = run.job.seed});
-  Watchers watchers(options);
-  const auto draw_as = [&](const std::string& line) {
-    if (options.picture) {
-      draw(simulation, watchers.tracks(), {line}, *options.picture, 1000);
+/// Throws BadInput when one of this group's options was given.
+void refuse(const CLI::App& command, const std::string& group, const std::string& why) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group() == group && option->count() > 0) {
+      throw BadInput(option->get_name() + ": " + why);
     }
-  };
-  try {
-    const RunResult result = simulation.run(watchers.all());
-    const bool same = compare(run, result, restored);
-    if (!options.quiet) {
-      std::cout << '\n' << table(result);
-    }
-    std::cout.flush();
-    draw_as(headline(result) + "  (seed " + std::to_string(result.seed) + ")");
-    return same ? kSuccess : kGoalMissed;
-  } catch (const PluginFault& fault) {
-    draw_as(fault.what());
-    if (!is_as_before(run, fault)) {
-      throw;
-    }
-    std::cout << "the same: " << fault.what() << '\n';
-    return kSuccess;
-  } catch (const Interrupted&) {
-    draw_as("interrupted");
-    std::cerr << "elsie: interrupted after " << simulation.time_s()
-              << " s of simulated time; what was recorded until then is kept\n";
-    return kOtherFailure;
   }
+}
+
+int replay(const CLI::App& command, const ReplayOptions& options) {
+  if (elsie::mcap::may_be_mcap(options.file)) {
+    refuse(command, kForRuns,
+           "'" + options.file + "' is a recording of one run, in which nothing is run again");
+    return replay_recording({options.file, options.picture, options.at, options.width});
+  }
+  const bool database = may_be_database(options.file);
+  if (database && !options.run) {
+    throw BadInput("'" + options.file +
+                   "' is a database of many runs; expected the number of one after it");
+  }
+  if (!options.run) {
+    if (std::filesystem::is_regular_file(options.file)) {
+      throw BadInput("'" + options.file +
+                     "' is neither a recording, as `elsie run --record FILE.mcap` writes it, nor a "
+                     "database that `elsie batch` has written");
+    }
+    return replay_recording({options.file, options.picture, options.at, options.width});
+  }
+  refuse(command, kForRecordings, "only a recording can be drawn as it was at another time");
+  RunAgainOptions again = options.again;
+  again.database = options.file;
+  again.run = *options.run;
+  again.picture = options.picture;
+  again.width = options.width;
+  return replay_run(again);
 }
 
 }  // namespace
 
 void add_replay_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
-      "replay", "Do a run of a database of results again, and see whether it comes to the same");
+      "replay", "Look at a recording of a run, or do a run of a database again");
   command->footer(kExamples);
-  auto options = std::make_shared<Options>();
-  command->add_option("DATABASE", options->database, "Database that elsie batch has written")
-      ->required();
-  command->add_option("RUN", options->run, "Number of the run")->required()->check(whole_number());
-  options->plugins.add_to(*command);
+  auto options = std::make_shared<ReplayOptions>();
   command
-      ->add_option("--record", options->record,
-                   "Write poses, commands, readings and the coordinators' traces as a table")
-      ->type_name("FILE.csv");
-  command->add_option("--record-rate", options->record_rate, "Rows per simulated second and robot")
-      ->needs("--record")
-      ->check(positive_number())
+      ->add_option("FILE", options->file,
+                   "Recording, written by `elsie run --record FILE.mcap`, or database, written by "
+                   "`elsie batch`")
+      ->required();
+  command
+      ->add_option("RUN", options->run,
+                   "Number of the run in the database: it is done again, and compared")
+      ->check(whole_number())
+      ->group(kForRuns);
+  CLI::Option* picture =
+      command
+          ->add_option("--picture", options->picture,
+                       "Draw the world with the robots' trajectories at the end of the run; for a "
+                       "recording from what is in it alone")
+          ->type_name("FILE.png|FILE.svg");
+  command->add_option("--width", options->width, "Width of the picture in pixels")
+      ->needs(picture)
+      ->check(CLI::Range(200, 8000))
       ->capture_default_str();
   command
-      ->add_option("--explain", options->explain,
+      ->add_option("--at", options->at,
+                   "Draw what was there at this simulated time (s), instead of at the end")
+      ->needs(picture)
+      ->check(non_negative_number())
+      ->group(kForRecordings);
+  const auto before = command->get_options().size();
+  RunAgainOptions& again = options->again;
+  again.plugins.add_to(*command);
+  again.record.add_to(*command);
+  command
+      ->add_option("--explain", again.explain,
                    "Write every coordinator's decisions, for `elsie explain`")
       ->type_name("FILE.trace");
-  command
-      ->add_option("--picture", options->picture,
-                   "Draw the world at the end of the run with the robots' trajectories")
-      ->type_name("FILE.png|FILE.svg");
-  command->add_flag("--quiet", options->quiet,
-                    "Print nothing but errors and whether it is the same");
-  command->callback([&job, options] { job = [options] { return replay(*options); }; });
+  command->add_flag("--quiet", again.quiet, "Print nothing but errors and whether it is the same");
+  const auto all = command->get_options();
+  for (std::size_t i = before; i < all.size(); ++i) {
+    all[i]->group(kForRuns);
+  }
+  command->callback([&job, options, command] {
+    job = [options, command] { return replay(*command, *options); };
+  });
 }

@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include "elsie/plugin/crash_report.h"
-#include "elsie/simulation/recording.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/simulation/trace_recorder.h"
 #include "elsie/simulation/tracks.h"
@@ -21,6 +20,7 @@
 #include "image_saver.h"
 #include "live.h"
 #include "progress.h"
+#include "record_options.h"
 #include "run_report.h"
 #include "top_view.h"
 
@@ -33,9 +33,7 @@ struct RunOptions {
   std::optional<double> duration;
   std::vector<std::string> overrides;
   std::vector<std::string> changes;
-  std::optional<std::string> record;
-  double record_rate = 10.0;
-  bool record_times = false;
+  RecordOptions record;
   std::optional<std::string> explain;
   bool explain_times = false;
   std::optional<std::string> picture;
@@ -54,6 +52,7 @@ Examples:
   elsie run worlds/clutter.xml
   elsie run worlds/clutter.xml --seed 7 --duration 60 --picture clutter.png
   elsie run worlds/clutter.xml --record clutter.csv --record-rate 20
+  elsie run worlds/find_resource.xml --record find.mcap --record-images
   elsie run worlds/clutter.xml --explain clutter.trace
   elsie run worlds/clutter.xml --set 'robot[r1]/behavior[wander]/@speed=15' --json
   elsie run my_world.xml --plugin my_behavior.cpp --watch --speed 1
@@ -66,10 +65,9 @@ plugin failed.
 /// Everything that watches one run.
 class Watchers {
  public:
-  explicit Watchers(const RunOptions& options) {
-    if (options.record) {
-      recorder_.emplace(*options.record, options.record_rate, options.record_times);
-      all_.push_back(&*recorder_);
+  explicit Watchers(const RunOptions& options) : recorder_(options.record.recorder()) {
+    if (recorder_) {
+      all_.push_back(recorder_.get());
     }
     if (options.image_folder) {
       images_.emplace(*options.image_folder, options.image_period_s);
@@ -100,7 +98,7 @@ class Watchers {
   const elsie::simulation::TrackRecorder* tracks() const { return tracks_ ? &*tracks_ : nullptr; }
 
  private:
-  std::optional<elsie::simulation::CsvRecorder> recorder_;
+  std::unique_ptr<elsie::simulation::Observer> recorder_;
   std::optional<ImageSaver> images_;
   std::optional<elsie::simulation::TraceRecorder> trace_;
   std::optional<elsie::simulation::TrackRecorder> tracks_;
@@ -160,13 +158,10 @@ elsie::simulation::Simulation simulation_of(
     std::span<const elsie::simulation::TimedChange> changes) {
   elsie::world::World world =
       elsie::world::read_world(options.world, host, read_options(options.overrides));
-  if (options.duration) {
-    world.limits.time = *options.duration;
-  }
   elsie::simulation::Simulation simulation(
       std::move(world), host,
-      {options.seed, options.record_times || options.explain_times, data_directories(),
-       budget_of(options)});
+      {options.seed, options.record.times || options.explain_times, data_directories(),
+       budget_of(options), options.duration});
   try {
     simulation.check(changes);
   } catch (const elsie::simulation::ChangeRefused& refused) {
@@ -176,9 +171,7 @@ elsie::simulation::Simulation simulation_of(
 }
 
 void check(const RunOptions& options) {
-  if (options.record) {
-    require_recording(*options.record, "--record");
-  }
+  options.record.check();
   if (options.explain) {
     require_trace(*options.explain, "--explain");
   }
@@ -204,6 +197,7 @@ int run(const RunOptions& options) {
   if (watch) {
     renew = [&](auto& running) { replace_what_changed(*watch, running, options.quiet); };
   }
+  options.record.check(simulation);
   Watchers watchers(options);
   const auto draw_as = [&](const std::string& line) {
     if (options.picture) {
@@ -278,18 +272,7 @@ void add_run_command(CLI::App& program, Job& job) {
                    "goes. 1 is real time")
       ->check(positive_number())
       ->type_name("FACTOR");
-  command
-      ->add_option("--record", options->record,
-                   "Write poses, commands, readings and the coordinators' traces as a table")
-      ->type_name("FILE.csv");
-  command->add_option("--record-rate", options->record_rate, "Rows per simulated second and robot")
-      ->needs("--record")
-      ->check(positive_number())
-      ->capture_default_str();
-  command
-      ->add_flag("--record-times", options->record_times,
-                 "Record how long each behaviour takes, too (differs from run to run)")
-      ->needs("--record");
+  options->record.add_to(*command);
   command
       ->add_option("--explain", options->explain,
                    "Write every coordinator's decisions, for `elsie explain`")

@@ -52,9 +52,12 @@ std::string dumped(const nlohmann::ordered_json& object) {
 
 }  // namespace
 
+std::string headline(const std::string& outcome, double simulated_s, const std::string& reason) {
+  return outcome + " after " + text("%.1f", simulated_s) + " s: " + reason;
+}
+
 std::string headline(const RunResult& result) {
-  return std::string(to_string(result.outcome)) + " after " + text("%.1f", result.simulated_s) +
-         " s: " + result.reason;
+  return headline(to_string(result.outcome), result.simulated_s, result.reason);
 }
 
 std::string table(const RunResult& result) {

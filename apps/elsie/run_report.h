@@ -13,3 +13,5 @@ std::string json(const elsie::simulation::RunResult& result);
 
 /// "success after 12.3 s: all goals are reached".
 std::string headline(const elsie::simulation::RunResult& result);
+/// The same line for a run of which only this is known.
+std::string headline(const std::string& outcome, double simulated_s, const std::string& reason);

@@ -3,24 +3,15 @@
 #include <utility>
 
 #include "elsie/picture/top_view.h"
+#include "elsie/recording/beams.h"
 
 namespace {
-
-using elsie::RangeReading;
-using elsie::ReadingKind;
 
 std::vector<elsie::picture::Beam> beams(const elsie::simulation::Simulation& simulation,
                                         std::size_t robot) {
   std::vector<elsie::picture::Beam> beams;
-  for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {
-    const elsie::simulation::SensorView sensor = simulation.sensor(robot, i);
-    if (sensor.sensor->kind() != ReadingKind::of<RangeReading>()) {
-      continue;
-    }
-    const auto& reading = *static_cast<const RangeReading*>(sensor.sensor->reading());
-    const elsie::Frame frame = simulation.sensor_frame(robot, i);
-    const elsie::Vector3 end = frame.point({reading.distance_m, 0.0, 0.0});
-    beams.push_back({{frame.origin.x, frame.origin.y}, {end.x, end.y}, reading.hit});
+  for (const auto& beam : elsie::recording::range_beams(simulation, robot)) {
+    beams.push_back({{beam.from.x, beam.from.y}, {beam.to.x, beam.to.y}, beam.hit});
   }
   return beams;
 }

@@ -327,6 +327,16 @@ TEST_CASE("A run that is replayed comes to the same, and can be looked at") {
   CHECK(here.read("run.csv").starts_with("time_s,"));
   CHECK(here.elsie("explain run.trace").exit_code == 0);
 
+  // Recorded for viewers, it is the same run.
+  const auto recorded = here.elsie("replay small_experiment.sqlite 17 --quiet --record run.mcap");
+  CHECK(recorded.exit_code == 0);
+  const std::string same = "the same: ";
+  REQUIRE_THAT(recorded.out, Catch::StartsWith(same + "state hash "));
+  CHECK_THAT(here.elsie("replay small_experiment.sqlite 17 --record i.mcap --record-images").err,
+             Contains("--record-images: no robot of this world has a sensor with a camera"));
+  CHECK_THAT(here.elsie("replay run.mcap").out,
+             Contains(recorded.out.substr(same.size(), recorded.out.find('\n') - same.size())));
+
   const auto none = here.elsie("replay small_experiment.sqlite 25");
   CHECK(none.exit_code == 2);
   CHECK_THAT(none.err, Contains("has no run 25; its runs have numbers from 1 to 24"));
@@ -426,6 +436,11 @@ TEST_CASE("Nothing is begun, and no database left behind, when the input is wron
   refused("batch small_experiment.xml --again", "it needs --resume");
   refused("merge out.sqlite none.db", "there is no database 'none.db'");
   refused("replay none.db 1", "there is no database 'none.db'");
+  refused("replay none.db", "'none.db' cannot be read");
+  REQUIRE(here.batch("small_experiment.xml --quiet --database runs.mcap").exit_code == 0);
+  refused("replay runs.mcap", "'runs.mcap' is a database of many runs; expected the number of one");
+  refused("replay runs.mcap 1 --picture run.png --at 1", "--at: only a recording can be drawn");
+  refused("replay runs.mcap 1 --record run.csv --record-images", "--record-images: a table");
   refused("batch-worker x", "there is no subcommand 'batch-worker'");
 }
 

@@ -73,12 +73,16 @@ Surface surface_of(const Image& image) {
 
 }  // namespace
 
-void write_png(const Image& image, const std::filesystem::path& file) {
+std::string png(const Image& image) {
   check(image);
   const Surface surface = surface_of(image);
   std::string content;
   check(cairo_surface_write_to_png_stream(surface.get(), append, &content));
-  write_whole(file, content);
+  return content;
+}
+
+void write_png(const Image& image, const std::filesystem::path& file) {
+  write_whole(file, png(image));
 }
 
 }  // namespace elsie::picture

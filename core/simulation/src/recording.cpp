@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/simulation/sampling.h"
 #include "elsie/simulation/simulation.h"
 
 #include "csv_line.h"
 #include "record_file.h"
-#include "sampling.h"
 
 namespace elsie::simulation {
 namespace {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "elsie/physics/engine.h"
+#include "elsie/simulation/sampling.h"
 #include "elsie/world/error.h"
 
 #include "box_path.h"
@@ -16,7 +17,6 @@
 #include "changes.h"
 #include "goals.h"
 #include "measuring.h"
-#include "sampling.h"
 #include "swap.h"
 #include "teams.h"
 
@@ -76,7 +76,10 @@ const char* to_string(Outcome outcome) {
 class Simulation::Impl {
  public:
   Impl(world::World world, const plugin::Host& host, const Options& options)
-      : world_(std::move(world)), seed_(options.seed), data_directories_(options.data_directories) {
+      : world_(std::move(world)),
+        time_limit_s_(options.time_limit_s.value_or(world_.limits.time)),
+        seed_(options.seed),
+        data_directories_(options.data_directories) {
     changes_.emplace(world_, host, data_directories_);
     std::vector<world::Problem> problems;
     for (std::size_t i = 0; i < world_.robots.size(); ++i) {
@@ -185,7 +188,7 @@ class Simulation::Impl {
     }
   }
   std::vector<DueChanges> checked(std::span<const TimedChange> changes) {
-    std::vector<DueChanges> schedule = by_step(changes, world_.physics.step, world_.limits.time);
+    std::vector<DueChanges> schedule = by_step(changes, world_.physics.step, time_limit_s_);
     changes_->check(schedule, stage());
     return schedule;
   }
@@ -237,6 +240,7 @@ class Simulation::Impl {
   }
 
   world::World world_;
+  double time_limit_s_;
   std::uint64_t seed_;
   std::vector<std::unique_ptr<Robot>> robots_;
   std::uint64_t steps_ = 0;
@@ -518,7 +522,9 @@ RunResult Simulation::result() const {
 }
 
 const world::World& Simulation::world() const { return impl_->world_; }
+std::uint64_t Simulation::seed() const { return impl_->seed_; }
 double Simulation::time_s() const { return impl_->time_s(); }
+double Simulation::time_limit_s() const { return impl_->time_limit_s_; }
 std::uint64_t Simulation::steps() const { return impl_->steps_; }
 Outcome Simulation::outcome() const { return impl_->verdict_.outcome; }
 std::uint64_t Simulation::state_hash() const { return impl_->state_hash(); }

@@ -2,9 +2,8 @@
 
 #include <string>
 
+#include "elsie/simulation/sampling.h"
 #include "elsie/simulation/simulation.h"
-
-#include "sampling.h"
 
 namespace elsie::simulation {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "elsie/api/image.h"
 
@@ -14,5 +15,8 @@ namespace elsie::picture {
 /// whose bytes are not as many as its size says; std::runtime_error when the file cannot be
 /// written; then a file that was there before is unchanged.
 void write_png(const Image& image, const std::filesystem::path& file);
+
+/// The bytes of the same file. Throws std::invalid_argument likewise.
+std::string png(const Image& image);
 
 }  // namespace elsie::picture

@@ -169,6 +169,7 @@ class Simulation {
   RunResult result() const;
 
   const world::World& world() const;
+  std::uint64_t seed() const;
   double time_s() const;
   /// Simulated time after which a run ends, whatever its goals.
   double time_limit_s() const;

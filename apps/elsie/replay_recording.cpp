@@ -1,0 +1,96 @@
+#include "replay_recording.h"
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "elsie/mcap/records.h"
+#include "elsie/recording/recorded_run.h"
+
+#include "command.h"
+#include "environment.h"
+#include "run_report.h"
+#include "text_table.h"
+
+namespace {
+
+using elsie::recording::RecordedRun;
+
+RecordedRun read(const RecordingOptions& options) {
+  try {
+    return options.at ? elsie::recording::read_recorded_run(options.recording, *options.at)
+                      : elsie::recording::read_recorded_run(options.recording);
+  } catch (const elsie::mcap::McapError& error) {
+    throw BadInput(error.what());
+  }
+}
+
+std::string ending(const RecordedRun& run) {
+  if (!run.result) {
+    return "no outcome: the recording ends after " + text("%.1f", run.end_s) + " s";
+  }
+  const auto& result = *run.result;
+  return result.reason.empty()
+             ? result.outcome + " after " + text("%.1f", result.simulated_s) + " s"
+             : headline(result.outcome, result.simulated_s, result.reason);
+}
+
+std::string seed_of(const RecordedRun& run) { return "seed " + std::to_string(run.seed); }
+
+/// What is in the file.
+std::string report(const RecordedRun& run) {
+  std::string out;
+  if (run.of_elsie) {
+    out += "world '" + run.world + "' (" + run.world_file + "), " + seed_of(run) +
+           ", recorded by " + run.library + '\n' + ending(run) + '\n';
+    if (run.result) {
+      out += "state hash " + run.result->state_hash + " after " +
+             std::to_string(run.result->steps) + " steps\n";
+    }
+    if (run.result && !run.result->measures.empty()) {
+      out += "measures:";
+      for (const auto& [name, value] : run.result->measures) {
+        out += ' ' + name + ' ' + text("%.6g", value);
+      }
+      out += '\n';
+    }
+    out += "a sample every " + text("%g", run.period_s) + " s\n";
+  } else {
+    out += "no run of Elsie: recorded by '" + run.library + "'\n";
+  }
+  out += run.missing_end.empty() ? "complete\n" : run.missing_end + '\n';
+  std::vector<std::vector<std::string>> rows{{"channel", "schema", "messages"}};
+  for (const auto& channel : run.channels) {
+    rows.push_back({channel.topic, channel.schema, std::to_string(channel.messages)});
+  }
+  constexpr std::size_t kTextColumns = 2;
+  return out + '\n' + laid_out(rows, kTextColumns);
+}
+
+void draw(const RecordedRun& run, const RecordingOptions& options) {
+  if (!run.of_elsie || run.world_xml.empty()) {
+    throw BadInput("--picture: there is no world in '" + options.recording +
+                   "'; expected a recording that `elsie run --record FILE.mcap` made");
+  }
+  constexpr double kHair = 1e-9;  // s
+  if (options.at && *options.at > run.end_s + kHair) {
+    throw BadInput("--at: the recording ends at " + text("%g", run.end_s) + " s");
+  }
+  const std::string line = (options.at ? "at " + text("%g", run.shown_s) + " s" : ending(run)) +
+                           "  (" + seed_of(run) + ")";
+  elsie::recording::save_picture(run, {line}, *options.picture, {options.width, 0});
+}
+
+}  // namespace
+
+int replay_recording(const RecordingOptions& options) {
+  if (options.picture) {
+    require_picture(*options.picture, "--picture");
+  }
+  const RecordedRun run = read(options);
+  if (options.picture) {
+    draw(run, options);
+  }
+  std::cout << report(run);
+  return kSuccess;
+}

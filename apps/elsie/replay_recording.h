@@ -1,0 +1,16 @@
+// What was recorded of a run, looked at again.
+#pragma once
+
+#include <optional>
+#include <string>
+
+/// What `elsie replay` was told to do with a recording.
+struct RecordingOptions {
+  std::string recording;
+  std::optional<std::string> picture;
+  std::optional<double> at;  // s; none: at the end
+  int width = 1000;          // of the picture, pixels
+};
+
+/// Prints what is in it, draws it, and gives the exit code. Throws BadInput.
+int replay_recording(const RecordingOptions& options);

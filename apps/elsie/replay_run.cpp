@@ -1,0 +1,167 @@
+#include "replay_run.h"
+
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include "elsie/batch/results_database.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/simulation/trace_recorder.h"
+#include "elsie/simulation/tracks.h"
+#include "elsie/world/reader.h"
+
+#include "command.h"
+#include "progress.h"
+#include "restored_run.h"
+#include "run_report.h"
+#include "top_view.h"
+
+using elsie::batch::RunState;
+using elsie::batch::StoredRun;
+using elsie::simulation::PluginFault;
+using elsie::simulation::RunResult;
+using elsie::simulation::Simulation;
+
+namespace {
+
+StoredRun stored_run(const RunAgainOptions& options) {
+  auto database = elsie::batch::ResultsDatabase::open(options.database);
+  auto run = database.run(options.run);
+  if (!run) {
+    const auto [first, last] = database.numbers();
+    throw BadInput("'" + options.database + "' has no run " + std::to_string(options.run) +
+                   "; its runs have numbers from " + std::to_string(first) + " to " +
+                   std::to_string(last));
+  }
+  if (run->record.state == RunState::pending) {
+    throw BadInput("run " + std::to_string(options.run) + " of '" + options.database +
+                   "' is still to be done; go on with `elsie batch --resume`");
+  }
+  return *std::move(run);
+}
+
+/// Everything that watches it.
+class Watchers {
+ public:
+  explicit Watchers(const RunAgainOptions& options) : recorder_(options.record.recorder()) {
+    if (recorder_) {
+      all_.push_back(recorder_.get());
+    }
+    if (options.explain) {
+      all_.push_back(&trace_.emplace(*options.explain));
+    }
+    if (options.picture) {
+      all_.push_back(&tracks_.emplace());
+    }
+    if (!options.quiet && isatty(STDERR_FILENO)) {
+      all_.push_back(&progress_.emplace());
+    }
+    all_.push_back(&interrupt_);
+  }
+  Watchers(const Watchers&) = delete;
+  Watchers& operator=(const Watchers&) = delete;
+
+  std::span<elsie::simulation::Observer* const> all() const { return all_; }
+  const elsie::simulation::TrackRecorder* tracks() const { return tracks_ ? &*tracks_ : nullptr; }
+
+ private:
+  std::unique_ptr<elsie::simulation::Observer> recorder_;
+  std::optional<elsie::simulation::TraceRecorder> trace_;
+  std::optional<elsie::simulation::TrackRecorder> tracks_;
+  std::optional<ProgressBar> progress_;
+  InterruptGuard interrupt_;
+  std::vector<elsie::simulation::Observer*> all_;
+};
+
+void tell_of(const StoredRun& run, const RunAgainOptions& options) {
+  if (options.quiet) {
+    return;
+  }
+  std::cout << "run " << run.job.run << " of " << run.experiment << ": " << run.cell << ", seed "
+            << run.job.seed << '\n'
+            << "before: " << to_string(run.record.state) << ", " << run.record.message << '\n';
+  std::cout.flush();  // a plugin may bring the program down
+}
+
+/// Whether it came to the same; says so.
+bool compare(const StoredRun& run, const RunResult& result, const RestoredRun& restored) {
+  const std::string hash = elsie::batch::hash_text(result.state_hash);
+  if (run.record.state == RunState::done && run.record.state_hash == hash) {
+    std::cout << "the same: state hash " << hash << '\n';
+    return true;
+  }
+  if (run.record.state == RunState::done) {
+    std::cout << "not the same: state hash " << hash << ", before "
+              << run.record.state_hash.value_or("none") << '\n';
+  } else {
+    std::cout << "not the same: it ended by itself, state hash " << hash << '\n';
+  }
+  if (!restored.differences().empty()) {
+    std::cout << "what differs from what it was done with then may be why\n";
+  }
+  return false;
+}
+
+bool is_as_before(const StoredRun& run, const PluginFault& fault) {
+  return run.record.state == RunState::fault && run.record.plugin == fault.plugin &&
+         run.record.robot == fault.robot && run.record.step == fault.step;
+}
+
+void check(const RunAgainOptions& options) {
+  options.record.check();
+  if (options.explain) {
+    require_trace(*options.explain, "--explain");
+  }
+  if (options.picture) {
+    require_picture(*options.picture, "--picture");
+  }
+}
+
+}  // namespace
+
+int replay_run(const RunAgainOptions& options) {
+  check(options);
+  if (options.quiet) {
+    spdlog::set_level(spdlog::level::err);
+  }
+  const StoredRun run = stored_run(options);
+  RestoredRun restored(run, options.plugins);
+  for (const std::string& difference : restored.differences()) {
+    std::cerr << "elsie: " << difference << '\n';
+  }
+  tell_of(run, options);
+  Simulation simulation(restored.world(), restored.host(),
+                        {.seed = run.job.seed, .measure_time = options.record.times});
+  options.record.check(simulation);
+  Watchers watchers(options);
+  const auto draw_as = [&](const std::string& line) {
+    if (options.picture) {
+      draw(simulation, watchers.tracks(), {line}, *options.picture, options.width);
+    }
+  };
+  try {
+    const RunResult result = simulation.run(watchers.all());
+    const bool same = compare(run, result, restored);
+    if (!options.quiet) {
+      std::cout << '\n' << table(result);
+    }
+    std::cout.flush();
+    draw_as(headline(result) + "  (seed " + std::to_string(result.seed) + ")");
+    return same ? kSuccess : kGoalMissed;
+  } catch (const PluginFault& fault) {
+    draw_as(fault.what());
+    if (!is_as_before(run, fault)) {
+      throw;
+    }
+    std::cout << "the same: " << fault.what() << '\n';
+    return kSuccess;
+  } catch (const Interrupted&) {
+    draw_as("interrupted");
+    std::cerr << "elsie: interrupted after " << simulation.time_s()
+              << " s of simulated time; what was recorded until then is kept\n";
+    return kOtherFailure;
+  }
+}

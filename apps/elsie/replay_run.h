@@ -1,0 +1,25 @@
+// A run of a database once more.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "environment.h"
+#include "record_options.h"
+
+/// What `elsie replay` was told to do with a run of a database.
+struct RunAgainOptions {
+  PluginOptions plugins;
+  std::string database;
+  std::int64_t run = 0;
+  RecordOptions record;
+  std::optional<std::string> explain;
+  std::optional<std::string> picture;
+  int width = 1000;  // of the picture, pixels
+  bool quiet = false;
+};
+
+/// Does it again, says whether it comes to the same, and gives the exit code. Throws BadInput,
+/// PluginFault and what else may go wrong in a run.
+int replay_run(const RunAgainOptions& options);

@@ -1,0 +1,39 @@
+// Names in a recording, shared by who writes it and who reads it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+namespace elsie::recording {
+
+using Json = nlohmann::ordered_json;  // the same members in the same order, always
+
+// Metadata: at the start, and at the end.
+constexpr const char* kRunMetadata = "elsie.run";
+constexpr const char* kResultMetadata = "elsie.result";
+constexpr const char* kMeasuresMetadata = "elsie.measures";
+constexpr const char* kStopped = "stopped";  // an outcome: a plugin failed, or the user ended it
+
+constexpr const char* kWorldTopic = "/world";
+constexpr const char* kSceneTopic = "/scene";
+constexpr const char* kTransformsTopic = "/tf";
+constexpr const char* kEventsTopic = "/events";
+
+/// "/robots/r1/pose"
+inline std::string robot_topic(std::string_view robot, std::string_view kind) {
+  return "/robots/" + std::string(robot) + "/" + std::string(kind);
+}
+
+// Frames: the world, robots and what they pull, boxes that may move.
+constexpr const char* kWorldFrame = "world";
+inline std::string robot_frame(std::string_view robot) { return "robot/" + std::string(robot); }
+inline std::string segment_frame(std::string_view robot, std::string_view segment) {
+  return robot_frame(robot) + "/" + std::string(segment);
+}
+/// Also the entity of any box in the scene.
+inline std::string box_frame(std::string_view box) { return "box/" + std::string(box); }
+
+}  // namespace elsie::recording

@@ -1,0 +1,157 @@
+#include "messages.h"
+
+#include <cmath>
+
+#include "elsie/picture/image_file.h"
+
+#include "base64.h"
+
+namespace elsie::recording {
+namespace {
+
+constexpr std::uint64_t kSecond = 1'000'000'000;
+
+// foxglove.LogLevel
+constexpr int kInfo = 2;
+constexpr int kWarning = 3;
+
+/// Numbers that JSON has no word for are left out.
+void set(Json& object, const char* name, double value) {
+  if (std::isfinite(value)) {
+    object[name] = value;
+  }
+}
+
+}  // namespace
+
+std::string text_of(const Json& message) {
+  return message.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json time_json(std::uint64_t time_ns) {
+  return {{"sec", time_ns / kSecond}, {"nsec", time_ns % kSecond}};
+}
+
+std::uint64_t nanoseconds(double time_s) {
+  return static_cast<std::uint64_t>(std::llround(time_s * static_cast<double>(kSecond)));
+}
+
+Json position_json(const Vector3& position) {
+  return {{"x", position.x}, {"y", position.y}, {"z", position.z}};
+}
+
+// The quaternion of a rotation matrix, by its largest component (S. W. Shepperd, "Quaternion from
+// rotation matrix", 1978). The matrix has the axes as columns.
+Json rotation_json(const Frame& frame) {
+  const Vector3 &f = frame.forward, &l = frame.left, &u = frame.up;
+  const double squares[] = {1.0 + f.x + l.y + u.z, 1.0 + f.x - l.y - u.z, 1.0 - f.x + l.y - u.z,
+                            1.0 - f.x - l.y + u.z};  // of w, x, y, z, times four
+  int largest = 0;
+  for (int i = 1; i < 4; ++i) {
+    largest = squares[i] > squares[largest] ? i : largest;
+  }
+  const double twice = std::sqrt(squares[largest]);
+  const double part = 0.5 / twice;
+  const double wx = (l.z - u.y) * part, wy = (u.x - f.z) * part, wz = (f.y - l.x) * part;
+  const double xy = (f.y + l.x) * part, xz = (u.x + f.z) * part, yz = (l.z + u.y) * part;
+  const double half = 0.5 * twice;
+  switch (largest) {
+    case 0:
+      return {{"x", wx}, {"y", wy}, {"z", wz}, {"w", half}};
+    case 1:
+      return {{"x", half}, {"y", xy}, {"z", xz}, {"w", wx}};
+    case 2:
+      return {{"x", xy}, {"y", half}, {"z", yz}, {"w", wy}};
+    default:
+      return {{"x", xz}, {"y", yz}, {"z", half}, {"w", wz}};
+  }
+}
+
+Frame frame_of(const Pose& pose, double z) {
+  return Frame::turned({pose.x, pose.y, z}, pose.heading_rad, 0.0);
+}
+
+Json pose_message(std::uint64_t time_ns, const Pose& pose) {
+  const Frame frame = frame_of(pose);
+  return {
+      {"timestamp", time_json(time_ns)},
+      {"frame_id", kWorldFrame},
+      {"pose", {{"position", position_json(frame.origin)}, {"orientation", rotation_json(frame)}}}};
+}
+
+Json state_message(std::uint64_t time_ns, const simulation::RobotView& robot) {
+  const OwnState& state = *robot.state;
+  return {{"timestamp", time_json(time_ns)},
+          {"x_m", state.pose.x},
+          {"y_m", state.pose.y},
+          {"heading_rad", state.pose.heading_rad},
+          {"speed_m_s", state.speed_m_s},
+          {"turn_rate_rad_s", state.turn_rate_rad_s},
+          {"distance_m", robot.distance_m},
+          {"energy", state.energy},
+          {"collisions", robot.collisions}};
+}
+
+Json command_message(std::uint64_t decided_ns, const MotorCommand& command) {
+  return {{"timestamp", time_json(decided_ns)},
+          {"left_rad_s", command.left},
+          {"right_rad_s", command.right}};
+}
+
+Json trace_message(std::uint64_t decided_ns, const simulation::RobotView& robot, bool with_times) {
+  Json rows = Json::array();
+  for (const simulation::TracedMember& member : robot.trace) {
+    const TraceRow& trace = member.member->trace;
+    Json row{{"path", member.path},
+             {"plugin", member.plugin},
+             {"coordinator", member.coordinator},
+             {"asked", trace.asked},
+             {"left_rad_s", trace.command.left},
+             {"right_rad_s", trace.command.right}};
+    set(row, "activation", trace.activation);
+    set(row, "strength", trace.strength);
+    set(row, "weight", trace.weight);
+    set(row, "share", trace.share);
+    const simulation::TracedMember* inhibitor = inhibitor_of(member, robot.trace);
+    row["inhibited_by"] = inhibitor ? inhibitor->path : "";
+    row["reason"] = trace.reason;
+    if (with_times) {
+      set(row, "time_s", trace.time_s);
+    }
+    rows.push_back(std::move(row));
+  }
+  return {{"timestamp", time_json(decided_ns)}, {"behaviors", std::move(rows)}};
+}
+
+Json image_message(std::uint64_t decided_ns, std::string_view robot, const Image& image) {
+  return {{"timestamp", time_json(decided_ns)},
+          {"frame_id", robot_frame(robot)},
+          {"data", base64(picture::png(image))},
+          {"format", "png"}};
+}
+
+Json event_message(std::uint64_t time_ns, const simulation::EventRecord& event, const Pose* where) {
+  const bool bad = event.name == "collision" || event.name == "battery_empty";
+  Json message{{"timestamp", time_json(time_ns)},
+               {"level", bad ? kWarning : kInfo},
+               {"message", event.detail.empty() ? event.name : event.name + ": " + event.detail},
+               {"name", event.robot},
+               {"file", ""},
+               {"line", 0},
+               {"event", event.name},
+               {"detail", event.detail}};
+  if (where) {
+    message["x_m"] = where->x;
+    message["y_m"] = where->y;
+  }
+  return message;
+}
+
+Json transform_json(std::uint64_t time_ns, const std::string& child, const Frame& frame,
+                    double heading_rad) {
+  return {{"timestamp", time_json(time_ns)},  {"parent_frame_id", kWorldFrame},
+          {"child_frame_id", child},          {"translation", position_json(frame.origin)},
+          {"rotation", rotation_json(frame)}, {"heading_rad", heading_rad}};
+}
+
+}  // namespace elsie::recording

@@ -1,0 +1,40 @@
+// The messages of a recording. Each is one JSON object.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elsie/api/image.h"
+#include "elsie/api/reading.h"
+#include "elsie/simulation/simulation.h"
+
+#include "format.h"
+
+namespace elsie::recording {
+
+/// The text of a message, in UTF-8 whatever is in it.
+std::string text_of(const Json& message);
+
+Json time_json(std::uint64_t time_ns);
+/// A duration or a time in whole ns.
+std::uint64_t nanoseconds(double time_s);
+
+Json position_json(const Vector3& position);
+/// The rotation from the axes of the world to those of a frame.
+Json rotation_json(const Frame& frame);
+/// Flat on the floor.
+Frame frame_of(const Pose& pose, double z = 0.0);
+
+Json pose_message(std::uint64_t time_ns, const Pose& pose);
+Json state_message(std::uint64_t time_ns, const simulation::RobotView& robot);
+Json command_message(std::uint64_t decided_ns, const MotorCommand& command);
+Json trace_message(std::uint64_t decided_ns, const simulation::RobotView& robot, bool with_times);
+Json image_message(std::uint64_t decided_ns, std::string_view robot, const Image& image);
+/// `where`: the robot's pose, or null.
+Json event_message(std::uint64_t time_ns, const simulation::EventRecord& event, const Pose* where);
+Json transform_json(std::uint64_t time_ns, const std::string& child, const Frame& frame,
+                    double heading_rad);
+
+}  // namespace elsie::recording

@@ -1,0 +1,234 @@
+#include "scene.h"
+
+#include <string>
+#include <utility>
+
+#include "elsie/world/colours.h"
+
+#include "messages.h"
+
+namespace elsie::recording {
+namespace {
+
+using world::World;
+
+constexpr Colour kFloor{0xf2, 0xf2, 0xf0};
+constexpr Colour kWall{0x9a, 0x9f, 0xa6};
+constexpr Colour kFixedBox{0x8a, 0x8f, 0x98};
+constexpr Colour kDynamicBox{0xb0, 0x8d, 0x57};
+constexpr Colour kMovingBox{0x7a, 0x5c, 0xa8};
+constexpr Colour kTyre{0x20, 0x20, 0x20};
+constexpr Colour kInk{0x20, 0x24, 0x28};
+constexpr Colour kHit{0xd0, 0x30, 0x30};
+constexpr Colour kFree{0x9a, 0x9f, 0xa6};
+constexpr double kSheet = 0.002;  // m, how thick floor and marks are drawn
+
+Json colour_json(const Colour& colour, double opacity = 1.0) {
+  return {{"r", colour.red / 255.0},
+          {"g", colour.green / 255.0},
+          {"b", colour.blue / 255.0},
+          {"a", opacity}};
+}
+
+Json pose_json(const Frame& frame) {
+  return {{"position", position_json(frame.origin)}, {"orientation", rotation_json(frame)}};
+}
+
+Json cube(const Frame& middle, const Vector3& size, const Colour& colour) {
+  return {
+      {"pose", pose_json(middle)}, {"size", position_json(size)}, {"color", colour_json(colour)}};
+}
+
+/// Around the frame's `up`.
+Json cylinder(const Frame& middle, double radius, double height, const Colour& colour) {
+  return {{"pose", pose_json(middle)},
+          {"size", position_json({2.0 * radius, 2.0 * radius, height})},
+          {"bottom_scale", 1.0},
+          {"top_scale", 1.0},
+          {"color", colour_json(colour)}};
+}
+
+/// Something to which primitives are added.
+Json entity(std::uint64_t time_ns, const std::string& id, const std::string& frame) {
+  Json made{{"timestamp", time_json(time_ns)},
+            {"frame_id", frame},
+            {"id", id},
+            {"lifetime", time_json(0)},  // for ever
+            {"frame_locked", true}};
+  for (const char* list : {"metadata", "arrows", "cubes", "spheres", "cylinders", "lines",
+                           "triangles", "texts", "models"}) {
+    made[list] = Json::array();
+  }
+  return made;
+}
+
+Json arena(std::uint64_t time_ns, const world::Arena& arena) {
+  Json made = entity(time_ns, "arena", kWorldFrame);
+  const double t = arena.wall_thickness, h = arena.wall_height;
+  made["cubes"].push_back(
+      cube({.origin = {0.0, 0.0, -0.5 * kSheet}}, {arena.length, arena.width, kSheet}, kFloor));
+  if (arena.walls) {
+    const double x = 0.5 * (arena.length + t), y = 0.5 * (arena.width + t);
+    for (const double side : {-1.0, 1.0}) {
+      made["cubes"].push_back(
+          cube({.origin = {side * x, 0.0, 0.5 * h}}, {t, arena.width, h}, kWall));
+      made["cubes"].push_back(
+          cube({.origin = {0.0, side * y, 0.5 * h}}, {arena.length + 2.0 * t, t, h}, kWall));
+    }
+  }
+  return made;
+}
+
+Json charger(std::uint64_t time_ns, const world::Charger& charger) {
+  Json made = entity(time_ns, "charger/" + charger.id, kWorldFrame);
+  if (charger.seen_by_range_sensors) {
+    constexpr double edge = world::Charger::kBoxEdge;
+    made["cubes"].push_back(cube({.origin = {charger.x, charger.y, 0.5 * edge}}, {edge, edge, edge},
+                                 world::kChargerColour));
+  } else {
+    made["cylinders"].push_back(cylinder({.origin = {charger.x, charger.y, 0.5 * kSheet}},
+                                         charger.radius, kSheet, world::kChargerColour));
+  }
+  return made;
+}
+
+Colour colour_of(const World& world, const world::Box& box) {
+  switch (box.kind) {
+    case world::BoxKind::fixed:
+      return box.colour.value_or(kFixedBox);
+    case world::BoxKind::dynamic:
+      return box.colour.value_or(kDynamicBox);
+    case world::BoxKind::moving:
+      return box.colour.value_or(kMovingBox);
+    case world::BoxKind::resource:
+      break;
+  }
+  return world::resource_colour(world, box);
+}
+
+Json box(std::uint64_t time_ns, const World& world, const world::Box& box) {
+  const bool moves = may_move(box);
+  Json made = entity(time_ns, box_frame(box.id), moves ? box_frame(box.id) : kWorldFrame);
+  Frame middle =
+      moves ? Frame{} : Frame::turned({box.x, box.y, box.z}, radians(box.heading_deg), 0);
+  middle.origin.z += 0.5 * box.height;
+  made["cubes"].push_back(cube(middle, {box.length, box.width, box.height}, colour_of(world, box)));
+  return made;
+}
+
+/// A chassis and two wheels: a robot, or what it pulls.
+template <class Part>
+void add_body(Json& entity, const Part& part, const Colour& colour) {
+  entity["cubes"].push_back(cube({.origin = {0.0, 0.0, part.clearance + 0.5 * part.height}},
+                                 {part.length, part.width, part.height}, colour));
+  for (const double side : {-1.0, 1.0}) {
+    // Turned about its x axis, so that its up is the robot's left.
+    const Frame wheel{{0.0, side * part.half_axle(), part.wheel_radius},
+                      {1.0, 0.0, 0.0},
+                      {0.0, 0.0, -1.0},
+                      {0.0, 1.0, 0.0}};
+    entity["cylinders"].push_back(cylinder(wheel, part.wheel_radius, part.wheel_width, kTyre));
+  }
+}
+
+void add_robot(Json& entities, std::uint64_t time_ns, const World& world,
+               const world::Robot& robot) {
+  const Colour colour = world::team_colour(world, robot.team);
+  Json made = entity(time_ns, robot_frame(robot.id), robot_frame(robot.id));
+  add_body(made, robot.body, colour);
+  made["texts"].push_back({{"pose", pose_json({.origin = {0.0, 0.0, robot.body.top() + 0.08}})},
+                           {"billboard", true},
+                           {"font_size", 0.08},
+                           {"scale_invariant", false},
+                           {"color", colour_json(kInk)},
+                           {"text", robot.id}});
+  entities.push_back(std::move(made));
+  for (const world::Segment& segment : robot.segments) {
+    const std::string frame = segment_frame(robot.id, segment.id);
+    Json pulled = entity(time_ns, frame, frame);
+    add_body(pulled, segment, colour);
+    entities.push_back(std::move(pulled));
+  }
+}
+
+}  // namespace
+
+bool may_move(const world::Box& box) {
+  return box.kind == world::BoxKind::dynamic || box.kind == world::BoxKind::moving;
+}
+
+Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulation) {
+  const World& world = simulation.world();
+  Json entities = Json::array();
+  entities.push_back(arena(time_ns, world.arena));
+  for (const world::Charger& each : world.chargers) {
+    entities.push_back(charger(time_ns, each));
+  }
+  for (std::size_t i = 0; i < world.boxes.size(); ++i) {
+    if (simulation.box(i)) {
+      entities.push_back(box(time_ns, world, world.boxes[i]));
+    }
+  }
+  for (const world::Robot& robot : world.robots) {
+    add_robot(entities, time_ns, world, robot);
+  }
+  constexpr int kAll = 1;  // foxglove.SceneEntityDeletionType
+  Json deletions = Json::array();
+  deletions.push_back({{"timestamp", time_json(time_ns)}, {"type", kAll}, {"id", ""}});
+  return {{"deletions", std::move(deletions)}, {"entities", std::move(entities)}};
+}
+
+Json transforms_message(std::uint64_t time_ns, const simulation::Simulation& simulation) {
+  const World& world = simulation.world();
+  Json transforms = Json::array();
+  for (std::size_t i = 0; i < simulation.robots(); ++i) {
+    const world::Robot& robot = world.robots[i];
+    const Pose& pose = simulation.robot(i).state->pose;
+    transforms.push_back(
+        transform_json(time_ns, robot_frame(robot.id), frame_of(pose), pose.heading_rad));
+    for (std::size_t k = 0; k < robot.segments.size(); ++k) {
+      const simulation::SegmentView segment = simulation.segment(i, k);
+      transforms.push_back(transform_json(time_ns, segment_frame(robot.id, robot.segments[k].id),
+                                          segment.frame, segment.pose.heading_rad));
+    }
+  }
+  for (std::size_t i = 0; i < world.boxes.size(); ++i) {
+    const world::Box& box = world.boxes[i];
+    if (!may_move(box)) {
+      continue;
+    }
+    if (const auto pose = simulation.box(i)) {
+      transforms.push_back(
+          transform_json(time_ns, box_frame(box.id), frame_of(*pose, box.z), pose->heading_rad));
+    }
+  }
+  return {{"transforms", std::move(transforms)}};
+}
+
+Json beams_message(std::uint64_t time_ns, std::span<const RangeBeam> beams) {
+  std::string hits;
+  Json lines[2];  // those that are free, those that hit
+  for (const bool hit : {false, true}) {
+    constexpr int kPairs = 2;  // foxglove.LineType: LINE_LIST
+    lines[hit] = {{"type", kPairs},          {"pose", pose_json({})},
+                  {"thickness", 2.0},        {"scale_invariant", true},
+                  {"points", Json::array()}, {"color", colour_json(hit ? kHit : kFree, 0.8)},
+                  {"colors", Json::array()}, {"indices", Json::array()}};
+  }
+  for (const RangeBeam& beam : beams) {
+    hits += beam.hit ? '1' : '0';
+    Json& points = lines[beam.hit]["points"];
+    points.push_back(position_json(beam.from));
+    points.push_back(position_json(beam.to));
+  }
+  Json made = entity(time_ns, "beams", kWorldFrame);
+  made["metadata"].push_back({{"key", kHits}, {"value", hits}});
+  for (Json& line : lines) {
+    made["lines"].push_back(std::move(line));
+  }
+  Json entities = Json::array();
+  entities.push_back(std::move(made));
+  return {{"deletions", Json::array()}, {"entities", std::move(entities)}};
+}
+
+}  // namespace elsie::recording

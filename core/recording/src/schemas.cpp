@@ -1,0 +1,147 @@
+#include "schemas.h"
+
+#include "primitives.h"
+#include "schema_parts.h"
+
+namespace elsie::recording::schemas {
+namespace {
+
+Json heading() { return number("the rotation about z, rad, to the last digit"); }
+
+constexpr const char* kDecided = "simulated time of the decision";
+
+}  // namespace
+
+std::string frame_transforms() {
+  return object("foxglove.FrameTransforms",
+                {{"transforms",
+                  list(object("foxglove.FrameTransform", {{"timestamp", time()},
+                                                          {"parent_frame_id", text()},
+                                                          {"child_frame_id", text()},
+                                                          {"translation", vector()},
+                                                          {"rotation", quaternion()},
+                                                          {"heading_rad", heading()}}))}})
+      .dump();
+}
+
+std::string pose_in_frame() {
+  return object("foxglove.PoseInFrame",
+                {{"timestamp", time()}, {"frame_id", text()}, {"pose", pose()}})
+      .dump();
+}
+
+std::string scene_update() {
+  const Json deletion = object(
+      "foxglove.SceneEntityDeletion",
+      {{"timestamp", time()},
+       {"type", choice("foxglove.SceneEntityDeletionType", {{"MATCHING_ID", 0}, {"ALL", 1}})},
+       {"id", text()}});
+  const Json pair = object("foxglove.KeyValuePair", {{"key", text()}, {"value", text()}});
+  const Json entity = object("foxglove.SceneEntity", {{"timestamp", time()},
+                                                      {"frame_id", text()},
+                                                      {"id", text()},
+                                                      {"lifetime", time("duration")},
+                                                      {"frame_locked", boolean()},
+                                                      {"metadata", list(pair)},
+                                                      {"arrows", list(primitives::arrow())},
+                                                      {"cubes", list(primitives::cube())},
+                                                      {"spheres", list(primitives::sphere())},
+                                                      {"cylinders", list(primitives::cylinder())},
+                                                      {"lines", list(primitives::line())},
+                                                      {"triangles", list(primitives::triangles())},
+                                                      {"texts", list(primitives::text())},
+                                                      {"models", list(primitives::model())}});
+  return object("foxglove.SceneUpdate", {{"deletions", list(deletion)}, {"entities", list(entity)}})
+      .dump();
+}
+
+std::string compressed_image() {
+  return object("foxglove.CompressedImage",
+                {{"timestamp", time("time", "simulated time at which it was taken")},
+                 {"frame_id", text()},
+                 {"data", base64_text("the picture")},
+                 {"format", text("png")}})
+      .dump();
+}
+
+std::string log() {
+  return object("foxglove.Log", {{"timestamp", time()},
+                                 {"level", choice("foxglove.LogLevel", {{"UNKNOWN", 0},
+                                                                        {"DEBUG", 1},
+                                                                        {"INFO", 2},
+                                                                        {"WARNING", 3},
+                                                                        {"ERROR", 4},
+                                                                        {"FATAL", 5}})},
+                                 {"message", text("event and detail")},
+                                 {"name", text("the robot")},
+                                 {"file", text("empty")},
+                                 {"line", integer("0")},
+                                 {"event", text("its name, such as collision")},
+                                 {"detail", text("with what, which resource, what was changed...")},
+                                 {"x_m", number("where the robot was"), false},
+                                 {"y_m", number(), false}})
+      .dump();
+}
+
+std::string world() {
+  return object("elsie.World",
+                {{"name", text()},
+                 {"file", text("that it was read from")},
+                 {"seed", text("of all randomness in the run; it may have 20 digits")},
+                 {"program", text("that ran it")},
+                 {"xml", text("the world file, templates merged in")}})
+      .dump();
+}
+
+std::string state() {
+  return object("elsie.State", {{"timestamp", time()},
+                                {"x_m", number()},
+                                {"y_m", number()},
+                                {"heading_rad", number("counter-clockwise from +x, in (-pi, pi]")},
+                                {"speed_m_s", number("along the heading")},
+                                {"turn_rate_rad_s", number("counter-clockwise")},
+                                {"distance_m", number("driven since the start")},
+                                {"energy", number("units in the battery")},
+                                {"collisions", integer("since the start")}})
+      .dump();
+}
+
+std::string readings() {
+  return object("elsie.Readings",
+                {{"timestamp", time("time", kDecided)},
+                 {"sensors", map(map(number(),
+                                     "the numbers of its reading, by name; one that is "
+                                     "not finite is left out"),
+                                 "by the ids of the sensors")}})
+      .dump();
+}
+
+std::string command() {
+  return object("elsie.Command", {{"timestamp", time("time", kDecided)},
+                                  {"left_rad_s", number("rate of the left wheel")},
+                                  {"right_rad_s", number("rate of the right wheel")}})
+      .dump();
+}
+
+std::string trace() {
+  const Json behavior =
+      object("elsie.TraceRow",
+             {{"path", text("ids from the robot on, such as explore/avoid_obstacle")},
+              {"plugin", text("the behaviour's")},
+              {"coordinator", text("the plugin that decides about it")},
+              {"asked", boolean("whether it was; otherwise its command is zero")},
+              {"left_rad_s", number("what it wished for")},
+              {"right_rad_s", number()},
+              {"activation", number()},
+              {"strength", number()},
+              {"weight", number()},
+              {"share", number("in the command of its coordinator")},
+              {"inhibited_by", text("path of the behaviour that silenced it, or empty")},
+              {"reason", text("the coordinator's")},
+              {"time_s", number("how long it took to answer, where that was measured"), false}});
+  return object("elsie.Trace", {{"timestamp", time("time", kDecided)},
+                                {"behaviors", list(behavior, "each before those inside it")}})
+      .dump();
+}
+
+}  // namespace elsie::recording::schemas

@@ -1,0 +1,324 @@
+#include <catch2/catch.hpp>
+
+#include "elsie/api/measure.h"
+#include "elsie/picture/image_file.h"
+#include "elsie/world/writer.h"
+
+#include "recorded.h"
+
+using namespace elsie;
+using namespace elsie::test;
+using simulation::Simulation;
+
+namespace {
+
+class SilentMeasure final : public Measure {
+ public:
+  std::vector<Quantity> quantities() const override { return {{"", "", "nothing"}}; }
+  void observe(const Observation&) override {}
+  void report(const RunEnd&, std::span<std::optional<double>>) const override {
+    throw std::runtime_error("there is nothing to tell");
+  }
+};
+
+world::World two_robots() {
+  world::World world;
+  world.name = "two";
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("go_to_point", 2, {{"x", 3.0}})));
+  world.robots[0].behaviors.push_back(behavior("wander", 1));
+  world.robots[0].sensors.push_back(beam("eye", 0));
+  world.robots.push_back(robot("r2", 1, 1, 0, behavior("wander")));
+  world.limits.time = 2;
+  return world;
+}
+
+std::map<std::string, std::string> metadata_of(const std::filesystem::path& file,
+                                               const std::string& name) {
+  mcap::Reader reader(file);
+  while (reader.next()) {
+  }
+  for (const mcap::Metadata& metadata : reader.metadata()) {
+    if (metadata.name == name) {
+      return metadata.values;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("Poses and states are those of their time, bit for bit") {
+  McapFile file;
+  Simulation simulation(two_robots(), shipped());
+  const auto result = record(simulation, file.path);
+  auto all = recorded(file.path);
+  const auto& states = all["/robots/r1/state"];
+  REQUIRE(states.size() == 21);
+  CHECK(states.front().time_ns == 0);
+  CHECK(states.front().content.at("x_m") == 0.0);
+  CHECK(states[7].time_ns == 700'000'000);
+  CHECK(states.back().time_ns == 2'000'000'000);
+  CHECK(states.back().content.at("x_m").get<double>() == result.robots[0].pose.x);
+  CHECK(states.back().content.at("heading_rad").get<double>() == result.robots[0].pose.heading_rad);
+  CHECK(states.back().content.at("distance_m").get<double>() == result.robots[0].distance_m);
+  CHECK(states.back().content.at("energy").get<double>() == result.robots[0].energy);
+  const auto& pose = all["/robots/r1/pose"].back().content;
+  CHECK(pose.at("frame_id") == "world");
+  CHECK(pose.at("pose").at("position").at("y").get<double>() == result.robots[0].pose.y);
+  const auto& turned = pose.at("pose").at("orientation");
+  CHECK(2 * std::atan2(turned.at("z").get<double>(), turned.at("w").get<double>()) ==
+        Approx(result.robots[0].pose.heading_rad));
+  CHECK(all["/robots/r2/state"].size() == 21);
+}
+
+TEST_CASE("Readings, commands and traces are those of the last decision, and have its time") {
+  McapFile file;
+  world::World world = two_robots();
+  world.physics.control_steps = 4;
+  Simulation simulation(world, shipped());
+  record(simulation, file.path);
+  auto all = recorded(file.path);
+  const auto& readings = all["/robots/r1/readings"];
+  REQUIRE(readings.size() == 20);  // none at the start: nothing was decided yet
+  CHECK(readings.front().time_s() == Approx(0.1));
+  CHECK(readings.front().timestamp_s() == Approx(0.08));
+  CHECK(readings.front().content.at("sensors").at("eye").at("distance_m") == 1.0);
+  CHECK(readings.front().content.at("sensors").at("eye").at("hit") == 0.0);
+  const auto& command = all["/robots/r1/command"].front();
+  CHECK(command.timestamp_s() == Approx(0.08));
+  const auto& trace = all["/robots/r1/trace"].front();
+  CHECK(trace.timestamp_s() == Approx(0.08));
+  const auto& rows = trace.content.at("behaviors");
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].at("path") == "go_to_point");
+  CHECK(rows[0].at("coordinator") == "arbiter_suppression");
+  CHECK(rows[0].at("asked") == true);
+  CHECK(rows[0].at("share") == 1.0);
+  CHECK(rows[0].at("left_rad_s") == command.content.at("left_rad_s"));
+  CHECK(rows[0].at("reason") == "highest priority");
+  CHECK(rows[1].at("asked") == false);
+  CHECK(rows[1].at("inhibited_by") == "go_to_point");
+  CHECK(!rows[0].contains("time_s"));
+  CHECK(all["/robots/r2/readings"].front().content.at("sensors").empty());
+}
+
+TEST_CASE("How long behaviours take is recorded on request only") {
+  McapFile file;
+  Simulation simulation(two_robots(), shipped(), {.measure_time = true});
+  record(simulation, file.path, {.with_times = true});
+  auto all = recorded(file.path);
+  CHECK(all["/robots/r1/trace"].back().content.at("behaviors")[0].at("time_s").get<double>() > 0.0);
+}
+
+TEST_CASE("The file says what ran: world, seed, program, periods; and how it ended") {
+  McapFile file;
+  Simulation simulation(two_robots(), shipped(), {.seed = 18446744073709551615ULL});
+  const auto result = record(simulation, file.path, {.rate_hz = 20, .program = "elsie 1.2.3"});
+  CHECK(mcap::Reader(file.path).header().library == "elsie 1.2.3");
+  const auto run = metadata_of(file.path, "elsie.run");
+  CHECK(run.at("world") == "two");
+  CHECK(run.at("seed") == "18446744073709551615");
+  CHECK(run.at("time_limit_s") == "2");
+  CHECK(run.at("step_s") == "0.01");
+  CHECK(run.at("sample_steps") == "5");
+  const auto end = metadata_of(file.path, "elsie.result");
+  CHECK(end.at("outcome") == to_string(result.outcome));
+  CHECK(end.at("reason") == result.reason);
+  CHECK(end.at("steps") == "200");
+  const auto measures = metadata_of(file.path, "elsie.measures");
+  CHECK(measures.at("success") == "0");
+  CHECK(measures.at("time_s") == "2");
+  CHECK(std::stod(measures.at("path_length_m")) ==
+        result.robots[0].distance_m + result.robots[1].distance_m);
+  CHECK(recording::read_recorded_run(file.path).result->measures.at("time_s") == 2.0);
+  const auto worlds = recorded(file.path)["/world"];
+  REQUIRE(worlds.size() == 1);
+  CHECK(worlds[0].content.at("xml") == world::write_world(simulation.world()));
+  CHECK(worlds[0].content.at("seed") == "18446744073709551615");
+}
+
+TEST_CASE("A run is the same with a recording and without, and so are two recordings of it") {
+  const auto record_bytes = [](Simulation& simulation, std::uint64_t& hash) {
+    McapFile file;
+    hash = record(simulation, file.path, {.images = true}).state_hash;
+    return file.bytes();
+  };
+  Simulation simulation(shipped_world("find_resource.xml", 3), shipped());
+  const std::uint64_t alone = simulation.run().state_hash;
+  simulation.reset();
+  std::uint64_t watched = 0, again = 0;
+  const std::string first = record_bytes(simulation, watched);
+  Simulation other(shipped_world("find_resource.xml", 3), shipped());
+  CHECK(record_bytes(other, again) == first);
+  CHECK(first.size() > 5000);
+  CHECK(watched == alone);
+  CHECK(again == alone);
+}
+
+TEST_CASE("What cameras see is recorded on request, whole, with the time at which it was taken") {
+  McapFile file;
+  Simulation simulation(shipped_world("find_resource.xml", 1), shipped());
+  record(simulation, file.path, {.images = true});
+  auto all = recorded(file.path);
+  const std::string robot = simulation.robot(0).description->id;
+  const simulation::SensorView sensor = simulation.sensor(0, 0);
+  REQUIRE(sensor.camera);
+  const auto& reading = *static_cast<const VisionReading*>(sensor.sensor->reading());
+  const std::string camera(sensor.id);
+  const std::string topic = "/robots/" + robot + "/cameras/" + camera;
+  REQUIRE(all[topic].size() == 10);
+  CHECK(all[topic + "/processed"].size() == 10);
+  const auto& last = all[topic].back();
+  CHECK(last.time_s() == Approx(1.0));
+  CHECK(last.timestamp_s() == Approx(0.99));
+  CHECK(last.content.at("format") == "png");
+  const std::string text = last.content.at("data");
+  CHECK(text.starts_with("iVBORw0KGgo"));                                // the mark of PNG files
+  CHECK(text.size() == (picture::png(reading.raw).size() + 2) / 3 * 4);  // and all of it, noise too
+
+  record(simulation, file.path);
+  CHECK(!recorded(file.path).contains(topic));
+}
+
+TEST_CASE("A robot whose battery is empty sees nothing") {
+  McapFile file;
+  world::World world = shipped_world("find_resource.xml", 2);
+  world.robots[0].energy = 0.5;
+  world.robots[0].sensors[0].energy_cost = 1.0;
+  Simulation simulation(world, shipped());
+  record(simulation, file.path, {.images = true});
+  auto all = recorded(file.path);
+  std::size_t pictures = 0;
+  for (const auto& [topic, messages] : all) {
+    pictures +=
+        topic.find("/cameras/") != std::string::npos && topic.find("processed") == std::string::npos
+            ? messages.size()
+            : 0;
+  }
+  CHECK(pictures > 0);
+  CHECK(pictures < 10);
+}
+
+TEST_CASE("Events are written when they happen, with the robot's place") {
+  McapFile file;
+  world::World world;
+  world.robots.push_back(
+      robot("r1", 0, 0, 0, behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}})));
+  world.boxes.push_back(box("b", world::BoxKind::fixed, 0.5, 0));
+  world.limits.time = 2;
+  Simulation simulation(world, shipped());
+  const simulation::TimedChange changes[] = {{1.5, {"robot[r1]/@max_speed", "0.3"}}};
+  recording::McapRecorder recorder(file.path);
+  simulation::Observer* const observers[] = {&recorder};
+  const auto result = simulation.run(observers, changes);
+  const auto events = recorded(file.path)["/events"];
+  REQUIRE(events.size() == result.events.size());
+  REQUIRE(events.size() == 2);
+  CHECK(events[0].time_s() == Approx(result.events[0].time_s));
+  CHECK(events[0].content.at("name") == "r1");
+  CHECK(events[0].content.at("event") == "collision");
+  CHECK(events[0].content.at("message").get<std::string>().starts_with("collision: "));
+  CHECK(events[0].content.at("level") == 3);  // a warning
+  CHECK(events[0].content.at("x_m").get<double>() == Approx(0.35).margin(0.02));
+  CHECK(events[1].content.at("detail") == "robot[r1]/@max_speed=0.3");
+  CHECK(events[1].content.at("level") == 2);
+}
+
+TEST_CASE("The scene is written at the start, and again when a box has left it") {
+  McapFile file;
+  world::World world;
+  world.robots.push_back(
+      robot("r1", 0, 0, 0, behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}})));
+  world.boxes.push_back(box("prey", world::BoxKind::resource, 0.5, 0));
+  world.boxes.push_back(box("pushed", world::BoxKind::dynamic, 0, 2));
+  world.limits.time = 3;
+  Simulation simulation(world, shipped());
+  record(simulation, file.path);
+  auto all = recorded(file.path);
+  const auto ids = [&](std::size_t i) {
+    std::vector<std::string> found;
+    for (const auto& entity : all["/scene"].at(i).content.at("entities")) {
+      found.push_back(entity.at("id"));
+    }
+    return found;
+  };
+  REQUIRE(all["/scene"].size() == 2);
+  CHECK(ids(0) == std::vector<std::string>{"arena", "box/prey", "box/pushed", "robot/r1"});
+  CHECK(ids(1) == std::vector<std::string>{"arena", "box/pushed", "robot/r1"});
+  CHECK(all["/scene"][1].content.at("deletions")[0].at("type") == 1);  // all that was there
+  std::vector<std::string> frames;
+  for (const auto& transform : all["/tf"].back().content.at("transforms")) {
+    frames.push_back(transform.at("child_frame_id"));
+  }
+  CHECK(frames == std::vector<std::string>{"robot/r1", "box/pushed"});
+}
+
+TEST_CASE("There is a sample at the very end, wherever that is between two periods") {
+  McapFile file;
+  world::World world = two_robots();
+  world.limits.time = 1.23;
+  Simulation simulation(world, shipped());
+  const auto result = record(simulation, file.path, {.rate_hz = 5});
+  const auto states = recorded(file.path)["/robots/r1/state"];
+  REQUIRE(states.size() == 1 + 6 + 1);
+  CHECK(states.back().time_s() == Approx(1.23));
+  CHECK(states.back().content.at("x_m").get<double>() == result.robots[0].pose.x);
+}
+
+TEST_CASE("A plugin that fails ends the run, and what was recorded is kept, with its end") {
+  McapFile file;
+  ScriptedHost scripted([](const Perception& now) -> Response {
+    if (now.time_s() > 0.5) {
+      throw std::runtime_error("enough");
+    }
+    return MotorCommand{};
+  });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  Simulation simulation(world, scripted.host);
+  CHECK_THROWS_AS(record(simulation, file.path, {.rate_hz = 100}), simulation::PluginFault);
+  CHECK(recorded(file.path)["/robots/r1/state"].size() == 52);
+  CHECK(metadata_of(file.path, "elsie.result").at("outcome") == "stopped");
+}
+
+TEST_CASE("A measure that fails in the end fails the run, and the recording is whole") {
+  McapFile file;
+  Declaration declaration;
+  declaration.kind = PluginKind::measure;
+  declaration.name = "silent";
+  declaration.description = "Has nothing to tell when it is asked";
+  declaration.create = [] { return std::make_unique<SilentMeasure>(); };
+  ScriptedHost scripted([](const Perception&) -> Response { return MotorCommand{5, 5}; });
+  scripted.host.add(std::move(declaration));
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world.limits.time = 1;
+  world.measures.emplace_back();
+  world.measures[0].plugin = world.measures[0].id = "silent";
+  Simulation simulation(world, scripted.host);
+  CHECK_THROWS_WITH(record(simulation, file.path), Catch::Contains("nothing to tell"));
+  const auto run = recording::read_recorded_run(file.path);
+  CHECK(run.missing_end.empty());
+  CHECK(run.end_s == Approx(1.0));
+  REQUIRE(run.result);
+  CHECK(run.result->outcome == "stopped");
+  CHECK(!run.result->measures.contains("silent"));
+}
+
+TEST_CASE("Text that is not UTF-8 becomes text that is") {
+  McapFile file;
+  world::World world = two_robots();
+  world.name = "caf\xe9 \"quoted\"";
+  world.limits.time = 0.1;
+  Simulation simulation(world, shipped());
+  record(simulation, file.path);
+  CHECK(recorded(file.path)["/world"][0].content.at("name") == "caf\xef\xbf\xbd \"quoted\"");
+}
+
+TEST_CASE("A recording that cannot be made says so") {
+  CHECK_THROWS_WITH(recording::McapRecorder("/nowhere/at/all.mcap"),
+                    Catch::Contains("'/nowhere/at/all.mcap' cannot be created"));
+  McapFile file;
+  CHECK_THROWS_WITH(recording::McapRecorder(file.path, {.rate_hz = 0}),
+                    "a recording needs a positive number of samples a second");
+}

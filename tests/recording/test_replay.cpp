@@ -1,0 +1,111 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "places.h"
+#include "program.h"
+
+using namespace elsie::test;
+
+TEST_CASE("replay tells what is in a recording") {
+  const Workplace here;
+  const auto run =
+      here.elsie("run worlds/open_arena.xml --duration 5 --seed 9 --record run.mcap --json");
+  const std::string hash = nlohmann::json::parse(run.out).at("state_hash");
+  const auto replay = here.elsie("replay run.mcap");
+  CHECK(replay.exit_code == 0);
+  CHECK(replay.err.empty());
+  CHECK_THAT(
+      replay.out,
+      Catch::StartsWith("world 'open arena' (worlds/open_arena.xml), seed 9, recorded by elsie ") &&
+          Catch::Contains("\ntime_limit after 5.0 s: ") &&
+          Catch::Contains("state hash " + hash + " after 500 steps\n") &&
+          Catch::Contains("a sample every 0.1 s\n") && Catch::Contains("\ncomplete\n"));
+  CHECK_THAT(replay.out, Catch::Matches("[^]*/robots/r1/state +elsie.State +51\n[^]*") &&
+                             Catch::Matches("[^]*/robots/r1/trace +elsie.Trace +50\n[^]*"));
+}
+
+TEST_CASE(
+    "replay draws the picture that the run drew, without plugins and without the world file") {
+  const Workplace here;
+  here.elsie("run worlds/four_resources.xml --duration 30 --record run.mcap --picture run.png");
+  const auto replay = here.sh(
+      "mkdir alone && cp run.mcap alone && cd alone && cp \"$(command -v elsie)\" elsie-alone &&"
+      " LD_LIBRARY_PATH='" +
+      build_path("lib") + "' ./elsie-alone replay run.mcap --picture again.png");
+  CHECK(replay.err.empty());
+  REQUIRE(replay.exit_code == 0);
+  CHECK(here.read("run.png").size() > 5000);
+  CHECK(here.read("run.png") == here.read("alone/again.png"));
+}
+
+TEST_CASE("replay draws what was there at any time") {
+  const Workplace here;
+  here.elsie("run worlds/four_resources.xml --duration 30 --record run.mcap");
+  CHECK(here.elsie("replay run.mcap --picture a.svg --at 10 --width 500").exit_code == 0);
+  CHECK_THAT(here.read("a.svg"), Catch::StartsWith("<?xml"));
+  CHECK(here.elsie("replay run.mcap --picture b.svg --at 20 --width 500").exit_code == 0);
+  CHECK(here.read("a.svg").size() < here.read("b.svg").size());  // a longer way
+  const auto late = here.elsie("replay run.mcap --picture c.svg --at 31");
+  CHECK(late.exit_code == 2);
+  CHECK(late.err == "elsie: --at: the recording ends at 30 s\n");
+}
+
+TEST_CASE("A recording is kept when a plugin fails, and says so") {
+  const Workplace here;
+  here.write("world.xml", R"(<world format="1"><robots><robot id="r1"><behaviors>
+      <throwing/></behaviors><coordinator><arbiter_suppression/></coordinator>
+      </robot></robots></world>)");
+  const auto run = here.elsie("run world.xml --record run.mcap --plugin-path '" +
+                              build_path("tests/program/plugins") + "'");
+  CHECK(run.exit_code == 3);
+  const auto replay = here.elsie("replay run.mcap");
+  CHECK(replay.exit_code == 0);
+  CHECK_THAT(replay.out, Catch::Contains("\nstopped after 0.5 s\n") && Catch::Contains("complete"));
+}
+
+TEST_CASE("Files that cannot be replayed are refused in a sentence") {
+  const Workplace here;
+  const auto refusal = [&](const std::string& arguments) {
+    const auto run = here.elsie(arguments);
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    return run.err;
+  };
+  CHECK_THAT(refusal("replay nowhere.mcap"),
+             Catch::Contains("recording 'nowhere.mcap' cannot be read: No such file"));
+  here.elsie("run worlds/open_arena.xml --duration 1 --record run.csv");
+  CHECK_THAT(refusal("replay run.csv"),
+             Catch::Contains("'run.csv' is neither a recording, as `elsie run --record FILE.mcap` "
+                             "writes it, nor a database that `elsie batch` has written"));
+  here.elsie("run worlds/open_arena.xml --duration 3 --record run.mcap");
+  CHECK_THAT(refusal("replay run.mcap --at 1"), Catch::Contains("--at requires --picture"));
+  CHECK_THAT(refusal("replay run.mcap 1"),
+             Catch::Contains("RUN: 'run.mcap' is a recording of one run, in which nothing is run "
+                             "again"));
+  CHECK_THAT(refusal("replay run.mcap --explain run.trace"), Catch::Contains("--explain: "));
+  CHECK_THAT(refusal("replay run.mcap --picture run.gif"),
+             Catch::Contains("must end in .png or .svg"));
+  std::string bytes = here.read("run.mcap");
+  bytes[bytes.find("zstd") + 60] ^= 1;
+  here.write("wrong.mcap", bytes);
+  CHECK_THAT(refusal("replay wrong.mcap"),
+             Catch::Contains("'wrong.mcap' is damaged: the chunk at byte "));
+}
+
+TEST_CASE("Options of recordings that do not fit are refused before the run") {
+  const Workplace here;
+  const auto refusal = [&](const std::string& arguments) {
+    const auto run = here.elsie("run worlds/open_arena.xml " + arguments);
+    CHECK(run.exit_code == 2);
+    return run.err;
+  };
+  CHECK_THAT(refusal("--record run.txt"),
+             Catch::Contains("must end in .csv or .mcap, but 'run.txt'"));
+  CHECK_THAT(refusal("--record run.csv --record-images"),
+             Catch::Contains("--record-images: a table has no place for pictures"));
+  CHECK_THAT(refusal("--record run.mcap --record-images"),
+             Catch::Contains("--record-images: no robot of this world has a sensor with a camera"));
+  CHECK(!std::filesystem::exists(here.file("run.mcap")));
+  CHECK_THAT(refusal("--record-images"), Catch::Contains("--record-images requires --record"));
+  CHECK(here.elsie("run worlds/open_arena.xml --record /nowhere/run.mcap").exit_code == 2);
+}
