@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: transcript api install package tools all demo test sanitize bench figures four-resources reference format lint dependencies configure clean
+.PHONY: transcript api install package tools all demo test sanitize bench figures four-resources tables reference format lint dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -52,6 +52,11 @@ figures: all
 # The four-resource world with every coordinator, 20 seeds each: docs/four-resources.md.
 four-resources: all
 	scripts/coordination-figures $(BUILD)
+
+# The published experiments and the study of every coordinator: docs/experiments.md, docs/every-coordinator.md. Goes on where it was stopped.
+tables: configure
+	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
+	scripts/tables $(BUILD)
 
 # The generated parts of the plugins' pages in docs/, from their declarations.
 reference: configure
