@@ -15,10 +15,13 @@ def number(element, name, default):
 
 
 def box(element, colour, x0, y1):
-    x, y = (number(element, "x", 0) - x0) * SCALE, (y1 - number(element, "y", 0)) * SCALE
-    length, width = number(element, "length", 0.2) * SCALE, number(element, "width", 0.2) * SCALE
-    return (f'<rect x="{-length / 2:.1f}" y="{-width / 2:.1f}" width="{length:.1f}" height="{width:.1f}" fill="{colour}" '
-            f'transform="translate({x:.1f} {y:.1f}) rotate({-number(element, "heading_deg", 0):g})"/>')
+    x, y, angle = number(element, "x", 0), number(element, "y", 0), math.radians(number(element, "heading_deg", 0))
+    corners = []
+    for along, across in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
+        a, b = along * number(element, "length", 0.2) / 2, across * number(element, "width", 0.2) / 2
+        corners.append((x + a * math.cos(angle) - b * math.sin(angle), y + a * math.sin(angle) + b * math.cos(angle)))
+    points = " ".join(f"{(cx - x0) * SCALE:.1f},{(y1 - cy) * SCALE:.1f}" for cx, cy in corners)
+    return f'<polygon points="{points}" fill="{colour}"/>'
 
 
 def thin_out(poses):
