@@ -24,6 +24,7 @@ constexpr double kSide = 3600.0;
 constexpr double kSmallestMark = 70.0;
 constexpr std::size_t kNamedRobots = 10;
 constexpr std::size_t kNamedOutliers = 3;
+constexpr double kNameRoom = 180.0;  // where the highest name stands: below the wall
 
 struct View {
   double scale = 1.0;  // units per metre
@@ -209,7 +210,8 @@ std::string told(const Results& results, const Line& line, bool several) {
          (run->outcome ? simulation::to_string(*run->outcome) : to_string(run->state));
 }
 
-std::string ways_of(const Findings& findings, const std::vector<Line>& lines, bool several) {
+std::string ways_of(const View& view, const Findings& findings, const std::vector<Line>& lines,
+                    bool several) {
   std::string text;
   std::string ends, names;
   std::set<std::int64_t> named;
@@ -238,8 +240,9 @@ std::string ways_of(const Findings& findings, const std::vector<Line>& lines, bo
     taken.push_back(end);
     const bool right = end.x > 0.7 * kSide;
     names += "<text class=\"" + std::string(right ? "run to-left" : "run") + "\" x=\"" +
-             whole(end.x + (right ? -80.0 : 80.0)) + "\" y=\"" + whole(end.y + 35.0) + "\">run " +
-             std::to_string(line.way->run) + "</text>";
+             whole(end.x + (right ? -80.0 : 80.0)) + "\" y=\"" +
+             whole(std::clamp(end.y + 35.0, kNameRoom, std::max(kNameRoom, view.height - 100.0))) +
+             "\">run " + std::to_string(line.way->run) + "</text>";
   }
   return text + ends + names;
 }
@@ -290,7 +293,7 @@ std::string map_figure(const Findings& findings, std::size_t cell,
          "\" role=\"img\" aria-label=\"The world from above with the ways of the robots\" "
          "style=\"--through:" +
          brief(opacity, 2) + "\">" + ground(view, world) + boxes(view, world) +
-         ways_of(findings, lines, world.robots.size() > 1) + resources(view, world) +
+         ways_of(view, findings, lines, world.robots.size() > 1) + resources(view, world) +
          robots(view, world) + "</svg><figcaption>" + key(chosen, inks.cell_class(cell)) +
          "<small>" + brief(world.arena.length) + " m \xc3\x97 " + brief(world.arena.width) +
          " m</small></figcaption></figure>\n";
