@@ -51,8 +51,7 @@ fs::path file_of(const Host& host, const std::string& plugin) {
   const std::string kind = plugin.substr(0, plugin.find(' '));
   const std::string rest = plugin.substr(kind.size() + 1);
   const std::string name = rest.substr(0, rest.find(' '));
-  for (const auto one :
-       {elsie::PluginKind::sensor, elsie::PluginKind::behavior, elsie::PluginKind::coordinator}) {
+  for (const auto one : elsie::plugin::kPluginKinds) {
     if (elsie::plugin::kind_name(one) == kind) {
       return host.file_of(one, name);
     }

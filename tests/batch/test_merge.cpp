@@ -25,6 +25,17 @@ batch::RunRecord record_of(std::int64_t run) {
   return record;
 }
 
+/// Of a run that did not end by itself, with what there was until then.
+batch::RunRecord failed(batch::RunState state, const std::string& message) {
+  batch::RunRecord record = test::some_record();
+  record.state = state;
+  record.outcome.reset();
+  record.state_hash.reset();
+  record.measures.clear();
+  record.message = message;
+  return record;
+}
+
 std::string shard(const test::Folder& folder, std::size_t index, std::size_t of,
                   const std::string& name, bool complete = true) {
   const std::string file = folder.file(name);
@@ -83,6 +94,57 @@ TEST_CASE("A run that is pending in one database and done in another is done") {
     CHECK(batch::merge(merged, order).pending == 0);
     CHECK(test::rows(merged, "SELECT state FROM runs WHERE id = 6") == "done\n");
     CHECK(test::rows(merged, "SELECT distance_m FROM run_robots WHERE run_id = 6") == "6.0\n");
+  }
+}
+
+TEST_CASE("A run that failed in one database and is done in another is done") {
+  const test::Folder folder;
+  const std::string good = shard(folder, 3, 3, "good.sqlite");
+  for (const auto state : {batch::RunState::fault, batch::RunState::crash, batch::RunState::hang,
+                           batch::RunState::error}) {
+    const std::string bad = folder.file("bad.sqlite"), merged = folder.file("merged.sqlite");
+    fs::remove(bad);
+    ResultsDatabase::create(bad, test::small_plan(folder, {3, 3})).write(6, failed(state, "no"));
+    for (const auto& order : {std::vector<fs::path>{bad, good}, std::vector<fs::path>{good, bad}}) {
+      fs::remove(merged);
+      const auto count = batch::merge(merged, order);
+      CHECK(count.duplicates == 1);  // run 3 is still to be done in one of them
+      CHECK(count.pending == 0);
+      CHECK(test::rows(merged, "SELECT state, message FROM runs WHERE id = 6") ==
+            "done|all goals are reached\n");
+      CHECK(test::rows(merged, "SELECT distance_m FROM run_robots WHERE run_id = 6") == "6.0\n");
+      CHECK(test::rows(merged, "SELECT count(*) FROM trajectories WHERE run_id = 6") == "1\n");
+      CHECK(test::rows(merged, "PRAGMA foreign_key_check").empty());
+    }
+  }
+}
+
+TEST_CASE("Of a run that failed everywhere the end that tells most is kept, in any order") {
+  const test::Folder folder;
+  using batch::RunState;
+  const std::vector<std::pair<RunState, std::string>> ends{{RunState::fault, "b"},
+                                                           {RunState::fault, "a"},
+                                                           {RunState::crash, "c"},
+                                                           {RunState::hang, "d"},
+                                                           {RunState::error, "e"}};
+  std::vector<fs::path> files{folder.file("pending.sqlite")};
+  ResultsDatabase::create(files[0].string(), test::small_plan(folder, {3, 3}));
+  for (const auto& [state, message] : ends) {
+    files.emplace_back(folder.file(message + ".sqlite"));
+    ResultsDatabase::create(files.back().string(), test::small_plan(folder, {3, 3}))
+        .write(6, failed(state, message));
+  }
+  const std::string merged = folder.file("merged.sqlite");
+  const auto kept = [&](const std::vector<fs::path>& order) {
+    fs::remove(merged);
+    const auto count = batch::merge(merged, order);
+    CHECK(count.duplicates == static_cast<std::int64_t>(order.size()) - 2);
+    return test::rows(merged, "SELECT state, message FROM runs WHERE id = 6");
+  };
+  for (const char* end : {"fault|a\n", "crash|c\n", "hang|d\n", "error|e\n"}) {
+    CHECK(kept(files) == end);
+    CHECK(kept({files.rbegin(), files.rend()}) == end);
+    files.erase(files.begin() + 1, files.begin() + (files.size() == 6 ? 3 : 2));
   }
 }
 

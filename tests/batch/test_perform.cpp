@@ -99,8 +99,7 @@ TEST_CASE("A record has the measures of its world, after those of every run") {
   const test::Folder folder;
   auto experiment = test::small_experiment(folder);
   std::string text = folder.read("small.xml");
-  text.insert(text.find("<robots>"),
-              "<measures><path_length id=\"way\" robot=\"r1\"/></measures>");
+  text.insert(text.find("<robots>"), "<measures><path_length id=\"way\" robot=\"r1\"/></measures>");
   folder.write("small.xml", text);
   const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
   CHECK(std::count_if(plan.plugins.begin(), plan.plugins.end(), [](const auto& plugin) {
@@ -199,4 +198,37 @@ TEST_CASE("A plugin that fails is named with robot and step, and what there was 
     CHECK(nlohmann::json::parse(record.trajectories[0].poses).size() == 6);
     CHECK(record.timelines.size() == 1);
   }
+}
+
+TEST_CASE("A measure that cannot report does not hide which plugin failed before") {
+  const auto performed = [](const std::string& behavior) {
+    batch::Job job;
+    job.world_text = R"(<world format="1"><limits time="1"/>
+        <measures><unable_to_report id="lost"/></measures><robots><robot id="r1" team="red">
+        <behaviors><)" +
+                     behavior +
+                     R"(/></behaviors><coordinator><arbiter_suppression/></coordinator>
+        </robot></robots></world>)";
+    job.world_file = "w.xml";
+    job.libraries = {test::plugin_directory() + "/arbiter_suppression.so",
+                     test::build_path("tests/program/plugins/faulty.so")};
+    job.trajectory_period_s = 0.1;
+    return batch::perform(job);
+  };
+  const batch::RunRecord failed = performed("throwing");
+  CHECK(failed.state == batch::RunState::fault);
+  CHECK(failed.plugin == "throwing");
+  CHECK(failed.robot == "r1");
+  CHECK(failed.step == 50U);
+  CHECK_THAT(failed.message, Contains("plugin 'throwing' of robot 'r1' failed in step 50"));
+  CHECK(failed.steps == 50U);
+  REQUIRE(failed.trajectories.size() == 1);
+  CHECK(nlohmann::json::parse(failed.trajectories[0].poses).size() == 6);
+
+  const batch::RunRecord ended = performed("thrifty");
+  CHECK(ended.state == batch::RunState::fault);
+  CHECK(ended.plugin == "unable_to_report");
+  CHECK_THAT(ended.message, Contains("lost count"));
+  CHECK_FALSE(ended.outcome);
+  CHECK(ended.trajectories.size() == 1);
 }

@@ -236,3 +236,19 @@ TEST_CASE("When a result cannot be kept, the work ends and workers are killed") 
                     "full");
   CHECK(kept == 3);
 }
+
+TEST_CASE("What ends the work is told, also when the last results cannot be kept either") {
+  batch::WorkerPool pool({.command = {"/bin/sh", "-c", "exit 0"}, .workers = 1});
+  int given = 0;
+  CHECK_THROWS_WITH(
+      pool.run(
+          [&]() -> std::optional<batch::Job> {
+            if (++given == 2) {
+              throw std::runtime_error("a file has changed");
+            }
+            return batch::Job{};
+          },
+          [](std::int64_t, const batch::RunRecord&) { throw std::runtime_error("full"); }),
+      "a file has changed");
+  CHECK(given == 2);
+}

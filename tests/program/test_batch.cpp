@@ -383,6 +383,30 @@ TEST_CASE("A replay takes from the database what has changed on disk, and says s
   CHECK_THAT(run.err, !Contains("comes from another library"));  // the shipped one is the same
 }
 
+TEST_CASE("A replay notices that the library of any plugin has changed, a measure's too") {
+  const Laboratory here;
+  const std::vector<std::string> names{"beam_range", "wander", "fusion_vector_summation",
+                                       "path_length"};
+  fs::create_directory(here.file("mine"));
+  for (const std::string& name : names) {
+    fs::copy(elsie::test::plugin_directory() + "/" + name + ".so",
+             here.file("mine/" + name + ".so"));
+  }
+  std::string world = world_with("wander");
+  world.insert(world.find("<robots>"), "<measures><path_length id=\"way\"/></measures>");
+  here.write("small.xml", world);
+  REQUIRE(here.batch("small_experiment.xml --quiet --plugin-path mine").exit_code == 0);
+  CHECK(here.elsie("replay small_experiment.sqlite 1").err.empty());
+  for (const std::string& name : names) {
+    const std::string library = "mine/" + name + ".so", content = here.read(library);
+    here.write(library, content + "more");
+    const auto run = here.elsie("replay small_experiment.sqlite 1 --quiet");
+    CHECK(run.exit_code == 0);  // the code is the same
+    CHECK_THAT(run.err, Contains(" " + name + " ") && Contains("(it has changed since)"));
+    here.write(library, content);
+  }
+}
+
 TEST_CASE("A batch notices what changes under its feet") {
   const Laboratory here;
   fs::remove(here.file("fuzzy_models"));

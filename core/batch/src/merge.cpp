@@ -1,5 +1,7 @@
 #include "elsie/batch/merge.h"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -21,6 +23,9 @@ constexpr const char* kOfExperiment[] = {"about", "factors",     "files",       
                                          "cells", "cell_levels", "cell_plugins", "cell_files"};
 constexpr const char* kOfRun[] = {"run_measures", "run_robots", "run_events", "trajectories",
                                   "curves",       "timelines",  "notes"};
+
+/// What a run's state may be, the one that tells least first.
+constexpr const char* kByWeight[] = {"pending", "error", "hang", "crash", "fault", "done"};
 
 /// Copies rows of a table, whatever its columns.
 class Copier {
@@ -54,6 +59,16 @@ class Copier {
   Statement insert_;
 };
 
+constexpr const char* kRuns =
+    "SELECT id, state, state_hash, outcome, json_array(message, plugin, robot, step, signal, "
+    "exit_code, steps, simulated_s, log, wall_s, ended) FROM runs";
+
+/// Of two databases' states of one run, the one that tells more counts.
+int weight(const std::string& state) {
+  const auto* const begin = std::begin(kByWeight);
+  return static_cast<int>(std::find(begin, std::end(kByWeight), state) - begin);
+}
+
 /// The runs of one database, into the one that is being made.
 class Merger {
  public:
@@ -62,20 +77,20 @@ class Merger {
         from_(from),
         to_(to),
         run_(from, to, "runs", " WHERE id = ?"),
-        known_(to, "SELECT state, state_hash, outcome FROM runs WHERE id = ?"),
-        forget_(to, "DELETE FROM runs WHERE id = ? AND state = 'pending'") {
+        known_(to, std::string(kRuns) + " WHERE id = ?"),
+        forget_(to, "DELETE FROM runs WHERE id = ?") {
     for (const char* table : kOfRun) {
       of_run_.emplace_back(from, to, table, " WHERE run_id = ?");
     }
   }
 
-  /// Returns how many runs were there already.
+  /// Returns how many runs have ended here that had ended in a database before it already.
   std::int64_t add() {
     std::int64_t duplicates = 0;
     add_measures();
-    Statement runs(from_, "SELECT id, state, state_hash, outcome FROM runs ORDER BY id");
+    Statement runs(from_, std::string(kRuns) + " ORDER BY id");
     while (runs.next()) {
-      duplicates += add(runs) ? 0 : 1;
+      duplicates += add(runs) ? 1 : 0;
     }
     return duplicates;
   }
@@ -92,31 +107,35 @@ class Merger {
     }
   }
 
+  /// Whether it had ended in a database before this one, and has here.
   bool add(const Statement& run) {
     const std::int64_t id = run.integer(0);
     known_.bind(1, id);
+    bool twice = false;
     if (known_.next()) {
-      const std::string known = known_.text(0);
-      const bool same =
-          known == run.text(1) && known_.text(1) == run.text(2) && known_.text(2) == run.text(3);
+      const int before = weight(known_.text(1)), here = weight(run.text(1));
+      const bool same_end = known_.text(2) == run.text(2) && known_.text(3) == run.text(3);
+      // Of two that tell as much the lesser text, so that the order of databases does not matter.
+      const bool better = here > before || (here == before && run.text(4) < known_.text(4));
       while (known_.next()) {
       }
-      if (run.text(1) == "pending" || same) {
-        return false;
-      }
-      if (known != "pending") {
+      if (here == before && !same_end) {
         throw DatabaseRefused("run " + std::to_string(id) + " has another result in '" +
                               file_.string() +
                               "' than in a database before it; the same run must come to the same "
                               "everywhere. Were they made on machines that compute differently?");
       }
-      forget_.bind(1, id).run();
+      twice = before > 0 && here > 0;
+      if (!better) {
+        return twice;
+      }
+      forget_.bind(1, id).run();  // with all that belongs to it
     }
     run_.copy(id);
     for (Copier& table : of_run_) {
       table.copy(id);
     }
-    return true;
+    return twice;
   }
 
   const fs::path& file_;

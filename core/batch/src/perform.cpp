@@ -58,9 +58,19 @@ bool is_finite(const simulation::RobotResult& robot) {
 
 /// What there is of a run, however it ended.
 void take(const simulation::Simulation& run, const Watchers& watchers, RunRecord& record) {
+  record.steps = run.steps();
+  record.simulated_s = run.time_s();
+  for (std::size_t i = 0; i < watchers.tracks.tracks().size(); ++i) {
+    record.trajectories.push_back(trajectory_of(run.world().robots[i].id,
+                                                watchers.tracks.tracks()[i],
+                                                watchers.tracks.period_s(), kMostPoses));
+  }
+  for (std::size_t i = 0; i < watchers.accounts.accounts().size(); ++i) {
+    record.timelines.push_back(
+        timeline_of(watchers.accounts.robots()[i], watchers.accounts.accounts()[i], kMostEpisodes));
+  }
+  // Last, as a measure may fail in it.
   const simulation::RunResult result = run.result();
-  record.steps = result.steps;
-  record.simulated_s = result.simulated_s;
   record.wall_s = result.wall_s;
   if (std::all_of(result.robots.begin(), result.robots.end(), is_finite)) {
     record.robots = result.robots;
@@ -77,33 +87,29 @@ void take(const simulation::Simulation& run, const Watchers& watchers, RunRecord
                                 " were left out."});
     record.events.resize(kMostEvents);
   }
-  for (std::size_t i = 0; i < watchers.tracks.tracks().size(); ++i) {
-    record.trajectories.push_back(trajectory_of(run.world().robots[i].id,
-                                                watchers.tracks.tracks()[i],
-                                                watchers.tracks.period_s(), kMostPoses));
-  }
-  for (std::size_t i = 0; i < watchers.accounts.accounts().size(); ++i) {
-    record.timelines.push_back(
-        timeline_of(watchers.accounts.robots()[i], watchers.accounts.accounts()[i], kMostEpisodes));
-  }
 }
 
 void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) {
   Watchers watchers(job.trajectory_period_s);
   simulation::Observer* const observers[] = {&watchers.step, &watchers.tracks, &watchers.accounts};
+  simulation::RunResult result;
   try {
-    const simulation::RunResult result = run.run(observers);
-    take(run, watchers, record);
-    record.state = RunState::done;
-    record.outcome = to_string(result.outcome);
-    record.message = result.reason;
-    record.state_hash = hash_text(result.state_hash);
-    for (const simulation::MeasuredValue& measure : result.measures) {
-      record.measures.push_back({measure.name, measure.unit, measure.meaning, measure.value});
-    }
+    result = run.run(observers);
   } catch (...) {
-    take(run, watchers, record);
+    try {
+      take(run, watchers, record);
+    } catch (...) {
+      // A measure that cannot report. What ended the run is what there is to be told.
+    }
     throw;
+  }
+  take(run, watchers, record);
+  record.state = RunState::done;
+  record.outcome = to_string(result.outcome);
+  record.message = result.reason;
+  record.state_hash = hash_text(result.state_hash);
+  for (const simulation::MeasuredValue& measure : result.measures) {
+    record.measures.push_back({measure.name, measure.unit, measure.meaning, measure.value});
   }
 }
 

@@ -40,7 +40,11 @@ bool WorkerPool::run(const Next& next, const Ended& ended, const Tick& tick) {
         }
       }
     } catch (...) {
-      hand_over();
+      try {
+        hand_over();
+      } catch (...) {
+        // Results that cannot be kept. What went wrong before that is what there is to be told.
+      }
       throw;
     }
     hand_over();  // only now, so that the processors are at work meanwhile

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -14,6 +16,7 @@
 
 #include <elsie/api/behavior.h>
 #include <elsie/api/coordinator.h>
+#include <elsie/api/measure.h>
 #include <elsie/api/sensor.h>
 
 namespace {
@@ -221,6 +224,15 @@ class CrashingSensor final : public elsie::SensorOf<elsie::RangeReading> {
   }
 };
 
+class UnableToReport final : public elsie::Measure {
+ public:
+  std::vector<elsie::Quantity> quantities() const override { return {{"", "m", "nothing"}}; }
+  void observe(const elsie::Observation&) override {}
+  void report(const elsie::RunEnd&, std::span<std::optional<double>>) const override {
+    throw std::runtime_error("lost count");
+  }
+};
+
 using ThrowsLate = Failing<Throws>;
 using NotANumberLate = Failing<NotANumber>;
 using SegfaultsLate = Failing<Segfaults>;
@@ -275,3 +287,4 @@ ELSIE_BEHAVIOR(CrashesWhenDestroyed, "crashes_when_destroyed", "Crashes when it 
 ELSIE_COORDINATOR(CrashingCoordinator, "crashing_coordinator",
                   "Reads from nowhere after half a second");
 ELSIE_SENSOR(CrashingSensor, "crashing_sensor", "Reads from nowhere after half a second");
+ELSIE_MEASURE(UnableToReport, "unable_to_report", "Throws when it is asked what came of a run");
