@@ -63,6 +63,88 @@ TEST_CASE("A run that crashed counts as not successful, and is told of") {
         "0.95");
 }
 
+TEST_CASE("A run that crashed has no other value: nothing is met by crashes") {
+  MadeExperiment made_up = made_from({{5, 5, 5, 5}, {5, 5}});
+  auto& runs = made_up.cells[0].runs;
+  for (auto& cell : made_up.cells) {
+    for (auto& run : cell.runs) run.measures["collisions"] = run.measures["time_s"] = 0.0;
+  }
+  Expectation expectation = mean_path();
+  expectation.where = {{"scheme", {"a"}}};
+  expectation.measure = "collisions";
+  expectation.statistic = Statistic::rate;
+  expectation.at_most = 0.0;
+  CHECK(judged(made_up, expectation).met());
+  const auto crash = [](elsie::test::MadeRun& run) {
+    run.state = "crash";
+    run.measures.clear();
+  };
+  SECTION("some of them crashed: what the others say, and how many there were") {
+    crash(runs[1]);
+    runs[2].measures["collisions"] = 2.0;
+    const Verdict verdict = judged(made_up, expectation);
+    CHECK_FALSE(verdict.met());
+    CHECK(verdict.claims[0].sentence ==
+          "rate of collisions of a is 0.33333 (1 of 3; 1 run did not end by itself), expected at "
+          "most 0");
+  }
+  SECTION("all but one crashed") {
+    for (std::size_t i = 1; i < 4; ++i) crash(runs[i]);
+    CHECK(judged(made_up, expectation).claims[0].found ==
+          "rate of collisions of a is 0 (0 of 1; 3 runs did not end by themselves)");
+  }
+  SECTION("all of them crashed") {
+    for (auto& run : runs) crash(run);
+    const Verdict verdict = judged(made_up, expectation);
+    CHECK_FALSE(verdict.met());
+    REQUIRE(verdict.claims.size() == 1);
+    CHECK(verdict.claims[0].sentence ==
+          "rate of collisions of a is not known: no run that ended by itself of a has a value; "
+          "expected at most 0");
+    expectation.measure = "success";
+    expectation.per = "time_s";
+    CHECK_THAT(judged(made_up, expectation).claims.at(0).found,
+               Catch::Contains("success per time_s of a is not known"));
+    expectation.per.clear();
+    CHECK(judged(made_up, expectation).claims[0].value == 0.0);  // none succeeded: that is known
+  }
+  SECTION("the mean of success is its rate") {
+    crash(runs[0]);
+    expectation.measure = "success";
+    for (const Statistic statistic : {Statistic::rate, Statistic::mean}) {
+      expectation.statistic = statistic;
+      CHECK(judged(made_up, expectation).claims[0].value == 0.75);
+    }
+  }
+}
+
+TEST_CASE("A ratio to 0 is not known, and so not met") {
+  const MadeExperiment made_up = made_from({{0, 0, 0}, {30, 33, 36}});
+  Expectation expectation = mean_path();
+  expectation.relation = Relation::ratio;
+  expectation.reference = {{"scheme", "a"}};
+  expectation.at_least = 2.0;
+  const Verdict verdict = judged(made_up, expectation);
+  CHECK_FALSE(verdict.met());
+  REQUIRE(verdict.claims.size() == 1);
+  CHECK(verdict.claims[0].sentence ==
+        "mean path_length_m of b is not known: that of a is 0; expected at least 2 times that of "
+        "the cell with scheme a");
+  expectation.confidence = 0.95;
+  CHECK_FALSE(judged(made_up, expectation).met());
+  SECTION("nor is an interval that reaches there") {
+    const Claim claim = judged(made_from({{0, 0, 3}, {30, 33, 36}}), expectation).claims[0];
+    CHECK_FALSE(claim.holds);
+    CHECK_FALSE(claim.interval);
+    CHECK_THAT(claim.found,
+               Catch::Contains("; no interval, as that of a is 0 in too many resamples)"));
+  }
+  SECTION("a difference is") {
+    expectation.relation = Relation::difference;
+    CHECK(judged(made_up, expectation).met());
+  }
+}
+
 TEST_CASE("With confidence the whole interval must keep to what is expected") {
   Expectation expectation = success_at_least(0.8);
   CHECK(judged(nineteen_of_twenty(), expectation).met());

@@ -275,6 +275,59 @@ TEST_CASE("Nothing but a plan: a page of a batch that has just begun") {
   CHECK_THAT(html, Contains("Not all runs are done"));
 }
 
+TEST_CASE("The page is green when all is well, not only what was expected") {
+  elsie::experiment::Expectation expectation;
+  expectation.name = "short enough";
+  expectation.measure = "path_length_m";
+  expectation.at_most = 10.0;
+  MadeExperiment made_up = made_from({{1, 2, 3}, {4, 5, 6}});
+  auto& runs = made_up.cells[0].runs;
+  const auto answer = [&](bool expected) {
+    auto questions = expecting(expectation);
+    if (!expected) questions.expectations.clear();
+    const std::string html = Made(made_up, questions).html();
+    const std::size_t start = html.find("<h2 class=\"verdict ") + 19;
+    const std::string head = html.substr(start, html.find("</h2>", start) - start);
+    const std::string color = head.substr(0, head.find('"'));
+    CHECK_THAT(head, Contains(color == "good" ? "icon yes" : "icon no"));
+    const std::size_t words = head.find("<span>") + 6;
+    return color + ": " + head.substr(words, head.find("</span>") - words);
+  };
+  const auto crash = [](elsie::test::MadeRun& run) {
+    run.state = "crash";
+    run.measures.clear();
+  };
+  CHECK(answer(true) == "good: What was expected came true");
+  CHECK(answer(false) == "good: Every run ended by itself");
+  SECTION("a run crashed") {
+    crash(runs[0]);
+    CHECK(answer(true) == "bad: What was expected came true, but 1 run did not end by itself");
+    CHECK(answer(false) == "bad: Not all runs ended by themselves");
+  }
+  SECTION("runs crashed, and one is still to be done in a cell that nothing is expected of") {
+    crash(runs[0]);
+    crash(runs[1]);
+    made_up.cells[1].runs[2].state = "pending";
+    made_up.cells[1].runs[2].measures.clear();
+    expectation.where = {{"scheme", {"a"}}};
+    CHECK(answer(true) ==
+          "bad: What was expected came true, but 2 runs did not end by themselves and 1 is still "
+          "to be done");
+    CHECK(answer(false) == "bad: Not all runs are done");
+  }
+  SECTION("equal seeds gave different runs") {
+    runs.push_back(runs[0]);
+    runs.back().repetition = 2;
+    runs.back().state_hash = "fedcba9876543210";
+    CHECK(answer(true) == "bad: What was expected came true, but equal seeds gave different runs");
+    CHECK(answer(false) == "bad: Equal seeds gave different runs");
+  }
+  SECTION("something expected did not come true") {
+    expectation.at_most = 1.0;
+    CHECK(answer(true) == "bad: 1 of 1 expectation is not met");
+  }
+}
+
 TEST_CASE("Hundreds of cells: the page stays within a few megabytes, and cells are folded") {
   const std::string html = Made(with_ways(300, 10, 400)).html();
   CHECK(html.size() < 6'000'000);

@@ -196,6 +196,26 @@ TEST_CASE("Cells beside each other: ratio and difference") {
   CHECK_FALSE(relation_of(Relation::ratio, Statistic::mean, std::vector<Pair>{{0.0, 0.0}}));
 }
 
+TEST_CASE("There is no ratio to 0, and no interval with such an end") {
+  const std::vector<Pair> to_zero{{3.0, 0.0}, {4.0, 0.0}, {-2.0, 0.0}};
+  CHECK_FALSE(relation_of(Relation::ratio, Statistic::mean, to_zero));
+  CHECK(*relation_of(Relation::difference, Statistic::mean, to_zero) == Approx(5.0 / 3.0));
+  CHECK_FALSE(paired_interval(Relation::ratio, Statistic::mean, to_zero, 0.95, 1, "zero"));
+  // The one that is not 0 is missing in (19/20)^20 = 36 of 100 resamples.
+  std::vector<Pair> rarely(20, {1.0, 0.0});
+  rarely[7].reference = 1.0;
+  CHECK(relation_of(Relation::ratio, Statistic::rate, rarely) == 20.0);
+  CHECK_FALSE(paired_interval(Relation::ratio, Statistic::rate, rarely, 0.95, 1, "rarely"));
+  CHECK(paired_interval(Relation::difference, Statistic::rate, rarely, 0.95, 1, "rarely"));
+  // With half of them it is not: there is an interval.
+  for (std::size_t i = 0; i < 10; ++i) rarely[i].reference = 1.0;
+  const auto interval =
+      paired_interval(Relation::ratio, Statistic::rate, rarely, 0.95, 1, "rarely");
+  REQUIRE(interval);
+  CHECK(interval->low > 1.0);
+  CHECK(interval->high < 10.0);
+}
+
 TEST_CASE("What both cells share by seed does not widen their interval") {
   // Each cell varies from seed to seed by far more than the cells differ.
   std::vector<Pair> pairs;

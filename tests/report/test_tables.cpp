@@ -133,6 +133,32 @@ TEST_CASE("JUnit: runs that crashed, and those still to be done, are a failure")
                            "replay &#39;my results.db&#39; 1"));
 }
 
+TEST_CASE("What the message of a run says is not said twice") {
+  MadeExperiment made_up = made_from({{1, 2, 3, 4}});
+  for (auto& run : made_up.cells[0].runs) {
+    run.state = "crash";
+    run.signal = "SIGSEGV";
+    run.plugin = "x";
+    run.robot = "r1";
+    run.step = 50;
+    run.measures.clear();
+  }
+  auto& runs = made_up.cells[0].runs;
+  runs[0].message = "plugin 'x' of robot 'r1' crashed with SIGSEGV in step 50";
+  runs[1].message = "plugin 'x' of robot 'r1' crashed with SIGSEGV in step 501";
+  runs[2].message = "the process was ended by SIGSEGV";
+  const Made made(made_up);
+  const std::string xml = junit_report(made.findings(), "r.db");
+  const std::string text = terminal_report(made.findings(), "r.db");
+  CHECK_THAT(text, Contains("crash: plugin 'x' of robot 'r1' crashed with SIGSEGV in step 50\n"));
+  CHECK_THAT(text, Contains("crash at step 50: plugin 'x' of robot 'r1' crashed with SIGSEGV in "
+                            "step 501\n"));
+  CHECK_THAT(xml, Contains("crash in plugin &#39;x&#39; of robot &#39;r1&#39; at step 50: the "
+                           "process was ended by SIGSEGV; elsie replay r.db 3"));
+  CHECK_THAT(xml, Contains("crash by SIGSEGV in plugin &#39;x&#39; of robot &#39;r1&#39; at step "
+                           "50; elsie replay r.db 4"));
+}
+
 TEST_CASE("JUnit's XML is well-formed whatever things are called") {
   const Made made(hostile(), expecting(hostile_expectation()));
   const std::string xml = junit_report(made.findings(), kHostile);

@@ -214,8 +214,9 @@ class Judge {
   // What one run says; none: nothing.
   std::optional<double> value_of(const Run& run) const {
     if (expectation_.runs == Runs::successes && !run.success()) return std::nullopt;
-    if (run.broken()) {  // counts as one that missed what a rate is about
-      return expectation_.statistic == Statistic::rate ? std::optional(0.0) : std::nullopt;
+    if (run.broken()) {  // it was not successful; of anything else nothing is known
+      const bool success = !subject_.measure && expectation_.per.empty();
+      return success ? std::optional(0.0) : std::nullopt;
     }
     const auto of = [&](const std::optional<std::size_t>& measure) {
       return measure ? run.values[*measure] : std::optional(run.success() ? 1.0 : 0.0);
@@ -343,6 +344,8 @@ class Judge {
     claim.value = relation_of(expectation_.relation, expectation_.statistic, pairs);
     const auto mine = statistic_of(expectation_.statistic, own);
     const auto theirs = statistic_of(expectation_.statistic, others);
+    const bool ratio = expectation_.relation == Relation::ratio;
+    if (ratio && theirs == 0.0) return not_known(cell, "that of " + label(*reference) + " is 0");
     if (!claim.value || !mine || !theirs) {
       return not_known(cell, "that of " + label(*reference) + " has no value to compare it with");
     }
@@ -352,13 +355,16 @@ class Judge {
                                        *expectation_.confidence, results_.seed(), stream(cell));
       claim.holds = keeps(claim.interval);
     }
-    const bool ratio = expectation_.relation == Relation::ratio;
-    claim.found = subject_.words + " of " + label(cell) + " is " +
-                  (ratio ? shown(*claim.value) + " times that of "
-                         : with_unit(*claim.value) + " more than that of ") +
-                  label(*reference) + " (" + with_unit(*mine) + ", " + basis(own) +
-                  reservations(cell) + ", beside " + with_unit(*theirs) + ", " + basis(others) +
-                  reservations(*reference) + interval_in_words(claim.interval) + ")";
+    claim.found =
+        subject_.words + " of " + label(cell) + " is " +
+        (ratio ? shown(*claim.value) + " times that of "
+               : with_unit(*claim.value) + " more than that of ") +
+        label(*reference) + " (" + with_unit(*mine) + ", " + basis(own) + reservations(cell) +
+        ", beside " + with_unit(*theirs) + ", " + basis(others) + reservations(*reference) +
+        (ratio && own.size() > 1 && others.size() > 1 && !claim.interval && expectation_.confidence
+             ? "; no interval, as that of " + label(*reference) + " is 0 in too many resamples"
+             : interval_in_words(claim.interval)) +
+        ")";
     claim.sentence = claim.found + ", expected " + limits();
     return claim;
   }

@@ -1,6 +1,8 @@
 // The head of the page: what was asked, and the answer.
 #include <algorithm>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "markup.h"
 #include "numbers.h"
@@ -58,23 +60,47 @@ std::string tiles(const Findings& findings) {
   return text + "</dl>\n";
 }
 
+// What there is to be said against an answer besides its expectations: "2 runs did not end by
+// themselves and 1 is still to be done"; "" for nothing.
+std::string reservations(const Findings& findings) {
+  std::vector<std::string> parts;
+  if (const std::size_t broken = findings.broken(); broken > 0) {
+    parts.push_back(counted(broken, "run") + " did not end by " +
+                    (broken == 1 ? "itself" : "themselves"));
+  }
+  if (const std::size_t pending = findings.pending(); pending > 0) {
+    parts.push_back(
+        (parts.empty() ? counted(pending, "run is", "runs are") : counted(pending, "is", "are")) +
+        " still to be done");
+  }
+  if (!findings.disagreements.empty()) parts.push_back("equal seeds gave different runs");
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  }
+  return text;
+}
+
 std::string headline(const Findings& findings) {
   const auto& verdicts = findings.verdicts;
   const auto met = static_cast<std::size_t>(std::count_if(
       verdicts.begin(), verdicts.end(), [](const Verdict& verdict) { return verdict.met(); }));
   std::string words;
   if (verdicts.empty()) {
-    words = findings.good() ? "Every run ended by itself" : "Not all runs ended by themselves";
-    if (findings.pending() > 0) words = "Not all runs are done";
+    words = findings.pending() > 0  ? "Not all runs are done"
+            : findings.broken() > 0 ? "Not all runs ended by themselves"
+            : findings.good()       ? "Every run ended by itself"
+                                    : "Equal seeds gave different runs";
   } else if (met == verdicts.size()) {
     words = verdicts.size() == 1 ? "What was expected came true"
                                  : "All " + std::to_string(met) + " expectations are met";
+    if (!findings.good()) words += ", but " + reservations(findings);
   } else {
     words = std::to_string(verdicts.size() - met) + " of " +
             counted(verdicts.size(), "expectation") +
             (verdicts.size() - met == 1 ? " is" : " are") + " not met";
   }
-  const bool good = verdicts.empty() ? findings.good() : met == verdicts.size();
+  const bool good = findings.good();
   return "<h2 class=\"verdict " + std::string(good ? "good" : "bad") + "\">" + (good ? kYes : kNo) +
          "<span>" + words + "</span></h2>\n";
 }

@@ -125,8 +125,11 @@ std::optional<Interval> bootstrap_interval(Statistic statistic, std::span<const 
   return Interval{quantile(found, tail), quantile(found, 1.0 - tail)};
 }
 
-std::optional<double> relation_of(Relation relation, Statistic statistic,
-                                  std::span<const Pair> pairs) {
+namespace {
+
+// As relation_of(), but infinite for a ratio of anything else to 0.
+std::optional<double> boundless_relation(Relation relation, Statistic statistic,
+                                         std::span<const Pair> pairs) {
   std::vector<double> cell, reference;
   for (const Pair& pair : pairs) {
     if (pair.cell) cell.push_back(*pair.cell);
@@ -140,6 +143,14 @@ std::optional<double> relation_of(Relation relation, Statistic statistic,
   return std::isnan(ratio) ? std::nullopt : std::optional(ratio);
 }
 
+}  // namespace
+
+std::optional<double> relation_of(Relation relation, Statistic statistic,
+                                  std::span<const Pair> pairs) {
+  const auto value = boundless_relation(relation, statistic, pairs);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
 std::optional<Interval> paired_interval(Relation relation, Statistic statistic,
                                         std::span<const Pair> pairs, double confidence,
                                         std::uint64_t seed, std::string_view path) {
@@ -151,12 +162,14 @@ std::optional<Interval> paired_interval(Relation relation, Statistic statistic,
     for (Pair& pair : sample) {
       pair = pairs[static_cast<std::size_t>(random.uniform() * static_cast<double>(pairs.size()))];
     }
-    if (const auto value = relation_of(relation, statistic, sample)) found.push_back(*value);
+    if (const auto value = boundless_relation(relation, statistic, sample)) found.push_back(*value);
   }
   if (2 * found.size() < static_cast<std::size_t>(kResamples)) return std::nullopt;
   std::sort(found.begin(), found.end());
   const double tail = 0.5 * (1.0 - confidence);
-  return Interval{quantile(found, tail), quantile(found, 1.0 - tail)};
+  const Interval interval{quantile(found, tail), quantile(found, 1.0 - tail)};
+  if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) return std::nullopt;
+  return interval;
 }
 
 Interval tukey_fences(const Summary& summary) {

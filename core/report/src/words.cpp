@@ -1,6 +1,7 @@
 #include "words.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
 #include <utility>
 
@@ -35,13 +36,30 @@ std::optional<int> decimals_of(const Findings& findings, std::size_t measure) {
   return most ? std::min(*most, *least + 3) : most;
 }
 
+namespace {
+
+// "step 50", but not in "step 501".
+bool tells_step(const std::string& message, std::int64_t step) {
+  const std::string words = "step " + std::to_string(step);
+  for (std::size_t at = 0; (at = message.find(words, at)) != std::string::npos; ++at) {
+    const std::size_t end = at + words.size();
+    if (end == message.size() || message[end] < '0' || message[end] > '9') return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::string circumstances(const Run& run) {
+  const auto told = [&](const std::string& words) {
+    return run.message.find(words) != std::string::npos;
+  };
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : " ") + part; };
-  if (!run.signal.empty()) add("by " + run.signal);
-  if (!run.plugin.empty()) add("in plugin '" + run.plugin + "'");
-  if (!run.robot.empty()) add("of robot '" + run.robot + "'");
-  if (run.step) add("at step " + std::to_string(*run.step));
+  if (!run.signal.empty() && !told(run.signal)) add("by " + run.signal);
+  if (!run.plugin.empty() && !told("'" + run.plugin + "'")) add("in plugin '" + run.plugin + "'");
+  if (!run.robot.empty() && !told("robot '" + run.robot + "'")) add("of robot '" + run.robot + "'");
+  if (run.step && !tells_step(run.message, *run.step)) add("at step " + std::to_string(*run.step));
   if (!run.message.empty()) text += (text.empty() ? "" : ": ") + run.message;
   return text;
 }

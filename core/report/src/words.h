@@ -17,11 +17,12 @@ std::string size_in_words(const Findings& findings);
 /// its values are better written with exponents.
 std::optional<int> decimals_of(const Findings& findings, std::size_t measure);
 
-/// How a run ended that did not end by itself: "crash: SIGSEGV in plugin 'x' of robot 'r1' at step
-/// 812". What is not known is left out.
+/// How a run ended that did not end by itself: "crash: plugin 'x' of robot 'r1' crashed with
+/// SIGSEGV in step 812". That is its message; signal, plugin, robot and step stand before it where
+/// it does not tell them: "crash by SIGKILL in plugin 'x': ...". What is not known is left out.
 std::string ending_in_words(const Run& run);
 
-/// The same without the first word: "by SIGSEGV in plugin...".
+/// The same without the first word.
 std::string circumstances(const Run& run);
 
 /// "run 17 (fusion, seed 3)"

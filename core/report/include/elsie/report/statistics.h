@@ -75,12 +75,14 @@ struct Pair {
 };
 
 /// The statistic of a cell beside that of its reference: their ratio or difference, by `relation`
-/// (not Relation::none). None when one of them is not known, and for 0 / 0.
+/// (not Relation::none). None when one of them is not known, and for a ratio to 0.
 std::optional<double> relation_of(Relation relation, Statistic statistic,
                                   std::span<const Pair> pairs);
 
 /// bootstrap_interval() for relation_of(): the pairs are drawn, so that both cells always have the
 /// same seeds. Resamples in which it is not known are left out; none when these are more than half.
+/// A ratio of something else to 0 is beyond all others in a resample; none when one of the ends is
+/// such a ratio.
 std::optional<Interval> paired_interval(Relation relation, Statistic statistic,
                                         std::span<const Pair> pairs, double confidence,
                                         std::uint64_t seed, std::string_view path);
