@@ -43,6 +43,7 @@ Total total(const std::vector<CellCount>& cells) {
   return sum;
 }
 
+/// Of the runs that were made, whatever became of them: one that crashed is no success.
 std::string rate(std::int64_t successes, std::int64_t done) {
   return done == 0
              ? ""
@@ -55,7 +56,7 @@ std::vector<std::string> row(const std::string& label, const Total& of) {
           std::to_string(of.done),
           std::to_string(of.failed),
           std::to_string(of.pending),
-          rate(of.successes, of.done)};
+          rate(of.successes, of.done + of.failed)};
 }
 
 /// The first line of a message, as far as it fits.

@@ -63,8 +63,11 @@ std::vector<std::string> task_command(const BatchOptions& options) {
   const auto absolute = [](const std::string& name) {
     return fs::absolute(name).lexically_normal().string();
   };
-  std::vector<std::string> command{fs::read_symlink("/proc/self/exe").string(), "batch",
-                                   absolute(options.experiment)};
+  const fs::path program = fs::read_symlink("/proc/self/exe");
+  if (!fs::exists(program)) {
+    throw BadInput("this program was replaced by another one while it runs; begin again");
+  }
+  std::vector<std::string> command{program.string(), "batch", absolute(options.experiment)};
   for (const std::string& directory : options.plugins.directories) {
     command.insert(command.end(), {"--plugin-path", absolute(directory)});
   }
@@ -93,6 +96,9 @@ class ClusterBatch {
   /// Hands over what is to be done and in nobody's hands.
   void submit() {
     const ShardFolder::Turn turn(folder_);
+    if (!folder_.exists()) {
+      return;  // somebody else who followed it has made one database of it
+    }
     const std::vector<Task> at_work = cluster::unfinished(folder_.name());
     const std::vector<std::size_t> to_do = folder_.unfinished(numbers(at_work));
     if (to_do.empty()) {
@@ -102,6 +108,7 @@ class ClusterBatch {
       }
       return;
     }
+    asked_ = true;
     folder_.set_job(cluster::submit({.name = folder_.name(),
                                      .script = folder_.script(),
                                      .tasks = to_do,
@@ -111,6 +118,18 @@ class ClusterBatch {
     say("job array " + folder_.job() + ": " + std::to_string(to_do.size()) + " of " +
         std::to_string(folder_.shards()) + " shards, " + std::to_string(plan_.all_runs) +
         " runs in all");
+  }
+
+  /// Whether submit(), which has failed, has left no task behind for sure.
+  bool nothing_begun() const {
+    if (!asked_) {
+      return true;
+    }
+    try {
+      return cluster::unfinished(folder_.name()).empty();
+    } catch (const std::exception&) {
+      return false;
+    }
   }
 
   /// Until no task is left. False: this command was stopped before, the tasks go on.
@@ -231,6 +250,7 @@ class ClusterBatch {
   const fs::path file_;
   const Plan& plan_;
   ShardFolder folder_;
+  bool asked_ = false;  // Slurm, to take tasks
   double elapsed_s_ = 0.0;
 };
 
@@ -294,10 +314,13 @@ int run_on_cluster(const BatchOptions& options) {
   try {
     batch.submit();
   } catch (const std::exception& error) {
-    if (made) {
+    if (made && batch.nothing_begun()) {
       folder.remove();
+      throw BadInput(error.what());
     }
-    throw BadInput(error.what());
+    std::cerr << "elsie: " << error.what() << "; what was begun is kept, go on with\n  "
+              << resume_command(options, file) << '\n';
+    return kOtherFailure;
   }
   if (options.detach) {
     if (!options.quiet) {
@@ -310,7 +333,7 @@ int run_on_cluster(const BatchOptions& options) {
       std::cerr << "elsie: interrupted; " << batch.goes_on();
       return kOtherFailure;
     }
-  } catch (const cluster::ClusterSilent& error) {
+  } catch (const std::runtime_error& error) {  // Slurm is silent, or gone
     std::cerr << "elsie: " << error.what() << ";\n" << batch.goes_on();
     return kOtherFailure;
   }

@@ -50,6 +50,8 @@ const std::map<std::string, std::vector<std::string>> kBeyondSchemas = {
       "seeds_too_many",
       "compared_in_two_ways",
       "expect_about_and_at_most",
+      "expect_about_without_tolerance",
+      "expect_certainty",
       "expect_nothing",
       "expect_rate_above_one",
       "expect_the_impossible"}},

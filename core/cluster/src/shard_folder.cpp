@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -193,8 +194,21 @@ void ShardFolder::merge_into(const fs::path& database) const {
 
 ShardFolder::Turn::Turn(const ShardFolder& folder)
     : descriptor_(::open((folder.path_ / "turn").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-  // Without the folder there is nothing to take turns for.
-  while (descriptor_ >= 0 && flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+  if (descriptor_ < 0 && !folder.exists()) {
+    return;  // nothing to take turns for
+  }
+  while (descriptor_ < 0 || flock(descriptor_, LOCK_EX) != 0) {
+    if (descriptor_ >= 0 && errno == EINTR) {
+      continue;
+    }
+    const std::string why = std::generic_category().message(errno);
+    if (descriptor_ >= 0) {
+      close(descriptor_);
+    }
+    throw std::runtime_error("'" + (folder.path_ / "turn").string() +
+                             "' cannot be locked, as several commands that follow one batch have "
+                             "to: " +
+                             why);
   }
 }
 

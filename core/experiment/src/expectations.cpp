@@ -95,7 +95,18 @@ void check_bounds(const ExpectationDraft& draft, const Expectation& expectation)
     fail("at_least=\"" + number(*draft.at_least) + "\" is above at_most=\"" +
          number(*draft.at_most) + "\": that cannot be");
   }
+  const double tolerance = draft.tolerance.value_or(0.0);
+  if (draft.about && tolerance <= 0.0) {
+    fail("about=\"" + number(*draft.about) +
+         "\" of <expect> has no tolerance: no figure is exactly so; expected a tolerance above 0");
+  }
   if (expectation.statistic == Statistic::rate && expectation.relation == Relation::none) {
+    if (draft.confidence && ((draft.at_least && *draft.at_least - tolerance >= 1.0) ||
+                             (draft.at_most && *draft.at_most + tolerance <= 0.0))) {
+      fail(
+          "<expect> can never be met: the interval of a rate at some confidence always reaches "
+          "below 1 and above 0; expected a bound in between, or no confidence");
+    }
     for (const auto& bound : {draft.at_least, draft.at_most, draft.about}) {
       if (bound && (*bound < 0.0 || *bound > 1.0)) {
         fail("a rate is from 0 to 1, and " + number(*bound) + " was expected");

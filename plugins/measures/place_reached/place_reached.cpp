@@ -1,6 +1,7 @@
 // When a robot came to a place, and how near it ever was.
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include <elsie/api/measure.h>
@@ -29,11 +30,12 @@ class PlaceReached final : public elsie::Measure {
       reference_ = place_of(of);
     } else if (std::abs(x) > 0.5 * start.arena_length_m ||
                std::abs(y) > 0.5 * start.arena_width_m) {
-      throw std::invalid_argument("its place is outside of the arena, which reaches from " +
-                                  std::to_string(-0.5 * start.arena_length_m) + " to " +
-                                  std::to_string(0.5 * start.arena_length_m) + " in x and from " +
-                                  std::to_string(-0.5 * start.arena_width_m) + " to " +
-                                  std::to_string(0.5 * start.arena_width_m) + " in y");
+      std::ostringstream text;
+      text << "its place (" << x << ", " << y << ") is outside of the arena, which reaches from "
+           << -0.5 * start.arena_length_m << " to " << 0.5 * start.arena_length_m
+           << " in x and from " << -0.5 * start.arena_width_m << " to " << 0.5 * start.arena_width_m
+           << " in y";
+      throw std::invalid_argument(text.str());
     }
   }
   std::vector<elsie::Quantity> quantities() const override {

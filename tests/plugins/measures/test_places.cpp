@@ -47,7 +47,7 @@ TEST_CASE("Places that cannot be are refused") {
   CHECK(refusal(place({{"robot", "r1"}, {"of", "r1"}}), now) ==
         "it gives the robot 'r1' a place relative to itself; name another one in 'of'");
   CHECK_THAT(refusal(place({{"robot", "r1"}, {"x", 6.0}}), now),
-             Catch::StartsWith("its place is outside of the arena"));
+             Catch::StartsWith("its place (6, 0) is outside of the arena"));
   CHECK(refusal(place({{"robot", "r1"}, {"of", "r2"}, {"x", 6.0}}), now).empty());
   CHECK_THROWS_WITH(place({}), Catch::Contains("its parameter 'robot' has no default"));
 }

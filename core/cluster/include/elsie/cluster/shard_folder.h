@@ -36,7 +36,8 @@ void write_count(const std::filesystem::path& file, const Count& count);
 class ShardFolder {
  public:
   /// Of several commands that follow one batch, the one that hands over tasks or makes one database
-  /// of the parts: waits for the others. Held while it lives.
+  /// of the parts: waits for the others. Held while it lives. Throws std::runtime_error with a
+  /// sentence when the folder's file system knows no locks.
   class Turn {
    public:
     explicit Turn(const ShardFolder& folder);
