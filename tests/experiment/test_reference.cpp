@@ -1,8 +1,8 @@
 // The reference page has every element and attribute of the vocabulary.
 #include <catch2/catch.hpp>
 
-#include "elsie/simulation/measures.h"
 #include "elsie/experiment/vocabulary.h"
+#include "elsie/simulation/measures.h"
 
 using namespace elsie;
 

@@ -83,8 +83,8 @@ TEST_CASE("Every command in the docs runs, and reaches its goals unless it is cu
       std::istringstream lines(block);
       for (std::string line; std::getline(lines, line);) {
         // A text in quotation marks may go on.
-        for (std::string more; std::count(line.begin(), line.end(), '"') % 2 != 0 &&
-                               std::getline(lines, more);) {
+        for (std::string more;
+             std::count(line.begin(), line.end(), '"') % 2 != 0 && std::getline(lines, more);) {
           line += '\n' + more;
         }
         CAPTURE(page.filename().string(), line);

@@ -26,5 +26,6 @@ ELSIE_BEHAVIOR(
                      {.unit = "m", .above = 0, .meaning = "from where on it slows down"}),
     elsie::parameter("speed", &Hesitate::speed,
                      {.unit = "rad/s", .min = 0, .meaning = "wheel rate when all is clear"}),
-    elsie::parameter("slowest", &Hesitate::slowest,
-                     {.min = 0, .max = 1, .meaning = "share of the speed that is left at a touch"}));
+    elsie::parameter(
+        "slowest", &Hesitate::slowest,
+        {.min = 0, .max = 1, .meaning = "share of the speed that is left at a touch"}));
