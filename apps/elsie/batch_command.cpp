@@ -73,7 +73,6 @@ class ProgressFile {
       before_.ended += cell.done + cell.failed;
       before_.failed += cell.failed;
     }
-    require_writable(*file_, "--progress");
     elsie::cluster::write_count(*file_, before_);
   }
 
@@ -106,6 +105,13 @@ int run(const BatchOptions& options) {
                                : options.detach ? "--detach"
                                                 : "--sbatch") +
                    " is for a cluster; it needs --cluster slurm");
+  }
+  if (options.progress) {
+    if (fs::path(*options.progress).extension() != ".json") {
+      throw BadInput("--progress: expected a name that ends in .json, but '" + *options.progress +
+                     "' does not");
+    }
+    require_replaceable(*options.progress, "--progress", "progress of a batch");
   }
   const elsie::batch::Shard shard = shard_of(options);
   const fs::path file = database_of(options, shard);

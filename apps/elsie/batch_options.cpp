@@ -21,7 +21,13 @@ elsie::batch::Shard shard_of(const BatchOptions& options) {
 
 fs::path database_of(const BatchOptions& options, const elsie::batch::Shard& shard) {
   if (options.database) {
-    return *options.database;
+    const fs::path file = *options.database;
+    if (file.extension() != ".sqlite" && file.extension() != ".sqlite3" &&
+        file.extension() != ".db") {
+      throw BadInput("--database: expected a name that ends in .sqlite, .sqlite3 or .db, but '" +
+                     file.string() + "' does not");
+    }
+    return file;
   }
   const std::string name = fs::path(options.experiment).stem().string();
   return name +

@@ -1,6 +1,8 @@
 #include "environment.h"
 
 #include <cstdlib>
+#include <fstream>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
@@ -165,14 +167,64 @@ bool is_device(const fs::path& file) {
   return fs::is_character_file(file, error) || fs::is_fifo(file, error);
 }
 
+/// The start of a file that is there already; empty when there is none.
+std::string start_of(const fs::path& file) {
+  std::error_code error;
+  std::string start;
+  if (fs::is_regular_file(file, error)) {
+    start.resize(1024);
+    std::ifstream in(file, std::ios::binary);
+    in.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(in.gcount()));
+  }
+  return start;
+}
+
+bool has(const std::string& start, std::string_view word) {
+  return start.find(word) != std::string::npos;
+}
+
+/// Whether what a file begins with is what a program writes under such a name.
+bool is_what_its_name_says(const std::string& start, const std::string& suffix) {
+  if (suffix == ".png") {
+    return start.rfind("\x89PNG", 0) == 0;
+  }
+  if (suffix == ".mcap") {
+    return start.rfind("\x89MCAP", 0) == 0;
+  }
+  if (suffix == ".svg") {
+    return has(start, "<svg");
+  }
+  if (suffix == ".html") {
+    return has(start, "<!doctype html") || has(start, "<!DOCTYPE html") || has(start, "<html");
+  }
+  if (suffix == ".xml") {
+    return has(start, "<testsuites");
+  }
+  if (suffix == ".json") {
+    return start.front() == '{' && has(start, "\"runs\"");
+  }
+  // Tables: text that is no markup.
+  return start.front() != '<' && start.find('\0') == std::string::npos;
+}
+
 }  // namespace
+
+void require_replaceable(const fs::path& file, const char* option, const char* kind) {
+  require_writable(file, option);
+  const std::string start = start_of(file);
+  if (!start.empty() && !is_what_its_name_says(start, file.extension().string())) {
+    throw BadInput(std::string(option) + ": '" + file.string() + "' is there already and is no " +
+                   kind + "; remove it or choose another name");
+  }
+}
 
 void require_recording(const fs::path& file, const char* option) {
   if (!is_device(file) && file.extension() != ".csv" && file.extension() != ".mcap") {
     throw BadInput(std::string(option) + ": a recording's name must end in .csv or .mcap, but '" +
                    file.string() + "' does not");
   }
-  require_writable(file, option);
+  require_replaceable(file, option, "recording");
 }
 
 void require_trace(const fs::path& file, const char* option) {
@@ -193,5 +245,5 @@ void require_picture(const fs::path& file, const char* option) {
     throw BadInput(std::string(option) + ": a picture's name must end in .png or .svg, but '" +
                    file.string() + "' does not");
   }
-  require_writable(file, option);
+  require_replaceable(file, option, "picture");
 }

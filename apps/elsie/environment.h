@@ -47,8 +47,10 @@ elsie::experiment::ReadOptions experiment_options();
 
 /// Checks, before any work is done, that a file can be written there. Throws BadInput.
 void require_writable(const std::filesystem::path& file, const char* option);
-/// The same for a recording: its name must end in .csv or .mcap, so that no input is overwritten by
-/// a slip.
+/// The same, and what is there already must be what its name says, as far as its first bytes tell:
+/// a world, an experiment or a database is not overwritten by a slip. `kind`: for messages.
+void require_replaceable(const std::filesystem::path& file, const char* option, const char* kind);
+/// The same for a recording: its name must end in .csv or .mcap.
 void require_recording(const std::filesystem::path& file, const char* option);
 /// The same for a trace: its name must end in .trace, and what is there already must be a trace,
 /// too.

@@ -1,4 +1,5 @@
 // The command-line program: elsie SUBCOMMAND ...
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <string_view>
@@ -97,6 +98,8 @@ int with_output_written(int exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A limit to the size of files is told as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
   set_up_log();
   // Pictures of cameras are small: where Mesa draws them in software, handing them to threads costs
   // more than it gains. Here, because nothing else runs yet that could look at the environment.

@@ -56,7 +56,7 @@ void require_output(const std::optional<std::string>& file, const char* option, 
     throw BadInput(std::string(option) + ": '" + *file +
                    "' is the database itself; choose another name");
   }
-  require_writable(*file, option);
+  require_replaceable(*file, option, "report");
 }
 
 /// The file as a whole, or as it was before. What is no regular file, a device or a link, is

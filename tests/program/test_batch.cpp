@@ -277,7 +277,7 @@ TEST_CASE("A full disk ends a batch with a sentence; it goes on when there is ro
   here.write("many.xml", Laboratory::experiment("<world file=\"small.xml\"/>", Laboratory::kSpeeds,
                                                 8, "<trajectories period=\"0.01\"/>"));
   // No file may grow beyond this, as on a disk that is full.
-  const auto full = here.sh("trap '' XFSZ; ulimit -f 300; elsie batch many.xml --quiet");
+  const auto full = here.sh("ulimit -f 300; elsie batch many.xml --quiet");
   CHECK(full.exit_code == 4);
   CHECK_THAT(full.err, Contains("the database 'many.sqlite' could not be written: ") &&
                            Contains("elsie batch many.xml --database many.sqlite --resume"));
@@ -457,11 +457,19 @@ TEST_CASE("Nothing is begun, and no database left behind, when the input is wron
   refused("batch small.xml", "small.xml");
   refused("batch small_experiment.xml --database no/r.sqlite", "there is no folder 'no'");
   refused("batch small_experiment.xml --workers 0", "--workers");
+  refused("batch small_experiment.xml --database ''", "ends in .sqlite");
+  refused("batch small_experiment.xml --database small.xml", "ends in .sqlite");
+  refused("batch small_experiment.xml --progress small.xml", "ends in .json");
+  refused("batch small_experiment.xml --progress no/p.json", "there is no folder 'no'");
+  here.write("other.json", "[1, 2]");
+  refused("batch small_experiment.xml --progress other.json", "is no progress of a batch");
+  CHECK(here.read("other.json") == "[1, 2]");
   refused("batch small_experiment.xml --again", "it needs --resume");
   refused("merge out.sqlite none.db", "there is no database 'none.db'");
   refused("replay none.db 1", "there is no database 'none.db'");
   refused("replay none.db", "'none.db' cannot be read");
-  REQUIRE(here.batch("small_experiment.xml --quiet --database runs.mcap").exit_code == 0);
+  REQUIRE(here.batch("small_experiment.xml --quiet --database runs.db").exit_code == 0);
+  fs::rename(here.file("runs.db"), here.file("runs.mcap"));  // whatever it is called
   refused("replay runs.mcap", "'runs.mcap' is a database of many runs; expected the number of one");
   refused("replay runs.mcap 1 --picture run.png --at 1", "--at: only a recording can be drawn");
   refused("replay runs.mcap 1 --record run.csv --record-images", "--record-images: a table");
@@ -476,4 +484,28 @@ TEST_CASE("The same seed that gives another run is reported") {
   const auto run = here.elsie("batch twice.xml --resume");
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.out, Contains("the same seed gave different runs: small, seed 2, runs 3 4"));
+}
+
+TEST_CASE("No output takes the place of a file of another kind") {
+  const Laboratory here;
+  REQUIRE(here.batch("small_experiment.xml --quiet").exit_code == 0);
+  const auto kept = [&](const std::string& arguments, const std::string& file) {
+    CAPTURE(arguments);
+    const std::string before = here.read(file);
+    const auto run = here.elsie(arguments);
+    CHECK(run.exit_code == 2);
+    CHECK_THAT(run.err, Contains("'" + file + "' is there already and is no "));
+    CHECK(here.read(file) == before);
+  };
+  fs::copy(here.file("small_experiment.sqlite"), here.file("r.mcap"));
+  fs::copy(here.file("small_experiment.sqlite"), here.file("r.png"));
+  fs::copy(here.file("small.xml"), here.file("small.csv"));
+  fs::copy(here.file("small.xml"), here.file("small.svg"));
+  kept("replay r.mcap 3 --record r.mcap", "r.mcap");
+  kept("replay r.png 3 --picture r.png", "r.png");
+  kept("run small.csv --record small.csv", "small.csv");
+  kept("run small.svg --picture small.svg", "small.svg");
+  kept("report small_experiment.sqlite --junit small_experiment.xml", "small_experiment.xml");
+  CHECK(here.elsie("report small_experiment.sqlite --junit out.xml --quiet").exit_code == 0);
+  CHECK(here.elsie("report small_experiment.sqlite --junit out.xml --quiet").exit_code == 0);
 }
