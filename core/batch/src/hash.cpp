@@ -3,7 +3,6 @@
 #include <array>
 #include <cerrno>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
@@ -28,8 +27,13 @@ std::string sha256(std::string_view bytes) {
 
 std::string file_content(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(in), {}};
-  if (!in || in.bad()) {
+  // In large pieces: libraries are read, too, and those with debug information are large.
+  std::string content;
+  std::string piece(1U << 20U, '\0');
+  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())), in.gcount() > 0) {
+    content.append(piece, 0, static_cast<std::size_t>(in.gcount()));
+  }
+  if (!in.eof()) {
     throw std::runtime_error("'" + path +
                              "' cannot be read: " + std::generic_category().message(errno));
   }
