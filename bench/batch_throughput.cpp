@@ -24,12 +24,13 @@ constexpr int kPairs = 9;
 struct Work {
   const char* name;
   const char* world;
+  int endure;  // which of the world's goals, from 1, says how long a run lasts
   int simulated_s;
   int runs;
 };
-constexpr Work kWork[] = {{"clutter, 10 s", "clutter.xml", 10, 40},
-                          {"clutter, 100 s", "clutter.xml", 100, 20},
-                          {"ten robots, 60 s", "ten_robots.xml", 60, 12}};
+constexpr Work kWork[] = {{"clutter, 10 s", "clutter.xml", 3, 10, 40},
+                          {"clutter, 100 s", "clutter.xml", 3, 100, 20},
+                          {"ten robots, 60 s", "ten_robots.xml", 2, 60, 12}};
 
 /// A folder that is gone at the end.
 class Folder {
@@ -53,7 +54,8 @@ class Folder {
 
 void write_experiment(const fs::path& file, const Work& work) {
   std::ofstream(file) << "<experiment format=\"1\"><worlds><world file=\"" << ELSIE_SOURCE_DIR
-                      << "/worlds/" << work.world << "\"/></worlds><seeds from=\"1\" to=\""
+                      << "/worlds/" << work.world << "\"/></worlds><set path=\"goal[" << work.endure
+                      << "]/@time\" value=\"" << work.simulated_s << "\"/><seeds from=\"1\" to=\""
                       << work.runs << "\"/><limits time=\"" << work.simulated_s
                       << "\"/></experiment>\n";
 }
