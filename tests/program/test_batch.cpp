@@ -169,11 +169,12 @@ TEST_CASE("A batch that is killed goes on where it was: no run is lost, none don
   std::string ended;  // of each run, as soon as it has ended
   int kills = 0;
   for (; kills < 200; ++kills) {
-    // Not by the clock: somewhere in what it does.
+    // Somewhere in what it does; later and later, so that a slow machine comes to its runs, too.
+    const int milliseconds = 30 + std::rand() % (100 + 30 * kills);
     const auto run = here.sh(
         "elsie batch many.xml --quiet --database killed.sqlite --resume & batch=$!\n"
-        "sleep 0." +
-        std::to_string(std::rand() % 9) +
+        "sleep " +
+        std::to_string(milliseconds / 1000.0) +
         "\n"
         "kill -9 $batch 2>/dev/null || true\n"
         "wait $batch && code=$? || code=$?\n"
