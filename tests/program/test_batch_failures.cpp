@@ -1,0 +1,257 @@
+// Batches in which runs fail, and batches that are killed, stopped or run out of room: what goes on
+// afterwards.
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "laboratory.h"
+#include "places.h"
+
+using Catch::Contains;
+using elsie::test::Laboratory;
+using elsie::test::world_with;
+namespace fs = std::filesystem;
+
+TEST_CASE(
+    "A crash, a hang or a plugin that fails costs one run, and is told with all that is known") {
+  const Laboratory here;
+  here.write_faulty({"segfaulting", "aborting", "overflowing", "looping", "not_a_number",
+                     "throwing", "exiting", "thrifty"},
+                    "<limits time=\"2\" wall_time=\"4\"/>");
+  const auto run = here.batch("faulty.xml --workers 2");
+  CAPTURE(run.out, run.err);
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.out, Contains("elsie replay faulty.sqlite 1"));
+  const auto facts = [&](const std::string& world) {
+    return here.query("faulty.sqlite",
+                      "SELECT state, outcome, signal, plugin, robot, step FROM runs JOIN cells ON "
+                      "cells.id = cell_id WHERE world = '" +
+                          world + "'");
+  };
+  CHECK(facts("segfaulting") == "crash|null|SIGSEGV|segfaulting|r1|50\n");
+  CHECK(facts("overflowing") == "crash|null|SIGSEGV|overflowing|r1|50\n");
+  CHECK(facts("aborting") == "crash|null|SIGABRT|aborting|r1|50\n");
+  CHECK(facts("exiting") == "crash|null|null|exiting|r1|50\n");
+  CHECK(facts("looping") == "hang|null|null|looping|r1|50\n");
+  CHECK(facts("not_a_number") == "fault|null|null|not_a_number|r1|50\n");
+  CHECK(facts("throwing") == "fault|null|null|throwing|r1|50\n");
+  CHECK(facts("thrifty") == "done|time_limit|null|null|null|null\n");
+  const std::string log =
+      here.query("faulty.sqlite",
+                 "SELECT log FROM runs JOIN cells ON cells.id = cell_id WHERE world = "
+                 "'segfaulting'");
+  CHECK_THAT(log, Contains("segmentation fault (SIGSEGV) in step 50") && Contains("the stack"));
+  CHECK(
+      here.query("faulty.sqlite", "SELECT message FROM runs WHERE plugin = 'looping'") ==
+      "the run did not end within 4 s on the clock and was ended, while plugin 'looping' of robot "
+      "'r1' was at work in step 50\n");
+  CHECK(here.query("faulty.sqlite", "SELECT message FROM runs WHERE plugin = 'segfaulting'") ==
+        "plugin 'segfaulting' of robot 'r1' crashed with SIGSEGV in step 50\n");
+  // What was recorded until a plugin threw is kept; there are no measures of it.
+  CHECK(here.query("faulty.sqlite",
+                   "SELECT count(*) FROM trajectories JOIN runs ON runs.id = run_id "
+                   "WHERE state = 'fault'") == "2\n");
+  CHECK(here.query("faulty.sqlite", "SELECT count(DISTINCT run_id) FROM run_measures") == "1\n");
+  here.check_sound("faulty.sqlite");
+
+  SECTION("they are not done again unless that is asked for") {
+    const auto resumed = here.batch("faulty.xml --resume");
+    CHECK(resumed.exit_code == 3);
+    CHECK_THAT(resumed.out, Contains("all 8 runs are done already"));
+    const auto again = here.batch("faulty.xml --resume --again");
+    CHECK(again.exit_code == 3);
+    CHECK_THAT(again.out, Contains("are done again: 7\n") && Contains("7 runs in "));
+    here.check_sound("faulty.sqlite");
+  }
+  SECTION("one that failed in order fails again in the same way; a crash is shown with its stack") {
+    const auto number = [&](const std::string& plugin) {
+      const std::string text =
+          here.query("faulty.sqlite", "SELECT id FROM runs WHERE plugin = '" + plugin + "'");
+      return text.substr(0, text.size() - 1);
+    };
+    const auto fault = here.elsie("replay faulty.sqlite " + number("throwing"));
+    CHECK(fault.exit_code == 0);
+    CHECK_THAT(fault.out, Contains("the same: plugin 'throwing' of robot 'r1' failed in step 50"));
+    const auto crash = here.elsie("replay faulty.sqlite " + number("segfaulting"));
+    CHECK(crash.exit_code == 3);
+    CHECK_THAT(crash.out, Contains("before: crash, plugin 'segfaulting' of robot 'r1' crashed"));
+    CHECK_THAT(crash.err, Contains("ended the program with a segmentation fault"));
+  }
+}
+
+TEST_CASE("A worker that is killed from outside costs its run only") {
+  const Laboratory here;
+  here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 3);
+  const auto run = here.sh(
+      "elsie batch faulty.xml --workers 1 --quiet --plugin-path " + Laboratory::plugins() +
+      " & batch=$!\n"
+      "while ! worker=$(cat /proc/$batch/task/$batch/children) || [ -z \"$worker\" ]; do sleep "
+      "0.02; done\n"
+      "kill -9 $worker\n"
+      "wait $batch && code=$? || code=$?\n"
+      "exit $code");
+  CHECK(run.exit_code == 3);
+  CHECK(here.query("faulty.sqlite", "SELECT state, signal FROM runs ORDER BY id") ==
+        "crash|SIGKILL\ndone|null\ndone|null\n");
+  CHECK(here.batch("faulty.xml --resume --again --quiet").exit_code == 0);
+}
+
+TEST_CASE("A batch that is killed goes on where it was: no run is lost, none done twice") {
+  const Laboratory here;
+  here.write("many.xml", Laboratory::experiment("<world file=\"small.xml\"/>", Laboratory::kSpeeds,
+                                                16, "<limits time=\"10\"/>"));
+  REQUIRE(here.elsie("batch many.xml --quiet --database whole.sqlite").exit_code == 0);
+  std::string ended;  // of each run, as soon as it has ended
+  int kills = 0;
+  for (; kills < 200; ++kills) {
+    // Somewhere in what it does; later and later, so that a slow machine comes to its runs, too.
+    const int milliseconds = 30 + std::rand() % (100 + 30 * kills);
+    const auto run = here.sh(
+        "elsie batch many.xml --quiet --database killed.sqlite --resume & batch=$!\n"
+        "sleep " +
+        std::to_string(milliseconds / 1000.0) +
+        "\n"
+        "kill -9 $batch 2>/dev/null || true\n"
+        "wait $batch && code=$? || code=$?\n"
+        "exit $code");
+    if (!fs::exists(here.file("killed.sqlite"))) {
+      continue;
+    }
+    if (run.exit_code == 0) {
+      break;
+    }
+    CHECK(run.exit_code == 128 + 9);
+    try {
+      const std::string now = here.query(
+          "killed.sqlite", "SELECT id, ended FROM runs WHERE state <> 'pending' ORDER BY id");
+      std::istringstream lines(ended);
+      for (std::string line; std::getline(lines, line);) {
+        CHECK_THAT(now, Contains(line + "\n"));
+      }
+      ended = now;
+    } catch (const std::runtime_error& error) {
+      CHECK_THAT(error.what(), Contains("no such table"));  // killed before it was made
+    }
+    if (kills > 20) {  // a slow machine: let it come to an end
+      CHECK(here.elsie("batch many.xml --quiet --database killed.sqlite --resume").exit_code == 0);
+      break;
+    }
+  }
+  CHECK(kills > 1);
+  CHECK(here.table("killed.sqlite") == here.table("whole.sqlite"));
+  CHECK(here.query("killed.sqlite", "SELECT count(*) FROM runs WHERE state = 'done'") == "48\n");
+  here.check_sound("killed.sqlite");
+}
+
+TEST_CASE("The workers of a batch that is killed die with it") {
+  const Laboratory here;
+  here.write_faulty({"looping"}, "", 2);
+  const auto run =
+      here.sh("elsie batch faulty.xml --workers 2 --quiet --plugin-path " + Laboratory::plugins() +
+              " & batch=$!\n"
+              "while [ $(wc -w < /proc/$batch/task/$batch/children) -lt 2 ]; do sleep 0.02; done\n"
+              "workers=$(cat /proc/$batch/task/$batch/children)\n"
+              "kill -9 $batch; wait $batch || true\n"
+              "for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do\n"
+              "  left=0; for w in $workers; do\n"
+              "    if grep -q '^State:.[RSD]' /proc/$w/status 2>/dev/null; then left=1; fi; done\n"
+              "  if [ $left = 0 ]; then exit 0; fi; sleep 0.1\n"
+              "done; exit 1");
+  CHECK(run.exit_code == 0);
+}
+
+TEST_CASE("Ctrl-C stops a batch in order: what is done is kept, the rest stays to be done") {
+  const Laboratory here;
+  here.write_faulty({"thrifty", "dawdling"}, Laboratory::kTwoDawdledSteps, 2);
+  for (const std::string signal : {"INT", "TERM"}) {
+    const std::string name = signal + ".sqlite";
+    const auto run = here.sh("elsie batch faulty.xml --workers 1 --database " + name +
+                             " --plugin-path " + Laboratory::plugins() +
+                             " & batch=$!\n"
+                             "while ! sqlite3 " +
+                             name +
+                             " 'SELECT count(*) FROM runs WHERE state = \"done\"' 2>/dev/null "
+                             "| grep -q 2; do sleep 0.05; done\n"
+                             "kill -" +
+                             signal +
+                             " $batch\n"
+                             "wait $batch && code=$? || code=$?\n"
+                             "exit $code");
+    CHECK(run.exit_code == 4);
+    CHECK_THAT(run.out, Contains("results: " + name));
+    CHECK_THAT(run.err,
+               Contains("interrupted; 2 of 4 runs are still to be done. Go on with\n  elsie "
+                        "batch faulty.xml --plugin-path " +
+                        Laboratory::plugins() + " --database " + name + " --resume\n"));
+    CHECK(here.query(name, "SELECT state FROM runs ORDER BY id") ==
+          "done\ndone\npending\npending\n");
+    CHECK_FALSE(fs::exists(here.file(name + "-lock")));
+  }
+  CHECK(here.batch("faulty.xml --database INT.sqlite --resume --quiet").exit_code == 0);
+  here.check_sound("INT.sqlite");
+}
+
+TEST_CASE("Two batches do not write one database") {
+  const Laboratory here;
+  here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 2);
+  const auto run =
+      here.sh("elsie batch faulty.xml --workers 1 --quiet --plugin-path " + Laboratory::plugins() +
+              " & batch=$!\n"
+              "while [ $(wc -w < /proc/$batch/task/$batch/children) = 0 ]; do sleep 0.02; done\n"
+              "elsie batch faulty.xml --resume --plugin-path " +
+              Laboratory::plugins() +
+              " && code=$? || code=$?\n"
+              "wait $batch\n"
+              "exit $code");
+  CHECK(run.exit_code == 2);
+  CHECK_THAT(run.err, Contains("is being written by another batch (process "));
+  CHECK(here.query("faulty.sqlite", "SELECT count(*) FROM runs WHERE state = 'done'") == "2\n");
+}
+
+TEST_CASE("A full disk ends a batch with a sentence; it goes on when there is room") {
+  const Laboratory here;
+  here.write("many.xml", Laboratory::experiment("<world file=\"small.xml\"/>", Laboratory::kSpeeds,
+                                                8, "<trajectories period=\"0.01\"/>"));
+  // No file may grow beyond this, as on a disk that is full.
+  const auto full = here.sh("ulimit -f 300; elsie batch many.xml --quiet");
+  CHECK(full.exit_code == 4);
+  CHECK_THAT(full.err, Contains("the database 'many.sqlite' could not be written: ") &&
+                           Contains("elsie batch many.xml --database many.sqlite --resume"));
+  CHECK(here.query("many.sqlite", "SELECT count(*) FROM runs WHERE state = 'pending'") != "0\n");
+  CHECK(here.elsie("batch many.xml --quiet --resume").exit_code == 0);
+  REQUIRE(here.elsie("batch many.xml --quiet --database whole.sqlite").exit_code == 0);
+  CHECK(here.table("many.sqlite") == here.table("whole.sqlite"));
+}
+
+TEST_CASE("A batch notices what changes under its feet") {
+  const Laboratory here;
+  fs::remove(here.file("fuzzy_models"));
+  fs::copy(elsie::test::source_path("fuzzy_models"), here.file("fuzzy_models"));
+  const std::string model = "fuzzy_models/avoid_obstacle_left.fcl";
+  here.write("small.xml", world_with("dawdling", "<avoid_obstacle left_model=\"" + model + "\"/>"));
+  here.write("small_experiment.xml", Laboratory::experiment("<world file=\"small.xml\"/>", "", 3,
+                                                            Laboratory::kTwoDawdledSteps));
+  const std::string content = here.read(model);
+  const auto run = here.sh(
+      "elsie batch small_experiment.xml --workers 1 --plugin-path " + Laboratory::plugins() +
+      " & batch=$!\n"
+      "while [ $(wc -w < /proc/$batch/task/$batch/children) = 0 ]; do sleep 0.02; done\n"
+      "echo >> " +
+      model +
+      "\n"
+      "wait $batch && code=$? || code=$?\n"
+      "exit $code");
+  CHECK(run.exit_code == 4);
+  CHECK_THAT(run.err, Contains(model + "' has changed since the batch began"));
+  CHECK(here.query("small_experiment.sqlite",
+                   "SELECT count(*) FROM runs WHERE state = 'pending'") != "0\n");
+  auto resumed = here.batch("small_experiment.xml --resume");
+  CHECK(resumed.exit_code == 2);
+  CHECK_THAT(resumed.err, Contains("these files have changed since: '"));
+  here.write(model, content);
+  resumed = here.batch("small_experiment.xml --resume --quiet");
+  CHECK(resumed.exit_code == 0);
+}
