@@ -48,7 +48,7 @@ std::size_t processors() {
 }
 
 ResultsDatabase opened(const BatchOptions& options, const fs::path& file, const Plan& plan) {
-  if (!options.resume || ResultsDatabase::is_vacant(file)) {
+  if (!options.resume || elsie::results::is_vacant(file)) {
     return ResultsDatabase::create(file, plan);
   }
   ResultsDatabase database = ResultsDatabase::resume(file, plan);
@@ -94,6 +94,9 @@ class ProgressFile {
 };
 
 int run(const BatchOptions& options) {
+  if (options.experiment.empty()) {
+    throw BadInput("EXPERIMENT: the name of a file is missing");
+  }
   if (options.again && !options.resume) {
     throw BadInput("--again is for a batch that is there already; it needs --resume");
   }
@@ -118,7 +121,7 @@ int run(const BatchOptions& options) {
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
-  if (!options.resume && !ResultsDatabase::is_vacant(file)) {
+  if (!options.resume && !elsie::results::is_vacant(file)) {
     throw BadInput("there is a file '" + file.string() +
                    "' already; go on with it by --resume, or choose another --database");
   }

@@ -1,8 +1,8 @@
 #include "batch_options.h"
 
-#include "elsie/batch/hash.h"
 #include "elsie/cluster/shell_word.h"
 #include "elsie/experiment/reader.h"
+#include "elsie/results/hash.h"
 
 #include "command.h"
 
@@ -41,7 +41,7 @@ Plan plan_of(const BatchOptions& options, const elsie::batch::Shard& shard) {
   const auto experiment = elsie::experiment::read_experiment(options.experiment, host, reading);
   return elsie::batch::make_plan(experiment, host,
                                  {.elsie_version = ELSIE_VERSION,
-                                  .text = elsie::batch::file_content(options.experiment),
+                                  .text = elsie::results::file_content(options.experiment),
                                   .data_directories = reading.data_directories,
                                   .shard = shard});
 }

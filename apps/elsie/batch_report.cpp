@@ -91,7 +91,7 @@ std::string duration_text(double seconds) {
 std::string progress_line(const elsie::batch::Progress& progress) {
   const double part = static_cast<double>(progress.ended) / static_cast<double>(progress.runs);
   std::string line = bar_text(part) + "  " + std::to_string(progress.ended) + " of " +
-                     std::to_string(progress.runs) + " runs";
+                     counted(progress.runs, "run");
   if (progress.failed > 0) {
     line += ", " + std::to_string(progress.failed) + " failed";
   }
@@ -130,12 +130,13 @@ std::string BatchReport::table() {
   const std::string name = database_.file().string();
   std::string out = plan_.experiment + ": ";
   if (done_already_) {
-    out += "all " + std::to_string(sum.runs) + " runs are done already";
+    out += sum.runs == 1 ? "the only run is done already"
+                         : "all " + counted(sum.runs, "run") + " are done already";
   } else {
-    out += std::to_string(last_.ended) + " runs in " + duration_text(last_.elapsed_s);
+    out += counted(last_.ended, "run") + " in " + duration_text(last_.elapsed_s);
   }
   if (plan_.shard.of > 1) {
-    out += "; shard " + plan_.shard.text() + " of " + std::to_string(plan_.all_runs) + " runs";
+    out += "; shard " + plan_.shard.text() + " of " + counted(plan_.all_runs, "run");
   }
   out += "\n\n";
   std::vector<std::vector<std::string>> rows{
@@ -216,8 +217,8 @@ std::string BatchReport::json() {
 
 std::string BatchReport::interruption() {
   const Total sum = total(database_.cells());
-  return "elsie: interrupted; " + std::to_string(sum.pending) + " of " + std::to_string(sum.runs) +
-         " runs are still to be done. Go on with\n  " + resume_ + '\n';
+  return "elsie: interrupted; " + std::to_string(sum.pending) + " of " + counted(sum.runs, "run") +
+         ' ' + are(sum.runs) + " still to be done. Go on with\n  " + resume_ + '\n';
 }
 
 int BatchReport::exit_code() {

@@ -19,6 +19,7 @@
 #include "batch_report.h"
 #include "command.h"
 #include "stop_signals.h"
+#include "text_table.h"
 
 namespace fs = std::filesystem;
 namespace cluster = elsie::cluster;
@@ -116,8 +117,8 @@ class ClusterBatch {
                                      .log = folder_.log("%a"),
                                      .options = options_.sbatch}));
     say("job array " + folder_.job() + ": " + std::to_string(to_do.size()) + " of " +
-        std::to_string(folder_.shards()) + " shards, " + std::to_string(plan_.all_runs) +
-        " runs in all");
+        counted(static_cast<std::int64_t>(folder_.shards()), "shard") + ", " +
+        counted(plan_.all_runs, "run") + " in all");
   }
 
   /// Whether submit(), which has failed, has left no task behind for sure.
@@ -178,7 +179,8 @@ class ClusterBatch {
     std::string text;
     for (const std::size_t shard : folder_.unfinished()) {
       text += "  shard " + std::to_string(shard) + ": " + std::to_string(folder_.pending(shard)) +
-              " of " + std::to_string(folder_.runs(shard)) + " runs are still to be done";
+              " of " + counted(folder_.runs(shard), "run") + ' ' + are(folder_.runs(shard)) +
+              " still to be done";
       if (const std::string fate = cluster::fate(folder_.job(), shard); !fate.empty()) {
         text += "; " + fate;
       }
@@ -297,7 +299,7 @@ int already_there(const BatchOptions& options, const fs::path& file, const Plan&
 int run_on_cluster(const BatchOptions& options) {
   require_sound(options);
   const fs::path file = database_of(options, {});
-  if (!options.resume && !ResultsDatabase::is_vacant(file)) {
+  if (!options.resume && !elsie::results::is_vacant(file)) {
     throw BadInput("there is a file '" + file.string() +
                    "' already; go on with it by --resume, or choose another --database");
   }
@@ -305,7 +307,7 @@ int run_on_cluster(const BatchOptions& options) {
     spdlog::set_level(spdlog::level::err);
   }
   const Plan plan = plan_of(options, {});
-  if (!ResultsDatabase::is_vacant(file)) {
+  if (!elsie::results::is_vacant(file)) {
     return already_there(options, file, plan);
   }
   bool made = false;
@@ -339,7 +341,7 @@ int run_on_cluster(const BatchOptions& options) {
   }
   const ShardFolder::Turn turn(folder);
   // Somebody else who followed it may have been first.
-  if (!folder.exists() && !ResultsDatabase::is_vacant(file)) {
+  if (!folder.exists() && !elsie::results::is_vacant(file)) {
     return already_there(options, file, plan);
   }
   if (const std::string left = batch.left_over(); !left.empty()) {

@@ -8,12 +8,12 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include "elsie/batch/results_database.h"
 #include "elsie/batch/worker.h"
 #include "elsie/fuzzy/error.h"
 #include "elsie/neural/error.h"
 #include "elsie/plugin/crash_report.h"
 #include "elsie/plugin/source_build.h"
+#include "elsie/results/database_file.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/world/error.h"
 
@@ -70,7 +70,7 @@ int finish(const Job& job) {
   } catch (const BadInput& error) {
     std::cerr << "elsie: " << error.what() << '\n';
     return kBadInput;
-  } catch (const elsie::batch::DatabaseRefused& error) {
+  } catch (const elsie::results::DatabaseRefused& error) {
     std::cerr << "elsie: " << error.what() << '\n';
     return kBadInput;
   } catch (const elsie::simulation::PluginFault& fault) {

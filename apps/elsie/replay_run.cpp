@@ -31,10 +31,7 @@ StoredRun stored_run(const RunAgainOptions& options) {
   auto database = elsie::batch::ResultsDatabase::open(options.database);
   auto run = database.run(options.run);
   if (!run) {
-    const auto [first, last] = database.numbers();
-    throw BadInput("'" + options.database + "' has no run " + std::to_string(options.run) +
-                   "; its runs have numbers from " + std::to_string(first) + " to " +
-                   std::to_string(last));
+    throw BadInput(database.why_no_run(options.run));
   }
   if (run->record.state == RunState::pending) {
     throw BadInput("run " + std::to_string(options.run) + " of '" + options.database +
@@ -88,7 +85,7 @@ void tell_of(const StoredRun& run, const RunAgainOptions& options) {
 
 /// Whether it came to the same; says so.
 bool compare(const StoredRun& run, const RunResult& result, const RestoredRun& restored) {
-  const std::string hash = elsie::batch::hash_text(result.state_hash);
+  const std::string hash = elsie::simulation::hash_text(result.state_hash);
   if (run.record.state == RunState::done && run.record.state_hash == hash) {
     std::cout << "the same: state hash " << hash << '\n';
     return true;

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
@@ -38,7 +39,7 @@ Examples:
   elsie report beams.sqlite --csv runs.csv --junit results.xml --quiet
 
 Exit codes: 0 everything is as expected; 1 an expectation is not met, a run did not end by itself or
-is still to be done, or equal seeds gave different runs; 2 bad input.
+is still to be done, or equal seeds gave different runs; 2 bad input; 4 anything else: a full disk.
 )";
 
 void require_output(const std::optional<std::string>& file, const char* option, const char* suffix,
@@ -78,8 +79,8 @@ void write(const std::string& file, const std::string& text, const char* option)
     if (regular) {
       fs::remove(part, error);
     }
-    throw BadInput(std::string(option) + ": '" + file +
-                   "' could not be written as a whole: is the disk full?");
+    throw std::runtime_error(std::string(option) + ": '" + file +
+                             "' could not be written as a whole: is the disk full?");
   }
 }
 
@@ -105,27 +106,23 @@ int report(const Options& options) {
   require_output(options.csv, "--csv", ".csv", options.database);
   require_output(options.junit, "--junit", ".xml", options.database);
   require_output(options.html, "--html", ".html", options.database);
-  try {
-    const ResultsFile file(options.database);
-    const Findings findings = found(file);
-    if (options.csv) {
-      write(*options.csv, elsie::report::csv_report(findings), "--csv");
-    }
-    if (options.junit) {
-      write(*options.junit, elsie::report::junit_report(findings, options.database), "--junit");
-    }
-    if (options.html) {
-      write(*options.html, elsie::report::html_report(findings, file, options.database), "--html");
-    }
-    if (options.json) {
-      std::cout << elsie::report::json_report(findings);
-    } else if (!options.quiet) {
-      std::cout << elsie::report::terminal_report(findings, options.database, width());
-    }
-    return findings.good() ? kSuccess : kGoalMissed;
-  } catch (const elsie::report::ResultsError& error) {
-    throw BadInput(error.what());
+  const ResultsFile file(options.database);
+  const Findings findings = found(file);
+  if (options.csv) {
+    write(*options.csv, elsie::report::csv_report(findings), "--csv");
   }
+  if (options.junit) {
+    write(*options.junit, elsie::report::junit_report(findings, options.database), "--junit");
+  }
+  if (options.html) {
+    write(*options.html, elsie::report::html_report(findings, file, options.database), "--html");
+  }
+  if (options.json) {
+    std::cout << elsie::report::json_report(findings);
+  } else if (!options.quiet) {
+    std::cout << elsie::report::terminal_report(findings, options.database, width());
+  }
+  return findings.good() ? kSuccess : kGoalMissed;
 }
 
 }  // namespace

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "elsie/batch/hash.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/own_library.h"
+#include "elsie/results/hash.h"
 #include "elsie/world/reader.h"
 
 #include "command.h"
@@ -24,7 +24,7 @@ namespace {
 /// None when it cannot be read.
 std::optional<std::string> hash_of(const fs::path& file) {
   try {
-    return elsie::batch::sha256(elsie::batch::file_content(file.string()));
+    return elsie::results::sha256(elsie::results::file_content(file.string()));
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }

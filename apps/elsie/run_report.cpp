@@ -1,7 +1,6 @@
 #include "run_report.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <vector>
 
@@ -96,8 +95,6 @@ std::string table(const RunResult& result) {
 }
 
 std::string json(const RunResult& result) {
-  char hash[17];
-  std::snprintf(hash, sizeof(hash), "%016llx", static_cast<unsigned long long>(result.state_hash));
   nlohmann::ordered_json object;
   object["outcome"] = to_string(result.outcome);
   object["reason"] = result.reason;
@@ -105,7 +102,7 @@ std::string json(const RunResult& result) {
   object["simulated_s"] = result.simulated_s;
   object["wall_s"] = result.wall_s;
   object["steps"] = result.steps;
-  object["state_hash"] = hash;
+  object["state_hash"] = elsie::simulation::hash_text(result.state_hash);
   object["robots"] = nlohmann::ordered_json::array();
   for (const RobotResult& robot : result.robots) {
     object["robots"].push_back({{"id", robot.id},

@@ -19,6 +19,12 @@ std::string text(const char* format, double value) {
   return buffer;
 }
 
+std::string counted(std::int64_t count, const std::string& what) {
+  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+const char* are(std::int64_t count) { return count == 1 ? "is" : "are"; }
+
 std::string laid_out(const std::vector<std::vector<std::string>>& rows, std::size_t text_columns) {
   std::vector<std::size_t> widths;
   for (const auto& cells : rows) {

@@ -2,27 +2,12 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/batch/hash.h"
 #include "elsie/batch/job.h"
 
 #include "support.h"
 
 using namespace elsie;
 using Catch::Contains;
-
-TEST_CASE("SHA-256 is that of the standard") {
-  // FIPS 180-2, appendix B.1; and the empty text.
-  CHECK(batch::sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  CHECK(batch::sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-}
-
-TEST_CASE("A file that cannot be read is named") {
-  const test::Folder folder;
-  CHECK(batch::file_content(folder.write("two\nlines", std::string("a\0b", 3))) ==
-        std::string("a\0b", 3));
-  CHECK_THROWS_WITH(batch::file_content(folder.file("none")),
-                    Contains("none' cannot be read: No such file"));
-}
 
 TEST_CASE("A job arrives as it was sent") {
   const batch::Job job{7,

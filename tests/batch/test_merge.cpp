@@ -17,7 +17,8 @@ namespace {
 
 /// A record of its own for each run.
 batch::RunRecord record_of(std::int64_t run) {
-  batch::RunRecord record = test::some_record(batch::hash_text(static_cast<std::uint64_t>(run)));
+  batch::RunRecord record =
+      test::some_record(simulation::hash_text(static_cast<std::uint64_t>(run)));
   record.robots[0].distance_m = static_cast<double>(run);
   if (run == 4) {
     record.measures.push_back({"extra", "m", "only this one has it", 4.0});
@@ -173,6 +174,20 @@ TEST_CASE("Databases that do not fit together are refused, and nothing is left b
     database.write(1, test::some_record("ffffffffffffffff"));
   }
   refused({a, twin}, "run 1 has another result in '" + twin);
+
+  fs::create_directory(folder.file("folder"));
+  refused({a, folder.file("folder")}, "folder' is a directory; expected a database");
+  refused({folder.file("folder"), a}, "folder' is a directory; expected a database");
+  refused({a, a}, "the database '" + a + "' is named twice; name it once");
+  fs::create_symlink(a, folder.file("link.sqlite"));
+  refused({a, folder.file("link.sqlite")}, "'" + a + "' and '" + folder.file("link.sqlite") +
+                                               "' are the same database; name it once");
+  for (const std::string& name : {a, folder.file("link.sqlite")}) {
+    const std::string before = folder.read("a.sqlite");
+    CHECK_THROWS_WITH(batch::merge(name, {a, twin}),
+                      Contains("'" + name + "' is to be made, and is one of the databases"));
+    CHECK(folder.read("a.sqlite") == before);
+  }
 
   folder.write("merged.sqlite", "mine");
   CHECK_THROWS_WITH(batch::merge(merged, {a}), Contains("there is a file"));

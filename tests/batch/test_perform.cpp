@@ -43,7 +43,7 @@ TEST_CASE("A job comes to what the same world and seed come to by themselves") {
       world::read_world(folder.file("small.xml"), test::shipped(), options), test::shipped(),
       {.seed = 2});
   const simulation::RunResult result = alone.run();
-  CHECK(record.state_hash == batch::hash_text(result.state_hash));
+  CHECK(record.state_hash == simulation::hash_text(result.state_hash));
   CHECK(record.outcome == to_string(result.outcome));
   CHECK(record.message == result.reason);
   CHECK(record.steps == result.steps);

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/batch/hash.h"
 #include "elsie/batch/plan.h"
+#include "elsie/results/hash.h"
 #include "elsie/world/error.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/writer.h"
@@ -50,13 +50,13 @@ TEST_CASE("A cell's world is one text with all that is set in it, and names ever
   const batch::PlannedCell& cell = plan.cells[0];
   CHECK_THAT(cell.world_text, Contains("max_speed=\"0.1\""));
   CHECK_THAT(cell.world_text, Contains("left_model=\"fuzzy_models/avoid_obstacle_left.fcl\""));
-  CHECK(cell.sha256 == batch::sha256(cell.world_text));
+  CHECK(cell.sha256 == results::sha256(cell.world_text));
   REQUIRE(cell.data.size() == 2);
   CHECK(cell.data[0].name == "fuzzy_models/avoid_obstacle_left.fcl");
   const batch::PlannedFile& file = plan.files[cell.data[0].file];
   CHECK(file.path == test::source_path("fuzzy_models/avoid_obstacle_left.fcl"));
-  CHECK(file.content == batch::file_content(file.path));
-  CHECK(file.sha256 == batch::sha256(file.content));
+  CHECK(file.content == results::file_content(file.path));
+  CHECK(file.sha256 == results::sha256(file.content));
   std::vector<std::string> plugins;
   for (const std::size_t plugin : cell.plugins) {
     plugins.push_back(plan.plugins[plugin].kind + " " + plan.plugins[plugin].name);
@@ -105,7 +105,7 @@ TEST_CASE("The text of a cell is all of its world, wherever the files are by the
 TEST_CASE("Two files of one name are told apart in a cell's text") {
   const test::Folder folder;
   const std::string model =
-      batch::file_content(test::source_path("fuzzy_models/avoid_obstacle_left.fcl"));
+      results::file_content(test::source_path("fuzzy_models/avoid_obstacle_left.fcl"));
   // The default is looked for in the data directories, what a world names beside it.
   folder.write("fuzzy_models/avoid_obstacle_left.fcl", model + "// another one\n");
   auto experiment = test::small_experiment(folder);
@@ -120,6 +120,17 @@ TEST_CASE("Two files of one name are told apart in a cell's text") {
   const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
   REQUIRE(plan.cells[0].data.size() == 2);
   CHECK(plan.cells[0].data[0].file != plan.cells[0].data[1].file);
+
+  // One of them is named by its path. Where that is does not make another experiment of it.
+  const test::Folder copy;
+  const auto fingerprint_of_copy = [&](const std::string& content) {
+    copy.write("fuzzy_models/avoid_obstacle_left.fcl", content);
+    auto same = test::small_experiment(copy);
+    copy.write("small.xml", text);
+    return batch::make_plan(same, test::shipped(), test::plan_options()).fingerprint;
+  };
+  CHECK(fingerprint_of_copy(model + "// another one\n") == plan.fingerprint);
+  CHECK(fingerprint_of_copy(model + "// yet another\n") != plan.fingerprint);
 }
 
 TEST_CASE("The fingerprint follows from what decides the runs, and from nothing else") {
@@ -149,7 +160,7 @@ TEST_CASE("The fingerprint follows from what decides the runs, and from nothing 
   const test::Folder copy;
   for (const char* side : {"left", "right"}) {
     const std::string name = std::string("fuzzy_models/avoid_obstacle_") + side + ".fcl";
-    copy.write(name, batch::file_content(test::source_path(name)));
+    copy.write(name, results::file_content(test::source_path(name)));
   }
   options = test::plan_options();
   options.data_directories = {copy.file("")};
@@ -200,7 +211,7 @@ TEST_CASE("A file that changes while a batch goes on is noticed") {
   const test::Folder folder;
   for (const char* side : {"left", "right"}) {
     const std::string name = std::string("fuzzy_models/avoid_obstacle_") + side + ".fcl";
-    folder.write(name, batch::file_content(test::source_path(name)));
+    folder.write(name, results::file_content(test::source_path(name)));
   }
   auto options = test::plan_options();
   options.data_directories = {folder.file("")};

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "elsie/batch/merge.h"
 #include "elsie/batch/results_database.h"
 
 #include "support.h"
@@ -25,7 +26,6 @@ TEST_CASE("A new database has everything to be done, and what it takes to do it"
   {
     auto database = ResultsDatabase::create(file, plan);
     CHECK(database.pending() == std::vector<std::int64_t>{1, 2, 3, 4, 5, 6});
-    CHECK(database.numbers() == std::pair<std::int64_t, std::int64_t>(1, 6));
     CHECK(test::rows(file, "PRAGMA journal_mode") == "wal\n");  // while it is being written
   }
   CHECK(test::rows(file, "PRAGMA integrity_check; ") == "ok\n");
@@ -206,26 +206,90 @@ TEST_CASE("Files that are no database of results are refused with a sentence, an
     CHECK_THROWS_AS(ResultsDatabase::create(file, plan), DatabaseRefused);
   };
   const std::string text = folder.write("text.sqlite", std::string(5000, 'x'));
-  refused(text, "it is no SQLite database");
+  refused(text, "is no SQLite database");
   CHECK(folder.read("text.sqlite") == std::string(5000, 'x'));
   const std::string other = folder.file("other.sqlite");
   test::rows(other, "CREATE TABLE t (x)");
-  refused(other, "none that `elsie batch` has written");
+  refused(other, "is a database of another program");
   const std::string newer = folder.file("newer.sqlite");
   ResultsDatabase::create(newer, plan);
   test::rows(newer, "PRAGMA user_version = 2");
-  refused(newer, "has format 2, but this program reads format 1");
+  refused(newer, "has version 2 of the schema, and this program reads version 1");
   CHECK_THROWS_WITH(ResultsDatabase::open(folder.file("none.sqlite")), Contains("there is no"));
   CHECK_THROWS_WITH(ResultsDatabase::create(folder.file("no/r.sqlite"), plan),
                     Contains("there is no folder"));
+  CHECK_THROWS_WITH(
+      ResultsDatabase::create("/proc/r.sqlite", plan),
+      Contains("no file can be made in the folder '/proc' (") && Contains("choose another folder"));
+}
+
+TEST_CASE("A number without a run is told: there is no such run, or where it is") {
+  const test::Folder folder;
+  const std::string file = folder.file("r.sqlite");
+  ResultsDatabase::create(file, test::small_plan(folder, {2, 4}));
+  auto shard = ResultsDatabase::open(file);
+  CHECK(shard.run(6));
+  CHECK_FALSE(shard.run(3));
+  const std::string none = "the database '" + file + "' has no run ";
+  CHECK(shard.why_no_run(3) ==
+        none + "3: it has the shard 2/4 of the experiment, and this run is in shard 3/4");
+  CHECK(shard.why_no_run(7) == none + "7: the runs of its experiment have numbers from 1 to 6");
+  CHECK_THAT(shard.why_no_run(0), Contains("numbers from 1 to 6"));
+  const std::string merged = folder.file("merged.sqlite");
+  batch::merge(merged, {file});
+  CHECK_THAT(ResultsDatabase::open(merged).why_no_run(3),
+             Contains("it was made of databases that do not have it; go on with it by `elsie"));
+}
+
+TEST_CASE("A database that is not where it was is not written; what is in it is told") {
+  const test::Folder folder;
+  const std::string file = folder.file("r.sqlite");
+  const std::string moved = folder.file("moved.sqlite");
+  const batch::Plan plan = test::small_plan(folder);
+  const std::string by = " while the batch wrote it; ";
+  std::string why;
+  {
+    auto database = ResultsDatabase::create(file, plan);
+    database.write(1, test::some_record());
+    const auto refused = [&](const std::string& sentence) {
+      CHECK_THROWS_WITH(database.write(3, test::some_record()), Contains(sentence));
+      CHECK_THROWS_AS(database.require_in_place(), batch::DatabaseError);
+    };
+    SECTION("renamed") {
+      fs::rename(file, moved);
+      refused("the database '" + file + "' was renamed" + by + "the result of 1 run is in '" +
+              fs::canonical(moved).string() + "': put it back");
+    }
+    SECTION("replaced") {
+      database.write(2, test::some_record());
+      fs::rename(file, moved);
+      folder.write("r.sqlite", "mine");
+      refused("another file has taken the place of the database '" + file + "'" + by +
+              "the results of 2 runs are in '" + fs::canonical(moved).string() + "'");
+      CHECK(folder.read("r.sqlite") == "mine");
+    }
+    SECTION("removed") {
+      fs::remove(file);
+      refused("the database '" + file + "' was removed" + by + "the result of 1 run is lost");
+    }
+  }
+  CHECK_FALSE(fs::exists(file + "-lock"));
+  CHECK_FALSE(fs::exists(file + "-wal"));
+  if (fs::exists(moved)) {
+    fs::rename(moved, file);
+    const auto pending = ResultsDatabase::resume(file, plan).pending();
+    CHECK(std::find(pending.begin(), pending.end(), 1) == pending.end());
+    CHECK(pending.size() >= 4);
+    CHECK(test::rows(file, "PRAGMA integrity_check") == "ok\n");
+  }
 }
 
 TEST_CASE("An empty file is a database that was not begun") {
   const test::Folder folder;
   const std::string file = folder.write("r.sqlite", "");
-  CHECK(ResultsDatabase::is_vacant(file));
+  CHECK(results::is_vacant(file));
   CHECK(ResultsDatabase::create(file, test::small_plan(folder)).pending().size() == 6);
-  CHECK_FALSE(ResultsDatabase::is_vacant(file));
+  CHECK_FALSE(results::is_vacant(file));
 }
 
 TEST_CASE("One batch at a time writes a database, while others may read it") {
@@ -281,7 +345,7 @@ TEST_CASE("On a full disk the batch ends with a sentence, and what was written i
     try {
       auto database = ResultsDatabase::create(file, plan);
       batch::RunRecord large = test::some_record();
-      large.trajectories[0].poses = std::string(150'000, ' ');
+      large.trajectories[0].poses = '[' + std::string(150'000, ' ') + ']';
       for (std::int64_t run = 1; run <= 6; ++run) {
         database.write(run, large);
       }

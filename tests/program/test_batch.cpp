@@ -89,7 +89,10 @@ TEST_CASE("Nothing is begun, and no database left behind, when the input is wron
   refused("batch wrong.xml", "none.xml");
   refused("batch nowhere.xml", "nowhere.xml");
   refused("batch small.xml", "small.xml");
+  refused("batch ''", "EXPERIMENT: the name of a file is missing");
   refused("batch small_experiment.xml --database no/r.sqlite", "there is no folder 'no'");
+  refused("batch small_experiment.xml --database /proc/r.sqlite",
+          "no file can be made in the folder '/proc'");
   refused("batch small_experiment.xml --workers 0", "--workers");
   refused("batch small_experiment.xml --database ''", "ends in .sqlite");
   refused("batch small_experiment.xml --database small.xml", "ends in .sqlite");
@@ -108,6 +111,19 @@ TEST_CASE("Nothing is begun, and no database left behind, when the input is wron
   refused("replay runs.mcap 1 --picture run.png --at 1", "--at: only a recording can be drawn");
   refused("replay runs.mcap 1 --record run.csv --record-images", "--record-images: a table");
   refused("batch-worker x", "there is no subcommand 'batch-worker'");
+}
+
+TEST_CASE("A batch of one run tells of one run") {
+  const Laboratory here;
+  here.write("one.xml", Laboratory::experiment("<world file=\"small.xml\"/>", "", 1));
+  const auto run = here.elsie("batch one.xml");
+  CHECK(run.exit_code == 0);
+  CHECK_THAT(run.out, Contains("one: 1 run in "));
+  CHECK_THAT(here.elsie("batch one.xml --resume").out, Contains("the only run is done already"));
+  CHECK(here.elsie("merge all.sqlite one.sqlite").out == "all.sqlite: 1 of 1 run is done\n");
+  fs::copy(here.file("one.sqlite"), here.file("two.sqlite"));
+  CHECK_THAT(here.elsie("merge again.sqlite one.sqlite two.sqlite").out,
+             Contains("\n1 run was there more than once, and counts once\n"));
 }
 
 TEST_CASE("The same seed that gives another run is reported") {

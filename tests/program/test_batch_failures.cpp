@@ -226,7 +226,7 @@ TEST_CASE("A full disk ends a batch with a sentence; it goes on when there is ro
   CHECK(here.table("many.sqlite") == here.table("whole.sqlite"));
 }
 
-TEST_CASE("A batch notices what changes under its feet") {
+TEST_CASE("A batch notices what changes under its feet, be it in the last run") {
   const Laboratory here;
   fs::remove(here.file("fuzzy_models"));
   fs::copy(elsie::test::source_path("fuzzy_models"), here.file("fuzzy_models"));
@@ -245,9 +245,10 @@ TEST_CASE("A batch notices what changes under its feet") {
       "wait $batch && code=$? || code=$?\n"
       "exit $code");
   CHECK(run.exit_code == 4);
+  // The run that was at work is not written: it may have read the file before, or after.
   CHECK_THAT(run.err, Contains(model + "' has changed since the batch began"));
   CHECK(here.query("small_experiment.sqlite",
-                   "SELECT count(*) FROM runs WHERE state = 'pending'") != "0\n");
+                   "SELECT count(*) FROM runs WHERE state = 'pending'") == "3\n");
   auto resumed = here.batch("small_experiment.xml --resume");
   CHECK(resumed.exit_code == 2);
   CHECK_THAT(resumed.err, Contains("these files have changed since: '"));

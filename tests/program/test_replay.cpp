@@ -39,7 +39,8 @@ TEST_CASE("A run that is replayed comes to the same, and can be looked at") {
 
   const auto none = here.elsie("replay small_experiment.sqlite 25");
   CHECK(none.exit_code == 2);
-  CHECK_THAT(none.err, Contains("has no run 25; its runs have numbers from 1 to 24"));
+  CHECK_THAT(none.err,
+             Contains("has no run 25: the runs of its experiment have numbers from 1 to 24"));
   CHECK(here.elsie("replay small.xml 1").exit_code == 2);
 
   here.query("small_experiment.sqlite", "UPDATE runs SET state_hash = 'beef' WHERE id = 3");

@@ -136,13 +136,13 @@ TEST_CASE("report refuses bad input in a sentence, with exit code 2") {
   };
   refused("", "DATABASE is missing");
   refused("missing.sqlite", "there is no database 'missing.sqlite'");
-  refused("folder", "'folder' is not a file");
+  refused("folder", "'folder' is a directory; expected a database");
   refused("empty.sqlite", "'empty.sqlite' is empty: there is not a byte in it");
-  refused("text.sqlite", "'text.sqlite' is not a database");
-  refused("short.sqlite", "the database 'short.sqlite'");
+  refused("text.sqlite", "'text.sqlite' is no SQLite database");
+  refused("short.sqlite", "the database 'short.sqlite' is damaged (");
   refused("other.sqlite", "'other.sqlite' is a database of another program");
-  refused("newer.sqlite", "'newer.sqlite' has version 99 of the results schema");
-  refused("planless.sqlite", "'planless.sqlite' is empty: its batch ended before");
+  refused("newer.sqlite", "the database 'newer.sqlite' has version 99 of the schema");
+  refused("planless.sqlite", "'planless.sqlite' was not begun: its batch ended before");
   refused("broken.sqlite", "<experiment>");
   refused("runs.sqlite --html page.txt", "--html: expected a name that ends in .html");
   refused("runs.sqlite --csv runs.sqlite", "--csv: expected a name that ends in .csv");
@@ -150,11 +150,33 @@ TEST_CASE("report refuses bad input in a sentence, with exit code 2") {
   refused("runs.sqlite --html folder.html", "cannot write 'folder.html': it is a directory");
   refused("runs.sqlite --csv ''", "--csv");
   refused("runs.html --html runs.html", "--html: 'runs.html' is the database itself");
-  refused("runs.sqlite --quiet --csv /dev/full", "--csv: '/dev/full' could not be written");
   refused("runs.sqlite --json --quiet", "--quiet");
   refused("runs.sqlite --pdf page.pdf", "--pdf");
   CHECK_FALSE(fs::exists(here.file("missing.sqlite")));
   CHECK(here.read("runs.html") == here.read("runs.sqlite"));
+}
+
+TEST_CASE("report ends with 4 when the disk is full, and leaves what was there") {
+  Workplace here;
+  write_database(experiment(kMet), here.file("runs.sqlite"));
+  for (const std::string option : {"csv", "junit", "html"}) {
+    const auto device = here.elsie("report runs.sqlite --quiet --" + option + " /dev/full");
+    CHECK(device.exit_code == 4);
+    CHECK_THAT(device.err, Contains("--" + option + ": '/dev/full' could not be written"));
+    // No file may grow beyond this, as on a disk that is full.
+    const std::string file = "out." + std::string(option == "junit" ? "xml" : option);
+    REQUIRE(here.elsie("report runs.sqlite --quiet --" + option + " " + file).exit_code == 0);
+    const std::string before = here.read(file);
+    const auto full =
+        here.sh("ulimit -f 1; elsie report runs.sqlite --quiet --" + option + " " + file);
+    CHECK(full.exit_code == 4);
+    CHECK_THAT(full.err, Contains("could not be written as a whole: is the disk full?"));
+    CHECK(here.read(file) == before);
+    CHECK_FALSE(fs::exists(here.file(file + ".part")));
+  }
+  const auto json = here.sh("elsie report runs.sqlite --json > /dev/full");
+  CHECK(json.exit_code == 4);
+  CHECK_THAT(json.err, Contains("standard output could not be written"));
 }
 
 TEST_CASE("report replaces what it wrote before, through a link too, and writes to devices") {

@@ -1,4 +1,5 @@
 // Shards of an experiment, and elsie merge.
+#include <filesystem>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -7,6 +8,29 @@
 
 using Catch::Contains;
 using elsie::test::Laboratory;
+namespace fs = std::filesystem;
+
+TEST_CASE("What cannot be merged is refused in a sentence, and nothing is made") {
+  const Laboratory here;
+  REQUIRE(here.batch("small_experiment.xml --quiet --shard 1/3 --database a.sqlite").exit_code ==
+          0);
+  fs::create_symlink("a.sqlite", here.file("link.sqlite"));
+  fs::create_directory(here.file("folder"));
+  const auto refused = [&](const std::string& arguments, const std::string& sentence) {
+    CAPTURE(arguments);
+    const auto run = here.elsie("merge " + arguments);
+    CHECK(run.exit_code == 2);
+    CHECK_THAT(run.err, Contains(sentence));
+    CHECK_FALSE(fs::exists(here.file("out.sqlite")));
+  };
+  refused("out.sqlite folder", "'folder' is a directory; expected a database");
+  refused("out.sqlite a.sqlite folder", "'folder' is a directory; expected a database");
+  refused("out.sqlite a.sqlite ./a.sqlite", "'a.sqlite' and './a.sqlite' are the same database");
+  refused("out.sqlite link.sqlite a.sqlite", "'link.sqlite' and 'a.sqlite' are the same database");
+  refused("a.sqlite a.sqlite", "'a.sqlite' is to be made, and is one of the databases");
+  refused("link.sqlite a.sqlite", "'link.sqlite' is to be made, and is one of the databases");
+  here.check_sound("a.sqlite");
+}
 
 TEST_CASE("Shards that are merged are the whole experiment") {
   const Laboratory here;
@@ -28,6 +52,12 @@ TEST_CASE("Shards that are merged are the whole experiment") {
              Contains("part.sqlite: 8 of 24 runs are done") && Contains("16 are still to be done"));
   CHECK(here.batch("small_experiment.xml --quiet --database part.sqlite --resume").exit_code == 0);
   CHECK(here.table("part.sqlite") == here.table("whole.sqlite"));
+
+  const auto elsewhere = here.elsie("replay small_experiment-2of3.sqlite 6");
+  CHECK(elsewhere.exit_code == 2);
+  CHECK_THAT(elsewhere.err,
+             Contains("'small_experiment-2of3.sqlite' has no run 6: it has the shard "
+                      "2/3 of the experiment, and this run is in shard 3/3"));
 
   const auto wrong = here.batch("small_experiment.xml --shard 4/3");
   CHECK(wrong.exit_code == 2);

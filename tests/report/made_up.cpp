@@ -12,6 +12,7 @@
 #include <sqlite3.h>
 
 #include "elsie/api/random.h"
+#include "elsie/results/hash.h"
 
 #include "places.h"
 
@@ -26,7 +27,7 @@ class Writer {
   explicit Writer(const std::filesystem::path& file) {
     std::filesystem::remove(file);
     if (sqlite3_open(file.c_str(), &handle_) != SQLITE_OK) fail();
-    std::ifstream schema(source_path("core/batch/src/schema.sql"));
+    std::ifstream schema(source_path("core/results/src/schema.sql"));
     std::ostringstream text;
     text << schema.rdbuf();
     run("PRAGMA application_id = 0x456C7369; PRAGMA user_version = 1; BEGIN;" + text.str());
@@ -199,7 +200,7 @@ void write_database(const MadeExperiment& experiment, const std::filesystem::pat
                             {"world", cell.levels.at(0)},
                             {"world_text", cell.world_text},
                             {"world_file", "/nowhere/made_up_world.xml"},
-                            {"sha256", "0"}});
+                            {"sha256", results::sha256(cell.world_text)}});
     for (std::size_t factor = 0; factor < cell.levels.size(); ++factor) {
       auto& known = levels.at(factor);
       auto found = std::find(known.begin(), known.end(), cell.levels[factor]);

@@ -1,9 +1,10 @@
-// Files that are no results database, or one that this program cannot read.
+// What is read from a results database.
 #include <filesystem>
-#include <fstream>
 
 #include <catch2/catch.hpp>
 #include <sqlite3.h>
+
+#include "elsie/results/database_file.h"
 
 #include "fixture.h"
 
@@ -25,7 +26,7 @@ std::string refusal(const std::filesystem::path& file) {
   try {
     const ResultsFile results(file);
     results.results();
-  } catch (const ResultsError& error) {
+  } catch (const elsie::results::DatabaseRefused& error) {
     return error.what();
   }
   return "";
@@ -57,43 +58,23 @@ TEST_CASE("A database is read as it was written") {
   CHECK(file.curves(results.cells[0].id)[0].points.size() == 201);
 }
 
-TEST_CASE("Files that are no results database are refused in a sentence") {
-  const std::string folder = elsie::test::build_path("tests/report/");
-  std::filesystem::create_directories(folder);
-  const std::filesystem::path file = folder + "refused.db";
-  std::filesystem::remove(file);
-  CHECK_THAT(refusal(file), Contains("there is no database '" + file.string() + "'"));
-  CHECK_THAT(refusal(folder), Contains("is not a file"));
-  std::ofstream(file) << "This is a text, and it is long enough to be taken for one. ............."
-                         "..............................................................";
-  CHECK_THAT(refusal(file), Contains("is not a database"));
-  std::ofstream(file, std::ios::trunc).close();
-  CHECK_THAT(refusal(file), Contains("is empty: there is not a byte in it"));
-  std::filesystem::remove(file);
-  run(file, "CREATE TABLE about (id INTEGER)");
-  CHECK_THAT(refusal(file), Contains("is a database of another program"));
-  std::filesystem::remove(file);
-}
-
-TEST_CASE("A database of another version of the schema is refused with both versions") {
+TEST_CASE("Files that are no results database, or a damaged one, are refused in a sentence") {
   const Made made(made_from({{1, 2}}));
-  run(made.path, "PRAGMA user_version = 7");
-  CHECK_THAT(refusal(made.path), Contains("has version 7 of the results schema; this program reads "
-                                          "version 1"));
-}
-
-TEST_CASE("A database without a plan, and one that is damaged") {
-  const Made made(made_from({{1, 2}}));
+  std::string why = "the database '" + made.path.string() + "'";
+  SECTION("another version") {
+    run(made.path, "PRAGMA user_version = 7");
+    CHECK_THAT(refusal(made.path), Contains(why + " has version 7 of the schema"));
+  }
   SECTION("no plan") {
     run(made.path, "DELETE FROM about");
-    CHECK_THAT(refusal(made.path), Contains("is empty"));
+    CHECK_THAT(refusal(made.path), Contains(why + " was not begun"));
   }
   SECTION("rows that lead nowhere") {
     run(made.path, "PRAGMA foreign_keys = OFF; DELETE FROM cells WHERE id = 0");
-    CHECK_THAT(refusal(made.path), Contains("contradicts itself"));
+    CHECK_THAT(refusal(made.path), Contains(why + " is damaged"));
   }
-  SECTION("no JSON") {
-    run(made.path, "UPDATE trajectories SET poses = '[[1, 2'");
+  SECTION("what looks like a list at its ends only") {
+    run(made.path, "UPDATE trajectories SET poses = '[[1, 2]'");
     const ResultsFile file(made.path);
     CHECK_THROWS_WITH(file.trajectories(0), Contains("is damaged") && Contains("trajectories"));
   }

@@ -34,38 +34,49 @@ bool carry_out(const Plan& plan, ResultsDatabase& database, const BatchOptions& 
                    .workers = options.workers,
                    .wall_limit_s = plan.wall_limit_s,
                    .stop_descriptor = options.stop_descriptor});
-  auto at = pending.begin();
-  const auto next = [&]() -> std::optional<Job> {
-    if (at == pending.end()) {
-      return std::nullopt;
-    }
+  const auto planned = [&](std::int64_t id) -> const PlannedRun& {
     const auto run = std::lower_bound(
-        plan.runs.begin(), plan.runs.end(), *at,
-        [](const PlannedRun& planned, std::int64_t id) { return planned.id < id; });
-    if (run == plan.runs.end() || run->id != *at) {
-      throw DatabaseError("run " + std::to_string(*at) + " of the database '" +
+        plan.runs.begin(), plan.runs.end(), id,
+        [](const PlannedRun& other, std::int64_t number) { return other.id < number; });
+    if (run == plan.runs.end() || run->id != id) {
+      throw DatabaseError("run " + std::to_string(id) + " of the database '" +
                           database.file().string() + "' is not among those of the experiment");
     }
-    if (const auto changed = files.changed(run->cell)) {
+    return *run;
+  };
+  const auto require_unchanged = [&](const PlannedRun& run) {
+    if (const auto changed = files.changed(run.cell)) {
       throw FileChanged("'" + *changed +
                         "' has changed since the batch began, and the runs would no longer be of "
                         "one experiment; put it back and go on with --resume, or begin anew with "
                         "another --database");
     }
+  };
+  auto at = pending.begin();
+  const auto next = [&]() -> std::optional<Job> {
+    if (at == pending.end()) {
+      return std::nullopt;
+    }
+    const PlannedRun& run = planned(*at);
+    require_unchanged(run);
+    database.require_in_place();
     ++at;
-    return job_of(plan, *run);
+    return job_of(plan, run);
   };
   const auto ended = [&](std::int64_t run, const RunRecord& record) {
+    require_unchanged(planned(run));  // a file may have changed before its worker has read it
     database.write(run, record);
     ++progress.ended;
     progress.failed += record.state == RunState::done ? 0 : 1;
   };
-  return pool.run(next, ended, [&] {
+  const bool complete = pool.run(next, ended, [&] {
     progress.elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
     if (watch) {
       watch(progress);
     }
   });
+  database.require_in_place();
+  return complete;
 }
 
 }  // namespace elsie::batch

@@ -1,9 +1,6 @@
 #include "elsie/batch/job.h"
 
-#include <array>
-#include <cstdio>
 #include <stdexcept>
-#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -11,13 +8,6 @@ namespace elsie::batch {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr std::array<std::pair<RunState, const char*>, 6> kStates{{{RunState::pending, "pending"},
-                                                                   {RunState::done, "done"},
-                                                                   {RunState::fault, "fault"},
-                                                                   {RunState::crash, "crash"},
-                                                                   {RunState::hang, "hang"},
-                                                                   {RunState::error, "error"}}};
 
 template <class T>
 void put(Json& object, const char* name, const std::optional<T>& value) {
@@ -68,30 +58,6 @@ std::string dumped(const Json& object) {
 }
 
 }  // namespace
-
-const char* to_string(RunState state) {
-  for (const auto& [known, word] : kStates) {
-    if (known == state) {
-      return word;
-    }
-  }
-  return "error";
-}
-
-RunState run_state(std::string_view word) {
-  for (const auto& [state, known] : kStates) {
-    if (known == word) {
-      return state;
-    }
-  }
-  throw std::invalid_argument("'" + std::string(word) + "' is no state of a run");
-}
-
-std::string hash_text(std::uint64_t state_hash) {
-  char digits[17];
-  std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(state_hash));
-  return digits;
-}
 
 std::string to_json(const Job& job) {
   return dumped({{"run", job.run},
@@ -164,7 +130,7 @@ RunRecord record_from(std::string_view json) {
   const Json object = parsed(json, "the answer of the worker");
   try {
     RunRecord record;
-    record.state = run_state(object.at("state").get<std::string>());
+    record.state = results::run_state(object.at("state").get<std::string>());
     object.at("message").get_to(record.message);
     object.at("wall_s").get_to(record.wall_s);
     get(object, "outcome", record.outcome);

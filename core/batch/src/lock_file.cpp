@@ -7,10 +7,11 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include "elsie/batch/results_database.h"
+#include "elsie/results/database_file.h"
+
+#include "file_identity.h"
 
 namespace elsie::batch {
 namespace {
@@ -21,12 +22,20 @@ std::string content_of(int descriptor) {
   return size > 0 ? std::string(text.data(), static_cast<std::size_t>(size)) : "another process";
 }
 
-/// Whether the file of this name is still the one that was opened.
-bool is_there(int descriptor, const std::filesystem::path& file) {
-  struct stat opened {};
-  struct stat named {};
-  return fstat(descriptor, &opened) == 0 && stat(file.c_str(), &named) == 0 &&
-         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+/// Why a lock cannot be made.
+std::string why_not(const std::filesystem::path& locked, const std::filesystem::path& lock,
+                    int error) {
+  const std::filesystem::path folder = locked.has_parent_path() ? locked.parent_path() : ".";
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored)) {
+    return "there is no folder '" + folder.string() + "'; make it first";
+  }
+  if (error == ENOENT || error == EACCES || error == EROFS || error == EPERM) {
+    return "no file can be made in the folder '" + folder.string() + "' (" +
+           std::generic_category().message(error) + "); choose another folder";
+  }
+  return "its lock '" + lock.string() +
+         "' cannot be made: " + std::generic_category().message(error);
 }
 
 std::string me() {
@@ -46,21 +55,17 @@ LockFile::LockFile(const std::filesystem::path& locked) : file_(beside(locked)) 
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
       const int error = errno;
-      const auto folder = locked.has_parent_path() ? locked.parent_path() : ".";
-      throw DatabaseRefused(
-          "the database '" + locked.string() + "' cannot be written: " +
-          (error == ENOENT ? "there is no folder '" + folder.string() + "'; make it first"
-                           : "its lock '" + file_.string() +
-                                 "' cannot be made: " + std::generic_category().message(error)));
+      throw results::DatabaseRefused("the database '" + locked.string() +
+                                     "' cannot be written: " + why_not(locked, file_, error));
     }
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       const std::string who = content_of(descriptor_);
       close(descriptor_);
-      throw DatabaseRefused("the database '" + locked.string() +
-                            "' is being written by another batch (" + who +
-                            "); wait until it has ended, or choose another --database");
+      throw results::DatabaseRefused("the database '" + locked.string() +
+                                     "' is being written by another batch (" + who +
+                                     "); wait until it has ended, or choose another --database");
     }
-    if (is_there(descriptor_, file_)) {
+    if (FileIdentity::of(descriptor_) == FileIdentity::of(file_)) {
       break;
     }
     close(descriptor_);  // somebody has just removed it; the lock is on nothing

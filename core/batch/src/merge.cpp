@@ -6,16 +6,16 @@
 #include <system_error>
 
 #include "elsie/batch/results_database.h"
+#include "elsie/results/database_file.h"
 
-#include "database_file.h"
 #include "lock_file.h"
-#include "sqlite.h"
 #include "write_plan.h"
 
 namespace elsie::batch {
 namespace {
 
 namespace fs = std::filesystem;
+namespace sqlite = results::sqlite;
 using sqlite::Connection;
 using sqlite::Statement;
 
@@ -147,35 +147,66 @@ class Merger {
   Statement forget_;
 };
 
+/// Names that cannot be right, before anything is locked or made.
+void require_apart(const fs::path& into, const std::vector<fs::path>& databases) {
+  std::error_code ignored;
+  for (auto file = databases.begin(); file != databases.end(); ++file) {
+    if (fs::equivalent(into, *file, ignored)) {
+      throw DatabaseRefused("'" + into.string() +
+                            "' is to be made, and is one of the databases that it is to be made "
+                            "of; choose another name for what is to be made");
+    }
+    const auto same = std::find_if(databases.begin(), file, [&](const fs::path& other) {
+      return fs::equivalent(other, *file, ignored);
+    });
+    if (same != file) {
+      throw DatabaseRefused(*same == *file ? "the database '" + file->string() +
+                                                 "' is named twice; name it once"
+                                           : "'" + same->string() + "' and '" + file->string() +
+                                                 "' are the same database; name it once");
+    }
+  }
+}
+
 Connection opened(const fs::path& file) {
   if (const auto holder = LockFile::holder(file)) {
     throw DatabaseRefused("the database '" + file.string() + "' is being written by a batch (" +
                           *holder + "); wait until it has ended");
   }
-  return open_results(file, Connection::Mode::read);
+  return results::open_to_read(file);
+}
+
+/// Adds what is in one database. Returns how many of its runs had ended in those before, too.
+std::int64_t add(const fs::path& file, const fs::path& first, Connection& to) {
+  Connection from = opened(file);
+  if (file == first) {
+    for (const char* table : kOfExperiment) {
+      Copier(from, to, table).copy();
+    }
+  } else if (from.text("SELECT fingerprint FROM about") !=
+             to.text("SELECT fingerprint FROM about")) {
+    throw DatabaseRefused("'" + file.string() + "' is of another experiment than '" +
+                          first.string() +
+                          "': their worlds, settings, seeds, files or plugins differ, or the "
+                          "versions of Elsie");
+  }
+  return Merger(file, from, to).add();
 }
 
 Merged merge_into(Connection& to, const std::vector<fs::path>& databases) {
   Merged merged;
   sqlite::Transaction transaction(to);
   to.run("PRAGMA defer_foreign_keys = ON");
-  make_schema(to);
-  std::string fingerprint;
+  results::make_schema(to);
   for (const fs::path& file : databases) {
-    Connection from = opened(file);
-    const std::string own = from.text("SELECT fingerprint FROM about");
-    if (fingerprint.empty()) {
-      fingerprint = own;
-      for (const char* table : kOfExperiment) {
-        Copier(from, to, table).copy();
+    try {
+      merged.duplicates += add(file, databases.front(), to);
+    } catch (const sqlite::Error& error) {
+      if (error.is_damage()) {  // what is being made is new
+        throw results::damaged(file, error.what());
       }
-    } else if (own != fingerprint) {
-      throw DatabaseRefused("'" + file.string() + "' is of another experiment than '" +
-                            databases.front().string() +
-                            "': their worlds, settings, seeds, files or plugins differ, or the "
-                            "versions of Elsie");
+      throw;
     }
-    merged.duplicates += Merger(file, from, to).add();
   }
   to.run("UPDATE about SET shard = '1/1'");
   merged.all_runs = to.integer("SELECT runs FROM about");
@@ -188,14 +219,16 @@ Merged merge_into(Connection& to, const std::vector<fs::path>& databases) {
 }  // namespace
 
 Merged merge(const fs::path& into, const std::vector<fs::path>& databases) {
+  require_apart(into, databases);
   const LockFile lock(into);
-  if (!ResultsDatabase::is_vacant(into)) {
+  if (!results::is_vacant(into)) {
     throw DatabaseRefused("there is a file '" + into.string() +
                           "' already; remove it or choose another name");
   }
   try {
-    Connection to = make_results(into);
-    return guarded(into, "could not be written", [&] { return merge_into(to, databases); });
+    Connection to = results::make_database(into);
+    return results::guarded(into, "could not be written",
+                            [&] { return merge_into(to, databases); });
   } catch (...) {
     std::error_code ignored;
     fs::remove(into, ignored);

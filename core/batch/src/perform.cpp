@@ -107,7 +107,7 @@ void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) 
   record.state = RunState::done;
   record.outcome = to_string(result.outcome);
   record.message = result.reason;
-  record.state_hash = hash_text(result.state_hash);
+  record.state_hash = simulation::hash_text(result.state_hash);
   for (const simulation::MeasuredValue& measure : result.measures) {
     record.measures.push_back({measure.name, measure.unit, measure.meaning, measure.value});
   }

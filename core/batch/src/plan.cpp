@@ -9,12 +9,12 @@
 
 #include <sys/stat.h>
 
-#include "elsie/batch/hash.h"
 #include "elsie/experiment/reader.h"
 #include "elsie/plugin/abi_word.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/own_library.h"
+#include "elsie/results/hash.h"
 #include "elsie/world/writer.h"
 
 #include "plugins_in_use.h"
@@ -86,7 +86,7 @@ class Planner {
     }
     add_file(FileKind::world, planned.world_file);
     world::World world = world_of(cell);
-    std::map<std::string, std::string> names;  // of data files, with their paths
+    Names names;
     std::vector<std::size_t> plugins;
     for_each_use(world, [&](PluginKind kind, world::PluginUse& plugin) {
       plugins.push_back(add_plugin(kind, plugin.plugin));
@@ -95,12 +95,58 @@ class Planner {
     std::sort(plugins.begin(), plugins.end());
     plugins.erase(std::unique(plugins.begin(), plugins.end()), plugins.end());
     planned.plugins = std::move(plugins);
-    for (const auto& [name, path] : names) {
+    for (const auto& [name, path] : names.paths) {
       planned.data.push_back({name, add_file(FileKind::data, path)});
     }
     planned.world_text = world::write_world(world);
-    planned.sha256 = sha256(planned.world_text);
+    planned.sha256 = results::sha256(planned.world_text);
+    identities_.push_back(identity_of(planned, world, names));
     plan_.cells.push_back(std::move(planned));
+  }
+
+  /// The data files of a world's text.
+  struct Names {
+    std::map<std::string, std::string> paths;   // by name
+    std::map<std::string, std::string> shared;  // by path: the name that another file has already
+  };
+
+  /// What a cell has to say to the fingerprint.
+  struct CellIdentity {
+    std::string sha256;                       // of the world's text
+    std::map<std::string, std::string> data;  // hashes by name
+  };
+
+  /// Files that are named by their paths, as another one has their name, get one from what is in
+  /// them: where they are does not count.
+  CellIdentity identity_of(const PlannedCell& cell, world::World& world, const Names& names) {
+    CellIdentity identity{cell.sha256, {}};
+    std::map<std::string, std::string> renamed;  // by path
+    for (const PlannedCell::Data& data : cell.data) {
+      const PlannedFile& file = plan_.files[data.file];
+      const auto shared = names.shared.find(data.name);
+      const std::string name = shared == names.shared.end()
+                                   ? data.name
+                                   : (renamed[data.name] = shared->second + '#' + file.sha256);
+      identity.data[name] = file.sha256;
+    }
+    if (renamed.empty()) {
+      return identity;
+    }
+    const auto rename = [&](auto& file_names) {
+      for (auto& [parameter, file] : file_names) {
+        if (const auto other = renamed.find(file.name); other != renamed.end()) {
+          file.name = other->second;
+        }
+      }
+    };
+    for_each_use(world, [&](PluginKind, world::PluginUse& plugin) {
+      rename(plugin.file_names);
+      for (world::ElementUse& element : plugin.elements) {
+        rename(element.file_names);
+      }
+    });
+    identity.sha256 = results::sha256(world::write_world(world));
+    return identity;
   }
 
   world::World world_of(const experiment::Cell& cell) const {
@@ -128,8 +174,8 @@ class Planner {
   std::size_t add_file(FileKind kind, const std::string& path) {
     const auto [known, is_new] = file_places_.try_emplace(path, plan_.files.size());
     if (is_new) {
-      std::string content = file_content(path);
-      std::string hash = sha256(content);
+      std::string content = results::file_content(path);
+      std::string hash = results::sha256(content);
       if (kind != FileKind::data) {
         content.clear();
       }
@@ -139,7 +185,7 @@ class Planner {
     } else if (PlannedFile& file = plan_.files[known->second];
                kind == FileKind::data && file.kind != kind) {
       file.kind = kind;  // a world that is somebody's data, too
-      file.content = file_content(path);
+      file.content = results::file_content(path);
     }
     return known->second;
   }
@@ -147,8 +193,7 @@ class Planner {
   /// Sees to it that the world's text names every file, and no two by one name.
   static void name_files(const std::vector<ParameterDeclaration>& declared,
                          const std::map<std::string, ParameterValue>& parameters,
-                         std::map<std::string, world::FileName>& file_names,
-                         std::map<std::string, std::string>& names) {
+                         std::map<std::string, world::FileName>& file_names, Names& names) {
     for (auto& [parameter, file] : file_names) {
       const auto value = parameters.find(parameter);
       if (value == parameters.end() || value->second != ParameterValue(file.path)) {
@@ -160,14 +205,14 @@ class Planner {
                          [&](const auto& other) { return other.name == parameter; });
         file.name = std::get<std::string>(declaration->default_value);
       }
-      if (names.try_emplace(file.name, file.path).first->second != file.path) {
+      if (names.paths.try_emplace(file.name, file.path).first->second != file.path) {
+        names.shared[file.path] = file.name;
         file.name = file.path;
-        names[file.name] = file.path;
+        names.paths[file.name] = file.path;
       }
     }
   }
-  static void name_files(const Declaration* declaration, world::PluginUse& use,
-                         std::map<std::string, std::string>& names) {
+  static void name_files(const Declaration* declaration, world::PluginUse& use, Names& names) {
     name_files(declaration->parameters, use.parameters, use.file_names, names);
     for (world::ElementUse& element : use.elements) {
       const auto declared =
@@ -204,9 +249,10 @@ class Planner {
     }
     end_list();
     add(plan_.files.front().sha256);  // libelsie
-    for (const PlannedCell& cell : plan_.cells) {
+    for (std::size_t i = 0; i < plan_.cells.size(); ++i) {
+      const PlannedCell& cell = plan_.cells[i];
       add(cell.label);
-      add(cell.sha256);
+      add(identities_[i].sha256);
       for (const PlannedLevel& level : cell.levels) {
         add(level.label);
       }
@@ -219,9 +265,9 @@ class Planner {
         add(plugin.file ? plan_.files[*plugin.file].sha256 : "");
       }
       end_list();
-      for (const PlannedCell::Data& data : cell.data) {
-        add(data.name);
-        add(plan_.files[data.file].sha256);
+      for (const auto& [name, hash] : identities_[i].data) {
+        add(name);
+        add(hash);
       }
       end_list();
     }
@@ -229,13 +275,14 @@ class Planner {
       add(std::to_string(seed));
     }
     add(std::to_string(experiment_.repeats));
-    return sha256(all);
+    return results::sha256(all);
   }
 
   const experiment::Experiment& experiment_;
   const plugin::Host& host_;
   const PlanOptions& options_;
   Plan plan_;
+  std::vector<CellIdentity> identities_;  // of Plan::cells
   std::map<std::pair<PluginKind, std::string>, std::size_t> plugin_places_;
   std::map<std::string, std::size_t> file_places_;
   std::map<std::string, std::size_t> ranks_;  // of the host's files
@@ -308,7 +355,7 @@ bool FileCheck::is_changed(std::size_t place) {
     return false;
   }
   try {
-    if (sha256(file_content(file.path)) != file.sha256) {
+    if (results::sha256(results::file_content(file.path)) != file.sha256) {
       return true;
     }
   } catch (const std::runtime_error&) {

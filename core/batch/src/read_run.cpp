@@ -61,7 +61,7 @@ std::optional<StoredRun> read_run(sqlite::Connection& connection, std::int64_t i
   run.job.world_file = query.text(3);
   run.job.seed = count(4);
   run.repetition = static_cast<int>(query.integer(5));
-  run.record.state = run_state(query.text(6));
+  run.record.state = results::run_state(query.text(6));
   run.record.outcome = value(query, 7, text);
   run.record.message = query.text(8);
   run.record.steps = value(query, 9, count);

@@ -3,10 +3,11 @@
 #include <optional>
 
 #include "elsie/batch/results_database.h"
-
-#include "sqlite.h"
+#include "elsie/results/sqlite.h"
 
 namespace elsie::batch {
+
+namespace sqlite = results::sqlite;
 
 /// All that it takes to do a run again; none: there is no such run.
 std::optional<StoredRun> read_run(sqlite::Connection& connection, std::int64_t id);

@@ -5,10 +5,9 @@
 #include <system_error>
 #include <utility>
 
-#include "database_file.h"
+#include "file_identity.h"
 #include "lock_file.h"
 #include "read_run.h"
-#include "sqlite.h"
 #include "write_plan.h"
 #include "write_run.h"
 
@@ -16,7 +15,6 @@ namespace elsie::batch {
 namespace {
 
 namespace fs = std::filesystem;
-using Mode = sqlite::Connection::Mode;
 
 /// What makes this plan another one than that of the database, in words.
 std::string difference(sqlite::Connection& connection, const Plan& plan) {
@@ -45,23 +43,26 @@ std::string difference(sqlite::Connection& connection, const Plan& plan) {
 class ResultsDatabase::Impl {
  public:
   Impl(fs::path file, std::optional<LockFile> lock, sqlite::Connection connection)
-      : file_(std::move(file)), lock_(std::move(lock)), connection_(std::move(connection)) {}
+      : file_(std::move(file)),
+        lock_(std::move(lock)),
+        connection_(std::move(connection)),
+        identity_(FileIdentity::of(file_)) {}
 
   ~Impl() {
     writer_.reset();
     if (lock_) {
       // In the end it is one plain file, which can be read where nothing can be written.
-      sqlite3_exec(connection_.handle(), "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+      connection_.try_to_run("PRAGMA journal_mode = DELETE");
     }
   }
 
   template <class Action>
   auto reading(Action action) {
-    return guarded(file_, "could not be read", action);
+    return results::guarded(file_, "could not be read", action);
   }
   template <class Action>
   auto writing(Action action) {
-    return guarded(file_, "could not be written", action);
+    return results::guarded(file_, "could not be written", action);
   }
 
   RunWriter& writer() {
@@ -71,11 +72,35 @@ class ResultsDatabase::Impl {
     return *writer_;
   }
 
+  /// Throws DatabaseError when the file is no longer where it was.
+  void require_in_place() {
+    const auto now = FileIdentity::of(file_);
+    if (now == identity_) {
+      return;
+    }
+    // What is in the log goes into the file, wherever that is, as long as it is open.
+    connection_.try_to_run("PRAGMA wal_checkpoint(TRUNCATE)");
+    const std::int64_t ended = reading(
+        [&] { return connection_.integer("SELECT count(*) FROM runs WHERE state <> 'pending'"); });
+    const std::string results = ended == 1
+                                    ? "the result of 1 run is "
+                                    : "the results of " + std::to_string(ended) + " runs are ";
+    const auto elsewhere = identity_ ? name_of_open_file(*identity_) : std::nullopt;
+    throw DatabaseError(
+        (now ? "another file has taken the place of the database '" + file_.string() + "'"
+             : "the database '" + file_.string() + "' was " + (elsewhere ? "renamed" : "removed")) +
+        " while the batch wrote it; " +
+        (elsewhere ? results + "in '" + elsewhere->string() +
+                         "': put it back where it was before the batch goes on"
+                   : results + "lost; the batch has to begin anew"));
+  }
+
   fs::path file_;
   std::optional<LockFile> lock_;  // given back when the connection is closed
   sqlite::Connection connection_;
 
  private:
+  std::optional<FileIdentity> identity_;
   std::optional<RunWriter> writer_;
 };
 
@@ -85,38 +110,23 @@ ResultsDatabase::~ResultsDatabase() = default;
 
 const fs::path& ResultsDatabase::file() const { return impl_->file_; }
 
-bool ResultsDatabase::is_vacant(const fs::path& file) {
-  std::error_code error;
-  if (!fs::exists(file, error)) {
-    return true;
-  }
-  try {
-    // For writing, so that what was half made when a process was killed can be undone.
-    sqlite::Connection connection(file, Mode::write);
-    return connection.integer("PRAGMA application_id") == 0 &&
-           connection.integer("SELECT count(*) FROM sqlite_schema") == 0;
-  } catch (const sqlite::Error&) {
-    return false;
-  }
-}
-
 ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) {
   LockFile lock(file);
-  if (!is_vacant(file)) {
-    open_results(file, Mode::read);  // if it is none, that is what the user wants to know
+  if (!results::is_vacant(file)) {
+    results::open_to_read(file);  // if it is none, that is what the user wants to know
     throw DatabaseRefused("there is a database '" + file.string() +
                           "' already; go on with it by --resume, or choose another --database");
   }
   try {
-    sqlite::Connection connection = make_results(file);
-    guarded(file, "could not be written", [&] {
+    sqlite::Connection connection = results::make_database(file);
+    results::guarded(file, "could not be written", [&] {
       {
         sqlite::Transaction transaction(connection);
         write_plan(connection, plan);
         add_runs(connection, plan);
         transaction.commit();
       }
-      prepare_for_writing(connection);
+      results::prepare_for_writing(connection);
     });
     return ResultsDatabase(std::make_unique<Impl>(file, std::move(lock), std::move(connection)));
   } catch (...) {
@@ -129,8 +139,8 @@ ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) 
 
 ResultsDatabase ResultsDatabase::resume(const fs::path& file, const Plan& plan) {
   LockFile lock(file);
-  sqlite::Connection connection = open_results(file, Mode::write);
-  return guarded(file, "could not be written", [&] {
+  sqlite::Connection connection = results::open_to_write(file);
+  return results::guarded(file, "could not be written", [&] {
     if (connection.text("SELECT fingerprint FROM about") != plan.fingerprint) {
       throw DatabaseRefused("the database '" + file.string() + "' is of another experiment than '" +
                             plan.file + "' is now: " + difference(connection, plan) +
@@ -141,7 +151,7 @@ ResultsDatabase ResultsDatabase::resume(const fs::path& file, const Plan& plan) 
       throw DatabaseRefused("the database '" + file.string() + "' has the shard " + shard +
                             " of the experiment, not " + plan.shard.text());
     }
-    prepare_for_writing(connection);
+    results::prepare_for_writing(connection);
     sqlite::Transaction transaction(connection);
     add_runs(connection, plan);
     // What may change without any run becoming another one.
@@ -159,8 +169,7 @@ ResultsDatabase ResultsDatabase::resume(const fs::path& file, const Plan& plan) 
 }
 
 ResultsDatabase ResultsDatabase::open(const fs::path& file) {
-  return ResultsDatabase(
-      std::make_unique<Impl>(file, std::nullopt, open_results(file, Mode::read)));
+  return ResultsDatabase(std::make_unique<Impl>(file, std::nullopt, results::open_to_read(file)));
 }
 
 std::vector<std::int64_t> ResultsDatabase::pending() {
@@ -175,7 +184,10 @@ std::vector<std::int64_t> ResultsDatabase::pending() {
   });
 }
 
+void ResultsDatabase::require_in_place() { impl_->require_in_place(); }
+
 void ResultsDatabase::write(std::int64_t run, const RunRecord& record) {
+  require_in_place();
   if (!impl_->writing([&] { return impl_->writer().write(run, record); })) {
     throw DatabaseError("run " + std::to_string(run) + " is not to be done in the database '" +
                         file().string() + "'; was it changed by another program?");
@@ -189,7 +201,7 @@ std::int64_t ResultsDatabase::redo_failed() {
     const std::string failed = "(SELECT id FROM runs WHERE state NOT IN ('pending', 'done'))";
     for (const char* table : {"run_measures", "run_robots", "run_events", "trajectories", "curves",
                               "timelines", "notes"}) {
-      connection.run(("DELETE FROM " + std::string(table) + " WHERE run_id IN " + failed).c_str());
+      connection.run("DELETE FROM " + std::string(table) + " WHERE run_id IN " + failed);
     }
     connection.run(
         "UPDATE runs SET state = 'pending', outcome = NULL, message = NULL, steps = NULL, "
@@ -227,7 +239,7 @@ std::vector<FailedRun> ResultsDatabase::failed(std::size_t most) {
         "runs.cell_id WHERE state NOT IN ('pending', 'done') ORDER BY runs.id LIMIT ?");
     query.bind(1, static_cast<std::int64_t>(most));
     while (query.next()) {
-      runs.push_back({query.integer(0), run_state(query.text(1)), query.text(2),
+      runs.push_back({query.integer(0), results::run_state(query.text(1)), query.text(2),
                       static_cast<std::uint64_t>(query.integer(3)), query.text(4)});
     }
     return runs;
@@ -260,10 +272,23 @@ std::optional<StoredRun> ResultsDatabase::run(std::int64_t id) {
   return impl_->reading([&] { return read_run(impl_->connection_, id); });
 }
 
-std::pair<std::int64_t, std::int64_t> ResultsDatabase::numbers() {
+std::string ResultsDatabase::why_no_run(std::int64_t id) {
   return impl_->reading([&] {
-    return std::pair(impl_->connection_.integer("SELECT min(id) FROM runs"),
-                     impl_->connection_.integer("SELECT max(id) FROM runs"));
+    sqlite::Connection& connection = impl_->connection_;
+    const std::int64_t all = connection.integer("SELECT runs FROM about");
+    const std::string shard = connection.text("SELECT shard FROM about");
+    const std::string none =
+        "the database '" + file().string() + "' has no run " + std::to_string(id) + ": ";
+    if (id < 1 || id > all) {
+      return none + "the runs of its experiment have numbers from 1 to " + std::to_string(all);
+    }
+    if (const auto own = parse_shard(shard); own && !own->has(id)) {
+      const Shard of_run{static_cast<std::size_t>(id - 1) % own->of + 1, own->of};
+      return none + "it has the shard " + shard + " of the experiment, and this run is in shard " +
+             of_run.text();
+    }
+    return none + "it was made of databases that do not have it; go on with it by `elsie batch " +
+           "EXPERIMENT --database " + file().string() + " --resume`";
   });
 }
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <ctime>
 
-#include "database_file.h"
+#include "elsie/results/database_file.h"
 
 namespace elsie::batch {
 namespace {
@@ -99,15 +99,8 @@ std::string utc_now() {
   return {text, std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &parts)};
 }
 
-void make_schema(sqlite::Connection& connection) {
-  connection.run(kSchema);
-  connection.run(("PRAGMA application_id = " + std::to_string(kApplicationId) +
-                  "; PRAGMA user_version = " + std::to_string(kSchemaVersion))
-                     .c_str());
-}
-
 void write_plan(sqlite::Connection& connection, const Plan& plan) {
-  make_schema(connection);
+  results::make_schema(connection);
   write_about(connection, plan);
   sqlite::Statement factor(connection, "INSERT INTO factors (id, name) VALUES (?, ?)");
   for (std::size_t i = 0; i < plan.factors.size(); ++i) {

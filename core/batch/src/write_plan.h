@@ -2,13 +2,11 @@
 #pragma once
 
 #include "elsie/batch/plan.h"
-
-#include "sqlite.h"
+#include "elsie/results/sqlite.h"
 
 namespace elsie::batch {
 
-/// Makes the tables, with nothing in them. Within a transaction.
-void make_schema(sqlite::Connection& connection);
+namespace sqlite = results::sqlite;
 
 /// Makes the tables, and writes all but the runs. Within a transaction.
 void write_plan(sqlite::Connection& connection, const Plan& plan);

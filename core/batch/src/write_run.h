@@ -2,10 +2,11 @@
 #pragma once
 
 #include "elsie/batch/job.h"
-
-#include "sqlite.h"
+#include "elsie/results/sqlite.h"
 
 namespace elsie::batch {
+
+namespace sqlite = results::sqlite;
 
 /// The statements, prepared once.
 class RunWriter {

@@ -12,10 +12,10 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include "elsie/batch/hash.h"
 #include "elsie/batch/merge.h"
 #include "elsie/batch/results_database.h"
 #include "elsie/cluster/shell_word.h"
+#include "elsie/results/hash.h"
 
 namespace fs = std::filesystem;
 
@@ -83,7 +83,7 @@ ShardFolder::ShardFolder(fs::path path, std::string fingerprint, std::size_t sha
       fingerprint_(std::move(fingerprint)),
       shards_(shards),
       all_runs_(all_runs),
-      name_("elsie-" + batch::sha256(path_.string() + '\n' + fingerprint_).substr(0, 16)) {}
+      name_("elsie-" + results::sha256(path_.string() + '\n' + fingerprint_).substr(0, 16)) {}
 
 ShardFolder ShardFolder::create(const fs::path& database, const batch::Plan& plan,
                                 std::size_t shards, const std::vector<std::string>& command) {
@@ -168,7 +168,7 @@ Count ShardFolder::count() const {
 
 std::int64_t ShardFolder::pending(std::size_t shard) const {
   const fs::path file = database(shard);
-  if (batch::ResultsDatabase::is_vacant(file)) {
+  if (results::is_vacant(file)) {
     return runs(shard);
   }
   return static_cast<std::int64_t>(batch::ResultsDatabase::open(file).pending().size());

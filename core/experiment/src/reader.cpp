@@ -179,6 +179,12 @@ Parsed parsed(std::string_view text, const std::string& file, const world::Files
   DraftReader reader(problems);
   const ExperimentDraft draft = reader.read(root);
   experiment.file = file;
+  if (draft.name && draft.name->find_first_not_of(" \t\r\n") == std::string::npos) {
+    problems.add(root.where,
+                 "name=\"" + *draft.name +
+                     "\" of <experiment>: expected a title; without name= it is that of "
+                     "the file");
+  }
   experiment.name = draft.name ? *draft.name : std::filesystem::path(file).stem().string();
   experiment.description = draft.description;
   if (draft.limits) {

@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <exception>
 #include <optional>
 #include <stdexcept>
@@ -32,12 +31,6 @@ using simulation::Simulation;
 std::string text_of(double value) {
   char digits[32];
   return {digits, std::to_chars(digits, digits + sizeof(digits), value).ptr};
-}
-
-std::string hash_text(std::uint64_t hash) {
-  char digits[17];
-  std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(hash));
-  return digits;
 }
 
 bool sees_ranges(const Simulation& simulation, std::size_t robot) {
@@ -102,7 +95,7 @@ class McapRecorder::Impl final : private plugin::EmergencyWriter {
                                {"reason", result.reason},
                                {"simulated_s", text_of(result.simulated_s)},
                                {"steps", std::to_string(result.steps)},
-                               {"state_hash", hash_text(result.state_hash)}}});
+                               {"state_hash", simulation::hash_text(result.state_hash)}}});
     write_measures(result);
     out_.close();
     if (fault) {

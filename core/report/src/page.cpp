@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "elsie/batch/hash.h"
 #include "elsie/report/report.h"
+#include "elsie/results/hash.h"
 
 #include "markup.h"
 #include "numbers.h"
@@ -35,7 +35,7 @@ namespace {
 std::string policy_hash(const std::string& script) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const std::string hex = batch::sha256(script);
+  const std::string hex = results::sha256(script);
   std::string text = "sha256-";
   unsigned bits = 0, count = 0;
   for (std::size_t i = 0; i < hex.size(); i += 2) {

@@ -1,30 +1,15 @@
 #include "elsie/report/results.h"
 
-#include <array>
 #include <map>
 #include <utility>
 
 #include "elsie/api/random.h"
 
 #include "results_state.h"
-#include "sqlite.h"
 
 namespace elsie::report {
 
 namespace {
-
-constexpr std::int64_t kApplicationId = 0x456C7369;  // "Elsi"
-constexpr std::int64_t kSchemaVersion = 1;
-constexpr std::array<const char*, 6> kStates = {"pending", "done", "fault",
-                                                "crash",   "hang", "error"};
-
-RunState state_of(const std::string& word) {
-  for (std::size_t i = 0; i < kStates.size(); ++i) {
-    if (word == kStates[i]) return static_cast<RunState>(i);
-  }
-  throw ResultsError("the database has a run in the state '" + word +
-                     "', which this program does not know");
-}
 
 std::optional<Outcome> outcome_of(const std::string& word) {
   for (const Outcome outcome : {Outcome::success, Outcome::failure, Outcome::time_limit}) {
@@ -33,37 +18,11 @@ std::optional<Outcome> outcome_of(const std::string& word) {
   return std::nullopt;
 }
 
-std::int64_t pragma(const Connection& connection, const std::string& name) {
-  Query query(connection, "PRAGMA " + name);
-  return query.next() ? query.integer(0) : 0;
-}
-
-void check_schema(const Connection& connection) {
-  const std::string& file = connection.file();
-  if (pragma(connection, "application_id") != kApplicationId) {
-    throw ResultsError("'" + file +
-                       "' is a database of another program; expected one that "
-                       "`elsie batch` has written");
-  }
-  const std::int64_t version = pragma(connection, "user_version");
-  if (version != kSchemaVersion) {
-    throw ResultsError("'" + file + "' has version " + std::to_string(version) +
-                       " of the results schema; this program reads version " +
-                       std::to_string(kSchemaVersion) +
-                       ": make the report with the program that wrote the database");
-  }
-  Query about(connection, "SELECT 1 FROM about");
-  if (!about.next()) {
-    throw ResultsError("'" + file +
-                       "' is empty: its batch ended before the runs were planned; run "
-                       "`elsie batch` again");
-  }
-}
-
-void read_about(const Connection& connection, Results& results) {
-  Query about(connection,
-              "SELECT elsie_version, experiment, description, file, text, fingerprint, shard, "
-              "created, runs FROM about");
+void read_about(sqlite::Connection& connection, Results& results) {
+  sqlite::Statement about(
+      connection,
+      "SELECT elsie_version, experiment, description, file, text, fingerprint, shard, "
+      "created, runs FROM about");
   about.next();
   int column = 0;
   for (std::string* text :
@@ -76,9 +35,9 @@ void read_about(const Connection& connection, Results& results) {
 
 using Places = std::map<std::int64_t, std::size_t>;  // from ids
 
-Places read_factors(const Connection& connection, Results& results) {
+Places read_factors(sqlite::Connection& connection, Results& results) {
   Places places;
-  Query factors(connection, "SELECT id, name FROM factors ORDER BY id");
+  sqlite::Statement factors(connection, "SELECT id, name FROM factors ORDER BY id");
   while (factors.next()) {
     places[factors.integer(0)] = results.factors.size();
     results.factors.push_back({factors.text(1)});
@@ -86,10 +45,11 @@ Places read_factors(const Connection& connection, Results& results) {
   return places;
 }
 
-Places read_cells(const Connection& connection, Results& results) {
+Places read_cells(sqlite::Connection& connection, Results& results) {
   const Places factors = read_factors(connection, results);
   Places places;
-  Query cells(connection, "SELECT id, label, world, world_text, world_file FROM cells ORDER BY id");
+  sqlite::Statement cells(connection,
+                          "SELECT id, label, world, world_text, world_file FROM cells ORDER BY id");
   while (cells.next()) {
     CellInfo cell;
     cell.id = cells.integer(0);
@@ -102,7 +62,7 @@ Places read_cells(const Connection& connection, Results& results) {
     places[cell.id] = results.cells.size();
     results.cells.push_back(std::move(cell));
   }
-  Query levels(connection, "SELECT cell_id, factor_id, label, place FROM cell_levels");
+  sqlite::Statement levels(connection, "SELECT cell_id, factor_id, label, place FROM cell_levels");
   while (levels.next()) {
     CellInfo& cell = results.cells[places.at(levels.integer(0))];
     const std::size_t factor = factors.at(levels.integer(1));
@@ -113,11 +73,12 @@ Places read_cells(const Connection& connection, Results& results) {
 }
 
 // Those that tell most stand first, the others by name.
-std::map<std::string, std::size_t> read_measures(const Connection& connection, Results& results) {
+std::map<std::string, std::size_t> read_measures(sqlite::Connection& connection, Results& results) {
   std::map<std::string, std::size_t> places;
-  Query measures(connection,
-                 "SELECT name, unit, meaning FROM measures ORDER BY CASE name WHEN 'success' THEN "
-                 "0 WHEN 'path_length_m' THEN 1 WHEN 'time_s' THEN 2 ELSE 3 END, name");
+  sqlite::Statement measures(
+      connection,
+      "SELECT name, unit, meaning FROM measures ORDER BY CASE name WHEN 'success' THEN "
+      "0 WHEN 'path_length_m' THEN 1 WHEN 'time_s' THEN 2 ELSE 3 END, name");
   while (measures.next()) {
     places[measures.text(0)] = results.measures.size();
     results.measures.push_back({measures.text(0), measures.text(1), measures.text(2)});
@@ -125,10 +86,10 @@ std::map<std::string, std::size_t> read_measures(const Connection& connection, R
   return places;
 }
 
-void read_runs(const Connection& connection, const Places& cells, Results& results) {
+void read_runs(sqlite::Connection& connection, const Places& cells, Results& results) {
   const auto measures = read_measures(connection, results);
   Places places;
-  Query runs(
+  sqlite::Statement runs(
       connection,
       "SELECT id, cell_id, seed, repetition, state, outcome, message, steps, simulated_s, "
       "state_hash, exit_code, signal, plugin, robot, step, log, wall_s FROM runs ORDER BY id");
@@ -138,13 +99,13 @@ void read_runs(const Connection& connection, const Places& cells, Results& resul
     run.cell = cells.at(runs.integer(1));
     run.seed = static_cast<std::uint64_t>(runs.integer(2));
     run.repetition = static_cast<int>(runs.integer(3));
-    run.state = state_of(runs.text(4));
+    run.state = results::run_state(runs.text(4));
     run.outcome = outcome_of(runs.text(5));
     run.message = runs.text(6);
     run.steps = runs.optional_integer(7);
     run.simulated_s = runs.optional_number(8);
     run.state_hash = runs.text(9);
-    if (!runs.null(10)) run.exit_code = static_cast<int>(runs.integer(10));
+    if (!runs.is_null(10)) run.exit_code = static_cast<int>(runs.integer(10));
     run.signal = runs.text(11);
     run.plugin = runs.text(12);
     run.robot = runs.text(13);
@@ -155,7 +116,7 @@ void read_runs(const Connection& connection, const Places& cells, Results& resul
     places[run.id] = results.runs.size();
     results.runs.push_back(std::move(run));
   }
-  Query values(connection, "SELECT run_id, measure, value FROM run_measures");
+  sqlite::Statement values(connection, "SELECT run_id, measure, value FROM run_measures");
   while (values.next()) {
     Run& run = results.runs[places.at(values.integer(0))];
     run.values[measures.at(values.text(1))] = values.optional_number(2);
@@ -164,45 +125,24 @@ void read_runs(const Connection& connection, const Places& cells, Results& resul
 
 }  // namespace
 
-const char* to_string(RunState state) { return kStates[static_cast<std::size_t>(state)]; }
-
 std::uint64_t Results::seed() const { return Random(0, fingerprint).bits(); }
 
-ResultsFile::ResultsFile(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) {
-    throw ResultsError("there is no database '" + file.string() +
-                       "'; `elsie batch EXPERIMENT --database " + file.string() + "` writes one");
-  }
-  if (!std::filesystem::is_regular_file(file, error)) {
-    throw ResultsError("'" + file.string() +
-                       "' is not a file; expected a database that `elsie "
-                       "batch` has written");
-  }
-  // SQLite takes a file without a byte for a database without tables.
-  if (std::filesystem::file_size(file, error) == 0) {
-    throw ResultsError("'" + file.string() +
-                       "' is empty: there is not a byte in it; expected a database that `elsie "
-                       "batch` has written");
-  }
-  state_ = std::make_unique<State>(file.string());
-  check_schema(state_->connection);
+ResultsFile::ResultsFile(const std::filesystem::path& file)
+    : state_(std::make_unique<State>(file)) {
+  // What others write from now on is not seen: a transaction begins when it reads.
+  state_->reading([&] { state_->connection.run("BEGIN; SELECT count(*) FROM about"); });
 }
 
 ResultsFile::~ResultsFile() = default;
 
 Results ResultsFile::results() const {
-  Results results;
-  try {
+  return state_->reading([&] {
+    Results results;
     read_about(state_->connection, results);
     const Places cells = read_cells(state_->connection, results);
     read_runs(state_->connection, cells, results);
-  } catch (const std::out_of_range&) {  // a row names another one that is not there
-    throw ResultsError("the database '" + state_->connection.file() +
-                       "' contradicts itself; `sqlite3 FILE 'PRAGMA foreign_key_check'` tells "
-                       "where");
-  }
-  return results;
+    return results;
+  });
 }
 
 }  // namespace elsie::report

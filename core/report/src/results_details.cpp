@@ -7,7 +7,6 @@
 #include "elsie/report/results.h"
 
 #include "results_state.h"
-#include "sqlite.h"
 
 namespace elsie::report {
 
@@ -38,11 +37,11 @@ double number_of(const Json& object, const char* member) {
 
 // A list of JSON, each of its elements handed over.
 template <class Visitor>
-void each(const std::string& text, const std::string& file, const char* table, Visitor visit) {
+void each(const std::string& text, const std::filesystem::path& file, const char* table,
+          Visitor visit) {
   const Json list = Json::parse(text, nullptr, false);
   if (!list.is_array()) {
-    throw ResultsError("the database '" + file + "' is damaged: in its table `" + table +
-                       "` stands what is no JSON list");
+    throw results::damaged(file, "in `" + std::string(table) + "` stands what is no JSON list");
   }
   for (const Json& element : list) visit(element);
 }
@@ -50,67 +49,80 @@ void each(const std::string& text, const std::string& file, const char* table, V
 }  // namespace
 
 std::vector<Trajectory> ResultsFile::trajectories(std::int64_t cell) const {
-  std::vector<Trajectory> all;
-  const std::string& file = state_->connection.file();
-  Query rows(state_->connection,
-             query("robot, period_s, poses, touches", "trajectories", "run_id, robot"));
-  rows.bind(1, cell);
-  while (rows.next()) {
-    Trajectory way{rows.integer(0), rows.text(1), rows.number(2), {}, {}};
-    each(rows.text(3), file, "trajectories", [&](const Json& pose) {
-      way.poses.push_back({number(pose, 0), number(pose, 1), number(pose, 2)});
-    });
-    each(rows.text(4), file, "trajectories", [&](const Json& at) {
-      way.touches.push_back({number(at, 0), number(at, 1)});
-    });
-    all.push_back(std::move(way));
-  }
-  return all;
+  return state_->reading([&] {
+    std::vector<Trajectory> all;
+    const std::filesystem::path& file = state_->file;
+    sqlite::Statement rows(state_->connection, query("robot, period_s, poses, touches",
+                                                     "trajectories", "run_id, robot"));
+    rows.bind(1, cell);
+    while (rows.next()) {
+      Trajectory way{rows.integer(0), rows.text(1), rows.number(2), {}, {}};
+      each(rows.text(3), file, "trajectories", [&](const Json& pose) {
+        way.poses.push_back({number(pose, 0), number(pose, 1), number(pose, 2)});
+      });
+      each(rows.text(4), file, "trajectories", [&](const Json& at) {
+        way.touches.push_back({number(at, 0), number(at, 1)});
+      });
+      all.push_back(std::move(way));
+    }
+    return all;
+  });
 }
 
 std::vector<Curve> ResultsFile::curves(std::int64_t cell) const {
-  std::vector<Curve> all;
-  Query rows(state_->connection, query("robot, plugin, name, x_label, y_label, points", "curves",
-                                       "run_id, robot, plugin, name"));
-  rows.bind(1, cell);
-  while (rows.next()) {
-    Curve curve{
-        rows.integer(0), rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5), {}};
-    each(rows.text(6), state_->connection.file(), "curves", [&](const Json& point) {
-      curve.points.push_back({number(point, 0), number(point, 1)});
-    });
-    all.push_back(std::move(curve));
-  }
-  return all;
+  return state_->reading([&] {
+    std::vector<Curve> all;
+    sqlite::Statement rows(state_->connection,
+                           query("robot, plugin, name, x_label, y_label, points", "curves",
+                                 "run_id, robot, plugin, name"));
+    rows.bind(1, cell);
+    while (rows.next()) {
+      Curve curve{rows.integer(0),
+                  rows.text(1),
+                  rows.text(2),
+                  rows.text(3),
+                  rows.text(4),
+                  rows.text(5),
+                  {}};
+      each(rows.text(6), state_->file, "curves", [&](const Json& point) {
+        curve.points.push_back({number(point, 0), number(point, 1)});
+      });
+      all.push_back(std::move(curve));
+    }
+    return all;
+  });
 }
 
 std::vector<Timeline> ResultsFile::timelines(std::int64_t cell) const {
-  std::vector<Timeline> all;
-  const std::string& file = state_->connection.file();
-  Query rows(state_->connection, query("robot, behaviors, episodes", "timelines", "run_id, robot"));
-  rows.bind(1, cell);
-  while (rows.next()) {
-    Timeline timeline{rows.integer(0), rows.text(1), {}, {}};
-    each(rows.text(2), file, "timelines", [&](const Json& behavior) {
-      timeline.behaviors.push_back({text_of(behavior, "path"), number_of(behavior, "share"),
-                                    number_of(behavior, "decided_s")});
-    });
-    each(rows.text(3), file, "timelines", [&](const Json& episode) {
-      Timeline::Episode& told =
-          timeline.episodes.emplace_back(Timeline::Episode{number_of(episode, "from_s"),
-                                                           number_of(episode, "to_s"),
-                                                           text_of(episode, "decider"),
-                                                           number_of(episode, "share"),
-                                                           {}});
-      const auto parts = episode.find("parts");
-      if (parts == episode.end() || !parts->is_array()) return;
-      for (const Json& part : *parts) {
-        told.parts.emplace_back(text_of(part, "decider"), number_of(part, "time_s"));
-      }
-    });
-    all.push_back(std::move(timeline));
-  }
-  return all;
+  return state_->reading([&] {
+    std::vector<Timeline> all;
+    const std::filesystem::path& file = state_->file;
+    sqlite::Statement rows(state_->connection,
+                           query("robot, behaviors, episodes", "timelines", "run_id, robot"));
+    rows.bind(1, cell);
+    while (rows.next()) {
+      Timeline timeline{rows.integer(0), rows.text(1), {}, {}};
+      each(rows.text(2), file, "timelines", [&](const Json& behavior) {
+        timeline.behaviors.push_back({text_of(behavior, "path"), number_of(behavior, "share"),
+                                      number_of(behavior, "decided_s")});
+      });
+      each(rows.text(3), file, "timelines", [&](const Json& episode) {
+        Timeline::Episode& told =
+            timeline.episodes.emplace_back(Timeline::Episode{number_of(episode, "from_s"),
+                                                             number_of(episode, "to_s"),
+                                                             text_of(episode, "decider"),
+                                                             number_of(episode, "share"),
+                                                             {}});
+        const auto parts = episode.find("parts");
+        if (parts == episode.end() || !parts->is_array()) return;
+        for (const Json& part : *parts) {
+          told.parts.emplace_back(text_of(part, "decider"), number_of(part, "time_s"));
+        }
+      });
+      all.push_back(std::move(timeline));
+    }
+    return all;
+  });
 }
 
 }  // namespace elsie::report

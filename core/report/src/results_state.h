@@ -1,17 +1,25 @@
 #pragma once
 
-#include <string>
+#include <filesystem>
 
 #include "elsie/report/results.h"
-
-#include "sqlite.h"
+#include "elsie/results/database_file.h"
 
 namespace elsie::report {
 
-struct ResultsFile::State {
-  explicit State(const std::string& file) : connection(file) {}
+namespace sqlite = results::sqlite;
 
-  Connection connection;
+struct ResultsFile::State {
+  explicit State(const std::filesystem::path& path)
+      : file(path), connection(results::open_to_read(path)) {}
+
+  template <class Action>
+  auto reading(Action action) {
+    return results::guarded(file, "could not be read", action);
+  }
+
+  std::filesystem::path file;
+  sqlite::Connection connection;
 };
 
 }  // namespace elsie::report

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <exception>
 #include <map>
 #include <utility>
@@ -71,6 +72,12 @@ const char* to_string(Outcome outcome) {
       break;
   }
   return "running";
+}
+
+std::string hash_text(std::uint64_t state_hash) {
+  char digits[17];
+  std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(state_hash));
+  return digits;
 }
 
 class Simulation::Impl {

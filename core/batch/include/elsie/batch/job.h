@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "elsie/results/run_state.h"
 #include "elsie/simulation/run_result.h"
 
 namespace elsie::batch {
@@ -23,11 +24,7 @@ struct Job {
   double trajectory_period_s = 0.5;
 };
 
-/// See `runs` in schema.sql.
-enum class RunState { pending, done, fault, crash, hang, error };
-const char* to_string(RunState state);
-/// Throws std::invalid_argument for another word.
-RunState run_state(std::string_view word);
+using results::RunState;
 
 /// A number that a run came to.
 struct Measure {
@@ -81,9 +78,6 @@ struct RunRecord {
   std::vector<Timeline> timelines;
   std::vector<simulation::Note> notes;
 };
-
-/// The 16 hexadecimal digits of a state hash.
-std::string hash_text(std::uint64_t state_hash);
 
 /// One line of JSON without its end.
 std::string to_json(const Job& job);

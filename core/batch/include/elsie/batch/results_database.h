@@ -10,32 +10,18 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "elsie/batch/job.h"
 #include "elsie/batch/plan.h"
+#include "elsie/results/database_file.h"
 
 namespace elsie::batch {
 
-/// A file that is not the right one for what is asked; what() is a sentence that names it. Nothing
-/// was written.
-class DatabaseRefused : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// A database that could not be written or read (a full disk); what() is a sentence that names it.
-/// What was written before is valid.
-class DatabaseError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// The version of the schema that this program reads and writes.
-inline constexpr int kSchemaVersion = 1;
+using results::DatabaseError;
+using results::DatabaseRefused;
 
 /// How far a cell has come.
 struct CellCount {
@@ -93,23 +79,24 @@ class ResultsDatabase {
   /// cannot be made, DatabaseError when it cannot be written.
   static ResultsDatabase create(const std::filesystem::path& file, const Plan& plan);
   /// Opens one to go on with it. Throws DatabaseRefused when it is no results database, is being
-  /// written by another process, or is of another experiment or shard. Runs of the plan that are
-  /// not in it are added.
+  /// written by another process, is damaged, or is of another experiment or shard. Runs of the plan
+  /// that are not in it are added.
   static ResultsDatabase resume(const std::filesystem::path& file, const Plan& plan);
-  /// Opens one to read it. Throws DatabaseRefused when it is no results database.
+  /// Opens one to read it. Throws as results::open_to_read() does.
   static ResultsDatabase open(const std::filesystem::path& file);
 
   ResultsDatabase(ResultsDatabase&&) noexcept;
   ~ResultsDatabase();
 
-  /// Whether a batch would begin anew there: there is no file, or one that was not begun.
-  static bool is_vacant(const std::filesystem::path& file);
-
   const std::filesystem::path& file() const;
 
   /// The runs to be done, in order.
   std::vector<std::int64_t> pending();
-  /// What became of a pending run, which is pending no more. Throws DatabaseError.
+  /// Throws DatabaseError when the file was removed, renamed or replaced since it was opened; what()
+  /// says where the results are, if they are anywhere.
+  void require_in_place();
+  /// What became of a pending run, which is pending no more. Throws DatabaseError, also when the
+  /// file is not in its place any more.
   void write(std::int64_t run, const RunRecord& record);
   /// Makes pending again what did not end by itself. Returns how many there were.
   std::int64_t redo_failed();
@@ -119,8 +106,9 @@ class ResultsDatabase {
   std::vector<Disagreement> disagreements();
   /// None: there is no such run.
   std::optional<StoredRun> run(std::int64_t id);
-  /// The numbers of the first and the last run.
-  std::pair<std::int64_t, std::int64_t> numbers();
+  /// Why run() gives none for a number, as a sentence: there is no such run, or another shard has
+  /// it.
+  std::string why_no_run(std::int64_t id);
 
  private:
   class Impl;

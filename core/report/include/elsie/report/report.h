@@ -30,7 +30,7 @@ std::string junit_report(const Findings& findings, const std::string& database);
 std::string json_report(const Findings& findings);
 
 /// One page of HTML with everything in it. `file` is where the findings are from: what is drawn is
-/// read from it cell by cell. Throws ResultsError when that fails.
+/// read from it cell by cell. Throws as ResultsFile does when that fails.
 std::string html_report(const Findings& findings, const ResultsFile& file,
                         const std::string& database);
 

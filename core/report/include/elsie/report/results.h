@@ -1,4 +1,4 @@
-// What a results database holds, as plain data: see core/batch/src/schema.sql.
+// What a results database holds, as plain data: see core/results/src/schema.sql.
 #pragma once
 
 #include <cstddef>
@@ -6,28 +6,18 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "elsie/api/geometry.h"
+#include "elsie/results/run_state.h"
 #include "elsie/simulation/run_result.h"
 
 namespace elsie::report {
 
+using results::RunState;
 using simulation::Outcome;
-
-/// The database cannot be read; what() is a sentence for the user.
-class ResultsError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// How a run has ended; `pending`: it is still to be done. The database's words.
-enum class RunState { pending, done, fault, crash, hang, error };
-
-const char* to_string(RunState state);
 
 struct Measure {
   std::string name;  // "path_length_m"
@@ -141,14 +131,14 @@ struct Timeline {
 /// A results database, open for reading as it was at one instant: a batch may go on writing it.
 class ResultsFile {
  public:
-  /// Throws ResultsError when there is no such file, when it is not a results database of this
-  /// schema, or when it cannot be read.
+  /// Throws as results::open_to_read() does.
   explicit ResultsFile(const std::filesystem::path& file);
   ~ResultsFile();
   ResultsFile(const ResultsFile&) = delete;
   ResultsFile& operator=(const ResultsFile&) = delete;
 
-  /// All but what follows. Throws ResultsError, as all below.
+  /// All but what follows. Throws results::DatabaseRefused when the file turns out to be damaged,
+  /// or results::DatabaseError when it cannot be read, as all below.
   Results results() const;
 
   // Of the runs of one cell, by run and robot; `cell` is CellInfo::id.

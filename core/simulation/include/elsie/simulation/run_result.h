@@ -16,6 +16,9 @@ enum class Outcome { running, success, failure, time_limit };
 /// "success", "failure", "time_limit"; "running" before the end.
 const char* to_string(Outcome outcome);
 
+/// The 16 hexadecimal digits of a state hash.
+std::string hash_text(std::uint64_t state_hash);
+
 /// Something that happened: raised by the simulator or by a plugin.
 struct EventRecord {
   double time_s = 0.0;  // end of the step in which it happened

@@ -1,4 +1,5 @@
-// SQLite with owners: connections, prepared statements, transactions.
+// SQLite with owners: connections, prepared statements, transactions. As thin as it can be: the
+// tables and what they mean are others' affair.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +10,18 @@
 #include <string>
 #include <string_view>
 
-#include <sqlite3.h>
+struct sqlite3;
+struct sqlite3_stmt;
 
-namespace elsie::batch::sqlite {
+namespace elsie::results::sqlite {
 
-/// what() is what SQLite says.
+/// what() is what SQLite says. Thrown by everything here that can fail.
 class Error : public std::runtime_error {
  public:
   Error(int result_code, const std::string& text) : std::runtime_error(text), code(result_code) {}
+
+  /// Whether the file is not what it should be, rather than the disk or the system.
+  bool is_damage() const;
 
   int code;  // SQLITE_FULL, SQLITE_READONLY... without the extended part
 };
@@ -45,7 +50,7 @@ class Statement {
   /// What stands in a column of another statement's row.
   Statement& bind_value(int place, const Statement& from, int column);
 
-  /// The next row; false after the last one, and then it may be bound anew. Throws Error.
+  /// The next row; false after the last one, and then it may be bound anew.
   bool next();
   /// For statements that give no rows.
   void run();
@@ -54,11 +59,15 @@ class Statement {
   bool is_null(int column) const;
   std::int64_t integer(int column) const;
   double number(int column) const;
-  std::string text(int column) const;  // or bytes
+  std::string text(int column) const;  // or bytes; "" for null
+  /// The same without a copy: valid until the next row.
+  std::string_view bytes(int column) const;
+  std::optional<std::int64_t> optional_integer(int column) const;
+  std::optional<double> optional_number(int column) const;
 
  private:
   struct Finalize {
-    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+    void operator()(sqlite3_stmt* statement) const;
   };
   void check(int code) const;
 
@@ -68,29 +77,36 @@ class Statement {
 
 class Connection {
  public:
-  enum class Mode { read, write, create };
+  enum class Mode {
+    read,
+    immutable,  // read, and nobody writes meanwhile: without a lock, or a log of what is written
+    write,
+    create
+  };
 
   Connection(const std::filesystem::path& file, Mode mode);
 
   /// Statements without values, one after another.
-  void run(const char* sql);
+  void run(const std::string& sql);
+  /// The same; what goes wrong does not matter.
+  void try_to_run(const std::string& sql) noexcept;
   /// The first column of the first row.
   std::int64_t integer(std::string_view sql);
   std::string text(std::string_view sql);
   /// How many rows the last statement changed.
-  std::int64_t changes() const { return sqlite3_changes64(handle_.get()); }
+  std::int64_t changes() const;
 
   sqlite3* handle() const { return handle_.get(); }
   [[noreturn]] void fail(int code) const;
 
  private:
   struct Close {
-    void operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
+    void operator()(sqlite3* handle) const;
   };
   std::unique_ptr<sqlite3, Close> handle_;
 };
 
-/// Undone unless it is committed.
+/// Writes; undone unless it is committed.
 class Transaction {
  public:
   explicit Transaction(Connection& connection) : connection_(connection) {
@@ -107,4 +123,4 @@ class Transaction {
   bool open_ = true;
 };
 
-}  // namespace elsie::batch::sqlite
+}  // namespace elsie::results::sqlite

@@ -1,6 +1,29 @@
-#include "sqlite.h"
+#include "elsie/results/sqlite.h"
 
-namespace elsie::batch::sqlite {
+#include <sqlite3.h>
+
+namespace elsie::results::sqlite {
+namespace {
+
+/// As a URI, in which '?', '#' and '%' mean something.
+std::string immutable_uri(const std::string& file) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string uri = "file:";
+  for (const char c : file) {
+    if (c == '?' || c == '#' || c == '%') {
+      uri += {'%', kDigits[c >> 4], kDigits[c & 15]};
+    } else {
+      uri += c;
+    }
+  }
+  return uri + "?immutable=1";
+}
+
+}  // namespace
+
+bool Error::is_damage() const { return code == SQLITE_CORRUPT || code == SQLITE_NOTADB; }
+
+void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
 Statement::Statement(Connection& connection, std::string_view sql) : connection_(&connection) {
   sqlite3_stmt* statement = nullptr;
@@ -82,19 +105,33 @@ double Statement::number(int column) const {
   return sqlite3_column_double(statement_.get(), column);
 }
 
-std::string Statement::text(int column) const {
+std::string_view Statement::bytes(int column) const {
   const void* const bytes = sqlite3_column_blob(statement_.get(), column);
   const int size = sqlite3_column_bytes(statement_.get(), column);
-  return bytes ? std::string(static_cast<const char*>(bytes), static_cast<std::size_t>(size))
-               : std::string();
+  return bytes ? std::string_view(static_cast<const char*>(bytes), static_cast<std::size_t>(size))
+               : std::string_view();
 }
 
+std::string Statement::text(int column) const { return std::string(bytes(column)); }
+
+std::optional<std::int64_t> Statement::optional_integer(int column) const {
+  return is_null(column) ? std::nullopt : std::optional(integer(column));
+}
+
+std::optional<double> Statement::optional_number(int column) const {
+  return is_null(column) ? std::nullopt : std::optional(number(column));
+}
+
+void Connection::Close::operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
+
 Connection::Connection(const std::filesystem::path& file, Mode mode) {
-  const int flags = mode == Mode::read    ? SQLITE_OPEN_READONLY
-                    : mode == Mode::write ? SQLITE_OPEN_READWRITE
-                                          : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  const int flags = mode == Mode::create      ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
+                    : mode == Mode::write     ? SQLITE_OPEN_READWRITE
+                    : mode == Mode::immutable ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI
+                                              : SQLITE_OPEN_READONLY;
+  const std::string name = mode == Mode::immutable ? immutable_uri(file.string()) : file.string();
   sqlite3* handle = nullptr;
-  const int code = sqlite3_open_v2(file.c_str(), &handle, flags, nullptr);
+  const int code = sqlite3_open_v2(name.c_str(), &handle, flags, nullptr);
   handle_.reset(handle);
   if (code != SQLITE_OK) {
     fail(code);
@@ -102,12 +139,18 @@ Connection::Connection(const std::filesystem::path& file, Mode mode) {
   sqlite3_busy_timeout(handle, 10'000);  // somebody reads, or makes a copy
 }
 
-void Connection::run(const char* sql) {
-  const int code = sqlite3_exec(handle_.get(), sql, nullptr, nullptr, nullptr);
+void Connection::run(const std::string& sql) {
+  const int code = sqlite3_exec(handle_.get(), sql.c_str(), nullptr, nullptr, nullptr);
   if (code != SQLITE_OK) {
     fail(code);
   }
 }
+
+void Connection::try_to_run(const std::string& sql) noexcept {
+  sqlite3_exec(handle_.get(), sql.c_str(), nullptr, nullptr, nullptr);
+}
+
+std::int64_t Connection::changes() const { return sqlite3_changes64(handle_.get()); }
 
 std::int64_t Connection::integer(std::string_view sql) {
   Statement statement(*this, sql);
@@ -125,8 +168,7 @@ void Connection::fail(int code) const {
 
 Transaction::~Transaction() {
   if (open_) {
-    // A full disk may have ended it already.
-    sqlite3_exec(connection_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+    connection_.try_to_run("ROLLBACK");  // a full disk may have ended it already
   }
 }
 
@@ -135,4 +177,4 @@ void Transaction::commit() {
   open_ = false;
 }
 
-}  // namespace elsie::batch::sqlite
+}  // namespace elsie::results::sqlite

@@ -1,4 +1,4 @@
-#include "elsie/batch/hash.h"
+#include "elsie/results/hash.h"
 
 #include <array>
 #include <cerrno>
@@ -8,7 +8,7 @@
 
 #include <openssl/evp.h>
 
-namespace elsie::batch {
+namespace elsie::results {
 
 std::string sha256(std::string_view bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
@@ -40,4 +40,4 @@ std::string file_content(const std::string& path) {
   return content;
 }
 
-}  // namespace elsie::batch
+}  // namespace elsie::results

@@ -1,0 +1,85 @@
+// What happens to databases of results behind the program's back.
+#include <filesystem>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "laboratory.h"
+
+using Catch::Contains;
+using elsie::test::Laboratory;
+namespace fs = std::filesystem;
+
+TEST_CASE("A damaged database is refused by all that read it, with what can be done") {
+  const Laboratory here;
+  REQUIRE(here.batch("small_experiment.xml --quiet --database whole.sqlite").exit_code == 0);
+  const std::string whole = here.read("whole.sqlite");
+  constexpr std::size_t kPage = 4096;
+  const std::size_t middle = whole.size() / kPage / 2 * kPage;
+  REQUIRE(middle > kPage);
+  std::string overwritten = whole, swapped = whole;
+  overwritten.replace(middle, kPage, std::string(kPage, 'x'));
+  swapped.replace(middle - kPage, 2 * kPage,
+                  whole.substr(middle, kPage) + whole.substr(middle - kPage, kPage));
+  for (const std::string& content : {overwritten, swapped, whole.substr(0, middle)}) {
+    here.write("r.sqlite", content);
+    for (const std::string command :
+         {"batch small_experiment.xml --database r.sqlite --resume", "report r.sqlite",
+          "replay r.sqlite 1", "merge out.sqlite r.sqlite",
+          "merge out.sqlite whole.sqlite r.sqlite"}) {
+      CAPTURE(command);
+      const auto run =
+          here.elsie(command + (command[0] == 'b' ? " --plugin-path " + here.plugins() : ""));
+      CHECK(run.exit_code == 2);
+      CHECK(run.out.empty());
+      CHECK_THAT(run.err, Contains("elsie: the database 'r.sqlite' is damaged (") &&
+                              Contains("take a copy of it, or do its runs again with another "
+                                       "--database"));
+      CHECK(here.read("r.sqlite") == content);
+      CHECK_FALSE(fs::exists(here.file("out.sqlite")));
+    }
+  }
+}
+
+TEST_CASE("A batch whose database is taken away stops, and says where its results are") {
+  const Laboratory here;
+  here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 2);
+  /// Does something to the database between the first run and the second.
+  const auto batch_during = [&](const std::string& action) {
+    return here.sh("elsie batch faulty.xml --workers 1 --quiet --plugin-path " +
+                   Laboratory::plugins() +
+                   " & batch=$!\n"
+                   "while ! sqlite3 faulty.sqlite 'SELECT count(*) FROM runs WHERE state = "
+                   "\"done\"' 2>/dev/null | grep -q 1; do sleep 0.05; done\n" +
+                   action +
+                   "\n"
+                   "wait $batch && code=$? || code=$?\n"
+                   "exit $code");
+  };
+  SECTION("renamed: it is put back, and goes on") {
+    const auto run = batch_during("mv faulty.sqlite elsewhere.sqlite");
+    CHECK(run.exit_code == 4);
+    CHECK_THAT(run.err, Contains("the database 'faulty.sqlite' was renamed while the batch wrote "
+                                 "it; the result of 1 run is in '") &&
+                            Contains("elsewhere.sqlite': put it back"));
+    here.check_sound("elsewhere.sqlite");
+    fs::rename(here.file("elsewhere.sqlite"), here.file("faulty.sqlite"));
+    CHECK(here.batch("faulty.xml --quiet --resume").exit_code == 0);
+    CHECK(here.query("faulty.sqlite", "SELECT state FROM runs") == "done\ndone\n");
+  }
+  SECTION("replaced: the other file is left alone") {
+    const auto run = batch_during("mv faulty.sqlite elsewhere.sqlite; echo mine > faulty.sqlite");
+    CHECK(run.exit_code == 4);
+    CHECK_THAT(run.err, Contains("another file has taken the place of the database "
+                                 "'faulty.sqlite' while the batch wrote it; the result of 1 run"));
+    CHECK(here.read("faulty.sqlite") == "mine\n");
+    here.check_sound("elsewhere.sqlite");
+  }
+  SECTION("removed: the results are lost") {
+    const auto run = batch_during("rm faulty.sqlite");
+    CHECK(run.exit_code == 4);
+    CHECK_THAT(run.err, Contains("the database 'faulty.sqlite' was removed while the batch wrote "
+                                 "it; the result of 1 run is lost"));
+    CHECK_FALSE(fs::exists(here.file("faulty.sqlite")));
+  }
+}
