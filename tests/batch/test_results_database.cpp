@@ -302,6 +302,9 @@ TEST_CASE("One batch at a time writes a database, while others may read it") {
         ResultsDatabase::resume(file, plan),
         Contains("is being written by another batch (process " + std::to_string(getpid())));
     CHECK_THROWS_AS(ResultsDatabase::create(file, plan), DatabaseRefused);
+    const std::string link = folder.file("link.sqlite");
+    fs::create_symlink(file, link);
+    CHECK_THROWS_WITH(ResultsDatabase::resume(link, plan), Contains("is being written by another"));
     first.write(1, test::some_record());
     CHECK(ResultsDatabase::open(file).pending().size() == 5);
     first.write(2, test::some_record());

@@ -47,7 +47,10 @@ std::string me() {
 }  // namespace
 
 std::filesystem::path LockFile::beside(const std::filesystem::path& file) {
-  return file.string() + "-lock";
+  // Through a link it is the same database, and so the same lock.
+  std::error_code error;
+  const std::filesystem::path real = std::filesystem::weakly_canonical(file, error);
+  return (error ? file : real).string() + "-lock";
 }
 
 LockFile::LockFile(const std::filesystem::path& locked) : file_(beside(locked)) {

@@ -11,7 +11,7 @@ namespace elsie::batch {
 /// left behind does not count.
 class LockFile {
  public:
-  /// "results.sqlite-lock" for "results.sqlite".
+  /// "results.sqlite-lock" for "results.sqlite", and for a link to it.
   static std::filesystem::path beside(const std::filesystem::path& file);
 
   /// Takes the lock. Throws DatabaseRefused when another process has it, or the lock file cannot be

@@ -32,7 +32,7 @@ inline constexpr int kSchemaVersion = 1;
 /// database of results or one of another version, was not begun, or is damaged; DatabaseError when
 /// the system cannot read it.
 ///
-/// All of it is read and checked: 0.1 s for a thousand runs.
+/// All of it is read and checked: 0.05 s for a thousand runs with their trajectories, 27 MB.
 sqlite::Connection open_to_write(const std::filesystem::path& file);
 
 /// The same. One that was left in the mode in which it is written can be read where nothing can be
