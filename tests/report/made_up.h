@@ -1,4 +1,4 @@
-// Results databases with made-up runs, written with the schema of core/batch.
+// Results databases with made-up runs, written with the schema of core/results.
 #pragma once
 
 #include <cstddef>
