@@ -12,6 +12,7 @@
 
 #include "command.h"
 #include "progress.h"
+#include "status_line.h"
 #include "text_table.h"
 
 using elsie::batch::CellCount;
@@ -89,7 +90,10 @@ std::string duration_text(double seconds) {
 }
 
 std::string progress_line(const elsie::batch::Progress& progress) {
-  const double part = static_cast<double>(progress.ended) / static_cast<double>(progress.runs);
+  // On a cluster there may be none: what is left of the batch is the end of its tasks.
+  const double part = progress.runs > 0
+                          ? static_cast<double>(progress.ended) / static_cast<double>(progress.runs)
+                          : 1.0;
   std::string line = bar_text(part) + "  " + std::to_string(progress.ended) + " of " +
                      counted(progress.runs, "run");
   if (progress.failed > 0) {
@@ -112,15 +116,13 @@ void BatchReport::progress(const elsie::batch::Progress& progress) {
   if (!bar_ || progress.runs == 0) {
     return;
   }
-  std::fprintf(stderr, "\r%s\033[K", progress_line(progress).c_str());
-  std::fflush(stderr);
+  draw_status(progress_line(progress));
 }
 
 void BatchReport::end(bool interrupted) {
   interrupted_ = interrupted;
   if (bar_) {
-    std::fputs("\r\033[K", stderr);
-    std::fflush(stderr);
+    wipe_status();
   }
 }
 

@@ -18,6 +18,7 @@
 #include "batch_options.h"
 #include "batch_report.h"
 #include "command.h"
+#include "status_line.h"
 #include "stop_signals.h"
 #include "text_table.h"
 
@@ -104,8 +105,7 @@ class ClusterBatch {
     const std::vector<std::size_t> to_do = folder_.unfinished(numbers(at_work));
     if (to_do.empty()) {
       if (!at_work.empty()) {
-        say("job array " + folder_.job() + " is at work: " + std::to_string(at_work.size()) +
-            " tasks");
+        say("job array " + folder_.job() + " is at work: " + counted(at_work.size(), "task"));
       }
       return;
     }
@@ -227,24 +227,23 @@ class ClusterBatch {
                                          [](const Task& task) { return task.running; });
       const auto waits = std::find_if(tasks->begin(), tasks->end(),
                                       [](const Task& task) { return !task.running; });
-      note = ", " + std::to_string(running) + " tasks run";
+      note = ", " + counted(running, "task") + (running == 1 ? " runs" : " run");
       if (waits != tasks->end()) {
-        note +=
-            ", " + std::to_string(std::ssize(*tasks) - running) + " wait (" + waits->reason + ")";
+        note += ", " + std::to_string(std::ssize(*tasks) - running) +
+                (std::ssize(*tasks) - running == 1 ? " waits (" : " wait (") + waits->reason + ")";
       }
     }
     const cluster::Count count = folder_.count();
-    std::cerr << '\r'
-              << progress_line({.runs = count.runs - ended_before,
-                                .ended = count.ended - ended_before,
-                                .failed = count.failed,
-                                .elapsed_s = elapsed_s_})
-              << note << "\033[K" << std::flush;
+    draw_status(progress_line({.runs = count.runs - ended_before,
+                               .ended = count.ended - ended_before,
+                               .failed = count.failed,
+                               .elapsed_s = elapsed_s_}) +
+                note);
   }
 
   void wipe() const {
     if (has_bar()) {
-      std::cerr << "\r\033[K" << std::flush;
+      wipe_status();
     }
   }
 

@@ -1,7 +1,6 @@
 #include "progress.h"
 
 #include <algorithm>
-#include <atomic>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -11,6 +10,7 @@
 #include "elsie/simulation/simulation.h"
 
 #include "command.h"
+#include "repeated_request.h"
 
 namespace {
 
@@ -21,18 +21,13 @@ constexpr std::uint64_t kStepsBetweenLooks = 64;  // at the clock
 
 // A signal handler can reach nothing but a global of this kind.
 volatile std::sig_atomic_t interrupted = 0;
-std::atomic<std::int64_t> interrupted_at_ns{0};
-// timeout(1) and others send a signal to a process and to its group: that is one request.
-constexpr std::int64_t kOneRequestNs = 500'000'000;
+RepeatedRequest request;
 
 void interrupt(int) {
-  const std::int64_t now_ns =
-      std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now().time_since_epoch()).count();
-  if (interrupted == 0) {
-    interrupted_at_ns = now_ns;
-    interrupted = 1;
-  } else if (now_ns - interrupted_at_ns > kOneRequestNs) {
-    // Asked twice: whatever is at work does not come to an end.
+  const RepeatedRequest::Kind kind = request.come();
+  interrupted = 1;
+  if (kind == RepeatedRequest::Kind::second) {
+    // Whatever is at work does not come to an end.
     elsie::plugin::end_process(
         "was at work when the run was interrupted",
         "something outside of all plugins was at work when the run was interrupted", kOtherFailure);
@@ -50,6 +45,7 @@ void end_at_once(int) {
 }  // namespace
 
 std::string bar_text(double part) {
+  part = std::clamp(part, 0.0, 1.0);
   std::string bar(static_cast<std::size_t>(part * kBarWidth), '=');
   bar += '>';
   bar.resize(kBarWidth + 1, ' ');
@@ -94,6 +90,7 @@ void end_at_once_when_interrupted() {
 
 InterruptGuard::InterruptGuard() {
   interrupted = 0;
+  request.forget();
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     before_[i] = std::signal(kSignals[i], interrupt);
     // Ignored hang-ups (nohup) stay ignored; Ctrl-C ends runs that a script has in the background,

@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include <CLI/CLI.hpp>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "elsie/experiment/reader.h"
@@ -16,6 +15,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "status_line.h"
 
 namespace fs = std::filesystem;
 using elsie::report::Findings;
@@ -85,11 +85,7 @@ void write(const std::string& file, const std::string& text, const char* option)
 }
 
 /// How wide the terminal is, in characters; a table for a file is not wrapped for one.
-std::size_t width() {
-  winsize size{};
-  const bool terminal = isatty(STDOUT_FILENO) && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0;
-  return terminal && size.ws_col >= 40 ? size.ws_col : 120;
-}
+std::size_t width() { return terminal_columns(STDOUT_FILENO, 120); }
 
 Findings found(const ResultsFile& file) {
   elsie::report::Results results = file.results();

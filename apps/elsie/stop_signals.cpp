@@ -8,19 +8,30 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "repeated_request.h"
+
 namespace {
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 
-// A handler can reach nothing but a global.
+// A handler can reach nothing but globals.
 std::atomic<int> to_write{-1};
+RepeatedRequest request;
 
-void stop(int) {
+void stop(int number) {
   const int error = errno;
-  for (const int number : kSignals) {
-    signal(number, SIG_DFL);
+  switch (request.come()) {
+    case RepeatedRequest::Kind::first: {
+      [[maybe_unused]] const ssize_t written = write(to_write, "!", 1);
+      break;
+    }
+    case RepeatedRequest::Kind::echo:
+      break;
+    case RepeatedRequest::Kind::second:  // asked twice: whatever is at work does not come to an end
+      signal(number, SIG_DFL);
+      raise(number);
+      break;
   }
-  [[maybe_unused]] const ssize_t written = write(to_write, "!", 1);
   errno = error;
 }
 
@@ -31,6 +42,7 @@ StopSignals::StopSignals() {
     throw std::runtime_error("signals cannot be waited for: " +
                              std::generic_category().message(errno));
   }
+  request.forget();
   to_write = ends_[1];
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     sigaction(kSignals[i], nullptr, &before_[i]);

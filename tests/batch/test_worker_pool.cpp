@@ -74,9 +74,17 @@ TEST_CASE("Every job is done once, with any number of workers") {
 
 TEST_CASE("Workers are at work at the same time, and no more than allowed") {
   const test::Folder folder;
+  // Each waits until three are there, which is once the case, and tells how many it has seen.
   const std::string script = "d='" + folder.file("") +
-                             "'; mkdir $d/$$; sleep 0.3; ls $d | wc -l; "
-                             "rmdir $d/$$; exit 1";
+                             "'; mkdir -p $d/at_work/$$; most=0; tries=0\n"
+                             "while [ $tries -lt 200 ]; do\n"
+                             "  now=$(ls $d/at_work | wc -l)\n"
+                             "  if [ $now -gt $most ]; then most=$now; fi\n"
+                             "  if [ $now -ge 3 ]; then touch $d/three; fi\n"
+                             "  if [ -e $d/three ]; then break; fi\n"
+                             "  tries=$((tries + 1)); sleep 0.05\n"
+                             "done\n"
+                             "echo $most; rmdir $d/at_work/$$; exit 1";
   const auto results = results_of(script, 6, {.workers = 3});
   int most = 0;
   for (const auto& [run, record] : results) {

@@ -1,6 +1,9 @@
 // elsie batch: many runs, their database, what is told of them.
+#include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -53,6 +56,37 @@ TEST_CASE("The default database is named after the experiment, and is not overwr
   CHECK(resumed.exit_code == 0);
   CHECK_THAT(resumed.out, Contains("all 24 runs are done already"));
   CHECK(here.table("small_experiment.sqlite") == before);
+}
+
+TEST_CASE("On a terminal a bar tells how far a batch is and how long the rest takes, on one line") {
+  const Laboratory here;
+  // What was drawn, each time over what was there before.
+  const auto drawn = [&](int columns) {
+    const auto run = here.sh("script -qec 'stty cols " + std::to_string(columns) +
+                             "; elsie batch small_experiment.xml --workers 1 --database " +
+                             std::to_string(columns) + ".sqlite' /dev/null");
+    CHECK(run.exit_code == 0);
+    std::vector<std::string> lines;
+    std::istringstream parts(run.out.substr(0, run.out.find("Small")));
+    for (std::string line; std::getline(parts, line, '\r');) {
+      if (const std::size_t end = line.find("\033[K"); end != std::string::npos) {
+        lines.push_back(line.substr(0, end));
+      }
+    }
+    return lines;
+  };
+  const auto wide = drawn(120);
+  REQUIRE(wide.size() >= 24);
+  CHECK(wide.back().empty());  // wiped
+  CHECK_THAT(wide[wide.size() - 2], Contains("100 %  24 of 24 runs"));
+  CHECK(std::any_of(wide.begin(), wide.end(), [](const std::string& line) {
+    return line.find(" of 24 runs, ") != std::string::npos && line.ends_with(" s left");
+  }));
+  const auto narrow = drawn(50);
+  CHECK(std::all_of(narrow.begin(), narrow.end(),
+                    [](const std::string& line) { return line.size() < 50; }));
+  CHECK(std::any_of(narrow.begin(), narrow.end(),
+                    [](const std::string& line) { return line.ends_with("..."); }));
 }
 
 TEST_CASE("The summary is to be had as JSON") {

@@ -194,6 +194,24 @@ TEST_CASE("Ctrl-C stops a batch in order: what is done is kept, the rest stays t
   here.check_sound("INT.sqlite");
 }
 
+TEST_CASE("A signal that comes twice at once is one request to stop") {
+  const Laboratory here;
+  here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 4);
+  // As timeout(1) and schedulers send it: to the process, and to its group.
+  const auto run =
+      here.sh("elsie batch faulty.xml --workers 1 --plugin-path " + Laboratory::plugins() +
+              " & batch=$!\n"
+              "while [ $(wc -w < /proc/$batch/task/$batch/children) = 0 ]; do sleep 0.02; done\n"
+              "kill -TERM $batch; sleep 0.005; kill -TERM $batch 2>/dev/null || true\n"
+              "sleep 0.002; kill -INT $batch 2>/dev/null || true\n"
+              "wait $batch && code=$? || code=$?\n"
+              "exit $code");
+  CHECK(run.exit_code == 4);
+  CHECK_THAT(run.err, Contains("interrupted; 4 of 4 runs are still to be done"));
+  CHECK_FALSE(fs::exists(here.file("faulty.sqlite-lock")));
+  CHECK_FALSE(fs::exists(here.file("faulty.sqlite-wal")));
+}
+
 TEST_CASE("Two batches do not write one database") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 2);

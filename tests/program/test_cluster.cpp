@@ -106,7 +106,10 @@ TEST_CASE("A follower that is killed or leaves can be followed by another") {
       "until_begun all.sqlite 1\n"
       "kill -9 $follower; wait $follower || true\n"
       "follow faulty.xml --cluster slurm --resume --database all.sqlite & follower=$!\n"
-      "sleep 0.7; kill -INT $follower\n"
+      // It waits for Slurm and for signals by a pipe of its own.
+      "until [ $(ls -l /proc/$follower/fd | grep -c ' [0-9]*[3-9] -> pipe:') -ge 2 ]; do sleep "
+      "0.05; done\n"
+      "sleep 0.3; kill -INT $follower\n"
       "wait $follower && code=$? || code=$?\n"
       "echo code $code\n"
       "batch faulty.xml --cluster slurm --resume --detach --database all.sqlite\n"
@@ -132,6 +135,27 @@ TEST_CASE("Two that follow the same batch come to the same") {
   CHECK(run.exit_code == 0);
   CHECK_THAT(run.out, Contains("2 runs in ") || Contains("all 2 runs are done already"));
   CHECK(nlohmann::json::parse(here.read("second.json"))["done"] == 2);
+}
+
+TEST_CASE(
+    "On a terminal a line tells how far a cluster is, also when only its tasks' end is left") {
+  const Cluster here;
+  const auto run = here.with_slurm(
+      "batch small_experiment.xml --cluster slurm --shards 1 --database all.sqlite --detach\n"
+      "until grep -q '\"ended\":24' all.sqlite-shards/shard-1.json; do sleep 0.05; done\n"
+      // All runs have ended, and Slurm still says twice that it is completing the task.
+      "mkdir stub; real=$(command -v squeue)\n"
+      "printf '#!/bin/sh\\nif [ ! -e once ]; then touch once; elif [ ! -e twice ]; then touch "
+      "twice; else exec %s \"$@\"; fi\\necho \"1|CG|None\"\\n' \"$real\" > stub/squeue\n"
+      "chmod +x stub/squeue\n"
+      "PATH=$PWD/stub:$PATH script -qec \"stty cols 70; elsie batch small_experiment.xml --cluster "
+      "slurm --resume --database all.sqlite --plugin-path '" +
+      Laboratory::plugins() + "'\" /dev/null\n");
+  CAPTURE(run.out, run.err);
+  CHECK(run.exit_code == 0);
+  CHECK_THAT(run.out,
+             Contains("100 %  0 of 0 runs, 1 task runs") && Contains("results: all.sqlite"));
+  CHECK(here.table("all.sqlite") == here.alone("small_experiment.xml"));
 }
 
 TEST_CASE("A task that goes back into the queue goes on where it was") {
