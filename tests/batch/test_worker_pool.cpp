@@ -184,6 +184,18 @@ TEST_CASE("A worker that takes too long says who is at work, and is ended") {
         "robot 'r1' was at work in step 50");
 }
 
+TEST_CASE("A run that is only slow is told by its step: no plugin is to blame") {
+  const auto slow =
+      result_of("trap 'printf \"\\n!\\t\\t\\t626\\t\\n\" >&3; exit 3' TERM; sleep 60 & wait",
+                {.wall_limit_s = 0.3});
+  CHECK(slow.state == batch::RunState::hang);
+  CHECK(slow.step == 626);
+  CHECK_FALSE(slow.plugin);
+  CHECK(slow.message ==
+        "the run did not end within 0.3 s on the clock and was ended in step 626, while no plugin "
+        "was at work");
+}
+
 TEST_CASE("One that does not listen is killed, with all that it has started") {
   const test::Folder folder;
   const auto start = std::chrono::steady_clock::now();

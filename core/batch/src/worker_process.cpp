@@ -15,11 +15,10 @@
 #include <unistd.h>
 
 #include "last_words.h"
+#include "post_mortem.h"
 
 namespace elsie::batch {
 namespace {
-
-constexpr std::size_t kLongestAnswer = 256U << 20U;  // bytes
 
 [[noreturn]] void fail(const char* what) {
   throw std::runtime_error(std::string("no worker can be started: ") + what + ": " +
@@ -138,22 +137,6 @@ std::string readable(const std::string& text) {
     }
   }
   return clean;
-}
-
-std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.6g s", seconds);
-  return text;
-}
-
-/// "plugin 'wander' (id 'roam') of robot 'r1'", or a word for what is not known.
-std::string culprit(const LastWords& words) {
-  if (words.plugin.empty()) {
-    return "the process";
-  }
-  return "plugin '" + words.plugin + "'" +
-         (words.id.empty() || words.id == words.plugin ? "" : " (id '" + words.id + "')") +
-         (words.robot.empty() ? "" : " of robot '" + words.robot + "'");
 }
 
 }  // namespace
@@ -303,54 +286,18 @@ RunRecord WorkerPool::Worker::record() {
       problem = error.what();
     }
   }
-  const bool answered = record.state != RunState::error || !record.message.empty();
+  if (record.state == RunState::error && record.message.empty()) {
+    record = post_mortem({.status = status_,
+                          .words = words,
+                          .problem = problem,
+                          .said_nothing = answered_.empty(),
+                          .said_too_much = too_long_,
+                          .overdue = hangs_,
+                          .wall_limit_s = wall_limit_s_});
+    record.wall_s = wall_s_;
+  }
   if (WIFEXITED(status_)) {
     record.exit_code = WEXITSTATUS(status_);
-  }
-  if (!answered) {
-    record.wall_s = wall_s_;
-    const LastWords known = words.value_or(LastWords{});
-    const std::string step = known.step ? " in step " + std::to_string(*known.step) : "";
-    if (!known.plugin.empty()) {
-      record.plugin = known.plugin;
-    }
-    if (!known.robot.empty()) {
-      record.robot = known.robot;
-    }
-    record.step = known.step;
-    if (hangs_) {
-      record.state = RunState::hang;
-      record.message = "the run did not end within " + seconds_text(wall_limit_s_) +
-                       " on the clock and was ended" +
-                       (words ? ", while " + culprit(known) + " was at work" + step : "");
-    } else if (WIFSIGNALED(status_) || words) {
-      record.state = RunState::crash;
-      if (WIFSIGNALED(status_)) {
-        record.signal = signal_name(WTERMSIG(status_));
-      } else if (!known.signal.empty()) {
-        record.signal = known.signal;
-      }
-      record.message = culprit(known) +
-                       (record.signal ? " was ended by " + *record.signal
-                                      : " ended the process by calling exit()") +
-                       step;
-      if (record.signal && record.plugin) {
-        record.message = culprit(known) + " crashed with " + *record.signal + step;
-      }
-      if (record.signal == "SIGKILL" && !record.plugin) {
-        record.message += "; somebody killed it, or the system did so because memory ran out";
-      }
-    } else if (too_long_) {
-      record.message =
-          "the results of the run are longer than " + std::to_string(kLongestAnswer >> 20U) + " MB";
-    } else if (record.exit_code == 127 && answered_.empty()) {
-      record.message = "the worker could not be started";
-    } else {
-      record.state = answered_.empty() ? RunState::crash : RunState::error;
-      record.message = "the process ended with exit code " +
-                       std::to_string(record.exit_code.value_or(-1)) + " before its run did" +
-                       (problem.empty() ? "" : ": " + problem);
-    }
   }
   if (record.state != RunState::done) {
     record.log = (log_is_cut_ ? "[...]\n" : "") + readable(log_);
