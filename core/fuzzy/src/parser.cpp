@@ -1,13 +1,11 @@
 #include "parser.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <string>
 #include <utility>
 
-#include "lexer.h"
-#include "text.h"
+#include "statement_reader.h"
 
 namespace elsie::fuzzy {
 
@@ -15,40 +13,14 @@ namespace {
 
 /// Parentheses nested deeper than this are taken for a mistake.
 constexpr int kDeepest = 100;
-/// After so many mistakes the rest of the file tells nothing new.
-constexpr std::size_t kMostProblems = 100;
-
-/// Thrown by the functions below when a statement cannot be read, after the problem was noted.
-struct StatementLost {};
-/// Thrown to give up on the file.
-struct FileLost {};
-
-/// Words that begin or end something; where a statement went wrong, reading goes on at one.
-constexpr std::array kLandmarks = {
-    "function_block", "end_function_block", "var_input", "var_output", "end_var",
-    "fuzzify",        "end_fuzzify",        "defuzzify", "ruleblock",  "end_defuzzify",
-    "end_ruleblock",
-};
-/// Words that begin a statement.
-constexpr std::array kStatements = {"term", "method", "accu", "default", "range",
-                                    "rule", "and",    "or",   "act",     "enabled"};
-/// Words that cannot be names.
-constexpr std::array kReserved = {"if", "then", "is", "not", "and", "or", "with"};
 
 /// Words that other tools let stand before a term.
 constexpr std::array kHedges = {"very", "extremely", "somewhat", "seldom",
                                 "any",  "slightly",  "more",     "indeed"};
 
-template <class List>
-bool contains(const List& list, std::string_view text) {
-  const std::string word = lower(text);
-  return std::any_of(list.begin(), list.end(), [&](const char* item) { return word == item; });
-}
-
-class Parser {
+class Parser : private StatementReader {
  public:
-  Parser(std::string_view text, Problems& problems)
-      : tokens_(tokenize(text, problems)), problems_(problems) {}
+  using StatementReader::StatementReader;
 
   ast::FunctionBlock run() {
     try {
@@ -59,161 +31,6 @@ class Parser {
   }
 
  private:
-  // --- tokens ---
-
-  const Token& now() const { return tokens_[at_]; }
-  const Token& next() const { return tokens_[std::min(at_ + 1, tokens_.size() - 1)]; }
-  const Token& take() {
-    const Token& token = tokens_[at_];
-    if (token.kind != TokenKind::end) {
-      ++at_;
-    }
-    return token;
-  }
-  bool at_end() const { return now().kind == TokenKind::end; }
-  bool at_word(std::string_view word) const {
-    return now().kind == TokenKind::word && same_name(now().text, word);
-  }
-  bool at_symbol(std::string_view symbol) const {
-    return now().kind == TokenKind::symbol && now().text == symbol;
-  }
-  bool accept_word(std::string_view word) { return at_word(word) && (take(), true); }
-  bool accept_symbol(std::string_view symbol) { return at_symbol(symbol) && (take(), true); }
-
-  std::string found() const {
-    return at_end() ? std::string("the end of the file") : "'" + std::string(now().text) + "'";
-  }
-
-  // --- mistakes ---
-
-  void note(int line, const std::string& message) {
-    problems_.add(line, message);
-    if (problems_.size() >= kMostProblems) {
-      throw FileLost();
-    }
-  }
-  [[noreturn]] void lose(const std::string& message) {
-    note(now().line, message);
-    throw StatementLost();
-  }
-  [[noreturn]] void lose_expecting(const std::string& expected) {
-    lose("Found " + found() + ", expected " + expected + ".");
-  }
-  void expect_symbol(std::string_view symbol, const std::string& where) {
-    if (!accept_symbol(symbol)) {
-      lose_expecting("'" + std::string(symbol) + "' " + where);
-    }
-  }
-  void expect_semicolon(const std::string& statement) {
-    if (accept_symbol(";")) {
-      return;
-    }
-    const Token& last = tokens_[at_ - 1];
-    note(last.line, "Expected ';' at the end of the " + statement + " statement, after '" +
-                        std::string(last.text) + "', found " + found() + ".");
-    throw StatementLost();
-  }
-
-  /// Goes on after the statement that was lost.
-  void recover() {
-    while (!at_end()) {
-      if (accept_symbol(";")) {
-        return;
-      }
-      if (now().kind == TokenKind::word &&
-          (contains(kLandmarks, now().text) ||
-           (now().first_on_line && contains(kStatements, now().text)))) {
-        return;
-      }
-      take();
-    }
-  }
-
-  /// Reads statements until the end word of a block; `statement` must consume something or throw.
-  template <class Statement>
-  void block(const std::string& opening, const std::string& closing, Statement statement) {
-    const int line = tokens_[at_ - 1].line;
-    while (true) {
-      if (accept_word(closing)) {
-        accept_symbol(";");
-        return;
-      }
-      if (at_end() || (now().kind == TokenKind::word && contains(kLandmarks, now().text))) {
-        note(now().line, "Found " + found() + ", but the " + opening + " that begins in line " +
-                             std::to_string(line) + " is not closed. Write " + closing +
-                             " before it.");
-        return;
-      }
-      const std::size_t start = at_;
-      try {
-        statement();
-      } catch (const StatementLost&) {
-        if (at_ == start) {
-          take();
-        }
-        recover();
-      }
-    }
-  }
-
-  // --- pieces ---
-
-  ast::Name name(const std::string& what) {
-    if (now().kind != TokenKind::word) {
-      lose_expecting(what);
-    }
-    if (contains(kReserved, now().text) || contains(kLandmarks, now().text)) {
-      lose("Found the keyword " + upper(now().text) + ", expected " + what + ".");
-    }
-    const Token& token = take();
-    return {std::string(token.text), token.line};
-  }
-
-  double number(const std::string& what) {
-    double sign = 1.0;
-    if (at_symbol("-") || at_symbol("+")) {
-      sign = take().text == "-" ? -1.0 : 1.0;
-    }
-    if (now().kind != TokenKind::number) {
-      lose_expecting(what);
-    }
-    return sign * take().value;
-  }
-
-  /// RANGE := (low .. high); after the word RANGE.
-  ast::RangeStatement range() {
-    ast::RangeStatement statement;
-    statement.line = tokens_[at_ - 1].line;
-    accept_symbol(":=");
-    expect_symbol("(", "before the lower end of RANGE, as in RANGE := (0 .. 1)");
-    statement.range.low = number("the lower end of RANGE, a number");
-    expect_symbol("..", "between the two ends of RANGE");
-    statement.range.high = number("the upper end of RANGE, a number");
-    expect_symbol(")", "after the upper end of RANGE");
-    return statement;
-  }
-
-  /// Takes a statement's value unless the block has one already.
-  template <class Value>
-  void set_once(std::optional<Value>& place, Value value, int line, const std::string& keyword) {
-    if (place) {
-      note(line, keyword + " is set a second time in this block. Remove one of the two.");
-    } else {
-      place = std::move(value);
-    }
-  }
-
-  /// KEYWORD : WORD ;
-  void option(std::optional<ast::Name>& place, const std::string& keyword) {
-    const int line = take().line;
-    if (!accept_symbol(":=")) {
-      expect_symbol(":", "after " + keyword);
-    }
-    ast::Name value = name("the name of an algorithm after " + keyword);
-    expect_semicolon(keyword);
-    set_once(place, std::move(value), line, keyword);
-  }
-
   // --- the file ---
 
   void file() {
@@ -226,7 +43,7 @@ class Parser {
       return;
     }
     try {
-      if (now().kind == TokenKind::word && !contains(kLandmarks, now().text)) {
+      if (now().kind == TokenKind::word && !at_landmark()) {
         block_.name = name("the name of the function block");
       }
     } catch (const StatementLost&) {
@@ -260,7 +77,7 @@ class Parser {
         variable_block();
       } else if (accept_word("ruleblock")) {
         rule_block();
-      } else if (now().kind == TokenKind::word && contains(kLandmarks, now().text)) {
+      } else if (at_landmark()) {
         note(now().line, "Found " + found() + ", but no such block is open here. Remove it.");
         take();
       } else {
@@ -274,7 +91,7 @@ class Parser {
   }
 
   void skip_to_landmark() {
-    while (!at_end() && !(now().kind == TokenKind::word && contains(kLandmarks, now().text))) {
+    while (!at_end() && !at_landmark()) {
       take();
     }
   }
@@ -367,7 +184,7 @@ class Parser {
         result.points.push_back(point);
         accept_symbol(",");
       }
-    } else if (now().kind == TokenKind::word && !contains(kLandmarks, now().text)) {
+    } else if (now().kind == TokenKind::word && !at_landmark()) {
       result.shape = take().text;
       while (now().kind == TokenKind::number || at_symbol("-") || at_symbol("+") ||
              at_word("inf") || at_symbol(",")) {
@@ -398,7 +215,7 @@ class Parser {
 
   void rule_block() {
     ast::RuleBlock rules;
-    rules.name.line = tokens_[at_ - 1].line;
+    rules.name.line = last().line;
     if (now().kind == TokenKind::word && next().text != ":" && next().text != ":=" &&
         !contains(kLandmarks, now().text) && !at_word("rule")) {
       rules.name = name("the name of the rule block");
@@ -426,7 +243,7 @@ class Parser {
   /// label : IF condition THEN conclusion, conclusion WITH weight;   after the word RULE.
   ast::Rule rule() {
     ast::Rule result;
-    result.label.line = tokens_[at_ - 1].line;
+    result.label.line = last().line;
     if (now().kind != TokenKind::number && now().kind != TokenKind::word) {
       lose_expecting("the number or name of the rule");
     }
@@ -538,9 +355,6 @@ class Parser {
     }
   }
 
-  std::vector<Token> tokens_;
-  Problems& problems_;
-  std::size_t at_ = 0;
   ast::FunctionBlock block_;
 };
 

@@ -1,0 +1,293 @@
+// Variables: their ranges, terms and algorithms.
+#include <algorithm>
+#include <stdexcept>
+
+#include "elsie/fuzzy/sets.h"
+
+#include "model_builder.h"
+#include "shapes.h"
+
+namespace elsie::fuzzy {
+
+void ModelBuilder::declare(const std::vector<ast::VariableDeclaration>& variables, bool output) {
+  for (const ast::VariableDeclaration& declaration : variables) {
+    const std::size_t index = output ? model_->outputs.size() : model_->inputs.size();
+    const auto [place, is_new] =
+        variables_.try_emplace(lower(declaration.name.text), Declared{output, index, &declaration});
+    if (!is_new) {
+      const ast::Name& first = place->second.declaration->name;
+      problems_.add(declaration.name.line,
+                    "The variable " + quoted(declaration.name.text) +
+                        " is declared a second time; the first is " + quoted(first.text) +
+                        " in line " + std::to_string(first.line) +
+                        ". Names are the same in any letter case: choose another one.");
+      continue;
+    }
+    Variable named;
+    named.name = declaration.name.text;
+    if (output) {
+      static_cast<Variable&>(model_->outputs.emplace_back()) = std::move(named);
+    } else {
+      model_->inputs.push_back(std::move(named));
+    }
+  }
+}
+
+Variable& ModelBuilder::variable(const Declared& declared) {
+  return declared.output ? model_->outputs[declared.index] : model_->inputs[declared.index];
+}
+
+ModelBuilder::Declared* ModelBuilder::find(const ast::Name& name, const char* wanted) {
+  const auto found = variables_.find(lower(name.text));
+  if (found != variables_.end()) {
+    return &found->second;
+  }
+  std::vector<std::string> names;
+  for (const auto& [key, declared] : variables_) {
+    names.push_back(declared.declaration->name.text);
+  }
+  problems_.add(name.line, "There is no " + std::string(wanted) + " " + quoted(name.text) + "." +
+                               did_you_mean(name.text, names) + " Declare it in " +
+                               (std::string_view(wanted) == "output" ? "VAR_OUTPUT" : "VAR_INPUT") +
+                               " or correct the name.");
+  return nullptr;
+}
+
+void ModelBuilder::variable_block(const ast::VariableBlock& block, bool output) {
+  const char* keyword = output ? "DEFUZZIFY" : "FUZZIFY";
+  Declared* declared = find(block.name, output ? "output" : "input");
+  if (!declared) {
+    return;
+  }
+  if (declared->output != output) {
+    problems_.add(block.name.line, quoted(block.name.text) + " is an " +
+                                       (output ? "input" : "output") + ", so its block is " +
+                                       (output ? "FUZZIFY" : "DEFUZZIFY") + ", not " + keyword +
+                                       ".");
+    declared->block_line = declared->block_line ? declared->block_line : block.name.line;
+    return;
+  }
+  if (declared->block_line) {
+    problems_.add(block.name.line, "A second " + std::string(keyword) + " block of " +
+                                       quoted(block.name.text) + "; the first is in line " +
+                                       std::to_string(declared->block_line) +
+                                       ". Put them together.");
+    return;
+  }
+  declared->block_line = block.name.line;
+  Variable& target = variable(*declared);
+  range(block, *declared, target);
+  if (block.terms.empty()) {
+    problems_.add(block.name.line, "The variable " + quoted(block.name.text) +
+                                       " has no terms. Write at least one TERM.");
+  }
+  std::map<std::string, const ast::Name*> seen;
+  for (const ast::Term& term : block.terms) {
+    const auto [place, is_new] = seen.try_emplace(lower(term.name.text), &term.name);
+    if (!is_new) {
+      problems_.add(term.name.line,
+                    "The term " + quoted(term.name.text) + " of " + quoted(block.name.text) +
+                        " is defined a second time; the first is " + quoted(place->second->text) +
+                        " in line " + std::to_string(place->second->line) +
+                        ". Names are the same in any letter case: choose another one.");
+      continue;
+    }
+    std::optional<FuzzySet> set = term_set(term, target);
+    target.terms.push_back({term.name.text, set.value_or(FuzzySet{}), term.singleton});
+  }
+  declared->usable = !target.terms.empty();
+  if (!target.range_given) {
+    bool any = false;
+    for (const Term& term : target.terms) {
+      if (!term.set.points.empty()) {
+        const double low = term.set.points.front().x;
+        const double high = term.set.points.back().x;
+        target.range.low = any ? std::min(target.range.low, low) : low;
+        target.range.high = any ? std::max(target.range.high, high) : high;
+        any = true;
+      }
+    }
+    if (!output && target.range.low == target.range.high) {
+      target.range.low -= 1.0;
+      target.range.high += 1.0;
+    }
+  }
+  if (output) {
+    output_block(block, model_->outputs[declared->index], *declared);
+  }
+}
+
+void ModelBuilder::range(const ast::VariableBlock& block, const Declared& declared,
+                         Variable& variable) {
+  const std::optional<ast::RangeStatement>& first = declared.declaration->range;
+  for (const auto* statement : {&first, &block.range}) {
+    if (!*statement) {
+      continue;
+    }
+    const ast::RangeStatement& stated = **statement;
+    if (!(stated.range.low < stated.range.high)) {
+      problems_.add(stated.line, "The RANGE " + range_text(stated.range) + " of " +
+                                     quoted(block.name.text) +
+                                     " is empty: its lower end must be below its upper end.");
+      continue;
+    }
+    if (variable.range_given && !(variable.range == stated.range)) {
+      problems_.add(stated.line, "The RANGE " + range_text(stated.range) + " of " +
+                                     quoted(block.name.text) + " contradicts " +
+                                     range_text(variable.range) + " in line " +
+                                     std::to_string(first->line) + ". Remove one of the two.");
+      continue;
+    }
+    variable.range = stated.range;
+    variable.range_given = true;
+  }
+}
+
+bool ModelBuilder::check_points(const ast::Term& term) {
+  const int line = term.name.line;
+  if (term.points.size() == 1) {
+    problems_.add(line, "The term " + quoted(term.name.text) +
+                            " has one point only. Write a singleton as := " +
+                            number_text(term.points[0].x) + ", or give at least two points.");
+    return false;
+  }
+  for (std::size_t i = 0; i < term.points.size(); ++i) {
+    const FuzzySet::Point& point = term.points[i];
+    const std::string text = "(" + number_text(point.x) + ", " + number_text(point.degree) + ")";
+    if (!(point.degree >= 0.0 && point.degree <= 1.0)) {
+      problems_.add(line, "The point " + text + " of the term " + quoted(term.name.text) +
+                              " has the degree " + number_text(point.degree) +
+                              ". Degrees lie in 0 to 1.");
+      return false;
+    }
+    if (i == 0) {
+      continue;
+    }
+    const FuzzySet::Point& before = term.points[i - 1];
+    if (point.x < before.x) {
+      problems_.add(
+          line, "The points of the term " + quoted(term.name.text) + " do not ascend: " + text +
+                    " comes after x = " + number_text(before.x) + ". Put them in the order of x.");
+      return false;
+    }
+    if (point.x == before.x &&
+        (point.degree == before.degree || (i > 1 && term.points[i - 2].x == point.x))) {
+      problems_.add(line, "The points of the term " + quoted(term.name.text) +
+                              " do not ascend: x = " + number_text(point.x) +
+                              " comes too often. A step has two points of one x, with different "
+                              "degrees.");
+      return false;
+    }
+  }
+  return true;
+}
+
+std::optional<FuzzySet> ModelBuilder::term_set(const ast::Term& term, const Variable& variable) {
+  if (term.singleton) {
+    const double x = *term.singleton;
+    if (variable.range_given && (x < variable.range.low || x > variable.range.high)) {
+      problems_.add(term.name.line, "The singleton " + quoted(term.name.text) + " at " +
+                                        number_text(x) + " lies outside the RANGE " +
+                                        range_text(variable.range) + " of " +
+                                        quoted(variable.name) + ". Correct one of the two.");
+      return std::nullopt;
+    }
+    return FuzzySet{{{x, 0.0}, {x, 1.0}, {x, 0.0}}};
+  }
+  if (!term.points.empty()) {
+    return check_points(term) ? std::optional(FuzzySet{term.points}) : std::nullopt;
+  }
+  try {
+    return make_shape(term.shape, term.parameters,
+                      variable.range_given ? std::optional(variable.range) : std::nullopt);
+  } catch (const std::invalid_argument& problem) {
+    problems_.add(term.name.line, "In the term " + quoted(term.name.text) + " of " +
+                                      quoted(variable.name) + ": " + problem.what());
+    return std::nullopt;
+  }
+}
+
+void ModelBuilder::output_block(const ast::VariableBlock& block, OutputVariable& output,
+                                Declared& declared) {
+  const bool all_singletons =
+      !output.terms.empty() && std::all_of(output.terms.begin(), output.terms.end(),
+                                           [](const Term& t) { return t.singleton.has_value(); });
+  const std::optional<Defuzzification> method = word(block.method, kMethod, "METHOD");
+  output.method = method.value_or(all_singletons ? Defuzzification::centroid_of_singletons
+                                                 : Defuzzification::centroid);
+  if (const auto accumulation = word(block.accumulation, kAccumulation, "ACCU")) {
+    accumulate(declared, *accumulation, block.accumulation->line);
+  }
+  if (block.default_value) {
+    const ast::DefaultStatement& statement = *block.default_value;
+    output.default_value = statement.value;
+    output.keeps_last = statement.no_change;
+    if (statement.value && output.range_given &&
+        (*statement.value < output.range.low || *statement.value > output.range.high)) {
+      problems_.add(statement.line, "The DEFAULT " + number_text(*statement.value) + " of " +
+                                        quoted(output.name) + " lies outside its RANGE " +
+                                        range_text(output.range) + ". Correct one of the two.");
+    }
+  }
+  check_output_terms(block, output, method.has_value());
+}
+
+void ModelBuilder::check_output_terms(const ast::VariableBlock& block, const OutputVariable& output,
+                                      bool method_given) {
+  const auto singletons = std::count_if(output.terms.begin(), output.terms.end(),
+                                        [](const Term& t) { return t.singleton.has_value(); });
+  const int line = method_given ? block.method->line : block.name.line;
+  const bool needs_singletons = output.method == Defuzzification::centroid_of_singletons;
+  const bool needs_area =
+      output.method == Defuzzification::centroid || output.method == Defuzzification::bisector;
+  if (singletons > 0 && singletons < static_cast<std::ptrdiff_t>(output.terms.size())) {
+    problems_.add(block.name.line, "The output " + quoted(output.name) +
+                                       " has singletons beside terms with an area. Make all its "
+                                       "terms of one kind.");
+    return;
+  }
+  if (needs_singletons && singletons == 0 && !output.terms.empty()) {
+    problems_.add(line, "COGS works on singletons, but the terms of " + quoted(output.name) +
+                            " have an area. Use COG, or write the terms as := value.");
+    return;
+  }
+  if (needs_area && singletons > 0) {
+    problems_.add(line, "The terms of " + quoted(output.name) +
+                            " are singletons, which have no area. Use METHOD : COGS.");
+    return;
+  }
+  if (singletons > 0) {
+    return;
+  }
+  for (std::size_t i = 0; i < output.terms.size(); ++i) {
+    const Term& term = output.terms[i];
+    if (!term.set.points.empty() &&
+        !(output.range.low < output.range.high &&
+          area(restricted(term.set, output.range.low, output.range.high)) > 0.0)) {
+      const auto written =
+          std::find_if(block.terms.begin(), block.terms.end(),
+                       [&](const ast::Term& t) { return t.name.text == term.name; });
+      problems_.add(written->name.line,
+                    "The term " + quoted(term.name) + " of " + quoted(output.name) +
+                        " has no area within " + range_text(output.range) +
+                        ", so that nothing can be concluded from it. Correct the term or the "
+                        "RANGE.");
+    }
+  }
+}
+
+void ModelBuilder::accumulate(Declared& declared, Accumulation accumulation, int line) {
+  OutputVariable& output = model_->outputs[declared.index];
+  if (declared.accumulation_line && output.accumulation != accumulation) {
+    problems_.add(line, "This ACCU contradicts that of line " +
+                            std::to_string(declared.accumulation_line) + " for the output " +
+                            quoted(output.name) +
+                            ". An output has one accumulation: make them "
+                            "the same.");
+    return;
+  }
+  output.accumulation = accumulation;
+  declared.accumulation_line = line;
+}
+
+}  // namespace elsie::fuzzy
