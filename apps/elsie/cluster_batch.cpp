@@ -12,7 +12,6 @@
 
 #include "elsie/batch/results_database.h"
 #include "elsie/cluster/shard_folder.h"
-#include "elsie/cluster/shell_word.h"
 #include "elsie/cluster/slurm.h"
 
 #include "batch_options.h"

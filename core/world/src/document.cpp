@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "elsie/world/error.h"
+#include "elsie/world/escaped.h"
 #include "elsie/world/markup.h"
 
 #include "ids.h"
@@ -173,7 +174,7 @@ void Document::set(std::string_view path, std::string_view value) {
   const Path parsed = attribute_path(path);
   Document changed = *this;
   changed.add_missing(parsed);
-  const std::string quoted = "\"" + escaped(value) + "\"";
+  const std::string quoted = "\"" + escaped_attribute(value) + "\"";
   const auto with_value = [&](const ElementTags& element) {
     const Tag& tag = element.start;
     if (const TagAttribute* there = attribute_of(tag, parsed.attribute)) {

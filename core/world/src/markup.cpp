@@ -11,6 +11,8 @@
 
 #include "elsie/plugin/near_name.h"
 #include "elsie/world/error.h"
+#include "elsie/world/escaped.h"
+#include "elsie/world/utf8.h"
 
 #include "tags.h"
 
@@ -29,29 +31,6 @@ int line_of(std::string_view text, std::size_t place) {
          static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(place), '\n'));
 }
 
-// Where the text stops being UTF-8 (RFC 3629); its size when it never does.
-std::size_t first_not_utf8(std::string_view text) {
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const auto lead = static_cast<unsigned char>(text[at]);
-    const std::size_t length = lead < 0x80             ? 1
-                               : lead >> 5 == 0b110    ? 2
-                               : lead >> 4 == 0b1110   ? 3
-                               : lead >> 3 == 0b1'1110 ? 4
-                                                       : 0;
-    if (length == 0 || at + length > text.size()) {
-      return at;
-    }
-    for (std::size_t i = 1; i < length; ++i) {
-      if (static_cast<unsigned char>(text[at + i]) >> 6 != 0b10) {
-        return at;
-      }
-    }
-    at += length;
-  }
-  return at;
-}
-
 void check_characters(std::string_view text, const std::string& file) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
     fail(file, 0, "this file is in UTF-16; save it as UTF-8");
@@ -60,7 +39,7 @@ void check_characters(std::string_view text, const std::string& file) {
   if (zero != std::string_view::npos) {
     fail(file, line_of(text, zero), "this is not an XML file: it holds a zero byte");
   }
-  const std::size_t bad = first_not_utf8(text);
+  const std::size_t bad = first_invalid(text);
   if (bad < text.size()) {
     fail(file, line_of(text, bad), "this is not UTF-8 text; save the file as UTF-8");
   }
@@ -271,48 +250,16 @@ std::string in_words(const Attribute& attribute, const Element& element) {
 std::string markup_of(const Element& element) {
   std::string text = "<" + element.name;
   for (const Attribute& attribute : element.attributes) {
-    text += " " + attribute.name + "=\"" + escaped(attribute.value) + "\"";
+    text += " " + attribute.name + "=\"" + escaped_attribute(attribute.value) + "\"";
   }
   if (element.children.empty() && element.text.empty()) {
     return text + "/>";
   }
-  text += ">" + escaped(element.text);
+  text += ">" + escaped_attribute(element.text);
   for (const Element& child : element.children) {
     text += markup_of(child);
   }
   return text + "</" + element.name + ">";
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\n':
-        result += "&#10;";
-        break;
-      case '\r':
-        result += "&#13;";
-        break;
-      case '\t':
-        result += "&#9;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
 }
 
 }  // namespace elsie::world

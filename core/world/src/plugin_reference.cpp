@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "elsie/plugin/kind_name.h"
-#include "elsie/world/markup.h"
+#include "elsie/world/escaped.h"
 #include "elsie/world/reference.h"
 #include "elsie/world/values.h"
 #include "elsie/world/vocabulary.h"
@@ -84,7 +84,7 @@ std::string markup_of(const ElementValue& value, const ElementDeclaration& decla
     const auto given = value.parameters.find(parameter.name);
     if (given != value.parameters.end() &&
         (parameter.facts.required || given->second != parameter.default_value)) {
-      text += " " + parameter.name + "=\"" + escaped(format_value(given->second)) + "\"";
+      text += " " + parameter.name + "=\"" + escaped_attribute(format_value(given->second)) + "\"";
     }
   }
   return text + "/>";

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "elsie/world/markup.h"
+#include "elsie/world/escaped.h"
 #include "elsie/world/values.h"
 
 namespace elsie::world {
@@ -18,7 +18,7 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 std::string number(double value) { return format_value(ParameterValue(value)); }
 
 std::string facet(const std::string& name, const std::string& value) {
-  return "<xs:" + name + " value=\"" + escaped(value) + "\"/>";
+  return "<xs:" + name + " value=\"" + escaped_attribute(value) + "\"/>";
 }
 
 std::string restriction(const std::string& base, const std::string& facets) {
@@ -84,9 +84,9 @@ std::string indented(const std::string& text, std::size_t depth) {
 }
 
 std::string documentation(const std::string& text, std::size_t depth) {
-  return indented(
-      "<xs:annotation><xs:documentation>" + escaped(text) + "</xs:documentation></xs:annotation>",
-      depth);
+  return indented("<xs:annotation><xs:documentation>" + escaped_attribute(text) +
+                      "</xs:documentation></xs:annotation>",
+                  depth);
 }
 
 std::string basic_types() {

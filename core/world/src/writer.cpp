@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/world/markup.h"
+#include "elsie/world/escaped.h"
 #include "elsie/world/values.h"
 #include "elsie/world/vocabulary.h"
 
@@ -13,7 +13,7 @@ namespace elsie::world {
 namespace {
 
 void append_attribute(std::string& text, const std::string& name, const ParameterValue& value) {
-  text += " " + name + "=\"" + escaped(format_value(value)) + "\"";
+  text += " " + name + "=\"" + escaped_attribute(format_value(value)) + "\"";
 }
 
 // The parameters that are given to a plugin, or to an element in its own.

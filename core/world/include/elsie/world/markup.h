@@ -55,7 +55,4 @@ std::string in_words(const Attribute& attribute, const Element& element);
 /// The element as text that parses as the same: on one line, without the comments that stood in it.
 std::string markup_of(const Element& element);
 
-/// The text as an attribute's value between double quotes.
-std::string escaped(std::string_view text);
-
 }  // namespace elsie::world
