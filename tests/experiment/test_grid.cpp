@@ -1,6 +1,8 @@
 // Cells: which there are, in which order, and which of them an expectation is about.
 #include <catch2/catch.hpp>
 
+#include "elsie/experiment/grid.h"
+
 #include "fixture.h"
 
 using namespace elsie;
@@ -30,8 +32,9 @@ Texts about(const std::string& expectation) {
                             "at_least='1' " + expectation + "/></expectations>");
   const std::vector<Cell> grid = experiment::cells(e);
   Texts all;
-  for (const std::size_t index : experiment::cells_of(e, e.expectations.at(0), grid)) {
-    const auto other = experiment::reference_of(e, e.expectations[0], grid[index]);
+  const experiment::Grid by_levels(e, grid);
+  for (const std::size_t index : by_levels.cells_of(e.expectations.at(0))) {
+    const auto other = by_levels.reference_of(e.expectations[0], index);
     all.push_back(grid[index].label + (other ? " / " + grid[*other].label : ""));
   }
   return all;

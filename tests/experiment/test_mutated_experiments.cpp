@@ -1,6 +1,8 @@
 // Experiments with random damage are read or refused, never anything else.
 #include <catch2/catch.hpp>
 
+#include "elsie/experiment/grid.h"
+
 #include "damage.h"
 #include "fixture.h"
 
@@ -66,12 +68,12 @@ TEST_CASE("A damaged experiment is read or refused") {
       const auto grid = experiment::cells(e);
       REQUIRE(grid.size() * e.seeds.size() * static_cast<std::size_t>(e.repeats) ==
               experiment::number_of_runs(e));
+      const experiment::Grid by_levels(e, grid);
       for (const experiment::Expectation& expectation : e.expectations) {
-        const auto concerned = experiment::cells_of(e, expectation, grid);
+        const auto concerned = by_levels.cells_of(expectation);
         REQUIRE_FALSE(concerned.empty());
         for (const std::size_t index : concerned) {
-          REQUIRE(experiment::reference_of(e, expectation, grid.at(index)).value_or(0) <
-                  grid.size());
+          REQUIRE(by_levels.reference_of(expectation, index).value_or(0) < grid.size());
         }
       }
       experiment::read_cell(e, grid.back(), host(), options());

@@ -1,7 +1,4 @@
-// The grid: which cells there are, and which of them an expectation is about.
-#include <algorithm>
-#include <string_view>
-
+// The grid: which cells there are.
 #include "elsie/experiment/experiment.h"
 #include "elsie/world/values.h"
 
@@ -24,15 +21,6 @@ std::string label_of(const Experiment& experiment, const Cell& cell) {
   return label.empty() ? id : label;
 }
 
-bool is_selected(const Experiment& experiment, const std::vector<Where>& where, const Cell& cell) {
-  return std::all_of(where.begin(), where.end(), [&](const Where& each) {
-    const auto label = level_of(experiment, cell, each.factor);
-    return label &&
-           std::any_of(each.levels.begin(), each.levels.end(),
-                       [&](const std::string& pattern) { return matches(pattern, *label); });
-  });
-}
-
 }  // namespace
 
 std::string override_of(const Setting& setting) { return setting.path + "=" + setting.value; }
@@ -51,26 +39,6 @@ std::vector<Setting> settings_of(const Experiment& experiment, const Cell& cell)
     append(experiment.factors[i].levels[cell.levels[i]].settings);
   }
   return settings;
-}
-
-bool matches(const std::string& pattern, const std::string& label) {
-  // After the last star that was met, and what it stood for until now.
-  std::size_t star = std::string::npos, stood_for = 0, at = 0, in = 0;
-  while (in < label.size()) {
-    if (at < pattern.size() && pattern[at] == '*') {
-      star = ++at;
-      stood_for = in;
-    } else if (at < pattern.size() && pattern[at] == label[in]) {
-      ++at;
-      ++in;
-    } else if (star != std::string::npos) {
-      at = star;
-      in = ++stood_for;
-    } else {
-      return false;
-    }
-  }
-  return pattern.find_first_not_of('*', at) == std::string::npos;
 }
 
 std::vector<std::string> labels_of(const Experiment& experiment, const std::string& factor) {
@@ -137,47 +105,6 @@ std::optional<std::string> level_of(const Experiment& experiment, const Cell& ce
     }
   }
   return std::nullopt;
-}
-
-std::vector<std::size_t> cells_of(const Experiment& experiment, const Expectation& expectation,
-                                  const std::vector<Cell>& grid) {
-  std::vector<std::size_t> found;
-  for (const Cell& cell : grid) {
-    if (is_selected(experiment, expectation.where, cell) &&
-        reference_of(experiment, expectation, cell) != cell.index) {
-      found.push_back(cell.index);
-    }
-  }
-  return found;
-}
-
-std::optional<std::size_t> reference_of(const Experiment& experiment,
-                                        const Expectation& expectation, const Cell& cell) {
-  if (expectation.relation == Relation::none) {
-    return std::nullopt;
-  }
-  // The place of the level that is asked for, or the cell's own.
-  const auto place = [&](const std::string& factor, std::size_t own, const auto& levels,
-                         const auto& label) {
-    for (const LevelOf& other : expectation.reference) {
-      if (other.factor == factor) {
-        return static_cast<std::size_t>(
-            std::find_if(levels.begin(), levels.end(),
-                         [&](const auto& level) { return label(level) == other.level; }) -
-            levels.begin());
-      }
-    }
-    return own;
-  };
-  std::size_t index = place(kWorldFactor, cell.world, experiment.worlds,
-                            [](const WorldUse& world) { return std::string_view(world.id); });
-  for (std::size_t i = 0; i < experiment.factors.size(); ++i) {
-    const Factor& factor = experiment.factors[i];
-    index = index * factor.levels.size() +
-            place(factor.name, cell.levels[i], factor.levels,
-                  [](const Level& level) { return std::string_view(level.label); });
-  }
-  return index;
 }
 
 }  // namespace elsie::experiment

@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "elsie/experiment/grid.h"
 #include "elsie/world/values.h"
 
 #include "factors.h"
@@ -200,11 +201,11 @@ std::vector<Expectation> expectations_from(const std::vector<ExpectationDraft>& 
                                            const Experiment& experiment, Problems& problems) {
   std::vector<Expectation> expectations;
   std::map<std::string, int> lines;
-  const std::vector<Cell> grid = cells(experiment);
+  const Grid grid(experiment, cells(experiment));
   for (const ExpectationDraft& draft : drafts) {
     try {
       Expectation expectation = expectation_from(draft, experiment);
-      if (cells_of(experiment, expectation, grid).empty()) {
+      if (grid.cells_of(expectation).empty()) {
         fail("<expect> compares cells with themselves only; expected `where` to name others");
       }
       const auto [known, is_new] = lines.emplace(expectation.name, draft.location.line);

@@ -1,4 +1,4 @@
-// The grid of an experiment: what its cells set, and where that stands.
+// What the cells of an experiment set, and where that stands.
 #pragma once
 
 #include <string>

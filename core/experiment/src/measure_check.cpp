@@ -3,6 +3,8 @@
 #include <iterator>
 #include <map>
 
+#include "elsie/experiment/grid.h"
+
 #include "cell_check.h"
 
 namespace elsie::experiment {
@@ -14,9 +16,8 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
 }
 
 // Those of each cell that the expectation is about, and of what it is compared with.
-void check_expectation(const Experiment& experiment, const Expectation& expectation,
-                       const std::vector<Cell>& grid, const CellMeasures& measures,
-                       world::Problems& problems) {
+void check_expectation(const Expectation& expectation, const std::vector<Cell>& cells,
+                       const Grid& grid, const CellMeasures& measures, world::Problems& problems) {
   const auto check = [&](std::size_t cell, const std::string& name) {
     const auto& names = measures.lists[measures.of_cell[cell]];
     if (has(names, name)) {
@@ -26,13 +27,13 @@ void check_expectation(const Experiment& experiment, const Expectation& expectat
                                       [&](const auto& list) { return has(list, name); });
     problems.add(
         expectation.location,
-        (nowhere ? "no run has a" : "runs of the cell '" + grid[cell].label + "' have no") +
+        (nowhere ? "no run has a" : "runs of the cell '" + cells[cell].label + "' have no") +
             " measure '" + name + "'" + world::near_or_all(name, names, "there are"));
     return false;
   };
   for (const std::string& name : {expectation.measure, expectation.per}) {
-    for (const std::size_t cell : cells_of(experiment, expectation, grid)) {
-      const auto other = reference_of(experiment, expectation, grid[cell]);
+    for (const std::size_t cell : grid.cells_of(expectation)) {
+      const auto other = grid.reference_of(expectation, cell);
       if (!name.empty() && (!check(cell, name) || (other && !check(*other, name)))) {
         break;
       }
@@ -42,7 +43,7 @@ void check_expectation(const Experiment& experiment, const Expectation& expectat
 
 }  // namespace
 
-void check_measures(const Experiment& experiment, const std::vector<Cell>& grid,
+void check_measures(const Experiment& experiment, const std::vector<Cell>& cells,
                     const CellMeasures& measures, world::Problems& problems) {
   std::vector<std::string> all;
   for (const auto& names : measures.lists) {
@@ -55,8 +56,9 @@ void check_measures(const Experiment& experiment, const std::vector<Cell>& grid,
                                      world::near_or_all(use.name, all, "there are"));
     }
   }
+  const Grid grid(experiment, cells);
   for (const Expectation& expectation : experiment.expectations) {
-    check_expectation(experiment, expectation, grid, measures, problems);
+    check_expectation(expectation, cells, grid, measures, problems);
   }
 }
 

@@ -77,7 +77,7 @@ struct LevelOf {
 };
 
 /// A sentence that is true or false once all runs are done. It holds when it does for every one of
-/// cells_of().
+/// Grid::cells_of().
 struct Expectation {
   std::string name;  // unique; what JUnit calls the test case
   std::string measure;
@@ -88,7 +88,7 @@ struct Expectation {
   Runs runs = Runs::all;
   std::vector<Where> where;  // a cell matches all of them; of none: every cell
   /// What the cell's statistic is compared with: that of the cell that differs in these levels
-  /// only; see reference_of().
+  /// only; see Grid::reference_of().
   Relation relation = Relation::none;
   std::vector<LevelOf> reference;
   // At least one of them; of the statistic, the ratio or the difference:
@@ -151,14 +151,5 @@ std::uint64_t number_of_runs(const Experiment& experiment);
 /// no such factor.
 std::optional<std::string> level_of(const Experiment& experiment, const Cell& cell,
                                     const std::string& factor);
-
-/// The cells that an expectation is about, by index, in order: those that match its `where` and are
-/// not their own reference.
-std::vector<std::size_t> cells_of(const Experiment& experiment, const Expectation& expectation,
-                                  const std::vector<Cell>& grid);
-
-/// The cell that this one is compared with, by index; none when the expectation compares with none.
-std::optional<std::size_t> reference_of(const Experiment& experiment,
-                                        const Expectation& expectation, const Cell& cell);
 
 }  // namespace elsie::experiment

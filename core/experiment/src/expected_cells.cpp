@@ -1,0 +1,123 @@
+// Which cells an expectation is about.
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "elsie/experiment/grid.h"
+
+#include "grid.h"
+
+namespace elsie::experiment {
+
+namespace {
+
+std::vector<std::string> factors_of(const Experiment& experiment) {
+  std::vector<std::string> names{kWorldFactor};
+  for (const Factor& factor : experiment.factors) {
+    names.push_back(factor.name);
+  }
+  return names;
+}
+
+std::vector<std::vector<std::string>> labels_of(const Experiment& experiment,
+                                                const std::vector<Cell>& cells) {
+  std::vector<std::vector<std::string>> all;
+  all.reserve(cells.size());
+  for (const Cell& cell : cells) {
+    std::vector<std::string>& labels = all.emplace_back();
+    labels.push_back(experiment.worlds[cell.world].id);
+    for (std::size_t i = 0; i < experiment.factors.size(); ++i) {
+      labels.push_back(experiment.factors[i].levels[cell.levels[i]].label);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+bool matches(const std::string& pattern, const std::string& label) {
+  // After the last star that was met, and what it stood for until now.
+  std::size_t star = std::string::npos, stood_for = 0, at = 0, in = 0;
+  while (in < label.size()) {
+    if (at < pattern.size() && pattern[at] == '*') {
+      star = ++at;
+      stood_for = in;
+    } else if (at < pattern.size() && pattern[at] == label[in]) {
+      ++at;
+      ++in;
+    } else if (star != std::string::npos) {
+      at = star;
+      in = ++stood_for;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', at) == std::string::npos;
+}
+
+Grid::Grid(std::vector<std::string> factors, std::vector<std::vector<std::string>> cells)
+    : factors_(std::move(factors)), cells_(std::move(cells)) {
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (cells_[i].size() != factors_.size()) {
+      throw std::invalid_argument("cell " + std::to_string(i) + " has " +
+                                  std::to_string(cells_[i].size()) + " labels; expected " +
+                                  std::to_string(factors_.size()) + ", one for each factor");
+    }
+    places_.emplace(cells_[i], i);
+  }
+}
+
+Grid::Grid(const Experiment& experiment, const std::vector<Cell>& cells)
+    : Grid(factors_of(experiment), labels_of(experiment, cells)) {}
+
+std::optional<std::size_t> Grid::place_of(const std::string& factor) const {
+  const auto found = std::find(factors_.begin(), factors_.end(), factor);
+  return found == factors_.end()
+             ? std::nullopt
+             : std::optional(static_cast<std::size_t>(found - factors_.begin()));
+}
+
+std::vector<std::size_t> Grid::cells_of(const Expectation& expectation) const {
+  std::vector<std::optional<std::size_t>> places;
+  for (const Where& where : expectation.where) {
+    places.push_back(place_of(where.factor));
+  }
+  const auto is_named = [&](const std::vector<std::string>& labels) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto& patterns = expectation.where[i].levels;
+      if (!places[i] ||
+          std::none_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
+            return matches(pattern, labels[*places[i]]);
+          })) {
+        return false;
+      }
+    }
+    return true;
+  };
+  std::vector<std::size_t> found;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    if (is_named(cells_[cell]) && reference_of(expectation, cell) != cell) {
+      found.push_back(cell);
+    }
+  }
+  return found;
+}
+
+std::optional<std::size_t> Grid::reference_of(const Expectation& expectation,
+                                              std::size_t cell) const {
+  if (expectation.relation == Relation::none) {
+    return std::nullopt;
+  }
+  std::vector<std::string> labels = cells_.at(cell);
+  for (const LevelOf& other : expectation.reference) {
+    const auto place = place_of(other.factor);
+    if (!place) {
+      return std::nullopt;
+    }
+    labels[*place] = other.level;
+  }
+  const auto found = places_.find(labels);
+  return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace elsie::experiment
