@@ -1,14 +1,14 @@
 #include "batch_options.h"
 
-#include "elsie/cluster/shell_word.h"
 #include "elsie/experiment/reader.h"
 #include "elsie/results/hash.h"
+#include "elsie/world/shell_word.h"
 
 #include "command.h"
 
 namespace fs = std::filesystem;
 using elsie::batch::Plan;
-using elsie::cluster::shell_word;
+using elsie::world::shell_word;
 
 elsie::batch::Shard shard_of(const BatchOptions& options) {
   const auto shard = elsie::batch::parse_shard(options.shard);

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "elsie/cluster/shell_word.h"
+#include "elsie/world/shell_word.h"
 
 #include "command.h"
 #include "progress.h"
@@ -17,7 +17,7 @@
 
 using elsie::batch::CellCount;
 using elsie::batch::RunState;
-using elsie::cluster::shell_word;
+using elsie::world::shell_word;
 
 namespace {
 

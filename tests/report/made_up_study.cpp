@@ -1,4 +1,5 @@
-// made_up_study DATABASE PAGE [KIND]: a made-up study and its page, to be looked at in a browser.
+// made_up_study DATABASE PAGE [CASE]: a made-up study, or one of edge_cases(), and its page, to be
+// looked at in a browser. The report for a terminal is printed.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -6,12 +7,15 @@
 
 #include "elsie/report/report.h"
 
-#include "made_up.h"
+#include "edge_cases.h"
 
 int main(int count, char** words) {
   try {
     if (count < 3) return 2;
     elsie::test::MadeExperiment study = elsie::test::made_study();
+    for (const elsie::test::EdgeCase& edge : elsie::test::edge_cases()) {
+      if (count > 3 && edge.name == words[3]) study = edge.experiment;
+    }
     elsie::test::write_database(study, words[1]);
     const elsie::report::ResultsFile file(words[1]);
     elsie::report::Questions questions;
@@ -35,6 +39,7 @@ int main(int count, char** words) {
     arbitration.statistic = elsie::experiment::Statistic::rate;
     arbitration.where = {{"coordinator", {"arbitration"}}};
     arbitration.at_least = 0.8;
+    if (count > 3) questions = elsie::test::edge_questions();
     const auto findings = elsie::report::find(file.results(), questions);
     std::ofstream(words[2]) << elsie::report::html_report(findings, file, "results.db");
     std::fputs(elsie::report::terminal_report(findings, "results.db").c_str(), stdout);

@@ -129,8 +129,8 @@ TEST_CASE("JUnit: runs that crashed, and those still to be done, are a failure")
   made_up.cells[0].runs[1].measures.clear();
   const std::string xml = junit_report(Made(made_up).findings(), "my results.db");
   CHECK_THAT(xml, Contains("1 of 3 runs did not end by itself; 1 of 3 runs is still to be done"));
-  CHECK_THAT(xml, Contains("run 1 (a, seed 1): crash by SIGSEGV in plugin &#39;wander&#39;; elsie "
-                           "replay &#39;my results.db&#39; 1"));
+  CHECK_THAT(xml, Contains("run 1 (a, seed 1): crash by SIGSEGV in plugin 'wander'; elsie "
+                           "replay 'my results.db' 1"));
 }
 
 TEST_CASE("What the message of a run says is not said twice") {
@@ -153,9 +153,9 @@ TEST_CASE("What the message of a run says is not said twice") {
   CHECK_THAT(text, Contains("crash: plugin 'x' of robot 'r1' crashed with SIGSEGV in step 50\n"));
   CHECK_THAT(text, Contains("crash at step 50: plugin 'x' of robot 'r1' crashed with SIGSEGV in "
                             "step 501\n"));
-  CHECK_THAT(xml, Contains("crash in plugin &#39;x&#39; of robot &#39;r1&#39; at step 50: the "
+  CHECK_THAT(xml, Contains("crash in plugin 'x' of robot 'r1' at step 50: the "
                            "process was ended by SIGSEGV; elsie replay r.db 3"));
-  CHECK_THAT(xml, Contains("crash by SIGSEGV in plugin &#39;x&#39; of robot &#39;r1&#39; at step "
+  CHECK_THAT(xml, Contains("crash by SIGSEGV in plugin 'x' of robot 'r1' at step "
                            "50; elsie replay r.db 4"));
 }
 

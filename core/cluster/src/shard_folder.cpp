@@ -14,8 +14,8 @@
 
 #include "elsie/batch/merge.h"
 #include "elsie/batch/results_database.h"
-#include "elsie/cluster/shell_word.h"
 #include "elsie/results/hash.h"
+#include "elsie/world/shell_word.h"
 
 namespace fs = std::filesystem;
 
@@ -57,11 +57,11 @@ std::int64_t number(const Json& object, const char* key) {
 
 std::string script_text(const ShardFolder& folder, const std::vector<std::string>& command) {
   const std::string task = "\"$SLURM_ARRAY_TASK_ID\"";
-  const std::string part = shell_word((folder.path() / "shard-").string()) + task;
+  const std::string part = world::shell_word((folder.path() / "shard-").string()) + task;
   return "#!/bin/sh\n"
          "# A task of a job array does one shard; put back into the queue, it goes on.\n"
          "exec " +
-         shell_line(command) + " --shard " + task + "/" + std::to_string(folder.shards()) +
+         world::shell_line(command) + " --shard " + task + "/" + std::to_string(folder.shards()) +
          " \\\n  --database " + part + ".sqlite --progress " + part + ".json --resume --quiet\n";
 }
 

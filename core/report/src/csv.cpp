@@ -11,11 +11,15 @@ namespace elsie::report {
 namespace {
 
 std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  if (text.find_first_of(",\"\r\n") == std::string::npos) {
+    return text;
+  }
   std::string result = "\"";
   for (const char c : text) {
     result += c;
-    if (c == '"') result += c;
+    if (c == '"') {
+      result += c;
+    }
   }
   return result + '"';
 }
@@ -47,8 +51,12 @@ std::string csv_report(const Findings& findings) {
   const auto add = [&](const std::string& name, const std::string& otherwise) {
     heads.push_back(taken.insert(name).second ? name : otherwise + name);
   };
-  for (const Factor& factor : results.factors) add(factor.name, "factor:");
-  for (const Measure& measure : results.measures) add(measure.name, "measure:");
+  for (const Factor& factor : results.factors) {
+    add(factor.name, "factor:");
+  }
+  for (const Measure& measure : results.measures) {
+    add(measure.name, "measure:");
+  }
   std::string text = line(heads);
   for (const Run& run : results.runs) {
     const CellInfo& cell = results.cells[run.cell];
@@ -69,7 +77,9 @@ std::string csv_report(const Findings& findings) {
                                    optional_text(run.step),
                                    optional_text(run.wall_s)};
     cells.insert(cells.end(), cell.levels.begin(), cell.levels.end());
-    for (const auto& value : run.values) cells.push_back(optional_text(value));
+    for (const auto& value : run.values) {
+      cells.push_back(optional_text(value));
+    }
     text += line(cells);
   }
   return text;

@@ -20,14 +20,18 @@ double distance(const Vector2& p, const Vector2& a, const Vector2& b) {
 }
 
 void append(std::string& text, long value) {
-  if (value >= 0 && !text.empty() && text.back() >= '0' && text.back() <= '9') text += ' ';
+  if (value >= 0 && !text.empty() && text.back() >= '0' && text.back() <= '9') {
+    text += ' ';
+  }
   text += std::to_string(value);
 }
 
 }  // namespace
 
 std::vector<Vector2> simplified(const std::vector<Vector2>& line, double tolerance) {
-  if (line.size() < 3) return line;
+  if (line.size() < 3) {
+    return line;
+  }
   std::vector<bool> kept(line.size(), false);
   kept.front() = kept.back() = true;
   std::vector<std::pair<std::size_t, std::size_t>> open{{0, line.size() - 1}};
@@ -43,14 +47,18 @@ std::vector<Vector2> simplified(const std::vector<Vector2>& line, double toleran
         split = i;
       }
     }
-    if (split == 0) continue;
+    if (split == 0) {
+      continue;
+    }
     kept[split] = true;
     open.emplace_back(from, split);
     open.emplace_back(split, to);
   }
   std::vector<Vector2> result;
   for (std::size_t i = 0; i < line.size(); ++i) {
-    if (kept[i]) result.push_back(line[i]);
+    if (kept[i]) {
+      result.push_back(line[i]);
+    }
   }
   return result;
 }
@@ -87,14 +95,18 @@ std::string path_data(const std::vector<Vector2>& line) {
     x = next_x;
     y = next_y;
   }
-  if (!text.empty() && text.back() == 'l') text += "0 0";
+  if (!text.empty() && text.back() == 'l') {
+    text += "0 0";
+  }
   return text;
 }
 
 std::string percent(double part) {
   std::string text = fixed(100.0 * part, 2);
   text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
+  if (text.back() == '.') {
+    text.pop_back();
+  }
   return text + '%';
 }
 

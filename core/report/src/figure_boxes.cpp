@@ -50,13 +50,15 @@ std::string dots(const Findings& findings, const CellFindings& cell, std::size_t
   std::size_t count = 0;
   for (const std::size_t at : cell.runs) {
     const Run& run = results.runs[at];
-    if (run.state != RunState::done || !run.values[place] || !std::isfinite(*run.values[place])) {
+    if (run.state != RunState::done || !run.values[place] || !is_usable(*run.values[place])) {
       continue;
     }
     const double value = *run.values[place];
     const double high = middle + 5.0 * jitter(count++);
     const bool outside = fences && (value < fences->low || value > fences->high);
-    if (all > kDots && run.success() && !outside) continue;
+    if (all > kDots && run.success() && !outside) {
+      continue;
+    }
     const std::string told = all > kDotsWithText
                                  ? ""
                                  : "<title>run " + std::to_string(run.id) + ", seed " +
@@ -109,7 +111,9 @@ std::optional<Interval> range_of(const Findings& findings, std::size_t measure) 
   Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const CellFindings& cell : findings.cells) {
     const auto& all = cell.measures[measure].all;
-    if (!all) continue;
+    if (!all) {
+      continue;
+    }
     range.low = std::min(range.low, all->least);
     range.high = std::max(range.high, all->largest);
   }
@@ -128,12 +132,18 @@ std::string Span::at(double value) const { return percent(part(value)); }
 std::string Span::width(double from, double to) const { return percent(part(to) - part(from)); }
 
 Span span_of(double low, double high) {
-  if (low >= 0.0 && low < 0.4 * high) low = 0.0;
+  if (low >= 0.0 && low < 0.4 * high) {
+    low = 0.0;
+  }
   const double room = 0.03 * (high - low);
   // Values that are all the same have an axis around them.
   const double least = std::max(1e-9, 0.05 * std::max(std::abs(low), std::abs(high)));
-  if (low == 0.0 && high == 0.0) return {0.0, 1.0};
-  if (high - low < 1e-9 * least) return {low - least, high + least};
+  if (low == 0.0 && high == 0.0) {
+    return {0.0, 1.0};
+  }
+  if (high - low < 1e-9 * least) {
+    return {low - least, high + least};
+  }
   return {low == 0.0 ? 0.0 : low - room, high + room};
 }
 
@@ -146,7 +156,9 @@ std::string grid(const Span& span, double top, double bottom, bool labels_above)
   }
   text += "</g><g class=\"axis\">";
   for (const bool above : {true, false}) {
-    if (above && !labels_above) continue;
+    if (above && !labels_above) {
+      continue;
+    }
     for (const double tick : ticks.at) {
       text += "<text x=\"" + span.at(tick) + "\" y=\"" + y(above ? top - 6.0 : bottom + 14.0) +
               "\">" + picture::tick_label(tick, ticks.step) + "</text>";
@@ -162,7 +174,9 @@ std::string box_figure(const Findings& findings, std::size_t measure, const Inks
   std::string text = "<figure class=\"boxes\"><figcaption><b>" + escaped(name) + "</b>" +
                      (about.unit.empty() ? "" : " <span>" + escaped(about.unit) + "</span>") +
                      "<small>" + escaped(about.meaning) + "</small></figcaption>";
-  if (!range) return text + "<p class=\"none\">No run has a value.</p></figure>";
+  if (!range) {
+    return text + "<p class=\"none\">No run has a value.</p></figure>";
+  }
   const Span span = span_of(range->low, range->high);
   const bool above = findings.cells.size() > kRowsInSight;
   const double top = above ? kAxis : 0.0;
@@ -176,7 +190,7 @@ std::string box_figure(const Findings& findings, std::size_t measure, const Inks
     const MeasureFindings& found = findings.cells[i].measures[measure];
     const std::string& label = findings.results.cells[i].label;
     text += "<g class=\"row " + inks.cell_class(i) + "\"><text class=\"name\" x=\"2\" y=\"" +
-            y(from + kLabelAt) + "\">" + escaped(shortened(label, kLabel)) + "</text>";
+            y(from + kLabelAt) + "\">" + escaped(world::shortened(label, kLabel)) + "</text>";
     if (found.all) {
       text += box(found, span, from + kMiddle) +
               dots(findings, findings.cells[i], measure, span, from + kMiddle, all) +

@@ -33,7 +33,7 @@ struct Panel {
     return kHeight - kBottom - (kHeight - kTop - kBottom) * (at - y_low) / (y_high - y_low);
   }
   bool shows(const Vector2& point) const {
-    return std::isfinite(point.x) && std::isfinite(point.y) && (!logarithmic || point.y > 0.0);
+    return is_usable(point.x) && is_usable(point.y) && (!logarithmic || point.y > 0.0);
   }
 };
 
@@ -45,12 +45,16 @@ Panel panel_for(const std::vector<const Curve*>& curves) {
   panel.x_high = panel.y_high = -kInfinite;
   for (const Curve* curve : curves) {
     for (const Vector2& point : curve->points) {
-      if (!std::isfinite(point.x) || !std::isfinite(point.y)) continue;
+      if (!is_usable(point.x) || !is_usable(point.y)) {
+        continue;
+      }
       panel.x_low = std::min(panel.x_low, point.x);
       panel.x_high = std::max(panel.x_high, point.x);
       panel.y_low = std::min(panel.y_low, point.y);
       panel.y_high = std::max(panel.y_high, point.y);
-      if (point.y > 0.0) least_positive = std::min(least_positive, point.y);
+      if (point.y > 0.0) {
+        least_positive = std::min(least_positive, point.y);
+      }
     }
   }
   if (panel.y_low >= 0.0 && panel.y_high > 0.0 &&
@@ -61,8 +65,12 @@ Panel panel_for(const std::vector<const Curve*>& curves) {
   } else if (panel.y_low >= 0.0) {
     panel.y_low = 0.0;
   }
-  if (!(panel.x_high > panel.x_low)) panel.x_high = panel.x_low + 1.0;
-  if (!(panel.y_high > panel.y_low)) panel.y_high = panel.y_low + 1.0;
+  if (!(panel.x_high > panel.x_low)) {
+    panel.x_high = panel.x_low + 1.0;
+  }
+  if (!(panel.y_high > panel.y_low)) {
+    panel.y_high = panel.y_low + 1.0;
+  }
   return panel;
 }
 
@@ -73,7 +81,9 @@ std::string superscript(int number) {
       "\xe2\x81\xb0", "\xc2\xb9",     "\xc2\xb2",     "\xc2\xb3",     "\xe2\x81\xb4",
       "\xe2\x81\xb5", "\xe2\x81\xb6", "\xe2\x81\xb7", "\xe2\x81\xb8", "\xe2\x81\xb9"};
   std::string text = number < 0 ? "\xe2\x81\xbb" : "";
-  for (const char digit : std::to_string(std::abs(number))) text += kDigits[digit - '0'];
+  for (const char digit : std::to_string(std::abs(number))) {
+    text += kDigits[digit - '0'];
+  }
   return text;
 }
 
@@ -105,7 +115,7 @@ std::string axes(const Panel& panel, const Curve& about) {
               picture::tick_label(tick, ticks.step) + "</text>";
   }
   labels += "<text class=\"last\" x=\"" + n(kWidth - kRight) + "\" y=\"" + n(kHeight - 4.0) +
-            "\">" + escaped(shortened(about.x_label, 50)) + "</text>";
+            "\">" + escaped(world::shortened(about.x_label, 50)) + "</text>";
   return lines + "</g>" + labels + "</g>";
 }
 
@@ -117,7 +127,9 @@ std::string curve_data(const Panel& panel, const Curve& curve) {
                          : Vector2{std::nan(""), 0.0});
   }
   std::string data;
-  for (const auto& piece : pieces(points)) data += path_data(simplified(piece, 0.4 * kFine));
+  for (const auto& piece : pieces(points)) {
+    data += path_data(simplified(piece, 0.4 * kFine));
+  }
   return data;
 }
 
@@ -131,14 +143,18 @@ std::string curve_figures(const Findings& findings, std::size_t cell,
   }
   std::map<std::tuple<std::string, std::string, std::string>, std::vector<const Curve*>> panels;
   for (const Curve& curve : curves) {
-    if (!in_sample.contains(curve.run) || curve.points.empty()) continue;
+    if (!in_sample.contains(curve.run) || curve.points.empty()) {
+      continue;
+    }
     panels[{curve.robot, curve.plugin, curve.name}].push_back(&curve);
   }
   std::string text;
   for (const auto& [what, all] : panels) {
     const Panel panel = panel_for(all);
     std::map<std::string, std::vector<const Curve*>> alike;  // by what is drawn of them
-    for (const Curve* curve : all) alike[curve_data(panel, *curve)].push_back(curve);
+    for (const Curve* curve : all) {
+      alike[curve_data(panel, *curve)].push_back(curve);
+    }
     alike.erase("");
     const auto& [robot, plugin, name] = what;
     const std::string about = name + (all.front()->y_label.empty() || all.front()->y_label == name

@@ -32,11 +32,15 @@ std::vector<Times> columns_of(const Timeline& timeline, double end_s, int count)
     const int last = std::clamp(static_cast<int>(to / width), 0, count - 1);
     for (int i = first; i <= last; ++i) {
       const double inside = std::min(to, (i + 1) * width) - std::max(from, i * width);
-      if (inside > 0.0) columns[static_cast<std::size_t>(i)][who] += part * inside;
+      if (inside > 0.0) {
+        columns[static_cast<std::size_t>(i)][who] += part * inside;
+      }
     }
   };
   for (const Timeline::Episode& episode : timeline.episodes) {
-    if (!(episode.to_s > episode.from_s)) continue;
+    if (!(episode.to_s > episode.from_s)) {
+      continue;
+    }
     if (episode.parts.empty()) {
       add(episode.decider, episode.from_s, episode.to_s, 1.0);
       continue;
@@ -77,7 +81,9 @@ std::vector<Cut> cuts_of(const Times& times) {
     const int from = static_cast<int>(std::lround(kBar * done / sum));
     done -= minus;
     const int to = static_cast<int>(std::lround(kBar * done / sum));
-    if (to > from) cuts.push_back({who, kBar - to, kBar - from});
+    if (to > from) {
+      cuts.push_back({who, kBar - to, kBar - from});
+    }
   }
   return cuts;
 }
@@ -89,9 +95,13 @@ void add_row(const Timeline& timeline, double end_s, int count, int top, Bars& b
   for (int i = 0; i <= count; ++i) {
     const std::vector<Cut> cuts =
         i < count ? cuts_of(columns[static_cast<std::size_t>(i)]) : std::vector<Cut>();
-    if (cuts == open) continue;
+    if (cuts == open) {
+      continue;
+    }
     for (const Cut& cut : open) {
-      if (cut.who == kNobody) continue;
+      if (cut.who == kNobody) {
+        continue;
+      }
       const std::string from = "M" + std::to_string(since) + ' ';
       const std::string width = std::to_string(i - since);
       if (cut.to - cut.from == kBar) {
@@ -124,19 +134,25 @@ std::vector<Row> rows_of(const Findings& findings, std::size_t cell,
                          const std::vector<Timeline>& timelines, std::size_t most,
                          std::string& about) {
   std::map<std::string, std::size_t> robots;
-  for (const Timeline& timeline : timelines) ++robots[timeline.robot];
+  for (const Timeline& timeline : timelines) {
+    ++robots[timeline.robot];
+  }
   std::vector<Row> rows;
   if (robots.size() == 1) {
     std::vector<Row> all;
     for (const std::size_t place : findings.cells[cell].runs) {
       const Run& run = findings.results.runs[place];
       for (const Timeline& timeline : timelines) {
-        if (timeline.run != run.id) continue;
+        if (timeline.run != run.id) {
+          continue;
+        }
         all.push_back({"seed " + std::to_string(run.seed), &timeline, !run.success()});
       }
     }
     const std::size_t count = std::min(all.size(), most);
-    for (std::size_t i = 0; i < count; ++i) rows.push_back(all[i * all.size() / count]);
+    for (std::size_t i = 0; i < count; ++i) {
+      rows.push_back(all[i * all.size() / count]);
+    }
     about = count < all.size() ? std::to_string(count) + " of " + counted(all.size(), "run")
                                : "every run";
     return rows;
@@ -146,8 +162,9 @@ std::vector<Row> rows_of(const Findings& findings, std::size_t cell,
                           : timelines.empty() ? 0
                                               : timelines.front().run;
   for (const Timeline& timeline : timelines) {
-    if (timeline.run == id && rows.size() < most)
+    if (timeline.run == id && rows.size() < most) {
       rows.push_back({timeline.robot, &timeline, false});
+    }
   }
   const Run* run = run_of(findings, id);
   about = "run " + std::to_string(id) + (run ? ", seed " + std::to_string(run->seed) : "") +
@@ -184,7 +201,7 @@ std::string key(const std::vector<Row>& rows, const Inks& inks) {
     const Mean& mean = means[path];
     const auto count = static_cast<double>(mean.count);
     text += "<li><i class=\"swatch " + inks.behavior_class(path) + "\"></i>" +
-            escaped(shortened(path, 40)) + " <b>" + fixed(100.0 * mean.decided / count, 0) +
+            escaped(world::shortened(path, 40)) + " <b>" + fixed(100.0 * mean.decided / count, 0) +
             " %</b> <small>share " + fixed(mean.share / count, 2) + "</small></li>";
   }
   return text + "</ul>";
@@ -199,8 +216,12 @@ std::string decision_figure(const Findings& findings, std::size_t cell,
   std::vector<Row> rows = rows_of(findings, cell, timelines, budget.rows, about);
   std::erase_if(rows, [](const Row& row) { return row.timeline->episodes.empty(); });
   double end_s = 0.0;
-  for (const Row& row : rows) end_s = std::max(end_s, row.timeline->episodes.back().to_s);
-  if (!(end_s > 0.0)) return "";
+  for (const Row& row : rows) {
+    end_s = std::max(end_s, row.timeline->episodes.back().to_s);
+  }
+  if (!(end_s > 0.0)) {
+    return "";
+  }
   Bars bars;
   std::string labels, ends;
   int top = 0;
@@ -210,8 +231,8 @@ std::string decision_figure(const Findings& findings, std::size_t cell,
   for (const Row& row : rows) {
     add_row(*row.timeline, end_s, budget.columns, top, bars);
     labels += "<text y=\"" + fixed(scale * (top + 0.5 * kBar) + 4.0, 1) + "\"" +
-              (row.missed ? " class=\"missed\"" : "") + ">" + escaped(shortened(row.label, 12)) +
-              "</text>";
+              (row.missed ? " class=\"missed\"" : "") + ">" +
+              escaped(world::shortened(row.label, 12)) + "</text>";
     top += kRow;
   }
   const std::string height = fixed(scale * top, 1);
@@ -225,8 +246,12 @@ std::string decision_figure(const Findings& findings, std::size_t cell,
   for (const auto& [who, bar] : bars) {
     text += "<g class=\"bar " + (who == "*" ? "several" : inks.behavior_class(who)) + "\"><title>" +
             escaped(who == "*" ? "several" : who) + "</title>";
-    if (!bar.whole.empty()) text += "<path class=\"whole\" d=\"" + bar.whole + "\"/>";
-    if (!bar.parts.empty()) text += "<path d=\"" + bar.parts + "\"/>";
+    if (!bar.whole.empty()) {
+      text += "<path class=\"whole\" d=\"" + bar.whole + "\"/>";
+    }
+    if (!bar.parts.empty()) {
+      text += "<path d=\"" + bar.parts + "\"/>";
+    }
     text += "</g>";
   }
   text +=

@@ -98,7 +98,9 @@ std::string ground(const View& view, const world::World& world) {
 std::string boxes(const View& view, const world::World& world) {
   std::string text;
   for (const world::Box& box : world.boxes) {
-    if (box.kind == world::BoxKind::resource) continue;
+    if (box.kind == world::BoxKind::resource) {
+      continue;
+    }
     text +=
         rectangle(view, box.x, box.y, box.heading_deg, box.length, box.width,
                   (box.kind == world::BoxKind::fixed ? " class=\"box\"" : " class=\"box loose\"") +
@@ -112,7 +114,9 @@ std::string resources(const View& view, const world::World& world) {
   const double least = 1.6 * kSmallestMark / view.scale;
   std::string text;
   for (const world::Box& box : world.boxes) {
-    if (box.kind != world::BoxKind::resource) continue;
+    if (box.kind != world::BoxKind::resource) {
+      continue;
+    }
     text += rectangle(view, box.x, box.y, box.heading_deg, std::max(box.length, least),
                       std::max(box.width, least),
                       " class=\"resource\"" + fill(world::resource_colour(world, box)));
@@ -130,7 +134,7 @@ std::string robots(const View& view, const world::World& world) {
             escaped(robot.id) + "</title></path>";
     if (world.robots.size() > 1 && world.robots.size() <= kNamedRobots) {
       text += "<text x=\"" + whole(at.x) + "\" y=\"" + whole(at.y - 110.0) + "\">" +
-              escaped(shortened(robot.id, 14)) + "</text>";
+              escaped(world::shortened(robot.id, 14)) + "</text>";
     }
   }
   return text;
@@ -150,12 +154,16 @@ struct Chosen {
 Chosen choose(const Findings& findings, std::size_t place, std::size_t most) {
   const CellFindings& cell = findings.cells[place];
   std::set<std::size_t> odd;
-  for (const Outlier& outlier : cell.outliers) odd.insert(outlier.run);
+  for (const Outlier& outlier : cell.outliers) {
+    odd.insert(outlier.run);
+  }
   std::array<std::vector<std::int64_t>, kKinds> kinds;
   Chosen chosen;
   for (const std::size_t at : cell.runs) {
     const Run& run = findings.results.runs[at];
-    if (!run.ended()) continue;
+    if (!run.ended()) {
+      continue;
+    }
     ++chosen.all;
     kinds[!run.success() ? kMissed : odd.contains(at) ? kOdd : kPlain].push_back(run.id);
   }
@@ -164,7 +172,9 @@ Chosen choose(const Findings& findings, std::size_t place, std::size_t most) {
     const auto& ids = kinds[kind];
     const std::size_t count =
         std::min(ids.size(), kind == kPlain ? left : std::min(left, (most + 1) / 2));
-    for (std::size_t i = 0; i < count; ++i) chosen.runs[ids[i * ids.size() / count]] = kind;
+    for (std::size_t i = 0; i < count; ++i) {
+      chosen.runs[ids[i * ids.size() / count]] = kind;
+    }
     chosen.counts[kind] = count;
     left -= count;
   }
@@ -182,9 +192,13 @@ std::vector<Line> lines_of(const View& view, const std::vector<Trajectory>& ways
   std::vector<Line> lines;
   for (const Trajectory& way : ways) {
     const auto run = chosen.runs.find(way.run);
-    if (run == chosen.runs.end()) continue;
+    if (run == chosen.runs.end()) {
+      continue;
+    }
     std::vector<Vector2> points;
-    for (const Pose& pose : way.poses) points.push_back(view.at(pose.x, pose.y));
+    for (const Pose& pose : way.poses) {
+      points.push_back(view.at(pose.x, pose.y));
+    }
     lines.push_back({&way, run->second, pieces(points)});
   }
   std::stable_sort(lines.begin(), lines.end(),
@@ -198,7 +212,9 @@ std::vector<Line> lines_of(const View& view, const std::vector<Trajectory>& ways
         points += piece.size();
       }
     }
-    if (points <= budget || tolerance > 200.0) return lines;
+    if (points <= budget || tolerance > 200.0) {
+      return lines;
+    }
   }
 }
 
@@ -217,9 +233,13 @@ std::string ways_of(const View& view, const Findings& findings, const std::vecto
   std::set<std::int64_t> named;
   std::vector<Vector2> taken;  // where names stand
   for (const Line& line : lines) {
-    if (line.pieces.empty()) continue;
+    if (line.pieces.empty()) {
+      continue;
+    }
     std::string data;
-    for (const auto& piece : line.pieces) data += path_data(piece);
+    for (const auto& piece : line.pieces) {
+      data += path_data(piece);
+    }
     text += "<path class=\"" + std::string(kClasses[line.kind]) + "\" d=\"" + data + "\"><title>" +
             escaped(told(findings.results, line, several)) + "</title></path>";
     const Vector2 end = line.pieces.back().back();
@@ -255,10 +275,15 @@ std::string key(const Chosen& chosen, const std::string& ink) {
             "aria-hidden=\"true\"><path class=\"" +
             kind + "\" d=\"M0 50h220\"/></svg>" + words + "</li>";
   };
-  if (chosen.counts[kPlain] > 0) item("way solid", counted(chosen.counts[kPlain], "run"));
-  if (chosen.counts[kOdd] > 0) item("way odd", counted(chosen.counts[kOdd], "outlier"));
-  if (chosen.counts[kMissed] > 0)
+  if (chosen.counts[kPlain] > 0) {
+    item("way solid", counted(chosen.counts[kPlain], "run"));
+  }
+  if (chosen.counts[kOdd] > 0) {
+    item("way odd", counted(chosen.counts[kOdd], "outlier"));
+  }
+  if (chosen.counts[kMissed] > 0) {
     item("way missed", std::to_string(chosen.counts[kMissed]) + " without success");
+  }
   text += "</ul>";
   if (chosen.runs.size() < chosen.all) {
     text += "<small>" + std::to_string(chosen.runs.size()) + " of " + std::to_string(chosen.all) +

@@ -22,16 +22,20 @@ std::vector<std::size_t> shown_measures(const Results& results,
   };
   for (const std::string& name : names) {
     const std::size_t place = place_of(name);
-    if (place < results.measures.size() && name != kSuccess) shown.push_back(place);
+    if (place < results.measures.size() && name != kSuccess) {
+      shown.push_back(place);
+    }
   }
   for (std::size_t i = 0; names.empty() && i < results.measures.size(); ++i) {
-    if (results.measures[i].name != kSuccess) shown.push_back(i);
+    if (results.measures[i].name != kSuccess) {
+      shown.push_back(i);
+    }
   }
   return shown;
 }
 
 bool has(const Run& run, std::size_t measure) {
-  return run.state == RunState::done && run.values[measure] && std::isfinite(*run.values[measure]);
+  return run.state == RunState::done && run.values[measure] && is_usable(*run.values[measure]);
 }
 
 MeasureFindings look_at(const Results& results, const CellFindings& cell, const std::string& label,
@@ -40,32 +44,44 @@ MeasureFindings look_at(const Results& results, const CellFindings& cell, const 
   std::vector<double> successes;
   for (const std::size_t place : cell.runs) {
     const Run& run = results.runs[place];
-    if (!has(run, measure)) continue;
+    if (!has(run, measure)) {
+      continue;
+    }
     found.values.push_back(*run.values[measure]);
-    if (run.success()) successes.push_back(found.values.back());
+    if (run.success()) {
+      successes.push_back(found.values.back());
+    }
   }
   found.all = summary(found.values);
   found.successes = summary(successes);
   found.interval = bootstrap_interval(Statistic::mean, found.values, kConfidence, results.seed(),
                                       label + '\n' + results.measures[measure].name);
-  if (found.values.size() >= kFewest) found.fences = tukey_fences(*found.all);
+  if (found.values.size() >= kFewest) {
+    found.fences = tukey_fences(*found.all);
+  }
   return found;
 }
 
 void collect_outliers(const Findings& findings, CellFindings& cell) {
   for (std::size_t i = 0; i < findings.measures.size(); ++i) {
     const MeasureFindings& found = cell.measures[i];
-    if (!found.fences) continue;
+    if (!found.fences) {
+      continue;
+    }
     const double range = found.all->quartile_range();
     // Values that differ by rounding only do not stand out.
     const double rounding =
         1e-12 * std::max(std::abs(found.all->least), std::abs(found.all->largest));
     for (const std::size_t place : cell.runs) {
       const Run& run = findings.results.runs[place];
-      if (!has(run, findings.measures[i])) continue;
+      if (!has(run, findings.measures[i])) {
+        continue;
+      }
       const double value = *run.values[findings.measures[i]];
       const double outside = std::max(found.fences->low - value, value - found.fences->high);
-      if (outside <= rounding) continue;
+      if (outside <= rounding) {
+        continue;
+      }
       cell.outliers.push_back(
           {place, findings.measures[i], value,
            range > rounding ? outside / range : std::numeric_limits<double>::infinity()});
@@ -83,21 +99,43 @@ void sort_out_runs(Findings& findings) {
     const Run& run = results.runs[i];
     CellFindings& cell = findings.cells[run.cell];
     std::vector<std::size_t>& same = alike[{run.cell, run.seed}];
-    if (same.empty()) cell.runs.push_back(i);
+    if (same.empty()) {
+      cell.runs.push_back(i);
+    }
     same.push_back(i);
-    if (!run.ended()) ++cell.pending;
-    if (run.broken()) cell.broken.push_back(i);
+    if (!run.ended()) {
+      ++cell.pending;
+    }
+    if (run.broken()) {
+      cell.broken.push_back(i);
+    }
   }
   for (const auto& [what, runs] : alike) {
     std::vector<std::size_t> done;
     for (const std::size_t run : runs) {
-      if (results.runs[run].state == RunState::done) done.push_back(run);
+      if (results.runs[run].state == RunState::done) {
+        done.push_back(run);
+      }
     }
     const bool differ = std::any_of(done.begin(), done.end(), [&](std::size_t run) {
       return results.runs[run].state_hash != results.runs[done.front()].state_hash;
     });
-    if (differ) findings.disagreements.push_back({done});
+    if (differ) {
+      findings.disagreements.push_back({done});
+    }
   }
+}
+
+experiment::Grid grid_of(const Results& results) {
+  std::vector<std::string> factors;
+  for (const Factor& factor : results.factors) {
+    factors.push_back(factor.name);
+  }
+  std::vector<std::vector<std::string>> cells;
+  for (const CellInfo& cell : results.cells) {
+    cells.push_back(cell.levels);
+  }
+  return {std::move(factors), std::move(cells)};
 }
 
 }  // namespace
@@ -142,8 +180,9 @@ Findings find(Results results, const Questions& questions) {
     }
     collect_outliers(findings, cell);
   }
+  const experiment::Grid grid = grid_of(findings.results);
   for (const experiment::Expectation& expectation : questions.expectations) {
-    findings.verdicts.push_back(judge(expectation, findings));
+    findings.verdicts.push_back(judge(expectation, findings, grid));
   }
   return findings;
 }

@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "elsie/report/report.h"
+#include "elsie/world/utf8.h"
 
-#include "markup.h"
 #include "words.h"
 
 namespace elsie::report {
@@ -21,7 +21,9 @@ Json json_of(const std::optional<Interval>& interval) {
 }
 
 Json json_of(const std::optional<Summary>& summary) {
-  if (!summary) return nullptr;
+  if (!summary) {
+    return nullptr;
+  }
   return {{"count", summary->count},
           {"mean", summary->mean},
           {"standard_deviation", or_null(summary->standard_deviation)},
@@ -37,7 +39,7 @@ Json json_of(const Findings& findings, std::size_t place) {
   const CellFindings& cell = findings.cells[place];
   Json levels = Json::object();
   for (std::size_t i = 0; i < results.factors.size(); ++i) {
-    levels[clean(results.factors[i].name)] = clean(results.cells[place].levels[i]);
+    levels[world::clean(results.factors[i].name)] = world::clean(results.cells[place].levels[i]);
   }
   Json measures = Json::object();
   for (std::size_t i = 0; i < findings.measures.size(); ++i) {
@@ -48,17 +50,17 @@ Json json_of(const Findings& findings, std::size_t place) {
       of_all["fences"] = json_of(found.fences);
       of_all["successes"] = json_of(found.successes);
     }
-    measures[clean(results.measures[findings.measures[i]].name)] = std::move(of_all);
+    measures[world::clean(results.measures[findings.measures[i]].name)] = std::move(of_all);
   }
   Json outliers = Json::array();
   for (const Outlier& outlier : cell.outliers) {
     const Run& run = results.runs[outlier.run];
     outliers.push_back({{"run", run.id},
                         {"seed", run.seed},
-                        {"measure", clean(results.measures[outlier.measure].name)},
+                        {"measure", world::clean(results.measures[outlier.measure].name)},
                         {"value", outlier.value}});
   }
-  return {{"label", clean(results.cells[place].label)},
+  return {{"label", world::clean(results.cells[place].label)},
           {"levels", std::move(levels)},
           {"ended", cell.ended},
           {"successes", cell.successes},
@@ -72,17 +74,18 @@ Json json_of(const Findings& findings, std::size_t place) {
 Json json_of(const Findings& findings, const Verdict& verdict) {
   Json claims = Json::array();
   for (const Claim& claim : verdict.claims) {
-    claims.push_back({{"cell", clean(findings.results.cells[claim.cell].label)},
+    claims.push_back({{"cell", world::clean(findings.results.cells[claim.cell].label)},
                       {"met", claim.holds},
                       {"value", or_null(claim.value)},
                       {"interval", json_of(claim.interval)},
-                      {"sentence", clean(claim.sentence)}});
+                      {"sentence", world::clean(claim.sentence)}});
   }
-  return {{"name", clean(verdict.name)},
-          {"met", verdict.met()},
-          {"expected", clean(verdict.expected)},
-          {"trouble", verdict.trouble.empty() ? Json(nullptr) : Json(clean(verdict.trouble))},
-          {"cells", std::move(claims)}};
+  return {
+      {"name", world::clean(verdict.name)},
+      {"met", verdict.met()},
+      {"expected", world::clean(verdict.expected)},
+      {"trouble", verdict.trouble.empty() ? Json(nullptr) : Json(world::clean(verdict.trouble))},
+      {"cells", std::move(claims)}};
 }
 
 }  // namespace
@@ -92,36 +95,42 @@ std::string json_report(const Findings& findings) {
   Json measures = Json::array();
   for (const std::size_t place : findings.measures) {
     const Measure& measure = results.measures[place];
-    measures.push_back({{"name", clean(measure.name)},
-                        {"unit", clean(measure.unit)},
-                        {"meaning", clean(measure.meaning)}});
+    measures.push_back({{"name", world::clean(measure.name)},
+                        {"unit", world::clean(measure.unit)},
+                        {"meaning", world::clean(measure.meaning)}});
   }
   Json cells = Json::array();
-  for (std::size_t i = 0; i < findings.cells.size(); ++i) cells.push_back(json_of(findings, i));
+  for (std::size_t i = 0; i < findings.cells.size(); ++i) {
+    cells.push_back(json_of(findings, i));
+  }
   Json expectations = Json::array();
   for (const Verdict& verdict : findings.verdicts) {
     expectations.push_back(json_of(findings, verdict));
   }
   Json failures = Json::array();
   for (const Run& run : results.runs) {
-    if (!run.broken()) continue;
+    if (!run.broken()) {
+      continue;
+    }
     failures.push_back({{"run", run.id},
-                        {"cell", clean(results.cells[run.cell].label)},
+                        {"cell", world::clean(results.cells[run.cell].label)},
                         {"seed", run.seed},
                         {"state", to_string(run.state)},
-                        {"told", clean(ending_in_words(run))}});
+                        {"told", world::clean(ending_in_words(run))}});
   }
   Json disagreements = Json::array();
   for (const Disagreement& disagreement : findings.disagreements) {
     Json runs = Json::array();
-    for (const std::size_t run : disagreement.runs) runs.push_back(results.runs[run].id);
+    for (const std::size_t run : disagreement.runs) {
+      runs.push_back(results.runs[run].id);
+    }
     disagreements.push_back(std::move(runs));
   }
-  const Json all = {{"experiment", clean(results.experiment)},
-                    {"description", clean(results.description)},
-                    {"file", clean(results.file)},
-                    {"fingerprint", clean(results.fingerprint)},
-                    {"shard", clean(results.shard)},
+  const Json all = {{"experiment", world::clean(results.experiment)},
+                    {"description", world::clean(results.description)},
+                    {"file", world::clean(results.file)},
+                    {"fingerprint", world::clean(results.fingerprint)},
+                    {"shard", world::clean(results.shard)},
                     {"good", findings.good()},
                     {"runs", findings.runs()},
                     {"broken", findings.broken()},

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <map>
 
+#include "elsie/experiment/grid.h"
 #include "elsie/plugin/near_name.h"
 
 #include "numbers.h"
+#include "words.h"
 
 namespace elsie::report {
 
@@ -14,57 +16,6 @@ namespace {
 
 using experiment::Expectation;
 using experiment::Runs;
-
-// "*" stands for any text, also none.
-bool matches(std::string_view pattern, std::string_view text) {
-  std::size_t star = std::string_view::npos, tried = 0, at = 0, in = 0;
-  while (in < text.size()) {
-    if (at < pattern.size() && pattern[at] == '*') {
-      star = ++at;
-      tried = in;
-    } else if (at < pattern.size() && pattern[at] == text[in]) {
-      ++at;
-      ++in;
-    } else if (star != std::string_view::npos) {
-      at = star;
-      in = ++tried;
-    } else {
-      return false;
-    }
-  }
-  return pattern.find_first_not_of('*', at) == std::string_view::npos;
-}
-
-std::optional<std::string> level_of(const Results& results, const CellInfo& cell,
-                                    const std::string& factor) {
-  for (std::size_t i = 0; i < results.factors.size(); ++i) {
-    if (results.factors[i].name == factor) return cell.levels[i];
-  }
-  return std::nullopt;
-}
-
-bool concerns(const Expectation& expectation, const Results& results, const CellInfo& cell) {
-  return std::all_of(expectation.where.begin(), expectation.where.end(), [&](const auto& where) {
-    const auto label = level_of(results, cell, where.factor);
-    return label && std::any_of(where.levels.begin(), where.levels.end(),
-                                [&](const auto& pattern) { return matches(pattern, *label); });
-  });
-}
-
-// The cell that has the reference's levels, and this one's in all other factors.
-std::optional<std::size_t> reference_of(const Expectation& expectation, const Results& results,
-                                        const CellInfo& cell) {
-  std::vector<std::string> levels = cell.levels;
-  for (const auto& other : expectation.reference) {
-    for (std::size_t i = 0; i < results.factors.size(); ++i) {
-      if (results.factors[i].name == other.factor) levels[i] = other.level;
-    }
-  }
-  for (std::size_t i = 0; i < results.cells.size(); ++i) {
-    if (results.cells[i].levels == levels) return i;
-  }
-  return std::nullopt;
-}
 
 std::string word_of(Statistic statistic) {
   switch (statistic) {
@@ -94,30 +45,30 @@ struct Subject {
 // Judges one expectation.
 class Judge {
  public:
-  Judge(const Expectation& expectation, const Findings& findings)
-      : expectation_(expectation), findings_(findings), results_(findings.results) {}
+  Judge(const Expectation& expectation, const Findings& findings, const experiment::Grid& grid)
+      : expectation_(expectation), findings_(findings), results_(findings.results), grid_(grid) {}
 
   Verdict verdict() {
     Verdict verdict;
     verdict.name = expectation_.name;
     verdict.trouble = find_subject();
     verdict.expected = expected();
-    if (!verdict.trouble.empty()) return verdict;
+    if (!verdict.trouble.empty()) {
+      return verdict;
+    }
     if (findings_.partial()) {
       verdict.trouble = "the database has a part of the runs only, shard " + results_.shard +
                         "; an expectation is about all of them";
       return verdict;
     }
-    for (std::size_t cell = 0; cell < results_.cells.size(); ++cell) {
-      if (!concerns(expectation_, results_, results_.cells[cell])) continue;
-      if (expectation_.relation == Relation::none) {
-        verdict.claims.push_back(about(cell));
-        continue;
-      }
-      const auto reference = reference_of(expectation_, results_, results_.cells[cell]);
-      if (reference != cell) verdict.claims.push_back(about(cell, reference));
+    for (const std::size_t cell : grid_.cells_of(expectation_)) {
+      verdict.claims.push_back(expectation_.relation == Relation::none
+                                   ? about(cell)
+                                   : about(cell, grid_.reference_of(expectation_, cell)));
     }
-    if (verdict.claims.empty()) verdict.trouble = "there is no cell that it is about";
+    if (verdict.claims.empty()) {
+      verdict.trouble = "there is no cell that it is about";
+    }
     return verdict;
   }
 
@@ -139,21 +90,25 @@ class Judge {
   // What is wrong with the names of measures; "" for nothing.
   std::string find_subject() {
     std::vector<std::string> names{kSuccess};
-    for (const Measure& measure : results_.measures) names.push_back(measure.name);
+    for (const Measure& measure : results_.measures) {
+      names.push_back(measure.name);
+    }
     const auto place = [&](const std::string& name, std::optional<std::size_t>& found) {
       for (std::size_t i = 0; i < results_.measures.size(); ++i) {
-        if (results_.measures[i].name == name && name != kSuccess) found = i;
+        if (results_.measures[i].name == name && name != kSuccess) {
+          found = i;
+        }
       }
-      return found || name == kSuccess
-                 ? std::string()
-                 : "no run has a measure '" + name + "'" + plugin::did_you_mean(name, names);
+      return found || name == kSuccess ? std::string() : unknown_measure(name, names);
     };
     const bool rate = expectation_.statistic == Statistic::rate;
     const bool plain = rate && expectation_.measure == kSuccess && expectation_.per.empty();
     subject_.words = plain ? "success rate"
                            : word_of(expectation_.statistic) + expectation_.measure +
                                  (expectation_.per.empty() ? "" : " per " + expectation_.per);
-    if (expectation_.runs == Runs::successes) subject_.words += " of successful runs";
+    if (expectation_.runs == Runs::successes) {
+      subject_.words += " of successful runs";
+    }
     std::string trouble = place(expectation_.measure, subject_.measure);
     if (trouble.empty() && !expectation_.per.empty()) {
       trouble = place(expectation_.per, subject_.per);
@@ -164,6 +119,28 @@ class Judge {
     return trouble;
   }
 
+  // Measures become known by the runs that have them, and those that did not end by themselves have
+  // none.
+  std::string unknown_measure(const std::string& name,
+                              const std::vector<std::string>& names) const {
+    const std::size_t broken = findings_.broken(), pending = findings_.pending();
+    const std::string what = "a measure '" + name + "'";
+    if (pending == findings_.runs()) {
+      return "no run has " + what + " yet: none is done";
+    }
+    if (broken + pending == findings_.runs()) {
+      return "no run has " + what + ": " + broken_in_words(findings_) +
+             (pending > 0 ? ", and " + counted(pending, "is", "are") + " still to be done" : "");
+    }
+    std::string others = broken > 0 ? broken_in_words(findings_) : "";
+    if (pending > 0) {
+      others += (others.empty() ? "" : ", and ") + counted(pending, "run is", "runs are") +
+                " still to be done";
+    }
+    return (others.empty() ? "no run has " : "no run that ended by itself has ") + what +
+           plugin::did_you_mean(name, names) + (others.empty() ? "" : "; " + others);
+  }
+
   std::string limits() const {
     const bool ratio = expectation_.relation == Relation::ratio;
     const bool difference = expectation_.relation == Relation::difference;
@@ -171,12 +148,24 @@ class Judge {
     const auto number = [&](double value) { return exact(value) + unit; };
     std::string text;
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : " and ") + part; };
-    if (expectation_.at_least) add("at least " + number(*expectation_.at_least));
-    if (expectation_.at_most) add("at most " + number(*expectation_.at_most));
-    if (expectation_.about) add("about " + number(*expectation_.about));
-    if (expectation_.tolerance > 0.0) text += " give or take " + number(expectation_.tolerance);
-    if (ratio) text += " times that of the cell with ";
-    if (difference) text += " more than in the cell with ";
+    if (expectation_.at_least) {
+      add("at least " + number(*expectation_.at_least));
+    }
+    if (expectation_.at_most) {
+      add("at most " + number(*expectation_.at_most));
+    }
+    if (expectation_.about) {
+      add("about " + number(*expectation_.about));
+    }
+    if (expectation_.tolerance > 0.0) {
+      text += " give or take " + number(expectation_.tolerance);
+    }
+    if (ratio) {
+      text += " times that of the cell with ";
+    }
+    if (difference) {
+      text += " more than in the cell with ";
+    }
     for (std::size_t i = 0; i < expectation_.reference.size(); ++i) {
       text += (i ? ", " : "") + expectation_.reference[i].factor + " " +
               expectation_.reference[i].level;
@@ -202,7 +191,9 @@ class Judge {
   std::string shown(double value) const {
     const std::string text = brief(value, 5);
     for (const auto& limit : {expectation_.at_least, expectation_.at_most, expectation_.about}) {
-      if (limit && value != *limit && text == brief(*limit, 5)) return exact(value);
+      if (limit && value != *limit && text == brief(*limit, 5)) {
+        return exact(value);
+      }
     }
     return text;
   }
@@ -213,7 +204,9 @@ class Judge {
 
   // What one run says; none: nothing.
   std::optional<double> value_of(const Run& run) const {
-    if (expectation_.runs == Runs::successes && !run.success()) return std::nullopt;
+    if (expectation_.runs == Runs::successes && !run.success()) {
+      return std::nullopt;
+    }
     if (run.broken()) {  // it was not successful; of anything else nothing is known
       const bool success = !subject_.measure && expectation_.per.empty();
       return success ? std::optional(0.0) : std::nullopt;
@@ -226,13 +219,15 @@ class Judge {
       const std::optional<double> per = of(subject_.per);
       value = per && *per != 0.0 ? std::optional(*value / *per) : std::nullopt;
     }
-    return value && std::isfinite(*value) ? value : std::nullopt;
+    return value && is_usable(*value) ? value : std::nullopt;
   }
 
   std::vector<double> values_of(std::size_t cell) const {
     std::vector<double> values;
     for (const std::size_t run : findings_.cells[cell].runs) {
-      if (const auto value = value_of(results_.runs[run])) values.push_back(*value);
+      if (const auto value = value_of(results_.runs[run])) {
+        values.push_back(*value);
+      }
     }
     return values;
   }
@@ -243,7 +238,9 @@ class Judge {
 
   // "19 of 20", "20 runs"
   std::string basis(const std::vector<double>& values) const {
-    if (expectation_.statistic != Statistic::rate) return counted(values.size(), "run");
+    if (expectation_.statistic != Statistic::rate) {
+      return counted(values.size(), "run");
+    }
     const auto hits =
         std::count_if(values.begin(), values.end(), [](double v) { return v != 0.0; });
     return std::to_string(hits) + " of " + std::to_string(values.size());
@@ -255,14 +252,20 @@ class Judge {
     for (const std::size_t run : findings_.cells[cell].runs) {
       broken += results_.runs[run].broken() ? 1 : 0;
     }
-    if (broken == 0 || expectation_.runs == Runs::successes) return "";
+    if (broken == 0 || expectation_.runs == Runs::successes) {
+      return "";
+    }
     return "; " + counted(broken, "run") + " did not end by " +
            (broken == 1 ? "itself" : "themselves");
   }
 
   std::string interval_in_words(const std::optional<Interval>& interval) const {
-    if (!expectation_.confidence) return "";
-    if (!interval) return "; too few for an interval";
+    if (!expectation_.confidence) {
+      return "";
+    }
+    if (!interval) {
+      return "; too few for an interval";
+    }
     return "; " + brief(100.0 * *expectation_.confidence) + " % interval from " +
            shown(interval->low) + " to " + shown(interval->high);
   }
@@ -292,12 +295,18 @@ class Judge {
   // A cell by itself.
   Claim about(std::size_t cell) const {
     const std::string missing = incomplete(cell);
-    if (!missing.empty()) return not_known(cell, missing);
+    if (!missing.empty()) {
+      return not_known(cell, missing);
+    }
     const std::vector<double> values = values_of(cell);
     Claim claim;
     claim.cell = cell;
-    if (!values.empty()) claim.value = statistic_of(expectation_.statistic, values);
-    if (!claim.value) return not_known(cell, unknown(cell, values));
+    if (!values.empty()) {
+      claim.value = statistic_of(expectation_.statistic, values);
+    }
+    if (!claim.value) {
+      return not_known(cell, unknown(cell, values));
+    }
     claim.holds = keeps(*claim.value);
     if (expectation_.confidence) {
       claim.interval = interval_of(cell, values);
@@ -321,10 +330,14 @@ class Judge {
 
   // A cell beside another one.
   Claim about(std::size_t cell, std::optional<std::size_t> reference) const {
-    if (!reference) return not_known(cell, "there is no cell to compare it with");
+    if (!reference) {
+      return not_known(cell, "there is no cell to compare it with");
+    }
     for (const std::size_t each : {cell, *reference}) {
       const std::string missing = incomplete(each);
-      if (!missing.empty()) return not_known(cell, missing);
+      if (!missing.empty()) {
+        return not_known(cell, missing);
+      }
     }
     std::map<std::uint64_t, Pair> by_seed;
     for (const std::size_t run : findings_.cells[cell].runs) {
@@ -334,18 +347,26 @@ class Judge {
       by_seed[results_.runs[run].seed].reference = value_of(results_.runs[run]);
     }
     std::vector<Pair> pairs;
-    for (const auto& [seed, pair] : by_seed) pairs.push_back(pair);
+    for (const auto& [seed, pair] : by_seed) {
+      pairs.push_back(pair);
+    }
 
     const std::vector<double> own = values_of(cell), others = values_of(*reference);
-    if (own.empty()) return not_known(cell, unknown(cell, own));
-    if (others.empty()) return not_known(cell, unknown(*reference, others));
+    if (own.empty()) {
+      return not_known(cell, unknown(cell, own));
+    }
+    if (others.empty()) {
+      return not_known(cell, unknown(*reference, others));
+    }
     Claim claim;
     claim.cell = cell;
     claim.value = relation_of(expectation_.relation, expectation_.statistic, pairs);
     const auto mine = statistic_of(expectation_.statistic, own);
     const auto theirs = statistic_of(expectation_.statistic, others);
     const bool ratio = expectation_.relation == Relation::ratio;
-    if (ratio && theirs == 0.0) return not_known(cell, "that of " + label(*reference) + " is 0");
+    if (ratio && theirs == 0.0) {
+      return not_known(cell, "that of " + label(*reference) + " is 0");
+    }
     if (!claim.value || !mine || !theirs) {
       return not_known(cell, "that of " + label(*reference) + " has no value to compare it with");
     }
@@ -372,13 +393,15 @@ class Judge {
   const Expectation& expectation_;
   const Findings& findings_;
   const Results& results_;
+  const experiment::Grid& grid_;
   Subject subject_;
 };
 
 }  // namespace
 
-Verdict judge(const Expectation& expectation, const Findings& findings) {
-  return Judge(expectation, findings).verdict();
+Verdict judge(const Expectation& expectation, const Findings& findings,
+              const experiment::Grid& grid) {
+  return Judge(expectation, findings, grid).verdict();
 }
 
 }  // namespace elsie::report

@@ -23,17 +23,25 @@ TestCase case_of(const Verdict& verdict) {
   std::size_t broken = 0;
   for (const Claim& claim : verdict.claims) {
     test.details += (claim.holds ? "met: " : "not met: ") + claim.sentence + "\n";
-    if (!claim.holds && broken++ == 0) test.failure = claim.sentence;
+    if (!claim.holds && broken++ == 0) {
+      test.failure = claim.sentence;
+    }
   }
-  if (broken > 1) test.failure += " (and " + std::to_string(broken - 1) + " more)";
-  if (!verdict.trouble.empty()) test.failure = verdict.trouble;
+  if (broken > 1) {
+    test.failure += " (and " + std::to_string(broken - 1) + " more)";
+  }
+  if (!verdict.trouble.empty()) {
+    test.failure = verdict.trouble;
+  }
   return test;
 }
 
 TestCase every_run_ended(const Findings& findings, const std::string& database) {
   TestCase test{"every run ended by itself", "", "", "run"};
   for (const Run& run : findings.results.runs) {
-    if (!run.broken()) continue;
+    if (!run.broken()) {
+      continue;
+    }
     test.details += name_of(findings.results, run) + ": " + ending_in_words(run) + "; " +
                     replay_command(database, run.id) + "\n";
   }
@@ -65,20 +73,28 @@ TestCase seeds_decide(const Findings& findings) {
 std::string junit_report(const Findings& findings, const std::string& database) {
   const Results& results = findings.results;
   std::vector<TestCase> tests;
-  for (const Verdict& verdict : findings.verdicts) tests.push_back(case_of(verdict));
+  for (const Verdict& verdict : findings.verdicts) {
+    tests.push_back(case_of(verdict));
+  }
   tests.push_back(every_run_ended(findings, database));
   tests.push_back(seeds_decide(findings));
 
   std::size_t failures = 0;
-  for (const TestCase& test : tests) failures += test.failure.empty() ? 0 : 1;
+  for (const TestCase& test : tests) {
+    failures += test.failure.empty() ? 0 : 1;
+  }
   double wall_s = 0.0;
-  for (const Run& run : results.runs) wall_s += run.wall_s.value_or(0.0);
+  for (const Run& run : results.runs) {
+    wall_s += run.wall_s.value_or(0.0);
+  }
   const std::string counts = " tests=\"" + std::to_string(tests.size()) + "\" failures=\"" +
                              std::to_string(failures) + "\" errors=\"0\"";
   const std::string time = " time=\"" + fixed(wall_s, 3) + "\"";
   const std::string suite = escaped_attribute(results.experiment);
   std::string stamp = results.created;  // ISO 8601 without a zone: what readers of this form expect
-  if (!stamp.empty() && stamp.back() == 'Z') stamp.pop_back();
+  if (!stamp.empty() && stamp.back() == 'Z') {
+    stamp.pop_back();
+  }
 
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"elsie\"" +
                     counts + time + ">\n  <testsuite name=\"" + suite + "\"" + counts +

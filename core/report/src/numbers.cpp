@@ -4,7 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <string_view>
+
+#include "elsie/world/shell_word.h"
 
 namespace elsie::report {
 
@@ -28,8 +29,12 @@ std::string fixed(double value, int decimals) {
 }
 
 std::string brief(double value, int digits) {
-  if (value == 0.0) return "0";
-  if (!std::isfinite(value)) return exact(value);
+  if (value == 0.0) {
+    return "0";
+  }
+  if (!std::isfinite(value)) {
+    return exact(value);
+  }
   const double size = std::abs(value);
   if (size < 1e-4 || size >= 1e7) {
     return converted(value, std::chars_format::scientific, std::max(0, digits - 2));
@@ -38,7 +43,9 @@ std::string brief(double value, int digits) {
   std::string text = fixed(value, std::max(0, digits - before));
   if (text.find('.') != std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
+    if (text.back() == '.') {
+      text.pop_back();
+    }
   }
   return text;
 }
@@ -46,16 +53,22 @@ std::string brief(double value, int digits) {
 std::optional<int> decimals_for(double value, double spread) {
   constexpr int kMost = 6;
   const double size = std::abs(value);
-  if (size >= 1e9 || spread >= 1e9) return std::nullopt;
+  if (size >= 1e9 || spread >= 1e9) {
+    return std::nullopt;
+  }
   // What spreads by rounding only does not spread.
   if (spread > 1e-12 * size && spread > 0.0) {
     const int decimals = 1 - static_cast<int>(std::floor(std::log10(spread)));
     return decimals > kMost ? std::nullopt : std::optional(std::max(0, decimals));
   }
-  if (size == 0.0) return 0;
+  if (size == 0.0) {
+    return 0;
+  }
   // Nothing spreads: no more decimals than the value has.
   const std::string text = brief(value);
-  if (text.find('e') != std::string::npos) return std::nullopt;
+  if (text.find('e') != std::string::npos) {
+    return std::nullopt;
+  }
   const std::size_t point = text.find('.');
   return point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
 }
@@ -70,7 +83,9 @@ MeanText mean_text(const Summary& summary, const std::optional<Interval>& interv
   const auto text = [&](double value) { return decimals ? fixed(value, *decimals) : brief(value); };
   MeanText result;
   result.mean = text(summary.mean);
-  if (summary.standard_deviation) result.deviation = text(*summary.standard_deviation);
+  if (summary.standard_deviation) {
+    result.deviation = text(*summary.standard_deviation);
+  }
   if (interval) {
     result.low = text(interval->low);
     result.high = text(interval->high);
@@ -96,23 +111,8 @@ std::string in_words(const std::string& name, const std::string& unit) {
   return words;
 }
 
-std::string shell_word(const std::string& text) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+,:@%=";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + "'";
-}
-
 std::string replay_command(const std::string& database, std::int64_t run) {
-  return "elsie replay " + shell_word(database) + ' ' + std::to_string(run);
+  return "elsie replay " + world::shell_word(database) + ' ' + std::to_string(run);
 }
 
 }  // namespace elsie::report

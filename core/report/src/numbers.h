@@ -40,9 +40,6 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 /// A measure's name in words: "path_length_m" of unit "m" is "path length".
 std::string in_words(const std::string& name, const std::string& unit);
 
-/// A word of a shell's command line: quoted where need be.
-std::string shell_word(const std::string& text);
-
 /// "elsie replay DATABASE RUN"
 std::string replay_command(const std::string& database, std::int64_t run);
 

@@ -15,8 +15,12 @@ std::string command(const PageContext& page, const Run& run) {
 }
 
 std::string ending_tag(const Run& run) {
-  if (run.broken()) return "<em class=\"tag bad\">" + std::string(to_string(run.state)) + "</em>";
-  if (!run.ended()) return "<em class=\"tag\">to do</em>";
+  if (run.broken()) {
+    return "<em class=\"tag bad\">" + std::string(to_string(run.state)) + "</em>";
+  }
+  if (!run.ended()) {
+    return "<em class=\"tag\">to do</em>";
+  }
   switch (run.outcome.value_or(Outcome::failure)) {
     case Outcome::success:
       return "success";
@@ -40,10 +44,16 @@ std::string policy_hash(const std::string& script) {
   unsigned bits = 0, count = 0;
   for (std::size_t i = 0; i < hex.size(); i += 2) {
     bits = (bits << 8U) | static_cast<unsigned>(std::stoi(hex.substr(i, 2), nullptr, 16));
-    for (count += 8; count >= 6; count -= 6) text += kDigits[(bits >> (count - 6)) & 63U];
+    for (count += 8; count >= 6; count -= 6) {
+      text += kDigits[(bits >> (count - 6)) & 63U];
+    }
   }
-  if (count > 0) text += kDigits[(bits << (6 - count)) & 63U];
-  while (text.size() % 4 != 3) text += '=';
+  if (count > 0) {
+    text += kDigits[(bits << (6 - count)) & 63U];
+  }
+  while (text.size() % 4 != 3) {
+    text += '=';
+  }
   return text;
 }
 

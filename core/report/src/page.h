@@ -17,7 +17,7 @@ struct PageContext {
   const Inks& inks;
 };
 
-// Texts that are compiled in: page.css, page.js.
+/// Texts that are compiled in: page.css, page.js.
 extern const char* const kPageStyle;
 extern const char* const kPageScript;
 

@@ -27,8 +27,12 @@ std::string tile(const std::string& value, const std::string& of, const std::str
 }
 
 std::string duration(double seconds) {
-  if (seconds < 120.0) return brief(seconds, 3) + " s";
-  if (seconds < 7200.0) return brief(seconds / 60.0, 3) + " min";
+  if (seconds < 120.0) {
+    return brief(seconds, 3) + " s";
+  }
+  if (seconds < 7200.0) {
+    return brief(seconds / 60.0, 3) + " min";
+  }
   return brief(seconds / 3600.0, 3) + " h";
 }
 
@@ -53,8 +57,9 @@ std::string tiles(const Findings& findings) {
   if (findings.broken() > 0) {
     text += tile(std::to_string(findings.broken()), "", "did not end by themselves");
   }
-  if (findings.pending() > 0)
+  if (findings.pending() > 0) {
     text += tile(std::to_string(findings.pending()), "", "still to be done");
+  }
   text += tile(duration(simulated_s), "", "simulated");
   text += tile(duration(wall_s), "", "of computing");
   return text + "</dl>\n";
@@ -73,7 +78,9 @@ std::string reservations(const Findings& findings) {
         (parts.empty() ? counted(pending, "run is", "runs are") : counted(pending, "is", "are")) +
         " still to be done");
   }
-  if (!findings.disagreements.empty()) parts.push_back("equal seeds gave different runs");
+  if (!findings.disagreements.empty()) {
+    parts.push_back("equal seeds gave different runs");
+  }
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
@@ -85,16 +92,22 @@ std::string headline(const Findings& findings) {
   const auto& verdicts = findings.verdicts;
   const auto met = static_cast<std::size_t>(std::count_if(
       verdicts.begin(), verdicts.end(), [](const Verdict& verdict) { return verdict.met(); }));
+  const bool none_done = findings.runs() > 0 && findings.pending() == findings.runs();
   std::string words;
-  if (verdicts.empty()) {
-    words = findings.pending() > 0  ? "Not all runs are done"
-            : findings.broken() > 0 ? "Not all runs ended by themselves"
-            : findings.good()       ? "Every run ended by itself"
-                                    : "Equal seeds gave different runs";
+  if (none_done) {
+    words = "No run is done yet";
+  } else if (verdicts.empty()) {
+    words = findings.pending() > 0                 ? "Not all runs are done"
+            : findings.broken() == findings.runs() ? "No run ended by itself"
+            : findings.broken() > 0                ? "Not all runs ended by themselves"
+            : findings.good()                      ? "Every run ended by itself"
+                                                   : "Equal seeds gave different runs";
   } else if (met == verdicts.size()) {
     words = verdicts.size() == 1 ? "What was expected came true"
                                  : "All " + std::to_string(met) + " expectations are met";
-    if (!findings.good()) words += ", but " + reservations(findings);
+    if (!findings.good()) {
+      words += ", but " + reservations(findings);
+    }
   } else {
     words = std::to_string(verdicts.size() - met) + " of " +
             counted(verdicts.size(), "expectation") +
@@ -136,7 +149,9 @@ std::string troubles(const PageContext& page) {
   const Findings& findings = page.findings;
   std::string rows;
   for (const Run& run : findings.results.runs) {
-    if (!run.broken()) continue;
+    if (!run.broken()) {
+      continue;
+    }
     rows += "<tr><td class=\"n\">" + std::to_string(run.id) + "</td><td class=\"n\">" +
             std::to_string(run.seed) + "</td><td>" +
             escaped(findings.results.cells[run.cell].label) + "</td><td>" + ending_tag(run) + " " +
@@ -178,7 +193,9 @@ std::string answer_section(const PageContext& page) {
   text += "</header>\n<section id=\"answer\">" + headline(findings) + tiles(findings);
   if (!findings.verdicts.empty()) {
     text += "<ul class=\"expectations\">\n";
-    for (const Verdict& verdict : findings.verdicts) text += verdict_item(verdict);
+    for (const Verdict& verdict : findings.verdicts) {
+      text += verdict_item(verdict);
+    }
     text += "</ul>\n";
   }
   return text + "</section>\n" + troubles(page);

@@ -73,7 +73,9 @@ std::vector<std::pair<std::size_t, std::string>> notable_runs(const Findings& fi
   std::vector<std::size_t> order = cell.broken;
   for (const std::size_t place : cell.runs) {
     const Run& run = findings.results.runs[place];
-    if (run.state == RunState::done && !run.success()) order.push_back(place);
+    if (run.state == RunState::done && !run.success()) {
+      order.push_back(place);
+    }
   }
   std::map<std::size_t, std::string> outliers;
   for (const Outlier& outlier : cell.outliers) {
@@ -86,10 +88,14 @@ std::vector<std::pair<std::size_t, std::string>> notable_runs(const Findings& fi
   std::vector<std::pair<std::size_t, std::string>> notable;
   std::set<std::size_t> seen;
   for (const std::size_t place : order) {
-    if (!seen.insert(place).second) continue;
+    if (!seen.insert(place).second) {
+      continue;
+    }
     const Run& run = findings.results.runs[place];
     std::string text = run.broken() ? circumstances(run) : run.success() ? "" : run.message;
-    if (text.ends_with('.')) text.pop_back();
+    if (text.ends_with('.')) {
+      text.pop_back();
+    }
     if (const auto odd = outliers.find(place); odd != outliers.end()) {
       text += (text.empty() ? "" : "; ") + odd->second;
     }
@@ -100,7 +106,10 @@ std::vector<std::pair<std::size_t, std::string>> notable_runs(const Findings& fi
 
 std::string run_table(const PageContext& page, const CellFindings& cell) {
   const auto notable = notable_runs(page.findings, cell);
-  if (notable.empty()) return "<p class=\"quiet\">No run stands out.</p>\n";
+  if (notable.empty()) {
+    return "<p class=\"quiet\">" +
+           std::string(cell.ended == 0 ? "No run is done yet." : "No run stands out.") + "</p>\n";
+  }
   const std::string head =
       "<div class=\"scroll\"><table class=\"runs\"><thead><tr><th "
       "class=\"n\">run</th><th class=\"n\">seed</th><th>ended</th><th>why</th><th>again</th></tr>"
@@ -138,7 +147,9 @@ std::string headline(const PageContext& page, std::size_t place) {
   for (std::size_t i = 0; i < std::min(kHeadMeasures, cell.measures.size()); ++i) {
     const MeasureFindings& found = cell.measures[i];
     const Measure& measure = page.findings.results.measures[page.findings.measures[i]];
-    if (!found.all) continue;
+    if (!found.all) {
+      continue;
+    }
     const MeanText mean = mean_text(*found.all, found.interval);
     text += "<span>" + escaped(in_words(measure.name, measure.unit)) + " <b>" + mean.mean + "</b>" +
             (mean.deviation.empty() ? "" : " \xc2\xb1 " + mean.deviation) +

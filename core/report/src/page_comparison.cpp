@@ -1,4 +1,5 @@
 // Cells against each other.
+#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -17,6 +18,8 @@ constexpr const char* kSuccessLead =
 constexpr const char* kTableLead =
     "Mean \xc2\xb1 standard deviation over the runs that ended by themselves; below, the "
     "bootstrap 95\xc2\xa0% interval of the mean.";
+constexpr const char* kNoValues =
+    "No run that ended by itself has a value: there is nothing to compare but success.";
 constexpr const char* kBoxesLead =
     "A dot is a run, a cross one without success. The box has the middle half of the runs, its "
     "line is the median; whiskers go to the farthest run within 1.5 box lengths, dots with a ring "
@@ -26,21 +29,28 @@ constexpr const char* kBoxesLead =
 constexpr std::size_t kFiguresAtOnce = 6;
 // Figures with rows for more cells than these, too: the table tells the same in less room.
 constexpr std::size_t kRowsAtOnce = 40;
+constexpr std::size_t kHeadLength = 40;  // of a column, in characters
 
 std::string folded(const Findings& findings, const std::string& figures) {
   const std::size_t cells = findings.cells.size();
-  if (cells <= kRowsAtOnce) return figures;
+  if (cells <= kRowsAtOnce) {
+    return figures;
+  }
   return "<details class=\"fold\"><summary>Figures of all " + std::to_string(cells) +
          " cells</summary>" + figures + "</details>";
 }
 
 std::string ink_key(const PageContext& page) {
-  if (!page.inks.factor) return "";
-  std::string text = "<ul class=\"key\"><li class=\"of\">" +
-                     escaped(page.findings.results.factors[*page.inks.factor].name) + "</li>";
+  if (!page.inks.factor) {
+    return "";
+  }
+  std::string text =
+      "<ul class=\"key\"><li class=\"of\">" +
+      escaped(world::shortened(page.findings.results.factors[*page.inks.factor].name, 40)) +
+      "</li>";
   for (std::size_t i = 0; i < page.inks.levels.size(); ++i) {
     text += "<li><i class=\"swatch c" + std::to_string(i) + "\"></i>" +
-            escaped(shortened(page.inks.levels[i], 40)) + "</li>";
+            escaped(world::shortened(page.inks.levels[i], 40)) + "</li>";
   }
   return text + "</ul>";
 }
@@ -50,14 +60,20 @@ std::string label_head(const Results& results) {
   std::string text;
   for (std::size_t i = 0; i < results.factors.size(); ++i) {
     std::set<std::string> levels;
-    for (const CellInfo& cell : results.cells) levels.insert(cell.levels[i]);
-    if (levels.size() > 1) text += (text.empty() ? "" : ", ") + results.factors[i].name;
+    for (const CellInfo& cell : results.cells) {
+      levels.insert(cell.levels[i]);
+    }
+    if (levels.size() > 1) {
+      text += (text.empty() ? "" : ", ") + world::shortened(results.factors[i].name, kHeadLength);
+    }
   }
   return text.empty() ? "cell" : text;
 }
 
 std::string swatch(const PageContext& page, std::size_t cell) {
-  if (!page.inks.factor) return "";
+  if (!page.inks.factor) {
+    return "";
+  }
   return "<i class=\"swatch " + page.inks.cell_class(cell) + "\"></i>";
 }
 
@@ -69,11 +85,15 @@ std::string head(const std::string& text, const std::string& unit, bool number,
 }
 
 std::string value_cell(const MeasureFindings& found, std::optional<int> decimals) {
-  if (!found.all) return "<td class=\"n none\" data-v=\"\">\xe2\x80\x93</td>";
+  if (!found.all) {
+    return "<td class=\"n none\" data-v=\"\">\xe2\x80\x93</td>";
+  }
   const MeanText text = mean_text(*found.all, found.interval, decimals);
   std::string cell =
       "<td class=\"n\" data-v=\"" + exact(found.all->mean) + "\"><b>" + text.mean + "</b>";
-  if (!text.deviation.empty()) cell += " <span>\xc2\xb1\xc2\xa0" + text.deviation + "</span>";
+  if (!text.deviation.empty()) {
+    cell += " <span>\xc2\xb1\xc2\xa0" + text.deviation + "</span>";
+  }
   if (!text.low.empty()) {
     cell += "<small>" + text.low + "\xc2\xa0\xe2\x80\x93\xc2\xa0" + text.high + "</small>";
   }
@@ -84,9 +104,12 @@ std::string success_cell(const CellFindings& cell) {
   const double rate =
       cell.ended > 0 ? static_cast<double>(cell.successes) / static_cast<double>(cell.ended) : 0.0;
   return "<td class=\"n\" data-v=\"" + exact(rate) + "\"><b>" + std::to_string(cell.successes) +
-         "</b><span>/" + std::to_string(cell.ended) + "</span><small>" +
-         fixed(100.0 * cell.success.low, 0) + "\xc2\xa0\xe2\x80\x93\xc2\xa0" +
-         fixed(100.0 * cell.success.high, 0) + "\xc2\xa0%</small></td>";
+         "</b><span>/" + std::to_string(cell.ended) + "</span>" +
+         (cell.ended == 0
+              ? ""
+              : "<small>" + fixed(100.0 * cell.success.low, 0) + "\xc2\xa0\xe2\x80\x93\xc2\xa0" +
+                    fixed(100.0 * cell.success.high, 0) + "\xc2\xa0%</small>") +
+         "</td>";
 }
 
 std::string table(const PageContext& page) {
@@ -99,12 +122,16 @@ std::string table(const PageContext& page) {
   std::string text = "<div class=\"scroll\"><table class=\"sortable filtered\"><thead><tr>";
   text += head(label_head(results), "", false, "");
   text += head("success", "", true, "runs that reached their goals, of those that ended");
-  if (findings.broken() > 0)
+  if (findings.broken() > 0) {
     text += head("failed", "", true, "runs that did not end by themselves");
-  if (findings.pending() > 0) text += head("to do", "", true, "runs that are still to be done");
+  }
+  if (findings.pending() > 0) {
+    text += head("to do", "", true, "runs that are still to be done");
+  }
   for (const std::size_t place : findings.measures) {
     const Measure& measure = results.measures[place];
-    text += head(in_words(measure.name, measure.unit), measure.unit, true, measure.meaning);
+    text += head(world::shortened(in_words(measure.name, measure.unit), kHeadLength),
+                 world::shortened(measure.unit, kHeadLength), true, measure.meaning);
   }
   text += "</tr></thead><tbody>\n";
   for (std::size_t i = 0; i < findings.cells.size(); ++i) {
@@ -118,8 +145,12 @@ std::string table(const PageContext& page) {
       return "<td class=\"n" + std::string(number > 0 ? " bad" : "") + "\" data-v=\"" +
              std::to_string(number) + "\">" + std::to_string(number) + "</td>";
     };
-    if (findings.broken() > 0) text += count(cell.broken.size());
-    if (findings.pending() > 0) text += count(cell.pending);
+    if (findings.broken() > 0) {
+      text += count(cell.broken.size());
+    }
+    if (findings.pending() > 0) {
+      text += count(cell.pending);
+    }
     for (std::size_t j = 0; j < cell.measures.size(); ++j) {
       text += value_cell(cell.measures[j], decimals[j]);
     }
@@ -134,7 +165,9 @@ std::optional<double> only_value(const Findings& findings, std::size_t measure) 
   std::size_t count = 0;
   for (const CellFindings& cell : findings.cells) {
     const auto& all = cell.measures[measure].all;
-    if (!all) continue;
+    if (!all) {
+      continue;
+    }
     if (all->least != all->largest || all->least != value.value_or(all->least)) {
       return std::nullopt;
     }
@@ -146,7 +179,14 @@ std::optional<double> only_value(const Findings& findings, std::size_t measure) 
 
 std::string figures(const PageContext& page) {
   const Findings& findings = page.findings;
-  if (findings.measures.empty()) return "";
+  const bool several =
+      std::any_of(findings.cells.begin(), findings.cells.end(), [](const CellFindings& cell) {
+        return std::any_of(cell.measures.begin(), cell.measures.end(),
+                           [](const MeasureFindings& found) { return found.values.size() > 1; });
+      });
+  if (findings.measures.empty() || (findings.cells.size() == 1 && !several)) {
+    return "";  // the table has the only value already
+  }
   std::string shown, others, constant;
   std::size_t count = 0;
   for (std::size_t i = 0; i < findings.measures.size(); ++i) {
@@ -178,7 +218,8 @@ std::string comparison_sections(const PageContext& page) {
   return "<section id=\"success\"><h2>Success</h2><p class=\"lead\">" + std::string(kSuccessLead) +
          "</p>" + folded(page.findings, ink_key(page) + rate_figure(page.findings, page.inks)) +
          "</section>\n<section id=\"comparison\"><h2>Comparison</h2><p class=\"lead\">" +
-         kTableLead + "</p>" + table(page) + "</section>\n" + figures(page);
+         (page.findings.measures.empty() ? kNoValues : kTableLead) + "</p>" + table(page) +
+         "</section>\n" + figures(page);
 }
 
 }  // namespace elsie::report

@@ -47,7 +47,9 @@ std::string methods_section(const PageContext& page) {
   text += row("begun", escaped(results.created));
   text += row("elsie", escaped(results.elsie_version));
   text += "</dl>\n<ul class=\"notes\">";
-  for (const std::string& note : notes()) text += "<li>" + note + "</li>";
+  for (const std::string& note : notes()) {
+    text += "<li>" + note + "</li>";
+  }
   text += "</ul>\n";
   if (!page.findings.measures.empty()) {
     text += "<details><summary>What was measured</summary><dl class=\"about\">";

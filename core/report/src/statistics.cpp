@@ -15,10 +15,14 @@ namespace {
 double mean_of(std::span<const double> values) {
   const auto count = static_cast<double>(values.size());
   double sum = 0.0;
-  for (const double value : values) sum += value;
+  for (const double value : values) {
+    sum += value;
+  }
   const double first = sum / count;
   double rest = 0.0;  // what rounding has left over
-  for (const double value : values) rest += value - first;
+  for (const double value : values) {
+    rest += value - first;
+  }
   return first + rest / count;
 }
 
@@ -46,18 +50,26 @@ double quantile(std::span<const double> ascending, double part) {
   const std::size_t above = std::min(below + 1, ascending.size() - 1);
   const double rest = at - static_cast<double>(below);
   // Equal neighbours give exactly their value, infinite ones too.
-  if (rest == 0.0 || ascending[below] == ascending[above]) return ascending[below];
+  if (rest == 0.0 || ascending[below] == ascending[above]) {
+    return ascending[below];
+  }
   return ascending[below] + rest * (ascending[above] - ascending[below]);
 }
 
+bool is_usable(double value) { return std::abs(value) <= 1e150; }
+
 std::optional<Summary> summary(std::span<const double> values) {
-  if (values.empty()) return std::nullopt;
+  if (values.empty()) {
+    return std::nullopt;
+  }
   const std::vector<double> sorted = ascending(values);
   Summary result;
   result.count = sorted.size();
   // In ascending order, so that a sample's numbers do not depend on the order of its values.
   result.mean = std::clamp(mean_of(sorted), sorted.front(), sorted.back());
-  if (sorted.size() > 1) result.standard_deviation = deviation_of(sorted, result.mean);
+  if (sorted.size() > 1) {
+    result.standard_deviation = deviation_of(sorted, result.mean);
+  }
   result.least = sorted.front();
   result.lower_quartile = quantile(sorted, 0.25);
   result.median = quantile(sorted, 0.5);
@@ -73,7 +85,9 @@ std::optional<double> statistic_of(Statistic statistic, std::span<const double> 
     case Statistic::median:
       return quantile(ascending(values), 0.5);
     case Statistic::standard_deviation:
-      if (values.size() < 2) return std::nullopt;
+      if (values.size() < 2) {
+        return std::nullopt;
+      }
       return deviation_of(values, mean_of(values));
     case Statistic::minimum:
       return *std::min_element(values.begin(), values.end());
@@ -88,7 +102,9 @@ std::optional<double> statistic_of(Statistic statistic, std::span<const double> 
 }
 
 Interval wilson_interval(std::size_t successes, std::size_t trials, double confidence) {
-  if (trials == 0) return {0.0, 1.0};
+  if (trials == 0) {
+    return {0.0, 1.0};
+  }
   const double z = boost::math::quantile(boost::math::normal(), 0.5 + 0.5 * confidence);
   const auto n = static_cast<double>(trials);
   const double p = static_cast<double>(successes) / n;
@@ -103,7 +119,9 @@ Interval wilson_interval(std::size_t successes, std::size_t trials, double confi
 std::optional<Interval> bootstrap_interval(Statistic statistic, std::span<const double> values,
                                            double confidence, std::uint64_t seed,
                                            std::string_view path) {
-  if (values.size() < 2) return std::nullopt;
+  if (values.size() < 2) {
+    return std::nullopt;
+  }
   const std::vector<double> sorted = ascending(values);
   if (sorted.front() == sorted.back()) {
     const double only = statistic_of(statistic, sorted).value_or(0.0);
@@ -132,13 +150,23 @@ std::optional<double> boundless_relation(Relation relation, Statistic statistic,
                                          std::span<const Pair> pairs) {
   std::vector<double> cell, reference;
   for (const Pair& pair : pairs) {
-    if (pair.cell) cell.push_back(*pair.cell);
-    if (pair.reference) reference.push_back(*pair.reference);
+    if (pair.cell) {
+      cell.push_back(*pair.cell);
+    }
+    if (pair.reference) {
+      reference.push_back(*pair.reference);
+    }
   }
-  if (cell.empty() || reference.empty()) return std::nullopt;
+  if (cell.empty() || reference.empty()) {
+    return std::nullopt;
+  }
   const auto above = statistic_of(statistic, cell), below = statistic_of(statistic, reference);
-  if (!above || !below) return std::nullopt;
-  if (relation == Relation::difference) return *above - *below;
+  if (!above || !below) {
+    return std::nullopt;
+  }
+  if (relation == Relation::difference) {
+    return *above - *below;
+  }
   const double ratio = *above / *below;
   return std::isnan(ratio) ? std::nullopt : std::optional(ratio);
 }
@@ -154,7 +182,9 @@ std::optional<double> relation_of(Relation relation, Statistic statistic,
 std::optional<Interval> paired_interval(Relation relation, Statistic statistic,
                                         std::span<const Pair> pairs, double confidence,
                                         std::uint64_t seed, std::string_view path) {
-  if (pairs.size() < 2) return std::nullopt;
+  if (pairs.size() < 2) {
+    return std::nullopt;
+  }
   Random random(seed, path);
   std::vector<Pair> sample(pairs.size());
   std::vector<double> found;
@@ -162,13 +192,19 @@ std::optional<Interval> paired_interval(Relation relation, Statistic statistic,
     for (Pair& pair : sample) {
       pair = pairs[static_cast<std::size_t>(random.uniform() * static_cast<double>(pairs.size()))];
     }
-    if (const auto value = boundless_relation(relation, statistic, sample)) found.push_back(*value);
+    if (const auto value = boundless_relation(relation, statistic, sample)) {
+      found.push_back(*value);
+    }
   }
-  if (2 * found.size() < static_cast<std::size_t>(kResamples)) return std::nullopt;
+  if (2 * found.size() < static_cast<std::size_t>(kResamples)) {
+    return std::nullopt;
+  }
   std::sort(found.begin(), found.end());
   const double tail = 0.5 * (1.0 - confidence);
   const Interval interval{quantile(found, tail), quantile(found, 1.0 - tail)};
-  if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) return std::nullopt;
+  if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) {
+    return std::nullopt;
+  }
   return interval;
 }
 
@@ -180,7 +216,9 @@ Interval tukey_fences(const Summary& summary) {
 Interval whiskers(std::span<const double> ascending, const Interval& fences) {
   const auto low = std::lower_bound(ascending.begin(), ascending.end(), fences.low);
   const auto high = std::upper_bound(ascending.begin(), ascending.end(), fences.high);
-  if (low >= high) return {ascending.front(), ascending.back()};
+  if (low >= high) {
+    return {ascending.front(), ascending.back()};
+  }
   return {*low, *std::prev(high)};
 }
 

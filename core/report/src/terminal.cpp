@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "elsie/report/report.h"
+#include "elsie/report/text_table.h"
+#include "elsie/world/utf8.h"
 
-#include "markup.h"
 #include "numbers.h"
 #include "words.h"
 
@@ -17,40 +18,36 @@ constexpr std::size_t kMostRuns = 20;  // that did not end by themselves, told o
 
 using Column = std::vector<std::string>;  // its head, then a text for each cell
 
+constexpr std::size_t kGap = 3;  // between two columns
+
 std::size_t width_of(const Column& column) {
   std::size_t width = 0;
-  for (const std::string& text : column) width = std::max(width, characters(text));
+  for (const std::string& text : column) {
+    width = std::max(width, world::characters(text));
+  }
   return width;
 }
 
 // The first column stands to the left, the others to the right.
 std::string table(const std::vector<const Column*>& columns) {
-  std::string text;
-  for (std::size_t row = 0; row < columns.front()->size(); ++row) {
-    std::string line;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const std::string& cell = (*columns[i])[row];
-      const std::string padding(width_of(*columns[i]) - characters(cell), ' ');
-      line += i == 0 ? cell + padding : "   " + padding + cell;
+  std::vector<std::vector<std::string>> rows(columns.front()->size());
+  for (const Column* column : columns) {
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      rows[row].push_back((*column)[row]);
     }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + '\n';
   }
-  return text;
+  return laid_out(rows, 1, kGap);
 }
 
-std::string one_line(std::string_view text) {
-  std::string line = clean(text);
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  std::replace(line.begin(), line.end(), '\t', ' ');
-  return line;
+std::string shown_name(const std::string& name) {
+  return world::shortened(world::one_line(name), 60);
 }
 
 Column labels(const Findings& findings) {
   Column column{"cell"};
   for (std::size_t i = 0; i < findings.cells.size(); ++i) {
     const std::string& label = findings.results.cells[i].label;
-    column.push_back(label.empty() ? "all" : shortened(one_line(label), 60));
+    column.push_back(label.empty() ? "all" : shown_name(label));
   }
   return column;
 }
@@ -66,7 +63,7 @@ Column success_column(const Findings& findings) {
 Column measure_column(const Findings& findings, std::size_t place) {
   const Measure& measure = findings.results.measures[findings.measures[place]];
   const std::optional<int> decimals = decimals_of(findings, place);
-  Column column{one_line(measure.name)};
+  Column column{shown_name(measure.name)};
   for (const CellFindings& cell : findings.cells) {
     const MeasureFindings& found = cell.measures[place];
     if (!found.all) {
@@ -80,12 +77,16 @@ Column measure_column(const Findings& findings, std::size_t place) {
   std::size_t after = 0;
   for (const std::string& text : column) {
     const std::size_t sign = text.find(" +- ");
-    if (sign != std::string::npos) after = std::max(after, text.size() - sign);
+    if (sign != std::string::npos) {
+      after = std::max(after, text.size() - sign);
+    }
   }
   for (std::size_t i = 1; i < column.size(); ++i) {
     const std::size_t sign = column[i].find(" +- ");
     const std::size_t length = sign == std::string::npos ? 0 : column[i].size() - sign;
-    if (sign != std::string::npos) column[i] += std::string(after - length, ' ');
+    if (sign != std::string::npos) {
+      column[i] += std::string(after - length, ' ');
+    }
   }
   return column;
 }
@@ -96,8 +97,12 @@ void add_counts(const Findings& findings, std::vector<Column>& columns) {
     broken.push_back(std::to_string(cell.broken.size()));
     pending.push_back(std::to_string(cell.pending));
   }
-  if (findings.broken() > 0) columns.push_back(std::move(broken));
-  if (findings.pending() > 0) columns.push_back(std::move(pending));
+  if (findings.broken() > 0) {
+    columns.push_back(std::move(broken));
+  }
+  if (findings.pending() > 0) {
+    columns.push_back(std::move(pending));
+  }
 }
 
 std::string tables(const Findings& findings, std::size_t width) {
@@ -112,23 +117,29 @@ std::string tables(const Findings& findings, std::size_t width) {
     std::vector<const Column*> part{&cells};
     std::size_t used = width_of(cells);
     do {
-      used += 3 + width_of(columns[next]);
+      used += kGap + width_of(columns[next]);
       part.push_back(&columns[next++]);
-    } while (next < columns.size() && used + 3 + width_of(columns[next]) <= width);
+    } while (next < columns.size() && used + kGap + width_of(columns[next]) <= width);
     text += (text.empty() ? "" : "\n") + table(part);
   }
   return text;
 }
 
 std::string expectations(const Findings& findings) {
-  if (findings.verdicts.empty()) return "";
+  if (findings.verdicts.empty()) {
+    return "";
+  }
   std::string text = "\nExpectations\n";
   for (const Verdict& verdict : findings.verdicts) {
-    text += (verdict.met() ? "  met      " : "  NOT MET  ") + one_line(verdict.name) +
-            (verdict.expected.empty() ? "" : ": " + one_line(verdict.expected)) + '\n';
-    if (!verdict.trouble.empty()) text += "           " + one_line(verdict.trouble) + '\n';
+    text += (verdict.met() ? "  met      " : "  NOT MET  ") + world::one_line(verdict.name) +
+            (verdict.expected.empty() ? "" : ": " + world::one_line(verdict.expected)) + '\n';
+    if (!verdict.trouble.empty()) {
+      text += "           " + world::one_line(verdict.trouble) + '\n';
+    }
     for (const Claim& claim : verdict.claims) {
-      if (!claim.holds) text += "           " + one_line(claim.sentence) + '\n';
+      if (!claim.holds) {
+        text += "           " + world::one_line(claim.sentence) + '\n';
+      }
     }
   }
   return text;
@@ -138,16 +149,24 @@ std::string troubles(const Findings& findings, const std::string& database) {
   std::string text;
   std::size_t told = 0;
   for (const Run& run : findings.results.runs) {
-    if (!run.broken() || ++told > kMostRuns) continue;
-    text += "  " + one_line(name_of(findings.results, run)) + ": " +
-            one_line(ending_in_words(run)) + "\n    " + one_line(replay_command(database, run.id)) +
-            '\n';
+    if (!run.broken() || ++told > kMostRuns) {
+      continue;
+    }
+    text += "  " + world::one_line(name_of(findings.results, run)) + ": " +
+            world::one_line(ending_in_words(run)) + "\n    " +
+            world::one_line(replay_command(database, run.id)) + '\n';
   }
-  if (told > kMostRuns) text += "  and " + counted(told - kMostRuns, "more", "more") + '\n';
-  if (told > 0) text = "\nRuns that did not end by themselves\n" + text;
-  if (!findings.disagreements.empty()) text += "\nEqual seeds, different runs\n";
+  if (told > kMostRuns) {
+    text += "  and " + counted(told - kMostRuns, "more", "more") + '\n';
+  }
+  if (told > 0) {
+    text = "\nRuns that did not end by themselves\n" + text;
+  }
+  if (!findings.disagreements.empty()) {
+    text += "\nEqual seeds, different runs\n";
+  }
   for (const Disagreement& disagreement : findings.disagreements) {
-    text += "  " + one_line(in_words(findings.results, disagreement)) + '\n';
+    text += "  " + world::one_line(in_words(findings.results, disagreement)) + '\n';
   }
   return text;
 }
@@ -156,17 +175,22 @@ std::string troubles(const Findings& findings, const std::string& database) {
 
 std::string terminal_report(const Findings& findings, const std::string& database,
                             std::size_t width) {
-  std::string text = one_line(findings.results.experiment);
-  if (!findings.results.description.empty()) text += ": " + one_line(findings.results.description);
-  text += '\n' + one_line(size_in_words(findings));
+  std::string text = world::one_line(findings.results.experiment);
+  if (!findings.results.description.empty()) {
+    text += ": " + world::one_line(findings.results.description);
+  }
+  text += '\n' + world::one_line(size_in_words(findings));
   if (findings.broken() > 0) {
     text += "; " + std::to_string(findings.broken()) + " did not end by " +
             (findings.broken() == 1 ? "itself" : "themselves");
   }
-  if (findings.pending() > 0)
+  if (findings.pending() > 0) {
     text += "; " + std::to_string(findings.pending()) + " still to be done";
-  text += "\n\n" + tables(findings, width) +
-          "\nmean +- standard deviation over the runs of a cell that ended by themselves\n";
+  }
+  text += "\n\n" + tables(findings, width);
+  if (!findings.measures.empty()) {
+    text += "\nmean +- standard deviation over the runs of a cell that ended by themselves\n";
+  }
   return text + expectations(findings) + troubles(findings, database);
 }
 

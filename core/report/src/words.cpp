@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -18,8 +19,12 @@ std::string size_in_words(const Findings& findings) {
   }
   std::string text = counted(findings.runs(), "run") + ": " +
                      counted(findings.cells.size(), "cell") + ", " + counted(seeds.size(), "seed");
-  if (repeats > 1) text += ", each " + std::to_string(repeats) + " times";
-  if (findings.partial()) text += "; shard " + findings.results.shard + " of the experiment";
+  if (repeats > 1) {
+    text += ", each " + std::to_string(repeats) + " times";
+  }
+  if (findings.partial()) {
+    text += "; shard " + findings.results.shard + " of the experiment";
+  }
   return text;
 }
 
@@ -27,9 +32,13 @@ std::optional<int> decimals_of(const Findings& findings, std::size_t measure) {
   std::optional<int> least, most;
   for (const CellFindings& cell : findings.cells) {
     const auto& all = cell.measures[measure].all;
-    if (!all) continue;
+    if (!all) {
+      continue;
+    }
     const auto decimals = decimals_for(all->mean, all->standard_deviation.value_or(0.0));
-    if (!decimals) return std::nullopt;
+    if (!decimals) {
+      return std::nullopt;
+    }
     least = std::min(least.value_or(*decimals), *decimals);
     most = std::max(most.value_or(*decimals), *decimals);
   }
@@ -38,12 +47,29 @@ std::optional<int> decimals_of(const Findings& findings, std::size_t measure) {
 
 namespace {
 
+const char* verb_of(RunState state) {
+  switch (state) {
+    case RunState::fault:
+      return "failed in a plugin";
+    case RunState::crash:
+      return "crashed";
+    case RunState::hang:
+      return "hung";
+    case RunState::error:
+      return "could not be done";
+    default:
+      return "ended";
+  }
+}
+
 // "step 50", but not in "step 501".
 bool tells_step(const std::string& message, std::int64_t step) {
   const std::string words = "step " + std::to_string(step);
   for (std::size_t at = 0; (at = message.find(words, at)) != std::string::npos; ++at) {
     const std::size_t end = at + words.size();
-    if (end == message.size() || message[end] < '0' || message[end] > '9') return true;
+    if (end == message.size() || message[end] < '0' || message[end] > '9') {
+      return true;
+    }
   }
   return false;
 }
@@ -56,11 +82,21 @@ std::string circumstances(const Run& run) {
   };
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : " ") + part; };
-  if (!run.signal.empty() && !told(run.signal)) add("by " + run.signal);
-  if (!run.plugin.empty() && !told("'" + run.plugin + "'")) add("in plugin '" + run.plugin + "'");
-  if (!run.robot.empty() && !told("robot '" + run.robot + "'")) add("of robot '" + run.robot + "'");
-  if (run.step && !tells_step(run.message, *run.step)) add("at step " + std::to_string(*run.step));
-  if (!run.message.empty()) text += (text.empty() ? "" : ": ") + run.message;
+  if (!run.signal.empty() && !told(run.signal)) {
+    add("by " + run.signal);
+  }
+  if (!run.plugin.empty() && !told("'" + run.plugin + "'")) {
+    add("in plugin '" + run.plugin + "'");
+  }
+  if (!run.robot.empty() && !told("robot '" + run.robot + "'")) {
+    add("of robot '" + run.robot + "'");
+  }
+  if (run.step && !tells_step(run.message, *run.step)) {
+    add("at step " + std::to_string(*run.step));
+  }
+  if (!run.message.empty()) {
+    text += (text.empty() ? "" : ": ") + run.message;
+  }
   return text;
 }
 
@@ -68,6 +104,35 @@ std::string ending_in_words(const Run& run) {
   const std::string how = circumstances(run);
   const bool message_only = how == run.message;
   return to_string(run.state) + std::string(how.empty() ? "" : message_only ? ": " : " ") + how;
+}
+
+std::string broken_in_words(const Findings& findings) {
+  const std::size_t broken = findings.broken();
+  if (broken == 0) {
+    return "";
+  }
+  std::map<RunState, std::size_t> states;
+  for (const Run& run : findings.results.runs) {
+    if (run.broken()) {
+      ++states[run.state];
+    }
+  }
+  const bool all = broken == findings.runs();
+  std::string text = !all ? std::to_string(broken) + " of " + counted(findings.runs(), "run")
+                     : broken == 1 ? "the only run"
+                                   : "all " + counted(broken, "run");
+  if (states.size() == 1) {
+    text += std::string(" ") + verb_of(states.begin()->first);
+  } else {
+    text += " did not end by themselves (";
+    for (const auto& [state, count] : states) {
+      text += (text.ends_with('(') ? "" : ", ") + std::to_string(count) + " " + verb_of(state);
+    }
+    text += ")";
+  }
+  const auto first = std::find_if(findings.results.runs.begin(), findings.results.runs.end(),
+                                  [](const Run& run) { return run.broken(); });
+  return text + (broken > 1 ? ", the first of them " : ": ") + name_of(findings.results, *first);
 }
 
 std::string name_of(const Results& results, const Run& run) {

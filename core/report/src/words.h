@@ -22,7 +22,12 @@ std::optional<int> decimals_of(const Findings& findings, std::size_t measure);
 /// it does not tell them: "crash by SIGKILL in plugin 'x': ...". What is not known is left out.
 std::string ending_in_words(const Run& run);
 
-/// The same without the first word.
+/// "all 6 runs crashed, the first of them run 1 (fusion, seed 3)", "2 of 6 runs did not end by
+/// themselves (1 crashed, 1 hung), the first of them ..."; "" when every run that ended did so by
+/// itself.
+std::string broken_in_words(const Findings& findings);
+
+/// The same as ending_in_words() without the first word.
 std::string circumstances(const Run& run);
 
 /// "run 17 (fusion, seed 3)"

@@ -26,7 +26,11 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// A sample in numbers. All values are finite.
+/// Whether a value can be reckoned with: finite, and so far from the largest number, 1e150 at most,
+/// that squares and sums of many such values are finite, too. Others count as no value.
+bool is_usable(double value);
+
+/// A sample in numbers. All values are usable.
 struct Summary {
   std::size_t count = 0;  // at least 1
   double mean = 0.0;

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/cluster/shell_word.h"
+#include "elsie/world/shell_word.h"
 
 using namespace elsie;
 
@@ -24,11 +24,11 @@ std::string arguments(const std::string& words) {
 }  // namespace
 
 TEST_CASE("Words are quoted where a shell would take them apart") {
-  CHECK(cluster::shell_word("worlds/a-b_c.xml") == "worlds/a-b_c.xml");
-  CHECK(cluster::shell_word("") == "''");
-  CHECK(cluster::shell_word("a b") == "'a b'");
-  CHECK(cluster::shell_word("it's") == "'it'\\''s'");
-  CHECK(cluster::shell_line({"elsie", "batch", "a b", "$x"}) == "elsie batch 'a b' '$x'");
+  CHECK(world::shell_word("worlds/a-b_c.xml") == "worlds/a-b_c.xml");
+  CHECK(world::shell_word("") == "''");
+  CHECK(world::shell_word("a b") == "'a b'");
+  CHECK(world::shell_word("it's") == "'it'\\''s'");
+  CHECK(world::shell_line({"elsie", "batch", "a b", "$x"}) == "elsie batch 'a b' '$x'");
 }
 
 TEST_CASE("A shell gives each word back as it was") {
@@ -36,5 +36,5 @@ TEST_CASE("A shell gives each word back as it was") {
       GENERATE("plain", "", " ", "it's", "'", "\"", "a\"b c\"", "$HOME", "`ls`", "$(ls)", "~", "a*",
                "!", "#x", "a;b", "a&b", "a|b", "<x>", "(y)", "{1,2}", "back\\slash", "a\nb",
                "\xc3\xa4 \xf0\x9f\x90\xa2", "%s", "a=b", "[ab]", "?");
-  CHECK(arguments(cluster::shell_line({word, "next"})) == "[" + word + "][next]");
+  CHECK(arguments(world::shell_line({word, "next"})) == "[" + word + "][next]");
 }

@@ -1,0 +1,16 @@
+// Tables for a terminal.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace elsie::report {
+
+/// Rows of cells in columns that are `gap` blanks apart. The first `text_columns` stand to the
+/// left, the others, numbers, to the right. Rows may have different lengths. Width counts
+/// characters of UTF-8. No line ends in blanks.
+std::string laid_out(const std::vector<std::vector<std::string>>& rows, std::size_t text_columns,
+                     std::size_t gap = 2);
+
+}  // namespace elsie::report

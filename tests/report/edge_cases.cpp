@@ -1,0 +1,125 @@
+#include "edge_cases.h"
+
+#include <limits>
+
+#include "hostile.h"
+
+namespace elsie::test {
+
+namespace {
+
+MadeExperiment all_crashed() {
+  MadeExperiment experiment = made_from({{1, 2, 3}, {2, 3, 4}});
+  for (MadeCell& cell : experiment.cells) {
+    for (MadeRun& run : cell.runs) {
+      run.state = "crash";
+      run.signal = "SIGSEGV";
+      run.message = "plugin 'wander' of robot 'r1' crashed with SIGSEGV in step 50";
+      run.measures.clear();
+      run.robots.clear();
+    }
+  }
+  return experiment;
+}
+
+MadeExperiment all_pending() {
+  MadeExperiment experiment = made_from({{1, 2, 3}, {2, 3, 4}});
+  for (MadeCell& cell : experiment.cells) {
+    for (MadeRun& run : cell.runs) {
+      run.state = "pending";
+      run.measures.clear();
+      run.robots.clear();
+    }
+  }
+  return experiment;
+}
+
+MadeExperiment hundred_cells() {
+  MadeExperiment experiment;
+  experiment.factors = {"world", "gain", "speed"};
+  for (int i = 0; i < 100; ++i) {
+    MadeCell& cell = experiment.cells.emplace_back();
+    cell.levels = {"w", std::to_string(i / 10), std::to_string(i % 10)};
+    cell.label = cell.levels[1] + ", " + cell.levels[2];
+    cell.world_text = made_world();
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      MadeRun& run = cell.runs.emplace_back();
+      run.seed = seed;
+      run.measures = {{"path_length_m", i + 0.1 * static_cast<double>(seed)}, {"success", 1.0}};
+      run.robots.emplace_back().poses = {{0, 0, 0}, {1, 0, 0}, {1, 2, 1.57}};
+    }
+  }
+  return experiment;
+}
+
+MadeExperiment long_names() {
+  std::string name;
+  for (int i = 0; i < 60; ++i) {
+    name += "very_";
+  }
+  MadeExperiment experiment = made_from({{1, 2, 3, 4, 5, 60}, {2, 3, 4, 5, 6, 7}});
+  experiment.name = experiment.description = name + "long";
+  experiment.factors[1] = name + "factor";
+  experiment.units.emplace_back(name + "m", name);
+  for (MadeCell& cell : experiment.cells) {
+    cell.label = cell.levels[1] = name + cell.label;
+    for (MadeRun& run : cell.runs) {
+      run.measures[name + "m"] = static_cast<double>(run.seed);
+      run.robots[0].id = name;
+      run.robots[0].episodes = {{0, 1, name}};
+      run.robots[0].shares = {{name, 1.0}};
+      run.robots[0].curve = {{0, 1}, {1, 0.5}};
+    }
+  }
+  MadeRun& broken = experiment.cells[0].runs[0];
+  broken.state = "fault";
+  broken.message = broken.plugin = broken.log = name;
+  broken.measures.clear();
+  return experiment;
+}
+
+// A value that is no number is a null of the database.
+MadeExperiment odd_values() {
+  MadeExperiment experiment = made_from({{1, 2, 3, 4, 5, 6}, {2, 3, 4, 5, 6, 7}, {1, 1, 1, 1, 1}});
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (MadeRun& run : experiment.cells[0].runs) {
+    run.measures["always_null"] = std::nullopt;
+    run.measures["sometimes_null"] =
+        run.seed % 2 ? std::optional(static_cast<double>(run.seed)) : std::nullopt;
+    run.measures["boundless"] = kInfinity;
+    run.measures["huge"] = run.seed % 2 ? 1.7e308 : -1.7e308;
+    run.measures["tiny"] = 5e-324 * static_cast<double>(run.seed);
+  }
+  experiment.cells[1].runs[0].measures["path_length_m"] = -kInfinity;
+  experiment.cells[1].runs[1].measures["path_length_m"] = std::nullopt;
+  return experiment;
+}
+
+}  // namespace
+
+std::vector<EdgeCase> edge_cases() {
+  MadeExperiment one_run = made_from({{1}});
+  one_run.cells[0].label = "w";
+  return {{"all crashed", all_crashed()}, {"all pending", all_pending()},
+          {"one run", one_run},           {"one cell", made_from({{1, 2, 3, 4, 5, 60}})},
+          {"100 cells", hundred_cells()}, {"bad names", hostile()},
+          {"long names", long_names()},   {"odd values", odd_values()}};
+}
+
+report::Questions edge_questions() {
+  experiment::Expectation path;
+  path.name = "short enough";
+  path.measure = "path_length_m";
+  path.at_most = 3.0;
+  path.confidence = 0.9;
+  experiment::Expectation success;
+  success.name = "gets there";
+  success.measure = "success";
+  success.statistic = report::Statistic::rate;
+  success.at_least = 1.0;
+  report::Questions questions;
+  questions.expectations = {path, success};
+  return questions;
+}
+
+}  // namespace elsie::test
