@@ -6,6 +6,7 @@
 
 #include "elsie/report/report.h"
 
+#include "folder.h"
 #include "made_up.h"
 #include "places.h"
 
@@ -14,14 +15,9 @@ namespace elsie::test {
 class Made {
  public:
   explicit Made(const MadeExperiment& experiment, report::Questions asked = {})
-      : path(build_path("tests/report/made_up_" + std::to_string(++count) + ".db")),
-        questions(std::move(asked)) {
-    std::filesystem::create_directories(path.parent_path());
+      : questions(std::move(asked)) {
     write_database(experiment, path);
   }
-  ~Made() { std::filesystem::remove(path); }
-  Made(const Made&) = delete;
-  Made& operator=(const Made&) = delete;
 
   report::Findings findings() const {
     return report::find(report::ResultsFile(path).results(), questions);
@@ -31,11 +27,9 @@ class Made {
     return report::html_report(report::find(file.results(), questions), file, called);
   }
 
-  std::filesystem::path path;
+  const Folder folder{};
+  const std::filesystem::path path = folder / "made_up.db";
   report::Questions questions;
-
- private:
-  inline static int count = 0;
 };
 
 /// A study with one expectation.

@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "edge_cases.h"
 #include "hostile.h"
 
 namespace fs = std::filesystem;
@@ -228,6 +229,17 @@ TEST_CASE("Hostile names break neither the page nor its width") {
   const json found = browser.look(390);
   check(found);
   CHECK(browser.log().find("CONSOLE") == std::string::npos);
+}
+
+TEST_CASE("Pages of what is hardly a study fit a desk and a phone") {
+  for (const elsie::test::EdgeCase& edge : elsie::test::edge_cases()) {
+    Browser browser(Made(edge.experiment, elsie::test::edge_questions()).html());
+    for (const int width : {1280, 390}) {
+      CAPTURE(edge.name, width);
+      check(browser.look(width));
+      CHECK(browser.log().find("CONSOLE") == std::string::npos);
+    }
+  }
 }
 
 TEST_CASE("Pictures of the page, to be looked at") {
