@@ -8,24 +8,17 @@
 #include <tuple>
 #include <vector>
 
-#include <unistd.h>
-
 #include "elsie/mcap/reader.h"
 #include "elsie/mcap/writer.h"
+
+#include "folder.h"
 
 namespace elsie::test {
 
 /// A file of its own for each test, gone at the end.
 struct McapFile {
-  McapFile() {
-    std::string name = (std::filesystem::temp_directory_path() / "elsie-XXXXXX.mcap").string();
-    close(mkstemps(name.data(), 5));
-    path = name;
-  }
-  explicit McapFile(const std::string& bytes) : McapFile() { set(bytes); }
-  ~McapFile() { std::filesystem::remove(path); }
-  McapFile(const McapFile&) = delete;
-  McapFile& operator=(const McapFile&) = delete;
+  McapFile() { set(""); }
+  explicit McapFile(const std::string& bytes) { set(bytes); }
 
   std::string bytes() const {
     std::ifstream in(path, std::ios::binary);
@@ -36,7 +29,8 @@ struct McapFile {
     std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
   }
 
-  std::filesystem::path path;
+  const Folder folder{};
+  const std::filesystem::path path = folder / "file.mcap";
 };
 
 struct Read {

@@ -1,23 +1,22 @@
 #include <bit>
 #include <cstdint>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
 
 #include <catch2/catch.hpp>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "elsie/neural/error.h"
 #include "elsie/neural/training.h"
 #include "elsie/neural/weights.h"
 
+#include "folder.h"
 #include "support.h"
 
 using namespace elsie::neural;
+using elsie::test::Folder;
 using elsie::test::random_network;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -62,30 +61,6 @@ std::string with(const std::string& piece, const std::string& other) {
   REQUIRE(at != std::string::npos);
   return text.replace(at, piece.size(), other);
 }
-
-/// A folder of its own, gone at the end.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "elsie-weights-XXXXXX").string();
-    if (!mkdtemp(name.data())) {
-      throw std::runtime_error("cannot make a folder for the test");
-    }
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-  std::size_t files() const {
-    return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
-  }
-
- private:
-  fs::path path_;
-};
 
 }  // namespace
 

@@ -1,8 +1,7 @@
-// What the tests of the pictures share: a folder of their own, and the pixels of a PNG file.
+// What the tests of the pictures share: the pixels of a PNG file.
 #pragma once
 
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -10,36 +9,14 @@
 #include <string>
 
 #include <cairo.h>
-#include <unistd.h>
 
 #include "elsie/api/geometry.h"
 
+#include "folder.h"
+
 namespace elsie::picture::test {
 
-/// An empty folder that goes with the object.
-class Folder {
- public:
-  Folder() {
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "elsie-picture-test-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = pattern;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  std::ptrdiff_t files() const {
-    return std::distance(std::filesystem::directory_iterator(path_), {});
-  }
-
- private:
-  std::filesystem::path path_;
-};
+using elsie::test::Folder;
 
 inline std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -6,7 +6,6 @@
 
 #include <catch2/catch.hpp>
 #include <dlfcn.h>
-#include <stdlib.h>
 
 namespace elsie::plugin::test {
 
@@ -31,23 +30,10 @@ void write(const fs::path& file, std::string_view text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
-Folder::Folder() {
-  std::string pattern = fs::temp_directory_path() / "elsie-plugin-XXXXXX";
-  if (!mkdtemp(pattern.data())) {
-    throw std::runtime_error("no folder for the test can be made at " + pattern);
-  }
-  path_ = pattern;
-}
-
-Folder::~Folder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 Folder& Folder::with(const std::string& name) { return with(name, name + ".so"); }
 
 Folder& Folder::with(const std::string& name, const std::string& file_name) {
-  fs::copy_file(fixture(name), path_ / file_name);
+  fs::copy_file(fixture(name), path() / file_name);
   return *this;
 }
 

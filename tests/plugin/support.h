@@ -11,6 +11,8 @@
 #include "elsie/api/behavior.h"
 #include "elsie/plugin/host.h"
 
+#include "folder.h"
+
 namespace elsie::plugin::test {
 
 /// The library of a fixture (a source file in tests/plugin/broken), where it was built.
@@ -20,23 +22,12 @@ std::vector<std::byte> bytes_of(const std::filesystem::path& file);
 void write(const std::filesystem::path& file, std::span<const std::byte> bytes);
 void write(const std::filesystem::path& file, std::string_view text);
 
-/// A new, empty folder, which goes with the object.
-class Folder {
+/// A folder for libraries.
+class Folder : public elsie::test::Folder {
  public:
-  Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder();
-
   /// Copies fixtures into the folder; the first form under the same name.
   Folder& with(const std::string& name);
   Folder& with(const std::string& name, const std::string& file_name);
-
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
 };
 
 /// A host that looks into these folders.

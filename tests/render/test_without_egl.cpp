@@ -13,6 +13,8 @@
 
 #include "elsie/render/renderer.h"
 
+#include "folder.h"
+
 using elsie::render::Renderer;
 namespace fs = std::filesystem;
 
@@ -43,21 +45,15 @@ Outcome make_renderer_with(const std::string& environment) {
 class BrokenLibraries {
  public:
   explicit BrokenLibraries(const std::vector<std::string>& names) {
-    std::string pattern = (fs::temp_directory_path() / "elsie-no-egl-XXXXXX").string();
-    REQUIRE(mkdtemp(pattern.data()));
-    folder_ = pattern;
     for (const std::string& name : names) {
-      std::ofstream(folder_ / name) << "this is no library";
+      folder_.write(name, "this is no library");
     }
   }
-  ~BrokenLibraries() { fs::remove_all(folder_); }
-  BrokenLibraries(const BrokenLibraries&) = delete;
-  BrokenLibraries& operator=(const BrokenLibraries&) = delete;
 
-  std::string environment() const { return "LD_LIBRARY_PATH='" + folder_.string() + "'"; }
+  std::string environment() const { return "LD_LIBRARY_PATH='" + folder_.path().string() + "'"; }
 
  private:
-  fs::path folder_;
+  elsie::test::Folder folder_;
 };
 
 }  // namespace

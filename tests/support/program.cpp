@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <stdexcept>
 
 #include <sys/wait.h>
 
@@ -21,26 +20,16 @@ std::string read_file(const fs::path& path) {
 }  // namespace
 
 Workplace::Workplace() {
-  std::string name = (fs::temp_directory_path() / "elsie-test-XXXXXX").string();
-  if (!mkdtemp(name.data())) {
-    throw std::runtime_error("cannot make a folder for the test");
-  }
-  folder_ = name;
   for (const char* data :
        {"experiments", "worlds", "robots", "fuzzy_models", "training_sets", "examples"}) {
     fs::create_directory_symlink(source_path(data), folder_ / data);
   }
 }
 
-Workplace::~Workplace() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
-
 ProgramRun Workplace::sh(const std::string& command) const {
   write(".command", command + '\n');
   const std::string bin = build_path("bin");
-  const std::string line = "cd '" + folder_.string() + "' && PATH='" + bin +
+  const std::string line = "cd '" + folder_.path().string() + "' && PATH='" + bin +
                            "':\"$PATH\" sh -e .command >.out 2>.err </dev/null";
   const int status = std::system(line.c_str());
   ProgramRun run;

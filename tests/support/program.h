@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "folder.h"
+
 namespace elsie::test {
 
 struct ProgramRun {
@@ -16,9 +18,6 @@ struct ProgramRun {
 class Workplace {
  public:
   Workplace();
-  ~Workplace();
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
 
   /// Runs a shell command line in the folder, with `elsie` on the path.
   ProgramRun sh(const std::string& command) const;
@@ -30,7 +29,7 @@ class Workplace {
   std::string read(const std::string& name) const;
 
  private:
-  std::filesystem::path folder_;
+  Folder folder_;
 };
 
 }  // namespace elsie::test

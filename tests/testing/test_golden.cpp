@@ -1,16 +1,15 @@
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
 #include "elsie/testing/catch.h"
 
+#include "folder.h"
 #include "places.h"
 
 using namespace elsie::testing;
 using elsie::MotorCommand;
 using elsie::Perception;
 using elsie::RangeReading;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -31,14 +30,12 @@ class File {
       unsetenv(kUpdateVariable);
     }
   }
-  ~File() {
-    fs::remove(path);
-    was_.empty() ? unsetenv(kUpdateVariable) : setenv(kUpdateVariable, was_.c_str(), 1);
-  }
+  ~File() { was_.empty() ? unsetenv(kUpdateVariable) : setenv(kUpdateVariable, was_.c_str(), 1); }
   File(const File&) = delete;
   File& operator=(const File&) = delete;
 
-  const std::string path = (fs::temp_directory_path() / "elsie-test.golden").string();
+  const elsie::test::Folder folder{};
+  const std::string path = folder.file("trace.golden");
 
  private:
   std::string was_;

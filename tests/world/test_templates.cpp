@@ -10,6 +10,7 @@
 
 #include "equal.h"
 #include "fixture.h"
+#include "folder.h"
 
 using namespace elsie;
 using namespace elsie::test;
@@ -21,17 +22,12 @@ namespace {
 class Files {
  public:
   Files(std::initializer_list<std::pair<std::string, std::string>> files) {
-    fs::remove_all(folder_);
     for (const auto& [name, text] : files) {
-      fs::create_directories((folder_ / name).parent_path());
-      std::ofstream(folder_ / name) << text;
+      folder_.write(name, text);
     }
   }
-  Files(const Files&) = delete;
-  Files& operator=(const Files&) = delete;
-  ~Files() { fs::remove_all(folder_); }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.file(name); }
 
   world::World read(const std::string& robots, std::vector<std::string> overrides = {}) const {
     fs::create_directories(folder_ / "worlds");
@@ -40,7 +36,7 @@ class Files {
   }
 
  private:
-  fs::path folder_ = test::build_path("template_files");
+  test::Folder folder_;
 };
 
 const char* const kTwoBeams = R"(<robot_template format="1" max_speed="0.4" leader="true">
