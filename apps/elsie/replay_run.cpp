@@ -17,6 +17,7 @@
 #include "progress.h"
 #include "restored_run.h"
 #include "run_report.h"
+#include "same_run.h"
 #include "top_view.h"
 
 using elsie::batch::RunState;
@@ -85,16 +86,19 @@ void tell_of(const StoredRun& run, const RunAgainOptions& options) {
 
 /// Whether it came to the same; says so.
 bool compare(const StoredRun& run, const RunResult& result, const RestoredRun& restored) {
-  const std::string hash = elsie::simulation::hash_text(result.state_hash);
-  if (run.record.state == RunState::done && run.record.state_hash == hash) {
-    std::cout << "the same: state hash " << hash << '\n';
-    return true;
-  }
+  const std::string hash = "state hash " + elsie::simulation::hash_text(result.state_hash);
+  constexpr const char* kNot = "not the same: ";
   if (run.record.state == RunState::done) {
-    std::cout << "not the same: state hash " << hash << ", before "
-              << run.record.state_hash.value_or("none") << '\n';
+    const std::vector<std::string> different = differences(run.record, result);
+    if (different.empty()) {
+      std::cout << "the same: " << hash << '\n';
+      return true;
+    }
+    for (const std::string& line : different) {
+      std::cout << (&line == &different.front() ? kNot : "              ") << line << '\n';
+    }
   } else {
-    std::cout << "not the same: it ended by itself, state hash " << hash << '\n';
+    std::cout << kNot << "it ended by itself, " << hash << '\n';
   }
   if (!restored.differences().empty()) {
     std::cout << "what differs from what it was done with then may be why\n";

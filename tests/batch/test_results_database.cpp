@@ -147,6 +147,17 @@ TEST_CASE("A stored run has all that it takes to do it again") {
   CHECK_THAT(run->elsie.path, Contains("libelsie"));
   CHECK(run->record.state == batch::RunState::done);
   CHECK(run->record.state_hash == "0123456789abcdef");
+  const batch::RunRecord written = test::some_record();
+  REQUIRE(run->record.measures.size() == written.measures.size());
+  for (const batch::Measure& measure : written.measures) {
+    CAPTURE(measure.name);
+    const auto read =
+        std::find_if(run->record.measures.begin(), run->record.measures.end(),
+                     [&](const batch::Measure& other) { return other.name == measure.name; });
+    REQUIRE(read != run->record.measures.end());
+    CHECK(read->unit == measure.unit);
+    CHECK(read->value == measure.value);
+  }
   CHECK_FALSE(database.run(7));
 }
 

@@ -38,6 +38,18 @@ void read_libraries(sqlite::Connection& connection, std::int64_t cell, StoredRun
   }
 }
 
+void read_measures(sqlite::Connection& connection, StoredRun& run) {
+  sqlite::Statement query(connection,
+                          "SELECT name, unit, meaning, value FROM run_measures JOIN measures ON "
+                          "measures.name = measure WHERE run_id = ? ORDER BY name");
+  query.bind(1, run.job.run);
+  while (query.next()) {
+    run.record.measures.push_back(
+        {query.text(0), query.text(1), query.text(2),
+         value(query, 3, [&](int column) { return query.number(column); })});
+  }
+}
+
 }  // namespace
 
 std::optional<StoredRun> read_run(sqlite::Connection& connection, std::int64_t id) {
@@ -78,6 +90,7 @@ std::optional<StoredRun> read_run(sqlite::Connection& connection, std::int64_t i
   const std::int64_t cell = query.integer(0);
   read_data(connection, cell, run);
   read_libraries(connection, cell, run);
+  read_measures(connection, run);
   return run;
 }
 

@@ -70,7 +70,7 @@ struct StoredRun {
   std::string cell;
   int repetition = 1;
   double wall_limit_s = 0.0;
-  RunRecord record;  // only what stands in `runs`
+  RunRecord record;  // only what stands in `runs`, and the measures, by name
 };
 
 class ResultsDatabase {

@@ -1,0 +1,73 @@
+#include "same_run.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+using elsie::batch::Measure;
+using elsie::batch::RunRecord;
+using elsie::simulation::MeasuredValue;
+using elsie::simulation::RunResult;
+
+namespace {
+
+/// As many digits as it takes to tell two numbers apart.
+std::string exactly(double value) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof(digits), value).ptr};
+}
+
+std::string value_text(const std::optional<double>& value, const std::string& unit) {
+  return value ? exactly(*value) + (unit.empty() ? "" : " " + unit) : "none";
+}
+
+/// Databases have no numbers but finite ones.
+std::optional<double> as_stored(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+template <class List>
+auto named(const List& measures, const std::string& name) {
+  return std::find_if(measures.begin(), measures.end(),
+                      [&](const auto& measure) { return measure.name == name; });
+}
+
+void compare_measures(const RunRecord& before, const RunResult& now,
+                      std::vector<std::string>& differences) {
+  for (const MeasuredValue& measured : now.measures) {
+    const std::optional<double> value = as_stored(measured.value);
+    const auto old = named(before.measures, measured.name);
+    if (old == before.measures.end()) {
+      differences.push_back("measure " + measured.name + ' ' + value_text(value, measured.unit) +
+                            ", before not measured");
+    } else if (old->value != value) {
+      differences.push_back("measure " + measured.name + ' ' + value_text(value, measured.unit) +
+                            ", before " + value_text(old->value, old->unit));
+    }
+  }
+  for (const Measure& old : before.measures) {
+    if (named(now.measures, old.name) == now.measures.end()) {
+      differences.push_back("measure " + old.name + " not measured, before " +
+                            value_text(old.value, old.unit));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> differences(const RunRecord& before, const RunResult& now) {
+  std::vector<std::string> found;
+  const auto compare = [&](const char* what, const std::string& value,
+                           const std::optional<std::string>& old) {
+    if (old != value) {
+      found.push_back(std::string(what) + ' ' + value + ", before " + old.value_or("none"));
+    }
+  };
+  compare("state hash", elsie::simulation::hash_text(now.state_hash), before.state_hash);
+  compare("outcome", to_string(now.outcome), before.outcome);
+  compare("steps", std::to_string(now.steps),
+          before.steps ? std::optional(std::to_string(*before.steps)) : std::nullopt);
+  compare_measures(before, now, found);
+  return found;
+}
