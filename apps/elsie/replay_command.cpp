@@ -1,14 +1,18 @@
 // elsie replay: a run that was, looked at again: from its recording, or done once more from a
 // database.
 #include <array>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "elsie/mcap/reader.h"
 
@@ -28,9 +32,11 @@ Examples:
   elsie batch experiments/top_speed.xml --database speed.sqlite
   elsie replay speed.sqlite 17
   elsie replay speed.sqlite 17 --picture run.png --explain run.trace --record run.mcap
+  elsie replay speed.sqlite 18 --wall-limit 60
 
-Exit codes for a run of a database: 0 it came to the same, 1 it did not, 2 bad input, 3 a plugin
-failed in another way than before, or brought the program down, 4 anything else. For a recording:
+Exit codes for a run of a database: 0 it came to the same, or hangs in the same plugin, robot and
+step, 1 it did not, 2 bad input, 3 a plugin failed in another way than before, or brought the
+program down, as before or not, 4 anything else. For a recording:
 0, or 2 when it cannot be read or is damaged.
 )";
 
@@ -56,6 +62,29 @@ bool may_be_database(const std::filesystem::path& file) {
          std::string_view(start.data(), start.size()) == kMark;
 }
 
+/// Throws BadInput for a file that is there, but cannot be read, or has nothing in it.
+void require_content(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    return;  // whoever opens it says more
+  }
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  char byte = 0;
+  const ssize_t count = descriptor < 0 ? -1 : read(descriptor, &byte, 1);
+  const int problem = errno;
+  if (descriptor >= 0) {
+    close(descriptor);
+  }
+  if (count < 0) {
+    throw BadInput("'" + file + "' cannot be read: " + std::generic_category().message(problem));
+  }
+  if (count == 0) {
+    throw BadInput("'" + file +
+                   "' is empty; expected a recording, as `elsie run --record FILE.mcap` writes it, "
+                   "or a database that `elsie batch` has written");
+  }
+}
+
 /// Throws BadInput when one of this group's options was given.
 void refuse(const CLI::App& command, const std::string& group, const std::string& why) {
   for (const CLI::Option* option : command.get_options()) {
@@ -66,6 +95,7 @@ void refuse(const CLI::App& command, const std::string& group, const std::string
 }
 
 int replay(const CLI::App& command, const ReplayOptions& options) {
+  require_content(options.file);
   if (elsie::mcap::may_be_mcap(options.file)) {
     refuse(command, kForRuns,
            "'" + options.file + "' is a recording of one run, in which nothing is run again");
@@ -134,6 +164,13 @@ void add_replay_command(CLI::App& program, Job& job) {
       ->add_option("--explain", again.explain,
                    "Write every coordinator's decisions, for `elsie explain`")
       ->type_name("FILE.trace");
+  command
+      ->add_option(
+          "--wall-limit", again.wall_limit_s,
+          "Seconds on the clock after which the run is ended; 0: never. Default: for a run "
+          "that met the batch's limit, that; else never")
+      ->check(non_negative_number())
+      ->type_name("SECONDS");
   command->add_flag("--quiet", again.quiet, "Print nothing but errors and whether it is the same");
   const auto all = command->get_options();
   for (std::size_t i = before; i < all.size(); ++i) {

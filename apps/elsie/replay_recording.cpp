@@ -68,6 +68,11 @@ std::string report(const RecordedRun& run) {
 }
 
 void draw(const RecordedRun& run, const RecordingOptions& options) {
+  if (run.world_xml.empty() && run.messages == 0 && !run.missing_end.empty()) {
+    throw BadInput("--picture: '" + options.recording +
+                   "' breaks off before its first second was written, with the world and the "
+                   "robots' places: there is nothing to draw");
+  }
   if (!run.of_elsie || run.world_xml.empty()) {
     throw BadInput("--picture: there is no world in '" + options.recording +
                    "'; expected a recording that `elsie run --record FILE.mcap` made");

@@ -14,6 +14,7 @@
 #include "elsie/world/reader.h"
 
 #include "command.h"
+#include "end_again.h"
 #include "progress.h"
 #include "restored_run.h"
 #include "run_report.h"
@@ -44,7 +45,7 @@ StoredRun stored_run(const RunAgainOptions& options) {
 /// Everything that watches it.
 class Watchers {
  public:
-  explicit Watchers(const RunAgainOptions& options) : recorder_(options.record.recorder()) {
+  Watchers(const RunAgainOptions& options, EndAgain* end) : recorder_(options.record.recorder()) {
     if (recorder_) {
       all_.push_back(recorder_.get());
     }
@@ -58,6 +59,9 @@ class Watchers {
       all_.push_back(&progress_.emplace());
     }
     all_.push_back(&interrupt_);
+    if (end) {
+      all_.push_back(end);
+    }
   }
   Watchers(const Watchers&) = delete;
   Watchers& operator=(const Watchers&) = delete;
@@ -111,6 +115,15 @@ bool is_as_before(const StoredRun& run, const PluginFault& fault) {
          run.record.robot == fault.robot && run.record.step == fault.step;
 }
 
+/// For a run that may not come to its end; nothing watches the others.
+void expect_end(std::optional<EndAgain>& end, const StoredRun& run,
+                const RunAgainOptions& options) {
+  const bool hung = run.record.state == RunState::hang;
+  if (hung || options.wall_limit_s || run.record.state == RunState::crash) {
+    end.emplace(run.record, options.wall_limit_s.value_or(hung ? run.wall_limit_s : 0.0));
+  }
+}
+
 void check(const RunAgainOptions& options) {
   options.record.check();
   if (options.explain) {
@@ -129,6 +142,8 @@ int replay_run(const RunAgainOptions& options) {
     spdlog::set_level(spdlog::level::err);
   }
   const StoredRun run = stored_run(options);
+  std::optional<EndAgain> end;
+  expect_end(end, run, options);
   RestoredRun restored(run, options.plugins);
   for (const std::string& difference : restored.differences()) {
     std::cerr << "elsie: " << difference << '\n';
@@ -137,7 +152,7 @@ int replay_run(const RunAgainOptions& options) {
   Simulation simulation(restored.world(), restored.host(),
                         {.seed = run.job.seed, .measure_time = options.record.times});
   options.record.check(simulation);
-  Watchers watchers(options);
+  Watchers watchers(options, end ? &*end : nullptr);
   const auto draw_as = [&](const std::string& line) {
     if (options.picture) {
       draw(simulation, watchers.tracks(), {line}, *options.picture, options.width);
@@ -159,6 +174,10 @@ int replay_run(const RunAgainOptions& options) {
     }
     std::cout << "the same: " << fault.what() << '\n';
     return kSuccess;
+  } catch (const WallLimitMet&) {
+    draw_as("ended at its wall limit");
+    std::cout << "not the same: " << end->slow();
+    return kGoalMissed;
   } catch (const Interrupted&) {
     draw_as("interrupted");
     std::cerr << "elsie: interrupted after " << simulation.time_s()

@@ -27,9 +27,104 @@ TEST_CASE("A replay compares outcome, steps and every measure too") {
                "INSERT INTO run_measures VALUES (1, 'gap', 0.1)") ==
         "not the same: measure time_s 2 s, before not measured\n"
         "              measure gap not measured, before 0.1 m\n");
-  here.query("small_experiment.sqlite", "DELETE FROM run_measures WHERE measure = 'gap';"
-                                        "INSERT INTO run_measures VALUES (1, 'time_s', 2)");
+  here.query("small_experiment.sqlite",
+             "DELETE FROM run_measures WHERE measure = 'gap';"
+             "INSERT INTO run_measures VALUES (1, 'time_s', 2)");
   CHECK(replay("UPDATE runs SET outcome = 'success', steps = 7") ==
         "not the same: outcome time_limit, before success\n"
-        "              steps 100, before 7\n");
+        "              steps 200, before 7\n");
+}
+
+TEST_CASE("A run that hangs is ended at the batch's wall limit, and compared") {
+  const Laboratory here;
+  here.write_faulty({"looping"}, "<limits time=\"2\" wall_time=\"2\"/>");
+  REQUIRE(here.batch("faulty.xml --quiet").exit_code == 3);
+  const std::string place = "plugin 'looping' of robot 'r1' in step ";
+
+  const auto run =
+      here.elsie("replay faulty.sqlite 1 --record run.csv --explain run.trace --record-rate 100");
+  CAPTURE(run.out, run.err);
+  CHECK(run.exit_code == 0);
+  CHECK_THAT(run.out, Contains("before: hang, the run did not end within 2 s") &&
+                          Catch::EndsWith("\nthe same: hangs in " + place + "50\n"));
+  CHECK_THAT(run.err,
+             Contains("elsie: plugin 'looping' of robot 'r1' did not return before the wall limit "
+                      "of the run in step 50\n") &&
+                 Contains("what was recorded until then is kept\n") && Contains("the stack"));
+  CHECK_THAT(here.read("run.csv"), Contains("\n0.5,") && Catch::EndsWith("\n"));
+  const auto explained = here.elsie("explain run.trace");
+  CHECK(explained.exit_code == 0);
+  CHECK_THAT(explained.out, Contains("0.5 s"));
+
+  here.query("faulty.sqlite", "UPDATE runs SET step = 70");
+  auto other = here.elsie("replay faulty.sqlite 1 --quiet --wall-limit 0.5");
+  CHECK(other.exit_code == 1);
+  CHECK(other.out == "not the same: hangs in " + place + "50, before in " + place + "70\n");
+  here.query("faulty.sqlite", "UPDATE runs SET step = 50, robot = 'r2'");
+  other = here.elsie("replay faulty.sqlite 1 --quiet --wall-limit 0.5");
+  CHECK(other.exit_code == 1);
+  CHECK_THAT(other.out, Contains("before in plugin 'looping' of robot 'r2' in step 50\n"));
+}
+
+TEST_CASE("A run that is merely slow is told from one that hangs") {
+  const Laboratory here;
+  here.write_faulty({"dawdling"}, "<limits time=\"2\" wall_time=\"2.5\"/>");
+  REQUIRE(here.batch("faulty.xml --quiet").exit_code == 3);
+  const std::string before = ", before in plugin 'dawdling' of robot 'r1' in step ";
+  const auto replay = [&](const std::string& step, const std::string& options) {
+    here.query("faulty.sqlite", "UPDATE runs SET step = " + step);
+    auto run = here.elsie("replay faulty.sqlite 1 --quiet " + options);
+    CHECK(run.exit_code == 1);
+    CHECK(run.err.empty());
+    return run.out;
+  };
+  CHECK_THAT(replay("20", "--wall-limit 0.5 --picture run.png --record run.mcap"),
+             Contains("not the same: the run is slow, and does not hang: after 0.5 s on the clock "
+                      "it was in step 50 and went on" +
+                      before + "20\nwith --wall-limit it gets longer\n"));
+  CHECK(here.read("run.png").starts_with("\x89PNG"));
+  CHECK_THAT(here.elsie("replay run.mcap").out, Contains("complete"));
+  CHECK_THAT(replay("150", "--wall-limit 0.5"),
+             Contains("not the same: the run has not come as far as before: after 0.5 s on the "
+                      "clock it was in step 50 and went on" +
+                      before + "150\n"));
+}
+
+TEST_CASE("A replay can be limited whatever the run came to; most are not") {
+  const Laboratory here;
+  here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps);
+  REQUIRE(here.batch("faulty.xml --quiet").exit_code == 0);
+  here.query("faulty.sqlite", "UPDATE about SET wall_limit_s = 0.5");
+  CHECK_THAT(here.elsie("replay faulty.sqlite 1 --quiet").out, Catch::StartsWith("the same: "));
+  const auto run = here.elsie("replay faulty.sqlite 1 --quiet --wall-limit 0.5");
+  CHECK(run.exit_code == 1);
+  CHECK_THAT(run.out, Contains("not the same: the run has not come to its end: after 0.5 s on the "
+                               "clock it was in step 50 and went on, before done: "));
+  here.query("faulty.sqlite",
+             "UPDATE runs SET state = 'hang', plugin = 'dawdling', robot = 'r1', "
+             "step = 51, outcome = NULL");
+  const auto unlimited = here.elsie("replay faulty.sqlite 1 --quiet --wall-limit 0");
+  CHECK(unlimited.exit_code == 1);
+  CHECK_THAT(unlimited.out, Contains("not the same: it ended by itself"));
+}
+
+TEST_CASE("A run that crashes again as before says so; the report and the exit code stay") {
+  const Laboratory here;
+  here.write_faulty({"segfaulting", "exiting"}, "");
+  REQUIRE(here.batch("faulty.xml --quiet").exit_code == 3);
+  auto crash = here.elsie("replay faulty.sqlite 1 --quiet");
+  CHECK(crash.exit_code == 3);
+  CHECK(crash.out ==
+        "the same: plugin 'segfaulting' of robot 'r1' crashed with SIGSEGV in step 50\n");
+  CHECK_THAT(crash.err, Contains("(SIGSEGV) in step 50") && Contains("the stack"));
+  const auto left = here.elsie("replay faulty.sqlite 2 --quiet");
+  CHECK(left.exit_code == 3);
+  CHECK_THAT(left.out, Catch::StartsWith("the same: ") && Contains("exit() in step 50"));
+  for (const std::string change :
+       {"signal = 'SIGBUS'", "step = 49, signal = 'SIGSEGV'", "step = 50, plugin = 'looping'"}) {
+    here.query("faulty.sqlite", "UPDATE runs SET " + change + " WHERE id = 1");
+    crash = here.elsie("replay faulty.sqlite 1 --quiet");
+    CHECK(crash.exit_code == 3);
+    CHECK_THAT(crash.out, Catch::StartsWith("not the same, before crash: plugin 'segfaulting'"));
+  }
 }

@@ -85,7 +85,20 @@ TEST_CASE("Files that cannot be replayed are refused in a sentence") {
   CHECK_THAT(refusal("replay run.mcap --explain run.trace"), Catch::Contains("--explain: "));
   CHECK_THAT(refusal("replay run.mcap --picture run.gif"),
              Catch::Contains("must end in .png or .svg"));
+  here.write("empty.mcap", "");
+  CHECK_THAT(refusal("replay empty.mcap"),
+             Catch::Contains("'empty.mcap' is empty; expected a recording, as "));
+  // Not even its owner can read the start of it.
+  CHECK(refusal("replay /proc/self/mem") ==
+        "elsie: '/proc/self/mem' cannot be read: Input/output error\n");
   std::string bytes = here.read("run.mcap");
+  // Of the first chunk there is no more than its beginning.
+  here.write("begun.mcap", bytes.substr(0, bytes.find("zstd") + 100));
+  CHECK(here.elsie("replay begun.mcap").exit_code == 0);
+  CHECK(refusal("replay begun.mcap --picture begun.png") ==
+        "elsie: --picture: 'begun.mcap' breaks off before its first second was written, with the "
+        "world and the robots' places: there is nothing to draw\n");
+  CHECK(!std::filesystem::exists(here.file("begun.png")));
   bytes[bytes.find("zstd") + 60] ^= 1;
   here.write("wrong.mcap", bytes);
   CHECK_THAT(refusal("replay wrong.mcap"),

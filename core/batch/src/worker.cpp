@@ -28,9 +28,6 @@ constexpr int kOtherFailure = 4;
 
 // Within a handler of a signal: write(2), and memory that is there already.
 
-std::array<struct sigaction, NSIG> reporters;  // the handlers of report_crashes()
-volatile std::sig_atomic_t caught = 0;
-
 /// A line in the making that needs no memory of the heap.
 class Line {
  public:
@@ -80,20 +77,12 @@ class Line {
 
 /// Writes last_words.h's line.
 void send_last_words() {
-  plugin::CallFacts known;
-  for (const plugin::Call* call = plugin::Call::innermost(); call; call = call->outer()) {
-    const plugin::CallFacts& facts = call->facts();
-    if (!known.plugin && facts.plugin) {
-      known.plugin = facts.plugin;
-      known.id = facts.id;
-    }
-    known.robot = known.robot ? known.robot : facts.robot;
-    known.step = known.step != plugin::CallFacts::kNoStep ? known.step : facts.step;
-  }
+  const plugin::CallFacts known = plugin::facts_at_work();
   const auto text = [](const char* maybe) { return std::string_view(maybe ? maybe : ""); };
   Line line;
   line.text(text(known.plugin)).part().text(text(known.id)).part().text(text(known.robot)).part();
   line.number(known.step != plugin::CallFacts::kNoStep ? known.step : step_at_work()).part();
+  const int caught = plugin::signal_of_crash();
   const char* const name = caught != 0 ? sigabbrev_np(caught) : nullptr;
   line.text(name ? "SIG" : "").text(text(name)).send(kResultDescriptor);
 }
@@ -107,11 +96,6 @@ class LastWordsWriter final : public plugin::EmergencyWriter {
   }
 };
 
-void crashed(int signal, siginfo_t* info, void* context) {
-  caught = signal;
-  reporters[static_cast<std::size_t>(signal)].sa_sigaction(signal, info, context);
-}
-
 void asked_to_end(int, siginfo_t*, void*) {
   if (!plugin::Call::innermost()) {
     send_last_words();
@@ -122,13 +106,6 @@ void asked_to_end(int, siginfo_t*, void*) {
 
 void handle_signals() {
   plugin::report_crashes(kPluginFailed);
-  for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) {
-    auto& reporter = reporters[static_cast<std::size_t>(signal)];
-    sigaction(signal, nullptr, &reporter);
-    struct sigaction action = reporter;
-    action.sa_sigaction = crashed;
-    sigaction(signal, &action, nullptr);
-  }
   struct sigaction action {};
   action.sa_sigaction = asked_to_end;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;

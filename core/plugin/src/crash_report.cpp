@@ -29,6 +29,7 @@ std::array<std::atomic<EmergencyWriter*>, 512> writers;
 std::atomic<int> status_of_crash{0};
 std::atomic<pid_t> reporter{0};  // the thread that has come to grief first
 std::atomic<bool> is_cleaning{false};
+std::atomic<int> crash_signal{0};
 
 constexpr std::size_t kStackSize = 256 * 1024;
 constexpr int kWatchdogSignal = SIGVTALRM;
@@ -85,29 +86,6 @@ bool is_plugin_at_work() {
   return false;
 }
 
-/// What is known of a call and those around it. Of the library only what belongs to the plugin.
-CallFacts all_facts(const Call* call) {
-  CallFacts all;
-  for (; call; call = call->outer()) {
-    const CallFacts& facts = call->facts();
-    const bool other_plugin =
-        all.plugin && facts.plugin && std::string_view(all.plugin) != facts.plugin;
-    if (!other_plugin) {
-      all.plugin = all.plugin ? all.plugin : facts.plugin;
-      all.id = all.id ? all.id : facts.id;
-      all.library = all.library ? all.library : facts.library;
-      if (!all.file) {
-        all.file = facts.file;
-        all.line = facts.line;
-      }
-      all.doing = all.doing ? all.doing : facts.doing;
-    }
-    all.robot = all.robot ? all.robot : facts.robot;
-    all.step = all.step != CallFacts::kNoStep ? all.step : facts.step;
-  }
-  return all;
-}
-
 void write_culprit(const CallFacts& facts) {
   if (facts.plugin) {
     write_quoted("plugin ", facts.plugin);
@@ -153,7 +131,7 @@ void clean_up() {
 void write_culprit_and(const char* what) {
   write_error("elsie: ");
   if (is_plugin_at_work()) {
-    const CallFacts facts = all_facts(Call::innermost());
+    const CallFacts facts = facts_at_work();
     write_culprit(facts);
     write_error(" ");
     write_error(what);
@@ -223,6 +201,7 @@ bool may_report() {
 
 void crashed(int signal, siginfo_t*, void* context) {
   if (may_report()) {
+    crash_signal = signal;
     const auto crash = std::find_if(std::begin(kCrashes), std::end(kCrashes),
                                     [&](const Crash& known) { return known.signal == signal; });
     write_report(crash->what, place_of_fault(context));
@@ -338,6 +317,31 @@ Watchdog::~Watchdog() {
   timer_delete(timer_);
   std::signal(kWatchdogSignal, SIG_IGN);  // one may be on its way
 }
+
+CallFacts facts_at_work() noexcept {
+  CallFacts all;
+  for (const Call* call = Call::innermost(); call; call = call->outer()) {
+    const CallFacts& facts = call->facts();
+    // Of the library only what belongs to the plugin.
+    const bool other_plugin =
+        all.plugin && facts.plugin && std::string_view(all.plugin) != facts.plugin;
+    if (!other_plugin) {
+      all.plugin = all.plugin ? all.plugin : facts.plugin;
+      all.id = all.id ? all.id : facts.id;
+      all.library = all.library ? all.library : facts.library;
+      if (!all.file) {
+        all.file = facts.file;
+        all.line = facts.line;
+      }
+      all.doing = all.doing ? all.doing : facts.doing;
+    }
+    all.robot = all.robot ? all.robot : facts.robot;
+    all.step = all.step != CallFacts::kNoStep ? all.step : facts.step;
+  }
+  return all;
+}
+
+int signal_of_crash() noexcept { return crash_signal; }
 
 bool write_all_now() noexcept {
   bool any = false;

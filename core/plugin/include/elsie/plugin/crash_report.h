@@ -9,6 +9,8 @@
 
 namespace elsie::plugin {
 
+struct CallFacts;  // call.h
+
 /// From now on a signal that ends the process because of an error (SIGSEGV, SIGBUS, SIGILL, SIGFPE,
 /// SIGABRT) is reported on standard error: plugin, robot, step (Call), the signal, and a stack
 /// trace with lines of the source where they can be found out. Files that were handed to
@@ -47,6 +49,13 @@ class Watchdog {
  private:
   void* timer_ = nullptr;
 };
+
+/// What is known of the plugin at work in this thread, from the innermost call and those around it;
+/// nothing is set when none is. For handlers of signals and EmergencyWriters.
+CallFacts facts_at_work() noexcept;
+
+/// The signal of the crash that is being reported; 0: none, as when a plugin calls exit().
+int signal_of_crash() noexcept;
 
 /// Something that is to be written, or removed, when the process is brought down.
 class EmergencyWriter {

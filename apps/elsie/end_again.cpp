@@ -1,0 +1,217 @@
+#include "end_again.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include "elsie/plugin/call.h"
+#include "elsie/simulation/simulation.h"
+
+#include "command.h"
+#include "text_table.h"
+
+using elsie::batch::RunRecord;
+using elsie::batch::RunState;
+using elsie::plugin::CallFacts;
+
+namespace {
+
+constexpr double kGrace = 2.0;  // s, for the step that is under way
+constexpr int kLimitSignal = SIGALRM;
+
+// A handler can reach nothing but a global.
+std::atomic<EndAgain*> the_one{nullptr};
+
+void say(std::string_view text) noexcept {
+  while (!text.empty()) {
+    const ssize_t count = write(STDOUT_FILENO, text.data(), text.size());
+    if (count < 0 && errno != EINTR) {
+      return;
+    }
+    text.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
+  }
+}
+
+void say(std::uint64_t number) noexcept {
+  char digits[20];
+  say({digits, static_cast<std::size_t>(std::to_chars(digits, digits + sizeof(digits), number).ptr -
+                                        digits)});
+}
+
+void say_place(const CallFacts& at, std::uint64_t step) noexcept {
+  if (at.plugin) {
+    say("plugin '");
+    say(at.plugin);
+    say("'");
+    if (at.id && std::strcmp(at.id, at.plugin) != 0) {
+      say(" (id '");
+      say(at.id);
+      say("')");
+    }
+    if (at.robot) {
+      say(" of robot '");
+      say(at.robot);
+      say("'");
+    }
+  } else {
+    say("no plugin");
+  }
+  say(" in step ");
+  say(step);
+}
+
+std::uint64_t step_of(const CallFacts& at, std::uint64_t otherwise) noexcept {
+  return at.step != CallFacts::kNoStep ? at.step : otherwise;
+}
+
+bool is_same(const std::optional<std::string>& before, const char* now) noexcept {
+  return now ? before && *before == now : !before;
+}
+
+/// "plugin 'x' of robot 'r1' in step 50".
+std::string place_of(const RunRecord& record) {
+  return (record.plugin ? "plugin '" + *record.plugin + "'" : "no plugin") +
+         (record.robot ? " of robot '" + *record.robot + "'" : "") +
+         (record.step ? " in step " + std::to_string(*record.step) : "");
+}
+
+/// Behind "not the same" and what it is now.
+std::string before_text(const RunRecord& record) {
+  return record.state == RunState::hang
+             ? ", before in " + place_of(record)
+             : ", before " + std::string(to_string(record.state)) + ": " + record.message;
+}
+
+}  // namespace
+
+EndAgain::EndAgain(const RunRecord& before, double wall_limit_s)
+    : before_(before),
+      wall_limit_s_(wall_limit_s),
+      same_("the same: " +
+            (before.state == RunState::hang ? "hangs in " + place_of(before) : before.message) +
+            "\n"),
+      not_same_(before_text(before) + "\n") {
+  the_one = this;
+  if (wall_limit_s_ <= 0.0) {
+    return;
+  }
+  struct sigaction action {};
+  action.sa_handler = limit_is_met;
+  action.sa_flags = SA_ONSTACK | SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  sigaction(kLimitSignal, &action, nullptr);
+  sigevent event{};
+  event.sigev_notify = SIGEV_THREAD_ID;
+  event.sigev_signo = kLimitSignal;
+  event._sigev_un._tid = static_cast<pid_t>(syscall(SYS_gettid));
+  if (timer_create(CLOCK_MONOTONIC, &event, &timer_) != 0) {
+    retire();
+    throw std::runtime_error("no timer is to be had for the wall limit of the run");
+  }
+  set_timer(wall_limit_s_);
+}
+
+EndAgain::~EndAgain() {
+  if (wall_limit_s_ > 0.0) {
+    timer_delete(timer_);
+    std::signal(kLimitSignal, SIG_IGN);  // one may be on its way
+  }
+  the_one = nullptr;
+  retire();
+}
+
+void EndAgain::set_timer(double seconds) const noexcept {
+  if (wall_limit_s_ > 0.0) {
+    itimerspec times{};
+    times.it_value.tv_sec = static_cast<time_t>(seconds);
+    times.it_value.tv_nsec = static_cast<long>(1e9 * (seconds - std::floor(seconds)));
+    timer_settime(timer_, 0, &times, nullptr);
+  }
+}
+
+void EndAgain::started(const elsie::simulation::Simulation& simulation) {
+  step_ = simulation.steps();
+}
+
+void EndAgain::stepped(const elsie::simulation::Simulation& simulation) {
+  step_ = simulation.steps();
+  if (is_late_ && simulation.outcome() == elsie::simulation::Outcome::running) {
+    throw WallLimitMet();
+  }
+}
+
+void EndAgain::ended(const elsie::simulation::Simulation&) { set_timer(0.0); }
+
+std::string EndAgain::slow() const {
+  const std::uint64_t step = step_ - 1;
+  const std::string now = "after " + text("%g", wall_limit_s_) + " s on the clock it was in step " +
+                          std::to_string(step) + " and went on";
+  if (before_.state != RunState::hang) {
+    return "the run has not come to its end: " + now + not_same_;
+  }
+  if (before_.step && step < *before_.step) {
+    return "the run has not come as far as before: " + now + not_same_ +
+           "with --wall-limit it gets longer\n";
+  }
+  return "the run is slow, and does not hang: " + now + not_same_ +
+         "with --wall-limit it gets longer\n";
+}
+
+bool EndAgain::is_same_place() const noexcept {
+  const CallFacts now = elsie::plugin::facts_at_work();
+  return before_.step == step_of(now, step_) && is_same(before_.plugin, now.plugin) &&
+         is_same(before_.robot, now.robot);
+}
+
+void EndAgain::limit_is_met(int) {
+  const int error = errno;
+  EndAgain* const self = the_one;
+  if (!self) {
+    return;
+  }
+  const bool same = self->before_.state == RunState::hang && self->is_same_place();
+  if (!same && !self->is_late_) {
+    self->is_late_ = true;
+    self->set_timer(kGrace);
+    errno = error;
+    return;
+  }
+  self->is_told_ = true;
+  if (same) {
+    say(self->same_);
+  } else {
+    say("not the same: hangs in ");
+    const CallFacts now = elsie::plugin::facts_at_work();
+    say_place(now, step_of(now, self->step_));
+    say(self->not_same_);
+  }
+  elsie::plugin::end_process("did not return before the wall limit of the run",
+                             "the run did not end before its wall limit",
+                             same ? kSuccess : kGoalMissed);
+}
+
+bool EndAgain::write_now() noexcept {
+  if (is_told_) {
+    return false;
+  }
+  const int signal = elsie::plugin::signal_of_crash();
+  const char* const name = signal != 0 ? sigabbrev_np(signal) : nullptr;
+  const bool same_signal = name ? before_.signal && before_.signal->starts_with("SIG") &&
+                                      before_.signal->compare(3, std::string::npos, name) == 0
+                                : !before_.signal;
+  if (before_.state == RunState::crash && same_signal && is_same_place()) {
+    say(same_);
+  } else if (name) {  // else it may be that somebody interrupts it
+    say("not the same");
+    say(not_same_);
+  }
+  return false;
+}
