@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "elsie/file/whole.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/source_build.h"
@@ -24,7 +25,8 @@ struct Options {
 };
 
 /// Whole or not at all.
-void copy_whole(const fs::path& from, const fs::path& to) {
+void copy_whole(const fs::path& from, const fs::path& file) {
+  const fs::path to = elsie::file::end_of_links(file);
   const fs::path scratch = to.string() + ".new";
   std::error_code error;
   fs::copy_file(from, scratch, fs::copy_options::overwrite_existing, error);

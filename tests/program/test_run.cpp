@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -104,4 +106,27 @@ TEST_CASE("An interrupted run ends in order and keeps what was recorded") {
   CHECK_THAT(run.err, Catch::Contains("interrupted after"));
   const std::string table = here.read("run.csv");
   CHECK(table.back() == '\n');
+}
+
+TEST_CASE("What is asked for under the name of a link is written to what that points to") {
+  Workplace here;
+  REQUIRE(here.sh("mkdir far && for name in run.png run.mcap run.csv run.trace; do "
+                  "ln -s far/$name $name; done")
+              .exit_code == 0);
+  for (const std::string duration : {"1", "2"}) {  // into nothing, and over what is there
+    const auto run = here.sh(
+        "elsie run worlds/open_arena.xml --quiet --picture run.png --record run.mcap "
+        "--explain run.trace --duration " +
+        duration + "; elsie run worlds/open_arena.xml --quiet --record run.csv --duration " +
+        duration);
+    CHECK(run.err.empty());
+    for (const std::string name : {"run.png", "run.mcap", "run.csv", "run.trace"}) {
+      CAPTURE(name);
+      CHECK(std::filesystem::is_symlink(here.file(name)));
+      REQUIRE(std::filesystem::is_regular_file(here.file("far/" + name)));
+      CHECK_FALSE(std::filesystem::is_symlink(here.file("far/" + name)));
+    }
+  }
+  CHECK_THAT(here.elsie("replay run.mcap").out, Catch::Contains("after 2.0 s"));
+  CHECK(here.read("far/run.png").starts_with("\x89PNG"));
 }

@@ -6,9 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/file/output_file.h"
+
 #include "bytes.h"
 #include "compression.h"
-#include "output_file.h"
 #include "record_writing.h"
 
 namespace elsie::mcap {
@@ -25,15 +26,20 @@ void check_count(std::size_t count, const char* what) {
   }
 }
 
+[[noreturn]] void refuse(const std::string& sentence) { throw McapError(sentence); }
+
 }  // namespace
 
 class Writer::Impl {
  public:
   Impl(const std::filesystem::path& file, WriterOptions options)
-      : options_(std::move(options)), compress_(options_.level), out_(file) {
+      : options_(std::move(options)),
+        compress_(options_.level),
+        out_("recording '" + file.string() + "'", refuse) {
+    out_.create(file);
     std::string head(kMagic);
     append(head, Header{options_.profile, options_.library});
-    out_.write(head);
+    add(head);
     emergency_head_.reserve(kChunkHead);
   }
 
@@ -80,7 +86,7 @@ class Writer::Impl {
     std::string piece;
     append(piece, metadata);
     metadata_.push_back({out_.size(), piece.size(), metadata.name});
-    out_.write(piece);
+    add(piece);
   }
 
   void flush() {
@@ -103,7 +109,7 @@ class Writer::Impl {
     for (auto& places : places_) {
       places.clear();
     }
-    out_.write(piece);
+    add(piece);
     count(chunk, messages);
     chunks_.push_back(std::move(chunk));
   }
@@ -111,11 +117,11 @@ class Writer::Impl {
   void close() {
     flush();
     std::string end;
-    append_data_end(end, out_.checksum());
+    append_data_end(end, checksum_);
     const std::uint64_t start = out_.size() + end.size();
     std::string summary;
     std::vector<Group> groups;
-    const auto add = [&]<class Record>(Opcode opcode, std::span<const Record> records) {
+    const auto add_group = [&]<class Record>(Opcode opcode, std::span<const Record> records) {
       const std::size_t before = summary.size();
       for (const Record& record : records) {
         append(summary, record);
@@ -124,17 +130,17 @@ class Writer::Impl {
         groups.push_back({opcode, start + before, summary.size() - before});
       }
     };
-    add(Opcode::schema, std::span<const Schema>(schemas_));
-    add(Opcode::channel, std::span<const Channel>(channels_));
-    add(Opcode::statistics, std::span<const Statistics>(&statistics(), 1));
-    add(Opcode::chunk_index, std::span<const ChunkPlace>(chunks_));
-    add(Opcode::metadata_index, std::span<const MetadataPlace>(metadata_));
+    add_group(Opcode::schema, std::span<const Schema>(schemas_));
+    add_group(Opcode::channel, std::span<const Channel>(channels_));
+    add_group(Opcode::statistics, std::span<const Statistics>(&statistics(), 1));
+    add_group(Opcode::chunk_index, std::span<const ChunkPlace>(chunks_));
+    add_group(Opcode::metadata_index, std::span<const MetadataPlace>(metadata_));
     const std::uint64_t offsets = start + summary.size();
     for (const Group& group : groups) {
       append(summary, group);
     }
     append_footer(summary, start, offsets);
-    out_.write(end + summary + std::string(kMagic));
+    out_.write_piece(end + summary + std::string(kMagic));
     out_.close();
   }
 
@@ -156,6 +162,11 @@ class Writer::Impl {
   bool is_open() const { return out_.is_open(); }
 
  private:
+  void add(const std::string& piece) {
+    out_.write_piece(piece);
+    checksum_ = crc(piece, checksum_);
+  }
+
   bool full(std::uint64_t log_time_ns) const {
     return messages_ > 0 &&
            (records_.size() >= options_.chunk_bytes ||
@@ -206,7 +217,8 @@ class Writer::Impl {
 
   WriterOptions options_;
   Compressor compress_;
-  OutputFile out_;
+  file::OutputFile out_;
+  std::uint32_t checksum_ = 0;  // of all that was written
   std::vector<Schema> schemas_;
   std::vector<Channel> channels_;
   std::vector<std::uint32_t> sequences_;  // messages of each channel so far

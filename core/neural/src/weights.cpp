@@ -10,8 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include <fcntl.h>
-#include <unistd.h>
+#include "elsie/file/whole.h"
 
 #include "text.h"
 
@@ -91,7 +90,7 @@ class Reader {
              std::to_string(kWeightsVersion) + "' as its first line");
     }
     if (words_[2] != std::to_string(kWeightsVersion)) {
-      refuse("the file is of version " + quoted(words_[2]) + ", but version " +
+      refuse("the file is of version " + neural::quoted(words_[2]) + ", but version " +
              std::to_string(kWeightsVersion) +
              " is what can be read here; write it anew with this version's elsie train");
     }
@@ -106,7 +105,7 @@ class Reader {
     for (std::size_t i = 1; i < words_.size(); ++i) {
       long long size = 0;
       if (!read_count(words_[i], 1, size) || size > static_cast<long long>(kMostWeights)) {
-        refuse("the size " + quoted(words_[i]) + " is not a whole number from 1 to " +
+        refuse("the size " + neural::quoted(words_[i]) + " is not a whole number from 1 to " +
                std::to_string(kMostWeights));
       }
       sizes.push_back(static_cast<int>(size));
@@ -126,7 +125,7 @@ class Reader {
     }
     const std::string key(words_[1]);
     if (std::any_of(about.begin(), about.end(), [&](const Remark& r) { return r.key == key; })) {
-      refuse("a second line about " + quoted(key));
+      refuse("a second line about " + neural::quoted(key));
     }
     about.push_back({key, trimmed_after(lines_[line_ - 1], words_[1])});
   }
@@ -187,36 +186,6 @@ void check_remarks(const std::vector<Remark>& about) {
                          "to."));
 }
 
-/// A new file that no one else has.
-std::string open_beside(const std::string& path, int& descriptor) {
-  constexpr int kAttempts = 1000;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    std::string part =
-        path + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".part";
-    descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0) {
-      return part;
-    }
-    if (errno != EEXIST) {
-      break;
-    }
-  }
-  refuse_writing(path, errno);
-}
-
-/// The error number, 0 for none.
-int write_all(int descriptor, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t count = ::write(descriptor, content.data(), content.size());
-    if (count < 0 && errno != EINTR) {
-      return errno;
-    }
-    content.remove_prefix(count < 0 ? 0 : static_cast<std::size_t>(count));
-  }
-  // On the disk before it takes the place of another one.
-  return ::fsync(descriptor) == 0 ? 0 : errno;
-}
-
 }  // namespace
 
 std::string_view Weights::remark(std::string_view key) const {
@@ -270,18 +239,9 @@ bool looks_like_weights(const std::string& path) {
 }
 
 void write_weights(const Weights& weights, const std::string& path) {
-  const std::string content = weights_text(weights);
-  int descriptor = -1;
-  const std::string part = open_beside(path, descriptor);
-  int error = write_all(descriptor, content);
-  if (::close(descriptor) != 0 && error == 0) {
-    error = errno;
-  }
-  if (error == 0 && ::rename(part.c_str(), path.c_str()) != 0) {
-    error = errno;
-  }
-  if (error != 0) {
-    ::unlink(part.c_str());
+  // On the disk before it takes the place of another one.
+  if (const int error = file::write_whole(path, weights_text(weights), file::Durable::yes);
+      error != 0) {
     refuse_writing(path, error);
   }
 }

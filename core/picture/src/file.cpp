@@ -6,8 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include <fcntl.h>
-#include <unistd.h>
+#include "elsie/file/whole.h"
 
 namespace elsie::picture {
 namespace {
@@ -19,32 +18,6 @@ namespace {
                                 ? ". Make room there, or name a file elsewhere."
                                 : ". Name a file in a folder that exists and that you may write "
                                   "to."));
-}
-
-// A new file that no one else has, so that two programs writing the same picture do not meet.
-std::filesystem::path open_beside(const std::filesystem::path& file, int& descriptor) {
-  constexpr int kAttempts = 1000;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    std::filesystem::path part = file;
-    part.replace_filename(".elsie-picture-" + std::to_string(::getpid()) + "-" +
-                          std::to_string(attempt) + ".part");
-    descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0) return part;
-    if (errno != EEXIST) break;
-  }
-  refuse(file, errno);
-}
-
-// The error number, 0 for none.
-int write_all(int descriptor, const std::string& content) {
-  std::size_t written = 0;
-  while (written < content.size()) {
-    const ssize_t count = ::write(descriptor, content.data() + written, content.size() - written);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return errno;
-    written += static_cast<std::size_t>(count);
-  }
-  return 0;
 }
 
 }  // namespace
@@ -71,14 +44,7 @@ void check_size(const Size& size) {
 }
 
 void write_whole(const std::filesystem::path& file, const std::string& content) {
-  int descriptor = -1;
-  const std::filesystem::path part = open_beside(file, descriptor);
-  int error = write_all(descriptor, content);
-  if (::close(descriptor) != 0 && error == 0) error = errno;
-  if (error == 0 && ::rename(part.c_str(), file.c_str()) != 0) error = errno;
-  if (error == 0) return;
-  ::unlink(part.c_str());
-  refuse(file, error);
+  if (const int error = file::write_whole(file, content); error != 0) refuse(file, error);
 }
 
 }  // namespace elsie::picture

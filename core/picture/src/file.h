@@ -16,8 +16,7 @@ FileType file_type(const std::filesystem::path& file);
 /// Throws std::invalid_argument for a size out of range.
 void check_size(const Size& size);
 
-/// Writes into a new file beside `file`, then gives it that name. Throws std::runtime_error with
-/// file and reason; then `file` is as it was and nothing is left over.
+/// file::write_whole(). Throws std::runtime_error with file and reason.
 void write_whole(const std::filesystem::path& file, const std::string& content);
 
 }  // namespace elsie::picture

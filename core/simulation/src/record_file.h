@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "elsie/file/output_file.h"
 #include "elsie/plugin/crash_report.h"
 
 namespace elsie::simulation {
@@ -15,12 +16,12 @@ namespace elsie::simulation {
 class RecordFile final : private plugin::EmergencyWriter {
  public:
   /// `what`: begins the sentences of errors: "recording '/dev/full'".
-  explicit RecordFile(std::string what) : what_(std::move(what)) {}
+  explicit RecordFile(std::string what) : out_(std::move(what)) {}
   ~RecordFile() override;
 
   /// Creates the file, or empties it. Like all that follows, throws std::runtime_error with a
   /// sentence.
-  void create(const std::filesystem::path& file);
+  void create(const std::filesystem::path& file) { out_.create(file); }
   /// A line without its end.
   void line(std::string_view text) {
     buffer_.append(text).append("\n");
@@ -44,13 +45,11 @@ class RecordFile final : private plugin::EmergencyWriter {
   static constexpr std::size_t kFull = 8 * 1024;
 
   bool write_now() noexcept override;
-  [[noreturn]] void fail(const char* problem, int error) const;
 
-  std::string what_;
+  file::OutputFile out_;
   std::string buffer_;
   std::string before_time_, after_time_;
   double time_s_ = 0.0;
-  int file_ = -1;
 };
 
 }  // namespace elsie::simulation

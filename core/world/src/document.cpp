@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "elsie/file/whole.h"
 #include "elsie/world/error.h"
 #include "elsie/world/escaped.h"
 #include "elsie/world/markup.h"
@@ -219,22 +220,9 @@ void Document::erase(std::string_view path) {
 }
 
 void Document::save(const std::string& file) const {
-  const std::string draft = file + ".part";
-  std::error_code error;
-  {
-    std::ofstream stream(draft, std::ios::binary | std::ios::trunc);
-    stream << text_;
-    stream.flush();
-    if (!stream) {
-      std::filesystem::remove(draft, error);
-      throw WorldError({{file, 0, "the file cannot be written"}});
-    }
-  }
-  std::filesystem::rename(draft, file, error);
-  if (error) {
-    const std::string reason = error.message();
-    std::filesystem::remove(draft, error);
-    throw WorldError({{file, 0, "the file cannot be written: " + reason}});
+  if (const int error = file::write_whole(file, text_); error != 0) {
+    throw WorldError(
+        {{file, 0, "the file cannot be written: " + std::generic_category().message(error)}});
   }
 }
 
