@@ -86,10 +86,12 @@ Worlds worlds_from(const std::vector<WorldDraft>& drafts, const world::Files* fi
     const auto found =
         draft.file.empty() || !files ? std::nullopt : files->find(draft.file, draft.location);
     if (draft.file.empty() || (files && !found)) {
-      problems.add(draft.location, "file=\"" + draft.file + "\" of <world>: " +
-                                       (draft.file.empty() ? "expected the path of a world file"
-                                                           : "there is no such file; looked " +
-                                                                 files->places(draft.location)));
+      problems.add(
+          draft.location,
+          "file=\"" + draft.file + "\" of <world>: " +
+              (draft.file.empty() ? "expected the path of a world file"
+                                  : "there is no such file; looked " +
+                                        files->places(draft.location, "file", draft.file)));
     } else if (const std::string why = why_no_label(use.id); !why.empty()) {
       problems.add(draft.location, "the world's file gives it the id '" + use.id + "', but " + why +
                                        "; give it another one with id=\"...\"");

@@ -84,11 +84,30 @@ std::string Files::name_for_world(const std::string& found, const std::string& w
   return target;
 }
 
-std::string Files::places(const Location& from) const {
+std::string Files::places(const Location& from, const std::string& attribute,
+                          const std::string& value) const {
   const std::string beside = folder(from);
   return "in the folder " + (beside.empty() ? "." : beside) +
          (given_by_hand(from) && !beside.empty() ? ", in the current folder" : "") +
-         (data_directories_.empty() ? "" : " or " + data_places());
+         (data_directories_.empty() ? "" : " or " + data_places()) + advice(attribute, value);
+}
+
+std::string Files::advice(const std::string& attribute, const std::string& value) const {
+  const fs::path path = fs::path(value).lexically_normal();
+  std::string advice;
+  fs::path end;  // longer with every turn; the longest that leads to a file is the best
+  for (auto part = path.end(); part != path.begin();) {
+    --part;
+    if (*part == ".." || *part == path.root_directory()) {
+      break;
+    }
+    end = end.empty() ? *part : *part / end;
+    if (const auto found = find_data(end.string())) {
+      advice =
+          "; there is '" + *found + "': write " + attribute + "=\"" + end.generic_string() + "\"";
+    }
+  }
+  return advice;
 }
 
 std::string Files::data_places() const {

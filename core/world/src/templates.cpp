@@ -106,7 +106,7 @@ void Templates::merge(Element& robot) {
     base = load(*file, from.where);
   } else {
     problems_.add(from.where, "the template '" + from.value + "' is not there; looked " +
-                                  files_.places(from.where));
+                                  files_.places(from.where, from.name, from.value));
   }
   if (base) {
     overlay(robot, *base);

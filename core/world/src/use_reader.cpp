@@ -175,9 +175,9 @@ bool TreeReader::read_file(const ParameterDeclaration& parameter, const Element&
   }
   const auto file = files_.find(attribute.value, attribute.where);
   if (!file) {
-    problems_.add(attribute.where, in_words(attribute, element) +
-                                       ": there is no such file; looked " +
-                                       files_.places(attribute.where));
+    problems_.add(attribute.where,
+                  in_words(attribute, element) + ": there is no such file; looked " +
+                      files_.places(attribute.where, attribute.name, attribute.value));
     return false;
   }
   const std::string path = Files::absolute(*file);

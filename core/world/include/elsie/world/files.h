@@ -33,8 +33,11 @@ class Files {
   /// nothing else leads there.
   std::string name_for_world(const std::string& found, const std::string& written) const;
 
-  /// Where find() looked, in words.
-  std::string places(const Location& from) const;
+  /// Where find() looked for the value of an attribute, in words; and what to write instead when a
+  /// data directory has a file under the end of that name: "robots/scout.xml" for
+  /// "../robots/scout.xml".
+  std::string places(const Location& from, const std::string& attribute,
+                     const std::string& value) const;
   /// Where find_data() looked, in words.
   std::string data_places() const;
 
@@ -43,6 +46,7 @@ class Files {
 
  private:
   std::string folder(const Location& from) const;
+  std::string advice(const std::string& attribute, const std::string& value) const;
   bool given_by_hand(const Location& from) const;
 
   std::string main_file_;
