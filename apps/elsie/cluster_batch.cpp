@@ -132,6 +132,9 @@ class ClusterBatch {
     }
   }
 
+  /// Whether submit() came so far as to ask Slurm to take tasks.
+  bool has_asked() const { return asked_; }
+
   /// Until no task is left. False: this command was stopped before, the tasks go on.
   bool follow() {
     using Clock = std::chrono::steady_clock;
@@ -316,10 +319,13 @@ int run_on_cluster(const BatchOptions& options) {
   } catch (const std::exception& error) {
     if (made && batch.nothing_begun()) {
       folder.remove();
-      throw BadInput(error.what());
+      throw BadInput(std::string(error.what()) + "; nothing was handed over");
     }
-    std::cerr << "elsie: " << error.what() << "; what was begun is kept, go on with\n  "
-              << resume_command(options, file) << '\n';
+    std::cerr << "elsie: " << error.what()
+              << (batch.has_asked()
+                      ? "; it may be that the job array was handed over all the same; "
+                      : "; nothing was handed over now; ")
+              << "what was begun is kept, go on with\n  " << resume_command(options, file) << '\n';
     return kOtherFailure;
   }
   if (options.detach) {

@@ -211,7 +211,8 @@ TEST_CASE("What a cluster does not take leaves nothing behind") {
   CHECK_THAT(run.err, Contains("--shards is for a cluster; it needs --cluster slurm"));
   CHECK_THAT(run.err, Contains("--sbatch is for a cluster; it needs --cluster slurm"));
   CHECK_THAT(run.err, Contains("--detach is for a cluster; it needs --cluster slurm"));
-  CHECK_THAT(run.err, Contains("Slurm does not tell how far the job array is: "));
+  CHECK_THAT(run.err,
+             Contains("Slurm does not answer: ") && Contains("; nothing was handed over\n"));
   CHECK_THAT(run.err, Contains("there is no program 'squeue' here"));
   CHECK_THAT(run.out, !Contains("all.sqlite"));
 }

@@ -91,7 +91,7 @@ std::vector<Task> unfinished(const std::string& name) {
   const plugin::ProcessResult result =
       told({"squeue", "--me", "--noheader", "--array", "--name=" + name, "--format=%K|%t|%r"});
   if (result.exit_code != 0) {
-    throw ClusterSilent("Slurm does not tell how far the job array is: " + one_line(result.output));
+    throw ClusterSilent("Slurm does not answer: " + one_line(result.output));
   }
   std::vector<Task> tasks;
   std::istringstream lines(result.output);
