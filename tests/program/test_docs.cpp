@@ -122,6 +122,29 @@ TEST_CASE("Every world in the docs is in order") {
   }
 }
 
+TEST_CASE("The experiment that its page shows is in order with each piece that is added") {
+  const std::string page =
+      read(fs::path(elsie::test::source_path("docs")) / "writing-an-experiment.md");
+  const auto pieces = blocks(page, "xml");
+  REQUIRE(pieces.size() >= 5);
+  std::string experiment = pieces.front();
+  std::string found;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (i > 0) {
+      experiment.insert(experiment.find("</experiment>"), pieces[i]);
+    }
+    CAPTURE(experiment);
+    Workplace here;
+    here.write("my_experiment.xml", experiment);
+    const auto run = here.elsie("check my_experiment.xml");
+    CHECK(run.err.empty());
+    CHECK(run.exit_code == 0);
+    found = run.out;
+  }
+  CHECK(found == "my_experiment.xml: in order: 48 cells, 960 runs, 4 expectations\n");
+  CHECK_THAT(page, Catch::Contains("the experiment has 48 cells"));
+}
+
 TEST_CASE("The page on behaviours quotes the example as it is built") {
   const fs::path source(elsie::test::source_path(""));
   const auto code = blocks(read(source / "docs" / "writing-a-behavior.md"), "cpp");
