@@ -5,6 +5,7 @@
 #include "elsie/world/shell_word.h"
 
 #include "command.h"
+#include "progress.h"
 
 namespace fs = std::filesystem;
 using elsie::batch::Plan;
@@ -37,7 +38,9 @@ fs::path database_of(const BatchOptions& options, const elsie::batch::Shard& sha
 
 Plan plan_of(const BatchOptions& options, const elsie::batch::Shard& shard) {
   const elsie::plugin::Host host = load_plugins(options.plugins);
-  const elsie::experiment::ReadOptions reading = experiment_options();
+  CheckProgress progress(!options.quiet && !options.json);
+  elsie::experiment::ReadOptions reading = experiment_options();
+  reading.progress = [&](std::size_t read, std::size_t all) { progress.draw(read, all); };
   const auto experiment = elsie::experiment::read_experiment(options.experiment, host, reading);
   return elsie::batch::make_plan(experiment, host,
                                  {.elsie_version = ELSIE_VERSION,

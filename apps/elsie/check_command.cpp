@@ -12,6 +12,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "progress.h"
 
 namespace {
 
@@ -43,8 +44,11 @@ std::string check_experiment(const std::string& file, const elsie::plugin::Host&
     throw BadInput("--set is for worlds; '" + file +
                    "' is an experiment, which has elements <set> for that");
   }
+  CheckProgress progress(!options.quiet);
+  elsie::experiment::ReadOptions reading = experiment_options();
+  reading.progress = [&](std::size_t read, std::size_t all) { progress.draw(read, all); };
   const elsie::experiment::Experiment experiment =
-      elsie::experiment::read_experiment(file, host, experiment_options());
+      elsie::experiment::read_experiment(file, host, reading);
   return counted(elsie::experiment::cells(experiment).size(), "cell") + ", " +
          counted(elsie::experiment::number_of_runs(experiment), "run") + ", " +
          counted(experiment.expectations.size(), "expectation");

@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <string_view>
+
+#include <unistd.h>
 
 #include "elsie/plugin/crash_report.h"
 #include "elsie/simulation/simulation.h"
@@ -34,9 +37,15 @@ void interrupt(int) {
   }
 }
 
+constexpr std::string_view kWipe = "\r\033[K";
+volatile std::sig_atomic_t check_is_drawn = 0;
+
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 
 void end_at_once(int) {
+  if (check_is_drawn != 0) {
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kWipe.data(), kWipe.size());
+  }
   elsie::plugin::end_process("was at work when the program was interrupted",
                              "interrupted; no run was under way", kOtherFailure,
                              elsie::plugin::Stack::left_out);
@@ -76,7 +85,29 @@ void ProgressBar::stepped(const elsie::simulation::Simulation& simulation) {
 }
 
 void ProgressBar::ended(const elsie::simulation::Simulation&) {
-  std::fputs("\r\033[K", stderr);
+  std::fwrite(kWipe.data(), 1, kWipe.size(), stderr);
+  std::fflush(stderr);
+}
+
+CheckProgress::CheckProgress(bool shown)
+    : shown_(shown && isatty(STDERR_FILENO) != 0), last_drawn_(Clock::now()) {}
+
+CheckProgress::~CheckProgress() {
+  if (check_is_drawn != 0) {
+    std::fwrite(kWipe.data(), 1, kWipe.size(), stderr);
+    std::fflush(stderr);
+    check_is_drawn = 0;
+  }
+}
+
+void CheckProgress::draw(std::size_t checked, std::size_t all) {
+  if (!shown_ || Clock::now() - last_drawn_ < kRedraw) {
+    return;
+  }
+  last_drawn_ = Clock::now();
+  check_is_drawn = 1;
+  std::fprintf(stderr, "\r%s  of %zu cells checked ",
+               bar_text(static_cast<double>(checked) / static_cast<double>(all)).c_str(), all);
   std::fflush(stderr);
 }
 

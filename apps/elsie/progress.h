@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <string>
 
 #include "elsie/simulation/observer.h"
@@ -20,6 +21,23 @@ class ProgressBar final : public elsie::simulation::Observer {
 
  private:
   std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point last_drawn_;
+};
+
+/// Draws "[=====>    ]  42 %  of 40000 cells checked" on standard error while an experiment is
+/// read, if that is a terminal and takes a while; wipes it at the end.
+class CheckProgress {
+ public:
+  /// `shown`: false: nothing is drawn at all.
+  explicit CheckProgress(bool shown);
+  ~CheckProgress();
+  CheckProgress(const CheckProgress&) = delete;
+  CheckProgress& operator=(const CheckProgress&) = delete;
+
+  void draw(std::size_t checked, std::size_t all);
+
+ private:
+  bool shown_;
   std::chrono::steady_clock::time_point last_drawn_;
 };
 

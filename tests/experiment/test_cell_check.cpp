@@ -39,6 +39,20 @@ TEST_CASE("A mistake that takes two settings is told of the cell that has both")
         "bold, 0.1')");
 }
 
+TEST_CASE("A time limit that contradicts a world's goal is told with both places") {
+  const std::string worlds =
+      "<worlds><world file='data/arena.xml'/><world file='data/enduring.xml'/></worlds>\n";
+  const std::string told =
+      "data/enduring.xml:3: <endure> lasts 20 s, but the run ends after 15 s; see <limits>";
+  CHECK(problems(worlds + "<limits time='15'/>") ==
+        told + "; that time limit is set in experiment.xml:2");
+  CHECK(problems(worlds + "<limits time='20'/>").empty());
+  // Another's fault is not the limit's.
+  CHECK(problems("<worlds><world file='data/faulty.xml'/></worlds>\n<limits time='15'/>") ==
+        "data/faulty.xml:4: <robot> has no attribute 'max_sped'; did you mean 'max_speed'?");
+  CHECK(problems(worlds + "<set path='limits/@time' value='15'/>\n<limits time='25'/>") == told);
+}
+
 TEST_CASE("A mistake of a world is told of the world, whatever is set in it") {
   CHECK(problems("<worlds><world file='data/arena.xml'/><world file='data/faulty.xml'/></worlds>"
                  "<vary path='robot[r1]/@max_speed' values='0.1; 0.2; 0.3'/>") ==

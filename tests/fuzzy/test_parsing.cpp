@@ -1,11 +1,13 @@
 // Models in the manner of the standard and of the tools in use.
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
 
 #include "elsie/fuzzy/error.h"
 #include "elsie/fuzzy/fcl.h"
@@ -44,6 +46,31 @@ double run(const Model& model, std::vector<double> inputs) {
 }
 
 }  // namespace
+
+TEST_CASE("A file that is read again is what it is by then") {
+  const std::string name = (std::filesystem::temp_directory_path() /
+                            ("elsie-fuzzy-" + std::to_string(getpid()) + ".fcl"))
+                               .string();
+  const auto file_with = [&](int on) {
+    std::ofstream(name) << "FUNCTION_BLOCK one VAR_INPUT x : REAL; END_VAR VAR_OUTPUT y : REAL; "
+                           "END_VAR FUZZIFY x TERM t := (0, 1) (1, 1); END_FUZZIFY DEFUZZIFY y "
+                           "TERM on := "
+                        << on
+                        << "; DEFAULT := 0; END_DEFUZZIFY RULEBLOCK r RULE 1 : IF x IS t THEN y IS "
+                           "on; END_RULEBLOCK END_FUNCTION_BLOCK";
+    return name;
+  };
+  // More of them than are kept in mind, and the same ones again.
+  for (int round = 0; round < 2; ++round) {
+    for (int on = 1; on <= 20; ++on) {
+      const Model first = read_fcl(file_with(on));
+      const Model second = read_fcl(name);
+      CHECK(run(first, {0.5}) == on);
+      CHECK(run(second, {0.5}) == on);
+    }
+  }
+  std::filesystem::remove(name);
+}
 
 TEST_CASE("A model in the manner of the standard") {
   const Model model = read_fcl(folder() + "standard.fcl");

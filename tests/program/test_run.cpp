@@ -114,12 +114,10 @@ TEST_CASE("What is asked for under the name of a link is written to what that po
                   "ln -s far/$name $name; done")
               .exit_code == 0);
   for (const std::string duration : {"1", "2"}) {  // into nothing, and over what is there
-    const auto run = here.sh(
-        "elsie run worlds/open_arena.xml --quiet --picture run.png --record run.mcap "
-        "--explain run.trace --duration " +
-        duration + "; elsie run worlds/open_arena.xml --quiet --record run.csv --duration " +
-        duration);
-    CHECK(run.err.empty());
+    const std::string world = "run worlds/open_arena.xml --quiet --duration " + duration;
+    CHECK(
+        here.elsie(world + " --picture run.png --record run.mcap --explain run.trace").err.empty());
+    CHECK(here.elsie(world + " --record run.csv").err.empty());
     for (const std::string name : {"run.png", "run.mcap", "run.csv", "run.trace"}) {
       CAPTURE(name);
       CHECK(std::filesystem::is_symlink(here.file(name)));

@@ -120,6 +120,27 @@ TEST_CASE("check tells all that is wrong with an experiment, and with which leve
   CHECK_THAT(run.out, Catch::Contains("worlds/maze.xml: in order"));
 }
 
+TEST_CASE("check shows on a terminal how far it is with a large experiment, and nowhere else") {
+  Workplace here;
+  here.write("many.xml", R"(<experiment format="1">
+  <worlds><world file="worlds/clutter.xml"/></worlds>
+  <vary path="robot[r1]/@max_speed" from="0.001" to="4" step="0.001"/>
+  <seeds from="1" to="1"/>
+</experiment>
+)");
+  const std::string found = "many.xml: in order: 4000 cells, 4000 runs, 0 expectations";
+  const auto seen = here.sh("script -qec 'elsie check many.xml' /dev/null < /dev/null");
+  CHECK(seen.exit_code == 0);
+  CHECK_THAT(seen.out, Catch::StartsWith("\r[") && Catch::Contains(" %  of 4000 cells checked ") &&
+                           Catch::Contains("\r\033[K" + found));
+  const auto quiet = here.sh("script -qec 'elsie check many.xml --quiet' /dev/null < /dev/null");
+  CHECK(quiet.exit_code == 0);
+  CHECK(quiet.out.empty());
+  const auto unseen = here.elsie("check many.xml");
+  CHECK(unseen.err.empty());
+  CHECK(unseen.out == found + "\n");
+}
+
 TEST_CASE("schema and describe know experiments") {
   Workplace here;
   const auto run = here.sh(

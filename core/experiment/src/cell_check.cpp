@@ -1,6 +1,7 @@
 #include "cell_check.h"
 
 #include <algorithm>
+#include <exception>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -22,12 +23,12 @@ namespace elsie::experiment {
 namespace {
 
 world::World read(const Experiment& experiment, const Cell& cell, const std::string& file,
-                  const plugin::Host& host, const ReadOptions& options) {
+                  const plugin::Host& host, const ReadOptions& options, bool check_plugins = true) {
   world::ReadOptions reading;
   reading.overrides = cell.overrides;
   reading.overrides_from = experiment.file;
   reading.data_directories = options.data_directories;
-  reading.check_plugins = true;
+  reading.check_plugins = check_plugins;
   return world::read_world(file, host, reading);
 }
 
@@ -63,6 +64,9 @@ class CellCheck {
           complain(cell, problem);
         }
       }
+      if (options_.progress) {
+        options_.progress(cell.index + 1, grid_.size());
+      }
     }
     return std::move(measures_);
   }
@@ -73,7 +77,8 @@ class CellCheck {
     for (const auto& [key, complaint] : complaints_) {
       const std::size_t count = ++on_line[{complaint.where.file, complaint.where.line}];
       if (count <= kMost) {
-        problems.add(complaint.where, complaint.message + circumstances(complaint));
+        problems.add(complaint.where,
+                     complaint.message + circumstances(complaint) + limit_behind(complaint));
       }
     }
     for (const auto& [place, count] : on_line) {
@@ -88,12 +93,34 @@ class CellCheck {
   }
 
  private:
+  // What a cell that is in order comes to.
+  struct Found {
+    std::vector<std::string> measures;
+    std::string text;  // of its world
+  };
+
   void check(const Cell& cell) {
-    const world::World world = read(experiment_, cell, files_[cell.world], host_, options_);
+    Found found = look(cell);
+    note_measures(std::move(found.measures));
+    compare(cell, found.text);
+  }
+
+  Found look(const Cell& cell) const {
+    // Putting it together asks every plugin. To ask each before is twice the work, and finds all
+    // that is wrong instead of the first.
+    try {
+      return look(cell, false);
+    } catch (const std::exception&) {
+      return look(cell, true);
+    }
+  }
+
+  Found look(const Cell& cell, bool plugins_before) const {
+    const world::World world =
+        read(experiment_, cell, files_[cell.world], host_, options_, plugins_before);
     // Putting it together asks the plugins whether they fit their robots.
     const simulation::Simulation simulation(world, host_);
-    note_measures(names_of_measures(world, host_));
-    compare(cell, world::write_world(world));
+    return {names_of_measures(world, host_), world::write_world(world)};
   }
 
   void note_measures(std::vector<std::string> names) {
@@ -196,6 +223,27 @@ class CellCheck {
     return count == 1 ? " (in the cell '" + first.label + "')"
                       : " (in " + std::to_string(count) + " cells, the first of them '" +
                             first.label + "')";
+  }
+
+  // Where the time limit stands that makes a mistake of what a world says, or "".
+  std::string limit_behind(const Complaint& complaint) const {
+    if (complaint.is_setting || !experiment_.time_limit) {
+      return "";
+    }
+    Cell cell = grid_[complaint.cells.front()];
+    cell.overrides.erase(cell.overrides.begin());  // the time limit is the first one
+    try {
+      read(experiment_, cell, files_[cell.world], host_, options_);
+    } catch (const world::WorldError& error) {
+      for (const world::Problem& problem : error.problems()) {
+        if (problem.file == complaint.where.file && problem.line == complaint.where.line &&
+            problem.message == complaint.message) {
+          return "";
+        }
+      }
+    }
+    const Location& limits = experiment_.limits_location;
+    return "; that time limit is set in " + limits.file + ":" + std::to_string(limits.line);
   }
 
   const Experiment& experiment_;

@@ -31,7 +31,8 @@ std::vector<Setting> settings_of(const Experiment& experiment, const Cell& cell)
     settings.insert(settings.end(), more.begin(), more.end());
   };
   if (experiment.time_limit) {
-    settings.push_back({"limits/@time", world::format_value(*experiment.time_limit), {}});
+    settings.push_back(
+        {kTimeLimitPath, world::format_value(*experiment.time_limit), experiment.limits_location});
   }
   append(experiment.settings);
   append(experiment.worlds[cell.world].settings);

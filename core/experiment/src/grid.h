@@ -11,6 +11,9 @@ namespace elsie::experiment {
 /// The factor that the worlds are.
 inline constexpr const char* kWorldFactor = "world";
 
+/// Where the experiment's time limit is set in each world.
+inline constexpr const char* kTimeLimitPath = "limits/@time";
+
 /// What is set in the worlds of a cell, in order.
 std::vector<Setting> settings_of(const Experiment& experiment, const Cell& cell);
 

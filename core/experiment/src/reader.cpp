@@ -191,6 +191,7 @@ Parsed parsed(std::string_view text, const std::string& file, const world::Files
   experiment.description = draft.description;
   if (draft.limits) {
     experiment.time_limit = draft.limits->time;
+    experiment.limits_location = draft.limits->location;
     experiment.wall_limit = draft.limits->wall_time;
   }
   experiment.trajectory_period = draft.trajectories.value_or(TrajectoriesDraft{}).period;

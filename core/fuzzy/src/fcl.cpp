@@ -4,13 +4,54 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "builder.h"
 #include "parser.h"
 #include "problems.h"
 
 namespace elsie::fuzzy {
+namespace {
+
+/// What this thread has read last. The robots of a world share their models, and the thousands of
+/// cells of an experiment do; a model follows from its text alone, and does not change.
+class Recent {
+ public:
+  Model model(const std::string& text, const std::string& path) {
+    for (const Entry& entry : entries_) {
+      if (entry.text == text) {
+        return entry.model;
+      }
+    }
+    Model model = parse_fcl(text, path);
+    if (entries_.size() < kMost) {
+      entries_.push_back({text, model});
+    } else {
+      entries_[next_] = {text, model};
+      next_ = (next_ + 1) % kMost;
+    }
+    return model;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 8;
+
+  struct Entry {
+    std::string text;
+    Model model;
+  };
+  std::vector<Entry> entries_;
+  std::size_t next_ = 0;  // to be replaced
+};
+
+Recent& recent() {
+  thread_local Recent recent;
+  return recent;
+}
+
+}  // namespace
 
 Model parse_fcl(std::string_view text, const std::string& name) {
   Problems problems(name);
@@ -44,7 +85,7 @@ Model read_fcl(const std::string& path) {
     problems.add(0, "The file cannot be read. Check its permissions.");
   }
   problems.throw_if_any();
-  return parse_fcl(text, path);
+  return recent().model(text, path);
 }
 
 }  // namespace elsie::fuzzy

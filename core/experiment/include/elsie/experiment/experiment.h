@@ -122,6 +122,7 @@ struct Experiment {
   int repeats = 1;
   /// s, simulated, instead of the worlds' own. Cell::overrides have it: nothing else is to be done.
   std::optional<double> time_limit;
+  Location limits_location;        // of <limits>, if there is one
   double wall_limit = 600.0;       // s on the clock, for one run
   double trajectory_period = 0.5;  // s, simulated, between two kept poses of a robot
   std::vector<MeasureUse> measures;
