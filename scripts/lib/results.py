@@ -62,11 +62,21 @@ class Results:
         assert found, wanted
         return found
 
+    def levels(self, factor):
+        return list(dict.fromkeys(run.levels[factor] for run in self.runs))
+
+    def by_scheme(self, **wanted):
+        """The runs of these cells with fusion, and those with arbitration."""
+        return self.of(coordinator="fusion", **wanted), self.of(coordinator="arbitration", **wanted)
+
     def poses(self, run, robot):
         """The way of a robot: [[x_m, y_m, heading_rad], ...]."""
         row = self.database.execute(
             "SELECT poses FROM trajectories WHERE run_id = ? AND robot = ?", (run.id, robot)).fetchone()
         return json.loads(row[0])
+
+    def robots(self, run):
+        return [robot for robot, in self.database.execute("SELECT robot FROM run_robots WHERE run_id = ? ORDER BY robot", (run.id,))]
 
     def world(self, run):
         return self.database.execute("SELECT world_text FROM cells WHERE id = ?", (run.cell,)).fetchone()[0]

@@ -1,27 +1,26 @@
-"""Draws many robots' ways over one world, as SVG."""
+"""Draws robots' ways over one world as SVG, a panel for each, so that ways which are nearly the same can be told apart."""
 import math
 import xml.etree.ElementTree
 from html import escape
 
-# Okabe and Ito (2008): colours that are told apart with any colour vision; dashes tell the second round of them from the first.
-COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"]
-SCALE = 100  # pixels a metre
-MARGIN = 0.3  # around what is drawn, m
-LINE = 20  # of the legend, pixels
+# Okabe and Ito (2008): colours that are told apart with any colour vision. What came of it is told in words, too.
+SUCCESS, FAILURE = "#0072b2", "#d55e00"
+OBSTACLE, RESOURCE, BORDER = "#a89c90", "#2e9e50", "#c8c8c8"
+MARGIN = 0.5  # around resources and ways, m
+TITLE = 24  # pixels above a panel
+GAP = 16  # pixels between panels
 
 
 def number(element, name, default):
     return float(element.get(name, default))
 
 
-def box(element, colour, x0, y1):
+def corners(element):
+    """Of a box that is turned, m."""
     x, y, angle = number(element, "x", 0), number(element, "y", 0), math.radians(number(element, "heading_deg", 0))
-    corners = []
     for along, across in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
         a, b = along * number(element, "length", 0.2) / 2, across * number(element, "width", 0.2) / 2
-        corners.append((x + a * math.cos(angle) - b * math.sin(angle), y + a * math.sin(angle) + b * math.cos(angle)))
-    points = " ".join(f"{(cx - x0) * SCALE:.1f},{(y1 - cy) * SCALE:.1f}" for cx, cy in corners)
-    return f'<polygon points="{points}" fill="{colour}"/>'
+        yield x + a * math.cos(angle) - b * math.sin(angle), y + a * math.sin(angle) + b * math.cos(angle)
 
 
 def thin_out(poses):
@@ -33,33 +32,61 @@ def thin_out(poses):
     return kept
 
 
-def draw(world_text, ways, file):
-    """ways: (label, whether it succeeded, [[x_m, y_m, ...], ...]) for each run in the world."""
+class View:
+    """From metres to pixels: y upwards in the world, downwards on the page."""
+
+    def __init__(self, things, ways, width):
+        xs = [number(e, "x", 0) for e in things] + [pose[0] for _, _, poses in ways for pose in poses]
+        ys = [number(e, "y", 0) for e in things] + [pose[1] for _, _, poses in ways for pose in poses]
+        self.left, self.top = min(xs) - MARGIN, max(ys) + MARGIN
+        self.scale = width / (max(xs) + MARGIN - self.left)
+        self.width, self.height = width, (self.top - min(ys) + MARGIN) * self.scale
+
+    def pixel(self, x, y):
+        return f"{(x - self.left) * self.scale:.1f},{(self.top - y) * self.scale:.1f}"
+
+    def polygon(self, element, colour):
+        return f'<polygon points="{" ".join(self.pixel(*corner) for corner in corners(element))}" fill="{colour}"/>'
+
+    def circle(self, x, y, fill, stroke):
+        cx, cy = self.pixel(x, y).split(",")
+        return f'<circle cx="{cx}" cy="{cy}" r="5" fill="{fill}" stroke="{stroke}" stroke-width="2"/>'
+
+    def bar(self):
+        """A metre long, in the lower right corner."""
+        right, y = self.width - 8, self.height - 8
+        return (f'<path d="M {right - self.scale:.1f} {y - 4:.1f} v 4 h {self.scale:.1f} v -4" fill="none" stroke="#444444"/>'
+                f'<text x="{right - self.scale / 2:.1f}" y="{y - 4:.1f}" text-anchor="middle" font-size="11" fill="#444444">1 m</text>')
+
+
+def panel(view, things, success, poses):
+    """A way with a small dot where it begins and a large one where it ends: full when it succeeded."""
+    colour = SUCCESS if success else FAILURE
+    out = [view.polygon(element, colour_of_it) for element, colour_of_it in things]
+    points = " ".join(view.pixel(pose[0], pose[1]) for pose in thin_out(poses))
+    out.append(f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="2"/>')
+    out.append(view.circle(poses[0][0], poses[0][1], colour, colour).replace('r="5"', 'r="2"'))
+    out.append(view.circle(poses[-1][0], poses[-1][1], colour if success else "#ffffff", colour))
+    return out
+
+
+def draw(world_text, ways, file, columns=2, width=440):
+    """ways: (label, whether it succeeded, [[x_m, y_m, ...], ...]) for each run in the world; width: of a panel, pixels."""
     world = xml.etree.ElementTree.fromstring(world_text)
-    obstacles, resources = list(world.iter("static_box")), list(world.iter("resource"))
-    things = obstacles + resources
-    xs = [number(e, "x", 0) for e in things] + [pose[0] for _, _, poses in ways for pose in poses]
-    ys = [number(e, "y", 0) for e in things] + [pose[1] for _, _, poses in ways for pose in poses]
-    x0, x1 = min(xs) - MARGIN, max(xs) + MARGIN
-    y0, y1 = min(ys) - MARGIN, max(ys) + MARGIN
-    width, height = (x1 - x0) * SCALE, (y1 - y0) * SCALE
-    canvas = max(width, 460)
-    total = height + LINE * (len(ways) + 1)
-    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {canvas:.0f} {total:.0f}" width="{canvas:.0f}" height="{total:.0f}" '
+    things = [(e, OBSTACLE) for e in world.iter("static_box")] + [(e, RESOURCE) for e in world.iter("resource")]
+    view = View(list(world.iter("resource")), ways, width)
+    row = view.height + TITLE + GAP
+    canvas = (columns * (width + GAP) + GAP, math.ceil(len(ways) / columns) * row + GAP)
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {canvas[0]:.0f} {canvas[1]:.0f}" width="{canvas[0]:.0f}" height="{canvas[1]:.0f}" '
            'font-family="sans-serif" font-size="13">',
-           f'<rect width="{canvas:.0f}" height="{total:.0f}" fill="#ffffff"/>']
-    out += [box(e, "#a89c90", x0, y1) for e in obstacles]
-    out += [box(e, "#2e9e50", x0, y1) for e in resources]
+           f'<rect width="{canvas[0]:.0f}" height="{canvas[1]:.0f}" fill="#ffffff"/>']
     for k, (label, success, poses) in enumerate(ways):
-        colour = COLOURS[k % len(COLOURS)]
-        dash = ' stroke-dasharray="6 4"' if k >= len(COLOURS) else ""
-        poses = thin_out(poses)
-        points = " ".join(f"{(p[0] - x0) * SCALE:.0f},{(y1 - p[1]) * SCALE:.0f}" for p in poses)
-        out.append(f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="2" stroke-opacity="0.8"{dash}/>')
-        x, y = (poses[-1][0] - x0) * SCALE, (y1 - poses[-1][1]) * SCALE
-        out.append(f'<circle cx="{x:.0f}" cy="{y:.0f}" r="5" fill="{colour if success else "#ffffff"}" stroke="{colour}" stroke-width="2"/>')
-        line = height + LINE * (k + 1)
-        out.append(f'<line x1="10" y1="{line - 4:.0f}" x2="50" y2="{line - 4:.0f}" stroke="{colour}" stroke-width="2"{dash}/>')
-        out.append(f'<text x="58" y="{line:.0f}">{escape(label)}{"" if success else ": not all collected"}</text>')
+        x, y = GAP + k % columns * (width + GAP), GAP + k // columns * row
+        out.append(f'<text x="{x}" y="{y + TITLE - 8:.1f}">{escape(label)}{"" if success else ": not all collected"}</text>')
+        out.append(f'<rect x="{x}" y="{y + TITLE:.1f}" width="{width}" height="{view.height:.1f}" fill="none" stroke="{BORDER}"/>')
+        # What is beyond an inner svg's borders is not drawn.
+        out.append(f'<svg x="{x}" y="{y + TITLE:.1f}" width="{width}" height="{view.height:.1f}">')
+        out += panel(view, things, success, poses) + ([view.bar()] if k == 0 else [])
+        out.append("</svg>")
     out.append("</svg>")
     file.write_text("\n".join(out) + "\n")

@@ -1,0 +1,47 @@
+"""Compares runs of the same seed: what both have from the seed does not count as a difference, nor as uncertainty."""
+import random
+from statistics import mean
+
+RESAMPLES = 4000  # as elsie report
+
+
+def both_succeed(first, second):
+    """Pairs of runs of the same seed, in the order of the seeds; those in which both reached their goal."""
+    others = {run.seed: run for run in second}
+    pairs = [(run, others[run.seed]) for run in sorted(first, key=lambda run: run.seed) if run.seed in others]
+    return [pair for pair in pairs if pair[0].success and pair[1].success]
+
+
+def ratios(first, second, figure):
+    """The figure of the first as a part of that of the second, for each seed with which both succeed."""
+    return [figure(a) / figure(b) for a, b in both_succeed(first, second)]
+
+
+def interval(values):
+    """The 95 % interval of a mean: percentile bootstrap (Efron, 1979). The same values give the same interval."""
+    if max(values) == min(values):
+        return values[0], values[0]
+    draw = random.Random(len(values))
+    means = sorted(mean_of(draw.choices(values, k=len(values))) for _ in range(RESAMPLES))
+    return means[round(0.025 * (RESAMPLES - 1))], means[round(0.975 * (RESAMPLES - 1))]
+
+
+def mean_of(values):
+    return sum(values) / len(values)
+
+
+def mean_with_interval(values, digits):
+    """"0.74 (0.72 to 0.76)"; the mean alone when the interval's ends are the same in so many digits, "-" for no values."""
+    if not values:
+        return "-"
+    ends = [f"{end:.{digits}f}" for end in interval(values)]
+    middle = f"{mean(values):.{digits}f}"
+    return middle if ends == [middle, middle] else f"{middle} ({ends[0]} to {ends[1]})"
+
+
+def path_m(run):
+    return run.path_m
+
+
+def seconds_per_metre(run):
+    return run.time_s / run.path_m

@@ -1,0 +1,189 @@
+"""The tables of docs/experiments.md and docs/every-coordinator.md."""
+import math
+from statistics import mean
+
+from results import of, share, short_spread, spread, successes, table
+
+LAYERS = ["2 2", "4 4", "2 2 2 2", "4 4 4 4"]
+SCHEMES = ["arbitration", "fusion"]
+PERIODS = ["0.2", "0.3", "0.4", "0.5"]
+CASES_5_AND_6 = [("5", "one_obstacle"), ("6", "two_obstacles"), ("6, staggered", "two_obstacles_staggered")]
+NETWORKS = [("arbiter_neural_network", "arbitration"), ("fusion_neural_network", "fusion")]
+LAYOUTS = {"one_obstacle": "one obstacle", "two_obstacles": "two, side by side", "two_obstacles_staggered": "two, one after the other"}
+
+# The original's figures: metres, seconds, outcome. Means of five repetitions, of which no spread was printed.
+ORIGINAL = {
+    ("1", "arbitration"): (64.79, 170.50, "success"), ("1", "fusion"): (32.98, 293.70, "success"),
+    ("2", "arbitration"): (72.57, 189.00, "success"), ("2", "fusion"): (32.87, 170.40, "success"),
+    ("3", "arbitration"): (171.95, 279.70, "failure"), ("3", "fusion"): (41.54, 220.40, "success"),
+    ("4", "arbitration"): (152.20, 249.10, "failure"), ("4", "fusion"): (41.12, 546.41, "success"),
+    ("5", "arbitration"): (4.49, 15.30, "success"), ("5", "fusion"): (4.07, 51.00, "success"),
+    ("6", "arbitration"): (34.26, 89.60, "success"), ("6", "fusion"): (26.40, 155.70, "success"),
+    ("7", "arbitration"): (285.22, 998.40, "success"), ("7", "fusion"): (134.13, 1111.57, "success"),
+}
+ORIGINAL_ERRORS = {
+    ("1", "arbitration"): "0.0", ("1", "fusion"): "3.0e-4", ("2", "arbitration"): "3.5e-5", ("2", "fusion"): "3.8e-5",
+    ("3", "arbitration"): "0.1238", ("3", "fusion"): "0.1238", ("4", "arbitration"): "0.1238", ("4", "fusion"): "4.5e-6",
+}
+
+
+def comparison(cells):
+    """Ours beside the original's: cells are (case, description, scheme, runs)."""
+    rows = []
+    for case, what, scheme, runs in cells:
+        original = ORIGINAL.get((case.split(",")[0], scheme))
+        won = successes(runs)
+        rows.append([case, what, scheme, f"{original[0]:.2f}", f"{original[1]:.1f}", original[2], share(runs),
+                     spread((run.path_m for run in runs), 2), spread((run.time_s for run in runs), 1),
+                     short_spread((run.path_m for run in won), 2), short_spread((run.time_s for run in won), 1)])
+    return table(["case", "", "scheme", "original: m", "s", "outcome", "ours: success", "m", "s", "m, successes", "s, successes"], rows)
+
+
+def cases_1_to_4(results):
+    return comparison([(str(k + 1), hidden, scheme, results.of(coordinator=scheme, layers=hidden))
+                       for k, hidden in enumerate(LAYERS) for scheme in SCHEMES])
+
+
+def training(results):
+    rows = []
+    for k, hidden in enumerate(LAYERS):
+        # Both schemes train the same network from the same seed: the training does not know what it is for.
+        both = {scheme: [run.error() for run in results.of(coordinator=scheme, layers=hidden)] for scheme in SCHEMES}
+        assert both["arbitration"] == both["fusion"]
+        runs = results.of(coordinator="fusion", layers=hidden)
+        learned = [run.error() for run in runs if run.learned()]
+        flat = [run for run in runs if any("sits on a plateau" in note for note in run.notes)]
+        rows.append([k + 1, hidden, ORIGINAL_ERRORS[str(k + 1), "arbitration"], ORIGINAL_ERRORS[str(k + 1), "fusion"],
+                     of(len(learned), len(runs)), f"{mean(learned):.1e}" if learned else "-", len(flat),
+                     len(runs) - len(learned) - len(flat), f"{max(both['fusion']):.4f}"])
+    return table(["case", "hidden layers", "original's last error, arbitration", "fusion", "ours: learned all samples",
+                  "their mean error", "on the plateau", "missed a sample", "largest error"], rows)
+
+
+def cases_5_and_6(results):
+    return comparison([(case, LAYOUTS[world], scheme, results.of(world=world, coordinator=scheme))
+                       for case, world in CASES_5_AND_6 for scheme in SCHEMES])
+
+
+def case_7(results):
+    return comparison([("7", "clutter", scheme, results.of(coordinator=scheme)) for scheme in SCHEMES])
+
+
+def eight_clutters(results):
+    rows = []
+    for k in range(1, 9):
+        row = [k]
+        for scheme in SCHEMES:
+            runs = results.of(world=f"clutter_{k}", coordinator=scheme)
+            won = successes(runs)
+            row += [share(runs), f"{mean(run.collected for run in runs):.1f}",
+                    short_spread((run.path_m for run in won), 2), short_spread((run.time_s for run in won), 1)]
+        rows.append(row)
+    total = {scheme: results.of(coordinator=scheme) for scheme in SCHEMES}
+    rows.append(["all"] + [cell for scheme in SCHEMES for cell in
+                           (share(total[scheme]), f"{mean(run.collected for run in total[scheme]):.1f}", "", "")])
+    return table(["layout"] + [f"{scheme}: {what}" if what == "success" else what for scheme in SCHEMES
+                               for what in ("success", "collected", "m, successes", "s, successes")], rows)
+
+
+def backing_off(results):
+    rows = []
+    for case, world in CASES_5_AND_6:
+        for scheme in SCHEMES:
+            runs = results.of(world=world, coordinator=scheme)
+            rows.append([case, scheme, share(runs), spread((run.path_m for run in runs), 2), spread((run.time_s for run in runs), 1)])
+    return table(["case", "scheme", "success", "m", "s"], rows)
+
+
+def beside_the_cases(results, others, factor, levels):
+    """The cases with one thing changed. others: the runs of the cases themselves, which stand in the first column."""
+    rows = []
+    for case, world in [("2", "four_resources"), *CASES_5_AND_6, ("7", "clutter")]:
+        if world not in results.levels("world"):
+            continue
+        for scheme in SCHEMES:
+            cells = [others[world, scheme]] + [results.of(world=world, coordinator=scheme, **{factor: level}) for level in levels]
+            rows.append([case, scheme] + [cell_of(runs) for runs in cells] + ["{:.2f} m, {:.1f} s".format(*ORIGINAL[case.split(",")[0], scheme])])
+    return rows
+
+
+def decision_period(results, others):
+    rows = beside_the_cases(results, others, "period", [f"{period} s" for period in PERIODS])
+    return table(["case", "scheme", "0.01 s, as above"] + [f"{period} s" for period in PERIODS] + ["original"], rows)
+
+
+def distance(a, b):
+    return math.hypot(a[0] - b[0], a[1] - b[1])
+
+
+def groups(results):
+    rows = []
+    for world, coverage, what in [("within_1.5_m", 1.5, "the leader stands, coverage 1.5 m"), ("within_3_m", 3.0, "the leader stands, coverage 3 m"),
+                                  ("to_a_resource", 3.0, "to a resource, default parameters"),
+                                  ("to_a_resource_in_a_column", 1.5, "to a resource, own distances (`worlds/group_to_resource.xml`)")]:
+        runs = results.of(world=world)
+        inside = outside = gathered = 0
+        ends, strayed = [], []
+        for run in runs:
+            robots = {robot: (x, y) for robot, x, y in results.database.execute(
+                "SELECT robot, x_m, y_m FROM run_robots WHERE run_id = ?", (run.id,))}
+            starts = {robot: results.poses(run, robot)[0] for robot in robots}
+            for robot in robots:
+                if robot == "leader":
+                    continue
+                if distance(starts[robot], starts["leader"]) <= coverage:
+                    inside += 1
+                    ends.append(distance(robots[robot], robots["leader"]))
+                    gathered += ends[-1] <= 0.5
+                else:
+                    outside += 1
+                    strayed.append(distance(robots[robot], starts[robot]))
+        rows.append([what, share(runs), inside // len(runs), of(gathered, inside), spread(ends, 2), outside // len(runs),
+                     f"{max(strayed):.3f}" if strayed else "-", spread((run.time_s for run in runs), 1),
+                     f"{mean(run.collisions for run in runs):.1f}"])
+    return table(["", "success", "within coverage", "of them in all runs within 0.5 m at the end", "m from the leader at the end",
+                  "out of coverage", "they moved by at most m", "s", "collisions a run"], rows)
+
+def provenance(every):
+    runs = sum(len(results.runs) for results in every.values())
+    versions = sorted({results.version for results in every.values()})
+    return (f"Written by `make tables`: Elsie {', '.join(versions)}, {runs} runs of {len(every)} experiment files. Unless a table says otherwise: seeds 1 to 20 for each row; mean +- standard "
+            "deviation (least to largest) over all runs of the row, those that failed included; *successes* are those that reached their goal. A single figure: all seeds came to the same.")
+
+
+def cell_of(runs):
+    """A cell of a table in few words; without a rate when all its runs are the same, bit for bit."""
+    won = successes(runs)
+    figures = f"{short_spread((run.path_m for run in won), 2)} m, {short_spread((run.time_s for run in won), 1)} s" if won else "-"
+    if same(runs):
+        return figures if won else f"- ({runs[0].path_m:.2f} m, {runs[0].collected:.0f} collected)"
+    return f"{share(runs)}: {figures}" if won else f"{share(runs)} ({mean(run.path_m for run in runs):.2f} m, {mean(run.collected for run in runs):.1f} collected)"
+
+
+def same(runs):
+    return len({run.state_hash for run in runs}) == 1
+
+
+def published(every):
+    """The runs of the published cases with 4 4 neurons, by world and scheme."""
+    runs = {}
+    for scheme in SCHEMES:
+        runs["four_resources", scheme] = every["four_resources"].of(coordinator=scheme, layers="4 4")
+        runs["clutter", scheme] = every["clutter"].of(coordinator=scheme)
+        for _, world in CASES_5_AND_6:
+            runs[world, scheme] = every["obstacles"].of(coordinator=scheme, world=world)
+    return runs
+
+
+def every_coordinator(every):
+    worlds = ["four_resources", "one_obstacle", "two_obstacles", "two_obstacles_staggered", "clutter"]
+    study = every["every_coordinator"]
+    rows = []
+    for label in dict.fromkeys(run.levels["coordinator"] for run in study.runs):
+        name, _, how = label.partition(" (")
+        rows.append([f"`{name}`" + (f", {how[:-1]}" if how else "")] +
+                    [cell_of(study.of(coordinator=label, world=world)) for world in worlds])
+    for name, scheme in NETWORKS:
+        rows.append([f"`{name}`, 4 4"] + [cell_of(published(every)[world, scheme]) for world in worlds])
+    rows.sort(key=lambda row: row[0])
+    return table(["coordinator", "cases 1 to 4", "case 5", "case 6", "case 6, staggered", "case 7"], rows)
