@@ -141,15 +141,31 @@ TEST_CASE("The experiment that its page shows is in order with each piece that i
     CHECK(run.exit_code == 0);
     found = run.out;
   }
-  CHECK(found == "my_experiment.xml: in order: 48 cells, 960 runs, 4 expectations\n");
+  CHECK(found == "my_experiment.xml: in order: 96 cells, 1920 runs, 4 expectations\n");
   CHECK_THAT(page, Catch::Contains("the experiment has 48 cells"));
+  CHECK_THAT(page, Catch::Contains("That makes 96 cells"));
 }
 
 TEST_CASE("The page on behaviours quotes the example as it is built") {
   const fs::path source(elsie::test::source_path(""));
   const auto code = blocks(read(source / "docs" / "writing-a-behavior.md"), "cpp");
-  REQUIRE_FALSE(code.empty());
+  REQUIRE(code.size() == 2);
   CHECK(code[0] == read(source / "examples" / "01-first-behavior" / "shy.cpp"));
+}
+
+TEST_CASE("The behaviour that the page on behaviours adds raises its event, and nothing is wrong") {
+  const fs::path docs(elsie::test::source_path("docs"));
+  Workplace here;
+  here.write("brake.cpp", blocks(read(docs / "writing-a-behavior.md"), "cpp").at(1));
+  const auto check = here.sh("ELSIE_CACHE=cache elsie test-plugin brake.cpp");
+  CAPTURE(check.out, check.err);
+  CHECK(check.exit_code == 0);
+  const auto run = here.sh(
+      "ELSIE_CACHE=cache elsie run worlds/open_arena.xml --duration 120 --plugin brake.cpp "
+      "--set 'robot[r1]/behavior[avoid_obstacle]=<brake/>' "
+      "--set 'robot[r1]/coordinator=<arbiter_strength/>'");
+  CAPTURE(run.err);
+  CHECK_THAT(run.out, Catch::Contains("events: came_near "));
 }
 
 TEST_CASE("The page on measures quotes what elsie new makes, and what it then tells") {
