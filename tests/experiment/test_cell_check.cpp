@@ -83,3 +83,25 @@ TEST_CASE("Levels that make no difference are a mistake, and so is what a later 
       Catch::Contains("this replaces the element in which 'robot[r1]/coordinator/@weighted=true' "
                       "is set before"));
 }
+
+TEST_CASE("A name may mean one quantity only, in unit and meaning, whatever world measures it") {
+  const auto worlds = [](const std::string& measures) {
+    return "<worlds><world file='data/measured.xml'/><world id='b' file='data/measured.xml'>"
+           "<set path='measures'><measures>" +
+           measures + "</measures></set></world></worlds>";
+  };
+  CHECK(problems(worlds("<hits id='bumps'/><way id='far'/>")).empty());
+  CHECK_THAT(problems(worlds("<way id='far'/><way id='bumps'/>")),
+             Catch::Contains("the measure 'bumps' is two things"));
+}
+
+TEST_CASE("How levels are separated is told of one that looks like several, and of no other") {
+  const auto with = [](const std::string& values) {
+    return problems(kArena + "<vary path='robot[r1]/@max_speed' values='" + values + "'/>");
+  };
+  CHECK_THAT(with("0.1 0.2"), Catch::EndsWith("; the levels of values are separated by ';'"));
+  CHECK_THAT(with("fast"), !Catch::Contains("separated"));
+  CHECK_THAT(with("0.1 0.2; 0.3"), !Catch::Contains("separated"));
+  CHECK_THAT(problems(kArena + "<vary path='robot[r1]/@max_speed'><level value='1 2'/></vary>"),
+             !Catch::Contains("separated"));
+}

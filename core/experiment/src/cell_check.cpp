@@ -16,6 +16,7 @@
 #include "elsie/world/reader.h"
 #include "elsie/world/writer.h"
 
+#include "factors.h"
 #include "grid.h"
 
 namespace elsie::experiment {
@@ -32,14 +33,6 @@ world::World read(const Experiment& experiment, const Cell& cell, const std::str
   return world::read_world(file, host, reading);
 }
 
-std::vector<std::string> names_of_measures(const world::World& world, const plugin::Host& host) {
-  std::vector<std::string> names;
-  for (const Quantity& measure : simulation::measure_names(world, host)) {
-    names.push_back(measure.name);
-  }
-  return names;
-}
-
 // The same thing said of several cells.
 struct Complaint {
   Location where;
@@ -51,9 +44,14 @@ struct Complaint {
 class CellCheck {
  public:
   CellCheck(const Experiment& experiment, const std::vector<Cell>& grid,
-            const std::vector<std::string>& files, const plugin::Host& host,
-            const ReadOptions& options)
-      : experiment_(experiment), grid_(grid), files_(files), host_(host), options_(options) {}
+            const std::vector<std::string>& files, const std::set<std::size_t>& lists,
+            const plugin::Host& host, const ReadOptions& options)
+      : experiment_(experiment),
+        grid_(grid),
+        files_(files),
+        lists_(lists),
+        host_(host),
+        options_(options) {}
 
   CellMeasures check() {
     for (const Cell& cell : grid_) {
@@ -95,7 +93,7 @@ class CellCheck {
  private:
   // What a cell that is in order comes to.
   struct Found {
-    std::vector<std::string> measures;
+    std::vector<Quantity> measures;
     std::string text;  // of its world
   };
 
@@ -120,15 +118,15 @@ class CellCheck {
         read(experiment_, cell, files_[cell.world], host_, options_, plugins_before);
     // Putting it together asks the plugins whether they fit their robots.
     const simulation::Simulation simulation(world, host_);
-    return {names_of_measures(world, host_), world::write_world(world)};
+    return {simulation::measure_names(world, host_), world::write_world(world)};
   }
 
-  void note_measures(std::vector<std::string> names) {
+  void note_measures(std::vector<Quantity> quantities) {
     auto& lists = measures_.lists;
-    const auto known = std::find(lists.begin(), lists.end(), names);
+    const auto known = std::find(lists.begin(), lists.end(), quantities);
     measures_.of_cell.push_back(static_cast<std::size_t>(known - lists.begin()));
     if (known == lists.end()) {
-      lists.push_back(std::move(names));
+      lists.push_back(std::move(quantities));
     }
   }
 
@@ -166,6 +164,12 @@ class CellCheck {
       if (problem.file == "--set " + override_of(setting)) {
         complaint.where = setting.location;
         complaint.is_setting = true;
+      }
+    }
+    for (const std::size_t list : lists_) {
+      const Factor& factor = experiment_.factors[list];
+      if (problem.file == "--set " + override_of(factor.levels.front().settings.front())) {
+        complaint.message += how_to_separate(factor);
       }
     }
     auto& known = complaints_[{complaint.where.file, complaint.where.line, complaint.message}];
@@ -249,6 +253,7 @@ class CellCheck {
   const Experiment& experiment_;
   const std::vector<Cell>& grid_;
   const std::vector<std::string>& files_;
+  const std::set<std::size_t>& lists_;
   const plugin::Host& host_;
   const ReadOptions& options_;
   CellMeasures measures_;
@@ -261,9 +266,10 @@ class CellCheck {
 }  // namespace
 
 CellMeasures check_cells(const Experiment& experiment, const std::vector<Cell>& grid,
-                         const std::vector<std::string>& files, const plugin::Host& host,
-                         const ReadOptions& options, world::Problems& problems) {
-  CellCheck check(experiment, grid, files, host, options);
+                         const std::vector<std::string>& files, const std::set<std::size_t>& lists,
+                         const plugin::Host& host, const ReadOptions& options,
+                         world::Problems& problems) {
+  CellCheck check(experiment, grid, files, lists, host, options);
   CellMeasures measures = check.check();
   check.report(problems);
   return measures;

@@ -174,6 +174,7 @@ class FactorMaker {
         problems_.add(
             level.location,
             "'" + level.label + "' cannot be a level of '" + name_ + "': " + why +
+                (draft_.values ? how_to_separate(factor) : "") +
                 (draft_.values && !level.label.empty()
                      ? "; label it with <level label=\"...\" value=\"" + level.label + "\"/>"
                      : ""));
@@ -220,6 +221,12 @@ std::string why_no_label(const std::string& text) {
          : text.find_first_of("\n\r\t") != std::string::npos ? "a label stands on one line"
          : text.find_first_of(",;|*") != std::string::npos   ? "a label is without , ; | and *"
                                                              : "";
+}
+
+std::string how_to_separate(const Factor& factor) {
+  const bool is_one_for_several =
+      factor.levels.size() == 1 && factor.levels[0].label.find_first_of(" ,") != std::string::npos;
+  return is_one_for_several ? "; the levels of values are separated by ';'" : "";
 }
 
 std::vector<Setting> settings_from(const std::vector<SettingDraft>& drafts, Problems& problems) {

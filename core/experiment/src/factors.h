@@ -21,6 +21,10 @@ std::vector<std::string> split(const std::string& text, char separator);
 /// can.
 std::string why_no_label(const std::string& text);
 
+/// For the end of a sentence about the only level of values="...", when it looks like several:
+/// "; the levels of values are separated by ';'"; otherwise "".
+std::string how_to_separate(const Factor& factor);
+
 /// The settings that make sense; the others become problems.
 std::vector<Setting> settings_from(const std::vector<SettingDraft>& drafts,
                                    world::Problems& problems);

@@ -1,7 +1,8 @@
-// That what is to be shown, and what is expected, is measured at all.
+// That what is to be shown, and what is expected, is measured at all, and one quantity everywhere.
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include "elsie/experiment/grid.h"
 
@@ -15,16 +16,66 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+std::vector<std::string> names_of(const std::vector<Quantity>& quantities) {
+  std::vector<std::string> names;
+  for (const Quantity& quantity : quantities) {
+    names.push_back(quantity.name);
+  }
+  return names;
+}
+
+// "'simulated time until the run ended' in s"
+std::string told(const Quantity& quantity) {
+  return "'" + quantity.meaning + "'" + (quantity.unit.empty() ? "" : " in " + quantity.unit);
+}
+
+// Where two cells differ: the world of the second, or its level of the last factor that differs.
+const Location& difference(const Experiment& experiment, const Cell& one, const Cell& other) {
+  const Location* where = &experiment.worlds[other.world].location;
+  for (std::size_t i = 0; one.world == other.world && i < experiment.factors.size(); ++i) {
+    if (one.levels[i] != other.levels[i]) {
+      where = &experiment.factors[i].levels[other.levels[i]].location;
+    }
+  }
+  return *where;
+}
+
+// Tables put the values of one name together, whatever cells they are of.
+void check_quantities(const Experiment& experiment, const std::vector<Cell>& grid,
+                      const CellMeasures& measures, world::Problems& problems) {
+  struct Known {
+    Quantity quantity;
+    std::size_t cell;  // the first that has it
+  };
+  std::map<std::string, Known> known;
+  std::set<std::string> complained;
+  for (std::size_t list = 0; list < measures.lists.size(); ++list) {
+    const auto first = std::find(measures.of_cell.begin(), measures.of_cell.end(), list);
+    const auto cell = static_cast<std::size_t>(first - measures.of_cell.begin());
+    for (const Quantity& quantity : measures.lists[list]) {
+      const auto [at, is_new] = known.emplace(quantity.name, Known{quantity, cell});
+      const Known& before = at->second;
+      if (!is_new && quantity != before.quantity && complained.insert(quantity.name).second) {
+        problems.add(difference(experiment, grid[before.cell], grid[cell]),
+                     "the measure '" + quantity.name + "' is two things: in the cell '" +
+                         grid[before.cell].label + "' it is " + told(before.quantity) +
+                         ", in the cell '" + grid[cell].label + "' " + told(quantity) +
+                         "; expected one: give one of them another id in <measures>");
+      }
+    }
+  }
+}
+
 // Those of each cell that the expectation is about, and of what it is compared with.
 void check_expectation(const Expectation& expectation, const std::vector<Cell>& cells,
                        const Grid& grid, const CellMeasures& measures, world::Problems& problems) {
   const auto check = [&](std::size_t cell, const std::string& name) {
-    const auto& names = measures.lists[measures.of_cell[cell]];
+    const auto names = names_of(measures.lists[measures.of_cell[cell]]);
     if (has(names, name)) {
       return true;
     }
     const bool nowhere = std::none_of(measures.lists.begin(), measures.lists.end(),
-                                      [&](const auto& list) { return has(list, name); });
+                                      [&](const auto& list) { return has(names_of(list), name); });
     problems.add(
         expectation.location,
         (nowhere ? "no run has a" : "runs of the cell '" + cells[cell].label + "' have no") +
@@ -45,8 +96,10 @@ void check_expectation(const Expectation& expectation, const std::vector<Cell>& 
 
 void check_measures(const Experiment& experiment, const std::vector<Cell>& cells,
                     const CellMeasures& measures, world::Problems& problems) {
+  check_quantities(experiment, cells, measures, problems);
   std::vector<std::string> all;
-  for (const auto& names : measures.lists) {
+  for (const auto& list : measures.lists) {
+    const std::vector<std::string> names = names_of(list);
     std::copy_if(names.begin(), names.end(), std::back_inserter(all),
                  [&](const std::string& name) { return !has(all, name); });
   }

@@ -162,6 +162,7 @@ struct Parsed {
   Experiment experiment;
   std::vector<Cell> grid;          // none when it is not sound
   std::vector<std::string> files;  // of the worlds, as they were found
+  std::set<std::size_t> lists;     // the factors whose levels stand in values="A; B"
   Problems problems, grid_problems;
 };
 
@@ -202,6 +203,11 @@ Parsed parsed(std::string_view text, const std::string& file, const world::Files
   result.files = std::move(worlds.files);
   experiment.settings = settings_from(draft.settings, grid_problems);
   experiment.factors = factors_from(draft.factors, grid_problems);
+  for (std::size_t i = 0; i < draft.factors.size(); ++i) {
+    if (draft.factors[i].values) {
+      result.lists.insert(i);
+    }
+  }
   if (draft.seeds && reader.is_sound(draft.seeds->location)) {
     experiment.seeds = seeds_from(*draft.seeds, problems);
     experiment.repeats = draft.seeds->repeats;
@@ -235,8 +241,8 @@ Experiment parse_experiment(std::string_view text, const std::string& file,
   const world::Files files(file, options.data_directories);
   Parsed result = parsed(text, file, &files);
   if (!result.grid.empty()) {
-    const CellMeasures measures = check_cells(result.experiment, result.grid, result.files, host,
-                                              options, result.grid_problems);
+    const CellMeasures measures = check_cells(result.experiment, result.grid, result.files,
+                                              result.lists, host, options, result.grid_problems);
     if (result.grid_problems.empty()) {
       check_measures(result.experiment, result.grid, measures, result.problems);
     }
