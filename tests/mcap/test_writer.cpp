@@ -103,6 +103,25 @@ TEST_CASE("A chunk is in the file as soon as the next one begins") {
   CHECK(read_all(file.path).messages.size() == 2);
 }
 
+TEST_CASE("When its time is over a chunk is written, whether another message comes or not") {
+  McapFile file, other;
+  mcap::Writer writer(file.path), unhurried(other.path);
+  for (mcap::Writer* each : {&writer, &unhurried}) {
+    each->write(each->add_channel("/a", 0, "json"), 0, "{}");
+  }
+  writer.pass(kSecond - 1);
+  CHECK(read_all(file.path).messages.empty());
+  writer.pass(kSecond);
+  CHECK(read_all(file.path).messages.size() == 1);
+  writer.pass(9 * kSecond);  // nothing is left to write
+  CHECK(read_all(file.path).chunks == 1);
+  for (mcap::Writer* each : {&writer, &unhurried}) {
+    each->write(1, 10 * kSecond, "{}");
+    each->close();
+  }
+  CHECK(file.bytes() == other.bytes());
+}
+
 TEST_CASE("A writer that is not closed leaves its messages, without an end") {
   McapFile file;
   write_small(file.path, 3, {}, false);

@@ -265,6 +265,23 @@ TEST_CASE("There is a sample at the very end, wherever that is between two perio
   CHECK(states.back().content.at("x_m").get<double>() == result.robots[0].pose.x);
 }
 
+TEST_CASE("A sample is in the file a second later, however long the next one takes") {
+  McapFile file;
+  world::World world = two_robots();
+  world.limits.time = 100;
+  Simulation simulation(world, shipped());
+  recording::McapRecorder recorder(file.path, {.rate_hz = 0.1});
+  recorder.started(simulation);
+  while (simulation.time_s() < 28) {
+    simulation.step();
+    recorder.stepped(simulation);
+  }
+  // As a program that is killed now would leave it.
+  const auto states = recorded(file.path)["/robots/r1/state"];
+  REQUIRE(states.size() == 3);
+  CHECK(states.back().time_s() == 20.0);
+}
+
 TEST_CASE("A plugin that fails ends the run, and what was recorded is kept, with its end") {
   McapFile file;
   ScriptedHost scripted([](const Perception& now) -> Response {

@@ -1,4 +1,6 @@
 // Recordings in the hands of the official reader, which holds every message against its schema.
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "elsie/recording/recorded_run.h"
@@ -43,6 +45,29 @@ TEST_CASE("The official reader finds what was written, by the indexes and from t
       }
     }
   }
+}
+
+TEST_CASE("Each robot's readings can be listed by their schema, before the first message") {
+  const Workplace here;
+  here.write("world.xml", R"(<world format="1"><robots>
+      <robot id="r1"><sensors><beam_range id="left"/><vision id="eye"/></sensors>
+        <behaviors><wander/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>
+      <robot id="r2" x="2"><sensors><beam_range id="front"/></sensors>
+        <behaviors><wander/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>
+      </robots><limits time="1"/></world>)");
+  here.elsie("run world.xml --quiet --record run.mcap");
+  const json found = read_officially(here.file("run.mcap"), "indexed");
+  CHECK(found.at("problems") == json::array());
+  const json& channels = found.at("channels");
+  const json& one = channels.at("/robots/r1/readings");
+  CHECK(one.at("schema") == "elsie.Readings.r1");
+  CHECK(one.at("messages") == 10);
+  const auto numbers = one.at("numbers").get<std::vector<std::string>>();
+  CHECK_THAT(numbers, Catch::VectorContains(std::string("sensors.left.distance_m")));
+  CHECK(std::any_of(numbers.begin(), numbers.end(),
+                    [](const auto& name) { return name.starts_with("sensors.eye."); }));
+  CHECK(channels.at("/robots/r2/readings").at("numbers") ==
+        json{"sensors.front.distance_m", "sensors.front.hit"});
 }
 
 TEST_CASE("The official reader finds fault with what is wrong") {

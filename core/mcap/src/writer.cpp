@@ -69,9 +69,7 @@ class Writer::Impl {
     if (message.channel == 0 || message.channel > channels_.size()) {
       throw std::invalid_argument("MCAP: there is no channel " + std::to_string(message.channel));
     }
-    if (full(message.log_time_ns)) {
-      flush();
-    }
+    pass(message.log_time_ns);
     const std::size_t channel = message.channel - 1U;
     message.sequence = sequences_[channel]++;
     places_[channel].push_back({message.log_time_ns, records_.size()});
@@ -79,6 +77,12 @@ class Writer::Impl {
     first_ns_ = messages_ == 0 ? message.log_time_ns : std::min(first_ns_, message.log_time_ns);
     last_ns_ = messages_ == 0 ? message.log_time_ns : std::max(last_ns_, message.log_time_ns);
     ++messages_;
+  }
+
+  void pass(std::uint64_t now_ns) {
+    if (full(now_ns)) {
+      flush();
+    }
   }
 
   void write(const Metadata& metadata) {
@@ -260,6 +264,7 @@ void Writer::write(std::uint16_t channel, std::uint64_t log_time_ns, std::string
   impl_->write({channel, 0, log_time_ns, publish_time_ns.value_or(log_time_ns), data});
 }
 void Writer::write(const Metadata& metadata) { impl_->write(metadata); }
+void Writer::pass(std::uint64_t now_ns) { impl_->pass(now_ns); }
 void Writer::flush() { impl_->flush(); }
 void Writer::close() { impl_->close(); }
 bool Writer::write_in_emergency() noexcept { return impl_->write_in_emergency(); }

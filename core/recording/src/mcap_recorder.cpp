@@ -18,6 +18,7 @@
 #include "format.h"
 #include "messages.h"
 #include "scene.h"
+#include "schema_parts.h"
 #include "schemas.h"
 
 namespace elsie::recording {
@@ -79,6 +80,7 @@ class McapRecorder::Impl final : private plugin::EmergencyWriter {
       sample(simulation, true);
     }
     remember_who_sees(simulation);
+    out_.pass(now(simulation));
   }
 
   void end(const Simulation& simulation) {
@@ -165,7 +167,7 @@ class McapRecorder::Impl final : private plugin::EmergencyWriter {
   }
 
   void add_channels(const Simulation& simulation) {
-    const auto schema = [&](const char* name, const std::string& text) {
+    const auto schema = [&](const std::string& name, const std::string& text) {
       return out_.add_schema(name, "jsonschema", text);
     };
     const auto channel = [&](const std::string& topic, std::uint16_t of,
@@ -180,7 +182,6 @@ class McapRecorder::Impl final : private plugin::EmergencyWriter {
     events_ = channel(kEventsTopic, schema("foxglove.Log", schemas::log()));
     const auto pose = schema("foxglove.PoseInFrame", schemas::pose_in_frame());
     const auto state = schema("elsie.State", schemas::state());
-    const auto readings = schema("elsie.Readings", schemas::readings());
     const auto command = schema("elsie.Command", schemas::command());
     const auto trace = schema("elsie.Trace", schemas::trace());
     const auto image = options_.images
@@ -192,13 +193,14 @@ class McapRecorder::Impl final : private plugin::EmergencyWriter {
       const auto own = [&](const std::string& kind, std::uint16_t of) {
         return channel(robot_topic(robot.id, kind), of, who);
       };
-      RobotChannels channels{own("pose", pose),
-                             own("state", state),
-                             own("readings", readings),
-                             own("command", command),
-                             own("trace", trace),
-                             std::nullopt,
-                             {}};
+      RobotChannels channels{
+          own("pose", pose),
+          own("state", state),
+          own("readings", schema("elsie.Readings." + robot.id, readings_schema(simulation, r))),
+          own("command", command),
+          own("trace", trace),
+          std::nullopt,
+          {}};
       if (sees_ranges(simulation, r)) {
         channels.beams = own("beams", scene);
       }
@@ -216,6 +218,21 @@ class McapRecorder::Impl final : private plugin::EmergencyWriter {
       }
       robots_.push_back(std::move(channels));
     }
+  }
+
+  std::string readings_schema(const Simulation& simulation, std::size_t r) {
+    Json sensors = Json::object();
+    for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
+      values_.clear();
+      simulation.list_values(r, s, values_);
+      Json numbers = Json::object();
+      for (const NamedValue& value : values_) {
+        numbers[value.name] = schemas::number();
+      }
+      sensors[std::string(simulation.sensor(r, s).id)] =
+          schemas::members(std::move(numbers), "one that is not finite is left out");
+    }
+    return schemas::readings(sensors);
   }
 
   void write(std::uint16_t channel, std::uint64_t time_ns, const Json& message) {

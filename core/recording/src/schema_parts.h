@@ -52,12 +52,11 @@ inline Json list(Json items, const char* description = "") {
   return described({{"type", "array"}, {"items", std::move(items)}}, description);
 }
 
-/// Members of any name.
-inline Json map(Json values, const char* description) {
-  return described({{"type", "object"},
-                    {"properties", Json::object()},
-                    {"additionalProperties", std::move(values)}},
-                   description);
+/// These members, each with its schema, and no others; any may be missing.
+inline Json members(Json properties, const char* description) {
+  return described(
+      {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}},
+      description);
 }
 
 /// One of several numbers, by name.

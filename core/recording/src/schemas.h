@@ -6,6 +6,8 @@
 
 #include <string>
 
+#include "schema_parts.h"
+
 namespace elsie::recording::schemas {
 
 std::string frame_transforms();
@@ -16,7 +18,9 @@ std::string log();
 
 std::string world();
 std::string state();
-std::string readings();
+/// Of a robot, `sensors` being the schemas of its sensors' numbers by their ids: viewers list for
+/// plots what a schema names.
+std::string readings(const Json& sensors);
 std::string command();
 std::string trace();
 

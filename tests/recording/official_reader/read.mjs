@@ -29,6 +29,7 @@ function checkForViewers(schema, at) {
   }
   if (schema.type === "object") {
     if (typeof schema.properties !== "object") problem(`${at}: an object without properties`);
+    if (typeof schema.additionalProperties === "object") problem(`${at}: members that it does not list, so that nothing can offer them`);
     for (const [name, property] of Object.entries(schema.properties ?? {})) checkForViewers(property, `${at}.${name}`);
   } else if (schema.type === "array") {
     checkForViewers(schema.items ?? {}, `${at}[]`);
@@ -68,11 +69,18 @@ function addSchema(schema) {
   checks.set(schema.id, all);
 }
 
+// What a viewer could list for plots: the paths of the numbers that a schema names.
+function numbersOf(schema, path) {
+  if (schema.type === "number") return [path.join(".")];
+  return Object.entries(schema.properties ?? {}).flatMap(([name, property]) => numbersOf(property, [...path, name]));
+}
+
 function addChannel(channel) {
   if (channels.has(channel.id)) return;
   channels.set(channel.id, channel);
   if (channel.messageEncoding !== "json") problem(`${channel.topic}: encoding ${channel.messageEncoding}`);
-  found.channels[channel.topic] = { schema: schemas.get(channel.schemaId)?.name ?? "", messages: 0 };
+  const schema = schemas.get(channel.schemaId);
+  found.channels[channel.topic] = { schema: schema?.name ?? "", messages: 0, numbers: schema ? numbersOf(JSON.parse(new TextDecoder().decode(schema.data)), []) : [] };
 }
 
 function isPng(base64) {

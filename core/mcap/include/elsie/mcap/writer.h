@@ -6,8 +6,9 @@
 //   writer.write(channel, 500'000'000, R"({"x": 1.0})");
 //   writer.close();
 //
-// Each chunk goes to the file in one piece as soon as it is full: a process that is killed leaves
-// all chunks that were complete, and Reader reads them. The same calls give the same bytes.
+// Each chunk goes to the file in one piece, when a message comes that it has no room for, or when
+// pass() says that its time is over: a process that is killed leaves all chunks that were complete,
+// and Reader reads them. The same calls give the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -57,6 +58,10 @@ class Writer {
   /// Metadata, after the messages so far; what is in the chunk that was begun is written first.
   void write(const Metadata& metadata);
 
+  /// That this time (ns) has come, and no message is earlier from now on: writes the chunk that was
+  /// begun if a message of this time would begin the next one. Does not change what is in the file
+  /// in the end, but how soon it is there.
+  void pass(std::uint64_t now_ns);
   /// Writes the chunk that was begun.
   void flush();
   /// Writes the rest, the summary and the footer. Nothing may be written after it.

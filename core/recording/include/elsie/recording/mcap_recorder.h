@@ -1,4 +1,5 @@
-// Recording a run as an MCAP file, which viewers such as Foxglove and Lichtblick open as it is.
+// Recording a run as an MCAP file. Its channels have Foxglove's schemas, so that viewers of such
+// files should draw them as they are.
 #pragma once
 
 #include <filesystem>
@@ -28,10 +29,10 @@ struct McapOptions {
 /// is a sample at the start, one per period, and one at the end. Events are written in the step in
 /// which they happen, the whole scene whenever a box leaves it.
 ///
-/// The file is written as the run goes, at least once per simulated second: what is there when the
-/// program is killed can be read; when a plugin brings it down (plugin::report_crashes()), all that
-/// was recorded until then. The same world, seed and options give the same bytes (unless
-/// with_times). A recorder serves one run.
+/// The file is written as the run goes: what was recorded is there after at most a simulated
+/// second, at any rate, and can be read when the program is killed; when a plugin brings it down
+/// (plugin::report_crashes()), all that was recorded until then. The same world, seed and options
+/// give the same bytes (unless with_times). A recorder serves one run.
 class McapRecorder final : public simulation::Observer {
  public:
   /// Creates the file at once, or empties it. Throws mcap::McapError when that cannot be done,
