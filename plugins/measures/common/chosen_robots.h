@@ -20,8 +20,8 @@ class ChosenRobots {
   /// Throws std::invalid_argument when there are no such robots.
   void choose(const elsie::Observation& start) {
     if (!robot.empty() && !team.empty()) {
-      throw std::invalid_argument("it is told of the robot '" + robot + "' and of the team '" +
-                                  team + "'; give one of them, or none for all robots");
+      throw std::invalid_argument("it names both a robot, '" + robot + "', and a team, '" + team +
+                                  "'; expected one of them, or none for all robots");
     }
     if (!robot.empty()) {
       start.robot(robot);

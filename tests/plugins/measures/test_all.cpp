@@ -61,7 +61,7 @@ TEST_CASE("Measures about robots take one, those of a team, or all, and know who
     CHECK(refusal(Measure(name, {{"team", "green"}}), now) ==
           "there is no team 'green' in the world; there are 'red', 'blue'");
     CHECK(refusal(Measure(name, {{"robot", "r1"}, {"team", "red"}}), now) ==
-          "it is told of the robot 'r1' and of the team 'red'; give one of them, or none for all "
+          "it names both a robot, 'r1', and a team, 'red'; expected one of them, or none for all "
           "robots");
     CHECK(refusal(Measure(name, {{"team", "idle"}}), Scene(now).team("idle")) ==
           "the team 'idle' has no robot");
