@@ -85,6 +85,19 @@ TEST_CASE("Gather: every robot near its leader, or near another one where nobody
   CHECK(run(world).outcome == Outcome::success);
 }
 
+TEST_CASE("Leaders that nobody follows have gathered when they are near each other") {
+  world::World world;
+  const auto still = behavior("wander", 1, {{"speed", 0.0}, {"restlessness", 0.0}});
+  world.robots.push_back(robot("a", 0, 0, 0, still));
+  world.robots.push_back(robot("b", 2, 0, 0, still));
+  world.robots[0].leader = world.robots[1].leader = true;
+  world.goals.push_back(world::GatherGoal{"red", 0.5});
+  world.limits.time = 0.1;
+  CHECK(run(world).outcome == Outcome::time_limit);
+  world.robots[1].x = 0.4;
+  CHECK(run(world).outcome == Outcome::success);
+}
+
 TEST_CASE("A goal to keep: failure when it is broken, success at the time limit") {
   const auto kept = run(driving(world::NoCollisionGoal{}));
   CHECK(kept.outcome == Outcome::success);

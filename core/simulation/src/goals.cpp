@@ -99,12 +99,14 @@ struct Judge {
   }
   bool leads(std::size_t i) const { return simulation.robot(i).state->is_leader; }
   /// Distance from a robot to the team's nearest leader (a leader is where it should be), or to its
-  /// nearest mate in a team without one.
+  /// nearest mate in a team without one, or of leaders only.
   double nearest_to_gather_at(std::size_t robot, const std::string& team) const {
-    bool led = false;
+    bool has_leader = false, has_follower = false;
     for (std::size_t i = 0; i < simulation.robots(); ++i) {
-      led = led || (in_team(i, team) && leads(i));
+      has_leader = has_leader || (in_team(i, team) && leads(i));
+      has_follower = has_follower || (in_team(i, team) && !leads(i));
     }
+    const bool led = has_leader && has_follower;
     if (led && leads(robot)) {
       return 0.0;
     }

@@ -40,8 +40,10 @@ class GroupGathered final : public elsie::Measure {
     near_.reset();
   }
   void observe(const elsie::Observation& now) override {
-    const bool led = std::any_of(group_.begin(), group_.end(),
-                                 [&](std::size_t i) { return now.robots[i].is_leader; });
+    const auto leaders = static_cast<std::size_t>(std::count_if(
+        group_.begin(), group_.end(), [&](std::size_t i) { return now.robots[i].is_leader; }));
+    // Leaders that nobody follows are a group as any other.
+    const bool led = leaders > 0 && leaders < group_.size();
     double farthest = 0.0;
     int near = 0;
     bool all_near = true;
@@ -67,7 +69,7 @@ class GroupGathered final : public elsie::Measure {
   }
 
  private:
-  /// From a robot to the nearest leader, or to its nearest mate in a group without one.
+  /// From a robot to the nearest leader, or to its nearest mate in a group that is not led.
   double to_its_nearest(std::size_t robot, const elsie::Observation& now, bool led) const {
     double nearest = std::numeric_limits<double>::infinity();
     for (const std::size_t i : group_) {
@@ -94,4 +96,4 @@ ELSIE_MEASURE(GroupGathered, "group_gathered",
                                {.unit = "m",
                                 .above = 0,
                                 .meaning = "how near a leader is near; in a group without one, "
-                                           "another robot"}));
+                                           "or of leaders only, another robot"}));

@@ -72,6 +72,20 @@ TEST_CASE("A group with a leader is gathered when all are near it") {
   CHECK(gathered.value("near") == 1.0);
 }
 
+TEST_CASE("Leaders that nobody follows go by their nearest mate, as a group without one") {
+  Scene now;
+  now.robot("a", 0, 0).leads().robot("b", 2, 0).leads();
+  Measure gathered("group_gathered", {{"distance", 0.5}});
+  gathered.observe(now);
+  CHECK_FALSE(gathered.value("time_s"));
+  CHECK(gathered.value("farthest_m") == Approx(2.0));
+  CHECK(gathered.value("near") == 0.0);
+  now["b"].pose.x = 0.4;
+  gathered.observe(now.at_step(100));
+  CHECK(gathered.value("time_s") == Approx(1.0));
+  CHECK(gathered.value("near") == 2.0);
+}
+
 TEST_CASE("In a group without a leader each robot goes by its nearest mate") {
   Scene now;
   now.robot("a", 0, 0).robot("b", 1, 0).robot("c", 3, 0);
