@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot_share.h"
+
 namespace elsie::simulation {
 namespace {
 
@@ -47,10 +49,10 @@ void take_over(const Robot& robot, ObservedRobot& seen, std::span<ObservedBehavi
     behavior.command = trace.command;
     behavior.activation = trace.activation;
     behavior.share = trace.share;
-    behavior.robot_share =
-        trace.share * (behavior.parent < 0
-                           ? 1.0
-                           : behaviors[static_cast<std::size_t>(behavior.parent)].robot_share);
+    behavior.robot_share = share_in_robot(
+        trace.share, behavior.parent < 0
+                         ? 1.0
+                         : behaviors[static_cast<std::size_t>(behavior.parent)].robot_share);
   }
 }
 

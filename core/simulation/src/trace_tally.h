@@ -12,6 +12,8 @@
 #include "elsie/simulation/trace.h"
 #include "elsie/simulation/trace_account.h"
 
+#include "robot_share.h"
+
 namespace elsie::simulation {
 
 inline std::size_t place(int index) { return static_cast<std::size_t>(index); }
@@ -228,8 +230,8 @@ inline void find_shares(const TraceRobot& robot, std::span<const TraceNote* cons
                         std::vector<double>& shares) {
   for (std::size_t i = 0; i < notes.size(); ++i) {
     const int parent = robot.members[i].parent;
-    shares[i] = (notes[i] ? std::max(0.0, notes[i]->share) : 0.0) *
-                (parent < 0 ? 1.0 : shares[place(parent)]);
+    shares[i] =
+        share_in_robot(notes[i] ? notes[i]->share : 0.0, parent < 0 ? 1.0 : shares[place(parent)]);
   }
 }
 
