@@ -1,0 +1,305 @@
+// What a simulation is made of, and what happens in a step of it, in its order. The run, from its
+// start to its end, and what the public interface says of it, are in simulation.cpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elsie/physics/engine.h"
+#include "elsie/simulation/sampling.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/error.h"
+
+#include "box_path.h"
+#include "cameras.h"
+#include "carrier.h"
+#include "changes.h"
+#include "goals.h"
+#include "measuring.h"
+#include "swap.h"
+#include "teams.h"
+#include "touches.h"
+
+namespace elsie::simulation {
+
+/// FNV-1a, as physics::Engine::hash_state() continues it.
+inline std::uint64_t hash_of(std::uint64_t hash, double value) {
+  std::uint64_t bits = 0;
+  static_assert(sizeof(bits) == sizeof(value));
+  __builtin_memcpy(&bits, &value, sizeof(bits));
+  for (int shift = 0; shift < 64; shift += 8) {
+    hash = (hash ^ ((bits >> shift) & 0xff)) * 0x100000001b3ULL;
+  }
+  return hash;
+}
+
+class Simulation::Impl {
+ public:
+  Impl(world::World world, const plugin::Host& host, const Options& options)
+      : world_(std::move(world)),
+        time_limit_s_(options.time_limit_s.value_or(world_.limits.time)),
+        seed_(options.seed),
+        data_directories_(options.data_directories) {
+    changes_.emplace(world_, host, data_directories_);
+    std::vector<world::Problem> problems;
+    for (std::size_t i = 0; i < world_.robots.size(); ++i) {
+      try {
+        robots_.push_back(
+            std::make_unique<Robot>(world_.robots[i], Robot::membership(world_, i), host, options));
+      } catch (const world::WorldError& error) {
+        problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+      }
+    }
+    measuring_ = std::make_unique<Measuring>(world_, host, options.budget, problems);
+    if (problems.empty()) {
+      cameras_.emplace(world_, robots_, problems);
+    }
+    if (!problems.empty()) {
+      throw world::WorldError(std::move(problems));
+    }
+    for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
+      if (world_.boxes[i].kind == world::BoxKind::moving) {
+        moving_.push_back({i, BoxPath(world_.boxes[i])});
+      }
+    }
+  }
+
+  void reset(std::uint64_t seed) {
+    seed_ = seed;
+    // A new engine: ODE keeps nothing from the last run then.
+    engine_ = physics::make_ode_engine(world_.arena, world_.physics);
+    for (const world::Box& box : world_.boxes) {
+      engine_->add_box(box);
+    }
+    for (const world::Charger& charger : world_.chargers) {
+      if (charger.seen_by_range_sensors) {
+        world::Box box;
+        box.x = charger.x;
+        box.y = charger.y;
+        box.length = box.width = box.height = world::Charger::kBoxEdge;
+        engine_->add_box(box);
+      }
+    }
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      const world::Robot& d = world_.robots[i];
+      engine_->add_robot(d.body, {d.x, d.y, wrap_angle(radians(d.heading_deg))}, d.z, d.segments);
+      robots_[i]->reset(seed);
+      robots_[i]->set_body(engine_->robot(i));
+    }
+    steps_ = 0;
+    wall_s_ = 0.0;
+    verdict_ = {};
+    touches_.forget();
+    events_.clear();
+    log_events();
+    notes_.clear();
+    curves_.clear();
+    for (const auto& robot : robots_) {
+      robot->list_notes(notes_);
+      robot->list_curves(curves_);
+    }
+    measuring_->reset(seed);
+    measuring_->list_notes(notes_);
+    measuring_->list_curves(curves_);
+  }
+
+  void step(const Simulation& self) {
+    const double h = world_.physics.step;
+    const auto control_steps = static_cast<std::uint64_t>(world_.physics.control_steps);
+    const bool decides = steps_ % control_steps == 0;
+    if (!measuring_->empty() && !measuring_->has_begun()) {
+      observe(false);
+    }
+    const double period = h * static_cast<double>(control_steps);
+    try {
+      if (decides) {
+        control(period);
+      }
+      move();
+    } catch (...) {
+      log_events();
+      throw;
+    }
+    touches_.handle(robots_, *engine_, time_s());
+    if (decides) {
+      for (const auto& robot : robots_) {
+        const Pose& pose = robot->state().pose;
+        robot->charge(period, charger_rate(world_, robot->description().team, {pose.x, pose.y}));
+      }
+    }
+    log_events();
+    if (verdict_.outcome == Outcome::running) {
+      verdict_ = judge(self);
+    }
+    if (!measuring_->empty()) {
+      observe(decides);
+    }
+  }
+
+  void change(std::span<const Change> changes) {
+    changes_->make(changes, stage(), events_);
+    log_events();
+  }
+  void change(const DueChanges& due) {
+    try {
+      change(due.changes);
+    } catch (const ChangeRefused& refused) {
+      throw refused.at(due.time_s);
+    }
+  }
+  std::vector<DueChanges> checked(std::span<const TimedChange> changes) {
+    std::vector<DueChanges> schedule = by_step(changes, world_.physics.step, time_limit_s_);
+    changes_->check(schedule, stage());
+    return schedule;
+  }
+
+  Replacement replace_plugins(const plugin::Host& host) {
+    Swap swap(host, seed_, data_directories_);
+    for (const auto& robot : robots_) {
+      robot->replace(swap, *cameras_);
+    }
+    swap.settle([this](const std::string& id) -> Tuning& {
+      return (*std::find_if(robots_.begin(), robots_.end(),
+                            [&](const auto& robot) { return robot->description().id == id; }))
+          ->tuning();
+    });
+    changes_.emplace(world_, host, data_directories_);
+    Replacement replacement = swap.result();
+    measuring_->list_replaced(host, replacement.notes);
+    for (const Replacement::Object& object : replacement.objects) {
+      events_.push_back({time_s(), object.robot, "replaced", object.path + ": " + object.plugin});
+    }
+    ++replacements_;
+    return replacement;
+  }
+
+  void stop(Outcome outcome, std::string reason) { verdict_ = {outcome, std::move(reason)}; }
+
+  double time_s() const { return static_cast<double>(steps_) * world_.physics.step; }
+
+  std::uint64_t state_hash() const {
+    std::uint64_t hash = engine_->hash_state();
+    for (const auto& robot : robots_) {
+      hash = hash_of(hash, robot->state().energy);
+    }
+    return hash;
+  }
+
+  SegmentView segment(std::size_t robot, std::size_t index) const {
+    const physics::SegmentState state = engine_->segment(robot, index);
+    return {&world_.robots[robot].segments[index], state.frame, state.pose, state.yaw_rad,
+            state.pitch_rad};
+  }
+
+  std::optional<Pose> box(std::size_t index) const {
+    if (!engine_->has_box(index)) {
+      return std::nullopt;
+    }
+    const Frame frame = engine_->box(index);
+    return Pose{frame.origin.x, frame.origin.y, std::atan2(frame.forward.y, frame.forward.x)};
+  }
+
+  world::World world_;
+  double time_limit_s_;
+  std::uint64_t seed_;
+  std::vector<std::unique_ptr<Robot>> robots_;
+  std::uint64_t steps_ = 0;
+  double wall_s_ = 0.0;
+  Verdict verdict_;
+  std::vector<EventRecord> events_;
+  std::vector<Note> notes_;
+  std::vector<LearningCurve> curves_;
+  std::unique_ptr<Measuring> measuring_;
+  std::uint64_t replacements_ = 0;
+
+ private:
+  struct MovingBox {
+    std::size_t index;
+    BoxPath path;
+  };
+
+  Changes::Stage stage() { return {robots_, *engine_, *cameras_, time_s()}; }
+
+  /// Sense and decide, all robots from the same instant.
+  void control(double period_s) {
+    const Instant now{time_s(), period_s, steps_};
+    cameras_->take(*engine_);
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      robots_[i]->sense(Carrier(*engine_, robots_, i), now);
+      update_team(i);
+    }
+    for (const auto& robot : robots_) {
+      robot->decide(now);
+    }
+    for (const auto& robot : robots_) {
+      robot->use_energy(period_s);
+    }
+  }
+
+  /// `decided`: in the step just made, if there was one.
+  void observe(bool decided) {
+    measuring_->observe(robots_, *engine_, time_s(), steps_ > 0 ? steps_ - 1 : 0, decided);
+  }
+
+  /// Motors, physics.
+  void move() {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      engine_->set_wheel_rates(i, robots_[i]->command());
+    }
+    drive_boxes();
+    engine_->step();
+    ++steps_;
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      robots_[i]->moved(engine_->robot(i));
+    }
+  }
+
+  void log_events() {
+    for (const auto& robot : robots_) {
+      robot->take_log(time_s(), events_);
+    }
+  }
+
+  void update_team(std::size_t index) {
+    Robot& robot = *robots_[index];
+    const Pose& pose = robot.state().pose;
+    robot.mates().clear();
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      const Pose& other = robots_[i]->state().pose;
+      // Who is heard is a matter of how far the other one calls. The rough test first: most are too
+      // far away.
+      const double reach = robots_[i]->state().coverage_m;
+      if (i != index && std::abs(other.x - pose.x) <= reach &&
+          std::abs(other.y - pose.y) <= reach && robots_[i]->team().name == robot.team().name &&
+          distance(pose, other) <= reach) {
+        robot.mates().push_back(seen_from(robots_, index, i));
+      }
+    }
+    robot.team().charger = nearest_charger(world_, robot.description().team, {pose.x, pose.y});
+  }
+
+  void drive_boxes() {
+    const double h = world_.physics.step;
+    for (const MovingBox& box : moving_) {
+      const Vector2 from = box.path.position(time_s());
+      const Vector2 to = box.path.position(time_s() + h);
+      engine_->drive_box(box.index, to, {(to.x - from.x) / h, (to.y - from.y) / h});
+    }
+  }
+
+  std::unique_ptr<physics::Engine> engine_;
+  std::optional<Cameras> cameras_;
+  std::vector<std::string> data_directories_;
+  std::optional<Changes> changes_;
+  std::vector<MovingBox> moving_;
+  Touches touches_{world_};
+};
+
+}  // namespace elsie::simulation
