@@ -22,6 +22,7 @@ class RepeatedRequest {
     }
     return now_ns - first_ns > kOneRequest_ns ? Kind::second : Kind::echo;
   }
+  bool has_come() const noexcept { return first_ns_ != kNone; }
   void forget() noexcept { first_ns_ = kNone; }
 
  private:

@@ -58,10 +58,13 @@ StopSignals::StopSignals() {
 }
 
 StopSignals::~StopSignals() {
-  for (std::size_t i = 0; i < kSignals.size(); ++i) {
-    sigaction(kSignals[i], &before_[i], nullptr);
-  }
   to_write = -1;
   close(ends_[0]);
   close(ends_[1]);
+  if (request.has_come()) {
+    return;  // its echoes may come yet, and what was asked for is under way
+  }
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    sigaction(kSignals[i], &before_[i], nullptr);
+  }
 }

@@ -6,7 +6,8 @@
 #include <signal.h>
 
 /// While it lives, Ctrl-C (SIGINT), a request to terminate (SIGTERM) and a closed terminal (SIGHUP)
-/// make a descriptor readable. A second one ends the process at once. One at a time.
+/// make a descriptor readable. A second one, half a second later or more, ends the process at once.
+/// When one has come, they stay so when it is gone. One at a time.
 class StopSignals {
  public:
   StopSignals();

@@ -52,6 +52,7 @@ const std::map<std::string, std::vector<std::string>> kBeyondSchemas = {
       "expect_about_and_at_most",
       "expect_about_without_tolerance",
       "expect_certainty",
+      "expect_confidence_in_the_largest",
       "expect_nothing",
       "expect_rate_above_one",
       "expect_the_impossible"}},

@@ -98,6 +98,18 @@ void insert_robot(Writer& writer, std::int64_t run, const MadeRobot& robot) {
                                  {"period_s", 0.5},
                                  {"poses", dumped(poses)},
                                  {"touches", dumped(touches)}});
+  if (robot.end) {
+    writer.insert("run_robots", {{"run_id", run},
+                                 {"robot", robot.id},
+                                 {"team", "red"},
+                                 {"distance_m", 1.0},
+                                 {"collected", 0},
+                                 {"energy", 1.0},
+                                 {"collisions", 0},
+                                 {"x_m", robot.end->x},
+                                 {"y_m", robot.end->y},
+                                 {"heading_rad", robot.end->heading_rad}});
+  }
   if (!robot.episodes.empty()) {
     for (const auto& [path, share] : robot.shares) {
       double decided = 0.0;
@@ -129,6 +141,12 @@ void insert_robot(Writer& writer, std::int64_t run, const MadeRobot& robot) {
   }
 }
 
+std::string hash_of(const MadeRun& run) {
+  char text[17];
+  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(run.seed));
+  return run.state_hash.empty() ? text : run.state_hash;
+}
+
 void insert_run(Writer& writer, std::int64_t id, std::size_t cell, const MadeRun& run) {
   const bool done = run.state == "done", ended = run.state != "pending";
   writer.insert("runs", {{"id", id},
@@ -140,7 +158,7 @@ void insert_run(Writer& writer, std::int64_t id, std::size_t cell, const MadeRun
                          {"message", or_null(run.message)},
                          {"steps", done ? Json(12345) : Json(nullptr)},
                          {"simulated_s", done ? Json(123.45) : Json(nullptr)},
-                         {"state_hash", done ? Json(run.state_hash) : Json(nullptr)},
+                         {"state_hash", done ? Json(hash_of(run)) : Json(nullptr)},
                          {"signal", or_null(run.signal)},
                          {"plugin", or_null(run.plugin)},
                          {"robot", or_null(run.robot)},

@@ -22,6 +22,7 @@ struct MadeEpisode {
 struct MadeRobot {
   std::string id = "r1";
   std::vector<Pose> poses;
+  std::optional<Pose> end{};  // where it stood when the run ended
   std::vector<Vector2> touches;
   std::vector<MadeEpisode> episodes;
   std::vector<std::pair<std::string, double>> shares;  // of behaviours, by path
@@ -35,7 +36,7 @@ struct MadeRun {
   std::string outcome = "success";  // of those that are done
   std::string message;
   std::map<std::string, std::optional<double>> measures;
-  std::string state_hash = "0123456789abcdef";
+  std::string state_hash{};  // empty: one that follows from the seed
   std::string signal, plugin, robot, log;
   std::optional<std::int64_t> step;
   std::vector<MadeRobot> robots;

@@ -322,10 +322,30 @@ TEST_CASE("The page is green when all is well, not only what was expected") {
     CHECK(answer(true) == "bad: What was expected came true, but equal seeds gave different runs");
     CHECK(answer(false) == "bad: Equal seeds gave different runs");
   }
+  SECTION("some of the runs are in other databases") {
+    made_up.all_runs = 9;
+    CHECK(answer(true) == "bad: 1 of 1 expectation is not met");
+    CHECK(answer(false) == "bad: Not all runs are in this database");
+  }
   SECTION("something expected did not come true") {
     expectation.at_most = 1.0;
     CHECK(answer(true) == "bad: 1 of 1 expectation is not met");
   }
+}
+
+TEST_CASE("A ring is round what the list of outliers has, be it a run without success") {
+  const auto page = [](const std::vector<double>& values, std::size_t failed) {
+    MadeExperiment made_up = made_from({values, {1, 2, 3, 4, 5, 6}});
+    if (failed < values.size()) made_up.cells[0].runs[failed].outcome = "failure";
+    return Made(made_up).html();
+  };
+  const auto rings = [](const std::string& html) {
+    return std::to_string(count(html, "class=\"odd\"")) + " and " +
+           std::to_string(count(html, "class=\"ring\""));
+  };
+  CHECK(rings(page({0.3, 0.1 + 0.2, 0.3, 0.3, 0.3, 0.3}, 9)) == "0 and 0");
+  CHECK(rings(page({3, 3, 3, 3, 3, 4}, 9)) == "1 and 0");
+  CHECK(rings(page({3, 3, 3, 3, 3, 4}, 5)) == "0 and 1");
 }
 
 TEST_CASE("Hundreds of cells: the page stays within a few megabytes, and cells are folded") {

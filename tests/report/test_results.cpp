@@ -58,6 +58,23 @@ TEST_CASE("A database is read as it was written") {
   CHECK(file.curves(results.cells[0].id)[0].points.size() == 201);
 }
 
+TEST_CASE("A way ends where the robot stood when the run ended, be it between two poses") {
+  elsie::test::MadeExperiment made_up = elsie::test::made_from({{1, 2}});
+  for (auto& run : made_up.cells[0].runs) {
+    run.robots.resize(1);
+    run.robots[0].poses = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+  }
+  made_up.cells[0].runs[0].robots[0].end = elsie::Pose{1.25, 0.5, 0.1};
+  const Made made(made_up);
+  const ResultsFile file(made.path);
+  const auto ways = file.trajectories(file.results().cells[0].id);
+  REQUIRE(ways.size() == 2);
+  REQUIRE(ways[0].poses.size() == 3);
+  CHECK(ways[0].poses.back().x == 1.25);
+  CHECK(ways[0].poses.back().y == 0.5);
+  CHECK(ways[1].poses.size() == 2);  // a run that failed has no such place
+}
+
 TEST_CASE("Files that are no results database, or a damaged one, are refused in a sentence") {
   const Made made(made_from({{1, 2}}));
   std::string why = "the database '" + made.path.string() + "'";

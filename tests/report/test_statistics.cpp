@@ -188,11 +188,10 @@ TEST_CASE("Outliers are beyond Tukey's fences") {
 }
 
 TEST_CASE("Cells beside each other: ratio and difference") {
-  const std::vector<Pair> pairs{{2.0, 4.0}, {4.0, 8.0}, {6.0, std::nullopt}};
-  CHECK(*relation_of(Relation::ratio, Statistic::mean, pairs) == Approx(4.0 / 6.0));
-  CHECK(*relation_of(Relation::difference, Statistic::mean, pairs) == Approx(-2.0));
-  CHECK_FALSE(
-      relation_of(Relation::ratio, Statistic::mean, std::vector<Pair>{{1.0, std::nullopt}}));
+  const std::vector<Pair> pairs{{2.0, 4.0}, {4.0, 8.0}};
+  CHECK(*relation_of(Relation::ratio, Statistic::mean, pairs) == Approx(0.5));
+  CHECK(*relation_of(Relation::difference, Statistic::mean, pairs) == Approx(-3.0));
+  CHECK_FALSE(relation_of(Relation::ratio, Statistic::mean, std::vector<Pair>{}));
   CHECK_FALSE(relation_of(Relation::ratio, Statistic::mean, std::vector<Pair>{{0.0, 0.0}}));
 }
 
@@ -214,6 +213,45 @@ TEST_CASE("There is no ratio to 0, and no interval with such an end") {
   REQUIRE(interval);
   CHECK(interval->low > 1.0);
   CHECK(interval->high < 10.0);
+}
+
+TEST_CASE("The difference of two rates has Newcombe's interval") {
+  // Newcombe (1998), table II: 56 of 70 beside 48 of 80, and 10 of 10 beside 0 of 10.
+  const auto some = *interval_of_rates(Relation::difference, {56, 70}, {48, 80}, 0.95);
+  CHECK(some.low == Approx(0.0524).margin(5e-5));
+  CHECK(some.high == Approx(0.3339).margin(5e-5));
+  const auto all = *interval_of_rates(Relation::difference, {10, 10}, {0, 10}, 0.95);
+  CHECK(all.low == Approx(0.6075).margin(5e-5));
+  CHECK(all.high == Approx(1.0));
+  // Where every run succeeded there is doubt nevertheless.
+  const auto same = *interval_of_rates(Relation::difference, {20, 20}, {20, 20}, 0.95);
+  CHECK(same.low == Approx(-0.161).margin(5e-4));
+  CHECK(same.high == Approx(0.161).margin(5e-4));
+}
+
+TEST_CASE("The ratio of two rates has an interval that holds it about as often as it says") {
+  // Where every run succeeded in both, the ratio is that of Wilson's ends.
+  const auto same = *interval_of_rates(Relation::ratio, {20, 20}, {20, 20}, 0.95);
+  const auto wilson = wilson_interval(20, 20, 0.95);
+  CHECK(same.low == Approx(wilson.low));
+  CHECK(same.high == Approx(1.0 / wilson.low).epsilon(0.01));
+  CHECK(interval_of_rates(Relation::ratio, {0, 20}, {10, 20}, 0.95)->low == 0.0);
+  CHECK_FALSE(interval_of_rates(Relation::ratio, {20, 20}, {0, 20}, 0.95));
+  int hits = 0;
+  constexpr int kExperiments = 2000;
+  for (int i = 0; i < kExperiments; ++i) {
+    elsie::Random random(static_cast<std::uint64_t>(i), "rates");
+    Frequency cell{0, 20}, reference{0, 20};
+    for (int run = 0; run < 20; ++run) {
+      cell.hits += random.uniform() < 0.9 ? 1 : 0;
+      reference.hits += random.uniform() < 0.6 ? 1 : 0;
+    }
+    const auto interval = interval_of_rates(Relation::ratio, cell, reference, 0.95);
+    REQUIRE(interval);
+    hits += interval->low <= 1.5 && 1.5 <= interval->high ? 1 : 0;
+  }
+  CHECK(hits > 0.92 * kExperiments);
+  CHECK(hits < 0.985 * kExperiments);
 }
 
 TEST_CASE("What both cells share by seed does not widen their interval") {

@@ -133,6 +133,32 @@ TEST_CASE("JUnit: runs that crashed, and those still to be done, are a failure")
                            "replay 'my results.db' 1"));
 }
 
+TEST_CASE("Runs that are in no database, or all the same one, are told in every form") {
+  MadeExperiment made_up = made_from({{1, 2, 3}, {2, 2, 2}});
+  for (auto& run : made_up.cells[1].runs) run.state_hash = "00000000000000aa";
+  made_up.all_runs = 10;
+  const Findings findings = Made(made_up).findings();
+  CHECK_FALSE(findings.good());
+  CHECK_THAT(junit_report(findings, "x.sqlite"),
+             Contains("4 of 10 runs are not in this database\" type=\"run\""));
+  CHECK_THAT(json_report(findings), Contains("\"missing\": 4"));
+  CHECK_THAT(terminal_report(findings, "x.sqlite", 120),
+             Contains("6 runs: 2 cells, 3 seeds; 4 of 10 runs are not in this database") &&
+                 Contains("in 1 of 2 cells all seeds gave one and the same run: nothing there is "
+                          "left to chance (b)"));
+}
+
+TEST_CASE("JUnit: what is asked of every experiment is no expectation of the same name") {
+  elsie::experiment::Expectation expectation;
+  expectation.name = "every run ended by itself";
+  expectation.measure = "path_length_m";
+  expectation.at_most = 10.0;
+  const std::string xml =
+      junit_report(Made(made_from({{1, 2}}), expecting(expectation)).findings(), "x.sqlite");
+  CHECK_THAT(xml, Contains("classname=\"made up\" name=\"every run ended by itself\"") &&
+                      Contains("classname=\"made up (runs)\" name=\"every run ended by itself\""));
+}
+
 TEST_CASE("What the message of a run says is not said twice") {
   MadeExperiment made_up = made_from({{1, 2, 3, 4}});
   for (auto& run : made_up.cells[0].runs) {

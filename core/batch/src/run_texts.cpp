@@ -48,8 +48,8 @@ Trajectory trajectory_of(const std::string& robot, const simulation::Track& trac
     const Pose& pose = track.path[i];
     append_list(trajectory.poses, pose.x, pose.y, pose.heading_rad);
   }
-  for (const Vector2& touch : track.touches) {
-    append_list(trajectory.touches, touch.x, touch.y);
+  for (std::size_t i = 0; i < std::min(track.touches.size(), most); ++i) {
+    append_list(trajectory.touches, track.touches[i].x, track.touches[i].y);
   }
   trajectory.poses += ']';
   trajectory.touches += ']';

@@ -12,7 +12,7 @@
 
 namespace elsie::batch {
 
-/// Poses and touches, thinned to at most `most` poses.
+/// Poses, thinned to at most `most`, and the first `most` touches.
 Trajectory trajectory_of(const std::string& robot, const simulation::Track& track, double period_s,
                          std::size_t most);
 

@@ -96,6 +96,12 @@ void check_bounds(const ExpectationDraft& draft, const Expectation& expectation)
     fail("at_least=\"" + number(*draft.at_least) + "\" is above at_most=\"" +
          number(*draft.at_most) + "\": that cannot be");
   }
+  if (draft.confidence && (expectation.statistic == Statistic::minimum ||
+                           expectation.statistic == Statistic::maximum)) {
+    fail(
+        "<expect> asks for confidence in the least or the largest value: a few runs say nothing of "
+        "how far others may go; expected another statistic, or no confidence");
+  }
   const double tolerance = draft.tolerance.value_or(0.0);
   if (draft.about && tolerance <= 0.0) {
     fail("about=\"" + number(*draft.about) +

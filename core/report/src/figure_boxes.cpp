@@ -45,7 +45,6 @@ std::string dots(const Findings& findings, const CellFindings& cell, std::size_t
                  const Span& span, double middle, std::size_t all) {
   const Results& results = findings.results;
   const std::size_t place = findings.measures[measure];
-  const auto& fences = cell.measures[measure].fences;
   std::string text;
   std::size_t count = 0;
   for (const std::size_t at : cell.runs) {
@@ -55,7 +54,7 @@ std::string dots(const Findings& findings, const CellFindings& cell, std::size_t
     }
     const double value = *run.values[place];
     const double high = middle + 5.0 * jitter(count++);
-    const bool outside = fences && (value < fences->low || value > fences->high);
+    const bool outside = cell.measures[measure].stands_out(value);
     if (all > kDots && run.success() && !outside) {
       continue;
     }
@@ -68,8 +67,9 @@ std::string dots(const Findings& findings, const CellFindings& cell, std::size_t
       text += "<circle cx=\"" + span.at(value) + "\" cy=\"" + y(high) + "\" r=\"2.2\"" +
               (outside ? " class=\"odd\"" : "") + (told.empty() ? "/>" : ">" + told + "</circle>");
     } else {
-      text += "<svg x=\"" + span.at(value) + "\" y=\"" + y(high) +
-              "\"><path class=\"miss\" d=\"M-3-3 3 3M-3 3 3-3\">" + told + "</path></svg>";
+      text += "<svg x=\"" + span.at(value) + "\" y=\"" + y(high) + "\">" +
+              (outside ? "<circle r=\"5.5\" class=\"ring\"/>" : "") +
+              "<path class=\"miss\" d=\"M-3-3 3 3M-3 3 3-3\">" + told + "</path></svg>";
     }
   }
   return text;

@@ -38,8 +38,7 @@ bool has(const Run& run, std::size_t measure) {
   return run.state == RunState::done && run.values[measure] && is_usable(*run.values[measure]);
 }
 
-MeasureFindings look_at(const Results& results, const CellFindings& cell, const std::string& label,
-                        std::size_t measure) {
+MeasureFindings look_at(const Results& results, const CellFindings& cell, std::size_t measure) {
   MeasureFindings found;
   std::vector<double> successes;
   for (const std::size_t place : cell.runs) {
@@ -54,8 +53,9 @@ MeasureFindings look_at(const Results& results, const CellFindings& cell, const 
   }
   found.all = summary(found.values);
   found.successes = summary(successes);
+  // The same draws for all cells: where two have the same values, they have the same interval.
   found.interval = bootstrap_interval(Statistic::mean, found.values, kConfidence, results.seed(),
-                                      label + '\n' + results.measures[measure].name);
+                                      results.measures[measure].name);
   if (found.values.size() >= kFewest) {
     found.fences = tukey_fences(*found.all);
   }
@@ -69,22 +69,19 @@ void collect_outliers(const Findings& findings, CellFindings& cell) {
       continue;
     }
     const double range = found.all->quartile_range();
-    // Values that differ by rounding only do not stand out.
-    const double rounding =
-        1e-12 * std::max(std::abs(found.all->least), std::abs(found.all->largest));
     for (const std::size_t place : cell.runs) {
       const Run& run = findings.results.runs[place];
       if (!has(run, findings.measures[i])) {
         continue;
       }
       const double value = *run.values[findings.measures[i]];
-      const double outside = std::max(found.fences->low - value, value - found.fences->high);
-      if (outside <= rounding) {
+      if (!found.stands_out(value)) {
         continue;
       }
+      const double outside = std::max(found.fences->low - value, value - found.fences->high);
       cell.outliers.push_back(
           {place, findings.measures[i], value,
-           range > rounding ? outside / range : std::numeric_limits<double>::infinity()});
+           range > found.rounding() ? outside / range : std::numeric_limits<double>::infinity()});
     }
   }
   std::stable_sort(cell.outliers.begin(), cell.outliers.end(),
@@ -109,6 +106,14 @@ void sort_out_runs(Findings& findings) {
     if (run.broken()) {
       cell.broken.push_back(i);
     }
+  }
+  for (CellFindings& cell : findings.cells) {
+    cell.one_run = cell.runs.size() > 1 &&
+                   std::all_of(cell.runs.begin(), cell.runs.end(), [&](std::size_t place) {
+                     const Run& run = results.runs[place];
+                     return run.state == RunState::done &&
+                            run.state_hash == results.runs[cell.runs.front()].state_hash;
+                   });
   }
   for (const auto& [what, runs] : alike) {
     std::vector<std::size_t> done;
@@ -140,6 +145,14 @@ experiment::Grid grid_of(const Results& results) {
 
 }  // namespace
 
+double MeasureFindings::rounding() const {
+  return 1e-12 * std::max(std::abs(all->least), std::abs(all->largest));
+}
+
+bool MeasureFindings::stands_out(double value) const {
+  return fences && std::max(fences->low - value, value - fences->high) > rounding();
+}
+
 bool Verdict::met() const {
   return trouble.empty() &&
          std::all_of(claims.begin(), claims.end(), [](const Claim& claim) { return claim.holds; });
@@ -156,7 +169,7 @@ std::size_t Findings::broken() const {
 }
 
 bool Findings::good() const {
-  return pending() == 0 && broken() == 0 && disagreements.empty() &&
+  return !partial() && pending() == 0 && broken() == 0 && disagreements.empty() &&
          std::all_of(verdicts.begin(), verdicts.end(),
                      [](const Verdict& verdict) { return verdict.met(); });
 }
@@ -175,8 +188,7 @@ Findings find(Results results, const Questions& questions) {
     }
     cell.success = wilson_interval(cell.successes, cell.ended, kConfidence);
     for (const std::size_t measure : findings.measures) {
-      cell.measures.push_back(
-          look_at(findings.results, cell, findings.results.cells[i].label, measure));
+      cell.measures.push_back(look_at(findings.results, cell, measure));
     }
     collect_outliers(findings, cell);
   }

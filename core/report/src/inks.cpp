@@ -73,7 +73,7 @@ Budget budget_for(std::size_t cells) {
 std::optional<std::size_t> typical_run(const Findings& findings, std::size_t cell) {
   const CellFindings& found = findings.cells[cell];
   for (const bool successes : {true, false}) {
-    std::vector<std::pair<double, std::size_t>> runs;
+    std::vector<std::pair<double, std::size_t>> runs, without_value;
     for (const std::size_t place : found.runs) {
       const Run& run = findings.results.runs[place];
       if (run.state != RunState::done || (successes && !run.success())) {
@@ -81,7 +81,10 @@ std::optional<std::size_t> typical_run(const Findings& findings, std::size_t cel
       }
       const auto value =
           findings.measures.empty() ? std::nullopt : run.values[findings.measures.front()];
-      runs.emplace_back(value.value_or(0.0), place);
+      (value ? runs : without_value).emplace_back(value.value_or(0.0), place);
+    }
+    if (runs.empty()) {
+      runs = std::move(without_value);
     }
     if (runs.empty()) {
       continue;

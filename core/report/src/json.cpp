@@ -135,6 +135,7 @@ std::string json_report(const Findings& findings) {
                     {"runs", findings.runs()},
                     {"broken", findings.broken()},
                     {"pending", findings.pending()},
+                    {"missing", findings.missing()},
                     {"confidence", kConfidence},
                     {"measures", std::move(measures)},
                     {"cells", std::move(cells)},

@@ -57,8 +57,7 @@ class Judge {
       return verdict;
     }
     if (findings_.partial()) {
-      verdict.trouble = "the database has a part of the runs only, shard " + results_.shard +
-                        "; an expectation is about all of them";
+      verdict.trouble = missing_in_words(findings_) + "; an expectation is about all of them";
       return verdict;
     }
     for (const std::size_t cell : grid_.cells_of(expectation_)) {
@@ -234,7 +233,8 @@ class Judge {
 
   std::string label(std::size_t cell) const { return results_.cells[cell].label; }
 
-  std::string stream(std::size_t cell) const { return label(cell) + '\n' + expectation_.name; }
+  // The same draws for all cells: equal values have equal intervals.
+  const std::string& stream() const { return expectation_.name; }
 
   // "19 of 20", "20 runs"
   std::string basis(const std::vector<double>& values) const {
@@ -248,6 +248,9 @@ class Judge {
 
   // What there is to be said against the values of a cell: "; 2 runs did not end by themselves".
   std::string reservations(std::size_t cell) const {
+    if (findings_.cells[cell].one_run) {
+      return ", all the same run";
+    }
     std::size_t broken = 0;
     for (const std::size_t run : findings_.cells[cell].runs) {
       broken += results_.runs[run].broken() ? 1 : 0;
@@ -309,7 +312,7 @@ class Judge {
     }
     claim.holds = keeps(*claim.value);
     if (expectation_.confidence) {
-      claim.interval = interval_of(cell, values);
+      claim.interval = interval_of(values);
       claim.holds = keeps(claim.interval);
     }
     claim.found = subject_.words + " of " + label(cell) + " is " + with_unit(*claim.value) + " (" +
@@ -318,10 +321,10 @@ class Judge {
     return claim;
   }
 
-  std::optional<Interval> interval_of(std::size_t cell, const std::vector<double>& values) const {
+  std::optional<Interval> interval_of(const std::vector<double>& values) const {
     if (expectation_.statistic != Statistic::rate) {
       return bootstrap_interval(expectation_.statistic, values, *expectation_.confidence,
-                                results_.seed(), stream(cell));
+                                results_.seed(), stream());
     }
     const auto hits =
         std::count_if(values.begin(), values.end(), [](double v) { return v != 0.0; });
@@ -339,55 +342,100 @@ class Judge {
         return not_known(cell, missing);
       }
     }
-    std::map<std::uint64_t, Pair> by_seed;
-    for (const std::size_t run : findings_.cells[cell].runs) {
-      by_seed[results_.runs[run].seed].cell = value_of(results_.runs[run]);
+    const std::vector<Pair> pairs = pairs_of(cell, *reference);
+    if (pairs.empty()) {
+      return not_known(cell, no_pair(cell, *reference));
     }
-    for (const std::size_t run : findings_.cells[*reference].runs) {
-      by_seed[results_.runs[run].seed].reference = value_of(results_.runs[run]);
+    std::vector<double> own, others;
+    for (const Pair& pair : pairs) {
+      own.push_back(pair.cell);
+      others.push_back(pair.reference);
     }
-    std::vector<Pair> pairs;
-    for (const auto& [seed, pair] : by_seed) {
-      pairs.push_back(pair);
-    }
-
-    const std::vector<double> own = values_of(cell), others = values_of(*reference);
-    if (own.empty()) {
-      return not_known(cell, unknown(cell, own));
-    }
-    if (others.empty()) {
-      return not_known(cell, unknown(*reference, others));
-    }
-    Claim claim;
-    claim.cell = cell;
-    claim.value = relation_of(expectation_.relation, expectation_.statistic, pairs);
     const auto mine = statistic_of(expectation_.statistic, own);
     const auto theirs = statistic_of(expectation_.statistic, others);
     const bool ratio = expectation_.relation == Relation::ratio;
     if (ratio && theirs == 0.0) {
       return not_known(cell, "that of " + label(*reference) + " is 0");
     }
+    Claim claim;
+    claim.cell = cell;
+    claim.value = relation_of(expectation_.relation, expectation_.statistic, pairs);
     if (!claim.value || !mine || !theirs) {
       return not_known(cell, "that of " + label(*reference) + " has no value to compare it with");
     }
     claim.holds = keeps(*claim.value);
     if (expectation_.confidence) {
-      claim.interval = paired_interval(expectation_.relation, expectation_.statistic, pairs,
-                                       *expectation_.confidence, results_.seed(), stream(cell));
+      claim.interval = interval_of(pairs);
       claim.holds = keeps(claim.interval);
     }
-    claim.found =
-        subject_.words + " of " + label(cell) + " is " +
-        (ratio ? shown(*claim.value) + " times that of "
-               : with_unit(*claim.value) + " more than that of ") +
-        label(*reference) + " (" + with_unit(*mine) + ", " + basis(own) + reservations(cell) +
-        ", beside " + with_unit(*theirs) + ", " + basis(others) + reservations(*reference) +
-        (ratio && own.size() > 1 && others.size() > 1 && !claim.interval && expectation_.confidence
-             ? "; no interval, as that of " + label(*reference) + " is 0 in too many resamples"
-             : interval_in_words(claim.interval)) +
-        ")";
+    claim.found = subject_.words + " of " + label(cell) + " is " +
+                  (ratio ? shown(*claim.value) + " times that of "
+                         : with_unit(*claim.value) + " more than that of ") +
+                  label(*reference) + " (" + with_unit(*mine) + ", " + basis(own) +
+                  reservations(cell) + ", beside " + with_unit(*theirs) + ", " + basis(others) +
+                  reservations(*reference) + left_out(cell, *reference, pairs.size()) +
+                  (ratio && pairs.size() > 1 && !claim.interval && expectation_.confidence
+                       ? "; no interval, as that of " + label(*reference) + " may be 0"
+                       : interval_in_words(claim.interval)) +
+                  ")";
     claim.sentence = claim.found + ", expected " + limits();
     return claim;
+  }
+
+  // What both cells have for each seed. Two of which only one has a value are not compared: those
+  // that one cell fails may be the hard ones.
+  std::vector<Pair> pairs_of(std::size_t cell, std::size_t reference) const {
+    std::map<std::uint64_t, double> others;
+    for (const std::size_t run : findings_.cells[reference].runs) {
+      if (const auto value = value_of(results_.runs[run])) {
+        others[results_.runs[run].seed] = *value;
+      }
+    }
+    std::map<std::uint64_t, Pair> pairs;
+    for (const std::size_t run : findings_.cells[cell].runs) {
+      const auto value = value_of(results_.runs[run]);
+      const auto other = others.find(results_.runs[run].seed);
+      if (value && other != others.end()) {
+        pairs[results_.runs[run].seed] = {*value, other->second};
+      }
+    }
+    std::vector<Pair> all;
+    for (const auto& [seed, pair] : pairs) {
+      all.push_back(pair);
+    }
+    return all;
+  }
+
+  std::string no_pair(std::size_t cell, std::size_t reference) const {
+    for (const std::size_t each : {cell, reference}) {
+      if (const auto values = values_of(each); values.empty()) {
+        return unknown(each, values);
+      }
+    }
+    return "there is no seed with which " + label(cell) + " and " + label(reference) +
+           (expectation_.runs == Runs::successes ? " both succeeded" : " both have a value");
+  }
+
+  // "; of the seeds with which both succeeded", or "" when that is all of them.
+  std::string left_out(std::size_t cell, std::size_t reference, std::size_t pairs) const {
+    const std::size_t most =
+        std::max(findings_.cells[cell].runs.size(), findings_.cells[reference].runs.size());
+    return pairs == most                          ? ""
+           : expectation_.runs == Runs::successes ? "; of the seeds with which both succeeded"
+                                                  : "; of the seeds for which both have a value";
+  }
+
+  std::optional<Interval> interval_of(const std::vector<Pair>& pairs) const {
+    if (expectation_.statistic != Statistic::rate) {
+      return paired_interval(expectation_.relation, expectation_.statistic, pairs,
+                             *expectation_.confidence, results_.seed(), stream());
+    }
+    Frequency own{0, pairs.size()}, other{0, pairs.size()};
+    for (const Pair& pair : pairs) {
+      own.hits += pair.cell != 0.0 ? 1 : 0;
+      other.hits += pair.reference != 0.0 ? 1 : 0;
+    }
+    return interval_of_rates(expectation_.relation, own, other, *expectation_.confidence);
   }
 
   const Expectation& expectation_;

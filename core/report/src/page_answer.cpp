@@ -37,20 +37,18 @@ std::string duration(double seconds) {
 }
 
 std::string tiles(const Findings& findings) {
-  std::size_t successes = 0, ended = 0;
-  for (const CellFindings& cell : findings.cells) {
-    successes += cell.successes;
-    ended += cell.ended;
-  }
+  std::size_t successes = 0;
   std::set<std::uint64_t> seeds;
   double simulated_s = 0.0, wall_s = 0.0;
   for (const Run& run : findings.results.runs) {
     seeds.insert(run.seed);
+    successes += run.success() ? 1 : 0;
     simulated_s += run.simulated_s.value_or(0.0);
     wall_s += run.wall_s.value_or(0.0);
   }
   std::string text = "<dl class=\"tiles\">";
-  text += tile(std::to_string(successes), " of " + std::to_string(ended), "successful runs");
+  text +=
+      tile(std::to_string(successes), " of " + std::to_string(findings.ended()), "successful runs");
   text += tile(std::to_string(findings.cells.size()), "",
                findings.cells.size() == 1 ? "cell" : "cells");
   text += tile(std::to_string(seeds.size()), "", seeds.size() == 1 ? "seed" : "seeds");
@@ -59,6 +57,9 @@ std::string tiles(const Findings& findings) {
   }
   if (findings.pending() > 0) {
     text += tile(std::to_string(findings.pending()), "", "still to be done");
+  }
+  if (findings.partial()) {
+    text += tile(std::to_string(findings.missing()), "", "not in this database");
   }
   text += tile(duration(simulated_s), "", "simulated");
   text += tile(duration(wall_s), "", "of computing");
@@ -77,6 +78,9 @@ std::string reservations(const Findings& findings) {
     parts.push_back(
         (parts.empty() ? counted(pending, "run is", "runs are") : counted(pending, "is", "are")) +
         " still to be done");
+  }
+  if (findings.partial()) {
+    parts.push_back(missing_in_words(findings));
   }
   if (!findings.disagreements.empty()) {
     parts.push_back("equal seeds gave different runs");
@@ -98,6 +102,7 @@ std::string headline(const Findings& findings) {
     words = "No run is done yet";
   } else if (verdicts.empty()) {
     words = findings.pending() > 0                 ? "Not all runs are done"
+            : findings.partial()                   ? "Not all runs are in this database"
             : findings.broken() == findings.runs() ? "No run ended by itself"
             : findings.broken() > 0                ? "Not all runs ended by themselves"
             : findings.good()                      ? "Every run ended by itself"

@@ -71,12 +71,6 @@ std::string measure_table(const PageContext& page, const CellFindings& cell) {
 std::vector<std::pair<std::size_t, std::string>> notable_runs(const Findings& findings,
                                                               const CellFindings& cell) {
   std::vector<std::size_t> order = cell.broken;
-  for (const std::size_t place : cell.runs) {
-    const Run& run = findings.results.runs[place];
-    if (run.state == RunState::done && !run.success()) {
-      order.push_back(place);
-    }
-  }
   std::map<std::size_t, std::string> outliers;
   for (const Outlier& outlier : cell.outliers) {
     const Measure& measure = findings.results.measures[outlier.measure];
@@ -84,6 +78,12 @@ std::vector<std::pair<std::size_t, std::string>> notable_runs(const Findings& fi
     text += (text.empty() ? "outlier: " : ", ") + in_words(measure.name, measure.unit) + " " +
             brief(outlier.value, 5) + (measure.unit.empty() ? "" : " " + measure.unit);
     order.push_back(outlier.run);
+  }
+  for (const std::size_t place : cell.runs) {
+    const Run& run = findings.results.runs[place];
+    if (run.state == RunState::done && !run.success()) {
+      order.push_back(place);
+    }
   }
   std::vector<std::pair<std::size_t, std::string>> notable;
   std::set<std::size_t> seen;

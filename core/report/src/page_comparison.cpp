@@ -1,5 +1,6 @@
 // Cells against each other.
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <set>
 
@@ -22,8 +23,9 @@ constexpr const char* kNoValues =
     "No run that ended by itself has a value: there is nothing to compare but success.";
 constexpr const char* kBoxesLead =
     "A dot is a run, a cross one without success. The box has the middle half of the runs, its "
-    "line is the median; whiskers go to the farthest run within 1.5 box lengths, dots with a ring "
-    "are beyond. The diamond is the mean, with its 95\xc2\xa0% interval.";
+    "line is the median; whiskers go to the farthest run within 1.5 box lengths, what has a ring "
+    "is "
+    "beyond. The diamond is the mean, with its 95\xc2\xa0% interval.";
 
 // Box plots of more measures than these are shown on request.
 constexpr std::size_t kFiguresAtOnce = 6;
@@ -215,10 +217,15 @@ std::string figures(const PageContext& page) {
 }  // namespace
 
 std::string comparison_sections(const PageContext& page) {
+  std::string note = one_run_in_words(page.findings);
+  if (!note.empty()) {
+    note[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(note[0])));
+    note = "<p class=\"quiet\">" + escaped(note) + ".</p>";
+  }
   return "<section id=\"success\"><h2>Success</h2><p class=\"lead\">" + std::string(kSuccessLead) +
          "</p>" + folded(page.findings, ink_key(page) + rate_figure(page.findings, page.inks)) +
          "</section>\n<section id=\"comparison\"><h2>Comparison</h2><p class=\"lead\">" +
-         (page.findings.measures.empty() ? kNoValues : kTableLead) + "</p>" + table(page) +
+         (page.findings.measures.empty() ? kNoValues : kTableLead) + "</p>" + table(page) + note +
          "</section>\n" + figures(page);
 }
 

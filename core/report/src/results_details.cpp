@@ -52,17 +52,19 @@ std::vector<Trajectory> ResultsFile::trajectories(std::int64_t cell) const {
   return state_->reading([&] {
     std::vector<Trajectory> all;
     const std::filesystem::path& file = state_->file;
-    sqlite::Statement rows(state_->connection, query("robot, period_s, poses, touches",
-                                                     "trajectories", "run_id, robot"));
+    sqlite::Statement rows(
+        state_->connection,
+        query("robot, period_s, poses, x_m, y_m, heading_rad",
+              "trajectories LEFT JOIN run_robots USING (run_id, robot)", "run_id, robot"));
     rows.bind(1, cell);
     while (rows.next()) {
-      Trajectory way{rows.integer(0), rows.text(1), rows.number(2), {}, {}};
+      Trajectory way{rows.integer(0), rows.text(1), rows.number(2), {}};
       each(rows.text(3), file, "trajectories", [&](const Json& pose) {
         way.poses.push_back({number(pose, 0), number(pose, 1), number(pose, 2)});
       });
-      each(rows.text(4), file, "trajectories", [&](const Json& at) {
-        way.touches.push_back({number(at, 0), number(at, 1)});
-      });
+      if (!rows.is_null(4)) {  // as of runs that did not end by themselves
+        way.poses.push_back({rows.number(4), rows.number(5), rows.number(6)});
+      }
       all.push_back(std::move(way));
     }
     return all;

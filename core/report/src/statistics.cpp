@@ -148,17 +148,13 @@ namespace {
 // As relation_of(), but infinite for a ratio of anything else to 0.
 std::optional<double> boundless_relation(Relation relation, Statistic statistic,
                                          std::span<const Pair> pairs) {
+  if (pairs.empty()) {
+    return std::nullopt;
+  }
   std::vector<double> cell, reference;
   for (const Pair& pair : pairs) {
-    if (pair.cell) {
-      cell.push_back(*pair.cell);
-    }
-    if (pair.reference) {
-      reference.push_back(*pair.reference);
-    }
-  }
-  if (cell.empty() || reference.empty()) {
-    return std::nullopt;
+    cell.push_back(pair.cell);
+    reference.push_back(pair.reference);
   }
   const auto above = statistic_of(statistic, cell), below = statistic_of(statistic, reference);
   if (!above || !below) {
@@ -206,6 +202,29 @@ std::optional<Interval> paired_interval(Relation relation, Statistic statistic,
     return std::nullopt;
   }
   return interval;
+}
+
+std::optional<Interval> interval_of_rates(Relation relation, const Frequency& cell,
+                                          const Frequency& reference, double confidence) {
+  const Interval own = wilson_interval(cell.hits, cell.trials, confidence);
+  const Interval other = wilson_interval(reference.hits, reference.trials, confidence);
+  const double p = cell.rate(), q = reference.rate();
+  if (relation == Relation::difference) {
+    return Interval{p - q - std::hypot(p - own.low, other.high - q),
+                    p - q + std::hypot(own.high - p, q - other.low)};
+  }
+  // The ends r of the ratio are where p - r q is as far from 0 as the two intervals together allow.
+  const double above_low = own.low * (2.0 * p - own.low);
+  const double above_high = own.high * (2.0 * p - own.high);
+  const double below_high = other.high * (2.0 * q - other.high);
+  const double below_low = other.low * (2.0 * q - other.low);
+  if (below_low <= 0.0) {
+    return std::nullopt;
+  }
+  const double root_low = std::sqrt(std::max(0.0, p * p * q * q - above_low * below_high));
+  const double root_high = std::sqrt(std::max(0.0, p * p * q * q - above_high * below_low));
+  const double low = p == 0.0 ? 0.0 : above_low / (p * q + root_low);
+  return Interval{std::max(0.0, low), (p * q + root_high) / below_low};
 }
 
 Interval tukey_fences(const Summary& summary) {

@@ -191,6 +191,9 @@ std::string terminal_report(const Findings& findings, const std::string& databas
   if (!findings.measures.empty()) {
     text += "\nmean +- standard deviation over the runs of a cell that ended by themselves\n";
   }
+  if (const std::string note = one_run_in_words(findings); !note.empty()) {
+    text += '\n' + world::one_line(note) + '\n';
+  }
   return text + expectations(findings) + troubles(findings, database);
 }
 

@@ -23,9 +23,37 @@ std::string size_in_words(const Findings& findings) {
     text += ", each " + std::to_string(repeats) + " times";
   }
   if (findings.partial()) {
-    text += "; shard " + findings.results.shard + " of the experiment";
+    text += "; " + missing_in_words(findings);
   }
   return text;
+}
+
+std::string missing_in_words(const Findings& findings) {
+  const std::size_t missing = findings.missing();
+  return std::to_string(missing) + " of " + counted(findings.results.all_runs, "run") +
+         (missing == 1 ? " is" : " are") + " not in this database" +
+         (findings.results.shard == "1/1" ? "" : ", which is shard " + findings.results.shard);
+}
+
+std::string one_run_in_words(const Findings& findings) {
+  constexpr std::size_t kNamed = 3;
+  std::size_t count = 0;
+  std::string names;
+  for (std::size_t i = 0; i < findings.cells.size(); ++i) {
+    if (findings.cells[i].one_run && ++count <= kNamed) {
+      names += (names.empty() ? "" : "; ") + findings.results.cells[i].label;
+    }
+  }
+  if (count == 0) {
+    return "";
+  }
+  const bool all = count == findings.cells.size();
+  return (all ? std::string("all")
+              : "in " + std::to_string(count) + " of " + counted(findings.cells.size(), "cell") +
+                    " all") +
+         " seeds gave one and the same run" + (all && count > 1 ? " in every cell" : "") +
+         ": nothing there is left to chance" +
+         (all ? "" : " (" + names + (count > kNamed ? "; ..." : "") + ")");
 }
 
 std::optional<int> decimals_of(const Findings& findings, std::size_t measure) {

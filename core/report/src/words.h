@@ -12,6 +12,13 @@ namespace elsie::report {
 /// "160 runs: 8 cells with 20 seeds each"; of a part of an experiment also which.
 std::string size_in_words(const Findings& findings);
 
+/// "4 of 6 runs are not in this database"; of one that has a shard also which.
+std::string missing_in_words(const Findings& findings);
+
+/// "in 2 of 6 cells all seeds gave one and the same run: nothing there is left to chance (a, b)";
+/// "" for none. Names three cells at most.
+std::string one_run_in_words(const Findings& findings);
+
 /// How many decimals a measure (a place in Findings::measures) has in a table of all cells: what
 /// the cell with the finest spread asks for, but at most three more than the coarsest one. None:
 /// its values are better written with exponents.

@@ -6,7 +6,7 @@
 namespace elsie::batch {
 
 /// At most so many poses of a robot are kept; a longer way is thinned to every second, third...
-/// one.
+/// one. Of the places where it collided the first so many are.
 inline constexpr std::size_t kMostPoses = 2000;
 /// At most so many points of a learning curve are kept, spread evenly; the first and the last
 /// always.

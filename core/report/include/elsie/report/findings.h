@@ -26,6 +26,11 @@ struct MeasureFindings {
   std::optional<Interval> interval;  // bootstrap, of the mean
   std::optional<Interval> fences;    // with fewer than kFewest values: none
   std::optional<Summary> successes;  // over the successful runs only
+
+  /// Whether a value is outside of the fences, by more than rounding.
+  bool stands_out(double value) const;
+  /// By how much values differ that are the same but for rounding; there is a summary.
+  double rounding() const;
 };
 
 /// With fewer values there are no outliers to be told from the others.
@@ -49,6 +54,10 @@ struct CellFindings {
   Interval success;                       // Wilson's interval of the rate of success
   std::vector<MeasureFindings> measures;  // in the order of Findings::measures
   std::vector<Outlier> outliers;          // the farthest first
+
+  /// Two seeds or more, and all gave one and the same run: nothing in this cell is left to chance,
+  /// and its runs are one observation.
+  bool one_run = false;
 
   bool complete() const { return pending == 0; }
 };
@@ -89,9 +98,11 @@ struct Findings {
   std::size_t ended() const;
   std::size_t broken() const;
   std::size_t pending() const { return runs() - ended(); }
-  /// A database that has a part of the experiment's runs only, `--shard`.
-  bool partial() const { return results.runs.size() < results.all_runs; }
-  /// All runs ended by themselves, alike for the same seed, and every expectation is met.
+  /// Runs of the experiment that are not in the database: that of a shard, or of some shards.
+  std::size_t missing() const { return results.all_runs > runs() ? results.all_runs - runs() : 0; }
+  bool partial() const { return missing() > 0; }
+  /// All runs of the experiment ended by themselves, alike for the same seed, and every expectation
+  /// is met.
   bool good() const;
 };
 

@@ -91,8 +91,8 @@ struct Trajectory {
   std::int64_t run = 0;
   std::string robot;
   double period_s = 0.0;
-  std::vector<Pose> poses;  // the first at time 0
-  std::vector<Vector2> touches;
+  /// The first at time 0; the last, less than a period later, where the run ended.
+  std::vector<Pose> poses;
 };
 
 /// What a plugin learned before the run.

@@ -72,14 +72,14 @@ std::optional<Interval> bootstrap_interval(Statistic statistic, std::span<const 
                                            double confidence, std::uint64_t seed,
                                            std::string_view path);
 
-/// What two cells have for one seed; either may have nothing.
+/// What two cells have for one seed.
 struct Pair {
-  std::optional<double> cell;
-  std::optional<double> reference;
+  double cell = 0.0;
+  double reference = 0.0;
 };
 
 /// The statistic of a cell beside that of its reference: their ratio or difference, by `relation`
-/// (not Relation::none). None when one of them is not known, and for a ratio to 0.
+/// (not Relation::none). None without pairs, when the statistic is none, and for a ratio to 0.
 std::optional<double> relation_of(Relation relation, Statistic statistic,
                                   std::span<const Pair> pairs);
 
@@ -90,6 +90,22 @@ std::optional<double> relation_of(Relation relation, Statistic statistic,
 std::optional<Interval> paired_interval(Relation relation, Statistic statistic,
                                         std::span<const Pair> pairs, double confidence,
                                         std::uint64_t seed, std::string_view path);
+
+/// How often something was seen.
+struct Frequency {
+  std::size_t hits = 0;
+  std::size_t trials = 0;  // at least 1
+
+  double rate() const { return static_cast<double>(hits) / static_cast<double>(trials); }
+};
+
+/// For the difference or the ratio of two probabilities, from the Wilson intervals of both, as a
+/// bootstrap knows of no doubt where every run succeeded: Newcombe's method 10 (1998) for
+/// differences, that of Donner and Zou (2012) for ratios. Both take the two for independent of each
+/// other: where equal seeds succeed together they are wider than need be. None for a ratio to a
+/// rate that may be 0.
+std::optional<Interval> interval_of_rates(Relation relation, const Frequency& cell,
+                                          const Frequency& reference, double confidence);
 
 /// Values outside of these are outliers: 1.5 quartile ranges beyond the quartiles (Tukey 1977).
 Interval tukey_fences(const Summary& summary);
