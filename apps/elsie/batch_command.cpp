@@ -126,14 +126,22 @@ int run(const BatchOptions& options) {
                    "' already; go on with it by --resume, or choose another --database");
   }
   const Plan plan = plan_of(options, shard);
-  ResultsDatabase database = opened(options, file, plan);
+  const StopSignals signals;  // before anything is made
+  const bool is_new = elsie::results::is_vacant(file);
+  std::optional<ResultsDatabase> made(opened(options, file, plan));
+  if (is_new && signals.is_waiting()) {
+    made.reset();
+    fs::remove(fs::weakly_canonical(file));
+    std::cerr << "elsie: interrupted; nothing was begun\n";
+    return kOtherFailure;
+  }
+  ResultsDatabase& database = *made;
   const ProgressFile progress_file(options, database);
   BatchReport report(plan, database, resume_command(options, file));
   if (database.pending().empty() && options.resume) {
     report.all_done_already();
   } else {
     const bool bar = !options.quiet && !options.json && isatty(STDERR_FILENO);
-    const StopSignals signals;
     report.begin(bar);
     try {
       const bool complete =

@@ -23,11 +23,7 @@ elsie::batch::Shard shard_of(const BatchOptions& options) {
 fs::path database_of(const BatchOptions& options, const elsie::batch::Shard& shard) {
   if (options.database) {
     const fs::path file = *options.database;
-    if (file.extension() != ".sqlite" && file.extension() != ".sqlite3" &&
-        file.extension() != ".db") {
-      throw BadInput("--database: expected a name that ends in .sqlite, .sqlite3 or .db, but '" +
-                     file.string() + "' does not");
-    }
+    require_database_name(file, "--database");
     return file;
   }
   const std::string name = fs::path(options.experiment).stem().string();

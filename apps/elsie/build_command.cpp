@@ -48,7 +48,7 @@ int build(const Options& options) {
                    "' does not");
   }
   require_writable(output, "--output");
-  const auto built = elsie::plugin::build_source(options.source);
+  const auto built = compiled(options.source);
   // What could not be used is not kept.
   const elsie::plugin::Host host({{built.library, "built"}});
   const auto& file = host.report().directories.front().files.front();

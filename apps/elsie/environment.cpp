@@ -2,16 +2,17 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <initializer_list>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "elsie/plugin/source_build.h"
 #include "elsie/simulation/trace.h"
 
 #include "command.h"
+#include "status_line.h"
 
 namespace fs = std::filesystem;
 
@@ -88,11 +89,35 @@ void tell(const elsie::plugin::Report& report) {
 
 }  // namespace
 
+elsie::plugin::SourceBuild compiled(const fs::path& source) {
+  const bool shown = isatty(STDERR_FILENO) != 0 && spdlog::should_log(spdlog::level::warn);
+  bool drawn = false;
+  const auto begins = [&] {
+    if (shown) {
+      draw_status("compiling " + source.filename().string() + " ...");
+      drawn = true;
+    }
+  };
+  const auto wipe = [&] {
+    if (drawn) {
+      wipe_status();
+    }
+  };
+  try {
+    auto built = elsie::plugin::build_source(source, elsie::plugin::cache_directory(), {}, begins);
+    wipe();
+    return built;
+  } catch (...) {
+    wipe();
+    throw;
+  }
+}
+
 std::vector<elsie::plugin::SearchDirectory> search_path(const PluginOptions& options) {
   auto places = places_of(options);
   for (auto& place : places) {
     if (elsie::plugin::is_source(place.path)) {
-      place.path = elsie::plugin::build_source(place.path).library;
+      place.path = compiled(place.path).library;
     }
   }
   return places;
@@ -106,6 +131,7 @@ elsie::plugin::Host load_plugins(const PluginOptions& options) {
 }
 
 std::unique_ptr<elsie::plugin::Watch> watch_plugins(const PluginOptions& options) {
+  search_path(options);  // what it compiles is in the cache then
   auto watch = std::make_unique<elsie::plugin::Watch>(places_of(options));
   require_loaded(watch->host(), options.files);
   tell(watch->host().report());
@@ -161,6 +187,8 @@ void require_writable(const fs::path& file, const char* option) {
 
 namespace {
 
+constexpr const char* kRecording = "recording";
+
 /// Devices such as /dev/stdout have no suffix, and nothing to lose.
 bool is_device(const fs::path& file) {
   std::error_code error;
@@ -184,8 +212,9 @@ bool has(const std::string& start, std::string_view word) {
   return start.find(word) != std::string::npos;
 }
 
-/// Whether what a file begins with is what a program writes under such a name.
-bool is_what_its_name_says(const std::string& start, const std::string& suffix) {
+/// Whether what a file begins with is what this program writes under such a name.
+bool is_what_its_name_says(const std::string& start, const std::string& suffix,
+                           const std::string& kind) {
   if (suffix == ".png") {
     return start.rfind("\x89PNG", 0) == 0;
   }
@@ -204,30 +233,52 @@ bool is_what_its_name_says(const std::string& start, const std::string& suffix) 
   if (suffix == ".json") {
     return start.front() == '{' && has(start, "\"runs\"");
   }
-  // Tables: text that is no markup.
-  return start.front() != '<' && start.find('\0') == std::string::npos;
+  // Tables: by the first of their columns.
+  return start.rfind(kind == kRecording ? "time_s,robot," : "run,cell,seed,", 0) == 0;
+}
+
+/// ".csv" alone is a hidden file that is called so.
+void require_name(const fs::path& file, const char* option,
+                  std::initializer_list<const char*> suffixes) {
+  for (const char* suffix : suffixes) {
+    if (file.filename() == suffix) {
+      throw BadInput(std::string(option) + ": '" + file.string() +
+                     "' lacks a name before its suffix; expected one such as run" + suffix);
+    }
+  }
 }
 
 }  // namespace
 
+void require_database_name(const fs::path& file, const char* option) {
+  if (file.extension() != ".sqlite" && file.extension() != ".sqlite3" &&
+      file.extension() != ".db") {
+    throw BadInput(std::string(option) +
+                   ": expected a name that ends in .sqlite, .sqlite3 or .db, but '" +
+                   file.string() + "' does not");
+  }
+}
+
 void require_replaceable(const fs::path& file, const char* option, const char* kind) {
   require_writable(file, option);
   const std::string start = start_of(file);
-  if (!start.empty() && !is_what_its_name_says(start, file.extension().string())) {
+  if (!start.empty() && !is_what_its_name_says(start, file.extension().string(), kind)) {
     throw BadInput(std::string(option) + ": '" + file.string() + "' is there already and is no " +
                    kind + "; remove it or choose another name");
   }
 }
 
 void require_recording(const fs::path& file, const char* option) {
+  require_name(file, option, {".csv", ".mcap"});
   if (!is_device(file) && file.extension() != ".csv" && file.extension() != ".mcap") {
     throw BadInput(std::string(option) + ": a recording's name must end in .csv or .mcap, but '" +
                    file.string() + "' does not");
   }
-  require_replaceable(file, option, "recording");
+  require_replaceable(file, option, kRecording);
 }
 
 void require_trace(const fs::path& file, const char* option) {
+  require_name(file, option, {".trace"});
   if (!is_device(file) && file.extension() != ".trace") {
     throw BadInput(std::string(option) + ": a trace's name must end in .trace, but '" +
                    file.string() + "' does not");
@@ -241,6 +292,7 @@ void require_trace(const fs::path& file, const char* option) {
 }
 
 void require_picture(const fs::path& file, const char* option) {
+  require_name(file, option, {".png", ".svg"});
   if (file.extension() != ".png" && file.extension() != ".svg") {
     throw BadInput(std::string(option) + ": a picture's name must end in .png or .svg, but '" +
                    file.string() + "' does not");

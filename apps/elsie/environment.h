@@ -8,6 +8,7 @@
 
 #include "elsie/experiment/reader.h"
 #include "elsie/plugin/host.h"
+#include "elsie/plugin/source_build.h"
 #include "elsie/plugin/watch.h"
 #include "elsie/world/reader.h"
 
@@ -22,6 +23,10 @@ struct PluginOptions {
 
   void add_to(CLI::App& command);
 };
+
+/// Compiles a plugin's source, unless the cache has it. On a terminal a line on standard error says
+/// so as long as it takes, unless the log is set to errors only. Throws what build_source() throws.
+elsie::plugin::SourceBuild compiled(const std::filesystem::path& source);
 
 /// Where plugins are looked for: libraries given by name, those given as source after compiling
 /// them, then directories. Throws BadInput for what was given on the command line and cannot be
@@ -45,10 +50,14 @@ elsie::world::ReadOptions read_options(const std::vector<std::string>& overrides
 /// The same for experiments.
 elsie::experiment::ReadOptions experiment_options();
 
+/// Throws BadInput when a file's name is not that of a database of results.
+void require_database_name(const std::filesystem::path& file, const char* option);
+
 /// Checks, before any work is done, that a file can be written there. Throws BadInput.
 void require_writable(const std::filesystem::path& file, const char* option);
 /// The same, and what is there already must be what its name says, as far as its first bytes tell:
-/// a world, an experiment or a database is not overwritten by a slip. `kind`: for messages.
+/// a world, an experiment or a database is not overwritten by a slip. `kind`: for messages, and of
+/// a table the columns that it must have, those of a "recording" or of a report.
 void require_replaceable(const std::filesystem::path& file, const char* option, const char* kind);
 /// The same for a recording: its name must end in .csv or .mcap.
 void require_recording(const std::filesystem::path& file, const char* option);

@@ -7,10 +7,14 @@
 #include <CLI/CLI.hpp>
 
 #include "elsie/batch/merge.h"
+#include "elsie/results/database_file.h"
+#include "elsie/world/shell_word.h"
 
 #include "command.h"
 #include "environment.h"
 #include "text_table.h"
+
+using elsie::world::shell_word;
 
 namespace {
 
@@ -25,7 +29,13 @@ Example:
   elsie merge beams.sqlite beams-1of2.sqlite beams-2of2.sqlite
 )";
 
+/// The file of the experiment that a database is of.
+std::string experiment_of(const std::string& database) {
+  return elsie::results::open_to_read(database).text("SELECT file FROM about");
+}
+
 int merge(const Options& options) {
+  require_database_name(options.into, "OUT");  // else no batch would go on with it
   require_writable(options.into, "OUT");
   const elsie::batch::Merged merged =
       elsie::batch::merge(options.into, {options.databases.begin(), options.databases.end()});
@@ -39,9 +49,9 @@ int merge(const Options& options) {
                                            : " were there more than once, and count once\n");
     }
     if (to_do > 0) {
-      std::cout << to_do << ' ' << are(to_do)
-                << " still to be done: elsie batch EXPERIMENT --database " << options.into
-                << " --resume\n";
+      std::cout << to_do << ' ' << are(to_do) << " still to be done: elsie batch "
+                << shell_word(experiment_of(options.into)) << " --database "
+                << shell_word(options.into) << " --resume\n";
     }
   }
   return kSuccess;

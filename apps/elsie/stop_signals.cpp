@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include "repeated_request.h"
@@ -55,6 +56,11 @@ StopSignals::StopSignals() {
       sigaction(kSignals[i], &action, nullptr);
     }
   }
+}
+
+bool StopSignals::is_waiting() const {
+  pollfd end{ends_[0], POLLIN, 0};
+  return poll(&end, 1, 0) > 0;
 }
 
 StopSignals::~StopSignals() {

@@ -16,6 +16,8 @@ class StopSignals {
   StopSignals& operator=(const StopSignals&) = delete;
 
   int descriptor() const { return ends_[0]; }
+  /// Whether one has come, and nobody has read it from the descriptor.
+  bool is_waiting() const;
 
  private:
   std::array<int, 2> ends_;

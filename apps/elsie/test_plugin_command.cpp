@@ -112,8 +112,7 @@ elsie::testing::Settings settings_for(const Declaration& declaration,
 std::vector<const Declaration*> chosen(const Plugins& plugins, const std::string& name) {
   std::vector<const Declaration*> all;
   std::vector<std::string> names;
-  const fs::path library =
-      elsie::plugin::is_source(name) ? elsie::plugin::build_source(name).library : fs::path(name);
+  const fs::path library = elsie::plugin::is_source(name) ? compiled(name).library : fs::path(name);
   for (const PluginKind kind : kPluginKinds) {
     for (const Declaration* declaration : plugins.host().all(kind)) {
       std::error_code error;

@@ -189,6 +189,19 @@ TEST_CASE("No output takes the place of a file of another kind") {
   kept("replay r.png 3 --picture r.png", "r.png");
   kept("run small.csv --record small.csv", "small.csv");
   kept("run small.svg --picture small.svg", "small.svg");
+  here.write("data.csv", "a,b\n1,2\n");
+  kept("run small.xml --record data.csv", "data.csv");
+  kept("report small_experiment.sqlite --csv data.csv", "data.csv");
+  REQUIRE(here.elsie("run small.xml --quiet --record run.csv").exit_code <= 1);
+  REQUIRE(here.elsie("report small_experiment.sqlite --quiet --csv report.csv").exit_code == 0);
+  kept("report small_experiment.sqlite --csv run.csv", "run.csv");
+  kept("run small.xml --record report.csv", "report.csv");
+  here.write("empty.csv", "");
+  for (const std::string recording : {"run.csv", "empty.csv"}) {
+    CHECK(here.elsie("run small.xml --quiet --record " + recording).exit_code <= 1);
+    CHECK_THAT(here.read(recording), Catch::StartsWith("time_s,robot,"));
+  }
+  CHECK(here.elsie("report small_experiment.sqlite --quiet --csv report.csv").exit_code == 0);
   kept("report small_experiment.sqlite --junit small_experiment.xml", "small_experiment.xml");
   CHECK(here.elsie("report small_experiment.sqlite --junit out.xml --quiet").exit_code == 0);
   CHECK(here.elsie("report small_experiment.sqlite --junit out.xml --quiet").exit_code == 0);

@@ -194,6 +194,25 @@ TEST_CASE("Ctrl-C stops a batch in order: what is done is kept, the rest stays t
   here.check_sound("INT.sqlite");
 }
 
+TEST_CASE("A batch that is interrupted while its database is made leaves nothing behind") {
+  const Laboratory here;
+  here.write("many.xml", Laboratory::experiment("<world file=\"small.xml\"/>", "", 300'000));
+  for (const std::string signal : {"INT", "TERM"}) {
+    const auto run = here.sh(
+        "elsie batch many.xml & batch=$!\n"
+        "while kill -0 $batch && ! [ -e many.sqlite-lock ]; do sleep 0.005; done\n"
+        "kill -" +
+        signal +
+        " $batch\n"
+        "wait $batch && code=$? || code=$?\n"
+        "ls | grep '^many[.]sqlite' || true\n"
+        "exit $code");
+    CHECK(run.exit_code == 4);
+    CHECK(run.out.empty());
+    CHECK(run.err == "elsie: interrupted; nothing was begun\n");
+  }
+}
+
 TEST_CASE("A signal that comes twice at once is one request to stop") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 4);

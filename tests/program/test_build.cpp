@@ -51,6 +51,22 @@ TEST_CASE("A world runs with a behaviour that is one source file") {
              Contains("Drives straight on"));
 }
 
+TEST_CASE("On a terminal it is told what is being compiled, and what is in the cache is not") {
+  Bench here;
+  const auto on_a_terminal = [&](const std::string& arguments) {
+    return here.sh("ELSIE_CACHE=cache script -qec 'elsie " + arguments + "' /dev/null < /dev/null")
+        .out;
+  };
+  const std::string check = "check world.xml --plugin straight.cpp";
+  const std::string told = "\rcompiling straight.cpp ...\033[K\r\033[K";
+  CHECK_THAT(on_a_terminal(check), Catch::StartsWith(told + "world.xml: in order"));
+  CHECK_THAT(on_a_terminal(check), Catch::StartsWith("world.xml: in order"));
+  here.write("straight.cpp", source("9.0, 9.0"));
+  CHECK(on_a_terminal(check + " --quiet").empty());
+  here.write("straight.cpp", "no C++");
+  CHECK_THAT(on_a_terminal(check), Catch::StartsWith(told));
+}
+
 TEST_CASE("elsie build makes a library, which runs like any other") {
   Bench here;
   const auto first = here.cached("build straight.cpp");

@@ -39,6 +39,8 @@ TEST_CASE("--at changes the world on its way, and the result tells of it") {
   const json result = json::parse(run.out);
   const std::vector<std::string> changes = changes_in(result);
   REQUIRE(changes.size() > 4);
+  CHECK(changes_in(json::parse(here.elsie(kRun + " --at '1:robots/robot/@max_speed=0.1'").out)) ==
+        std::vector<std::string>{"1.0 r1 robot[r1]/@max_speed=0.1"});
   CHECK(changes.front().starts_with("0.0 r1 robot[r1]/sensor["));
   CHECK(std::vector(changes.end() - 3, changes.end()) ==
         std::vector<std::string>{"1.0 r1 robot[r1]/@x=-1", "1.0 r1 robot[r1]/@y=-1.5",
@@ -64,14 +66,14 @@ TEST_CASE("Runs with the same changes are the same, whether they are recorded or
 
 TEST_CASE("A change that cannot be made is told before the run, with exit code 2") {
   Workplace here;
-  here.write("run.csv", "what was there before\n");
+  here.write("run.csv", "time_s,robot,what was there before\n");
   const auto expect = [&](const std::string& change, const std::string& sentence) {
     CAPTURE(change);
     const auto run = here.elsie(kRun + " --record run.csv --at '" + change + "'");
     CHECK(run.exit_code == 2);
     CHECK(run.out.empty());
     CHECK(run.err == "elsie: --at" + sentence + "\n");
-    CHECK(here.read("run.csv") == "what was there before\n");
+    CHECK(here.read("run.csv") == "time_s,robot,what was there before\n");
   };
   const std::string form = "; expected TIME:PATH=VALUE, as in '5:robot[r1]/@max_speed=0.2'";
   expect("robot[r1]/@max_speed=0.2",

@@ -47,6 +47,10 @@ TEST_CASE("Bad input ends with exit code 2, a sentence, and nothing on standard 
   expect("run worlds/maze.xml --record nowhere/maze.csv", "there is no folder 'nowhere'");
   expect("run worlds/maze.xml --record worlds", "must end in .csv");
   expect("run worlds/maze.xml --record worlds/maze.xml", "must end in .csv");
+  expect("run worlds/maze.xml --record .mcap",
+         "--record: '.mcap' lacks a name before its suffix; expected one such as run.mcap");
+  expect("run worlds/maze.xml --picture worlds/.png", "'worlds/.png' lacks a name before");
+  expect("check ''", "'': the name of a file is missing");
   expect("run worlds/maze.xml --record ''", "must end in .csv");
   expect("run worlds/maze.xml --record-rate 5", "--record");
   expect("describe world --json", "not to be had as JSON");

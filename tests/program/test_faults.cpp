@@ -226,6 +226,21 @@ TEST_CASE("Before the run, the first Ctrl-C says which plugin does not return") 
   }
 }
 
+TEST_CASE("While libraries are loaded, Ctrl-C names one only if it takes long") {
+  FaultyWorld world;
+  const auto err = [&](const std::string& when) {
+    const auto run = world.here.sh("FAULTY_WHILE_LOADED=" + when + " elsie plugins --plugin-path " +
+                                   elsie::test::build_path("tests/program/plugins"));
+    CHECK(run.exit_code == 4);
+    CHECK(run.out.empty());
+    return run.err;
+  };
+  CHECK(err("soon") == "elsie: interrupted while plugins were loaded\n");
+  CHECK_THAT(err("late"), Catch::StartsWith("elsie: plugin library '") &&
+                              Contains("/faulty.so' was at work when the program was "
+                                       "interrupted, while it was loaded\n"));
+}
+
 TEST_CASE("A signal that nobody handles ends the program as always, and leaves no copies") {
   FaultyWorld world;
   world.write("looping", "arbiter_suppression", "");

@@ -182,7 +182,7 @@ TEST_CASE("report ends with 4 when the disk is full, and leaves what was there")
 TEST_CASE("report replaces what it wrote before, through a link too, and writes to devices") {
   Workplace here;
   write_database(experiment(kMet), here.file("runs.sqlite"));
-  here.write("target.csv", "old");
+  here.write("target.csv", "run,cell,seed,of a run before\n");
   fs::create_symlink("target.csv", here.file("link.csv"));
   REQUIRE(here.elsie("report runs.sqlite --quiet --csv link.csv").exit_code == 0);
   CHECK(fs::is_symlink(here.file("link.csv")));

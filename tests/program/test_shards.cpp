@@ -23,6 +23,9 @@ TEST_CASE("What cannot be merged is refused in a sentence, and nothing is made")
     CHECK_THAT(run.err, Contains(sentence));
     CHECK_FALSE(fs::exists(here.file("out.sqlite")));
   };
+  refused("out.txt a.sqlite",
+          "OUT: expected a name that ends in .sqlite, .sqlite3 or .db, but 'out.txt' does not");
+  CHECK_FALSE(fs::exists(here.file("out.txt")));
   refused("out.sqlite folder", "'folder' is a directory; expected a database");
   refused("out.sqlite a.sqlite folder", "'folder' is a directory; expected a database");
   refused("out.sqlite a.sqlite ./a.sqlite", "'a.sqlite' and './a.sqlite' are the same database");
@@ -51,6 +54,14 @@ TEST_CASE("Shards that are merged are the whole experiment") {
   CHECK_THAT(part.out,
              Contains("part.sqlite: 8 of 24 runs are done") && Contains("16 are still to be done"));
   CHECK(here.batch("small_experiment.xml --quiet --database part.sqlite --resume").exit_code == 0);
+  // The command that goes on is one that a shell takes.
+  fs::copy(here.file("small_experiment.xml"), here.file("my experiment.xml"));
+  REQUIRE(here.batch("'my experiment.xml' --quiet --shard 1/3 --database a.sqlite").exit_code == 0);
+  const std::string told = here.elsie("merge 'my part.sqlite' a.sqlite").out;
+  const std::string goes_on =
+      "elsie batch 'my experiment.xml' --database 'my part.sqlite' --resume";
+  CHECK_THAT(told, Catch::EndsWith(": " + goes_on + "\n"));
+  CHECK(here.sh(goes_on + " --quiet --plugin-path " + here.plugins()).exit_code == 0);
   CHECK(here.table("part.sqlite") == here.table("whole.sqlite"));
 
   const auto elsewhere = here.elsie("replay small_experiment-2of3.sqlite 6");

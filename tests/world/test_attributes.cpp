@@ -72,6 +72,9 @@ TEST_CASE("A path leads to the attributes that an override of the file would cha
         Paths{"robot[r1]/coordinator/@weighted", "robot[r2]/coordinator/@weighted"});
   CHECK(found.paths("goal[1]/@time") == Paths{"goal[1]/@time"});
   CHECK(found.paths("obstacle[cart]/waypoint/@x") == Paths{"obstacle[cart]/waypoint[1]/@x"});
+  CHECK(found.paths("goals/endure/@time") == Paths{"goal[1]/@time"});
+  CHECK(found.paths("robots/robot[*]/@x") == Paths{"robot[r1]/@x", "robot[r2]/@x"});
+  CHECK(found.paths("obstacles/moving_box/@x") == Paths{"obstacle[cart]/@x"});
   // What it says in full leads there again.
   for (const char* path : {"obstacle[2]/waypoint/@x", "robot[*]/sensor[*]/@max_range"}) {
     for (const std::string& full : found.paths(path)) {

@@ -52,6 +52,33 @@ TEST_CASE("A path leads to any attribute") {
                            .coordinator->parameters.at("weighted")));
 }
 
+TEST_CASE("A path that begins at a group finds each of its members once") {
+  const char* const kOneOfEach =
+      "<teams><team id=\"red\"/></teams><obstacles><static_box x=\"1\"/></obstacles>"
+      "<robots><robot id=\"r1\" "
+      "team=\"red\"><sensors><beam/></sensors><behaviors><avoid/></behaviors>"
+      "<coordinator><sum/></coordinator></robot></robots>"
+      "<goals><travel distance=\"5\"/></goals>";
+  const auto one = [&](const std::string& override) { return read(kOneOfEach, {override}); };
+  for (const char* path : {"goals/travel", "travel", "goals/travel[1]", "goals/goal", "goal[1]"}) {
+    CAPTURE(path);
+    const world::World w = one(std::string(path) + "/@distance=1");
+    CHECK(std::get<world::TravelGoal>(w.goals[0]).distance == 1);
+  }
+  for (const char* path : {"robots/robot", "robot", "robots/robot[1]", "robots/robot[r1]"}) {
+    CAPTURE(path);
+    CHECK(one(std::string(path) + "/@x=0.5").robots[0].x == 0.5);
+  }
+  CHECK(one("obstacles/static_box/@height=4").boxes[0].height == 4);
+  CHECK(one("robots/robot/behaviors/avoid/@priority=3").robots[0].behaviors[0].priority == 3);
+  CHECK(problems(kOneOfEach, {"goals/travel[2]/@distance=1"}) ==
+        "--set goals/travel[2]/@distance=1: there is no travel[2]; they are numbered from 1 to 1");
+  // Two are two, and the second is the second.
+  CHECK(with({"robots/robot[2]/@max_speed=0.3"}).robots[1].max_speed == 0.3);
+  CHECK_THAT(wrong("robots/robot/@max_speed=0.3"),
+             Catch::Contains("'robot' could be any of 2; say which, as in robot[r1]"));
+}
+
 TEST_CASE("A star leads to all, and so does what belongs to a robot when none is named") {
   for (const char* override : {"robot[*]/@max_speed=0.3", "robots/robot[*]/@max_speed=0.3"}) {
     const world::World w = with({override});

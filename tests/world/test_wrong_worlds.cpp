@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "fixture.h"
+#include "folder.h"
 
 using namespace elsie;
 using namespace elsie::test;
@@ -74,8 +75,16 @@ TEST_CASE("What is no file is refused in words") {
   CHECK(message_of(kFolder + "data/everythin.xml") ==
         "data/everythin.xml: there is no such file; did you mean 'everything.xml'?");
   CHECK(message_of(kFolder + "nowhere/at_all.xml") == "nowhere/at_all.xml: there is no such file");
+  const Folder folder;
+  fs::create_symlink("loop.xml", folder / "loop.xml");
+  fs::create_symlink("gone.xml", folder / "link.xml");
+  CHECK_THAT(message_of((folder / "loop.xml").string()),
+             Catch::EndsWith("loop.xml: this is a link that leads back to itself; expected an XML "
+                             "file"));
+  CHECK_THAT(message_of((folder / "link.xml").string()),
+             Catch::EndsWith("link.xml: this is a link to 'gone.xml', but there is no such file"));
   CHECK(message_of("/dev/null") == "/dev/null: this is not a file; expected an XML file");
-  CHECK(message_of("") == ": there is no such file");
+  CHECK(message_of("") == "'': the name of a file is missing; expected that of an XML file");
 }
 
 TEST_CASE("A file that no world can fill is not read") {

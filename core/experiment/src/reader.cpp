@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "elsie/experiment/vocabulary.h"
+#include "elsie/world/error.h"
 #include "elsie/world/files.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/object_reader.h"
@@ -72,6 +73,17 @@ struct Worlds {
   std::vector<std::string> files;  // as they were found, for messages
 };
 
+// The line on which an experiment begins in a file; 0: it holds something else, and whoever reads
+// it as a world tells what is wrong.
+int line_of_experiment(const std::string& file) {
+  try {
+    const Element root = world::parse_markup(world::read_text(file), file);
+    return root.name == "experiment" ? root.where.line : 0;
+  } catch (const world::WorldError&) {
+    return 0;
+  }
+}
+
 // Without `files` nobody looks whether they are there.
 Worlds worlds_from(const std::vector<WorldDraft>& drafts, const world::Files* files,
                    Problems& problems) {
@@ -86,12 +98,14 @@ Worlds worlds_from(const std::vector<WorldDraft>& drafts, const world::Files* fi
     const auto found =
         draft.file.empty() || !files ? std::nullopt : files->find(draft.file, draft.location);
     if (draft.file.empty() || (files && !found)) {
-      problems.add(
-          draft.location,
-          "file=\"" + draft.file + "\" of <world>: " +
-              (draft.file.empty() ? "expected the path of a world file"
-                                  : "there is no such file; looked " +
-                                        files->places(draft.location, "file", draft.file)));
+      problems.add(draft.location,
+                   "file=\"" + draft.file + "\" of <world>: " +
+                       (draft.file.empty() ? "expected the path of a world file"
+                                           : files->why_not(draft.location, "file", draft.file)));
+    } else if (const int line = found ? line_of_experiment(*found) : 0; line > 0) {
+      problems.add(draft.location, "file=\"" + draft.file + "\" of <world>: this file is an " +
+                                       "experiment, which names worlds (" + *found + ":" +
+                                       std::to_string(line) + "); expected a world");
     } else if (const std::string why = why_no_label(use.id); !why.empty()) {
       problems.add(draft.location, "the world's file gives it the id '" + use.id + "', but " + why +
                                        "; give it another one with id=\"...\"");

@@ -116,6 +116,14 @@ void write_when(const CallFacts& facts) {
   }
 }
 
+/// Whether a library is being loaded, and nothing says yet that it does not come to an end.
+bool is_just_loading() {
+  constexpr double kLong = 1.0;  // s
+  const Call* const call = Call::innermost();
+  const double since = call && call->facts().library ? call->own_time_s() : 0.0;
+  return since > 0.0 && since < kLong && !facts_at_work().plugin;
+}
+
 /// Once, whatever comes of it.
 void clean_up() {
   if (is_cleaning.exchange(true)) {
@@ -278,7 +286,9 @@ void report_crashes(int exit_status) {
 
 void end_process(const char* what, const char* else_say, int exit_status, Stack stack) {
   // Outside of plugins a recorder may be in the middle of a line: what it holds is left alone.
-  if (may_report() && is_plugin_at_work()) {
+  if (stack == Stack::left_out && is_just_loading() && may_report()) {
+    write_error("elsie: interrupted while plugins were loaded\n");
+  } else if (may_report() && is_plugin_at_work()) {
     stack == Stack::shown ? write_report(what, {}) : write_culprit_and(what);
   } else if (!is_plugin_at_work()) {
     write_error("elsie: ");

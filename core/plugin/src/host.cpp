@@ -363,7 +363,9 @@ std::string Host::explain_missing(PluginKind kind, std::string_view name) const 
   text +=
       searched.empty() ? "; no directory was searched" : "; searched were " + enumeration(searched);
   text += refused.empty() ? "" : "; refused there: " + joined(refused, "; ");
-  return text;
+  return text +
+         "; if it is elsewhere, name its file with --plugin FILE, or its folder with --plugin-path "
+         "DIR or in ELSIE_PLUGIN_PATH";
 }
 
 Object<Component> Host::create_component(PluginKind kind, std::string_view name) const {

@@ -87,7 +87,8 @@ LoadedLibrary load_library(const std::filesystem::path& file, std::string_view a
                            bool as_copy) {
   namespace dll = boost::dll;
   LoadedLibrary loaded;
-  const Call call({.library = file.c_str(), .doing = "while it was loaded"});
+  Call call({.library = file.c_str(), .doing = "while it was loaded"});
+  call.start_clock();  // most are loaded at once: one that is not is at fault
   std::unique_ptr<PrivateCopy> copy;
   try {
     copy = as_copy ? std::make_unique<PrivateCopy>(file) : nullptr;

@@ -372,13 +372,16 @@ fs::path cache_directory() {
   return fs::temp_directory_path() / "elsie";
 }
 
-SourceBuild build_source(const fs::path& source, const fs::path& cache,
-                         const std::stop_token& stop) {
+SourceBuild build_source(const fs::path& source, const fs::path& cache, const std::stop_token& stop,
+                         const std::function<void()>& begins) {
   const fs::path file = checked(source);
   const Compiler compiler;
   const CacheEntry entry(file, compiler, fs::absolute(cache));
   if (auto found = entry.find()) {
     return *std::move(found);
+  }
+  if (begins) {
+    begins();
   }
   const fs::path library = entry.scratch(".so");
   const fs::path dependencies = entry.scratch(".d");

@@ -163,8 +163,7 @@ class Attributes::Impl {
     const Location where{world_.file, 0};
     const auto file = files_.find(std::string(text), where);
     if (!file) {
-      throw std::invalid_argument("there is no such file; looked " +
-                                  files_.places(where, place.field.name, std::string(text)));
+      throw std::invalid_argument(files_.why_not(where, place.field.name, std::string(text)));
     }
     return Files::absolute(*file);
   }

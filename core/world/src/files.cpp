@@ -1,6 +1,9 @@
 #include "elsie/world/files.h"
 
+#include <algorithm>
 #include <filesystem>
+
+#include "elsie/plugin/near_name.h"
 
 namespace elsie::world {
 
@@ -84,12 +87,30 @@ std::string Files::name_for_world(const std::string& found, const std::string& w
   return target;
 }
 
+std::string Files::why_not(const Location& from, const std::string& attribute,
+                           const std::string& value) const {
+  const fs::path beside = fs::path(folder(from)) / value;
+  std::error_code error;
+  return fs::is_directory(beside, error)
+             ? "'" + beside.lexically_normal().string() +
+                   "' is a directory; expected the path of a file"
+             : "there is no such file; looked " + places(from, attribute, value);
+}
+
 std::string Files::places(const Location& from, const std::string& attribute,
                           const std::string& value) const {
   const std::string beside = folder(from);
+  std::string hint = advice(attribute, value);
+  if (hint.empty()) {
+    const std::string near = near_file((fs::path(beside) / value).string());
+    hint = near.empty()
+               ? ""
+               : "; did you mean '" +
+                     fs::path(value).replace_filename(fs::path(near).filename()).string() + "'?";
+  }
   return "in the folder " + (beside.empty() ? "." : beside) +
          (given_by_hand(from) && !beside.empty() ? ", in the current folder" : "") +
-         (data_directories_.empty() ? "" : " or " + data_places()) + advice(attribute, value);
+         (data_directories_.empty() ? "" : " or " + data_places()) + hint;
 }
 
 std::string Files::advice(const std::string& attribute, const std::string& value) const {
@@ -126,6 +147,24 @@ std::string Files::absolute(const std::string& file) {
   std::error_code error;
   const fs::path path = fs::canonical(file, error);
   return error ? fs::absolute(file).lexically_normal().string() : path.string();
+}
+
+std::string near_file(const std::string& missing) {
+  const fs::path folder = fs::path(missing).parent_path();
+  const std::string name = fs::path(missing).filename().string();
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator i(folder.empty() ? "." : folder, error), end; !error && i != end;
+       i.increment(error)) {
+    std::error_code ignored;
+    if (i->is_regular_file(ignored)) {
+      names.push_back(i->path().filename().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  const auto near =
+      plugin::nearest_name(name, std::vector<std::string_view>(names.begin(), names.end()));
+  return near ? (folder / *near).string() : "";
 }
 
 }  // namespace elsie::world

@@ -9,9 +9,9 @@
 
 #include <tinyxml2.h>
 
-#include "elsie/plugin/near_name.h"
 #include "elsie/world/error.h"
 #include "elsie/world/escaped.h"
+#include "elsie/world/files.h"
 #include "elsie/world/utf8.h"
 
 #include "tags.h"
@@ -184,19 +184,24 @@ const Element* Element::child(std::string_view child_name) const {
 }
 
 std::string read_text(const std::string& file) {
+  if (file.empty()) {
+    fail("''", 0, "the name of a file is missing; expected that of an XML file");
+  }
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status)) {
-    std::vector<std::string> neighbours;
-    const fs::path folder = fs::path(file).parent_path();
-    for (fs::directory_iterator i(folder.empty() ? "." : folder, error), end; !error && i != end;
-         i.increment(error)) {
-      neighbours.push_back(i->path().filename().string());
+    std::error_code ignored;
+    if (fs::is_symlink(file, ignored)) {
+      fail(file, 0,
+           error == std::errc::too_many_symbolic_link_levels
+               ? "this is a link that leads back to itself; expected an XML file"
+               : "this is a link to '" + fs::read_symlink(file, ignored).string() +
+                     "', but there is no such file");
     }
-    std::sort(neighbours.begin(), neighbours.end());
+    const std::string near = near_file(file);
     fail(file, 0,
          "there is no such file" +
-             plugin::did_you_mean(fs::path(file).filename().string(), neighbours));
+             (near.empty() ? "" : "; did you mean '" + fs::path(near).filename().string() + "'?"));
   }
   if (!fs::is_regular_file(status)) {
     fail(file, 0,
@@ -219,7 +224,7 @@ std::string read_text(const std::string& file) {
 
 Element parse_markup(std::string_view text, const std::string& file, const std::string& kind) {
   check_characters(text, file);
-  check_nesting(scan_tags(text, file, kind), file, kind);
+  check_nesting(scan_tags(text, file), file, kind);
 
   tinyxml2::XMLDocument document;
   document.Parse(text.data(), text.size());

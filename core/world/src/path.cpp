@@ -50,6 +50,10 @@ void collect_members(Element& group, const ElementSpec& spec, const std::string&
 
 std::vector<Place> children(const Place& place, const std::string& name) {
   std::vector<Place> found;
+  if (place.spec->group) {
+    collect_members(*place.element, *place.spec, name, found);
+    return found;
+  }
   for (const ElementSpec& spec : specs_below(*place.spec)) {
     for (Element& child : place.element->children) {
       if (child.name != spec.name) {
@@ -61,9 +65,6 @@ std::vector<Place> children(const Place& place, const std::string& name) {
         collect_members(child, spec, name, found);
       }
     }
-  }
-  if (place.spec->group) {
-    collect_members(*place.element, *place.spec, name, found);
   }
   if (place.spec->plugins) {
     for (Element& child : place.element->children) {

@@ -17,8 +17,7 @@ bool is_name(char c) {
 
 class Scanner {
  public:
-  Scanner(std::string_view text, const std::string& file, const std::string& kind)
-      : text_(text), file_(file), kind_(kind) {}
+  Scanner(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   std::vector<Tag> scan() {
     std::vector<Tag> tags;
@@ -33,8 +32,7 @@ class Scanner {
       } else if (starts("<?")) {
         skip_past("?>", "a processing instruction");
       } else if (starts("<!")) {
-        fail("document type declarations and entities are not allowed in " +
-             std::string(kind_ == "world" ? "a " : "an ") + kind_ + " file; take out '" +
+        fail("document type declarations and entities are not allowed in this file; take out '" +
              std::string(text_.substr(at_, word_length(at_ + 2) + 2)) + "'");
       } else {
         tags.push_back(tag());
@@ -193,7 +191,6 @@ class Scanner {
 
   std::string_view text_;
   const std::string& file_;
-  const std::string& kind_;
   std::size_t at_ = 0;
   std::size_t counted_ = 0;  // up to here, line_ has counted
   int line_ = 1;
@@ -201,9 +198,8 @@ class Scanner {
 
 }  // namespace
 
-std::vector<Tag> scan_tags(std::string_view text, const std::string& file,
-                           const std::string& kind) {
-  return Scanner(text, file, kind).scan();
+std::vector<Tag> scan_tags(std::string_view text, const std::string& file) {
+  return Scanner(text, file).scan();
 }
 
 }  // namespace elsie::world

@@ -29,11 +29,9 @@ struct Tag {
   std::vector<TagAttribute> attributes;
 };
 
-/// All tags in order. The views point into `text`. Throws WorldError for what no file of this kind
-/// ("world") may hold:
-/// a document type declaration, an entity that is not one of XML's own five or a character
-/// reference, markup that is cut off, attributes that are not separated or quoted.
-std::vector<Tag> scan_tags(std::string_view text, const std::string& file,
-                           const std::string& kind = "world");
+/// All tags in order. The views point into `text`. Throws WorldError for what no file of ours
+/// may hold: a document type declaration, an entity that is not one of XML's own five or a
+/// character reference, markup that is cut off, attributes that are not separated or quoted.
+std::vector<Tag> scan_tags(std::string_view text, const std::string& file);
 
 }  // namespace elsie::world

@@ -176,8 +176,8 @@ bool TreeReader::read_file(const ParameterDeclaration& parameter, const Element&
   const auto file = files_.find(attribute.value, attribute.where);
   if (!file) {
     problems_.add(attribute.where,
-                  in_words(attribute, element) + ": there is no such file; looked " +
-                      files_.places(attribute.where, attribute.name, attribute.value));
+                  in_words(attribute, element) + ": " +
+                      files_.why_not(attribute.where, attribute.name, attribute.value));
     return false;
   }
   const std::string path = Files::absolute(*file);

@@ -21,6 +21,15 @@
 
 namespace {
 
+/// What a test asks for happens while the library is loaded.
+[[maybe_unused]] const bool loaded = [] {
+  const char* const wish = std::getenv("FAULTY_WHILE_LOADED");
+  if (wish && std::string_view(wish) == "late") {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  }
+  return wish && raise(SIGTERM) == 0;
+}();
+
 /// A function that the compiler cannot look into, so that the faults below stay.
 template <class Value>
 Value hidden(Value value) {

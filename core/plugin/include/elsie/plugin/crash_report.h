@@ -30,7 +30,8 @@ void report_crashes(int exit_status);
 
 /// Ends the process like a crash, from a handler of a signal: if a plugin is at work, after a
 /// report that says `what` it did: "did not return". Otherwise with the words `else_say`. Without
-/// the stack there is one line, and nothing is written but that.
+/// the stack there is one line, and nothing is written but that: it says that plugins were being
+/// loaded when one is, and has been for less than a second.
 enum class Stack { shown, left_out };
 [[noreturn]] void end_process(const char* what, const char* else_say, int exit_status,
                               Stack stack = Stack::shown);

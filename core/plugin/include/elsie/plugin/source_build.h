@@ -11,6 +11,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -46,11 +47,13 @@ inline constexpr std::size_t kMostBuilds = 16;
 /// After how many days without use a source's libraries are removed, when another one is compiled.
 inline constexpr int kCacheDays = 60;
 
-/// Compiles the source unless the cache has it. `stop`: ends the compiler. Throws BuildError, also
-/// when it was stopped; PluginError when there is no such file, no compiler, no headers, or no
-/// place to write to.
+/// Compiles the source unless the cache has it. `stop`: ends the compiler. `begins` is called
+/// before it starts, and not at all for what the cache has. Throws BuildError, also when it was
+/// stopped; PluginError when there is no such file, no compiler, no headers, or no place to write
+/// to.
 SourceBuild build_source(const std::filesystem::path& source,
                          const std::filesystem::path& cache = cache_directory(),
-                         const std::stop_token& stop = {});
+                         const std::stop_token& stop = {},
+                         const std::function<void()>& begins = {});
 
 }  // namespace elsie::plugin

@@ -33,9 +33,13 @@ class Files {
   /// nothing else leads there.
   std::string name_for_world(const std::string& found, const std::string& written) const;
 
+  /// Why find() found nothing for the value of an attribute, as a sentence: what stands there is a
+  /// directory, or nothing does; then with places().
+  std::string why_not(const Location& from, const std::string& attribute,
+                      const std::string& value) const;
   /// Where find() looked for the value of an attribute, in words; and what to write instead when a
-  /// data directory has a file under the end of that name: "robots/scout.xml" for
-  /// "../robots/scout.xml".
+  /// data directory has a file under the end of that name, "robots/scout.xml" for
+  /// "../robots/scout.xml", or the folder has one of nearly that name.
   std::string places(const Location& from, const std::string& attribute,
                      const std::string& value) const;
   /// Where find_data() looked, in words.
@@ -54,5 +58,8 @@ class Files {
   std::string overrides_from_;
   std::map<std::string, std::string> known_;  // by name; they come first
 };
+
+/// The regular file in the folder of one that is not there whose name is most like it; "": none is.
+std::string near_file(const std::string& missing);
 
 }  // namespace elsie::world
