@@ -27,11 +27,11 @@ namespace {
 
 constexpr const char* kExamples = R"(
 Examples:
-  elsie batch experiments/beams.xml
-  elsie batch experiments/beams.xml --workers 4 --database beams.sqlite
-  elsie batch experiments/beams.xml --resume
-  elsie batch experiments/beams.xml --shard 2/5 --database beams-2.sqlite
-  elsie batch experiments/beams.xml --cluster slurm --shards 100 --sbatch=--partition=short
+  elsie batch experiments/top_speed.xml
+  elsie batch experiments/top_speed.xml --workers 4 --database speed.sqlite
+  elsie batch experiments/top_speed.xml --resume
+  elsie batch experiments/top_speed.xml --shard 2/5 --database part2.sqlite
+  elsie batch experiments/top_speed.xml --cluster slurm --shards 100 --sbatch=--partition=short
 
 Exit codes: 0 all runs ended by themselves, 2 bad input (nothing was begun), 3 a plugin failed in
 some run, 4 interrupted, or an error.

@@ -29,7 +29,7 @@ Examples:
   elsie run worlds/maze.xml --set 'robot[r1]/@max_speed=0.3' --json
   elsie run worlds/clutter.xml --explain clutter.trace
   elsie explain clutter.trace --picture clutter.png
-  elsie batch experiments/coordinators.xml
+  elsie batch experiments/top_speed.xml
   elsie check worlds/*.xml
   elsie describe wander
 
