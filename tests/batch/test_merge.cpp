@@ -52,6 +52,17 @@ std::string shard(const test::Folder& folder, std::size_t index, std::size_t of,
 
 }  // namespace
 
+TEST_CASE("Devices are written to by nobody, and stay") {
+  const test::Folder folder;
+  const std::string part = shard(folder, 1, 1, "part.sqlite");
+  const std::string device = folder.file("device.sqlite");
+  fs::create_symlink("/dev/null", device);
+  CHECK_THROWS_WITH(batch::merge(device, {part}), Contains("device.sqlite' is no file; choose"));
+  CHECK_THROWS_WITH(ResultsDatabase::create(device, test::small_plan(folder)),
+                    Contains("device.sqlite' is no file; expected a database"));
+  CHECK(fs::is_symlink(device));
+}
+
 TEST_CASE("Shards that are merged are the whole, whatever their order") {
   const test::Folder folder;
   const std::string whole = shard(folder, 1, 1, "whole.sqlite");

@@ -61,6 +61,7 @@ TEST_CASE("Where there is nothing yet, a database can be begun") {
   CHECK_FALSE(results::is_vacant(folder.write("text", "text")));
   CHECK_FALSE(results::is_vacant(test::made_database(folder)));
   CHECK_FALSE(results::is_vacant(folder.file("")));
+  CHECK_FALSE(results::is_vacant("/dev/null"));  // SQLite takes it for a database without tables
 }
 
 TEST_CASE("Names with signs that mean something in addresses are names") {

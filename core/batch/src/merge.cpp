@@ -222,8 +222,11 @@ Merged merge(const fs::path& into, const std::vector<fs::path>& databases) {
   require_apart(into, databases);
   const LockFile lock(into);
   if (!results::is_vacant(into)) {
-    throw DatabaseRefused("there is a file '" + into.string() +
-                          "' already; remove it or choose another name");
+    std::error_code ignored;
+    throw DatabaseRefused(fs::is_regular_file(into, ignored)
+                              ? "there is a file '" + into.string() +
+                                    "' already; remove it or choose another name"
+                              : "'" + into.string() + "' is no file; choose another name");
   }
   try {
     Connection to = results::make_database(into);

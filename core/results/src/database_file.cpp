@@ -182,6 +182,9 @@ bool is_vacant(const fs::path& file) {
   if (!fs::exists(file, error)) {
     return true;
   }
+  if (!fs::is_regular_file(file, error)) {
+    return false;  // a device, say: it is not for us to write to, still less to remove
+  }
   try {
     // For writing, so that what was half made when a process was killed can be undone.
     sqlite::Connection connection(file, Mode::write);
