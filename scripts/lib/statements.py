@@ -57,6 +57,11 @@ def four_resources(every):
     yield Claim(EXPERIMENTS, "ours take {:.0f} s more,", mean_time(fusion[1]) - original["2", "fusion"][1])
     yield Claim(EXPERIMENTS, "Ours goes at {:.2f} m/s. The original's paths and times come to {:.2f} m/s,",
                 mean(run.path_m / run.time_s for run in lost), mean(original[case, "arbitration"][0] / original[case, "arbitration"][1] for case in "34"))
+    way, time = original["4", "fusion"][:2]
+    yield Claim(EXPERIMENTS, "**Fusion, case 4: {:.0f} s instead of {:.0f} s.** The original's {:.0f} m in {:.0f} s are {:.2f} m/s, against {:.2f} m/s in its cases 2 and 3:",
+                mean_time(fusion[3]), time, way, time, way / time, mean(original[case, "fusion"][0] / original[case, "fusion"][1] for case in "23"))
+    yield Claim(EXPERIMENTS, "**Fusion, cases 1 and 2: {:.1f} m shorter than the original's.**",
+                mean(original[case, "fusion"][0] - mean_path(runs) for case, runs in zip("12", fusion)))
     yield Claim(EXPERIMENTS, "Of \"4 4 4 4\" {} in {} of our networks did not learn.", in_words(sum(not run.learned() for run in arbitration[3])),
                 in_words(len(arbitration[3])), holds=all(run.success == run.learned() for run in arbitration[3]))
     yield Claim(EXPERIMENTS, "both behaviours have fixed weights, {:.2f} and {:.2f}:", avoid, find)
