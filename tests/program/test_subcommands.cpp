@@ -86,7 +86,7 @@ TEST_CASE("check tells experiments from worlds, and says of each whether it is i
   CHECK(run.exit_code == 0);
   CHECK(run.out ==
         "worlds/maze.xml: in order: 1 robot, 14 boxes\n"
-        "experiments/four_resources.xml: in order: 8 cells, 160 runs, 7 expectations\n");
+        "experiments/four_resources.xml: in order: 8 cells, 160 runs, 10 expectations\n");
   const auto with_set = here.elsie("check experiments/four_resources.xml --set @name=a");
   CHECK(with_set.exit_code == 2);
   CHECK_THAT(with_set.err, Catch::Contains("--set is for worlds; 'experiments/four_resources.xml' "
