@@ -144,11 +144,11 @@ TEST_CASE(
       "batch small_experiment.xml --cluster slurm --shards 1 --database all.sqlite --detach\n"
       "until grep -q '\"ended\":24' all.sqlite-shards/shard-1.json; do sleep 0.05; done\n"
       // All runs have ended, and Slurm still says twice that it is completing the task.
-      "mkdir stub; real=$(command -v squeue)\n"
+      "mkdir fake; real=$(command -v squeue)\n"
       "printf '#!/bin/sh\\nif [ ! -e once ]; then touch once; elif [ ! -e twice ]; then touch "
-      "twice; else exec %s \"$@\"; fi\\necho \"1|CG|None\"\\n' \"$real\" > stub/squeue\n"
-      "chmod +x stub/squeue\n"
-      "PATH=$PWD/stub:$PATH script -qec \"stty cols 70; elsie batch small_experiment.xml --cluster "
+      "twice; else exec %s \"$@\"; fi\\necho \"1|CG|None\"\\n' \"$real\" > fake/squeue\n"
+      "chmod +x fake/squeue\n"
+      "PATH=$PWD/fake:$PATH script -qec \"stty cols 70; elsie batch small_experiment.xml --cluster "
       "slurm --resume --database all.sqlite --plugin-path '" +
       Laboratory::plugins() + "'\" /dev/null\n");
   CAPTURE(run.out, run.err);

@@ -23,8 +23,8 @@ struct Merged {
 ///
 /// Throws DatabaseRefused, and leaves nothing behind, when the new file is there already, one of
 /// the given is named twice, is no results database or a damaged one, is being written, is of
-/// another experiment than the first, or when a run is done in two of them with different outcomes or state hashes. DatabaseError when
-/// the new one cannot be written.
+/// another experiment than the first, or when a run is done in two of them with different outcomes
+/// or state hashes. DatabaseError when the new one cannot be written.
 Merged merge(const std::filesystem::path& into,
              const std::vector<std::filesystem::path>& databases);
 

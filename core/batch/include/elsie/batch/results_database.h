@@ -92,8 +92,8 @@ class ResultsDatabase {
 
   /// The runs to be done, in order.
   std::vector<std::int64_t> pending();
-  /// Throws DatabaseError when the file was removed, renamed or replaced since it was opened; what()
-  /// says where the results are, if they are anywhere.
+  /// Throws DatabaseError when the file was removed, renamed or replaced since it was opened;
+  /// what() says where the results are, if they are anywhere.
   void require_in_place();
   /// What became of a pending run, which is pending no more. Throws DatabaseError, also when the
   /// file is not in its place any more.
