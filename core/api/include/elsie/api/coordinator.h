@@ -26,7 +26,8 @@ struct TraceRow {
   MotorCommand command;     // what it wished for
   double activation = 0.0;  // as the behaviour reported it
   double strength = 0.0;    // likewise
-  double weight = 0.0;      // what the coordinator multiplied its wish with
+  double weight = 0.0;      // what the coordinator multiplied its wish with; not below 0, unless
+                            // its priority is
   double share = 0.0;       // its part in the result, in [0, 1]
   int inhibited_by = -1;    // index of the member that silenced it; -1: none
   double time_s = 0.0;      // how long respond() took on the clock; 0 unless it is being measured

@@ -109,6 +109,11 @@ class Sensed {
   const SensedReading* sensed_;
 };
 
+namespace detail {
+/// Throws std::out_of_range with a sentence: there are only `count` readings of this kind.
+[[noreturn]] void no_such_reading(const char* kind, std::size_t i, std::size_t count);
+}  // namespace detail
+
 /// A view of the readings of one type, to loop over.
 template <class Reading>
 class Readings {
@@ -137,7 +142,13 @@ class Readings {
   Iterator end() const { return Iterator(all_.data() + all_.size()); }
   std::size_t size() const { return all_.size(); }
   bool empty() const { return all_.empty(); }
-  Sensed<Reading> operator[](std::size_t i) const { return Sensed<Reading>(all_[i]); }
+  /// The one of sensor i, counted from 0; throws std::out_of_range when there are fewer.
+  Sensed<Reading> operator[](std::size_t i) const {
+    if (i >= all_.size()) [[unlikely]] {
+      detail::no_such_reading(Reading::kind, i, all_.size());
+    }
+    return Sensed<Reading>(all_[i]);
+  }
 
  private:
   std::span<const SensedReading> all_;

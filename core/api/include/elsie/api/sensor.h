@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "elsie/api/component.h"
@@ -132,10 +133,33 @@ class SensorOf : public Sensor {
   Reading reading_{};
 };
 
+namespace detail {
+
+/// Whether &Class::sense still is that of SensorOf. A method that cannot be named from here, being
+/// private or overloaded, is the class' own.
+template <class Class>
+constexpr bool kInheritsSense = requires {
+  requires std::is_same_v<decltype(&Class::sense),
+                          typename Class::ReadingType (SensorOf<typename Class::ReadingType>::*)(
+                              const SensorContext&)>;
+};
+template <class Class>
+constexpr bool kInheritsSenseInto = requires {
+  requires std::is_same_v<decltype(&Class::sense_into),
+                          void (SensorOf<typename Class::ReadingType>::*)(
+                              const SensorContext&, typename Class::ReadingType&)>;
+};
+
+}  // namespace detail
+
 /// Makes a sensor class a plugin; see ELSIE_BEHAVIOR. The kind of reading that it produces is taken
 /// from its base.
-#define ELSIE_SENSOR(Class, name, description, ...)                             \
-  ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::sensor, Class, name, description, \
+#define ELSIE_SENSOR(Class, name, description, ...)                                           \
+  static_assert(                                                                              \
+      !::elsie::detail::kInheritsSense<Class> || !::elsie::detail::kInheritsSenseInto<Class>, \
+      "this sensor senses nothing: override sense() or sense_into(), whose names and "        \
+      "parameters must be those of SensorOf");                                                \
+  ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::sensor, Class, name, description,               \
                          ::elsie::produces<Class::ReadingType>() __VA_OPT__(, ) __VA_ARGS__)
 
 }  // namespace elsie
