@@ -1,5 +1,8 @@
 #include "elsie/plugin/call.h"
 
+#include <atomic>
+
+#include <pthread.h>
 #include <time.h>
 
 namespace elsie::plugin {
@@ -11,14 +14,35 @@ std::int64_t now_ns() noexcept {
   return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
+std::atomic<void (*)() noexcept> at_end_of_copy{nullptr};
+
 }  // namespace
 
+void (*Call::end_copy_)() noexcept = nullptr;
 constinit thread_local Call* Call::innermost_ = nullptr;
 
 void Call::stop_clock() noexcept {
   if (outer_) {
     outer_->inner_ns_ += now_ns() - start_ns_;
   }
+}
+
+void Call::watch_for_copies(void (*end_copy)() noexcept) {
+  if (at_end_of_copy.exchange(end_copy)) {
+    return;
+  }
+  const auto in_parent = [] {
+    if (innermost_) {
+      innermost_->has_forked_ = true;
+    }
+  };
+  const auto in_child = [] { end_copy_ = innermost_ ? at_end_of_copy.load() : nullptr; };
+  pthread_atfork(nullptr, in_parent, in_child);
+}
+
+const char* Call::restore_from(const Arithmetic& now) noexcept {
+  before_.restore();
+  return now.difference_from(before_);
 }
 
 void Call::start_clock() noexcept { start_ns_ = now_ns(); }

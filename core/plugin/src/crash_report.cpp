@@ -7,15 +7,22 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 #include <string_view>
 
+#include <dlfcn.h>
+#include <execinfo.h>
+#include <pthread.h>
 #include <sys/syscall.h>
 #include <time.h>
 #include <unistd.h>
 
 #include "elsie/plugin/call.h"
+#include "elsie/plugin/process_end.h"
 
+#include "loaded_libraries.h"
+#include "reporting.h"
 #include "stack_trace.h"
 
 namespace elsie::plugin {
@@ -27,14 +34,11 @@ namespace {
 // All that a handler of signals can reach are globals, and so is what is told to all handlers.
 std::array<std::atomic<EmergencyWriter*>, 512> writers;
 std::atomic<int> status_of_crash{0};
-std::atomic<pid_t> reporter{0};  // the thread that has come to grief first
+std::atomic<pid_t> process{0};  // not that of its children
 std::atomic<bool> is_cleaning{false};
 std::atomic<int> crash_signal{0};
 
 constexpr std::size_t kStackSize = 256 * 1024;
-constexpr int kWatchdogSignal = SIGVTALRM;
-std::atomic<std::int64_t> watchdog_limit_ns{0};
-std::atomic<int> watchdog_status{0};
 
 struct Crash {
   int signal;
@@ -103,7 +107,8 @@ void write_when(const CallFacts& facts) {
   if (facts.step != CallFacts::kNoStep) {
     write_error(" in step ");
     write_number(facts.step);
-  } else if (facts.doing) {
+  }
+  if (facts.doing) {
     write_error(", ");
     write_error(facts.doing);
   }
@@ -124,7 +129,33 @@ bool is_just_loading() {
   return since > 0.0 && since < kLong && !facts_at_work().plugin;
 }
 
-/// Once, whatever comes of it.
+/// The plugin library whose code is on the stack of a thread that no call into a plugin has made:
+/// one that a plugin has started. Null: there is none.
+const char* library_on_stack(const Fault& place) {
+  if (place.at) {
+    const char* const library = plugin_library_at(place.at);
+    Dl_info info{};
+    if (library || dladdr(place.at, &info) == 0) {
+      return library;  // from where there is no code, the stack cannot be followed
+    }
+  }
+  // A thread that starts after its library was unloaded crashes in the C++ library, which looks
+  // for the thread's code where the plugin was.
+  if (const char* const library = plugin_library_at(place.touched)) {
+    return library;
+  }
+  void* frames[64];
+  const int count = backtrace(frames, 64);
+  for (int i = 0; i < count; ++i) {
+    if (const char* const library = plugin_library_at(frames[i])) {
+      return library;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
 void clean_up() {
   if (is_cleaning.exchange(true)) {
     return;
@@ -136,9 +167,13 @@ void clean_up() {
   }
 }
 
-void write_culprit_and(const char* what) {
+void write_culprit_and(const char* what, const char* library) {
   write_error("elsie: ");
-  if (is_plugin_at_work()) {
+  if (library) {
+    write_quoted("plugin library ", library);
+    write_error(", in a thread of its own, ");
+    write_error(what);
+  } else if (is_plugin_at_work()) {
     const CallFacts facts = facts_at_work();
     write_culprit(facts);
     write_error(" ");
@@ -155,8 +190,15 @@ void write_culprit_and(const char* what) {
   write_error("\n");
 }
 
-void write_report(const char* what, const Fault& place) {
-  write_culprit_and(what);
+bool write_report(const char* what, const Fault& place) {
+  const bool at_work = is_plugin_at_work();
+  const char* const library = at_work ? nullptr : library_on_stack(place);
+  write_culprit_and(what, library);
+  if (!at_work && !library && crash_signal != 0) {
+    write_error(
+        "if a plugin has written over memory that is not its own, this is where it was noticed: "
+        "try each with `elsie test-plugin`, or build them with -fsanitize=address\n");
+  }
   // First what matters: a stack that was written over may be the end of the trace.
   if (write_all_now()) {
     write_error("what was recorded until then is kept\n");
@@ -164,6 +206,7 @@ void write_report(const char* what, const Fault& place) {
   write_error("the stack, from the inside out:\n");
   write_stack_trace(place);
   clean_up();
+  return at_work || library;
 }
 
 Fault place_of_fault(const void* context) {
@@ -181,18 +224,15 @@ Fault place_of_fault(const void* context) {
 #endif
 }
 
-/// Whether this thread is the first one that comes to grief. If it did so before, its report came
-/// to grief too: false. The others' end here; the first one ends the process.
-bool may_report() {
-  pid_t none = 0;
-  if (reporter.compare_exchange_strong(none, this_thread())) {
-    return true;
-  }
-  while (reporter != this_thread()) {
-    pause();
-  }
-  return false;
+void handle(int signal, void (*handler)(int, siginfo_t*, void*), int flags) {
+  struct sigaction action {};
+  action.sa_sigaction = handler;
+  action.sa_flags = SA_SIGINFO | flags;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
 }
+
+namespace {
 
 /// As it would have ended by itself.
 [[noreturn]] void end_by(int signal) {
@@ -202,64 +242,68 @@ bool may_report() {
   sigset_t only;
   sigemptyset(&only);
   sigaddset(&only, signal);
+  announce_end(128 + signal);
   raise(signal);
   pthread_sigmask(SIG_UNBLOCK, &only, nullptr);
-  _exit(128 + signal);
+  end_with(128 + signal);
 }
 
-void crashed(int signal, siginfo_t*, void* context) {
+void crashed(int signal, siginfo_t* info, void* context) {
+  if (getpid() != process) {
+    end_by(signal);  // a child that a plugin has made with fork(): nothing here is its own
+  }
   if (may_report()) {
     crash_signal = signal;
     const auto crash = std::find_if(std::begin(kCrashes), std::end(kCrashes),
                                     [&](const Crash& known) { return known.signal == signal; });
-    write_report(crash->what, place_of_fault(context));
-    if (is_plugin_at_work()) {
-      _exit(status_of_crash);
+    Fault place = place_of_fault(context);
+    if ((signal == SIGSEGV || signal == SIGBUS) && info->si_code > 0) {
+      place.touched = info->si_addr;
+    }
+    if (write_report(crash->what, place)) {
+      end_with(status_of_crash);
     }
     end_by(signal);
   }
-  // The report came to grief. Nothing that may be on the stack is looked at again.
+  // The report itself has crashed. Nothing that may be on the stack is looked at again.
   write_error("  (no more of it can be read)\n");
   clean_up();
   if (Call::innermost()) {
-    _exit(status_of_crash);
+    end_with(status_of_crash);
   }
   end_by(signal);
 }
 
-void ended(int signal) {
+void ended(int signal, siginfo_t* info, void*) {
+  const bool by_itself = info->si_pid == getpid();
+  if (by_itself && is_plugin_at_work() && may_report()) {
+    char what[64] = "ended the program with the signal SIG";
+    const char* const name = sigabbrev_np(signal);
+    std::strncat(what, name ? name : "?", sizeof(what) - std::strlen(what) - 1);
+    write_report(what, {});
+    end_with(status_of_crash);
+  }
   clean_up();
   end_by(signal);
 }
 
 void left_by_exit() {
-  if (is_plugin_at_work() && may_report()) {
+  if (is_plugin_at_work() && getpid() == process && may_report()) {
     write_report("ended the program by calling exit()", {});
-    _exit(status_of_crash);
+    end_with(status_of_crash);
   }
 }
 
-void look_for_endless_call(int, siginfo_t*, void* context) {
-  const Call* const call = Call::innermost();
-  if (call && 1e9 * call->own_time_s() > static_cast<double>(watchdog_limit_ns.load()) &&
-      may_report()) {
-    write_report("did not return within its time budget and was stopped", place_of_fault(context));
-    _exit(watchdog_status);
-  }
-}
-
-void handle(int signal, void (*handler)(int, siginfo_t*, void*), int flags) {
-  struct sigaction action {};
-  action.sa_sigaction = handler;
-  action.sa_flags = SA_SIGINFO | flags;
-  sigemptyset(&action.sa_mask);
-  sigaction(signal, &action, nullptr);
-}
+/// In a copy of the process, when the plugin that has made it returns: two processes would go on
+/// with one run, and write the same files.
+void end_copy() noexcept { end_with(status_of_crash); }
 
 }  // namespace
 
 void report_crashes(int exit_status) {
   status_of_crash = exit_status;
+  process = getpid();
+  Call::watch_for_copies(end_copy);
   prepare_stack_trace();
   alignas(16) static char stack[kStackSize];
   static const int once = std::atexit(left_by_exit);
@@ -276,12 +320,23 @@ void report_crashes(int exit_status) {
     struct sigaction action {};
     if (sigaction(signal, nullptr, &action) == 0 && !(action.sa_flags & SA_SIGINFO) &&
         action.sa_handler == SIG_DFL) {
-      action = {};
-      action.sa_handler = ended;
-      sigemptyset(&action.sa_mask);
-      sigaction(signal, &action, nullptr);
+      handle(signal, ended, 0);
     }
   }
+}
+
+void report_exit(const char* function, int exit_code, const void* caller) noexcept {
+  if (getpid() != process) {
+    for (;;) {
+      syscall(SYS_exit_group, exit_code);
+    }
+  }
+  if (may_report()) {
+    char what[64] = "ended the program by calling ";
+    std::strncat(what, function, sizeof(what) - std::strlen(what) - 1);
+    write_report(what, {caller, nullptr, nullptr, true});
+  }
+  end_with(status_of_crash);
 }
 
 void end_process(const char* what, const char* else_say, int exit_status, Stack stack) {
@@ -289,43 +344,18 @@ void end_process(const char* what, const char* else_say, int exit_status, Stack 
   if (stack == Stack::left_out && is_just_loading() && may_report()) {
     write_error("elsie: interrupted while plugins were loaded\n");
   } else if (may_report() && is_plugin_at_work()) {
-    stack == Stack::shown ? write_report(what, {}) : write_culprit_and(what);
+    if (stack == Stack::shown) {
+      write_report(what, {});
+    } else {
+      write_culprit_and(what, nullptr);
+    }
   } else if (!is_plugin_at_work()) {
     write_error("elsie: ");
     write_error(else_say);
     write_error("\n");
   }
   clean_up();
-  _exit(exit_status);
-}
-
-Watchdog::Watchdog(double limit_s, int exit_status) {
-  prepare_stack_trace();
-  watchdog_limit_ns = std::llround(1e9 * limit_s);
-  watchdog_status = exit_status;
-  handle(kWatchdogSignal, look_for_endless_call, SA_ONSTACK | SA_RESTART);
-  sigevent event{};
-  event.sigev_notify = SIGEV_THREAD_ID;
-  event.sigev_signo = kWatchdogSignal;
-  event._sigev_un._tid = this_thread();
-  timer_t timer{};
-  if (timer_create(CLOCK_MONOTONIC, &event, &timer) != 0) {
-    throw std::runtime_error("no timer is to be had that would stop plugins which do not return");
-  }
-  timer_ = timer;
-  // Often enough to come soon after the limit, and not more often.
-  const std::int64_t period_ns =
-      std::clamp<std::int64_t>(watchdog_limit_ns / 4, 1'000'000, 250'000'000);
-  itimerspec times{};
-  times.it_interval = {static_cast<time_t>(period_ns / 1'000'000'000),
-                       static_cast<long>(period_ns % 1'000'000'000)};
-  times.it_value = times.it_interval;
-  timer_settime(timer, 0, &times, nullptr);
-}
-
-Watchdog::~Watchdog() {
-  timer_delete(timer_);
-  std::signal(kWatchdogSignal, SIG_IGN);  // one may be on its way
+  end_with(exit_status);
 }
 
 CallFacts facts_at_work() noexcept {

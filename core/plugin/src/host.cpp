@@ -57,6 +57,7 @@ struct Host::State {
   std::array<Registry, kPluginKinds.size()> registries;
   std::map<FileId, fs::path> seen;  // directories and libraries
   std::map<fs::path, LoadedFile> loaded;
+  std::map<fs::path, fs::path> sources;  // of libraries that were compiled from one file
   Report report;
   Loading loading = Loading::in_place;
   const State* before = nullptr;  // while it is renewed
@@ -70,6 +71,11 @@ struct Host::State {
     return at == registry(kind).end() ? nullptr : at->second.get();
   }
 
+  /// The file that the user knows of a library: its source, if it was compiled from one.
+  const fs::path& known_as(const fs::path& file) const {
+    const auto source = sources.find(file);
+    return source == sources.end() ? file : source->second;
+  }
   void search(SearchDirectory directory);
   fs::path former_of(std::size_t place) const;
   std::string list(const SearchDirectory& directory, std::vector<fs::path>& files);
@@ -145,13 +151,16 @@ void Host::State::keep_gone(DirectoryReport& found, const std::vector<fs::path>&
 
 void Host::State::search(SearchDirectory directory) {
   const fs::path former = former_of(report.directories.size());
+  if (!directory.source.empty()) {
+    sources.insert_or_assign(directory.path, directory.source);
+  }
   DirectoryReport found{std::move(directory), "", {}};
   std::vector<fs::path> files;
   found.problem = list(found.directory, files);
   for (const fs::path& file : files) {
     FileReport& result = found.files.emplace_back(examine(file, former));
     if (result.status == FileStatus::refused) {
-      report.warnings.push_back(file.string() + ": " + result.sentence);
+      report.warnings.push_back(known_as(file).string() + ": " + result.sentence);
     }
   }
   keep_gone(found, files, former);
@@ -205,7 +214,7 @@ void Host::State::load(FileReport& file, const fs::path& former) {
 
 /// The file is not to be used, but the library that it was before, which was `former`, still is.
 void Host::State::keep_old(FileReport& file, const fs::path& former) {
-  report.warnings.push_back(file.path.string() + ": " + file.sentence +
+  report.warnings.push_back(known_as(file.path).string() + ": " + file.sentence +
                             "; the library that was there before is still in use");
   file.path = former;
   file.abi_word = known(former)->abi_word;
@@ -230,13 +239,17 @@ std::optional<LoadedFile> Host::State::load_anew(FileReport& file) {
     file.sentence = std::move(*mismatch);
     return std::nullopt;
   }
-  LoadedLibrary library = load_library(file.path, file.abi_word, loading == Loading::copies);
+  LoadedLibrary library = load_library(file.path, known_as(file.path).string(), file.abi_word,
+                                       loading == Loading::copies);
+  if (!library.warning.empty()) {
+    report.warnings.push_back(known_as(file.path).string() + ": " + library.warning);
+  }
   if (!library.problem.empty()) {
     file.sentence = std::move(library.problem);
   } else if (library.declarations.empty()) {
     file.sentence =
-        "declares no plugin; is an ELSIE_SENSOR, ELSIE_BEHAVIOR or "
-        "ELSIE_COORDINATOR missing?";
+        "declares no plugin; is an ELSIE_SENSOR, ELSIE_BEHAVIOR, "
+        "ELSIE_COORDINATOR or ELSIE_MEASURE missing?";
   } else if (const auto faults = check_declarations(library.declarations); !faults.empty()) {
     file.sentence = "is declared wrongly: " + joined(faults, "; ");
   } else {
@@ -259,10 +272,10 @@ void Host::State::enter(LoadedFile found, FileReport& file) {
     plugin.name = declaration.name;
     plugin.version = declaration.version;
     if (const Entry* const first = entry(plugin.kind, plugin.name)) {
-      plugin.shadowed_by = first->file;
+      plugin.shadowed_by = known_as(first->file);
       report.warnings.push_back(title(plugin.kind, plugin.name) + " is in both " +
-                                first->file.string() + " and " + file.path.string() +
-                                "; the first one is used");
+                                plugin.shadowed_by.string() + " and " +
+                                known_as(file.path).string() + "; the first one is used");
       continue;
     }
     registry(plugin.kind).emplace(plugin.name, ref);
@@ -281,7 +294,8 @@ void Host::State::enter(LoadedFile found, FileReport& file) {
 void Release::operator()(Component* object) {
   // An emptied pointer keeps its deleter, and must not keep the library with it.
   const std::shared_ptr<const Library> last = std::move(library);
-  const Call call({.library = last ? last->file().c_str() : nullptr, .doing = "while it went"});
+  Call call({.library = last ? last->file().c_str() : nullptr, .doing = "while it went"});
+  call.start_clock();
   delete object;
 }
 
@@ -298,6 +312,7 @@ Host Host::renewed(std::vector<SearchDirectory> directories) const {
   Host host;
   host.state_->loading = state_->loading;
   host.state_->before = state_.get();
+  host.state_->sources = state_->sources;
   for (SearchDirectory& directory : directories) {
     host.state_->search(std::move(directory));
   }
@@ -353,10 +368,10 @@ std::string Host::explain_missing(PluginKind kind, std::string_view name) const 
   std::vector<std::string> refused;
   for (const DirectoryReport& directory : state_->report.directories) {
     const std::string problem = directory.problem.empty() ? "" : " (" + directory.problem + ")";
-    searched.push_back(directory.directory.path.string() + problem);
+    searched.push_back(state_->known_as(directory.directory.path).string() + problem);
     for (const FileReport& file : directory.files) {
       if (file.status == FileStatus::refused) {
-        refused.push_back(file.path.string() + " " + file.sentence);
+        refused.push_back(state_->known_as(file.path).string() + " " + file.sentence);
       }
     }
   }
@@ -374,19 +389,25 @@ Object<Component> Host::create_component(PluginKind kind, std::string_view name)
     throw PluginError(explain_missing(kind, name));
   }
   std::optional<std::string> problem;
-  const Call call({.plugin = entry->declaration.name.c_str(),
-                   .library = entry->library ? entry->library->file().c_str() : nullptr,
-                   .doing = "while it was made"});
+  Call call({.plugin = entry->declaration.name.c_str(),
+             .library = entry->library ? entry->library->file().c_str() : nullptr,
+             .doing = "while it was made"});
+  call.start_clock();
   try {
-    if (std::unique_ptr<Component> object = entry->declaration.create()) {
+    std::unique_ptr<Component> object = entry->declaration.create();
+    if (const char* const changed = call.restore_arithmetic()) {
+      problem = std::string("it changed ") + changed + " for the whole program";
+    } else if (object) {
       return {object.release(), Release{entry->library}};
+    } else {
+      problem = "it made no object";
     }
-    problem = "it made no object";
   } catch (...) {
     problem = current_exception_text();
   }
   // Thrown here, where nothing of the plugin's own exception is left.
-  const std::string file = entry->file.empty() ? "" : " (" + entry->file.string() + ")";
+  const std::string file =
+      entry->file.empty() ? "" : " (" + state_->known_as(entry->file).string() + ")";
   throw CreateError(title(kind, name) + file + " could not be made: " + *problem);
 }
 

@@ -13,6 +13,7 @@
 #include "elsie/api/registration.h"
 #include "elsie/plugin/call.h"
 
+#include "loaded_libraries.h"
 #include "text.h"
 
 namespace elsie::plugin {
@@ -23,9 +24,13 @@ struct Library::System {
 
 Library::Library(std::unique_ptr<System> system, std::string file,
                  std::unique_ptr<PrivateCopy> copy)
-    : copy_(std::move(copy)), system_(std::move(system)), file_(std::move(file)) {}
+    : copy_(std::move(copy)), system_(std::move(system)), file_(std::move(file)) {
+  note_loaded(dlsym(system_->library.native(), ELSIE_PLUGIN_ENTRY), file_.c_str());
+}
 Library::~Library() {
-  const Call call({.library = file_.c_str(), .doing = "while it was unloaded"});
+  note_unloaded(file_.c_str());
+  Call call({.library = file_.c_str(), .doing = "while it was unloaded"});
+  call.start_clock();
   system_.reset();
 }
 
@@ -83,11 +88,11 @@ std::string read_declarations(void* handle, std::string_view abi_word,
 
 }  // namespace
 
-LoadedLibrary load_library(const std::filesystem::path& file, std::string_view abi_word,
-                           bool as_copy) {
+LoadedLibrary load_library(const std::filesystem::path& file, const std::string& known_as,
+                           std::string_view abi_word, bool as_copy) {
   namespace dll = boost::dll;
   LoadedLibrary loaded;
-  Call call({.library = file.c_str(), .doing = "while it was loaded"});
+  Call call({.library = known_as.c_str(), .doing = "while it was loaded"});
   call.start_clock();  // most are loaded at once: one that is not is at fault
   std::unique_ptr<PrivateCopy> copy;
   try {
@@ -108,9 +113,12 @@ LoadedLibrary load_library(const std::filesystem::path& file, std::string_view a
     return loaded;
   }
   void* const handle = system->library.native();
-  loaded.library =
-      std::make_shared<const Library>(std::move(system), file.string(), std::move(copy));
+  loaded.library = std::make_shared<const Library>(std::move(system), known_as, std::move(copy));
   loaded.problem = read_declarations(handle, abi_word, loaded.declarations);
+  if (const char* const changed = call.restore_arithmetic()) {
+    loaded.warning = std::string("changed ") + changed +
+                     " for the whole program when it was loaded; this was undone";
+  }
   if (!loaded.problem.empty()) {
     loaded.declarations.clear();
     loaded.library.reset();

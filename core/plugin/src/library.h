@@ -24,7 +24,7 @@ class Library {
   Library& operator=(const Library&) = delete;
   ~Library();
 
-  /// Where it was found.
+  /// The file that the user knows of it: where it was found, or what it was compiled from.
   const std::string& file() const { return file_; }
 
  private:
@@ -39,12 +39,14 @@ struct LoadedLibrary {
   std::shared_ptr<const Library> library;
   std::vector<Declaration> declarations;
   std::string problem;  // a sentence when it was refused; nothing of it is left loaded then
+  std::string warning;  // a sentence on what it did while it was loaded; "": nothing
 };
 
 /// Loads a file that was inspected and found to be a plugin library with this ABI word, and has it
-/// declare its plugins. `as_copy`: not the file itself but a private copy, so that the file may be
-/// replaced. Throws nothing because of what the library does, short of crashing.
-LoadedLibrary load_library(const std::filesystem::path& file, std::string_view abi_word,
-                           bool as_copy);
+/// declare its plugins. `known_as`: the file that crash reports name. `as_copy`: not the file
+/// itself but a private copy, so that the file may be replaced. Throws nothing because of what the
+/// library does, short of crashing.
+LoadedLibrary load_library(const std::filesystem::path& file, const std::string& known_as,
+                           std::string_view abi_word, bool as_copy);
 
 }  // namespace elsie::plugin

@@ -54,8 +54,9 @@ std::vector<SearchDirectory> default_search_path(std::span<const fs::path> given
   }
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    path.add(program.parent_path().parent_path() / "lib/elsie/plugins", "beside the program");
+  const fs::path beside = program.parent_path().parent_path() / "lib/elsie/plugins";
+  if (fs::is_directory(beside, error)) {
+    path.add(beside, "beside the program");
   }
   const fs::path library = fs::canonical(file_of_this_library(), error);
   if (!error) {

@@ -1,18 +1,14 @@
 #include "elsie/plugin/source_build.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <charconv>
-#include <chrono>
-#include <csignal>
 #include <cstdint>
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <sstream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <unistd.h>
 
@@ -20,38 +16,16 @@
 #include "elsie/plugin/own_library.h"
 #include "elsie/plugin/process.h"
 
+#include "build_cache.h"
+#include "file_sight.h"
+
 namespace elsie::plugin {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// FNV-1a, 64 bits: to tell contents apart, not to guard them.
-class Hash {
- public:
-  Hash& add(std::string_view bytes) {
-    for (const char c : bytes) {
-      value_ = (value_ ^ static_cast<unsigned char>(c)) * 1099511628211u;
-    }
-    value_ = (value_ ^ 0xffu) * 1099511628211u;  // "ab", "c" is not "a", "bc"
-    return *this;
-  }
-  std::string text() const {
-    std::ostringstream out;
-    out << std::hex << value_;
-    return out.str();
-  }
-
- private:
-  std::uint64_t value_ = 14695981039346656037u;
-};
-
-std::optional<std::string> content_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) {
-    return std::nullopt;
-  }
-  return std::string{std::istreambuf_iterator<char>(in), {}};
-}
+/// How often a source is compiled that is saved each time meanwhile.
+constexpr int kMostTries = 4;
 
 /// Of a program or library: enough to see that it was replaced.
 std::string stamp_of(const fs::path& file) {
@@ -109,19 +83,24 @@ class Compiler {
     const auto add = [this](std::initializer_list<const char*> words) {
       words_.insert(words_.end(), words.begin(), words.end());
     };
-    add({"-std=c++20", "-O2", "-g", "-fPIC", "-shared", "-fvisibility=hidden",
-         "-fvisibility-inlines-hidden", "-ffp-contract=off", "-Wall", "-Wextra"});
+    add({"-std=c++20", "-O2", "-g1", "-fPIC", "-shared", "-fvisibility=hidden",
+         "-fvisibility-inlines-hidden", "-ffp-contract=off", "-Wall", "-Wextra",
+         "-Woverloaded-virtual"});
     if (isatty(STDERR_FILENO)) {
       add({"-fdiagnostics-color=always"});
-    }
-    words_.push_back("-I" + headers_of(library_).string());
-    for (const std::string& word : words_of(std::getenv("CXXFLAGS"))) {
-      words_.push_back(word);
     }
     if (host_abi_word().find("sanitizer=address") != std::string_view::npos) {
       add({"-fsanitize=address,undefined"});
     } else {
       add({"-Wl,--no-undefined"});
+    }
+    words_.push_back("-I" + headers_of(library_).string());
+    // The user's come last, so that they prevail; libraries after the source that asks for them.
+    for (const char* const variable : {"CXXFLAGS", "LDFLAGS", "LDLIBS"}) {
+      for (const std::string& word : words_of(std::getenv(variable))) {
+        const bool is_library = word.starts_with("-l") || word.ends_with(".a");
+        (is_library ? libraries_ : flags_).push_back(word);
+      }
     }
     stamp_ = stamp_of(*program) + '\n' + stamp_of(library_);
   }
@@ -129,26 +108,31 @@ class Compiler {
   /// The same text for the same result from the same source.
   std::string identity() const {
     std::string text = stamp_;
-    for (const std::string& word : words_) {
-      text += '\n' + word;
+    for (const auto* words : {&words_, &flags_, &libraries_}) {
+      for (const std::string& word : *words) {
+        text += '\n' + word;
+      }
     }
     return text;
   }
 
-  /// Throws BuildError.
-  void compile(const fs::path& source, const fs::path& output, const fs::path& dependencies,
-               const std::stop_token& stop) const {
+  /// Returns what the compiler warns of. Throws BuildError.
+  std::string compile(const fs::path& source, const fs::path& output, const fs::path& dependencies,
+                      const std::stop_token& stop) const {
     std::vector<std::string> command = words_;
     const auto version = run_process({words_.front(), "--version"});
     if (version && version->output.find("clang") == std::string::npos) {
       // An inline static of a template would keep the library in memory for ever.
       command.push_back("-fno-gnu-unique");
+      command.push_back("-Wsuggest-override");
     }
+    command.insert(command.end(), flags_.begin(), flags_.end());
     for (const std::string& word :
          {std::string("-MMD"), std::string("-MF"), dependencies.string(), std::string("-o"),
           output.string(), source.string(), library_.string()}) {
       command.push_back(word);
     }
+    command.insert(command.end(), libraries_.begin(), libraries_.end());
     const auto result = run_process(command, stop);
     if (!result) {
       throw PluginError("the compiler '" + words_.front() + "' could not be started");
@@ -156,12 +140,15 @@ class Compiler {
     if (result->exit_code != 0) {
       throw BuildError(result->output + source.string() + " could not be compiled (" +
                        words_.front() + " ended with " + std::to_string(result->exit_code) +
-                       "); mend what it says above and try again");
+                       "); fix the errors above and try again");
     }
+    return result->output;
   }
 
  private:
-  std::vector<std::string> words_;
+  std::vector<std::string> words_;      // the compiler and our flags
+  std::vector<std::string> flags_;      // the user's
+  std::vector<std::string> libraries_;  // the user's
   fs::path library_;
   std::string stamp_;
 };
@@ -192,146 +179,6 @@ std::vector<fs::path> prerequisites(const std::string& rule) {
   end_word();
   return files;
 }
-
-/// Scratch files are "new.", the process that writes them, and a suffix.
-constexpr std::string_view kScratch = "new.";
-
-/// Whether the process that wrote a scratch file is gone.
-bool is_left_behind(const std::string& name) {
-  pid_t process = 0;
-  const char* const number = name.data() + std::min(kScratch.size(), name.size());
-  const auto read = std::from_chars(number, name.data() + name.size(), process);
-  return name.starts_with(kScratch) && read.ec == std::errc() && process > 0 &&
-         kill(process, 0) != 0 && errno == ESRCH;
-}
-
-/// The files of a folder of the cache, the last used first. None when there is anything else in it:
-/// then it is not the cache's.
-std::vector<fs::path> cached_files(const fs::path& folder) {
-  std::vector<std::pair<fs::file_time_type, fs::path>> found;
-  std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const std::string name = at->path().filename().string();
-    const bool known =
-        name == "inputs" || name.starts_with(kScratch) || at->path().extension() == ".so";
-    if (!known || !at->is_regular_file(error)) {
-      return {};
-    }
-    found.emplace_back(at->last_write_time(error), at->path());
-  }
-  std::sort(found.rbegin(), found.rend());
-  std::vector<fs::path> files;
-  for (auto& [time, file] : found) {
-    files.push_back(std::move(file));
-  }
-  return files;
-}
-
-/// Removes what nobody has asked for in a long time. What is in use elsewhere stays in memory.
-void sweep(const fs::path& cache) {
-  const auto limit = fs::file_time_type::clock::now() - std::chrono::hours(24 * kCacheDays);
-  std::error_code error;
-  std::vector<fs::path> folders;
-  for (fs::directory_iterator at(cache, error), end; !error && at != end; at.increment(error)) {
-    if (fs::exists(at->path() / "inputs", error) &&
-        fs::last_write_time(at->path() / "inputs", error) < limit) {
-      folders.push_back(at->path());
-    }
-  }
-  for (const fs::path& folder : folders) {
-    for (const fs::path& file : cached_files(folder)) {
-      fs::remove(file, error);
-    }
-    fs::remove(folder, error);  // if nothing is left
-  }
-}
-
-/// What one source was compiled to last, and from which contents.
-class CacheEntry {
- public:
-  CacheEntry(const fs::path& source, const Compiler& compiler, const fs::path& cache)
-      : cache_(cache),
-        folder_(cache / (source.stem().string() + '-' +
-                         Hash().add(source.string()).add(compiler.identity()).text())),
-        stem_(source.stem().string()) {
-    std::error_code error;
-    fs::create_directories(folder_, error);
-    if (error) {
-      throw PluginError("the folder " + folder_.string() +
-                        " for compiled plugins cannot be made: " + error.message() +
-                        "; name another one in the environment variable ELSIE_CACHE");
-    }
-  }
-
-  /// The library, if nothing changed since.
-  std::optional<SourceBuild> find() const {
-    std::ifstream record(folder_ / "inputs");
-    SourceBuild build;
-    build.from_cache = true;
-    std::string name;
-    if (!std::getline(record, name)) {
-      return std::nullopt;
-    }
-    build.library = folder_ / name;
-    for (std::string hash, file; record >> hash && std::getline(record >> std::ws, file);) {
-      const auto content = content_of(file);
-      if (!content || Hash().add(*content).text() != hash) {
-        return std::nullopt;
-      }
-      build.inputs.emplace_back(file);
-    }
-    if (!fs::exists(build.library)) {
-      return std::nullopt;
-    }
-    std::error_code ignored;  // in a cache that is only read
-    const auto now = fs::file_time_type::clock::now();
-    fs::last_write_time(folder_ / "inputs", now, ignored);
-    return build;
-  }
-
-  /// Where the compiler may write; another one for each process.
-  fs::path scratch(const char* suffix) const {
-    return folder_ / (std::string(kScratch) + std::to_string(getpid()) + suffix);
-  }
-
-  /// Takes over what the compiler wrote.
-  SourceBuild keep(const fs::path& library, std::vector<fs::path> inputs) const {
-    Hash all;
-    std::string record;
-    for (const fs::path& file : inputs) {
-      const std::string hash = Hash().add(content_of(file).value_or("")).text();
-      all.add(hash);
-      record += hash + ' ' + file.string() + '\n';
-    }
-    const std::string name = stem_ + '-' + all.text() + ".so";
-    const fs::path text = scratch(".inputs");
-    std::ofstream(text) << name << '\n' << record;
-    fs::rename(library, folder_ / name);
-    fs::rename(text, folder_ / "inputs");
-    tidy(folder_ / name);
-    return {folder_ / name, std::move(inputs), false};
-  }
-
- private:
-  /// Removes the libraries that are too many, and what compilers left that were killed.
-  void tidy(const fs::path& newest) const {
-    std::size_t libraries = 1;
-    std::error_code ignored;
-    for (const fs::path& file : cached_files(folder_)) {
-      const std::string name = file.filename().string();
-      const bool is_scratch = name.starts_with(kScratch);
-      if (is_scratch ? is_left_behind(name)
-                     : file.extension() == ".so" && file != newest && ++libraries > kMostBuilds) {
-        fs::remove(file, ignored);
-      }
-    }
-    sweep(cache_);
-  }
-
-  fs::path cache_;
-  fs::path folder_;
-  std::string stem_;
-};
 
 fs::path checked(const fs::path& source) {
   std::error_code error;
@@ -376,7 +223,7 @@ SourceBuild build_source(const fs::path& source, const fs::path& cache, const st
                          const std::function<void()>& begins) {
   const fs::path file = checked(source);
   const Compiler compiler;
-  const CacheEntry entry(file, compiler, fs::absolute(cache));
+  const CacheEntry entry(file, compiler.identity(), fs::absolute(cache));
   if (auto found = entry.find()) {
     return *std::move(found);
   }
@@ -385,15 +232,42 @@ SourceBuild build_source(const fs::path& source, const fs::path& cache, const st
   }
   const fs::path library = entry.scratch(".so");
   const fs::path dependencies = entry.scratch(".d");
+  std::vector<fs::path> inputs = entry.last_inputs();
+  if (std::find(inputs.begin(), inputs.end(), fs::absolute(source)) == inputs.end()) {
+    inputs.push_back(fs::absolute(source));
+  }
   try {
-    // Under the name that the user gave, which is the one that the messages have.
-    compiler.compile(source, library, dependencies, stop);
-    std::vector<fs::path> inputs = prerequisites(content_of(dependencies).value_or(""));
-    for (fs::path& input : inputs) {
-      input = fs::absolute(input);
+    std::optional<fs::path> changed;
+    for (int i = 0; i < kMostTries; ++i) {
+      const Sight before = look_at(inputs);
+      const std::int64_t start_ns = instant_before_now(dependencies);
+      std::optional<BuildError> refusal;
+      std::string warnings;
+      try {
+        // Under the name that the user gave, which is the one that the messages have.
+        warnings = compiler.compile(source, library, dependencies, stop);
+        inputs = prerequisites(content_of(dependencies).value_or(""));
+        for (fs::path& input : inputs) {
+          input = fs::absolute(input);
+        }
+      } catch (const BuildError& error) {  // perhaps of a file that was half written
+        refusal = error;
+      }
+      const Sight after = look_at(inputs);
+      changed = changed_file(before, after, start_ns);
+      if (refusal && (!changed || stop.stop_requested())) {
+        throw *refusal;
+      }
+      if (!refusal && !changed) {
+        fs::remove(dependencies);
+        SourceBuild build = entry.keep(library, std::move(inputs), after);
+        build.warnings = std::move(warnings);
+        return build;
+      }
     }
-    fs::remove(dependencies);
-    return entry.keep(library, std::move(inputs));
+    throw BuildError(source.string() + " was compiled " + std::to_string(kMostTries) +
+                     " times, and each time '" + changed->string() +
+                     "' was saved meanwhile; try again once nothing writes to it any more");
   } catch (...) {
     std::error_code ignored;
     fs::remove(library, ignored);

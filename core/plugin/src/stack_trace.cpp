@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -52,22 +54,37 @@ Hex hex(std::uintptr_t number) {
   return text;
 }
 
-/// Waits for a process, but not for long.
-void wait_a_while(pid_t process) {
-  for (int i = 0; i < 500; ++i) {
-    if (waitpid(process, nullptr, WNOHANG) != 0) {
-      return;
+/// What addr2line says, in memory that is there when nothing can be allocated.
+struct Lines {
+  char text[32 * 1024];
+  std::size_t size = 0;
+
+  std::string_view all() const { return {text, size}; }
+};
+Lines lines;
+
+/// Adds what a process writes, but does not wait for long.
+void read_lines(int pipe, pid_t process) {
+  constexpr int kPatience_ms = 5000;
+  pollfd ready{pipe, POLLIN, 0};
+  while (lines.size < sizeof(lines.text) && poll(&ready, 1, kPatience_ms) > 0) {
+    const ssize_t count = read(pipe, lines.text + lines.size, sizeof(lines.text) - lines.size);
+    if (count <= 0) {
+      break;
     }
+    lines.size += static_cast<std::size_t>(count);
+  }
+  for (int i = 0; i < 100 && waitpid(process, nullptr, WNOHANG) == 0; ++i) {
     const timespec pause{0, 10'000'000};
     nanosleep(&pause, nullptr);
   }
 }
 
-/// Has addr2line say what stands at these places of one file.
-void write_lines(const Place* places, int count) {
+/// Has addr2line say what stands at these places of one file, and in what that was put inline.
+void add_lines(const Place* places, int count) {
   std::array<Hex, kMostShown> addresses;
   std::array<char*, kMostShown + 5> words{};
-  char option[] = "-Cfpe";
+  char option[] = "-Cfpie";
   std::size_t size = 0;
   words[size++] = addr2line;
   words[size++] = option;
@@ -76,19 +93,49 @@ void write_lines(const Place* places, int count) {
     addresses[static_cast<std::size_t>(i)] = hex(places[i].offset);
     words[size++] = addresses[static_cast<std::size_t>(i)].data();
   }
+  int ends[2];
+  if (pipe(ends) != 0) {
+    return;
+  }
   // Not fork(): that takes the locks of malloc, which may have been at work when the fault came.
   const pid_t child = _Fork();
   if (child == 0) {
-    dup2(STDERR_FILENO, STDOUT_FILENO);
+    dup2(ends[1], STDOUT_FILENO);
     if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {
       dup2(nowhere, STDERR_FILENO);
     }
     execv(addr2line, words.data());
     _exit(127);
   }
+  close(ends[1]);
   if (child > 0) {
-    wait_a_while(child);
+    read_lines(ends[0], child);
   }
+  close(ends[0]);
+}
+
+/// Whether a line of addr2line, "function at file:line", is in a source of the plugin's own: it is
+/// neither the system's nor Elsie's.
+bool is_own_source(std::string_view line) {
+  const std::size_t at = line.rfind(" at /");
+  if (at == std::string_view::npos) {
+    return false;  // "at ??:?"
+  }
+  const std::string_view file = line.substr(at + 4);
+  return !file.starts_with("/usr/") && file.find("/include/elsie/") == std::string_view::npos;
+}
+
+/// The first line in a source of the plugin's own; "": none.
+std::string_view first_own_line(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (is_own_source(line)) {
+      constexpr std::string_view kInlined = " (inlined by) ";
+      return line.starts_with(kInlined) ? line.substr(kInlined.size()) : line;
+    }
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  return {};
 }
 
 }  // namespace
@@ -130,13 +177,21 @@ void write_places(const Place* places, int shown) {
         "(addr2line would tell the lines of the source: on Debian, apt install binutils)\n");
     return;
   }
-  write_error("in the source:\n");
+  lines.size = 0;
   for (int first = 0, end = 0; first < shown; first = end) {
     while (end < shown && places[end].base == places[first].base) {
       ++end;
     }
-    write_lines(places + first, end - first);
+    add_lines(places + first, end - first);
   }
+  const std::string_view own = first_own_line(lines.all());
+  if (!own.empty() && !lines.all().starts_with(own)) {
+    write_error("the plugin's own line: ");
+    write_error(own);
+    write_error("\n");
+  }
+  write_error("in the source:\n");
+  write_error(lines.all());
 }
 
 }  // namespace
@@ -165,7 +220,7 @@ void write_stack_trace(const Fault& fault) noexcept {
   bool left_own = known;
   for (int i = known ? found : 0; i < count && shown < kMostShown; ++i) {
     // All but the first are where a call returns to: the call stands before.
-    const bool exact = known && i == found;
+    const bool exact = known && i == found && !fault.is_after;
     const Place place = place_of(static_cast<const char*>(frames[i]) - (exact ? 0 : 1));
     const bool is_own = place.base == own;
     if (is_own && left_own && shown > 0) {

@@ -14,6 +14,8 @@ struct Fault {
   const void* const* stack = nullptr;  // the innermost word of the stack, where return addresses
                                        // are; or else, where a register has them,
   const void* back = nullptr;          // the address to return to
+  bool is_after = false;               // `at` is where a call returns to: the call stands before
+  const void* touched = nullptr;       // the memory that could not be read or written; null: none
 };
 
 /// Writes to standard error where the calling thread is: the calls from the fault (that of no

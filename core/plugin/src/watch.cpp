@@ -68,12 +68,22 @@ class Places {
     }
   }
 
+  /// Compiles again what was saved since it was compiled first; for the rest the cache has it.
+  void refresh() {
+    for (Place& place : places_) {
+      if (!place.build.library.empty()) {
+        place.build = build_source(place.place.path);
+      }
+    }
+  }
+
   /// For a host: libraries and directories.
   std::vector<SearchDirectory> directories() const {
     std::vector<SearchDirectory> directories;
     for (const Place& place : places_) {
       directories.push_back(place.place);
       if (!place.build.library.empty()) {
+        directories.back().source = place.place.path;
         directories.back().path = place.build.library;
       }
     }
@@ -124,17 +134,6 @@ class Places {
       }
     }
     return library;
-  }
-
-  /// The same of a warning, which begins with the file.
-  std::string known_as(const std::string& warning) const {
-    for (const Place& place : places_) {
-      const std::string library = place.build.library.string();
-      if (!library.empty() && warning.starts_with(library + ": ")) {
-        return place.place.path.string() + warning.substr(library.size());
-      }
-    }
-    return warning;
   }
 
   /// Adds the files, as the user knows them, in the place of which a host has older ones.
@@ -217,6 +216,7 @@ class Watch::Impl {
   Impl(std::vector<SearchDirectory> places, std::chrono::milliseconds period)
       : places_(std::move(places)), period_(period) {
     seen_ = places_.look();  // first: what changes while it is loaded is noticed
+    places_.refresh();       // what changed before that look
     in_use_ = std::make_shared<const Host>(places_.directories(), Loading::copies);
     const NoSignals for_the_thread;
     thread_ = std::thread([this] { follow(); });
@@ -294,7 +294,7 @@ class Watch::Impl {
     const auto& known = before->report().warnings;
     for (const std::string& warning : host->report().warnings) {
       if (std::find(known.begin(), known.end(), warning) == known.end()) {
-        renewal.problems.push_back(places_.known_as(warning));
+        renewal.problems.push_back(warning);
       }
     }
     places_.list_kept(host->report(), before->report(), renewal.kept);

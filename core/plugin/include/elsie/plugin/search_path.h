@@ -14,6 +14,8 @@ inline constexpr const char* kPluginPathVariable = "ELSIE_PLUGIN_PATH";
 struct SearchDirectory {
   std::filesystem::path path;  // or that of one library
   std::string origin;  // who asked for it: "given", "ELSIE_PLUGIN_PATH", "beside the program"...
+  std::filesystem::path source = {};  // of a library that was compiled from one file: what messages
+                                      // name in its place; else empty
 };
 
 /// The directories in the order in which they count: `given` (on the command line), those of the

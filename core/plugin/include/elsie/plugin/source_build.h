@@ -4,10 +4,15 @@
 //   plugin::Host host({{built.library, "my_behavior.cpp"}});
 //
 // The system's compiler does it ($CXX, else c++), against the headers and the library that this
-// program runs with, with the flags that plugins need and those of $CXXFLAGS. What was compiled is
-// kept in a cache: as long as the source, the headers it includes, the compiler and libelsie are
-// the same, it is not compiled again. Of each source the cache keeps the last kMostBuilds
-// libraries, and nothing of what was not asked for in kCacheDays days.
+// program runs with: optimised, with line numbers for crash reports. The flags of $CXXFLAGS and
+// $LDFLAGS come after our own and so prevail; libraries (-lname, also those of $LDLIBS) come after
+// the source.
+//
+// What was compiled is kept in a cache: as long as the source, the headers it includes, the
+// compiler and libelsie are the same, it is not compiled again. A library is kept only if no file
+// that it was made from changed while the compiler ran; if one did, it is compiled again. Of each
+// source the cache keeps the last kMostBuilds libraries, and nothing of what was not asked for in
+// kCacheDays days.
 #pragma once
 
 #include <filesystem>
@@ -26,6 +31,8 @@ struct SourceBuild {
   /// The source and every header that it includes, but for the system's: what to watch.
   std::vector<std::filesystem::path> inputs;
   bool from_cache = false;
+  /// What the compiler warned of when it made the library; "" for one from the cache.
+  std::string warnings;
 };
 
 /// The compiler refused the source. what() has its messages as they are, and a last line that says
@@ -49,8 +56,8 @@ inline constexpr int kCacheDays = 60;
 
 /// Compiles the source unless the cache has it. `stop`: ends the compiler. `begins` is called
 /// before it starts, and not at all for what the cache has. Throws BuildError, also when it was
-/// stopped; PluginError when there is no such file, no compiler, no headers, or no place to write
-/// to.
+/// stopped, and when its files were saved each of the few times that it was compiled; PluginError
+/// when there is no such file, no compiler, no headers, or no place to write to.
 SourceBuild build_source(const std::filesystem::path& source,
                          const std::filesystem::path& cache = cache_directory(),
                          const std::stop_token& stop = {},

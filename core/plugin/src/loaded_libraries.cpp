@@ -1,0 +1,106 @@
+#include "loaded_libraries.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <cstring>
+
+#include <link.h>
+
+namespace elsie::plugin {
+namespace {
+
+struct Range {
+  std::uintptr_t begin = 0;
+  std::uintptr_t end = 0;
+};
+
+/// A library and where it is. Written by those who load and unload, read by handlers of signals:
+/// the name comes last when it is filled, and goes first.
+struct Slot {
+  std::atomic<const char*> file{nullptr};  // a copy, which is never freed
+  std::atomic<std::uintptr_t> begin{0};
+  std::atomic<std::uintptr_t> end{0};
+  std::atomic<bool> is_loaded{false};
+};
+
+// A handler can reach nothing but globals. Of more libraries than these, the later ones are not
+// named when a thread of theirs crashes.
+std::array<Slot, 256> slots;
+
+/// Where the library is that the code belongs to.
+Range range_of(const void* code) noexcept {
+  struct Search {
+    std::uintptr_t address;
+    Range found;
+  } search{reinterpret_cast<std::uintptr_t>(code), {}};
+  dl_iterate_phdr(
+      [](dl_phdr_info* library, std::size_t, void* data) {
+        Search& wanted = *static_cast<Search*>(data);
+        Range range{~std::uintptr_t{0}, 0};
+        for (int i = 0; i < library->dlpi_phnum; ++i) {
+          const ElfW(Phdr)& segment = library->dlpi_phdr[i];
+          if (segment.p_type == PT_LOAD) {
+            const std::uintptr_t begin = library->dlpi_addr + segment.p_vaddr;
+            range.begin = std::min(range.begin, begin);
+            range.end = std::max(range.end, begin + segment.p_memsz);
+          }
+        }
+        const bool is_it = wanted.address >= range.begin && wanted.address < range.end;
+        if (is_it) {
+          wanted.found = range;
+        }
+        return is_it ? 1 : 0;
+      },
+      &search);
+  return search.found;
+}
+
+}  // namespace
+
+void note_loaded(const void* code, const char* file) noexcept {
+  const Range range = range_of(code);
+  for (Slot& slot : slots) {
+    const char* const known = slot.file;
+    // What was unloaded from here, or from the same file, is forgotten.
+    const bool is_free =
+        !known || (!slot.is_loaded && (std::strcmp(known, file) == 0 ||
+                                       (slot.begin < range.end && range.begin < slot.end)));
+    if (is_free) {
+      slot.file = nullptr;
+      slot.begin = range.begin;
+      slot.end = range.end;
+      slot.is_loaded = true;
+      slot.file = known && std::strcmp(known, file) == 0 ? known : strdup(file);
+      return;
+    }
+  }
+}
+
+void note_unloaded(const char* file) noexcept {
+  for (Slot& slot : slots) {
+    const char* const known = slot.file;
+    if (known && slot.is_loaded && std::strcmp(known, file) == 0) {
+      slot.is_loaded = false;
+      return;
+    }
+  }
+}
+
+const char* plugin_library_at(const void* address) noexcept {
+  const auto at = reinterpret_cast<std::uintptr_t>(address);
+  const char* gone = nullptr;
+  for (const Slot& slot : slots) {
+    const char* const file = slot.file;
+    if (file && at >= slot.begin && at < slot.end) {
+      if (slot.is_loaded) {
+        return file;
+      }
+      gone = file;
+    }
+  }
+  return gone;
+}
+
+}  // namespace elsie::plugin
