@@ -138,6 +138,10 @@ class Attributes::Impl {
           "the path leads to an element; expected an attribute at its end, as in "
           "robot[r1]/@max_speed");
     }
+    if (path.attribute == "remove") {
+      throw std::invalid_argument(
+          "an element can be removed before a run only: by --set, or by <set> in an experiment");
+    }
     if (!tree_) {
       tree_.emplace(world_);
     }

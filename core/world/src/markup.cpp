@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <stdexcept>
 #include <utility>
 
 #include <tinyxml2.h>
 
+#include "elsie/file/read_whole.h"
 #include "elsie/world/error.h"
 #include "elsie/world/escaped.h"
 #include "elsie/world/files.h"
@@ -203,23 +203,11 @@ std::string read_text(const std::string& file) {
          "there is no such file" +
              (near.empty() ? "" : "; did you mean '" + fs::path(near).filename().string() + "'?"));
   }
-  if (!fs::is_regular_file(status)) {
-    fail(file, 0,
-         fs::is_directory(status) ? "this is a directory; expected an XML file"
-                                  : "this is not a file; expected an XML file");
+  try {
+    return file::read_whole(file, kLargestFile);
+  } catch (const std::runtime_error& why) {
+    fail(file, 0, std::string("this ") + why.what() + "; expected an XML file");
   }
-  if (fs::file_size(file, error) > kLargestFile) {
-    fail(file, 0, "the file is larger than 32 MiB; no world is");
-  }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    fail(file, 0, "the file cannot be opened; check its permissions");
-  }
-  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  if (stream.bad()) {
-    fail(file, 0, "the file cannot be read");
-  }
-  return text;
 }
 
 Element parse_markup(std::string_view text, const std::string& file, const std::string& kind) {

@@ -4,26 +4,20 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "elsie/world/problems.h"
 #include "elsie/world/vocabulary.h"
-
-#include "ids.h"
 
 namespace elsie::world {
 
-namespace {
-
-struct Place {
-  Element* element;
-  const ElementSpec* spec;
-};
-
-[[noreturn]] void fail(const std::string& message) { throw std::invalid_argument(message); }
-
-// An element that a plugin declares. Paths do without the declarations and take what is there.
+// Paths do without the declarations and take what is there.
 const ElementSpec& nested_element() {
   static const ElementSpec spec;
   return spec;
 }
+
+namespace {
+
+[[noreturn]] void fail(const std::string& message) { throw std::invalid_argument(message); }
 
 // What may stand in an element as far as the vocabulary tells: any behaviour may be one that holds
 // others.
@@ -185,66 +179,6 @@ bool lacks_a_template(const std::vector<Place>& places) {
   });
 }
 
-void place(Element& element, const Location& where) {
-  element.where = where;
-  element.text_line = where.line;
-  element.number = Element::kMade;
-  for (Attribute& attribute : element.attributes) {
-    attribute.where = where;
-  }
-  for (Element& child : element.children) {
-    place(child, where);
-  }
-}
-
-Element element_of(const std::string& text, const Location& where) {
-  if (!text.starts_with('<')) {
-    fail(
-        "the path leads to an element; expected an attribute at its end, as in "
-        "robot[r1]/@max_speed, or an element after the \"=\", as in "
-        "robot[r1]/coordinator=<arbiter_suppression/>");
-  }
-  Element element = parse_markup(text, where.file);
-  place(element, where);
-  return element;
-}
-
-bool is_override(const Location& where) { return where.file.starts_with("--set "); }
-
-// An override in the element that did not come with the element itself; or null.
-const Location* set_in(const Element& element, const Location& own) {
-  const auto foreign = [&](const Location& where) {
-    return is_override(where) && where.file != own.file;
-  };
-  for (const Attribute& attribute : element.attributes) {
-    if (foreign(attribute.where)) {
-      return &attribute.where;
-    }
-  }
-  for (const Element& child : element.children) {
-    const Location* found = foreign(child.where) ? &child.where : set_in(child, own);
-    if (found) {
-      return found;
-    }
-  }
-  return nullptr;
-}
-
-// It keeps its id, unless the new one brings another or the old one was only its name.
-void replace(Element& element, const Element& given) {
-  if (const Location* lost = set_in(element, element.where)) {
-    fail("this replaces the element in which '" + lost->file.substr(6) +
-         "' is set before; set that afterwards, or in the new element");
-  }
-  const std::string id = element.value("id");
-  const bool has_own_id = !id.empty() && id != element.name;
-  const Location where = given.where;
-  element = given;
-  if (!element.find("id") && !id.empty()) {
-    element.set("id", has_own_id ? id : element.name, where);
-  }
-}
-
 }  // namespace
 
 Path parse_path(std::string_view text) {
@@ -284,7 +218,7 @@ Path parse_path(std::string_view text) {
   }
 }
 
-std::vector<Element*> select(Element& world, const Path& path) {
+std::vector<Place> find_places(Element& world, const Path& path) {
   std::vector<Place> places{{&world, &vocabulary()}};
   for (const PathStep& step : path.steps) {
     std::vector<Place> next;
@@ -306,49 +240,15 @@ std::vector<Element*> select(Element& world, const Path& path) {
     }
     places = std::move(next);
   }
+  return places;
+}
+
+std::vector<Element*> select(Element& world, const Path& path) {
   std::vector<Element*> elements;
-  for (const Place& place : places) {
+  for (const Place& place : find_places(world, path)) {
     elements.push_back(place.element);
   }
   return elements;
-}
-
-bool concerns_templates(const std::string& override) {
-  try {
-    const Path path = parse_path(std::string_view(override).substr(0, override.find('=')));
-    const std::string last = path.steps.empty() ? "" : path.steps.back().name;
-    return (path.attribute == "template" && last == "robot") ||
-           (path.attribute.empty() && (last == "robot" || last == "robots"));
-  } catch (const std::invalid_argument&) {
-    return false;  // apply_override() tells why
-  }
-}
-
-void apply_override(Element& world, const std::string& override, Problems& problems) {
-  const Location where{"--set " + override, 0};
-  try {
-    const std::size_t equals = override.find('=');
-    if (equals == std::string::npos) {
-      fail("expected PATH=VALUE, as in robot[r1]/@max_speed=0.3");
-    }
-    const Path path = parse_path(std::string_view(override).substr(0, equals));
-    const std::string value = override.substr(equals + 1);
-    if (path.attribute.empty()) {
-      const Element given = element_of(value, where);
-      for (Element* element : select(world, path)) {
-        replace(*element, given);
-      }
-      complete_world_ids(world);  // of what stands in the new element
-      return;
-    }
-    for (Element* element : select(world, path)) {
-      element->set(path.attribute, value, where);
-    }
-  } catch (const WorldError& error) {
-    problems.add(where, error.problems().front().message);
-  } catch (const std::invalid_argument& error) {
-    problems.add(where, error.what());
-  }
 }
 
 }  // namespace elsie::world

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "elsie/world/markup.h"
-#include "elsie/world/problems.h"
+#include "elsie/world/vocabulary.h"
 
 namespace elsie::world {
 
@@ -24,6 +24,13 @@ struct Path {
 /// Throws std::invalid_argument with a sentence.
 Path parse_path(std::string_view text);
 
+/// An element and its entry in the vocabulary: nested_element() for one that a plugin declares.
+struct Place {
+  Element* element;
+  const ElementSpec* spec;
+};
+const ElementSpec& nested_element();
+
 /// The elements that the steps lead to, at least one; none only where a robot's template could not
 /// be read.
 ///
@@ -34,12 +41,6 @@ Path parse_path(std::string_view text);
 /// is named. An element that may stand only once and is not there is made (Element::kMade). Throws
 /// std::invalid_argument with a sentence that says what is there instead.
 std::vector<Element*> select(Element& world, const Path& path);
-
-/// Whether an override must come before templates are merged: that of a robot's template, and those
-/// that replace robots.
-bool concerns_templates(const std::string& override);
-
-/// Sets "PATH=VALUE" in the tree of a world, whose ids are complete.
-void apply_override(Element& world, const std::string& override, Problems& problems);
+std::vector<Place> find_places(Element& world, const Path& path);  // the same
 
 }  // namespace elsie::world

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "elsie/world/colours.h"
+#include "elsie/world/data_directories.h"
 #include "elsie/world/files.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/object_reader.h"
@@ -12,7 +13,7 @@
 
 #include "checks.h"
 #include "ids.h"
-#include "path.h"
+#include "overrides.h"
 #include "reading.h"
 #include "templates.h"
 #include "tree_reader.h"
@@ -57,7 +58,8 @@ void leave_bodies_only(Element& root) {
 }  // namespace
 
 World read_world(const std::string& file, const plugin::Host& host, const ReadOptions& options) {
-  return parse_world(read_text(file), file, host, options);
+  const std::string found = find_document(file, options.data_directories);
+  return parse_world(read_text(found), found, host, options);
 }
 
 World parse_world(std::string_view text, const std::string& file, const plugin::Host& host,
@@ -83,7 +85,7 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
       }
     }
   }
-  remove_overridden(root, problems);
+  remove_overridden(root);
   if (options.bodies_only) {
     leave_bodies_only(root);
   }

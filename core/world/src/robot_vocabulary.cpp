@@ -18,10 +18,8 @@ ElementSpec body() {
                  size("between the middles of the wheels; by default the wheels stand just outside "
                       "the chassis",
                       10))
-      .attribute("mass", &RobotBody::mass,
-                 {.unit = "kg", .above = 0, .max = 1e4, .meaning = "of the chassis"})
-      .attribute("wheel_mass", &RobotBody::wheel_mass,
-                 {.unit = "kg", .above = 0, .max = 1e4, .meaning = "of each wheel"})
+      .attribute("mass", &RobotBody::mass, mass("of the chassis"))
+      .attribute("wheel_mass", &RobotBody::wheel_mass, mass("of each wheel"))
       .attribute("wheel_torque", &RobotBody::wheel_torque,
                  {.unit = "N m", .above = 0, .max = 1e4, .meaning = "what each motor can give"});
 }
@@ -39,8 +37,7 @@ ElementSpec segments() {
           .attribute("width", &Segment::width, size("of the box and its wheels, across", 10))
           .attribute("height", &Segment::height, size("of the box", 10))
           .attribute("clearance", &Segment::clearance, size("from the floor to the box", 10))
-          .attribute("mass", &Segment::mass,
-                     {.unit = "kg", .above = 0, .max = 1e4, .meaning = "of all of it"})
+          .attribute("mass", &Segment::mass, mass("of all of it"))
           .attribute("wheel_radius", &Segment::wheel_radius, size("radius of its wheels", 10))
           .attribute("wheel_width", &Segment::wheel_width,
                      size("width of its wheels, which are flush with its sides", 10))

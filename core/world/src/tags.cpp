@@ -15,6 +15,9 @@ bool is_name(char c) {
          c == '-' || c == '.' || c == ':' || static_cast<unsigned char>(c) >= 0x80;
 }
 
+// Each is compared with all before it.
+constexpr std::size_t kMostAttributes = 500;
+
 class Scanner {
  public:
   Scanner(std::string_view text, const std::string& file) : text_(text), file_(file) {}
@@ -144,6 +147,10 @@ class Scanner {
       if (tag.kind == Tag::Kind::end || before == at_) {
         fail("expected " + std::string(tag.kind == Tag::Kind::end ? "\">\"" : "a blank or \">\"") +
              " in the tag <" + std::string(tag.name) + ">, found '" + text_[at_] + "'");
+      }
+      if (tag.attributes.size() == kMostAttributes) {
+        fail("<" + std::string(tag.name) + "> has more than " + std::to_string(kMostAttributes) +
+             " attributes; no element has so many");
       }
       tag.attributes.push_back(attribute(before, tag));
     }

@@ -281,16 +281,4 @@ void Templates::drop_removals(Element& list) {
                    });
 }
 
-void remove_overridden(Element& world, Problems& problems) {
-  if (Element* robots = world.child("robots")) {
-    for (Element& robot : robots->children) {
-      for (Element& child : robot.children) {
-        if (is_list(child.name)) {
-          take_out_removed(child, problems, [](const auto&...) {});
-        }
-      }
-    }
-  }
-}
-
 }  // namespace elsie::world

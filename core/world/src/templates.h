@@ -49,7 +49,4 @@ class Templates {
   std::vector<std::string> open_;                         // being loaded, outermost first
 };
 
-/// Takes out what overrides have marked with remove="true" after templates were merged.
-void remove_overridden(Element& world, Problems& problems);
-
 }  // namespace elsie::world

@@ -224,11 +224,11 @@ bool TreeReader::find_default(const ParameterDeclaration& parameter, const Eleme
 bool TreeReader::try_out(const Declaration& declaration, const Element& element,
                          const PluginUse& use) {
   NothingInside nothing;  // outlives the object that may point to it
-  const plugin::Call call({.plugin = use.plugin.c_str(),
-                           .id = use.id.c_str(),
-                           .file = element.where.file.c_str(),
-                           .line = element.where.line,
-                           .doing = "while it was given its parameters"});
+  plugin::Call call({.plugin = use.plugin.c_str(),
+                     .id = use.id.c_str(),
+                     .file = element.where.file.c_str(),
+                     .line = element.where.line,
+                     .doing = "while it was given its parameters"});
   try {
     const auto object = host_.create<Component>(declaration.kind, declaration.name);
     if (declaration.hold) {
@@ -236,6 +236,13 @@ bool TreeReader::try_out(const Declaration& declaration, const Element& element,
     }
     plugin::apply_parameters(declaration, *object, use.parameters,
                              {use.elements.begin(), use.elements.end()});
+    if (const char* const changed = call.restore_arithmetic()) {
+      problems_.add(element.where,
+                    "plugin '" + use.plugin + "': it changed " + changed +
+                        " for the whole program while it was given its parameters",
+                    true);
+      return false;
+    }
     return true;
   } catch (const plugin::CreateError& error) {
     problems_.add(element.where, error.what(), true);

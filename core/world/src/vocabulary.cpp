@@ -95,7 +95,7 @@ ElementSpec static_box() { return box("static_box", "An obstacle that nothing mo
 
 ElementSpec dynamic_box() {
   return box("dynamic_box", "An obstacle that can be pushed")
-      .attribute("mass", &Box::mass, {.unit = "kg", .above = 0, .max = 1e6, .meaning = "its mass"});
+      .attribute("mass", &Box::mass, mass("its mass", 1e6));
 }
 
 ElementSpec moving_box() {

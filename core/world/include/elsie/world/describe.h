@@ -105,8 +105,10 @@ class Describe {
   /// At most one element, which describes a member that is always there.
   template <class Child>
   Describe&& one(ElementSpec child, Child Object::*member) && {
-    child.make = [member](void* parent, const Location&) -> void* {
-      return &(static_cast<Object*>(parent)->*member);
+    child.make = [member](void* parent, const Location& where) -> void* {
+      Child& made = static_cast<Object*>(parent)->*member;
+      note(made, where);
+      return &made;
     };
     child.parts = [member](const void* parent) {
       return std::vector<Part>{{0, &(static_cast<const Object*>(parent)->*member)}};

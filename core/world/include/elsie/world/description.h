@@ -30,6 +30,7 @@ struct Arena {
   double wall_height = 0.3;     // m
   double wall_thickness = 0.1;  // m, outside of the area
   bool walls = true;
+  Location location{};
 };
 
 struct Physics {
@@ -46,6 +47,7 @@ struct Physics {
                              // tyres hold three times as well
   double wheel_slip = 1e-3;  // force-dependent slip of a wheel on the floor, m/s per N
   double bounce = 0.0;       // restitution, in [0, 1]
+  Location location{};
 
   double effective_erp() const { return kp && kd ? step * *kp / (step * *kp + *kd) : erp; }
   double effective_cfm() const { return kp && kd ? 1.0 / (step * *kp + *kd) : cfm; }

@@ -20,8 +20,14 @@ inline ParameterFacts fact(std::string meaning) { return {.meaning = std::move(m
 inline ParameterFacts metres(std::string meaning) {
   return {.unit = "m", .min = -1e4, .max = 1e4, .meaning = std::move(meaning)};
 }
+/// The smallest length and mass: with less, moments of inertia are lost in rounding.
+inline constexpr double kLeastLength = 1e-4;  // m
+inline constexpr double kLeastMass = 1e-6;    // kg
+inline ParameterFacts mass(std::string meaning, double max = 1e4) {
+  return {.unit = "kg", .min = kLeastMass, .max = max, .meaning = std::move(meaning)};
+}
 inline ParameterFacts size(std::string meaning, double max = 1e3) {
-  return {.unit = "m", .above = 0, .max = max, .meaning = std::move(meaning)};
+  return {.unit = "m", .min = kLeastLength, .max = max, .meaning = std::move(meaning)};
 }
 inline ParameterFacts angle(std::string meaning) {
   return {.unit = "deg", .min = -360, .max = 360, .meaning = std::move(meaning)};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,7 @@ struct Element {
   int text_line = 0;
   std::size_t number = kMade;  // its start tag's among the start tags of the file
   bool incomplete = false;     // its template could not be read: what is missing may stand there
+  std::optional<Location> removed_by{};  // the override that takes it away in the end
 
   const Attribute* find(std::string_view attribute) const;
   std::string value(std::string_view attribute) const;  // "" when it is not there
@@ -41,7 +43,7 @@ struct Element {
 /// The content of a file. Throws WorldError when it is not there, not a file, not readable or
 /// larger than a world can be (kLargestFile).
 std::string read_text(const std::string& file);
-inline constexpr std::size_t kLargestFile = std::size_t{32} << 20;  // bytes
+inline constexpr std::size_t kLargestFile = 32'000'000;  // bytes
 
 /// The root element. Throws WorldError when the text is not well-formed XML in UTF-8, has a
 /// document type declaration (entities could make a small file huge) or is nested deeper than any

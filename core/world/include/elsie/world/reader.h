@@ -33,19 +33,22 @@ struct ReadOptions {
   ///   robot[r1]/coordinator/suppress[2]/@by    of the second such element in the coordinator's
   ///   robot[r1]/behavior[explore]/behavior[roam]/@priority
   ///                                            of a behaviour that another one holds
-  ///   robot[r1]/behavior[roam]/@remove         "true" takes the behaviour away
+  ///   robot[r1]/behavior[roam]/@remove         "true" takes the behaviour away; so with whatever
+  ///                                            may stand any number of times: robots, obstacles,
+  ///                                            goals, sensors, measures..., and with coordinators
   ///   robot[r1]/coordinator                    the coordinator's element, to be replaced; it keeps
   ///                                            an id that was given to it
   ///
   /// Groups (<robots>, <sensors>...) may be left out or named; a member is called by its element's
   /// name or by its group's word for it. A step that could mean several elements needs brackets.
+  /// Numbers count what the file has: an element that is taken away counts, whatever the order.
   std::vector<std::string> overrides;
   /// The file in which the overrides stand: what files they name are looked for beside it and in
   /// the data directories. "": they were given by hand, and are looked for beside the world's file
   /// and in the current folder, too.
   std::string overrides_from;
   /// Where templates and data files are looked for when they are not beside the file that names
-  /// them, in this order.
+  /// them, in this order; default_data_directories() are those of the program.
   std::vector<std::string> data_directories;
   /// Files that are known beforehand: what the text calls one, and where it is. They come before
   /// everything that is found.
@@ -59,7 +62,8 @@ struct ReadOptions {
 };
 
 /// Reads a world file, with its templates merged in, overrides applied and every default filled in.
-/// Throws WorldError with all the problems of the file; nothing half read is ever returned.
+/// Throws WorldError with all the problems of the file; nothing half read is ever returned. A file
+/// that is not there under a relative name is looked for in the data directories.
 ///
 /// The result's file parameters hold absolute paths of files that exist, and beside them stands how
 /// a world names these (PluginUse::file_names). Obstacles stand before

@@ -1,0 +1,183 @@
+#include "overrides.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
+#include "ids.h"
+#include "path.h"
+
+namespace elsie::world {
+
+namespace {
+
+constexpr std::string_view kRemove = "remove";
+
+[[noreturn]] void fail(const std::string& message) { throw std::invalid_argument(message); }
+
+void place(Element& element, const Location& where) {
+  element.where = where;
+  element.text_line = where.line;
+  element.number = Element::kMade;
+  for (Attribute& attribute : element.attributes) {
+    attribute.where = where;
+  }
+  for (Element& child : element.children) {
+    place(child, where);
+  }
+}
+
+Element element_of(const std::string& text, const Location& where) {
+  if (!text.starts_with('<')) {
+    fail(
+        "the path leads to an element; expected an attribute at its end, as in "
+        "robot[r1]/@max_speed, or an element after the \"=\", as in "
+        "robot[r1]/coordinator=<arbiter_suppression/>");
+  }
+  Element element = parse_markup(text, where.file);
+  place(element, where);
+  return element;
+}
+
+bool is_override(const Location& where) { return where.file.starts_with("--set "); }
+
+// An override in the element that did not come with the element itself; or null.
+const Location* set_in(const Element& element, const Location& own) {
+  const auto foreign = [&](const Location& where) {
+    return is_override(where) && where.file != own.file;
+  };
+  if (element.removed_by) {
+    return &*element.removed_by;
+  }
+  for (const Attribute& attribute : element.attributes) {
+    if (foreign(attribute.where)) {
+      return &attribute.where;
+    }
+  }
+  for (const Element& child : element.children) {
+    const Location* found = foreign(child.where) ? &child.where : set_in(child, own);
+    if (found) {
+      return found;
+    }
+  }
+  return nullptr;
+}
+
+// It keeps its id, unless the new one brings another or the old one was only its name.
+void replace(Element& element, const Element& given) {
+  if (const Location* lost = set_in(element, element.where)) {
+    fail("this replaces the element in which '" + lost->file.substr(6) +
+         "' is set before; set that afterwards, or in the new element");
+  }
+  const std::string id = element.value("id");
+  const bool has_own_id = !id.empty() && id != element.name;
+  const Location where = given.where;
+  element = given;
+  if (!element.find("id") && !id.empty()) {
+    element.set("id", has_own_id ? id : element.name, where);
+  }
+}
+
+// `remove` in an element means what a template has under the same id; here there is no template.
+void require_without_removals(const Element& given) {
+  if (given.find(kRemove)) {
+    fail("nothing stands under <" + given.name +
+         " remove=\"...\"> that could be taken away; to remove an element, end its path with @" +
+         std::string(kRemove) + "=true");
+  }
+  for (const Element& child : given.children) {
+    require_without_removals(child);
+  }
+}
+
+// Members of lists can be removed, coordinators, and what a plugin declares; what every world or
+// robot has once cannot.
+void require_removable(const Place& place) {
+  const ElementSpec& spec = *place.spec;
+  const std::string tag = "<" + place.element->name + ">";
+  if (spec.root) {
+    fail(
+        "the world itself cannot be removed; expected the path of something in it, as in "
+        "robot[r1]/@" +
+        std::string(kRemove));
+  }
+  if (spec.group) {
+    fail(tag + " is a list and cannot be removed; to empty it, remove what stands in it: " +
+         spec.members + "[*]/@" + std::string(kRemove));
+  }
+  const bool is_listed = spec.at_most > 1 || spec.plugins || &spec == &nested_element();
+  if (!is_listed) {
+    fail(tag +
+         " cannot be removed: it is always there, with its defaults where nothing is set; "
+         "set its attributes instead");
+  }
+}
+
+void mark(const std::vector<Place>& places, const std::string& value, const Location& where) {
+  if (value != "true" && value != "false") {
+    fail(std::string(kRemove) + "=\"" + value + "\" of <" +
+         (places.empty() ? "robot" : places.front().element->name) + ">: expected true or false");
+  }
+  for (const Place& place : places) {
+    require_removable(place);
+  }
+  for (const Place& place : places) {
+    place.element->removed_by = value == "true" ? std::optional(where) : std::nullopt;
+  }
+}
+
+}  // namespace
+
+bool concerns_templates(const std::string& override) {
+  try {
+    const Path path = parse_path(std::string_view(override).substr(0, override.find('=')));
+    const std::string last = path.steps.empty() ? "" : path.steps.back().name;
+    return (path.attribute == "template" && last == "robot") ||
+           (path.attribute.empty() && (last == "robot" || last == "robots"));
+  } catch (const std::invalid_argument&) {
+    return false;  // apply_override() tells why
+  }
+}
+
+void apply_override(Element& world, const std::string& override, Problems& problems) {
+  const Location where{"--set " + override, 0};
+  try {
+    const std::size_t equals = override.find('=');
+    if (equals == std::string::npos) {
+      fail("expected PATH=VALUE, as in robot[r1]/@max_speed=0.3");
+    }
+    const Path path = parse_path(std::string_view(override).substr(0, equals));
+    const std::string value = override.substr(equals + 1);
+    if (path.attribute == kRemove) {
+      mark(find_places(world, path), value, where);
+      return;
+    }
+    if (path.attribute.empty()) {
+      const Element given = element_of(value, where);
+      if (!concerns_templates(override)) {
+        require_without_removals(given);
+      }
+      for (Element* element : select(world, path)) {
+        replace(*element, given);
+      }
+      complete_world_ids(world);  // of what stands in the new element
+      return;
+    }
+    for (Element* element : select(world, path)) {
+      element->set(path.attribute, value, where);
+    }
+  } catch (const WorldError& error) {
+    problems.add(where, error.problems().front().message);
+  } catch (const std::invalid_argument& error) {
+    problems.add(where, error.what());
+  }
+}
+
+void remove_overridden(Element& world) {
+  std::erase_if(world.children, [](const Element& child) { return child.removed_by.has_value(); });
+  for (Element& child : world.children) {
+    remove_overridden(child);
+  }
+}
+
+}  // namespace elsie::world

@@ -1,0 +1,269 @@
+#include "elsie/world/warnings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "elsie/world/engine_facts.h"
+#include "elsie/world/footprint.h"
+#include "elsie/world/values.h"
+
+namespace elsie::world {
+
+namespace {
+
+constexpr double kSupports = 4.0;  // wheels and casters of a robot, corners of a box
+
+constexpr double kLeastCfm = 1e-8;
+constexpr double kLeastSlip = 1e-6;  // m/(s N)
+constexpr double kLeastErp = 0.01;
+constexpr double kGreatestErp = 0.8;
+constexpr double kDeepest = 0.1;     // of a wheel's radius, or of a box' height
+constexpr double kStrongest = 10.0;  // times the torque that tips the robot over
+constexpr double kSpinUp = 100.0;    // times the highest wheel rate, in a step
+constexpr double kMassRatio = 1e4;
+constexpr double kFarthest = 0.5;  // of a body's length, in a step
+constexpr double kSteepest = 5.0;  // height of the middle over half the base
+
+/// Three significant digits.
+std::string about(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+double total_mass(const RobotBody& body) {
+  return body.mass * (1.0 + 2.0 * kCasterMass) + 2.0 * body.wheel_mass;
+}
+
+class Search {
+ public:
+  explicit Search(const World& world) : world_(world), gravity_(std::abs(world.physics.gravity)) {}
+
+  std::vector<Warning> find() {
+    physics();
+    for (index_ = 0; index_ < world_.robots.size(); ++index_) {
+      robot(world_.robots[index_]);
+    }
+    for (index_ = 0; index_ < world_.boxes.size(); ++index_) {
+      box(world_.boxes[index_]);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void add(Warning::About what, const Location& location, std::string message) {
+    found_.push_back(
+        {what, what == Warning::About::physics ? 0 : index_, location, std::move(message)});
+    if (found_.back().location.file.empty()) {
+      found_.back().location.file = world_.file;
+    }
+  }
+
+  void physics() {
+    const Physics& p = world_.physics;
+    const auto warn = [&](std::string message) {
+      add(Warning::About::physics, p.location, std::move(message));
+    };
+    if (p.effective_cfm() < kLeastCfm) {
+      warn("cfm is " + number(p.effective_cfm()) +
+           ": contacts are rigid, and the solver often finds no motion that satisfies all of them "
+           "where bodies touch; expected at least 1e-08, and 1e-05 serves most worlds");
+    }
+    if (p.effective_erp() > kGreatestErp) {
+      warn("erp is " + number(p.effective_erp()) +
+           ": errors of joints and contacts are corrected all at once, which overshoots; expected "
+           "0.1 to 0.8");
+    }
+    if (p.effective_erp() < kLeastErp) {
+      warn("erp is " + about(p.effective_erp()) +
+           ": errors of joints and contacts are hardly corrected, so that bodies sink into each "
+           "other; expected 0.1 to 0.8");
+    }
+    const bool trains = std::any_of(world_.robots.begin(), world_.robots.end(),
+                                    [](const Robot& robot) { return !robot.segments.empty(); });
+    if (trains && p.wheel_slip < kLeastSlip) {
+      warn("wheel_slip is " + number(p.wheel_slip) +
+           ": the wheels of robots and of their segments hold against each other rigidly, and the "
+           "solver often finds no motion that satisfies all of them; expected at least 1e-06, and "
+           "0.001 serves most worlds");
+    }
+    const Arena& arena = world_.arena;
+    double wheels = 0.0;
+    for (const Robot& robot : world_.robots) {
+      wheels = std::max(wheels, robot.body.wheel_radius);
+    }
+    if (arena.walls && arena.wall_height < wheels) {
+      add(Warning::About::physics, arena.location,
+          "the walls are " + number(arena.wall_height) +
+              " m high, lower than the axles of wheels of " + number(wheels) +
+              " m radius, which roll over them; expected more than " + number(wheels) + " m");
+    }
+  }
+
+  /// Contacts hold a weight by a depth that grows with their softness. They push no faster than
+  /// kMaxCorrectingSpeed, and what needs more than that sinks on and on.
+  void sinking(Warning::About what, const Location& location, const std::string& whose, double mass,
+               double size) {
+    const Physics& p = world_.physics;
+    const double force = mass * gravity_ / kSupports;
+    // An erp that is too small has a warning of its own.
+    const double erp = std::max(p.effective_erp(), kLeastErp);
+    const double depth = p.effective_cfm() * p.step / erp * force;
+    const double deepest = kDeepest * size;
+    const double speed = p.effective_cfm() * force;
+    if (depth <= deepest && speed < kMaxCorrectingSpeed) {
+      return;
+    }
+    const double most =
+        std::min(deepest * erp / (p.step * force), 0.5 * kMaxCorrectingSpeed / force);
+    add(what, location,
+        whose + " weighs " + about(mass) + " kg, under which it sinks " +
+            (speed < kMaxCorrectingSpeed ? about(depth) + " m into the floor"
+                                         : "through the floor") +
+            ": contacts are too soft, with a cfm of " + about(p.effective_cfm()) +
+            (p.kp && p.kd ? " from kp and kd" : "") + "; expected at most " + about(most));
+  }
+
+  void crossing(Warning::About what, const Location& location, const std::string& whose,
+                double speed, double size) {
+    const double way = speed * world_.physics.step;
+    if (way > kFarthest * size) {
+      add(what, location,
+          whose + " moves up to " + about(way) + " m in a step at " + number(speed) +
+              " m/s, more than half its size of " + number(size) +
+              " m, and may pass into or through what stands in its way; expected a step of at "
+              "most " +
+              about(kFarthest * size / speed) + " s");
+    }
+  }
+
+  void robot(const Robot& robot) {
+    const std::string whose = "the robot '" + robot.id + "'";
+    const auto warn = [&](std::string message) {
+      add(Warning::About::robot, robot.location, std::move(message));
+    };
+    const RobotBody& body = robot.body;
+    const double mass = total_mass(body);
+    sinking(Warning::About::robot, robot.location, whose, mass,
+            std::min(body.wheel_radius, body.clearance));
+    crossing(Warning::About::robot, robot.location, whose, robot.max_speed,
+             std::min(body.length, body.width));
+    const double holds = mass * gravity_ * half_base(body);
+    if (2.0 * body.wheel_torque > kStrongest * holds) {
+      warn(whose + " has motors of " + number(body.wheel_torque) +
+           " N m, and its weight holds only " + about(0.5 * holds) +
+           " N m of each before the chassis turns over instead of the wheels; expected at most " +
+           about(0.5 * kStrongest * holds) + " N m");
+    }
+    const double inertia = 0.5 * body.wheel_mass * body.wheel_radius * body.wheel_radius;
+    const double gained = body.wheel_torque * world_.physics.step / inertia;
+    const double top_rate = std::max(robot.max_speed, 0.1) / body.wheel_radius;
+    if (gained > kSpinUp * top_rate) {
+      warn(whose + " has motors of " + number(body.wheel_torque) + " N m, which bring a wheel of " +
+           number(body.wheel_mass) + " kg to " + about(gained / top_rate) +
+           " times its top speed in one step; expected a smaller wheel_torque, a larger "
+           "wheel_mass or a step of at most " +
+           about(world_.physics.step * kSpinUp * top_rate / gained) + " s");
+    }
+    ratio(Warning::About::robot, robot.location, "the chassis of " + whose, body.mass, "each wheel",
+          body.wheel_mass);
+    for (const Segment& segment : robot.segments) {
+      ratio(Warning::About::robot, segment.location, "the segment '" + segment.id + "' of " + whose,
+            segment.mass, "the robot", mass);
+      sinking(Warning::About::robot, segment.location,
+              "the segment '" + segment.id + "' of " + whose, segment.mass,
+              std::min(segment.wheel_radius, segment.clearance));
+    }
+    const double height = body.clearance + 0.5 * body.height;
+    const double base = std::min(half_base(body), body.half_axle());
+    if (height > kSteepest * base) {
+      const double most = 2.0 * (kSteepest * base - body.clearance);
+      warn(whose + " has its middle " + number(height) + " m above the floor on a base of " +
+           about(2.0 * base) + " m, and topples; expected a " +
+           (most > 0.0 ? "height of at most " + about(most) + " m" : "wider or longer chassis"));
+    }
+  }
+
+  void ratio(Warning::About what, const Location& location, const std::string& one, double mass,
+             const std::string& other, double other_mass) {
+    if (std::max(mass, other_mass) > kMassRatio * std::min(mass, other_mass)) {
+      add(what, location,
+          one + " weighs " + about(mass) + " kg and " + other + " " + about(other_mass) +
+              " kg: masses so unlike are too much for the solver's precision where they touch; "
+              "expected a ratio of at most " +
+              number(kMassRatio));
+    }
+  }
+
+  void box(const Box& box) {
+    const std::string whose = "the box '" + box.id + "'";
+    if (box.kind == BoxKind::dynamic) {
+      sinking(Warning::About::box, box.location, whose, box.mass, box.height);
+      const Robot* least = nullptr;
+      for (const Robot& robot : world_.robots) {
+        if (!least || unlike(box, robot) > unlike(box, *least)) {
+          least = &robot;
+        }
+      }
+      if (least) {
+        ratio(Warning::About::box, box.location, whose, box.mass, "the robot '" + least->id + "'",
+              total_mass(least->body));
+      }
+    }
+    if (box.kind == BoxKind::moving && !box.waypoints.empty()) {
+      crossing(Warning::About::box, box.location, whose, box.speed,
+               std::min(box.length, box.width));
+      reaching(box, whose);
+    }
+  }
+
+  static double unlike(const Box& box, const Robot& robot) {
+    return std::abs(std::log(box.mass / total_mass(robot.body)));
+  }
+
+  /// Nothing stops a moving box: it presses what stands between it and a wall through the wall.
+  void reaching(const Box& box, const std::string& whose) {
+    if (!world_.arena.walls) {
+      return;
+    }
+    Footprint footprint = footprint_of(box);
+    std::vector<Vector2> places{{box.x, box.y}};
+    places.insert(places.end(), box.waypoints.begin(), box.waypoints.end());
+    for (const Vector2& place : places) {
+      footprint.x = place.x;
+      footprint.y = place.y;
+      if (std::abs(place.x) + footprint.reach(1.0, 0.0) > 0.5 * world_.arena.length ||
+          std::abs(place.y) + footprint.reach(0.0, 1.0) > 0.5 * world_.arena.width) {
+        add(Warning::About::box, box.location,
+            whose + " reaches into a wall at (" + number(place.x) + ", " + number(place.y) +
+                "), and presses what stands between through it; expected a path that leaves room "
+                "for a robot beside the wall");
+        return;
+      }
+    }
+  }
+
+  static std::string number(double value) { return format_value(ParameterValue(value)); }
+
+  const World& world_;
+  double gravity_;
+  std::size_t index_ = 0;
+  std::vector<Warning> found_;
+};
+
+}  // namespace
+
+std::string Warning::text() const {
+  const std::string place =
+      location.file.empty()
+          ? ""
+          : location.file + (location.line > 0 ? ":" + std::to_string(location.line) : "") + ": ";
+  return place + "warning: " + message;
+}
+
+std::vector<Warning> warnings(const World& world) { return Search(world).find(); }
+
+}  // namespace elsie::world
