@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace elsie::physics {
 namespace {
@@ -15,7 +16,7 @@ constexpr double kLeastCfm = 1e-10;
 
 // ODE's solver gives up where two contacts of the same body reach their limits at the same instant,
 // as they do on anything symmetrical. So no two contacts that follow each other are quite equal.
-constexpr int kTies = 7;
+constexpr std::size_t kTies = 7;
 
 }  // namespace
 
@@ -39,13 +40,13 @@ double OdeContacts::margin(double speed) const {
 
 void OdeContacts::clear(double softer) {
   dJointGroupEmpty(group_.get());
+  found_.clear();
   softer_ = softer;
-  made_ = 0;
 }
 
 void OdeContacts::attach(dBodyID a, dBodyID b, dContact& contact, double gap) {
   dSurfaceParameters& surface = contact.surface;
-  const double unequal = made_++ % kTies;
+  const double unequal = static_cast<double>(found_.size() % kTies);
   surface.mode |= dContactApprox1 | dContactSoftCFM;
   surface.soft_cfm = softer_ * cfm_ * (1.0 + 1e-3 * unequal);
   surface.mu *= 1.0 + 1e-6 * unequal;
@@ -59,7 +60,11 @@ void OdeContacts::attach(dBodyID a, dBodyID b, dContact& contact, double gap) {
     surface.bounce = bounce_;
     surface.bounce_vel = bounce_threshold_;
   }
-  dJointAttach(dJointCreateContact(world_, group_.get(), &contact), a, b);
+  found_.push_back({a, b, contact});
+}
+
+void OdeContacts::join(const FoundContact& contact) {
+  dJointAttach(dJointCreateContact(world_, group_.get(), &contact.contact), contact.a, contact.b);
 }
 
 dContact OdeContacts::on_floor(const Vector3& point, double friction) const {

@@ -1,6 +1,9 @@
 // Contact joints of one step.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "elsie/api/geometry.h"
 #include "elsie/world/description.h"
 
@@ -9,7 +12,14 @@
 
 namespace elsie::physics {
 
-/// Makes contact joints that live for one step.
+/// A contact as ODE's joints take it. `b`, or `a`, may be null for a body that stands fast.
+struct FoundContact {
+  dBodyID a = nullptr;
+  dBodyID b = nullptr;
+  dContact contact{};
+};
+
+/// Collects the contacts of one step, and makes joints of them that live for it.
 ///
 /// A contact may be made while there is still a gap. It then only forbids the bodies to come closer
 /// in this step than to the surface: what rests on the floor does not lose touch with it and fall
@@ -34,6 +44,11 @@ class OdeContacts {
   /// The same as found by one of ODE's colliders.
   void between(dBodyID a, dBodyID b, const dContactGeom& found);
 
+  /// All of the step, in the order in which they were found.
+  std::span<const FoundContact> found() const { return found_; }
+  /// Makes a joint of a contact.
+  void join(const FoundContact& contact);
+
   /// Forgets the contacts of the step. Those made from now on are `softer` times as soft.
   void clear(double softer = 1.0);
 
@@ -45,10 +60,10 @@ class OdeContacts {
 
   dWorldID world_;
   OdeJointGroup group_;
+  std::vector<FoundContact> found_;
   double step_;
   double cfm_;
   double softer_ = 1.0;
-  int made_ = 0;  // since the last clear()
   double gravity_;
   double friction_;
   double tyre_friction_;

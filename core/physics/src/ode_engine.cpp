@@ -6,12 +6,17 @@
 #include <vector>
 
 #include "elsie/physics/engine.h"
+#include "elsie/physics/failure.h"
+#include "elsie/world/engine_facts.h"
 
+#include "body_states.h"
+#include "bounds.h"
 #include "checks.h"
 #include "narrow_phase.h"
 #include "ode_contacts.h"
 #include "ode_handles.h"
 #include "ode_robot.h"
+#include "routing.h"
 #include "scene.h"
 #include "state_hash.h"
 
@@ -21,13 +26,22 @@ namespace {
 // How much further a body may come in a step than at its present speed, by being accelerated.
 constexpr double kSlack = 1e-3;  // m
 
-// Bodies that were put into each other, or squeezed, come apart no faster than this.
-constexpr double kMaxCorrectingSpeed = 0.5;  // m/s
-
 // Where ODE's solver gives up, the step is taken again with contacts softer by this factor, and by
 // more if need be.
 constexpr double kSofter = 3.0;
 constexpr int kMostAttempts = 4;
+
+/// Makes a body; what ODE says against it is the caller's mistake.
+template <class Make>
+void accept(const char* what, Make make) {
+  try {
+    make();
+  } catch (const OdeFailure&) {
+    throw std::invalid_argument("The masses and sizes of " + std::string(what) +
+                                " are too small or too unlike: its moments of inertia are lost in "
+                                "rounding.");
+  }
+}
 
 class OdeEngine final : public Engine {
  public:
@@ -60,6 +74,7 @@ class OdeEngine final : public Engine {
     return scene_.anything_in(pyramid, except);
   }
   std::uint64_t hash_state(std::uint64_t hash) const override;
+  GiveUps give_ups() const override { return give_ups_; }
 
  private:
   struct BoxBody {
@@ -69,14 +84,10 @@ class OdeEngine final : public Engine {
     dBodyID body = nullptr;  // none for one that stands fast
     OdeGeom geom;
     OrientedBox shape;
+    bool stays_within = false;  // the arena's walls
     // Of a moving box: where it is at the end of the next step.
     bool driven = false;
     Vector3 target;
-  };
-
-  struct BodyState {
-    dBodyID body = nullptr;
-    dReal position[3], orientation[4], velocity[3], turning[3];
   };
 
   static bool is_mobile(const BoxBody& box) {
@@ -92,7 +103,6 @@ class OdeEngine final : public Engine {
   }
   void take_step();
   void remember();
-  void go_back();
   void start_moving_boxes();
   void find_contacts();
   bool meet(Scene::Id a, Scene::Id b);
@@ -100,7 +110,9 @@ class OdeEngine final : public Engine {
   void place_in_scene(std::size_t robot);
   void settle();
   void settle_box(BoxBody& box, std::size_t index);
-  [[noreturn]] void fail(const std::string& what) const;
+  void judge(const Vector3& middle, const Vector3& velocity, bool stays_within, const Body& body,
+             std::optional<std::size_t> segment = std::nullopt) const;
+  [[noreturn]] void fail(Failure failure) const;
 
   world::Physics physics_;
   double time_ = 0.0;
@@ -114,7 +126,11 @@ class OdeEngine final : public Engine {
   std::vector<BoxBody> boxes_;
   std::vector<BoxBody> walls_;
   std::vector<Touch> touches_;
-  std::vector<BodyState> before_;     // this step
+  BodyStates before_;  // this step
+  Routing routing_;
+  Bounds bounds_;
+  GiveUps give_ups_;
+  std::vector<bool> stay_within_;     // the arena's walls: each robot
   std::vector<Scene::Id> mobile_;     // ascending
   std::vector<Scene::Id> neighbors_;  // of the one at hand; kept to reuse its memory
 };
@@ -123,12 +139,14 @@ OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
     : physics_((check(arena, physics), physics)),
       contacts_(world_.get(), physics),
       floor_(dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0)),
-      scene_(arena) {
+      scene_(arena),
+      routing_(physics),
+      bounds_(arena, physics) {
   dWorldSetGravity(world_.get(), 0.0, 0.0, physics.gravity);
   // Joints take these over when they are made.
   dWorldSetERP(world_.get(), physics.effective_erp());
   dWorldSetCFM(world_.get(), physics.effective_cfm());
-  dWorldSetContactMaxCorrectingVel(world_.get(), kMaxCorrectingSpeed);
+  dWorldSetContactMaxCorrectingVel(world_.get(), world::kMaxCorrectingSpeed);
   if (!arena.walls) return;
   // Outside of the area, the ones along x long enough to close the corners: east, north, west,
   // south.
@@ -150,12 +168,15 @@ std::size_t OdeEngine::add_robot(const world::RobotBody& body, const Pose& pose,
   check(body, segments);
   prepare_ode();
   const std::size_t index = robots_.size();
-  robots_.emplace_back(world_.get(), body, segments, pose, z);
+  accept("a robot's body", [&] { robots_.emplace_back(world_.get(), body, segments, pose, z); });
   std::vector<Scene::Id>& ids = robot_ids_.emplace_back();
   for (std::size_t vehicle = 0; vehicle < robots_[index].vehicle_count(); ++vehicle) {
     ids.push_back(scene_.add({BodyKind::robot, index}, true, vehicle));
     mobile_.push_back(ids.back());
   }
+  routing_.add_robot(robots_[index]);
+  stay_within_.push_back(bounds_.within_walls(robots_[index].state().frame.origin));
+  bounds_.add_height(z + body.top());
   place_in_scene(index);
   return index;
 }
@@ -163,6 +184,8 @@ std::size_t OdeEngine::add_robot(const world::RobotBody& body, const Pose& pose,
 void OdeEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
   check(pose, z);
   robots_.at(robot).put(pose, z);
+  stay_within_[robot] = bounds_.within_walls(robots_[robot].state().frame.origin);
+  bounds_.add_height(z + robots_[robot].dimensions().top());
   place_in_scene(robot);
 }
 
@@ -208,10 +231,19 @@ std::size_t OdeEngine::add_upright(std::vector<BoxBody>& list, BodyKind kind,
 std::size_t OdeEngine::add_box(const world::Box& box) {
   check(box);
   prepare_ode();
-  return add_upright(boxes_, BodyKind::box, box.kind,
-                     upright_box({box.x, box.y, box.z}, radians(box.heading_deg), box.length,
-                                 box.width, box.height),
-                     box.mass, box.seen_by_range_sensors);
+  const OrientedBox shape = upright_box({box.x, box.y, box.z}, radians(box.heading_deg), box.length,
+                                        box.width, box.height);
+  std::size_t index = 0;
+  accept("a box", [&] {
+    index =
+        add_upright(boxes_, BodyKind::box, box.kind, shape, box.mass, box.seen_by_range_sensors);
+  });
+  if (is_mobile(boxes_[index])) routing_.add_box(boxes_[index].body);
+  if (box.kind == world::BoxKind::dynamic) {
+    boxes_[index].stays_within = bounds_.within_walls(boxes_[index].shape.center);
+    bounds_.add_height(box.z + box.height);
+  }
+  return index;
 }
 
 void OdeEngine::remove_box(std::size_t box) {
@@ -221,13 +253,18 @@ void OdeEngine::remove_box(std::size_t box) {
   scene_.remove(gone.id);
   std::erase(mobile_, gone.id);
   gone.geom.reset();
-  if (gone.body) dBodyDestroy(gone.body);
+  if (gone.body) {
+    routing_.remove_box(gone.body);
+    dBodyDestroy(gone.body);
+  }
   gone.body = nullptr;
 }
 
 void OdeEngine::set_wheel_rates(std::size_t robot, const MotorCommand& rates) {
   require(rates.is_finite(), "The wheel rates that a robot is to hold must be finite.");
   robots_.at(robot).set_wheel_rates(rates);
+  bounds_.add_robot_speed(robots_[robot].lever() * robots_[robot].dimensions().wheel_radius *
+                          std::max(std::abs(rates.left), std::abs(rates.right)));
 }
 
 void OdeEngine::drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) {
@@ -237,6 +274,7 @@ void OdeEngine::drive_box(std::size_t box, const Vector2& position, const Vector
           "The position and velocity of a moving box must be finite.");
   if (!driven.present) return;
   driven.driven = true;
+  bounds_.add_moving_speed(std::hypot(velocity.x, velocity.y));
   driven.target = {position.x, position.y, driven.shape.center.z};
   dBodySetLinearVel(driven.body, velocity.x, velocity.y, 0.0);
 }
@@ -251,8 +289,10 @@ void OdeEngine::step() {
   prepare_ode();
   try {
     take_step();
-  } catch (const OdeFailure& failure) {
-    fail("its solver stopped (" + std::string(failure.what()) + ")");
+  } catch (const OdeFailure& stopped) {
+    Failure failure;
+    failure.detail = stopped.what();
+    fail(failure);
   }
 }
 
@@ -260,40 +300,37 @@ void OdeEngine::take_step() {
   start_moving_boxes();
   for (OdeRobot& robot : robots_) robot.stop_at_limits(physics_.step);
   remember();
-  for (int attempt = 1;; ++attempt) {
+  bool solved = false;
+  for (int attempt = 1; attempt <= kMostAttempts + 1 && !solved; ++attempt) {
     find_contacts();
-    const bool solved = world_.step(physics_.step);
+    routing_.divide(contacts_, robots_, Routing::OdeTakes::small_islands);
+    solved = world_.step(physics_.step);
     contacts_.clear(solved ? 1.0 : std::pow(kSofter, attempt));
-    if (solved || attempt > kMostAttempts) break;
-    go_back();
+    routing_.wake();
+    if (!solved) before_.restore();
+    if (!solved && attempt == 1 && give_ups_.steps++ == 0) {
+      give_ups_.first_s = time_ + physics_.step;
+    }
   }
   contacts_.clear();
+  if (!solved) {
+    ++give_ups_.unsolved;
+    find_contacts();
+    routing_.divide(contacts_, robots_, Routing::OdeTakes::nothing);
+    contacts_.clear();
+    routing_.wake();
+  }
+  routing_.step_crowd();
   time_ += physics_.step;
   settle();
 }
 
 void OdeEngine::remember() {
   before_.clear();
-  const auto add = [&](dBodyID body) {
-    BodyState& state = before_.emplace_back();
-    state.body = body;
-    std::copy_n(dBodyGetPosition(body), 3, state.position);
-    std::copy_n(dBodyGetQuaternion(body), 4, state.orientation);
-    std::copy_n(dBodyGetLinearVel(body), 3, state.velocity);
-    std::copy_n(dBodyGetAngularVel(body), 3, state.turning);
-  };
+  const auto add = [&](dBodyID body) { before_.add(body); };
   for (const OdeRobot& robot : robots_) robot.for_each_body(add);
   for (const BoxBody& box : boxes_) {
     if (box.body) add(box.body);
-  }
-}
-
-void OdeEngine::go_back() {
-  for (const BodyState& state : before_) {
-    dBodySetPosition(state.body, state.position[0], state.position[1], state.position[2]);
-    dBodySetQuaternion(state.body, state.orientation);
-    dBodySetLinearVel(state.body, state.velocity[0], state.velocity[1], state.velocity[2]);
-    dBodySetAngularVel(state.body, state.turning[0], state.turning[1], state.turning[2]);
   }
 }
 
@@ -373,9 +410,18 @@ bool OdeEngine::meet_own(const OdeRobot& robot, std::size_t a, std::size_t b) {
 
 void OdeEngine::settle() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (!robots_[i].settle(physics_.step))
-      fail("the state of robot " + std::to_string(i) + " is no longer finite");
+    const Body body{BodyKind::robot, i};
+    if (!robots_[i].settle(physics_.step)) {
+      Failure failure;
+      failure.kind = Failure::Kind::not_finite;
+      failure.body = body;
+      fail(failure);
+    }
     place_in_scene(i);
+    robots_[i].for_each_middle([&](std::optional<std::size_t> segment, dBodyID middle) {
+      judge(to_vector(dBodyGetPosition(middle)), to_vector(dBodyGetLinearVel(middle)),
+            stay_within_[i], body, segment);
+    });
   }
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     if (boxes_[i].present && is_mobile(boxes_[i])) settle_box(boxes_[i], i);
@@ -400,16 +446,27 @@ void OdeEngine::settle_box(BoxBody& box, std::size_t index) {
   const double speed = std::sqrt(dot(v, v)) + (half.x + half.y + half.z) * std::sqrt(dot(w, w));
   const Vector3& c = box.shape.center;
   if (!std::isfinite(c.x + c.y + c.z + r[0] + r[5] + r[10] + speed)) {
-    fail("the state of box " + std::to_string(index) + " is no longer finite");
+    Failure failure;
+    failure.kind = Failure::Kind::not_finite;
+    failure.body = Body{BodyKind::box, index};
+    fail(failure);
   }
+  judge(c, v, box.stays_within, {BodyKind::box, index});
   scene_.place_box(box.id, box.shape, physics_.step * speed + kSlack);
 }
 
-void OdeEngine::fail(const std::string& what) const {
-  throw std::runtime_error("The physics became unstable after " + std::to_string(time_) +
-                           " s: " + what +
-                           ". A smaller step, a larger cfm, or less extreme masses, torques and "
-                           "speeds may help.");
+void OdeEngine::judge(const Vector3& middle, const Vector3& velocity, bool stays_within,
+                      const Body& body, std::optional<std::size_t> segment) const {
+  if (auto failure = bounds_.check(middle, velocity, stays_within)) {
+    failure->body = body;
+    failure->segment = segment;
+    fail(*failure);
+  }
+}
+
+void OdeEngine::fail(Failure failure) const {
+  failure.time_s = time_;
+  throw PhysicsFailure(failure);
 }
 
 std::uint64_t OdeEngine::hash_state(std::uint64_t hash) const {

@@ -1,17 +1,16 @@
 #include "ode_robot.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "elsie/world/engine_facts.h"
+
+#include "bounds.h"
 #include "moving_vehicle.h"
 #include "wheel_on_floor.h"
 
 namespace elsie::physics {
 namespace {
-
-// A caster is light against the chassis, so that it does not matter how it spins.
-constexpr double kCasterMass = 0.02;  // of the chassis' mass
 
 // ODE's solver gives up where two motors of equal strength reach their limits at the same instant.
 constexpr double kTieBreaker = 1e-6;
@@ -41,8 +40,9 @@ void wheel_rotation(double angle, dQuaternion q) {
 OdeRobot::OdeRobot(dWorldID world, const world::RobotBody& body,
                    std::span<const world::Segment> segments, const Pose& pose, double z)
     : dimensions_(body),
-      caster_radius_(std::min({0.5 * body.clearance, 0.125 * body.length, body.wheel_radius})),
-      caster_x_(0.5 * body.length - 1.2 * caster_radius_),
+      caster_radius_(world::caster_radius(body)),
+      caster_x_(world::half_base(body)),
+      lever_(lever_of(body, segments)),
       couplings_(world::couplings(body, segments)) {
   const auto make = [&](Part part, dGeomID geom, const dMass& mass) {
     const dBodyID made = dBodyCreate(world);
@@ -59,7 +59,7 @@ OdeRobot::OdeRobot(dWorldID world, const world::RobotBody& body,
   for (const Part part : {left_wheel, right_wheel}) {
     make(part, dCreateCylinder(nullptr, body.wheel_radius, body.wheel_width), mass);
   }
-  dMassSetSphereTotal(&mass, kCasterMass * body.mass, caster_radius_);
+  dMassSetSphereTotal(&mass, world::kCasterMass * body.mass, caster_radius_);
   for (const Part part : {front_caster, rear_caster}) {
     make(part, dCreateSphere(nullptr, caster_radius_), mass);
   }
@@ -132,6 +132,13 @@ void OdeRobot::link_casters(dWorldID world, const Frame& frame) {
 void OdeRobot::set_wheel_rates(const MotorCommand& rates) {
   dJointSetHingeParam(hinges_[0], dParamVel, rates.left);
   dJointSetHingeParam(hinges_[1], dParamVel, rates.right);
+}
+
+OdeRobot::Parts OdeRobot::parts() const {
+  return {bodies_[chassis],
+          {bodies_[left_wheel], bodies_[right_wheel]},
+          {bodies_[front_caster], bodies_[rear_caster]},
+          hinges_};
 }
 
 void OdeRobot::stop_at_limits(double step) {

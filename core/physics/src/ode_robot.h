@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,7 +42,19 @@ class OdeRobot {
   bool settle(double step);
 
   const RobotState& state() const { return state_; }
+  const world::RobotBody& dimensions() const { return dimensions_; }
+  /// How many times as fast as a wheel's rim a corner of it, or of what it pulls, can move: see
+  /// bounds.h.
+  double lever() const { return lever_; }
   const std::vector<OdeSegment>& segments() const { return segments_; }
+  /// Its bodies and motors.
+  struct Parts {
+    dBodyID chassis;
+    std::array<dBodyID, 2> wheels;   // left, right
+    std::array<dBodyID, 2> casters;  // front, rear
+    std::array<dJointID, 2> motors;  // hinges, left and right
+  };
+  Parts parts() const;
   /// The robot itself is vehicle 0, its segments follow.
   std::size_t vehicle_count() const { return 1 + segments_.size(); }
   Vehicle vehicle(std::size_t index) const;
@@ -53,6 +66,14 @@ class OdeRobot {
   void for_each_body(Call call) const {
     for (const dBodyID body : bodies_) call(body);
     for (const OdeSegment& segment : segments_) call(segment.body());
+  }
+  /// Calls it with the chassis, which is no segment, and with each segment's number and body.
+  template <class Call>
+  void for_each_middle(Call call) const {
+    call(std::optional<std::size_t>(), bodies_[chassis]);
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      call(std::optional<std::size_t>(i), segments_[i].body());
+    }
   }
 
  private:
@@ -66,6 +87,7 @@ class OdeRobot {
   world::RobotBody dimensions_;
   double caster_radius_;
   double caster_x_;
+  double lever_;
   std::array<dBodyID, part_count> bodies_{};
   std::array<OdeGeom, part_count> geoms_;
   std::array<dJointID, 2> hinges_{};

@@ -46,6 +46,11 @@ class OdeSegment {
 
   const SegmentState& state() const { return state_; }
   dBodyID body() const { return body_; }
+  const world::Coupling& coupling() const { return coupling_; }
+  /// Where its joint is.
+  Vector3 joint_place() const {
+    return state_.frame.point({coupling_.ahead, 0.0, coupling_.height});
+  }
   Vehicle vehicle() const;
 
  private:

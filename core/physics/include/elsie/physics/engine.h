@@ -56,6 +56,18 @@ struct Touch {
   Body b;
 };
 
+/// Steps in which ODE's solver found no motion that satisfies all contacts, joints and motors. Such
+/// a step is taken again with contacts that are softened step by step, up to 81 times.
+struct GiveUps {
+  std::uint64_t steps = 0;  // in which it gave up at least once
+  /// Of them, those in which it gave up however soft the contacts were. The iterative solver, which
+  /// always comes to an answer, then moved all bodies.
+  std::uint64_t unsolved = 0;
+  double first_s = 0.0;  // at the end of the first such step
+
+  friend bool operator==(const GiveUps&, const GiveUps&) = default;
+};
+
 struct RayHit {
   double distance = 0.0;  // m; 0 for a ray that starts inside of a body
   Body body;
@@ -89,9 +101,13 @@ class Engine {
   /// whatever stands in its way; before each step. Without it the box rests in that step.
   virtual void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) = 0;
 
-  /// One step of the length in world::Physics. Throws std::runtime_error, with a sentence, when the
-  /// state of a body is no longer finite; the engine can then only be destroyed.
+  /// One step of the length in world::Physics. Throws PhysicsFailure when the state of a body is no
+  /// longer finite, or the body is where nothing in the world can have brought it (bounds.h). The
+  /// state then stays as it is, for those who want to look at it; further steps mean nothing.
   virtual void step() = 0;
+
+  /// How often the solver gave up since the engine was made.
+  virtual GiveUps give_ups() const = 0;
 
   virtual RobotState robot(std::size_t robot) const = 0;
   /// How many segments a robot pulls, and one of them, counted from the robot backwards.

@@ -1,0 +1,50 @@
+// Which robots and boxes are linked by contacts.
+#pragma once
+
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace elsie::physics {
+
+/// Members, of which some are linked; an island is what is linked directly or through others.
+class Islands {
+ public:
+  /// As many members as this, none linked. Each counts 1, unless count() says otherwise.
+  void reset(std::size_t members) {
+    parents_.resize(members);
+    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+    sizes_.assign(members, 1);
+    members_.assign(members, 1);
+  }
+  void count(std::size_t member, std::size_t as) { sizes_[member] = as; }
+  void link(std::size_t a, std::size_t b) {
+    a = island(a);
+    b = island(b);
+    if (a == b) return;
+    if (b < a) std::swap(a, b);
+    parents_[b] = a;
+    sizes_[a] += sizes_[b];
+    members_[a] += members_[b];
+  }
+  /// The first of its members.
+  std::size_t island(std::size_t member) {
+    while (parents_[member] != member) {
+      parents_[member] = parents_[parents_[member]];
+      member = parents_[member];
+    }
+    return member;
+  }
+  /// What all members of its island count together.
+  std::size_t size(std::size_t member) { return sizes_[island(member)]; }
+  /// How many members its island has.
+  std::size_t members(std::size_t member) { return members_[island(member)]; }
+
+ private:
+  std::vector<std::size_t> parents_;
+  std::vector<std::size_t> sizes_;
+  std::vector<std::size_t> members_;
+};
+
+}  // namespace elsie::physics

@@ -1,0 +1,84 @@
+#include "routing.h"
+
+#include <cstdint>
+#include <utility>
+
+namespace elsie::physics {
+namespace {
+
+// ODE's solver takes what touches each other up to this size: six robots. A segment, and a box, has
+// about half as many equations as a robot.
+constexpr std::size_t kRobotSize = 2;
+constexpr std::size_t kMostForOde = 6 * kRobotSize;
+
+std::size_t member_of(dBodyID body) {
+  return reinterpret_cast<std::uintptr_t>(dBodyGetData(body)) - 1;
+}
+
+}  // namespace
+
+void Routing::add_robot(const OdeRobot& robot) {
+  Member member;
+  member.robot = robots_++;
+  member.size = kRobotSize + robot.segments().size();
+  robot.for_each_body([&](dBodyID body) { member.bodies.push_back(body); });
+  add(std::move(member));
+}
+
+void Routing::add_box(dBodyID box) {
+  Member member;
+  member.bodies.push_back(box);
+  add(std::move(member));
+}
+
+void Routing::add(Member member) {
+  members_.push_back(std::move(member));
+  // From 1: a body of ODE that has no data has 0.
+  const auto number = static_cast<std::uintptr_t>(members_.size());
+  for (const dBodyID body : members_.back().bodies) {
+    dBodySetData(body, reinterpret_cast<void*>(number));
+  }
+}
+
+void Routing::remove_box(dBodyID box) { members_[member_of(box)].bodies.clear(); }
+
+void Routing::divide(OdeContacts& contacts, std::span<const OdeRobot> robots, OdeTakes takes) {
+  islands_.reset(members_.size());
+  for (std::size_t i = 0; i < members_.size(); ++i) islands_.count(i, members_[i].size);
+  for (const FoundContact& contact : contacts.found()) {
+    if (contact.a && contact.b) islands_.link(member_of(contact.a), member_of(contact.b));
+  }
+  crowd_.clear();
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    // What touches no other is small however many segments it pulls.
+    const bool small = islands_.members(i) == 1 || islands_.size(i) <= kMostForOde;
+    if (takes == OdeTakes::nothing || !small) take_out(members_[i], robots);
+  }
+  for (const FoundContact& contact : contacts.found()) {
+    if (members_[member_of(contact.a ? contact.a : contact.b)].in_crowd) {
+      crowd_.add_contact(contact);
+    } else {
+      contacts.join(contact);
+    }
+  }
+}
+
+void Routing::take_out(Member& member, std::span<const OdeRobot> robots) {
+  member.in_crowd = true;
+  if (member.robot) {
+    crowd_.add_robot(robots[*member.robot]);
+  } else {
+    for (const dBodyID body : member.bodies) crowd_.add_box(body);
+  }
+  for (const dBodyID body : member.bodies) dBodyDisable(body);
+}
+
+void Routing::wake() {
+  for (Member& member : members_) {
+    if (!member.in_crowd) continue;
+    member.in_crowd = false;
+    for (const dBodyID body : member.bodies) dBodyEnable(body);
+  }
+}
+
+}  // namespace elsie::physics
