@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "elsie/file/read_whole.h"
 #include "elsie/mcap/records.h"
 
 #include "format.h"
@@ -12,8 +13,8 @@ namespace elsie::mcap {
 
 InputFile::InputFile(const std::filesystem::path& file) : path_(file) {
   std::error_code error;
-  if (std::filesystem::is_directory(file, error)) {
-    throw McapError("recording '" + file.string() + "' cannot be read: it is a directory");
+  if (const std::string why = file::why_unreadable(file); !why.empty()) {
+    throw McapError("recording '" + file.string() + "' " + why);
   }
   in_.open(file, std::ios::binary);
   if (in_) {

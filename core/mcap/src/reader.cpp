@@ -4,6 +4,8 @@
 #include <fstream>
 #include <utility>
 
+#include "elsie/file/read_whole.h"
+
 #include "bytes.h"
 #include "compression.h"
 #include "format.h"
@@ -367,6 +369,9 @@ std::uint64_t Reader::chunks() const { return impl_->chunk_count_; }
 const std::string& Reader::missing_end() const { return impl_->missing_end_; }
 
 bool may_be_mcap(const std::filesystem::path& file) {
+  if (!file::why_unreadable(file).empty()) {
+    return false;
+  }
   std::ifstream in(file, std::ios::binary);
   std::string start(kVersionAt, '\0');
   in.read(start.data(), static_cast<std::streamsize>(start.size()));

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <stdexcept>
 #include <utility>
+
+#include "elsie/file/read_whole.h"
 
 namespace elsie::neural {
 namespace {
@@ -102,14 +104,14 @@ std::string read_text_file(const std::string& path, const std::string& expected)
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {
     problems.add(0, "there is no such file; expected " + expected);
-  } else if (std::filesystem::is_directory(path, error)) {
-    problems.add(0, "this is a directory, expected " + expected);
+    problems.throw_if_any();
   }
-  problems.throw_if_any();
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file) {
-    problems.add(0, "the file cannot be read; check its permissions");
+  constexpr std::uintmax_t kMostBytes = 256'000'000;
+  std::string text;
+  try {
+    text = file::read_whole(path, kMostBytes);
+  } catch (const std::runtime_error& why) {
+    problems.add(0, std::string("this ") + why.what() + "; expected " + expected);
   }
   problems.throw_if_any();
   return text;

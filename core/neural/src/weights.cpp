@@ -128,6 +128,9 @@ class Reader {
       refuse("a second line about " + neural::quoted(key));
     }
     about.push_back({key, trimmed_after(lines_[line_ - 1], words_[1])});
+    if ((about.back().key + about.back().text).find('\r') != std::string::npos) {
+      refuse("what is said about " + neural::quoted(key) + " holds a carriage return; take it out");
+    }
   }
 
   void read_neuron(Network& network, std::size_t layer, std::size_t neuron) {

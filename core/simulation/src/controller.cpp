@@ -329,6 +329,19 @@ void Controller::check_trace() {
       setting_.guard.fail(*description_.coordinator,
                           "a weight or share in its trace is not finite");
     }
+    constexpr double kRounding = 1e-9;
+    if (member.trace.share < -kRounding || member.trace.share > 1.0 + kRounding) {
+      setting_.guard.fail(*description_.coordinator,
+                          "the share of '" + std::string(member.name()) + "' in its trace is " +
+                              std::to_string(member.trace.share) +
+                              "; expected a part of the whole command, from 0 to 1");
+    }
+    if (member.trace.weight < 0.0 && member.priority() >= 0.0) {
+      setting_.guard.fail(*description_.coordinator,
+                          "the weight of '" + std::string(member.name()) + "' in its trace is " +
+                              std::to_string(member.trace.weight) +
+                              "; expected 0 or more, unless the user set a priority below 0");
+    }
     const char* const reason = member.trace.reason ? member.trace.reason : "";
     const char*& kept = reasons_[static_cast<std::size_t>(&member - members_.data())];
     if (std::strcmp(reason, kept) != 0) {

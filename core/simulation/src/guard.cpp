@@ -1,5 +1,6 @@
 #include "guard.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 
@@ -26,6 +27,27 @@ std::int64_t heap_bytes() {
   }
   const auto info = mallinfo2();
   return static_cast<std::int64_t>(info.uordblks + info.hblkhd);
+}
+
+void Guard::note_arithmetic(const world::PluginUse& use, const char* changed) {
+  const auto known = std::find_if(
+      arithmetic_.begin(), arithmetic_.end(),
+      [&](const ChangedArithmetic& one) { return one.id == use.id && one.what == changed; });
+  ChangedArithmetic& entry =
+      known != arithmetic_.end()
+          ? *known
+          : arithmetic_.emplace_back(ChangedArithmetic{use.id, changed, step_, 0});
+  ++entry.calls;
+}
+
+void Guard::list_notes(std::vector<Note>& notes) const {
+  for (const ChangedArithmetic& one : arithmetic_) {
+    notes.push_back({robot_, one.id,
+                     "changed " + one.what + " for the whole program, " +
+                         (one.calls == 1 ? "once" : std::to_string(one.calls) + " times") +
+                         ", first in step " + std::to_string(one.first_step) +
+                         "; this was undone after each call"});
+  }
 }
 
 std::int64_t Guard::begin(plugin::Call& call) const {

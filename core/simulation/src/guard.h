@@ -12,6 +12,7 @@
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/error.h"
 #include "elsie/simulation/fault.h"
+#include "elsie/simulation/run_result.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/description.h"
 #include "elsie/world/error.h"
@@ -32,8 +33,8 @@ class Guard {
   /// A call that may take its time: before the run, or once in a while.
   template <class Action>
   auto run(const world::PluginUse& use, Action action) {
-    const plugin::Call call(facts(use));
-    return caught(use, action);
+    plugin::Call call(facts(use));
+    return caught(use, call, action);
   }
 
   /// A call that belongs to the step: it has to keep to the budget.
@@ -41,14 +42,14 @@ class Guard {
   auto step(const world::PluginUse& use, Action action) {
     plugin::Call call(facts(use));
     if (!has_budget()) [[likely]] {
-      return caught(use, action);
+      return caught(use, call, action);
     }
     const std::int64_t before = begin(call);
     if constexpr (std::is_void_v<decltype(action())>) {
-      caught(use, action);
+      caught(use, call, action);
       end(use, call, before);
     } else {
-      auto result = caught(use, action);
+      auto result = caught(use, call, action);
       end(use, call, before);
       return result;
     }
@@ -71,8 +72,11 @@ class Guard {
   void begin_run() {
     fault_.reset();
     held_.clear();
+    arithmetic_.clear();
   }
   void begin_step(std::uint64_t step) { step_ = step; }
+  /// The plugins that have changed how the processor computes, since the run began: a note on each.
+  void list_notes(std::vector<Note>& notes) const;
   /// The object is another one now.
   void forget(const world::PluginUse& use) { held_.erase(&use); }
 
@@ -80,6 +84,14 @@ class Guard {
   /// What the calls of one object have left on the heap.
   struct Held {
     std::int64_t bytes = 0;
+    std::uint64_t calls = 0;
+  };
+
+  /// How often a plugin has changed the processor's way of computing.
+  struct ChangedArithmetic {
+    std::string id;
+    std::string what;
+    std::uint64_t first_step = 0;
     std::uint64_t calls = 0;
   };
 
@@ -91,9 +103,18 @@ class Guard {
   }
 
   template <class Action>
-  auto caught(const world::PluginUse& use, Action& action) -> decltype(action()) {
+  auto caught(const world::PluginUse& use, plugin::Call& call, Action& action)
+      -> decltype(action()) {
     try {
-      return action();
+      if constexpr (std::is_void_v<decltype(action())>) {
+        action();
+        settle(use, call);
+        return;
+      } else {
+        decltype(action()) result = action();
+        settle(use, call);
+        return result;
+      }
     } catch (const PluginFault&) {
       throw;  // of another plugin, which this one had called
     } catch (const std::exception& problem) {
@@ -102,6 +123,18 @@ class Guard {
       fail(use, "it threw something that is no std::exception");
     }
   }
+
+  /// After a call: what it did to the process and must not.
+  void settle(const world::PluginUse& use, plugin::Call& call) {
+    if (const char* const changed = call.restore_arithmetic()) [[unlikely]] {
+      note_arithmetic(use, changed);
+    }
+    if (call.has_forked()) [[unlikely]] {
+      fail(use,
+           "it made a copy of the program with fork(); start other programs with posix_spawn()");
+    }
+  }
+  void note_arithmetic(const world::PluginUse& use, const char* changed);
 
   bool has_budget() const { return budget_.time_s > 0.0 || budget_.memory > 0; }
   std::int64_t begin(plugin::Call& call) const;
@@ -113,6 +146,7 @@ class Guard {
   std::uint64_t step_ = 0;
   std::optional<PluginFault> fault_;
   std::map<const world::PluginUse*, Held> held_;
+  std::vector<ChangedArithmetic> arithmetic_;
 };
 
 /// While a robot is put together, what a plugin object refuses is a fault of the world file: it is
@@ -124,13 +158,26 @@ auto blaming(const world::PluginUse& use, std::vector<world::Problem>& problems,
     problems.push_back({use.location.file, use.location.line,
                         "plugin '" + use.plugin + "': " + problem, plugin_failed});
   };
-  const plugin::Call call({.plugin = use.plugin.c_str(),
-                           .id = use.id.c_str(),
-                           .file = use.location.file.c_str(),
-                           .line = use.location.line,
-                           .doing = "while it was prepared"});
+  plugin::Call call({.plugin = use.plugin.c_str(),
+                     .id = use.id.c_str(),
+                     .file = use.location.file.c_str(),
+                     .line = use.location.line,
+                     .doing = "while it was prepared"});
   try {
-    return action();
+    const auto settle = [&] {
+      if (const char* const changed = call.restore_arithmetic()) {
+        blame(std::string("it changed ") + changed + " for the whole program", true);
+      }
+    };
+    if constexpr (std::is_void_v<decltype(action())>) {
+      action();
+      settle();
+      return;
+    } else {
+      decltype(action()) result = action();
+      settle();
+      return result;
+    }
   } catch (const plugin::CreateError& problem) {
     problems.push_back({use.location.file, use.location.line, problem.what(), true});
   } catch (const plugin::PluginError& problem) {  // which names the plugin

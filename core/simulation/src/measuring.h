@@ -32,6 +32,8 @@ class Measuring {
   void reset(std::uint64_t seed);
   /// Appends what the objects have to say once they are reset.
   void list_notes(std::vector<Note>& notes);
+  /// What the measures did to the program since the run began.
+  void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
   void list_curves(std::vector<LearningCurve>& curves);
 
   /// Whether the run has been looked at since it was reset.

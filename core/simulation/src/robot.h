@@ -100,6 +100,8 @@ class Robot final : private Wishes {
 
   /// Appends what the plugins have to say, after a reset. Throws PluginFault.
   void list_notes(std::vector<Note>& notes) const;
+  /// What its plugins did to the program since the run began.
+  void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
   /// Appends what they have to show, likewise.
   void list_curves(std::vector<LearningCurve>& curves) const;
   /// An event for the next perception and for the log.

@@ -1,5 +1,6 @@
 #include "elsie/simulation/simulation.h"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <utility>
@@ -158,6 +159,14 @@ RunResult Simulation::result() const {
   }
   result.events = impl_->events_;
   result.notes = impl_->notes_;
+  for (const auto& robot : impl_->robots_) {
+    robot->list_late_notes(result.notes);
+  }
+  impl_->measuring_->list_late_notes(result.notes);
+  const physics::GiveUps give_ups = impl_->give_ups();
+  result.solver = {give_ups.steps, give_ups.unsolved, give_ups.first_s};
+  // A step that a fault ended is none of the steps.
+  note_give_ups(world(), give_ups, std::max(steps(), give_ups.steps), result.notes);
   result.curves = impl_->curves_;
   measure_every_run(result);
   impl_->measuring_->report({to_run_end(outcome()), time_s()}, result.measures);

@@ -23,6 +23,7 @@
 #include "changes.h"
 #include "goals.h"
 #include "measuring.h"
+#include "physics_words.h"
 #include "swap.h"
 #include "teams.h"
 #include "touches.h"
@@ -100,6 +101,7 @@ class Simulation::Impl {
     events_.clear();
     log_events();
     notes_.clear();
+    note_warnings(world_, notes_);
     curves_.clear();
     for (const auto& robot : robots_) {
       robot->list_notes(notes_);
@@ -184,6 +186,8 @@ class Simulation::Impl {
 
   double time_s() const { return static_cast<double>(steps_) * world_.physics.step; }
 
+  physics::GiveUps give_ups() const { return engine_->give_ups(); }
+
   std::uint64_t state_hash() const {
     std::uint64_t hash = engine_->hash_state();
     for (const auto& robot : robots_) {
@@ -254,7 +258,11 @@ class Simulation::Impl {
       engine_->set_wheel_rates(i, robots_[i]->command());
     }
     drive_boxes();
-    engine_->step();
+    try {
+      engine_->step();
+    } catch (const physics::PhysicsFailure& failure) {
+      throw fault_of(world_, failure.failure, steps_);
+    }
     ++steps_;
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       robots_[i]->moved(engine_->robot(i));

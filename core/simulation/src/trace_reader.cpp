@@ -6,6 +6,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "elsie/file/read_whole.h"
 #include "elsie/simulation/trace.h"
 
 #include "trace_format.h"
@@ -34,11 +35,11 @@ enum Column : std::size_t {
 
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& file) : file_(file.string()), in_(file) {
-    std::error_code error;
-    if (std::filesystem::is_directory(file, error)) {
-      throw TraceError("trace '" + file_ + "' cannot be read: it is a directory");
+  explicit Reader(const std::filesystem::path& file) : file_(file.string()) {
+    if (const std::string why = file::why_unreadable(file); !why.empty()) {
+      throw TraceError("trace '" + file_ + "' " + why);
     }
+    in_.open(file);
     if (!in_) {
       throw TraceError("trace '" + file_ +
                        "' cannot be opened: " + std::generic_category().message(errno));
@@ -333,6 +334,9 @@ class Reader {
 Trace read_trace(const std::filesystem::path& file) { return Reader(file).read(); }
 
 bool may_be_trace(const std::filesystem::path& file) {
+  if (!file::why_unreadable(file).empty()) {
+    return false;
+  }
   std::ifstream in(file, std::ios::binary);
   if (!in) {
     return false;

@@ -76,8 +76,13 @@ class CoordinatorTally {
       ++account_.switches;
     }
     finish_episode();
-    account_.episodes.push_back({moment.from_s, moment.to_s, 0, {{now, 0.0, 0.0, 0.0, 0}}});
+    Episode& episode = account_.episodes.emplace_back();
+    episode.from_s = moment.from_s;
+    episode.to_s = moment.to_s;
+    Episode::Part& part = episode.parts.emplace_back();
+    part.decider = now;
     if (now >= 0) {
+      part.first_reason = moment.notes[place(now)]->reason;
       ++members[place(now)].periods;
     }
   }

@@ -1,9 +1,10 @@
-// A plugin that failed while a simulation ran.
+// What ends a simulation before its time: a plugin that failed, or the physics.
 #pragma once
 
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace elsie::simulation {
 
@@ -28,6 +29,18 @@ class PluginFault : public std::runtime_error {
   std::string plugin;
   std::string id;
   std::string robot;  // "": a measure failed
+  std::uint64_t step;
+};
+
+/// The physics lost a body: its state is not finite, or it is where nothing in the world can have
+/// brought it. what() is a sentence that names the body, the time and the likely cause. What was
+/// recorded until then is valid.
+class PhysicsFault : public std::runtime_error {
+ public:
+  PhysicsFault(std::string of_robot, std::uint64_t at_step, const std::string& sentence)
+      : std::runtime_error(sentence), robot(std::move(of_robot)), step(at_step) {}
+
+  std::string robot;  // "": a box, or nothing in particular
   std::uint64_t step;
 };
 

@@ -28,12 +28,17 @@ struct EventRecord {
   std::string detail;  // with what, which resource, what was changed...; may be empty
 };
 
-/// What a plugin has to say to the user before a run: how its training went, for example.
+/// What there is to say to the user: of a plugin, how its training went before the run, or that it
+/// did something to the program that had to be undone. The simulator's own notes have kPhysicsNotes
+/// for a plugin: settings that the physics can hardly keep up with, and how often its solver gave
+/// up.
 struct Note {
-  std::string robot;   // "": a measure says it
+  std::string robot;   // "": a measure says it, or the simulator
   std::string plugin;  // its id on the robot
   std::string text;    // one sentence or several
 };
+
+inline constexpr const char* kPhysicsNotes = "physics";
 
 /// What a plugin has to show: how a network learned before the run, in general.
 struct LearningCurve {
@@ -49,6 +54,14 @@ struct MeasuredValue {
   std::string unit;
   std::string meaning;
   std::optional<double> value;  // none: there is none in this run
+};
+
+/// How the solver of the physics did. In a step in which it finds no motion that satisfies all
+/// contacts, joints and motors it gives up; the step is taken again with softer contacts.
+struct SolverResult {
+  std::uint64_t gave_up = 0;   // steps in which it gave up
+  std::uint64_t unsolved = 0;  // of them, those in which it did however soft the contacts were
+  double since_s = 0.0;        // the end of the first such step; 0 if there was none
 };
 
 struct RobotResult {
@@ -68,6 +81,7 @@ struct RunResult {
   double simulated_s = 0.0;
   double wall_s = 0.0;
   std::uint64_t steps = 0;
+  SolverResult solver;
   std::uint64_t state_hash = 0;  // over the state of all bodies and batteries at the end
   std::vector<RobotResult> robots;
   std::vector<EventRecord> events;

@@ -114,11 +114,12 @@ class Simulation {
   /// what a new simulation with that seed does.
   void reset(std::optional<std::uint64_t> seed = std::nullopt);
 
-  /// One step. Throws PluginFault. After the end of the run it goes on all the same; the outcome
-  /// stays.
+  /// One step. Throws PluginFault and PhysicsFault. After the end of the run it goes on all the
+  /// same; the outcome stays.
   void step();
 
-  /// Steps until a goal or a limit ends the run. Throws PluginFault, also of a measure.
+  /// Steps until a goal or a limit ends the run. Throws PluginFault, also of a measure, and
+  /// PhysicsFault.
   ///
   /// `changes` are made on the way, those for one step together, at time zero before observers hear
   /// of the start. They are checked before the run begins: ChangeRefused tells of what can be known

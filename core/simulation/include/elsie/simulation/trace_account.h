@@ -86,9 +86,10 @@ struct Episode {
   struct Part {
     Decider decider = kNobody;
     double time_s = 0.0;
-    double share = 0.0;        // mean
-    double weight = 0.0;       // mean; zero when it is no single member
-    std::uint32_t reason = 0;  // that of its longest stretch; place in Trace::reasons
+    double share = 0.0;              // mean
+    double weight = 0.0;             // mean; zero when it is no single member
+    std::uint32_t reason = 0;        // that of its longest stretch; place in Trace::reasons
+    std::uint32_t first_reason = 0;  // why it began; likewise
   };
 
   double from_s = 0.0;

@@ -1,0 +1,113 @@
+#include "physics_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "elsie/world/warnings.h"
+
+namespace elsie::simulation {
+
+namespace {
+
+using About = world::Warning::About;
+
+std::string seconds(double time_s) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g s", time_s);
+  return text.data();
+}
+
+std::string counted(std::uint64_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string place_of(const world::Location& location) {
+  return location.line > 0 ? " (" + location.file + ":" + std::to_string(location.line) + ")" : "";
+}
+
+/// "the robot 'r1' (a.xml:7)"
+std::string name_of(const world::World& world, const physics::Failure& failure) {
+  const std::size_t index = failure.body->index;
+  if (failure.body->kind == physics::BodyKind::robot) {
+    const world::Robot& robot = world.robots.at(index);
+    const std::string name = "the robot '" + robot.id + "'";
+    if (!failure.segment) {
+      return name + place_of(robot.location);
+    }
+    const world::Segment& segment = robot.segments.at(*failure.segment);
+    return "the segment '" + segment.id + "' of " + name + place_of(segment.location);
+  }
+  const world::Box& box = world.boxes.at(index);
+  return "the box '" + box.id + "'" + place_of(box.location);
+}
+
+/// The warning that explains best what happened to a body: one about it, about the physics as a
+/// whole, or about something else.
+std::string likely_cause(const world::World& world, const physics::Failure& failure) {
+  const std::vector<world::Warning> all = world::warnings(world);
+  const auto of_body = [&](const world::Warning& warning) {
+    return failure.body && warning.index == failure.body->index &&
+           warning.about ==
+               (failure.body->kind == physics::BodyKind::robot ? About::robot : About::box);
+  };
+  auto found = std::find_if(all.begin(), all.end(), of_body);
+  if (found == all.end()) {
+    found = std::find_if(all.begin(), all.end(), [](const world::Warning& warning) {
+      return warning.about == About::physics;
+    });
+  }
+  if (found == all.end()) {
+    found = all.begin();
+  }
+  if (found != all.end()) {
+    return found->message;
+  }
+  switch (failure.kind) {
+    case physics::Failure::Kind::outside:
+      return "it climbed over the walls, or a moving box pressed it through them";
+    case physics::Failure::Kind::below_floor:
+      return "more weight or force rests on it than contacts of this softness (cfm) hold";
+    default:
+      return "masses, torques, speeds or places that are too extreme for this step";
+  }
+}
+
+}  // namespace
+
+void note_warnings(const world::World& world, std::vector<Note>& notes) {
+  for (const world::Warning& warning : world::warnings(world)) {
+    notes.push_back({"", kPhysicsNotes, warning.text()});
+  }
+}
+
+void note_give_ups(const world::World& world, const physics::GiveUps& give_ups, std::uint64_t steps,
+                   std::vector<Note>& notes) {
+  if (give_ups.steps == 0) {
+    return;
+  }
+  std::string text = "the solver gave up in " + std::to_string(give_ups.steps) + " of " +
+                     counted(steps, "step") + ", for the first time at " +
+                     seconds(give_ups.first_s) +
+                     ": it found no motion that satisfies all contacts, joints and motors, and was "
+                     "run again with softer contacts";
+  if (give_ups.unsolved > 0) {
+    text += "; in " + counted(give_ups.unsolved, "step") +
+            " that did not help, and a rougher solver took its place";
+  }
+  const std::vector<world::Warning> all = world::warnings(world);
+  text += all.empty() ? ". A smaller step, a larger cfm or less extreme masses may help."
+                      : ". The likely cause: " + all.front().message + ".";
+  notes.push_back({"", kPhysicsNotes, text});
+}
+
+PhysicsFault fault_of(const world::World& world, const physics::Failure& failure,
+                      std::uint64_t step) {
+  const bool is_robot = failure.body && failure.body->kind == physics::BodyKind::robot;
+  return {is_robot ? world.robots.at(failure.body->index).id : "", step,
+          "the physics failed after " + seconds(failure.time_s) + " (step " + std::to_string(step) +
+              "): " + (failure.body ? name_of(world, failure) + " " : "") + failure.in_words() +
+              ". The likely cause: " + likely_cause(world, failure) + "."};
+}
+
+}  // namespace elsie::simulation

@@ -1,0 +1,25 @@
+// What the simulator says of its physics.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "elsie/physics/engine.h"
+#include "elsie/physics/failure.h"
+#include "elsie/simulation/fault.h"
+#include "elsie/simulation/run_result.h"
+#include "elsie/world/description.h"
+
+namespace elsie::simulation {
+
+/// Appends a note for each setting of the world that the physics can hardly keep up with.
+void note_warnings(const world::World& world, std::vector<Note>& notes);
+/// Appends a note if the solver gave up in some of the steps.
+void note_give_ups(const world::World& world, const physics::GiveUps& give_ups, std::uint64_t steps,
+                   std::vector<Note>& notes);
+/// The fault that a failure in this step means, with the body's name in the world.
+PhysicsFault fault_of(const world::World& world, const physics::Failure& failure,
+                      std::uint64_t step);
+
+}  // namespace elsie::simulation
