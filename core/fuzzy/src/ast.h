@@ -54,6 +54,7 @@ struct Condition {
   enum Kind { is, is_not, negation, conjunction, disjunction } kind = is;
   Name variable;                    // of is and is_not
   Name term;                        // of is and is_not
+  std::string hedges;               // of is and is_not: "very", "very very"...
   std::vector<Condition> operands;  // of the others
 };
 
@@ -80,6 +81,8 @@ struct RuleBlock {
 
 struct FunctionBlock {
   Name name;
+  int first_line = 0;
+  int last_line = 0;
   std::vector<VariableDeclaration> inputs;
   std::vector<VariableDeclaration> outputs;
   std::vector<VariableBlock> fuzzify;

@@ -5,6 +5,7 @@
 #include "elsie/fuzzy/sets.h"
 
 #include "model_builder.h"
+#include "shapes.h"
 
 namespace elsie::fuzzy {
 
@@ -22,16 +23,18 @@ void ModelBuilder::rule_block(const ast::RuleBlock& block) {
     operators.conjunction = conjunction.value_or(dual(*disjunction));
   }
   if (block.rules.empty()) {
-    problems_.add(block.name.line, "The rule block has no rules. Write one, or remove the block.");
+    problems_.add_note(block.name.line,
+                       "The rule block has no rules. Write one, or remove the block.");
   }
   const std::size_t first_conclusion = conclusions_.size();
   std::map<std::string, int> labels;
   for (const ast::Rule& written : block.rules) {
     const auto [place, is_new] = labels.try_emplace(lower(written.label.text), written.label.line);
     if (!is_new) {
-      problems_.add(written.label.line, "A second rule " + written.label.text +
-                                            " in this block; the first is in line " +
-                                            std::to_string(place->second) + ". Number it anew.");
+      problems_.add_note(written.label.line, "A second rule " + written.label.text +
+                                                 " in this block; the first is in line " +
+                                                 std::to_string(place->second) +
+                                                 ". Both count: number it anew.");
     }
     rule(block, written, operators, scales);
   }
@@ -145,7 +148,8 @@ bool ModelBuilder::comparison(const ast::Condition& condition, bool negated,
   if (declared->output) {
     problems_.add(condition.variable.line,
                   quoted(condition.variable.text) +
-                      " is an output. A condition asks for inputs; correct the name.");
+                      " is an output. A condition asks for inputs; correct the name. (Conditions "
+                      "on outputs are a fuzzylite extension, which is not supported.)");
     return false;
   }
   declared->used = true;
@@ -169,20 +173,21 @@ bool ModelBuilder::comparison(const ast::Condition& condition, bool negated,
     return false;  // reported with the term
   }
   const auto index = static_cast<std::size_t>(term - input.terms.data());
-  into.push_back({Operator::leaf, leaf(declared->index, index, negated)});
+  into.push_back({Operator::leaf, leaf(declared->index, index, condition.hedges, negated)});
   return true;
 }
 
-std::size_t ModelBuilder::leaf(std::size_t input, std::size_t term, bool complement) {
+std::size_t ModelBuilder::leaf(std::size_t input, std::size_t term, const std::string& hedges,
+                               bool complement) {
   const auto [place, is_new] =
-      leaves_.try_emplace(std::tuple(input, term, complement), model_->leaves.size());
+      leaves_.try_emplace(std::tuple(input, term, hedges, complement), model_->leaves.size());
   if (is_new) {
-    const Term& of = model_->inputs[input].terms[term];
+    const FuzzySet set = hedged(model_->inputs[input].terms[term].set, hedges);
     // At a step a set takes its larger degree, and so its complement the smaller of its own two.
-    Leaf made(input, complement ? complement_of(of.set) : of.set);
+    Leaf made(input, complement ? complement_of(set) : set);
     if (complement) {
       for (Leaf::Knot& knot : made.knots) {
-        knot.degree = 1.0 - of.set.degree(knot.x);
+        knot.degree = 1.0 - set.degree(knot.x);
       }
     }
     model_->leaves.push_back(std::move(made));
@@ -194,7 +199,7 @@ std::string ModelBuilder::condition_text(const ast::Condition& condition) const 
   using Kind = ast::Condition::Kind;
   if (condition.kind == Kind::is || condition.kind == Kind::is_not) {
     return condition.variable.text + (condition.kind == Kind::is ? " IS " : " IS NOT ") +
-           condition.term.text;
+           condition.hedges + (condition.hedges.empty() ? "" : " ") + condition.term.text;
   }
   if (condition.kind == Kind::negation) {
     return "NOT (" + condition_text(condition.operands[0]) + ")";

@@ -92,8 +92,12 @@ void ModelBuilder::variable_block(const ast::VariableBlock& block, bool output) 
                         ". Names are the same in any letter case: choose another one.");
       continue;
     }
+    if (output && same_name(term.shape, "linear")) {
+      linear_term(term, target);
+      continue;
+    }
     std::optional<FuzzySet> set = term_set(term, target);
-    target.terms.push_back({term.name.text, set.value_or(FuzzySet{}), term.singleton});
+    target.terms.push_back({term.name.text, set.value_or(FuzzySet{}), term.singleton, {}});
   }
   declared->usable = !target.terms.empty();
   if (!target.range_given) {
@@ -141,6 +145,50 @@ void ModelBuilder::range(const ast::VariableBlock& block, const Declared& declar
     variable.range = stated.range;
     variable.range_given = true;
   }
+}
+
+const char* tool_of(std::string_view word) {
+  constexpr std::array kJFuzzyLogic = {"COGF", "DMIN",   "NIPMIN",  "HAMACHER",
+                                       "DMAX", "NIPMAX", "EINSTEIN"};
+  constexpr std::array kFuzzylite = {"DPROD", "EPROD", "HPROD", "NMIN",
+                                     "DSUM",  "ESUM",  "HSUM",  "NMAX"};
+  const auto has = [&](const auto& words) {
+    return std::any_of(words.begin(), words.end(),
+                       [&](const char* known) { return same_name(known, word); });
+  };
+  return has(kJFuzzyLogic) ? "jFuzzyLogic" : has(kFuzzylite) ? "fuzzylite" : nullptr;
+}
+
+/// Of points of one x, all but the first and the last say nothing unless they stand out.
+std::vector<FuzzySet::Point> ModelBuilder::without_repetitions(const ast::Term& term) {
+  std::vector<FuzzySet::Point> kept;
+  bool repeats = false;
+  for (auto at = term.points.begin(); at != term.points.end();) {
+    const auto end = std::find_if(at, term.points.end(),
+                                  [&](const FuzzySet::Point& point) { return point.x != at->x; });
+    const auto [low, high] = std::minmax(at->degree, (end - 1)->degree);
+    const bool stands_out =
+        std::any_of(at, end, [low = low, high = high](const FuzzySet::Point& point) {
+          return point.degree < low || point.degree > high;
+        });
+    const bool is_step = end - at == 2 && low < high;
+    if (end - at == 1 || is_step || stands_out) {
+      kept.insert(kept.end(), at, end);
+    } else {
+      repeats = true;
+      kept.push_back(*at);
+      if (low < high) {
+        kept.push_back(*(end - 1));
+      }
+    }
+    at = end;
+  }
+  if (repeats) {
+    problems_.add_note(term.name.line, "The term " + quoted(term.name.text) +
+                                           " repeats points of one x. Write each once; a step has "
+                                           "two.");
+  }
+  return kept;
 }
 
 bool ModelBuilder::check_points(const ast::Term& term) {
@@ -195,7 +243,9 @@ std::optional<FuzzySet> ModelBuilder::term_set(const ast::Term& term, const Vari
     return FuzzySet{{{x, 0.0}, {x, 1.0}, {x, 0.0}}};
   }
   if (!term.points.empty()) {
-    return check_points(term) ? std::optional(FuzzySet{term.points}) : std::nullopt;
+    ast::Term tidy = term;
+    tidy.points = without_repetitions(term);
+    return check_points(tidy) ? std::optional(FuzzySet{tidy.points}) : std::nullopt;
   }
   try {
     return make_shape(term.shape, term.parameters,
@@ -205,6 +255,26 @@ std::optional<FuzzySet> ModelBuilder::term_set(const ast::Term& term, const Vari
                                       quoted(variable.name) + ": " + problem.what());
     return std::nullopt;
   }
+}
+
+/// a b c: a times the first input, b times the second, and c.
+void ModelBuilder::linear_term(const ast::Term& term, Variable& variable) {
+  if (term.parameters.size() != model_->inputs.size() + 1) {
+    problems_.add(term.name.line, "Linear needs a number for each input and one more, " +
+                                      std::to_string(model_->inputs.size() + 1) +
+                                      " in all, but the term " + quoted(term.name.text) + " of " +
+                                      quoted(variable.name) + " has " +
+                                      std::to_string(term.parameters.size()) + ".");
+    variable.terms.push_back({term.name.text, FuzzySet{}, 0.0, {}});
+    return;
+  }
+  double x = term.parameters.back();
+  for (std::size_t i = 0; i < model_->inputs.size(); ++i) {
+    const Range& range = model_->inputs[i].range;
+    x += term.parameters[i] * 0.5 * (range.low + range.high);
+  }
+  variable.terms.push_back(
+      {term.name.text, FuzzySet{{{x, 0.0}, {x, 1.0}, {x, 0.0}}}, x, term.parameters});
 }
 
 void ModelBuilder::output_block(const ast::VariableBlock& block, OutputVariable& output,
@@ -248,7 +318,9 @@ void ModelBuilder::check_output_terms(const ast::VariableBlock& block, const Out
   }
   if (needs_singletons && singletons == 0 && !output.terms.empty()) {
     problems_.add(line, "COGS works on singletons, but the terms of " + quoted(output.name) +
-                            " have an area. Use COG, or write the terms as := value.");
+                            " have an area. Use COG, or write the terms as := value. (COGS of "
+                            "sloping terms, Tsukamoto's method, is a fuzzylite extension, which "
+                            "is not supported.)");
     return;
   }
   if (needs_area && singletons > 0) {

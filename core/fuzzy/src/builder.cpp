@@ -16,11 +16,11 @@ std::shared_ptr<const ModelData> ModelBuilder::run() {
     variable_block(block, true);
   }
   for (const auto& [name, declared] : variables_) {
-    if (declared.block_line == 0) {
+    if (declared.block_line == 0 && declared.output) {
       const ast::Name& written = declared.declaration->name;
-      problems_.add(written.line, "The variable " + quoted(written.text) + " has no " +
-                                      (declared.output ? "DEFUZZIFY" : "FUZZIFY") +
-                                      " block. Write one, or remove the variable.");
+      problems_.add(written.line,
+                    "The variable " + quoted(written.text) +
+                        " has no DEFUZZIFY block. Write one, or remove the variable.");
     }
   }
   if (block_.inputs.empty()) {
@@ -33,20 +33,49 @@ std::shared_ptr<const ModelData> ModelBuilder::run() {
     rule_block(block);
   }
   for (const auto& [name, declared] : variables_) {
-    if (!declared.used && declared.usable) {
-      const ast::Name& written = declared.declaration->name;
-      problems_.add(written.line, "No rule " +
-                                      std::string(declared.output ? "decides" : "asks for") +
-                                      " the variable " + quoted(written.text) +
-                                      ". Write one, or remove the variable.");
-    }
+    check_use(declared);
   }
   if (!problems_.empty()) {
     return nullptr;
   }
   compile_outputs(conclusions_, *model_);
   check_coverage();
+  model_->notes = problems_.notes();
   return model_;
+}
+
+/// An input that no rule asks for does no harm, nor does an output that always has its DEFAULT.
+void ModelBuilder::check_use(const Declared& declared) {
+  const ast::Name& written = declared.declaration->name;
+  if (!declared.output && declared.block_line == 0) {
+    Variable& input = variable(declared);
+    if (const auto& stated = declared.declaration->range) {
+      input.range = stated->range;
+      input.range_given = true;
+    } else {
+      input.range = {-1.0, 1.0};
+    }
+    const std::string lacks = "The variable " + quoted(written.text) + " has no FUZZIFY block";
+    declared.used ? problems_.add(written.line, lacks + ". Write one, or remove the variable.")
+                  : problems_.add_note(written.line,
+                                       lacks + ", and no rule asks for it. Remove the variable.");
+    return;
+  }
+  if (declared.used || !declared.usable) {
+    return;
+  }
+  if (!declared.output) {
+    problems_.add_note(written.line, "No rule asks for the variable " + quoted(written.text) +
+                                         ". Write one, or remove the variable.");
+    return;
+  }
+  const OutputVariable& output = model_->outputs[declared.index];
+  const std::string undecided = "No rule decides the variable " + quoted(written.text);
+  output.default_value || output.keeps_last
+      ? problems_.add_note(written.line, undecided +
+                                             ": it always has its DEFAULT. Write one, or "
+                                             "remove the variable.")
+      : problems_.add(written.line, undecided + ". Write one, or remove the variable.");
 }
 
 void ModelBuilder::check_coverage() {

@@ -35,6 +35,18 @@ double singleton_degree(Accumulation accumulation, std::span<const double> slots
   return degree;
 }
 
+/// Where a singleton stands for these inputs.
+double place_of(const Term& term, std::span<const double> inputs) {
+  if (term.linear.empty()) {
+    return *term.singleton;
+  }
+  double x = term.linear.back();
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    x += term.linear[i] * inputs[i];
+  }
+  return x;
+}
+
 /// Calls take(x, degree) for each singleton that is concluded.
 template <class Take>
 void each_singleton(const ModelData& model, std::size_t index, const Workspace::Memory& memory,
@@ -48,7 +60,7 @@ void each_singleton(const ModelData& model, std::size_t index, const Workspace::
     const double degree = singleton_degree(model.outputs[index].accumulation,
                                            std::span(memory.slots).subspan(s, end - s));
     if (degree > 0.0) {
-      take(*model.outputs[index].terms[model.slots[s].term].singleton, degree);
+      take(place_of(model.outputs[index].terms[model.slots[s].term], memory.inputs), degree);
     }
     s = end;
   }

@@ -64,6 +64,7 @@ const std::string& Model::name() const { return data_->name; }
 std::span<const Variable> Model::inputs() const { return data_->inputs; }
 std::span<const OutputVariable> Model::outputs() const { return data_->outputs; }
 std::span<const Rule> Model::rules() const { return data_->rules; }
+std::span<const Problem> Model::notes() const { return data_->notes; }
 
 std::optional<std::size_t> Model::input_index(std::string_view name) const {
   return index_of(data_->inputs, name);

@@ -57,8 +57,10 @@ class ModelBuilder {
   void variable_block(const ast::VariableBlock& block, bool output);
   void output_block(const ast::VariableBlock& block, OutputVariable& output, Declared& declared);
   void range(const ast::VariableBlock& block, const Declared& declared, Variable& variable);
+  void linear_term(const ast::Term& term, Variable& variable);
   std::optional<FuzzySet> term_set(const ast::Term& term, const Variable& variable);
   bool check_points(const ast::Term& term);
+  std::vector<FuzzySet::Point> without_repetitions(const ast::Term& term);
   void check_output_terms(const ast::VariableBlock& block, const OutputVariable& output,
                           bool method_given);
 
@@ -76,8 +78,12 @@ class ModelBuilder {
       }
       known.emplace_back(candidate.word);
     }
-    problems_.add(name->line, "Found " + quoted(name->text) + " for " + keyword + ", expected " +
-                                  one_of(known) + ".");
+    const char* const tool = tool_of(name->text);
+    problems_.add(
+        name->line,
+        "Found " + quoted(name->text) + " for " + keyword + ", expected " + one_of(known) + "." +
+            (tool ? " (This is a " + std::string(tool) + " extension, which is not supported.)"
+                  : ""));
     return std::nullopt;
   }
 
@@ -89,16 +95,18 @@ class ModelBuilder {
   bool condition(const ast::Condition& condition, bool negated, const Operators& operators,
                  std::vector<Instruction>& into);
   bool comparison(const ast::Condition& condition, bool negated, std::vector<Instruction>& into);
-  std::size_t leaf(std::size_t input, std::size_t term, bool complement);
+  /// The degree of a term, or of its complement, with hedges as in "very" or "very very".
+  std::size_t leaf(std::size_t input, std::size_t term, const std::string& hedges, bool complement);
   std::string condition_text(const ast::Condition& condition) const;
 
+  void check_use(const Declared& declared);
   void check_coverage();
 
   const ast::FunctionBlock& block_;
   Problems& problems_;
   std::shared_ptr<ModelData> model_;
   std::map<std::string, Declared> variables_;  // by name in lower case
-  std::map<std::tuple<std::size_t, std::size_t, bool>, std::size_t> leaves_;
+  std::map<std::tuple<std::size_t, std::size_t, std::string, bool>, std::size_t> leaves_;
 
   std::vector<Conclusion> conclusions_;
 };

@@ -112,6 +112,7 @@ struct ModelData {
   std::vector<Variable> inputs;
   std::vector<OutputVariable> outputs;
   std::vector<Rule> rules;
+  std::vector<Problem> notes;
 
   std::vector<Leaf> leaves;
   std::vector<CompiledRule> compiled_rules;  // one for each of `rules`

@@ -1,7 +1,10 @@
 #include "parser.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -14,20 +17,21 @@ namespace {
 /// Parentheses nested deeper than this are taken for a mistake.
 constexpr int kDeepest = 100;
 
-/// Words that other tools let stand before a term.
-constexpr std::array kHedges = {"very", "extremely", "somewhat", "seldom",
-                                "any",  "slightly",  "more",     "indeed"};
+/// Words that fuzzylite lets stand before a term; see hedged().
+constexpr std::array kHedges = {"very", "extremely", "somewhat", "seldom"};
+/// What other tools let stand there.
+constexpr std::array kOtherHedges = {"any", "slightly", "more", "indeed"};
 
 class Parser : private StatementReader {
  public:
   using StatementReader::StatementReader;
 
-  ast::FunctionBlock run() {
+  std::vector<ast::FunctionBlock> run() {
     try {
       file();
     } catch (const FileLost&) {
     }
-    return std::move(block_);
+    return std::move(blocks_);
   }
 
  private:
@@ -38,13 +42,28 @@ class Parser : private StatementReader {
       note(now().line, "The file says nothing. Expected FUNCTION_BLOCK.");
       return;
     }
-    if (!accept_word("function_block")) {
+    if (!at_word("function_block")) {
       note(now().line, "Found " + found() + ", expected FUNCTION_BLOCK at the beginning.");
       return;
     }
+    do {
+      blocks_.emplace_back();
+      function_block();
+      blocks_.back().last_line = last().line;
+    } while (at_word("function_block"));
+    if (!at_end()) {
+      problems().forget(now().line, std::numeric_limits<int>::max());
+      problems().add_note(now().line, "Found " + found() +
+                                          " after END_FUNCTION_BLOCK. Nothing from here on is "
+                                          "read: remove it.");
+    }
+  }
+
+  void function_block() {
+    current().first_line = take().line;
     try {
       if (now().kind == TokenKind::word && !at_landmark()) {
-        block_.name = name("the name of the function block");
+        current().name = block_name();
       }
     } catch (const StatementLost&) {
       skip_to_landmark();
@@ -57,22 +76,34 @@ class Parser : private StatementReader {
       return;
     }
     accept_symbol(";");
-    if (at_word("function_block")) {
-      note(now().line,
-           "A second FUNCTION_BLOCK begins here. A model is one function block: move this one "
-           "into a file of its own.");
-    } else if (!at_end()) {
-      note(now().line,
-           "Found " + found() + " after END_FUNCTION_BLOCK, expected the end of the file.");
+  }
+
+  ast::FunctionBlock& current() { return blocks_.back(); }
+
+  /// One word by the standard; some tools write several on the line.
+  ast::Name block_name() {
+    ast::Name result = name("the name of the function block");
+    const char* const begin = last().text.data();
+    bool is_word = true;
+    while (!at_end() && !now().first_on_line && !at_landmark()) {
+      take();
+      is_word = false;
     }
+    if (!is_word) {
+      result.text.assign(begin, last().text.data() + last().text.size());
+      problems().add_note(result.line, "The name of the function block, '" + result.text +
+                                           "', is not one word. Write '_' between its parts.");
+    }
+    return result;
   }
 
   void section() {
     try {
+      declared_.reset();
       if (accept_word("var_input")) {
-        block("VAR_INPUT", "END_VAR", [this] { declaration(block_.inputs); });
+        block("VAR_INPUT", "END_VAR", [this] { declaration(current().inputs); });
       } else if (accept_word("var_output")) {
-        block("VAR_OUTPUT", "END_VAR", [this] { declaration(block_.outputs); });
+        block("VAR_OUTPUT", "END_VAR", [this] { declaration(current().outputs); });
       } else if (at_word("fuzzify") || at_word("defuzzify")) {
         variable_block();
       } else if (accept_word("ruleblock")) {
@@ -96,8 +127,20 @@ class Parser : private StatementReader {
     }
   }
 
-  /// a, b : REAL RANGE := (0 .. 1);
+  /// a, b : REAL RANGE := (0 .. 1);   RANGE := (0 .. 1); of the declaration before it.
   void declaration(std::vector<ast::VariableDeclaration>& into) {
+    if (at_word("range") && next().text == ":=" && declared_) {
+      const int line = take().line;
+      const ast::RangeStatement stated = range();
+      expect_semicolon("RANGE");
+      if (*declared_ > 0) {
+        const auto first = into.end() - static_cast<std::ptrdiff_t>(*declared_);
+        set_once(first->range, stated, line, "RANGE");
+        std::for_each(first, into.end(), [&](auto& variable) { variable.range = first->range; });
+      }
+      return;
+    }
+    declared_ = 0;
     std::vector<ast::VariableDeclaration> declared;
     do {
       declared.push_back({name("the name of a variable"), std::nullopt});
@@ -112,6 +155,7 @@ class Parser : private StatementReader {
       stated = range();
     }
     expect_semicolon("variable");
+    declared_ = declared.size();
     for (ast::VariableDeclaration& variable : declared) {
       variable.range = stated;
       into.push_back(std::move(variable));
@@ -144,7 +188,7 @@ class Parser : private StatementReader {
                               : "TERM, RANGE or END_FUZZIFY");
       }
     });
-    (output ? block_.defuzzify : block_.fuzzify).push_back(std::move(variable));
+    (output ? current().defuzzify : current().fuzzify).push_back(std::move(variable));
   }
 
   /// DEFAULT := 0.5;   DEFAULT := NC;   DEFAULT := 0.5 | NC;   DEFAULT := nan;
@@ -177,6 +221,11 @@ class Parser : private StatementReader {
     if (at_symbol("(")) {
       while (accept_symbol("(")) {
         FuzzySet::Point point;
+        if (now().kind == TokenKind::word && !at_word("nan") && !at_word("inf")) {
+          lose("Found " + found() +
+               " for the x of a point. A point that moves with a variable is a jFuzzyLogic "
+               "extension, which is not supported: write a number.");
+        }
         point.x = number("the x of a point, a number");
         expect_symbol(",", "between x and degree of a point");
         point.degree = number("the degree of a point, a number");
@@ -185,7 +234,12 @@ class Parser : private StatementReader {
         accept_symbol(",");
       }
     } else if (now().kind == TokenKind::word && !at_landmark()) {
+      const int line = now().line;
       result.shape = take().text;
+      if (same_name(result.shape, "function")) {
+        lose_function(line);
+      }
+      const bool in_parentheses = accept_symbol("(");
       while (now().kind == TokenKind::number || at_symbol("-") || at_symbol("+") ||
              at_word("inf") || at_symbol(",")) {
         if (accept_symbol(",")) {
@@ -193,10 +247,27 @@ class Parser : private StatementReader {
         }
         result.parameters.push_back(parameter());
       }
+      if (in_parentheses) {
+        expect_symbol(")", "after the parameters of " + result.shape);
+      }
     } else {
       result.singleton = number("points (x, y), a number or a shape such as Triangle 0 1 2");
     }
     return result;
+  }
+
+  /// Formulas have signs that mean nothing in FCL: what was said of those is forgotten.
+  [[noreturn]] void lose_function(int line) {
+    while (!at_end() && !at_symbol(";") && !at_landmark() &&
+           !(now().first_on_line && contains(kStatements, now().text))) {
+      take();
+    }
+    problems().forget(line, last().line);
+    note(line,
+         "Found a term that is a formula. FUNCTION is a jFuzzyLogic and fuzzylite extension "
+         "(Takagi and Sugeno's models), which is not supported: write the term as points or, for "
+         "METHOD : COGS, as a number.");
+    throw StatementLost();
   }
 
   double parameter() {
@@ -235,7 +306,7 @@ class Parser : private StatementReader {
         lose_expecting("AND, OR, ACT, ACCU, RULE or END_RULEBLOCK");
       }
     });
-    block_.rule_blocks.push_back(std::move(rules));
+    current().rule_blocks.push_back(std::move(rules));
   }
 
   // --- rules ---
@@ -328,6 +399,10 @@ class Parser : private StatementReader {
       result.kind = ast::Condition::is_not;
     }
     result.term = name("the name of a term after IS");
+    while (is_hedge(result.term) && contains(kHedges, result.term.text)) {
+      result.hedges += (result.hedges.empty() ? "" : " ") + lower(result.term.text);
+      result.term = name("the name of a term after " + result.term.text);
+    }
     refuse_hedge(result.term);
     return result;
   }
@@ -346,21 +421,30 @@ class Parser : private StatementReader {
     return result;
   }
 
-  /// `range IS very near`: some tools write this.
+  /// `range IS very near`: a word of some tool, and a term follows.
+  bool is_hedge(const ast::Name& word) const {
+    return (contains(kHedges, word.text) || contains(kOtherHedges, word.text)) &&
+           now().kind == TokenKind::word && !now().first_on_line &&
+           !contains(kReserved, now().text);
+  }
+
   void refuse_hedge(const ast::Name& term) {
-    if (contains(kHedges, term.text) && now().kind == TokenKind::word && !now().first_on_line &&
-        !contains(kReserved, now().text)) {
+    if (is_hedge(term)) {
       lose("Found the hedge '" + term.text + "' before '" + std::string(now().text) +
-           "'. FCL knows no hedges: define a term of its own for what is meant.");
+           "'. FCL knows no hedges; in conditions very, extremely, somewhat and seldom are read as "
+           "fuzzylite has them. Define a term of its own for what is meant.");
     }
   }
 
-  ast::FunctionBlock block_;
+  std::vector<ast::FunctionBlock> blocks_;
+  /// How many variables the last declaration of this VAR block has, 0 when it was not understood;
+  /// none: there was no declaration yet.
+  std::optional<std::size_t> declared_;
 };
 
 }  // namespace
 
-ast::FunctionBlock parse(std::string_view text, Problems& problems) {
+std::vector<ast::FunctionBlock> parse(std::string_view text, Problems& problems) {
   return Parser(text, problems).run();
 }
 

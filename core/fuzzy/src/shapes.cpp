@@ -406,4 +406,49 @@ void draw_curve(const std::function<double(double)>& function, std::span<const d
   }
 }
 
+namespace {
+
+double hedged_degree(double degree, std::string_view hedge) {
+  const double d = std::clamp(degree, 0.0, 1.0);
+  if (hedge == "very") {
+    return d * d;
+  }
+  if (hedge == "somewhat") {
+    return std::sqrt(d);
+  }
+  if (hedge == "extremely") {
+    return d <= 0.5 ? 2.0 * d * d : 1.0 - 2.0 * (1.0 - d) * (1.0 - d);
+  }
+  return d <= 0.5 ? std::sqrt(0.5 * d) : 1.0 - std::sqrt(0.5 * (1.0 - d));  // seldom
+}
+
+}  // namespace
+
+FuzzySet hedged(const FuzzySet& set, std::string_view hedges) {
+  if (hedges.empty()) {
+    return set;
+  }
+  const std::size_t space = hedges.rfind(' ');
+  const std::string_view hedge =
+      space == std::string_view::npos ? hedges : hedges.substr(space + 1);
+  FuzzySet result;
+  for (std::size_t i = 0; i < set.points.size(); ++i) {
+    const FuzzySet::Point& to = set.points[i];
+    const FuzzySet::Point& from = set.points[i == 0 ? 0 : i - 1];
+    if (from.x < to.x && from.degree != to.degree) {
+      result.points.pop_back();  // drawn anew
+      const double knots[] = {from.x, to.x};
+      draw_curve(
+          [&](double x) {
+            const double t = (x - from.x) / (to.x - from.x);
+            return hedged_degree(from.degree + t * (to.degree - from.degree), hedge);
+          },
+          knots, result.points);
+    } else {
+      result.points.push_back({to.x, hedged_degree(to.degree, hedge)});
+    }
+  }
+  return hedged(result, space == std::string_view::npos ? "" : hedges.substr(0, space));
+}
+
 }  // namespace elsie::fuzzy

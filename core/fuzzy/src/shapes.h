@@ -22,6 +22,11 @@ std::span<const std::string> shape_names();
 FuzzySet make_shape(std::string_view name, std::span<const double> parameters,
                     const std::optional<Range>& range);
 
+/// The set of "very", "extremely very"... of what the set is of, the last word first: fuzzylite's
+/// hedges, of a degree d: very d^2; extremely 2 d^2 up to d = 0.5, from there on 1 - 2 (1 - d)^2;
+/// somewhat d^(1/2); seldom (d/2)^(1/2), then 1 - ((1 - d)/2)^(1/2).
+FuzzySet hedged(const FuzzySet& set, std::string_view hedges);
+
 /// Appends the straight lines that stand for the function between consecutive knots. The function
 /// must be continuous, and smooth between knots.
 void draw_curve(const std::function<double(double)>& function, std::span<const double> knots,

@@ -71,6 +71,8 @@ class StatementReader {
 
   // --- mistakes ---
 
+  Problems& problems() { return problems_; }
+
   /// Throws FileLost after too many.
   void note(int line, const std::string& message);
   [[noreturn]] void lose(const std::string& message);

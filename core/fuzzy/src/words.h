@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "model_data.h"
 
@@ -36,6 +37,9 @@ inline constexpr std::array<Word<Defuzzification>, 7> kMethod = {
      {"RM", Defuzzification::rightmost_maximum},
      {"MM", Defuzzification::mean_of_maxima},
      {"MOM", Defuzzification::mean_of_maxima}}};
+
+/// The tool whose extension of the language a word is, or none.
+const char* tool_of(std::string_view word);
 
 /// The operator of the complements: NOT (a op b) = (NOT a) dual(op) (NOT b).
 constexpr Operator dual(Operator op) {

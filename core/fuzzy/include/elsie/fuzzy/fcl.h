@@ -3,7 +3,8 @@
 // The language of the standard is read, and what the tools in use write in its name: terms by shape
 // (`Triangle 0 1 2`, `trian 0 1 2`, `gauss 5 1.5`...), RANGE statements, rules that end with their
 // line, `//` and `/* */` comments, keywords in any letter case. Nothing that is not understood is
-// passed over: it is an error, and all errors of a file are reported at once.
+// passed over: it is an error, and all errors of a file are reported at once. What is untidy but
+// means one thing is read, with a note (Model::notes()).
 //
 // Choices where the standard leaves one, or tools differ:
 // - Names are compared without regard to letter case, as in all languages of IEC 61131. Two names
@@ -44,10 +45,13 @@ namespace elsie::fuzzy {
 /// membership.
 inline constexpr double kCurveTolerance = 2.5e-4;
 
-/// Reads a model from a file. Throws FclError.
-Model read_fcl(const std::string& path);
+/// Reads a model from a file. `block`: the name of its function block, in any letter case; "" where
+/// the file has one block only. Throws FclError, also when there is no such block, and when there
+/// are several and none is named.
+Model read_fcl(const std::string& path, const std::string& block = "");
 
 /// Reads a model from text; `name` stands for the file in messages. Throws FclError.
-Model parse_fcl(std::string_view text, const std::string& name = "model");
+Model parse_fcl(std::string_view text, const std::string& name = "model",
+                const std::string& block = "");
 
 }  // namespace elsie::fuzzy

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "elsie/api/fuzzy_set.h"
+#include "elsie/fuzzy/error.h"
 
 namespace elsie::fuzzy {
 
@@ -53,6 +54,10 @@ struct Term {
   /// Its membership function. A singleton is a spike: three points of one x.
   FuzzySet set;
   std::optional<double> singleton;
+  /// Of an output's term after Takagi and Sugeno (1985): a singleton at the sum of the inputs, each
+  /// times its number here, and of the last number. `singleton` and `set` are then those for inputs
+  /// in the middle of their ranges. Empty for other terms.
+  std::vector<double> linear;
 };
 
 struct Variable {
@@ -108,6 +113,9 @@ class Model {
   std::span<const Variable> inputs() const;
   std::span<const OutputVariable> outputs() const;
   std::span<const Rule> rules() const;
+  /// What is untidy in the file but does no harm, in the order of its lines: inputs that no rule
+  /// asks for, rule numbers that come twice...
+  std::span<const Problem> notes() const;
   /// The place of an input or output by its name, in any letter case.
   std::optional<std::size_t> input_index(std::string_view name) const;
   std::optional<std::size_t> output_index(std::string_view name) const;

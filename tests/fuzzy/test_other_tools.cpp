@@ -1,0 +1,307 @@
+// What other tools write in FCL's name: what is read, with a note where it is untidy, and what is
+// refused as an extension of theirs.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <fl/Headers.h>
+
+#include "elsie/fuzzy/error.h"
+#include "elsie/fuzzy/fcl.h"
+
+using Catch::Contains;
+using elsie::fuzzy::FclError;
+using elsie::fuzzy::Model;
+using elsie::fuzzy::parse_fcl;
+using elsie::fuzzy::Workspace;
+
+namespace {
+
+struct Parts {
+  std::string name = "heating";
+  std::string inputs = "  cold : REAL;\n";
+  std::string cold = "  TERM no := (0, 1) (10, 0);\n  TERM yes := (0, 0) (10, 1);\n";
+  std::string power = "  TERM low := 0;\n  TERM high := 100;\n";
+  std::string options = "  METHOD : COGS;\n  DEFAULT := 0;\n";
+  std::string rules =
+      "  RULE 1 : IF cold IS yes THEN power IS high;\n"
+      "  RULE 2 : IF cold IS no THEN power IS low;\n";
+  std::string end = "";
+};
+
+/// Line 3 declares inputs; the blocks follow.
+std::string text(const Parts& parts) {
+  return "FUNCTION_BLOCK " + parts.name + "\nVAR_INPUT\n" + parts.inputs +
+         "END_VAR\nVAR_OUTPUT\n  power : REAL;\nEND_VAR\nFUZZIFY cold\n" + parts.cold +
+         "END_FUZZIFY\nDEFUZZIFY power\n" + parts.power + parts.options +
+         "END_DEFUZZIFY\nRULEBLOCK first\n" + parts.rules + "END_RULEBLOCK\nEND_FUNCTION_BLOCK\n" +
+         parts.end;
+}
+
+double power(const Model& model, double cold) {
+  Workspace workspace;
+  std::vector<double> inputs(model.inputs().size(), 0.5);
+  inputs[*model.input_index("cold")] = cold;
+  double result = -1.0;
+  model.evaluate(inputs, {&result, 1}, workspace);
+  return result;
+}
+
+std::vector<std::string> notes(const Model& model) {
+  std::vector<std::string> notes;
+  for (const elsie::fuzzy::Problem& note : model.notes()) {
+    CHECK(note.file == "heating.fcl");
+    notes.push_back(std::to_string(note.line) + ": " + note.message);
+  }
+  return notes;
+}
+
+using Notes = std::vector<std::string>;
+
+Model read(const Parts& parts, const std::string& block = "") {
+  return parse_fcl(text(parts), "heating.fcl", block);
+}
+
+std::string refusal(const Parts& parts, const std::string& block = "") {
+  try {
+    read(parts, block);
+  } catch (const FclError& error) {
+    REQUIRE(error.problems().size() == 1);
+    return error.what();
+  }
+  return "it was read";
+}
+
+}  // namespace
+
+TEST_CASE("A tidy file has no notes") {
+  const Model model = read({});
+  CHECK(notes(model).empty());
+  CHECK(power(model, 2.5) == Approx(25.0));
+}
+
+TEST_CASE("What is untidy is noted with its line, and changes nothing") {
+  Parts parts;
+  SECTION("an input that no rule asks for, with and without a block") {
+    parts.inputs += "  wind : REAL;\n";
+    CHECK(notes(read(parts)) == Notes{"4: The variable 'wind' has no FUZZIFY block, and no rule "
+                                      "asks for it. Remove the variable."});
+    parts.cold += "END_FUZZIFY\nFUZZIFY wind\n  TERM strong := (0, 0) (9, 1);\n";
+    CHECK(notes(read(parts)) ==
+          Notes{"4: No rule asks for the variable 'wind'. Write one, or remove the variable."});
+  }
+  SECTION("a rule number that comes twice") {
+    parts.rules.replace(parts.rules.find("RULE 2"), 6, "RULE 1");
+    CHECK(notes(read(parts)) == Notes{"20: A second rule 1 in this block; the first is in line "
+                                      "19. Both count: number it anew."});
+  }
+  SECTION("a point that comes twice, and a third one on a step") {
+    parts.cold =
+        "  TERM no := (0, 1) (10, 0) (10, 0);\n"
+        "  TERM yes := (0, 0) (0, 0) (10, 1) (20, 1) (20, 0.5) (20, 0);\n";
+    CHECK(notes(read(parts)) ==
+          Notes{"9: The term 'no' repeats points of one x. Write each once; a step has two.",
+                "10: The term 'yes' repeats points of one x. Write each once; a step has two."});
+  }
+  SECTION("an output that always has its default") {
+    parts.power += "END_DEFUZZIFY\nDEFUZZIFY lamp\n  TERM on := 1;\n";
+    parts.inputs += "END_VAR\nVAR_OUTPUT\n  lamp : REAL;\n";
+    const std::string lamp = text(parts);
+    const Model model = parse_fcl(lamp, "heating.fcl");
+    CHECK_THAT(notes(model).at(0), Contains("No rule decides the variable 'lamp': it always has "
+                                            "its DEFAULT"));
+    return;
+  }
+  SECTION("a rule block without rules") {
+    parts.rules += "END_RULEBLOCK\nRULEBLOCK second\n  AND : MIN;\n";
+    CHECK(notes(read(parts)) ==
+          Notes{"22: The rule block has no rules. Write one, or remove the block."});
+  }
+  SECTION("a name of several words") {
+    parts.name = "the heating-of house 5";
+    const Model model = read(parts);
+    CHECK(model.name() == "the heating-of house 5");
+    CHECK(notes(model) == Notes{"1: The name of the function block, 'the heating-of house 5', is "
+                                "not one word. Write '_' between its parts."});
+  }
+  SECTION("text after the end") {
+    parts.end = "see readme.txt = 5\n";
+    CHECK(notes(read(parts)) == Notes{"23: Found 'see' after END_FUNCTION_BLOCK. Nothing from here "
+                                      "on is read: remove it."});
+  }
+  CHECK(power(read(parts), 2.5) == Approx(25.0));
+}
+
+TEST_CASE("What other tools write and means one thing is read without a note") {
+  Parts parts;
+  SECTION("the range of a variable as a statement of its own") {
+    parts.inputs = "  cold : REAL; RANGE := (0 .. 5);\n";
+    CHECK(power(read(parts), 8.0) == Approx(50.0));
+  }
+  SECTION("an input that is called range") {
+    parts.inputs += "  range : REAL;\n";
+    parts.cold += "END_FUZZIFY\nFUZZIFY range\n  TERM any_range := (0, 1) (9, 1);\n";
+    parts.rules.replace(parts.rules.find("cold IS no"), 10, "cold IS no AND range IS any_range");
+  }
+  SECTION("a shape with its numbers in parentheses") {
+    parts.cold = "  TERM no := Ramp (10, 0);\n  TERM yes := Ramp (0, 10);\n";
+  }
+  const Model model = read(parts);
+  CHECK(notes(model).empty());
+  CHECK(power(model, 2.5) == Approx(25.0));
+}
+
+TEST_CASE("A RANGE that stands alone holds for all variables of the declaration before it") {
+  Parts parts;
+  parts.inputs =
+      "  wet : REAL;\n  cold, warm : REAL; RANGE := (0 .. 5);\n  dry : REAL RANGE := (1 .. 2);\n";
+  const Model model = read(parts);
+  CHECK(power(model, 8.0) == Approx(50.0));  // cold is taken as 5
+  const auto variable = [&](const char* name) { return model.inputs()[*model.input_index(name)]; };
+  for (const char* name : {"cold", "warm"}) {
+    CAPTURE(name);
+    CHECK(variable(name).range_given);
+    CHECK(variable(name).range.low == 0.0);
+    CHECK(variable(name).range.high == 5.0);
+  }
+  CHECK_FALSE(variable("wet").range_given);
+  parts.inputs = "  cold, warm : REAL; RANGE := (0 .. 5); RANGE := (0 .. 6);\n";
+  CHECK_THAT(refusal(parts), Contains("heating.fcl:3: RANGE is set a second time"));
+  // Of a declaration that is not understood, and not of the one before it.
+  parts.inputs = "  cold : REAL RANGE := (0 .. 5);\n  warm : BOOL; RANGE := (0 .. 6);\n";
+  CHECK_THAT(refusal(parts), Contains("heating.fcl:4: ") && Contains("expected the type REAL"));
+}
+
+TEST_CASE("A block that was not reached for the mistakes before it is not said to be missing") {
+  Parts parts;
+  for (int i = 0; i < 150; ++i) {
+    parts.rules += "  RULE : nonsense;\n";
+  }
+  Parts other;
+  other.name = "cooling";
+  parts.end = text(other);
+  for (const char* block : {"cooling", "heating"}) {
+    CAPTURE(block);
+    try {
+      read(parts, block);
+      FAIL("it was read");
+    } catch (const FclError& error) {
+      CHECK(error.problems().size() == 100);
+      CHECK_THAT(error.what(), Contains("heating.fcl:21: ") && !Contains("There is no"));
+    }
+  }
+}
+
+TEST_CASE("Of several function blocks one is chosen by its name") {
+  Parts parts;
+  Parts other;
+  other.name = "cooling";
+  other.power = "  TERM low := 0;\n  TERM high := -100;\n";
+  other.inputs += "  wind : REAL;\n";
+  parts.end = text(other);
+  CHECK(power(read(parts, "heating"), 2.5) == Approx(25.0));
+  CHECK(power(read(parts, "Cooling"), 2.5) == Approx(-25.0));
+  // Notes and mistakes are those of the chosen one.
+  CHECK(notes(read(parts, "heating")).empty());
+  CHECK(notes(read(parts, "cooling")).size() == 1);
+  CHECK_THAT(refusal(parts), Contains("heating.fcl:23: A second FUNCTION_BLOCK begins here") &&
+                                 Contains("'heating' or 'cooling'") && Contains("--block NAME"));
+  CHECK_THAT(
+      refusal(parts, "freezing"),
+      Contains("There is no function block 'freezing'. The file has 'heating' or 'cooling'."));
+  other.rules = "  RULE 1 : IF cold IS nothing THEN power IS high;\n";
+  parts.end = text(other);
+  CHECK(power(read(parts, "heating"), 2.5) == Approx(25.0));
+  CHECK_THAT(refusal(parts, "cooling"), Contains("has no term 'nothing'"));
+  parts.end = text(Parts{});
+  CHECK_THAT(
+      refusal(parts, "heating"),
+      Contains("heating.fcl:23: A second function block 'heating'; the first is in line 1."));
+  CHECK_THAT(refusal(Parts{}, "cooling"), Contains("There is no function block 'cooling'."));
+}
+
+TEST_CASE("Extensions of other tools are called so") {
+  Parts parts;
+  SECTION("formulas") {
+    parts.power =
+        "  TERM low := FUNCTION (cold * 3.0) + 5 * SIN(cold / 2) ^ 2;\n"
+        "  TERM high := 100;\n";
+    CHECK_THAT(refusal(parts), Contains("heating.fcl:13: ") &&
+                                   Contains("FUNCTION is a jFuzzyLogic and fuzzylite extension"));
+  }
+  SECTION("a hedge in a conclusion") {
+    parts.rules.replace(parts.rules.find("power IS high"), 13, "power IS very high");
+    CHECK_THAT(refusal(parts), Contains("heating.fcl:19: Found the hedge 'very' before 'high'"));
+  }
+  SECTION("points that move") {
+    parts.cold = "  TERM no := (0, 1) (wind, 0);\n  TERM yes := (0, 0) (10, 1);\n";
+    CHECK_THAT(refusal(parts), Contains("heating.fcl:9: Found 'wind' for the x of a point") &&
+                                   Contains("a jFuzzyLogic extension"));
+  }
+  SECTION("a method") {
+    parts.options = "  METHOD : COGF;\n  DEFAULT := 0;\n";
+    CHECK_THAT(refusal(parts), Contains("heating.fcl:15: Found 'COGF' for METHOD") &&
+                                   Contains("a jFuzzyLogic extension"));
+  }
+  SECTION("an operator") {
+    parts.rules = "  AND : EPROD;\n" + parts.rules;
+    CHECK_THAT(refusal(parts), Contains("heating.fcl:19: Found 'EPROD' for AND") &&
+                                   Contains("a fuzzylite extension"));
+  }
+}
+
+TEST_CASE("Linear terms follow the inputs, as Takagi and Sugeno's do") {
+  Parts parts;
+  parts.inputs += "  wind : REAL;\n";
+  parts.cold += "END_FUZZIFY\nFUZZIFY wind\n  TERM weak := (0, 1) (1, 0);\n";
+  parts.power = "  TERM low := Linear 2 0 1;\n  TERM high := Linear 0 40 10;\n";
+  parts.rules =
+      "  RULE 1 : IF cold IS yes THEN power IS high;\n"
+      "  RULE 2 : IF cold IS no THEN power IS low;\n";
+  // At cold = 2.5, wind = 0.5: low is at 6 to the degree 0.75, high at 30 to 0.25.
+  CHECK(power(read(parts), 2.5) == Approx(0.75 * 6.0 + 0.25 * 30.0));
+  CHECK(power(read(parts), 10.0) == Approx(30.0));
+  parts.power = "  TERM low := Linear 2 0 1;\n  TERM high := Linear 0 40;\n";
+  CHECK_THAT(refusal(parts),
+             Contains("heating.fcl:18: Linear needs a number for each input and one more, 3 in "
+                      "all, but the term 'high' of 'power' has 2."));
+}
+
+TEST_CASE("Hedges in conditions are those of fuzzylite") {
+  struct Case {
+    const char* words;
+    std::function<double(double)> degree;
+  };
+  const Case cases[] = {
+      {"very", [](double d) { return fl::Very().hedge(d); }},
+      {"Extremely", [](double d) { return fl::Extremely().hedge(d); }},
+      {"somewhat", [](double d) { return fl::Somewhat().hedge(d); }},
+      {"seldom", [](double d) { return fl::Seldom().hedge(d); }},
+      {"very extremely", [](double d) { return fl::Very().hedge(fl::Extremely().hedge(d)); }},
+      {"NOT very", [](double d) { return 1.0 - fl::Very().hedge(d); }},
+  };
+  for (const Case& one : cases) {
+    CAPTURE(one.words);
+    Parts parts;
+    parts.rules = std::string("  RULE 1 : IF cold IS ") + one.words + " yes THEN power IS high;\n";
+    const Model model = read(parts);
+    Workspace workspace;
+    for (const double cold : {0.0, 0.3, 2.0, 4.9, 5.0, 5.1, 9.0, 10.0}) {
+      CAPTURE(cold);
+      double degree = -1.0;
+      model.rule_degrees({&cold, 1}, {&degree, 1}, workspace);
+      CHECK(degree == Approx(one.degree(cold / 10.0)).margin(1e-3));
+    }
+  }
+  Parts parts;
+  parts.rules = "  RULE 1 : IF cold IS very yes THEN power IS high;\n";
+  CHECK(read(parts).rules()[0].text == "IF cold IS very yes THEN power IS high");
+}
+
+TEST_CASE("A function block without any output is refused") {
+  CHECK_THROWS_WITH(parse_fcl("FUNCTION_BLOCK nothing\nVAR_INPUT\n  a : REAL;\nEND_VAR\n"
+                              "FUZZIFY a\n  TERM x := (0, 0) (1, 1);\nEND_FUZZIFY\n"
+                              "END_FUNCTION_BLOCK\n"),
+                    Contains("The function block has no output"));
+}
