@@ -97,14 +97,20 @@ TEST_CASE("The same view gives the same bytes, whatever was drawn in between") {
   }
 }
 
-TEST_CASE("An SVG picture is well-formed, and its text needs no font where it is shown") {
+TEST_CASE("An SVG picture is well-formed, and its text is text, to be searched and edited") {
   const Folder folder;
   const world::World world = world_of_everything();
   save_top_view(busy_view(world), folder / "a.svg");
   CHECK(std::system(("xmllint --noout --nonet '" + (folder / "a.svg").string() + "'").c_str()) ==
         0);
   const std::string svg = bytes_of(folder / "a.svg");
-  CHECK((svg.find("<text") == std::string::npos));
+  for (const std::string text : {">x (m)</text>", ">y (m)</text>", ">r1</text>"}) {
+    CAPTURE(text);
+    CHECK((svg.find(text) != std::string::npos));
+  }
+  CHECK((svg.find("font-family=\"DejaVu Sans, ") != std::string::npos));
+  CHECK((svg.find("<symbol") == std::string::npos));   // no outlines of letters
+  CHECK((svg.find("0.012345") == std::string::npos));  // no marker of a text is left
   CHECK((svg.find("width=\"1000px\"") != std::string::npos));
 }
 

@@ -8,6 +8,7 @@
 #include <cairo-svg.h>
 #include <cairo.h>
 
+#include "svg_text.h"
 #include "text.h"
 
 namespace elsie::picture {
@@ -47,6 +48,7 @@ void forget_number(std::string& svg) {
 struct Canvas::Impl {
   FileType type = FileType::png;
   std::string svg;
+  SvgTexts texts;  // of an SVG
   cairo_surface_t* surface = nullptr;
   cairo_t* cr = nullptr;
 
@@ -186,6 +188,19 @@ void Canvas::text(const std::string& text, const Vector2& at, const TextStyle& s
   cairo_save(impl_->cr);
   cairo_translate(impl_->cr, near(at.x), near(at.y));
   cairo_rotate(impl_->cr, style.angle);
+  if (impl_->type == FileType::svg) {
+    TextStyle scaled = style;
+    scaled.size *= zoom_;
+    scaled.halo *= zoom_;
+    impl_->set(impl_->texts.add(clean, {zoom_ * near(at.x), zoom_ * near(at.y)}, zoom_ * offset.y,
+                                scaled));
+    cairo_new_path(impl_->cr);
+    cairo_rectangle(impl_->cr, offset.x, offset.y - style.size, std::max(extents.x_advance, 1.0),
+                    1.3 * style.size);
+    cairo_fill(impl_->cr);
+    cairo_restore(impl_->cr);
+    return;
+  }
   if (style.halo > 0.0) {
     cairo_move_to(impl_->cr, offset.x, offset.y);
     cairo_text_path(impl_->cr, clean.c_str());
@@ -220,6 +235,7 @@ std::string Canvas::finish() {
   cairo_surface_finish(impl_->surface);
   check(cairo_surface_status(impl_->surface));
   forget_number(impl_->svg);
+  impl_->texts.put_into(impl_->svg);
   return std::move(impl_->svg);
 }
 

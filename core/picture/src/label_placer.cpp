@@ -20,6 +20,22 @@ double overlap(const Rect& a, const Rect& b) {
   return width > 0 && height > 0 ? width * height : 0.0;
 }
 
+Vector2 nearest(const Rect& rect, const Vector2& to) {
+  return {std::clamp(to.x, rect.x, rect.right()), std::clamp(to.y, rect.y, rect.bottom())};
+}
+
+// Whether a line comes through a rectangle; looked at every few units.
+bool crosses(const Vector2& from, const Vector2& to, const Rect& rect) {
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const int steps = static_cast<int>(length / 3.0) + 1;
+  for (int i = 0; i <= steps; ++i) {
+    const double part = static_cast<double>(i) / steps;
+    const Vector2 at{from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)};
+    if (at.x > rect.x && at.x < rect.right() && at.y > rect.y && at.y < rect.bottom()) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 LabelPlacer::LabelPlacer(const Rect& frame)
@@ -39,9 +55,13 @@ void LabelPlacer::avoid_spot(const Vector2& spot) {
   count = std::min(count + 1, 3);  // more ink on ink hides no more
 }
 
-double LabelPlacer::cost(const Rect& rect) const {
+double LabelPlacer::cost(const Rect& rect, const Vector2& mark) const {
   double cost = kOutsideWeight * (rect.width * rect.height - overlap(rect, frame_));
   for (const Obstacle& obstacle : obstacles_) {
+    const Vector2 middle = obstacle.rect.centre();
+    // A label may come close to its own mark.
+    const bool own = std::hypot(middle.x - mark.x, middle.y - mark.y) < 0.5;
+    if (own && obstacle.weight < 1.0) continue;
     cost += obstacle.weight * overlap(rect, obstacle.rect);
   }
   const auto cell = [](double offset, std::size_t count) {
@@ -58,12 +78,13 @@ double LabelPlacer::cost(const Rect& rect) const {
   return cost;
 }
 
-LabelPlacer::Place LabelPlacer::place(const Vector2& mark, double radius, double width,
-                                      double height) {
-  constexpr std::array<double, 5> kGaps = {3.0, 9.0, 18.0, 30.0, 45.0};
+std::optional<LabelPlacer::Place> LabelPlacer::place(const Vector2& mark, double radius,
+                                                     double width, double height) {
+  constexpr std::array<double, 8> kGaps = {3.0, 9.0, 18.0, 30.0, 45.0, 65.0, 90.0, 120.0};
   constexpr double kApartFrom = 15.0;
-  constexpr int kDirections = 16;
-  Place best;
+  constexpr int kDirections = 24;
+  constexpr double kBetween = 5.0;  // room that labels keep from each other
+  std::optional<Place> best;
   double best_cost = std::numeric_limits<double>::infinity();
   for (const double gap : kGaps) {
     for (int i = 0; i < kDirections; ++i) {
@@ -73,14 +94,31 @@ LabelPlacer::Place LabelPlacer::place(const Vector2& mark, double radius, double
       const Vector2 centre{mark.x + dx * (radius + gap + width / 2),
                            mark.y + dy * (radius + gap + height / 2)};
       const Rect rect{centre.x - width / 2, centre.y - height / 2, width, height};
-      const double here = cost(rect) + kFarWeight * gap;
+      const Rect room{rect.x - kBetween, rect.y - kBetween, width + 2 * kBetween,
+                      height + 2 * kBetween};
+      const Vector2 end = nearest(rect, mark);
+      const bool apart = gap >= kApartFrom;
+      const bool taken =
+          std::any_of(labels_.begin(), labels_.end(),
+                      [&](const Rect& other) {
+                        return overlap(room, other) > 0.0 || (apart && crosses(mark, end, other));
+                      }) ||
+          std::any_of(leaders_.begin(), leaders_.end(),
+                      [&](const Leader& other) { return crosses(other.from, other.to, rect); });
+      if (taken) continue;
+      const double here = cost(rect, mark) + kFarWeight * gap;
       if (here < best_cost) {
         best_cost = here;
-        best = {rect, gap >= kApartFrom};
+        best = {rect, apart};
       }
     }
   }
-  avoid(best.rect, 8.0);
+  if (!best) {
+    ++left_out_;
+    return best;
+  }
+  labels_.push_back(best->rect);
+  if (best->apart) leaders_.push_back({mark, nearest(best->rect, mark)});
   return best;
 }
 

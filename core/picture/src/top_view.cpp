@@ -52,6 +52,43 @@ void add_segments(const world::Robot& known, DrawnRobot& robot) {
   }
 }
 
+// Leaves of a path what is asked for. Touches have no times: those stay that are where it passes.
+void choose_path(const TopView& view, RobotTrack& track) {
+  const PathChoice& choice = view.paths;
+  if (!choice.robots.empty() &&
+      std::find(choice.robots.begin(), choice.robots.end(), track.id) == choice.robots.end()) {
+    track.path.clear();
+    track.placed.clear();
+    track.touches.clear();
+    return;
+  }
+  const double period_s = view.path_period_s;
+  if (!(period_s > 0.0) || track.path.empty()) return;
+  const auto last = static_cast<double>(track.path.size() - 1);
+  const double end_s = std::min(choice.to_s, period_s * last);
+  const double begin_s = std::max(choice.from_s, choice.fade_s > 0.0 ? end_s - choice.fade_s : 0.0);
+  const auto first =
+      static_cast<std::size_t>(std::clamp(std::ceil(begin_s / period_s - 1e-6), 0.0, last));
+  const auto end =
+      static_cast<std::size_t>(std::clamp(std::floor(end_s / period_s + 1e-6), 0.0, last)) + 1;
+  if (first == 0 && end == track.path.size()) return;
+  track.path = first < end
+                   ? std::vector<Pose>(track.path.begin() + static_cast<std::ptrdiff_t>(first),
+                                       track.path.begin() + static_cast<std::ptrdiff_t>(end))
+                   : std::vector<Pose>();
+  std::vector<std::size_t> placed;
+  for (const std::size_t place : track.placed) {
+    if (place >= first && place < end) placed.push_back(place - first);
+  }
+  track.placed = std::move(placed);
+  constexpr double kNear = 0.1;
+  std::erase_if(track.touches, [&](const Vector2& touch) {
+    return std::none_of(track.path.begin(), track.path.end(), [&](const Pose& pose) {
+      return std::hypot(pose.x - touch.x, pose.y - touch.y) < kNear;
+    });
+  });
+}
+
 // A round time that gives the longest path about as many marks as one can still see apart.
 double mark_interval(const Scene& scene) {
   std::size_t longest = 0;
@@ -80,9 +117,11 @@ Ink resource_ink(const world::World& world, const world::Box& resource) {
 }
 
 Scene complete(const TopView& view) {
-  Scene scene{view.world, {}, view.boxes, view.title, view.subtitles, view.path_period_s, 0.0};
+  Scene scene{view.world,         {},  view.boxes, view.title, view.subtitles,
+              view.path_period_s, 0.0, view.paths};
   for (const RobotTrack& track : view.robots) {
     DrawnRobot robot{track, {}, {}, {}, {}, {}, {}};
+    choose_path(view, robot.track);
     if (const world::Robot* known = find_robot(view.world, track.id)) {
       robot.body = known->body;
       robot.team_id = known->team;
@@ -151,6 +190,7 @@ void save_top_view(const TopView& view, const std::filesystem::path& file, const
     draw_touches(canvas, scene, layout);
     draw_robot_labels(canvas, scene, layout, labels);
     draw_goal_labels(canvas, scene, layout, labels);
+    draw_left_out(canvas, layout, labels);
   }
   write_whole(file, canvas.finish());
 }

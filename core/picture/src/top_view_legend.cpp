@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include "text.h"
@@ -15,15 +16,39 @@ constexpr TextStyle kStyle{.size = 12.5, .down = Down::middle};
 
 Rect box_symbol(const Vector2& at) { return {at.x - 8, at.y - 6, 16, 12}; }
 
+// Of this kind, and still there.
+template <class Predicate>
+bool any_box(const Scene& scene, world::BoxKind kind, Predicate predicate) {
+  for (std::size_t i = 0; i < scene.world.boxes.size(); ++i) {
+    const world::Box& box = scene.world.boxes[i];
+    if (box.kind == kind && scene.boxes[i] && predicate(box, *scene.boxes[i])) return true;
+  }
+  return false;
+}
+
 bool has_box(const Scene& scene, world::BoxKind kind) {
-  return std::any_of(scene.world.boxes.begin(), scene.world.boxes.end(),
-                     [&](const world::Box& box) { return box.kind == kind; });
+  return any_box(scene, kind, [](const world::Box&, const Pose&) { return true; });
 }
 
 template <class Predicate>
 bool any_robot(const Scene& scene, Predicate predicate) {
   return std::any_of(scene.robots.begin(), scene.robots.end(),
                      [&](const DrawnRobot& robot) { return predicate(robot.track); });
+}
+
+// "path, from its start", "path from 20 s to 40 s", "path of the last 30 s".
+std::string path_in_words(const PathChoice& choice) {
+  if (choice.fade_s > 0.0) {
+    return "path of the last " + number_text(choice.fade_s) + " s" +
+           (std::isfinite(choice.to_s) ? " before " + number_text(choice.to_s) + " s" : "");
+  }
+  const std::string end = number_text(choice.to_s) + " s";
+  if (std::isfinite(choice.to_s)) {
+    return choice.from_s > 0.0 ? "path from " + number_text(choice.from_s) + " s to " + end
+                               : "path up to " + end;
+  }
+  if (choice.from_s > 0.0) return "path from " + number_text(choice.from_s) + " s on";
+  return "path, from its start";
 }
 
 void add_robots(const Scene& scene, std::vector<LegendEntry>& entries) {
@@ -38,15 +63,21 @@ void add_robots(const Scene& scene, std::vector<LegendEntry>& entries) {
                        }});
   }
   if (any_robot(scene, [](const RobotTrack& track) { return track.path.size() > 1; })) {
-    const Ink colour = scene.robots.front().team;
-    std::string text = "path, from its start";
+    const auto drawn =
+        std::find_if(scene.robots.begin(), scene.robots.end(),
+                     [](const DrawnRobot& robot) { return robot.track.path.size() > 1; });
+    const Ink colour = drawn->team;
+    const bool begins = !(scene.paths.fade_s > 0.0);
+    std::string text = path_in_words(scene.paths);
     const bool marks = scene.mark_every_s > 0.0;
     if (marks) text += ", a mark every " + number_text(scene.mark_every_s) + " s";
-    entries.push_back({text, 34, [colour, marks](Canvas& canvas, const Vector2& at) {
+    entries.push_back({text, 34, [colour, marks, begins](Canvas& canvas, const Vector2& at) {
                          canvas.line({at.x - 13, at.y}, {at.x + 13, at.y});
                          canvas.stroke(colour, {.width = 2});
-                         canvas.rectangle({at.x - 16.5, at.y - 3.5, 7, 7}).fill_keep(kPaper);
-                         canvas.stroke(colour, {.width = 1.8});
+                         if (begins) {
+                           canvas.rectangle({at.x - 16.5, at.y - 3.5, 7, 7}).fill_keep(kPaper);
+                           canvas.stroke(colour, {.width = 1.8});
+                         }
                          if (!marks) return;
                          canvas.circle({at.x + 4, at.y}, 3).fill_keep(kPaper);
                          canvas.stroke(colour, {.width = 1.5});
@@ -85,21 +116,33 @@ void add_boxes(const Scene& scene, std::vector<LegendEntry>& entries) {
                        }});
   }
   if (has_box(scene, world::BoxKind::dynamic)) {
-    entries.push_back(
-        {"dynamic box, dashed where it started", 32, [](Canvas& canvas, const Vector2& at) {
-           canvas.rectangle(box_symbol({at.x - 5, at.y}));
-           canvas.stroke(kDynamicEdge, {.width = 1, .dash = {3, 2}});
-           const Rect now = box_symbol({at.x + 7, at.y});
-           canvas.rectangle(now);
-           fill_hatched(canvas, now, kDynamicBox, kDynamicEdge);
-           canvas.rectangle(now).stroke(kDynamicEdge, {.width = 1.2});
-         }});
+    const bool moved =
+        any_box(scene, world::BoxKind::dynamic, [](const world::Box& box, const Pose& now) {
+          return std::hypot(now.x - box.x, now.y - box.y) > 0.01;
+        });
+    entries.push_back({moved ? "dynamic box, dashed where it started" : "dynamic box", 32,
+                       [moved](Canvas& canvas, const Vector2& at) {
+                         if (moved) {
+                           canvas.rectangle(box_symbol({at.x - 5, at.y}));
+                           canvas.stroke(kDynamicEdge, {.width = 1, .dash = {3, 2}});
+                         }
+                         const Rect now = box_symbol({at.x + 7, at.y});
+                         canvas.rectangle(now);
+                         fill_hatched(canvas, now, kDynamicBox, kDynamicEdge);
+                         canvas.rectangle(now).stroke(kDynamicEdge, {.width = 1.2});
+                       }});
   }
   if (has_box(scene, world::BoxKind::moving)) {
+    const bool ways =
+        any_box(scene, world::BoxKind::moving,
+                [](const world::Box& box, const Pose&) { return !box.waypoints.empty(); });
     entries.push_back(
-        {"moving box and its way", 34, [](Canvas& canvas, const Vector2& at) {
-           canvas.line({at.x, at.y}, {at.x + 16, at.y});
-           canvas.stroke(kMovingEdge, {.width = 1.6, .dash = {0.1, 4}, .round = true});
+        {ways ? "moving box and its way" : "moving box", 34,
+         [ways](Canvas& canvas, const Vector2& at) {
+           if (ways) {
+             canvas.line({at.x, at.y}, {at.x + 16, at.y});
+             canvas.stroke(kMovingEdge, {.width = 1.6, .dash = {0.1, 4}, .round = true});
+           }
            const Rect box = box_symbol({at.x - 7, at.y});
            canvas.rectangle(box).fill_keep(kMovingBox);
            canvas.stroke(kMovingEdge, {.width = 1.2});

@@ -39,6 +39,7 @@ struct Scene {
   double path_period_s = 0.0;
   /// Time between two marks on the paths, s; 0: none.
   double mark_every_s = 0.0;
+  PathChoice paths{};
 };
 Scene complete(const TopView& view);
 
@@ -94,6 +95,12 @@ void draw_robot_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
                        LabelPlacer& labels);
 void draw_goal_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
                       LabelPlacer& labels);
+
+/// A line from the rim of a mark to its label, which stands apart.
+void draw_leader(Canvas& canvas, const Vector2& middle, double radius, const Rect& label,
+                 const Ink& ink);
+/// How many labels had no room, in the lower right corner of the arena.
+void draw_left_out(Canvas& canvas, const Layout& layout, const LabelPlacer& labels);
 
 // Symbols that legend and drawing share.
 void draw_resource_mark(Canvas& canvas, const Vector2& at, double radius, const Ink& ink);

@@ -59,9 +59,9 @@ double path_length(const std::vector<Step>& steps) {
 }
 
 // Old parts are pale. Drawn in pieces, each with a rim that sets it off from what it crosses.
-void draw_line(Canvas& canvas, const std::vector<Step>& steps, const Ink& ink, double width) {
+void draw_line(Canvas& canvas, const std::vector<Step>& steps, const Ink& ink, double width,
+               double palest) {
   constexpr int kPieces = 40;
-  constexpr double kPalest = 0.58;
   std::size_t first = 0;
   while (first + 1 < steps.size()) {
     const int piece = std::min(kPieces - 1, static_cast<int>(steps[first].part * kPieces));
@@ -78,7 +78,7 @@ void draw_line(Canvas& canvas, const std::vector<Step>& steps, const Ink& ink, d
     for (std::size_t i = first; i <= last; ++i) points.push_back(steps[i].at);
     const double age = 1.0 - (piece + 1.0) / kPieces;
     canvas.polyline(points).stroke(kFloor.with_alpha(0.75), {.width = width + 2});
-    canvas.polyline(points).stroke(mix(ink, kFloor, kPalest * age),
+    canvas.polyline(points).stroke(mix(ink, kFloor, palest * age),
                                    {.width = width, .dash = {}, .round = true});
     first = last;
   }
@@ -220,7 +220,7 @@ void draw_paths(Canvas& canvas, const Scene& scene, const Layout& layout, LabelP
   const double apart = std::max(110.0, total / kArrows);
 
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    draw_line(canvas, paths[i], scene.robots[i].ink, width);
+    draw_line(canvas, paths[i], scene.robots[i].ink, width, scene.paths.fade_s > 0.0 ? 1.0 : 0.58);
     for (const Step& step : paths[i]) labels.avoid_spot(step.at);
   }
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -228,6 +228,7 @@ void draw_paths(Canvas& canvas, const Scene& scene, const Layout& layout, LabelP
     if (paths[i].size() < 2) continue;
     draw_directions(canvas, paths[i], robot.ink, apart, size);
     if (scene.mark_every_s > 0.0) draw_time_marks(canvas, scene, layout, robot);
+    if (scene.paths.fade_s > 0.0) continue;  // it comes out of nothing
     const Vector2& start = paths[i].front().at;
     canvas.rectangle({start.x - 3.8, start.y - 3.8, 7.6, 7.6}).fill_keep(kPaper);
     canvas.stroke(robot.ink, {.width = 2});
@@ -272,6 +273,9 @@ void draw_robots(Canvas& canvas, const Scene& scene, const Layout& layout, Label
     if (!small) draw_nose(canvas, robot, layout);
     const double r = robot_radius(robot, layout) + (small ? 4.0 : 0.0);
     labels.avoid({middle.x - r, middle.y - r, 2 * r, 2 * r}, 6.0);
+    // A name close to another robot would be taken for that one's.
+    const double wide = r + 9.0;
+    labels.avoid({middle.x - wide, middle.y - wide, 2 * wide, 2 * wide}, 0.7);
   }
 }
 
@@ -293,16 +297,30 @@ void draw_robot_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
     const TextStyle style{.size = 13, .bold = true, .ink = colour, .halo = 2.5};
     const double radius = robot_radius(robot, layout);
     const auto place = labels.place(middle, radius, canvas.text_width(text, style), 13);
-    if (place.apart) {
-      const Vector2 to{std::clamp(middle.x, place.rect.x, place.rect.right()),
-                       std::clamp(middle.y, place.rect.y, place.rect.bottom())};
-      const double off = length(middle, to);
-      const Vector2 from{middle.x + radius * (to.x - middle.x) / off,
-                         middle.y + radius * (to.y - middle.y) / off};
-      canvas.line(from, to).stroke(colour.with_alpha(0.7), {.width = 1});
-    }
-    canvas.text(text, {place.rect.x, place.rect.bottom() - 1.8}, style);
+    if (!place) continue;
+    if (place->apart) draw_leader(canvas, middle, radius, place->rect, colour);
+    canvas.text(text, {place->rect.x, place->rect.bottom() - 1.8}, style);
   }
+}
+
+void draw_leader(Canvas& canvas, const Vector2& middle, double radius, const Rect& label,
+                 const Ink& ink) {
+  const Vector2 to{std::clamp(middle.x, label.x, label.right()),
+                   std::clamp(middle.y, label.y, label.bottom())};
+  const double off = length(middle, to);
+  const Vector2 from{middle.x + radius * (to.x - middle.x) / off,
+                     middle.y + radius * (to.y - middle.y) / off};
+  canvas.line(from, to).stroke(kPaper.with_alpha(0.8), {.width = 3});
+  canvas.line(from, to).stroke(ink.with_alpha(0.8), {.width = 1});
+}
+
+void draw_left_out(Canvas& canvas, const Layout& layout, const LabelPlacer& labels) {
+  if (labels.left_out() == 0) return;
+  const std::string text = std::to_string(labels.left_out()) +
+                           (labels.left_out() == 1 ? " label is" : " labels are") +
+                           " left out for want of room";
+  canvas.text(text, {layout.arena.right() - 6, layout.arena.bottom() - 6},
+              {.size = 11, .across = Across::right, .halo = 2.5});
 }
 
 }  // namespace elsie::picture

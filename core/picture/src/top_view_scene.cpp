@@ -127,6 +127,44 @@ void each_place(const Scene& scene, const Layout& layout, Visitor visit) {
   }
 }
 
+// A place, and what it is the goal of.
+struct MarkedPlace {
+  Vector2 at;
+  double radius = 0.0;
+  std::vector<std::string> texts;
+};
+
+// Goals in one place are drawn once, and have one label.
+std::vector<MarkedPlace> marked_places(const Scene& scene, const Layout& layout) {
+  std::vector<MarkedPlace> marks;
+  each_place(scene, layout, [&](const Vector2& at, double radius, const std::string& text) {
+    constexpr double kSame = 2.0;
+    const auto known = std::find_if(marks.begin(), marks.end(), [&](const MarkedPlace& mark) {
+      return std::hypot(mark.at.x - at.x, mark.at.y - at.y) < kSame &&
+             std::abs(mark.radius - radius) < kSame;
+    });
+    if (known == marks.end()) {
+      marks.push_back({at, radius, {text}});
+    } else {
+      known->texts.push_back(text);
+    }
+  });
+  return marks;
+}
+
+// "goal of r1, r2", "goal of r1, r2 and 3 more" for goals in one place.
+std::string joined_goals(const std::vector<std::string>& texts) {
+  constexpr std::size_t kNamed = 2;
+  std::string text = texts.front();
+  const std::string start = "goal of ";
+  for (std::size_t i = 1; i < texts.size() && i < kNamed; ++i) {
+    const bool same = texts[i].starts_with(start) && text.starts_with(start);
+    text += ", " + (same ? texts[i].substr(start.size()) : texts[i]);
+  }
+  return texts.size() <= kNamed ? text
+                                : text + " and " + std::to_string(texts.size() - kNamed) + " more";
+}
+
 }  // namespace
 
 std::vector<Vector2> outline(const PlaneMap& map, const Pose& pose, double length, double width) {
@@ -178,21 +216,25 @@ void draw_bolt(Canvas& canvas, const Vector2& at, double radius, const Ink& ink)
 }
 
 void draw_goals(Canvas& canvas, const Scene& scene, const Layout& layout) {
-  each_place(scene, layout, [&](const Vector2& at, double radius, const std::string&) {
-    canvas.circle(at, radius).fill_keep(kGoal.with_alpha(0.08));
+  for (const MarkedPlace& mark : marked_places(scene, layout)) {
+    const Vector2& at = mark.at;
+    canvas.circle(at, mark.radius).fill_keep(kGoal.with_alpha(0.08));
     canvas.stroke(kGoal, {.width = 1.8, .dash = {6, 4}});
     canvas.line({at.x - 4, at.y}, {at.x + 4, at.y}).line({at.x, at.y - 4}, {at.x, at.y + 4});
     canvas.stroke(kGoal.with_alpha(0.8), {.width = 1.2});
-  });
+  }
 }
 
 void draw_goal_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
                       LabelPlacer& labels) {
   const TextStyle style{.size = 12, .ink = kGoal, .halo = 2.5};
-  each_place(scene, layout, [&](const Vector2& at, double radius, const std::string& text) {
-    const auto place = labels.place(at, radius, canvas.text_width(text, style), 12);
-    canvas.text(text, {place.rect.x, place.rect.bottom() - 1.5}, style);
-  });
+  for (const MarkedPlace& mark : marked_places(scene, layout)) {
+    const std::string text = joined_goals(mark.texts);
+    const auto place = labels.place(mark.at, mark.radius, canvas.text_width(text, style), 12);
+    if (!place) continue;
+    if (place->apart) draw_leader(canvas, mark.at, mark.radius, place->rect, kGoal);
+    canvas.text(text, {place->rect.x, place->rect.bottom() - 1.5}, style);
+  }
 }
 
 void draw_chargers(Canvas& canvas, const Scene& scene, const Layout& layout) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,16 @@ struct RobotTrack {
   std::vector<std::size_t> placed{};  // poses of the path that it did not drive to, ascending
 };
 
+/// Which parts of the paths are drawn. Where many robots drove long, all of them hide each other.
+struct PathChoice {
+  std::vector<std::string> robots{};  // whose paths and touches; empty: of all
+  /// From when to when, in the time of the run, s.
+  double from_s = 0.0;
+  double to_s = std::numeric_limits<double>::infinity();
+  /// When positive, paths fade away: what is this much older than the end of the path is gone, s.
+  double fade_s = 0.0;
+};
+
 /// What to draw. The world must live as long as the view.
 struct TopView {
   const world::World& world;
@@ -51,6 +62,7 @@ struct TopView {
   std::vector<std::string> subtitles{};
   /// Simulated time between two poses of a path, s. When positive, the paths carry time marks.
   double path_period_s = 0.0;
+  PathChoice paths{};
 };
 
 /// Draws the view into a file whose suffix, .png or .svg, says of which type. The same view gives
