@@ -41,6 +41,8 @@ TEST_CASE("A record arrives as it was sent, numbers to the last bit") {
   const std::string line = to_json(record);
   CHECK(line.find('\n') == std::string::npos);
   const batch::RunRecord again = batch::record_from(line);
+  CHECK(again.solver_gave_up == record.solver_gave_up);
+  CHECK(again.solver_unsolved == record.solver_unsolved);
   CHECK(to_json(again) == line);
   CHECK(again.robots[0].distance_m == 0.1 + 0.2);
   CHECK(again.robots[0].pose.heading_rad == 0.5);

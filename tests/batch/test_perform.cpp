@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -198,6 +200,40 @@ TEST_CASE("A plugin that fails is named with robot and step, and what there was 
     CHECK(nlohmann::json::parse(record.trajectories[0].poses).size() == 6);
     CHECK(record.timelines.size() == 1);
   }
+}
+
+TEST_CASE("A give-up in the very step that the physics fails in is written, too") {
+  const test::Folder folder;
+  batch::Job job = small_job(folder);
+  // The ram presses the robot through the wall in the first step.
+  job.world_text = R"(<world format="1"><limits time="1"/><arena length="4" width="4"/>
+      <physics cfm="0" friction="1000"/><obstacles><moving_box id="ram" x="0.9" length="1"
+      width="3" speed="100"><waypoint x="1.9" y="0"/></moving_box></obstacles><robots>
+      <robot id="r1" x="1.8"><behaviors><wander speed="20"/></behaviors><coordinator>
+      <arbiter_suppression/></coordinator></robot></robots></world>)";
+  job.libraries = {test::plugin_directory() + "/arbiter_suppression.so",
+                   test::plugin_directory() + "/wander.so"};
+  const batch::RunRecord record = batch::perform(job);
+  CAPTURE(record.message);
+  REQUIRE(record.state == batch::RunState::error);
+  CHECK_THAT(record.message, Contains("the physics failed after 0.01 s (step 0)"));
+  CHECK(record.steps == 0U);
+  REQUIRE(record.solver_gave_up == 1U);
+  CHECK(std::any_of(record.notes.begin(), record.notes.end(), [](const auto& note) {
+    return note.text.find("gave up in 1 of 1 step,") != std::string::npos;
+  }));
+
+  const std::string file = folder.file("r.sqlite");
+  {
+    auto database = batch::ResultsDatabase::create(file, test::small_plan(folder));
+    database.write(1, record);
+    CHECK(database.pending().size() == 5);
+  }
+  auto database = batch::ResultsDatabase::open(file);  // which looks for damage
+  const auto stored = database.run(1);
+  REQUIRE(stored);
+  CHECK(stored->record.steps == 0U);
+  CHECK(stored->record.solver_gave_up == 1U);
 }
 
 TEST_CASE("A measure that cannot report does not hide which plugin failed before") {

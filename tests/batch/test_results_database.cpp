@@ -9,6 +9,7 @@
 
 #include "elsie/batch/merge.h"
 #include "elsie/batch/results_database.h"
+#include "elsie/results/hash.h"
 
 #include "support.h"
 #include "tables.h"
@@ -59,8 +60,9 @@ TEST_CASE("A run is written once, whole") {
                     Contains("run 4 is not to be done in the database"));
   CHECK_THROWS_WITH(database.write(7, test::some_record()), Contains("run 7 is not to be done"));
   CHECK(test::rows(file,
-                   "SELECT state, outcome, steps, simulated_s, state_hash, exit_code FROM "
-                   "runs WHERE id = 4") == "done|success|200|2.0|0123456789abcdef|0\n");
+                   "SELECT state, outcome, steps, simulated_s, solver_gave_up, solver_unsolved, "
+                   "state_hash, exit_code FROM runs WHERE id = 4") ==
+        "done|success|200|2.0|12|3|0123456789abcdef|0\n");
   CHECK(test::rows(file,
                    "SELECT measure, unit, value FROM run_measures JOIN measures ON measure = "
                    "name WHERE run_id = 4") == "success||1.0\ntime_s|s|2.0\n");
@@ -147,6 +149,8 @@ TEST_CASE("A stored run has all that it takes to do it again") {
   CHECK_THAT(run->elsie.path, Contains("libelsie"));
   CHECK(run->record.state == batch::RunState::done);
   CHECK(run->record.state_hash == "0123456789abcdef");
+  CHECK(run->record.solver_gave_up == 12U);
+  CHECK(run->record.solver_unsolved == 3U);
   const batch::RunRecord written = test::some_record();
   REQUIRE(run->record.measures.size() == written.measures.size());
   for (const batch::Measure& measure : written.measures) {
@@ -178,7 +182,8 @@ TEST_CASE("A batch goes on only with its own database") {
   other.seeds.push_back(77);
   CHECK_THROWS_WITH(
       ResultsDatabase::resume(file, batch::make_plan(other, test::shipped(), test::plan_options())),
-      Contains("is of another experiment than") && Contains("worlds, settings, plugins or seeds"));
+      Contains("is of another experiment than") &&
+          Contains("changed since it was begun: the number of runs (") && Contains("the seeds ("));
   auto newer = test::plan_options();
   newer.elsie_version = "9.9.9";
   CHECK_THROWS_WITH(ResultsDatabase::resume(file, batch::make_plan(test::small_experiment(folder),
@@ -204,7 +209,56 @@ TEST_CASE("A model that has changed is named when a batch is to go on") {
   folder.write(model, folder.read(model) + "\n");
   CHECK_THROWS_WITH(
       ResultsDatabase::resume(file, batch::make_plan(experiment, test::shipped(), options)),
-      Contains("these files have changed since: '" + folder.file(model) + "'"));
+      Contains("changed since it was begun: the data file '" + folder.file(model) +
+               "' (SHA-256 ") &&
+          Contains(", now " + results::sha256(folder.read(model)).substr(0, 8) + ")"));
+}
+
+TEST_CASE("What else has changed is named, too: worlds, settings, libraries, cells") {
+  const test::Folder folder;
+  const std::string file = folder.file("r.sqlite");
+  const batch::Plan plan = test::small_plan(folder);
+  ResultsDatabase::create(file, plan);
+  const auto told = [&](const batch::Plan& changed) -> std::string {
+    try {
+      ResultsDatabase::resume(file, changed);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string before = plan.cells[0].sha256.substr(0, 8);
+  batch::Plan world = plan;
+  world.fingerprint = "other";
+  world.cells[0].sha256 = std::string(64, 'b');
+  CHECK_THAT(told(world), Contains("the world '" + plan.cells[0].world_file +
+                                   "' or what the experiment sets in it (SHA-256 " + before +
+                                   ", now bbbbbbbb)"));
+  batch::Plan program = plan;
+  program.fingerprint = "other";
+  program.files[0].sha256 = std::string(64, 'c');
+  CHECK_THAT(told(program),
+             Contains("the program's library '" + plan.files[0].path + "' (SHA-256 " +
+                      plan.files[0].sha256.substr(0, 8) + ", now cccccccc)"));
+  batch::Plan plugin = plan;
+  plugin.fingerprint = "other";
+  REQUIRE(plugin.plugins[0].file);
+  batch::PlannedFile& library = plugin.files[*plugin.plugins[0].file];
+  library.sha256 = std::string(64, 'd');
+  CHECK_THAT(told(plugin), Contains("the plugin library '" + library.path + "' (SHA-256 ") &&
+                               Contains(", now dddddddd)"));
+  library.path = "/elsewhere/libmine.so";
+  CHECK_THAT(told(plugin), Contains("'" + plan.plugins[0].name + "', which is from '" +
+                                    "/elsewhere/libmine.so' (SHA-256 ") &&
+                               Contains(", now dddddddd)"));
+  batch::Plan cells = plan;
+  cells.fingerprint = "other";
+  cells.cells[0].label = "another";
+  CHECK_THAT(told(cells), Contains("; new: 1, gone: 1)"));
+  batch::Plan text = plan;
+  text.fingerprint = "other";
+  text.text += " ";
+  CHECK_THAT(told(text), Contains("the experiment file '" + plan.file + "' (SHA-256 "));
 }
 
 TEST_CASE("Files that are no database of results are refused with a sentence, and left alone") {
@@ -224,8 +278,8 @@ TEST_CASE("Files that are no database of results are refused with a sentence, an
   refused(other, "is a database of another program");
   const std::string newer = folder.file("newer.sqlite");
   ResultsDatabase::create(newer, plan);
-  test::rows(newer, "PRAGMA user_version = 2");
-  refused(newer, "has version 2 of the schema, and this program reads version 1");
+  test::rows(newer, "PRAGMA user_version = 3");
+  refused(newer, "has version 3 of the schema, and this program reads version 2");
   CHECK_THROWS_WITH(ResultsDatabase::open(folder.file("none.sqlite")), Contains("there is no"));
   CHECK_THROWS_WITH(ResultsDatabase::create(folder.file("no/r.sqlite"), plan),
                     Contains("there is no folder"));

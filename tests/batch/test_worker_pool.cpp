@@ -137,7 +137,7 @@ TEST_CASE("What a worker says in its last moment names the culprit") {
   const auto left = result_of("printf '\\n!wander\\twander\\tr1\\t\\t\\n' >&3; exit 3");
   CHECK(left.state == batch::RunState::crash);
   CHECK_FALSE(left.signal);
-  CHECK(left.message == "plugin 'wander' of robot 'r1' ended the process by calling exit()");
+  CHECK(left.message == "plugin 'wander' of robot 'r1' ended the process by exit() or the like");
 }
 
 TEST_CASE("Junk instead of a record is an error that is told") {

@@ -26,6 +26,21 @@ TEST_CASE("What shows in some cells only is told with what they have in common")
         "experiment.xml:2: there is no 'obstacle' in <world> of this world (with world=arena)");
 }
 
+TEST_CASE("An element may be there in some cells and not in others") {
+  const std::string without = "\n<vary path='robot[r2]/@remove' values='false; true'/>";
+  const experiment::Experiment e = read(kArena + without);
+  const auto grid = experiment::cells(e);
+  REQUIRE(grid.size() == 2);
+  CHECK(experiment::read_cell(e, grid[0], host(), options()).robots.size() == 2);
+  CHECK(experiment::read_cell(e, grid[1], host(), options()).robots.size() == 1);
+  CHECK_THAT(problems(kArena + "\n<vary path='robot[r2]/coordinator/@remove' "
+                               "values='false; true'/>"),
+             Catch::Contains("the robot 'r2' has behaviours but no coordinator"));
+  CHECK(problems(kArena + "\n<set path='robots/@remove' value='true'/>") ==
+        "experiment.xml:2: <robots> is a list and cannot be removed; to empty it, remove what "
+        "stands in it: robot[*]/@remove");
+}
+
 TEST_CASE("A mistake that takes two settings is told of the cell that has both") {
   CHECK(problems(kArena + "\n<vary path='robot[r1]/behavior[roam]/@shy' values='false; true'/>\n"
                           "<vary path='robot[r1]/behavior[roam]/@mood' values='calm; bold'/>") ==

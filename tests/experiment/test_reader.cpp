@@ -113,8 +113,8 @@ TEST_CASE("Expectations") {
 
   const experiment::Expectation& difference = e.expectations[3];
   CHECK(difference.name ==
-        "maximum of collisions: at least -3 and at most 3 more than that of world=arena, mood=as "
-        "ever");
+        "maximum of collisions: at most 3 less and at most 3 more than that of world=arena, "
+        "mood=as ever");
   CHECK(difference.relation == experiment::Relation::difference);
   CHECK(difference.reference.size() == 2);
 }

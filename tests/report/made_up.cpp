@@ -30,7 +30,7 @@ class Writer {
     std::ifstream schema(source_path("core/results/src/schema.sql"));
     std::ostringstream text;
     text << schema.rdbuf();
-    run("PRAGMA application_id = 0x456C7369; PRAGMA user_version = 1; BEGIN;" + text.str());
+    run("PRAGMA application_id = 0x456C7369; PRAGMA user_version = 2; BEGIN;" + text.str());
   }
   ~Writer() { sqlite3_close(handle_); }
   Writer(const Writer&) = delete;
@@ -233,7 +233,7 @@ void write_database(const MadeExperiment& experiment, const std::filesystem::pat
   writer.run("COMMIT");
 }
 
-std::string made_world(std::size_t robots) {
+std::string made_world(std::size_t robots, bool goals) {
   std::string text =
       "<world format=\"1\" name=\"four resources\">\n"
       "  <obstacles><static_box x=\"1.5\" y=\"-1\" heading_deg=\"30\" length=\"0.8\" "
@@ -247,9 +247,8 @@ std::string made_world(std::size_t robots) {
             "\"><sensors><beam_range/></sensors><behaviors><not_a_plugin speed=\"2\"/></behaviors>"
             "<coordinator><neither_a_plugin/></coordinator></robot>\n";
   }
-  return text +
-         "  </robots>\n  <measures><nor_is_this_one of=\"r1\"/></measures>\n"
-         "  <limits time=\"280\"/>\n</world>\n";
+  return text + "  </robots>\n  <measures><nor_is_this_one of=\"r1\"/></measures>\n" +
+         (goals ? "  <goals><collect/></goals>\n" : "") + "  <limits time=\"280\"/>\n</world>\n";
 }
 
 MadeExperiment made_from(const std::vector<std::vector<double>>& path_lengths) {

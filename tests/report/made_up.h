@@ -65,8 +65,9 @@ struct MadeExperiment {
 /// Writes the database anew.
 void write_database(const MadeExperiment& experiment, const std::filesystem::path& file);
 
-/// A world with four resources and this many robots, of two teams.
-std::string made_world(std::size_t robots = 1);
+/// A world with four resources, to be collected where it has goals, and this many robots, of two
+/// teams.
+std::string made_world(std::size_t robots = 1, bool goals = true);
 
 /// Cells "a", "b"... of a factor "scheme", each with runs that have these path lengths; seeds from
 /// 1.

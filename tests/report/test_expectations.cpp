@@ -262,8 +262,10 @@ TEST_CASE("Cells beside each other") {
     expectation.confidence = 0.95;
     const Claim claim = judged(made_up, expectation).claims[0];
     CHECK(claim.holds);
-    CHECK(claim.interval->low >= 0.5);
-    CHECK(claim.interval->high <= 36.0 / 68.0 + 1e-12);
+    // Residuals -0.9375, 0, 0.9375: a standard error of 0.9375 / sqrt(3) / 64; t(0.975; 2)
+    // = 4.3027.
+    CHECK(claim.interval->low == Approx(0.515625 - 0.036389).margin(1e-5));
+    CHECK(claim.interval->high == Approx(0.515625 + 0.036389).margin(1e-5));
   }
   SECTION("over the seeds for which both have a value") {
     // b fails the hard seeds: what a takes for them is not to its advantage.

@@ -92,6 +92,8 @@ std::string to_json(const RunRecord& record) {
   put(object, "outcome", record.outcome);
   put(object, "steps", record.steps);
   put(object, "simulated_s", record.simulated_s);
+  put(object, "solver_gave_up", record.solver_gave_up);
+  put(object, "solver_unsolved", record.solver_unsolved);
   put(object, "state_hash", record.state_hash);
   put(object, "exit_code", record.exit_code);
   put(object, "signal", record.signal);
@@ -136,6 +138,8 @@ RunRecord record_from(std::string_view json) {
     get(object, "outcome", record.outcome);
     get(object, "steps", record.steps);
     get(object, "simulated_s", record.simulated_s);
+    get(object, "solver_gave_up", record.solver_gave_up);
+    get(object, "solver_unsolved", record.solver_unsolved);
     get(object, "state_hash", record.state_hash);
     get(object, "exit_code", record.exit_code);
     get(object, "signal", record.signal);

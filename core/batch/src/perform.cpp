@@ -76,6 +76,8 @@ void take(const simulation::Simulation& run, const Watchers& watchers, RunRecord
     record.robots = result.robots;
   }
   record.notes = result.notes;
+  record.solver_gave_up = result.solver.gave_up;
+  record.solver_unsolved = result.solver.unsolved;
   for (const simulation::LearningCurve& curve : result.curves) {
     record.curves.push_back(curve_of(curve, kMostCurvePoints));
   }
@@ -126,6 +128,13 @@ RunRecord perform(const Job& job) {
     record.message = fault.what();
     record.plugin = fault.plugin;
     record.robot = fault.robot;
+    record.step = fault.step;
+  } catch (const simulation::PhysicsFault& fault) {
+    record.state = RunState::error;
+    record.message = fault.what();
+    if (!fault.robot.empty()) {
+      record.robot = fault.robot;
+    }
     record.step = fault.step;
   } catch (const std::exception& error) {
     record.state = RunState::error;

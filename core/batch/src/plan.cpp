@@ -99,6 +99,7 @@ class Planner {
       planned.data.push_back({name, add_file(FileKind::data, path)});
     }
     planned.world_text = world::write_world(world);
+    planned.goals = !world.goals.empty();
     planned.sha256 = results::sha256(planned.world_text);
     identities_.push_back(identity_of(planned, world, names));
     plan_.cells.push_back(std::move(planned));

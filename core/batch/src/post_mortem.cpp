@@ -43,8 +43,9 @@ std::string crash_message(const LastWords& words, const std::optional<std::strin
   if (signal && !words.plugin.empty()) {
     return culprit(words) + " crashed with " + *signal + in_step(words);
   }
+  const std::string by_itself = words.plugin.empty() ? " ended by itself" : " ended the process";
   return culprit(words) +
-         (signal ? " was ended by " + *signal : " ended the process by calling exit()") +
+         (signal ? " was ended by " + *signal : by_itself + " by exit() or the like") +
          in_step(words) +
          (signal == "SIGKILL" ? "; somebody killed it, or the system did so because memory ran out"
                               : "");

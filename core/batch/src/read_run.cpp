@@ -57,7 +57,8 @@ std::optional<StoredRun> read_run(sqlite::Connection& connection, std::int64_t i
       connection,
       "SELECT cells.id, label, world_text, world_file, seed, repetition, state, outcome, message, "
       "steps, simulated_s, state_hash, signal, plugin, robot, step, elsie_version, wall_limit_s, "
-      "trajectory_period_s, experiment FROM runs JOIN cells ON cells.id = runs.cell_id JOIN about "
+      "trajectory_period_s, experiment, solver_gave_up, solver_unsolved FROM runs JOIN cells ON "
+      "cells.id = runs.cell_id JOIN about "
       "WHERE runs.id = ?");
   query.bind(1, id);
   if (!query.next()) {
@@ -87,6 +88,8 @@ std::optional<StoredRun> read_run(sqlite::Connection& connection, std::int64_t i
   run.wall_limit_s = query.number(17);
   run.job.trajectory_period_s = query.number(18);
   run.experiment = query.text(19);
+  run.record.solver_gave_up = value(query, 20, count);
+  run.record.solver_unsolved = value(query, 21, count);
   const std::int64_t cell = query.integer(0);
   read_data(connection, cell, run);
   read_libraries(connection, cell, run);

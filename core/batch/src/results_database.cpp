@@ -1,10 +1,10 @@
 #include "elsie/batch/results_database.h"
 
-#include <map>
 #include <optional>
 #include <system_error>
 #include <utility>
 
+#include "difference.h"
 #include "file_identity.h"
 #include "lock_file.h"
 #include "read_run.h"
@@ -15,28 +15,6 @@ namespace elsie::batch {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What makes this plan another one than that of the database, in words.
-std::string difference(sqlite::Connection& connection, const Plan& plan) {
-  const std::string version = connection.text("SELECT elsie_version FROM about");
-  if (version != plan.elsie_version) {
-    return "it was begun with Elsie " + version + ", and this is " + plan.elsie_version;
-  }
-  std::map<std::string, std::string> hashes;
-  sqlite::Statement files(connection, "SELECT path, sha256 FROM files WHERE kind <> 'world'");
-  while (files.next()) {
-    hashes[files.text(0)] = files.text(1);
-  }
-  std::string changed;
-  for (const PlannedFile& file : plan.files) {
-    const auto known = hashes.find(file.path);
-    if (known != hashes.end() && known->second != file.sha256) {
-      changed += (changed.empty() ? "'" : ", '") + file.path + "'";
-    }
-  }
-  return changed.empty() ? "its worlds, settings, plugins or seeds are others"
-                         : "these files have changed since: " + changed;
-}
 
 }  // namespace
 

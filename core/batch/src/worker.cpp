@@ -17,6 +17,7 @@
 #include "elsie/batch/worker_pool.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/crash_report.h"
+#include "elsie/plugin/process_end.h"
 
 namespace elsie::batch {
 namespace {
@@ -131,7 +132,7 @@ std::string standard_input() {
   std::cout.flush();
   std::cerr.flush();
   std::fflush(nullptr);
-  _exit(exit_code);
+  plugin::end_with(exit_code);
 }
 
 void send(std::string answer) {

@@ -286,11 +286,19 @@ RunRecord WorkerPool::Worker::record() {
       problem = error.what();
     }
   }
+  const bool ended_well = WIFEXITED(status_) && WEXITSTATUS(status_) == 0;
+  const bool crashed_beside = record.state == RunState::done && !ended_well;
+  if (crashed_beside) {
+    record = {};
+    problem =
+        "it had answered, but a thread of a plugin's own, or the unloading of a library, "
+        "ended the process in another way; the end of its output says more";
+  }
   if (record.state == RunState::error && record.message.empty()) {
     record = post_mortem({.status = status_,
                           .words = words,
                           .problem = problem,
-                          .said_nothing = answered_.empty(),
+                          .said_nothing = answered_.empty() || crashed_beside,
                           .said_too_much = too_long_,
                           .overdue = hangs_,
                           .wall_limit_s = wall_limit_s_});

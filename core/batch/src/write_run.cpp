@@ -16,7 +16,8 @@ RunWriter::RunWriter(sqlite::Connection& connection)
       run_(connection,
            "UPDATE runs SET state = ?2, outcome = ?3, message = ?4, steps = ?5, simulated_s = ?6, "
            "state_hash = ?7, exit_code = ?8, signal = ?9, plugin = ?10, robot = ?11, step = ?12, "
-           "log = ?13, wall_s = ?14, ended = ?15 WHERE id = ?1 AND state = 'pending'"),
+           "log = ?13, wall_s = ?14, ended = ?15, solver_gave_up = ?16, solver_unsolved = ?17 "
+           "WHERE id = ?1 AND state = 'pending'"),
       // Which run is written first is chance: the same measure must come out of any order.
       measure_(connection,
                "INSERT INTO measures (name, unit, meaning) VALUES (?, ?, ?) ON CONFLICT (name) DO "
@@ -104,7 +105,9 @@ bool RunWriter::update(std::int64_t run, const RunRecord& record) {
       .bind(12, whole(record.step))
       .bind(13, record.log)
       .bind(14, record.wall_s)
-      .bind(15, utc_now());
+      .bind(15, utc_now())
+      .bind(16, whole(record.solver_gave_up))
+      .bind(17, whole(record.solver_unsolved));
   record.exit_code ? run_.bind(8, std::int64_t{*record.exit_code}) : run_.bind_null(8);
   run_.run();
   return connection_.changes() == 1;

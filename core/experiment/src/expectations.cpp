@@ -184,21 +184,29 @@ std::string in_words(const Expectation& expectation) {
   }
   text += ":";
   const char* before = " ";
-  const auto bound = [&](const char* words, const std::optional<double>& value) {
+  const bool difference = expectation.relation == Relation::difference;
+  // A difference below 0 is so much less: at least -2 is at most 2 less.
+  const auto bound = [&](const char* words, const char* if_less,
+                         const std::optional<double>& value) {
     if (value) {
-      text += before + std::string(words) + number(*value);
+      const bool less = difference && *value < 0.0;
+      text += before + std::string(less ? if_less : words) + number(less ? -*value : *value);
+      text += !difference ? "" : less ? " less" : " more";
       before = " and ";
     }
   };
-  bound("at least ", expectation.at_least);
-  bound("at most ", expectation.at_most);
-  bound("about ", expectation.about);
-  text += expectation.tolerance > 0.0 ? " give or take " + number(expectation.tolerance) : "";
+  bound("at least ", "at most ", expectation.at_least);
+  bound("at most ", "at least ", expectation.at_most);
+  bound("about ", "about ", expectation.about);
+  const std::string tolerance =
+      expectation.tolerance > 0.0 ? " give or take " + number(expectation.tolerance) : "";
+  text += difference ? "" : tolerance;
   if (expectation.relation != Relation::none) {
-    text += expectation.relation == Relation::ratio ? " times that of" : " more than that of";
+    text += difference ? " than that of" : " times that of";
     for (const LevelOf& other : expectation.reference) {
       text += (text.ends_with(" of") ? " " : ", ") + other.factor + "=" + other.level;
     }
+    text += difference ? tolerance : "";
   }
   return text;
 }

@@ -55,7 +55,7 @@ std::string dots(const Findings& findings, const CellFindings& cell, std::size_t
     const double value = *run.values[place];
     const double high = middle + 5.0 * jitter(count++);
     const bool outside = cell.measures[measure].stands_out(value);
-    if (all > kDots && run.success() && !outside) {
+    if (all > kDots && !findings.missed(run) && !outside) {
       continue;
     }
     const std::string told = all > kDotsWithText
@@ -63,7 +63,7 @@ std::string dots(const Findings& findings, const CellFindings& cell, std::size_t
                                  : "<title>run " + std::to_string(run.id) + ", seed " +
                                        std::to_string(run.seed) + ": " +
                                        with_unit(value, results.measures[place].unit) + "</title>";
-    if (run.success()) {
+    if (!findings.missed(run)) {
       text += "<circle cx=\"" + span.at(value) + "\" cy=\"" + y(high) + "\" r=\"2.2\"" +
               (outside ? " class=\"odd\"" : "") + (told.empty() ? "/>" : ">" + told + "</circle>");
     } else {
@@ -110,12 +110,12 @@ std::string mean_mark(const MeasureFindings& found, const Span& span, double mid
 std::optional<Interval> range_of(const Findings& findings, std::size_t measure) {
   Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const CellFindings& cell : findings.cells) {
-    const auto& all = cell.measures[measure].all;
-    if (!all) {
+    const auto& values = cell.measures[measure].values;
+    if (values.empty()) {
       continue;
     }
-    range.low = std::min(range.low, all->least);
-    range.high = std::max(range.high, all->largest);
+    range.low = std::min(range.low, *std::min_element(values.begin(), values.end()));
+    range.high = std::max(range.high, *std::max_element(values.begin(), values.end()));
   }
   return range.low <= range.high ? std::optional(range) : std::nullopt;
 }
@@ -195,6 +195,8 @@ std::string box_figure(const Findings& findings, std::size_t measure, const Inks
       text += box(found, span, from + kMiddle) +
               dots(findings, findings.cells[i], measure, span, from + kMiddle, all) +
               mean_mark(found, span, from + kMiddle);
+    } else if (found.censoring) {
+      text += dots(findings, findings.cells[i], measure, span, from + kMiddle, all);
     } else {
       text += "<text class=\"none\" x=\"2\" y=\"" + y(from + kMiddle + 4.0) +
               "\">no run has a value</text>";
@@ -213,6 +215,9 @@ std::string rate_figure(const Findings& findings, const Inks& inks) {
     const double rate = cell.ended > 0 ? 100.0 * static_cast<double>(cell.successes) /
                                              static_cast<double>(cell.ended)
                                        : 0.0;
+    if (!cell.goals) {
+      continue;
+    }
     text += "<div class=\"rate " + inks.cell_class(i) + "\"><span class=\"label\">" +
             escaped(findings.results.cells[i].label) + "</span><svg class=\"plot\" role=\"img\" " +
             "aria-label=\"" + std::to_string(cell.successes) + " of " + std::to_string(cell.ended) +

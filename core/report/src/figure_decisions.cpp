@@ -146,7 +146,7 @@ std::vector<Row> rows_of(const Findings& findings, std::size_t cell,
         if (timeline.run != run.id) {
           continue;
         }
-        all.push_back({"seed " + std::to_string(run.seed), &timeline, !run.success()});
+        all.push_back({"seed " + std::to_string(run.seed), &timeline, findings.missed(run)});
       }
     }
     const std::size_t count = std::min(all.size(), most);
@@ -168,7 +168,7 @@ std::vector<Row> rows_of(const Findings& findings, std::size_t cell,
   }
   const Run* run = run_of(findings, id);
   about = "run " + std::to_string(id) + (run ? ", seed " + std::to_string(run->seed) : "") +
-          ", a typical one";
+          (typical ? ", a typical one" : "");
   return rows;
 }
 

@@ -165,7 +165,10 @@ Chosen choose(const Findings& findings, std::size_t place, std::size_t most) {
       continue;
     }
     ++chosen.all;
-    kinds[!run.success() ? kMissed : odd.contains(at) ? kOdd : kPlain].push_back(run.id);
+    kinds[run.broken() || findings.missed(run) ? kMissed
+          : odd.contains(at)                   ? kOdd
+                                               : kPlain]
+        .push_back(run.id);
   }
   std::size_t left = most;
   for (const Kind kind : {kOdd, kMissed, kPlain}) {

@@ -32,8 +32,9 @@ struct Inks {
 };
 
 Inks choose_inks(const Findings& findings);
-/// Completes the inks from the timelines of all cells.
-void add_behaviors(const ResultsFile& file, const Findings& findings, Inks& inks);
+/// Completes the inks from the timelines of these cells.
+void add_behaviors(const ResultsFile& file, const Findings& findings,
+                   const std::vector<std::size_t>& cells, Inks& inks);
 
 /// An axis from 0 to 1 of a figure's width, with a little room at both ends.
 class Span {
@@ -87,8 +88,9 @@ std::string decision_figure(const Findings& findings, std::size_t cell,
 std::string curve_figures(const Findings& findings, std::size_t cell,
                           const std::vector<Curve>& curves, const Inks& inks);
 
-/// The successful run of a cell (or else the one that ended by itself) whose first measure is
-/// nearest to the median; none when no run has one. A place in Results::runs.
+/// Of a cell's runs with the commonest outcome (of two as common, success) the one whose first
+/// measure is nearest to their median; never an outlier in any measure. A place in Results::runs;
+/// none when no run ended by itself, or all of these are outliers.
 std::optional<std::size_t> typical_run(const Findings& findings, std::size_t cell);
 
 }  // namespace elsie::report

@@ -4,7 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string_view>
 #include <utility>
+
+#include "elsie/world/error.h"
+#include "elsie/world/markup.h"
 
 #include "judge.h"
 
@@ -38,28 +42,61 @@ bool has(const Run& run, std::size_t measure) {
   return run.state == RunState::done && run.values[measure] && is_usable(*run.values[measure]);
 }
 
-MeasureFindings look_at(const Results& results, const CellFindings& cell, std::size_t measure) {
+// Bounds count as larger than all that is known.
+Censoring censoring_of(std::vector<double> known, const std::vector<double>& bounds) {
+  Censoring result;
+  result.count = bounds.size();
+  result.limit = *std::min_element(bounds.begin(), bounds.end());
+  known.resize(known.size() + bounds.size(), std::numeric_limits<double>::infinity());
+  std::sort(known.begin(), known.end());
+  if (const double median = quantile(known, 0.5); std::isfinite(median)) {
+    result.median = median;
+    result.median_interval = median_interval(known, kConfidence);
+  }
+  return result;
+}
+
+MeasureFindings look_at(const Findings& findings, const CellFindings& cell, std::size_t measure) {
+  const Results& results = findings.results;
   MeasureFindings found;
-  std::vector<double> successes;
+  std::vector<double> successes, known, bounds;
   for (const std::size_t place : cell.runs) {
     const Run& run = results.runs[place];
     if (!has(run, measure)) {
       continue;
     }
     found.values.push_back(*run.values[measure]);
+    (findings.is_censored(run, measure) ? bounds : known).push_back(found.values.back());
     if (run.success()) {
       successes.push_back(found.values.back());
     }
   }
-  found.all = summary(found.values);
   found.successes = summary(successes);
+  if (!bounds.empty()) {
+    found.censoring = censoring_of(std::move(known), bounds);
+    return found;
+  }
+  found.all = summary(found.values);
   // The same draws for all cells: where two have the same values, they have the same interval.
-  found.interval = bootstrap_interval(Statistic::mean, found.values, kConfidence, results.seed(),
-                                      results.measures[measure].name);
+  found.interval =
+      mean_interval(found.values, kConfidence, results.seed(), results.measures[measure].name);
   if (found.values.size() >= kFewest) {
     found.fences = tukey_fences(*found.all);
   }
   return found;
+}
+
+// A world that cannot be read, in a damaged database, counts as one with goals: its cell keeps its
+// rate of success, and its runs without success are listed. Nothing is hidden that may matter.
+bool has_goals(const CellInfo& cell) {
+  try {
+    // The text alone: reading it as a world would take the plugins, or leave out goals about time.
+    const world::Element root = world::parse_markup(cell.world_text, cell.world_file);
+    const world::Element* const goals = root.child("goals");
+    return goals && !goals->children.empty();
+  } catch (const world::WorldError&) {
+    return true;
+  }
 }
 
 void collect_outliers(const Findings& findings, CellFindings& cell) {
@@ -168,6 +205,21 @@ std::size_t Findings::broken() const {
                                                 [](const Run& run) { return run.broken(); }));
 }
 
+bool Findings::missed(const Run& run) const {
+  return run.state == RunState::done && !run.success() &&
+         (cells[run.cell].goals || run.outcome == Outcome::failure);
+}
+
+bool Findings::is_censored(const Run& run, std::size_t measure) const {
+  return run.outcome == Outcome::time_limit && cells[run.cell].goals &&
+         results.measures[measure].name == kTime;
+}
+
+bool Findings::any_goals() const {
+  return std::any_of(cells.begin(), cells.end(),
+                     [](const CellFindings& cell) { return cell.goals; });
+}
+
 bool Findings::good() const {
   return !partial() && pending() == 0 && broken() == 0 && disagreements.empty() &&
          std::all_of(verdicts.begin(), verdicts.end(),
@@ -179,8 +231,15 @@ Findings find(Results results, const Questions& questions) {
   findings.results = std::move(results);
   findings.measures = shown_measures(findings.results, questions.measures);
   sort_out_runs(findings);
+  std::map<std::string_view, bool> goals;  // by the text of the world, which many cells may share
   for (std::size_t i = 0; i < findings.cells.size(); ++i) {
     CellFindings& cell = findings.cells[i];
+    const CellInfo& info = findings.results.cells[i];
+    const auto [known, is_new] = goals.try_emplace(info.world_text);
+    if (is_new) {
+      known->second = has_goals(info);
+    }
+    cell.goals = known->second;
     for (const std::size_t place : cell.runs) {
       const Run& run = findings.results.runs[place];
       cell.ended += run.ended() ? 1 : 0;
@@ -188,7 +247,7 @@ Findings find(Results results, const Questions& questions) {
     }
     cell.success = wilson_interval(cell.successes, cell.ended, kConfidence);
     for (const std::size_t measure : findings.measures) {
-      cell.measures.push_back(look_at(findings.results, cell, measure));
+      cell.measures.push_back(look_at(findings, cell, measure));
     }
     collect_outliers(findings, cell);
   }

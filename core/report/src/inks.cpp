@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -32,10 +34,11 @@ Inks choose_inks(const Findings& findings) {
   return inks;
 }
 
-void add_behaviors(const ResultsFile& file, const Findings& findings, Inks& inks) {
+void add_behaviors(const ResultsFile& file, const Findings& findings,
+                   const std::vector<std::size_t>& cells, Inks& inks) {
   std::map<std::string, double> shares;
-  for (const CellInfo& cell : findings.results.cells) {
-    for (const Timeline& timeline : file.timelines(cell.id)) {
+  for (const std::size_t cell : cells) {
+    for (const Timeline& timeline : file.timelines(findings.results.cells[cell].id)) {
       for (const Timeline::Behavior& behavior : timeline.behaviors) {
         shares[behavior.path] += behavior.share;
       }
@@ -72,27 +75,50 @@ Budget budget_for(std::size_t cells) {
 
 std::optional<std::size_t> typical_run(const Findings& findings, std::size_t cell) {
   const CellFindings& found = findings.cells[cell];
-  for (const bool successes : {true, false}) {
-    std::vector<std::pair<double, std::size_t>> runs, without_value;
-    for (const std::size_t place : found.runs) {
-      const Run& run = findings.results.runs[place];
-      if (run.state != RunState::done || (successes && !run.success())) {
-        continue;
-      }
-      const auto value =
-          findings.measures.empty() ? std::nullopt : run.values[findings.measures.front()];
-      (value ? runs : without_value).emplace_back(value.value_or(0.0), place);
+  std::map<Outcome, std::vector<std::size_t>> outcomes;  // success is the first of them
+  for (const std::size_t place : found.runs) {
+    const Run& run = findings.results.runs[place];
+    if (run.state == RunState::done) {
+      outcomes[run.outcome.value_or(Outcome::failure)].push_back(place);
     }
-    if (runs.empty()) {
-      runs = std::move(without_value);
+  }
+  const auto commonest = std::max_element(
+      outcomes.begin(), outcomes.end(),
+      [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+  if (commonest == outcomes.end()) {
+    return std::nullopt;
+  }
+  const auto value_of = [&](std::size_t place) {
+    const auto value = findings.measures.empty()
+                           ? std::nullopt
+                           : findings.results.runs[place].values[findings.measures.front()];
+    return value && is_usable(*value) ? value : std::nullopt;
+  };
+  std::vector<double> values;
+  for (const std::size_t place : commonest->second) {
+    if (const auto value = value_of(place)) {
+      values.push_back(*value);
     }
-    if (runs.empty()) {
+  }
+  const auto middle = summary(values);
+  const auto is_outlier = [&](std::size_t place) {
+    return std::any_of(found.outliers.begin(), found.outliers.end(),
+                       [&](const Outlier& outlier) { return outlier.run == place; });
+  };
+  std::optional<std::size_t> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t place : commonest->second) {
+    const auto value = value_of(place);
+    if (is_outlier(place) || value.has_value() != middle.has_value()) {
       continue;
     }
-    std::sort(runs.begin(), runs.end());
-    return runs[(runs.size() - 1) / 2].second;
+    const double off = middle ? std::abs(*value - middle->median) : 0.0;
+    if (off < least) {
+      least = off;
+      nearest = place;
+    }
   }
-  return std::nullopt;
+  return nearest;
 }
 
 }  // namespace elsie::report

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "elsie/report/report.h"
@@ -34,6 +36,22 @@ Json json_of(const std::optional<Summary>& summary) {
           {"largest", summary->largest}};
 }
 
+// Of a sample with bounds: what is known of it.
+Json json_of(const MeasureFindings& found) {
+  const Censoring& censoring = *found.censoring;
+  std::optional<Interval> interval = censoring.median_interval;
+  if (interval && !std::isfinite(interval->high)) {
+    interval.reset();
+  }
+  return {{"count", found.values.size()},
+          {"censored", censoring.count},
+          {"limit", censoring.limit},
+          {"mean", nullptr},
+          {"median", or_null(censoring.median)},
+          {"median_interval", json_of(interval)},
+          {"successes", json_of(found.successes)}};
+}
+
 Json json_of(const Findings& findings, std::size_t place) {
   const Results& results = findings.results;
   const CellFindings& cell = findings.cells[place];
@@ -44,8 +62,9 @@ Json json_of(const Findings& findings, std::size_t place) {
   Json measures = Json::object();
   for (std::size_t i = 0; i < findings.measures.size(); ++i) {
     const MeasureFindings& found = cell.measures[i];
-    Json of_all = json_of(found.all);
+    Json of_all = found.censoring ? json_of(found) : json_of(found.all);
     if (found.all) {
+      of_all["censored"] = 0;
       of_all["interval"] = json_of(found.interval);
       of_all["fences"] = json_of(found.fences);
       of_all["successes"] = json_of(found.successes);
@@ -63,8 +82,9 @@ Json json_of(const Findings& findings, std::size_t place) {
   return {{"label", world::clean(results.cells[place].label)},
           {"levels", std::move(levels)},
           {"ended", cell.ended},
-          {"successes", cell.successes},
-          {"success_interval", json_of(std::optional(cell.success))},
+          {"goals", cell.goals},
+          {"successes", cell.goals ? Json(cell.successes) : Json(nullptr)},
+          {"success_interval", cell.goals ? json_of(std::optional(cell.success)) : Json(nullptr)},
           {"broken", cell.broken.size()},
           {"pending", cell.pending},
           {"measures", std::move(measures)},
@@ -126,6 +146,16 @@ std::string json_report(const Findings& findings) {
     }
     disagreements.push_back(std::move(runs));
   }
+  Json give_ups = Json::array();
+  for (const Run& run : results.runs) {
+    if (run.solver_gave_up.value_or(0) > 0) {
+      give_ups.push_back({{"run", run.id},
+                          {"cell", world::clean(results.cells[run.cell].label)},
+                          {"seed", run.seed},
+                          {"gave_up_steps", *run.solver_gave_up},
+                          {"unsolved_steps", run.solver_unsolved.value_or(0)}});
+    }
+  }
   const Json all = {{"experiment", world::clean(results.experiment)},
                     {"description", world::clean(results.description)},
                     {"file", world::clean(results.file)},
@@ -141,6 +171,7 @@ std::string json_report(const Findings& findings) {
                     {"cells", std::move(cells)},
                     {"expectations", std::move(expectations)},
                     {"failures", std::move(failures)},
+                    {"solver_give_ups", std::move(give_ups)},
                     {"disagreements", std::move(disagreements)}};
   return all.dump(2) + '\n';
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "elsie/experiment/grid.h"
@@ -42,6 +43,8 @@ struct Subject {
   std::string unit;  // of the statistic
 };
 
+constexpr const char* kNoGoals = "its world has no goals, so a run can neither succeed nor fail";
+
 // Judges one expectation.
 class Judge {
  public:
@@ -74,11 +77,16 @@ class Judge {
  private:
   // What the name does not say already: without one, an expectation is called what it says.
   std::string expected() const {
-    const auto names = [&](const char* word, const std::optional<double>& limit) {
-      return limit && expectation_.name.find(word + exact(*limit)) != std::string::npos;
+    const bool difference = expectation_.relation == Relation::difference;
+    const auto names = [&](const std::optional<double>& limit) {
+      const auto tells = [&](const char* word) {
+        const double value = limit && difference ? std::abs(*limit) : limit.value_or(0.0);
+        return limit && expectation_.name.find(word + exact(value)) != std::string::npos;
+      };
+      return tells(": at least ") || tells(": at most ") || tells(": about ");
     };
-    if (!names(": at least ", expectation_.at_least) &&
-        !names(": at most ", expectation_.at_most) && !names(": about ", expectation_.about)) {
+    if (!names(expectation_.at_least) && !names(expectation_.at_most) &&
+        !names(expectation_.about)) {
       return subject_.words + ": " + limits();
     }
     return expectation_.confidence
@@ -145,30 +153,40 @@ class Judge {
     const bool difference = expectation_.relation == Relation::difference;
     const std::string unit = ratio || subject_.unit.empty() ? "" : " " + subject_.unit;
     const auto number = [&](double value) { return exact(value) + unit; };
+    // A difference below 0 is so much less: what it is at least then, the other cell is ahead at
+    // most.
+    const auto amount = [&](const char* words, const char* if_less, double value) {
+      if (!difference) {
+        return words + number(value);
+      }
+      return (value < 0.0 ? if_less : words) + number(std::abs(value)) +
+             (value < 0.0 ? " less" : " more");
+    };
     std::string text;
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : " and ") + part; };
     if (expectation_.at_least) {
-      add("at least " + number(*expectation_.at_least));
+      add(amount("at least ", "at most ", *expectation_.at_least));
     }
     if (expectation_.at_most) {
-      add("at most " + number(*expectation_.at_most));
+      add(amount("at most ", "at least ", *expectation_.at_most));
     }
     if (expectation_.about) {
-      add("about " + number(*expectation_.about));
+      add(amount("about ", "about ", *expectation_.about));
     }
-    if (expectation_.tolerance > 0.0) {
-      text += " give or take " + number(expectation_.tolerance);
-    }
+    const std::string tolerance =
+        expectation_.tolerance > 0.0 ? " give or take " + number(expectation_.tolerance) : "";
     if (ratio) {
-      text += " times that of the cell with ";
-    }
-    if (difference) {
-      text += " more than in the cell with ";
+      text += tolerance + " times that of the cell with ";
+    } else if (difference) {
+      text += " than in the cell with ";
+    } else {
+      text += tolerance;
     }
     for (std::size_t i = 0; i < expectation_.reference.size(); ++i) {
       text += (i ? ", " : "") + expectation_.reference[i].factor + " " +
               expectation_.reference[i].level;
     }
+    text += difference ? tolerance : "";
     if (expectation_.confidence) {
       text += ", with " + brief(100.0 * *expectation_.confidence) + " % confidence";
     }
@@ -221,11 +239,14 @@ class Judge {
     return value && is_usable(*value) ? value : std::nullopt;
   }
 
-  std::vector<double> values_of(std::size_t cell) const {
+  // `infinite`: what is only known to be larger than a limit counts as infinite.
+  std::vector<double> values_of(std::size_t cell, bool infinite = false) const {
     std::vector<double> values;
-    for (const std::size_t run : findings_.cells[cell].runs) {
-      if (const auto value = value_of(results_.runs[run])) {
-        values.push_back(*value);
+    for (const std::size_t place : findings_.cells[cell].runs) {
+      const Run& run = results_.runs[place];
+      if (const auto value = value_of(run)) {
+        const bool bound = infinite && findings_.is_censored(run, *subject_.measure);
+        values.push_back(bound ? std::numeric_limits<double>::infinity() : *value);
       }
     }
     return values;
@@ -301,7 +322,13 @@ class Judge {
     if (!missing.empty()) {
       return not_known(cell, missing);
     }
+    if (asks_for_success() && !findings_.cells[cell].goals) {
+      return not_known(cell, kNoGoals);
+    }
     const std::vector<double> values = values_of(cell);
+    if (const std::size_t count = censored(cell); count > 0) {
+      return about_bounds(cell, values, values_of(cell, true), count);
+    }
     Claim claim;
     claim.cell = cell;
     if (!values.empty()) {
@@ -322,13 +349,67 @@ class Judge {
   }
 
   std::optional<Interval> interval_of(const std::vector<double>& values) const {
-    if (expectation_.statistic != Statistic::rate) {
-      return bootstrap_interval(expectation_.statistic, values, *expectation_.confidence,
-                                results_.seed(), stream());
+    return report::interval_of(expectation_.statistic, values, *expectation_.confidence,
+                               results_.seed(), stream());
+  }
+
+  // Whether it is about success, which a world without goals does not know.
+  bool asks_for_success() const {
+    return !subject_.measure || expectation_.runs == Runs::successes ||
+           (!expectation_.per.empty() && !subject_.per);
+  }
+
+  // How many of the values are lower bounds only: of runs that the time limit stopped.
+  std::size_t censored(std::size_t cell) const {
+    if (!subject_.measure || !expectation_.per.empty() || expectation_.runs == Runs::successes) {
+      return 0;
     }
-    const auto hits =
-        std::count_if(values.begin(), values.end(), [](double v) { return v != 0.0; });
-    return wilson_interval(static_cast<std::size_t>(hits), values.size(), *expectation_.confidence);
+    const auto& runs = findings_.cells[cell].runs;
+    return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), [&](std::size_t run) {
+      return value_of(results_.runs[run]) &&
+             findings_.is_censored(results_.runs[run], *subject_.measure);
+    }));
+  }
+
+  // "3 runs were stopped by the time limit"
+  static std::string stopped(std::size_t runs) {
+    return counted(runs, "run was", "runs were") + " stopped by the time limit";
+  }
+
+  // A cell some of whose values are lower bounds: their mean and maximum are one, too. A median or
+  // a minimum of what is known and of infinity for the rest is exact where it is finite.
+  Claim about_bounds(std::size_t cell, const std::vector<double>& bounds,
+                     const std::vector<double>& infinite, std::size_t count) const {
+    const Statistic statistic = expectation_.statistic;
+    if (statistic == Statistic::standard_deviation || statistic == Statistic::rate) {
+      return not_known(cell, stopped(count));
+    }
+    const bool ordered = statistic == Statistic::median || statistic == Statistic::minimum;
+    const double value = *statistic_of(statistic, ordered ? infinite : bounds);
+    Claim claim;
+    claim.cell = cell;
+    std::string amount;
+    if (std::isfinite(value) && ordered) {
+      claim.value = value;
+      claim.holds = keeps(value);
+      if (expectation_.confidence) {
+        claim.interval = interval_of(infinite);
+        claim.holds = keeps(claim.interval);
+      }
+      amount = with_unit(value) + " (" + basis(bounds) + interval_in_words(claim.interval);
+    } else {
+      // The mean of times cut off at the limit is no more than that of the times.
+      const double least = *statistic_of(statistic, bounds);
+      const auto interval =
+          expectation_.confidence ? interval_of(bounds) : std::optional(Interval{least, least});
+      claim.holds =
+          !expectation_.at_most && !expectation_.about && interval && keeps(interval->low);
+      amount = "at least " + with_unit(least) + " (" + basis(bounds);
+    }
+    claim.found = subject_.words + " of " + label(cell) + " is " + amount + "; " + stopped(count) +
+                  reservations(cell) + ")";
+    claim.sentence = claim.found + ", expected " + limits();
+    return claim;
   }
 
   // A cell beside another one.
@@ -340,6 +421,12 @@ class Judge {
       const std::string missing = incomplete(each);
       if (!missing.empty()) {
         return not_known(cell, missing);
+      }
+      if (asks_for_success() && !findings_.cells[each].goals) {
+        return not_known(cell, kNoGoals);
+      }
+      if (const std::size_t count = censored(each); count > 0) {
+        return not_known(cell, "of " + label(each) + " " + stopped(count));
       }
     }
     const std::vector<Pair> pairs = pairs_of(cell, *reference);
@@ -370,7 +457,8 @@ class Judge {
     }
     claim.found = subject_.words + " of " + label(cell) + " is " +
                   (ratio ? shown(*claim.value) + " times that of "
-                         : with_unit(*claim.value) + " more than that of ") +
+                         : with_unit(std::abs(*claim.value)) +
+                               (*claim.value < 0.0 ? " less" : " more") + " than that of ") +
                   label(*reference) + " (" + with_unit(*mine) + ", " + basis(own) +
                   reservations(cell) + ", beside " + with_unit(*theirs) + ", " + basis(others) +
                   reservations(*reference) + left_out(cell, *reference, pairs.size()) +

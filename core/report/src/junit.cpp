@@ -109,7 +109,8 @@ std::string junit_report(const Findings& findings, const std::string& database) 
       {"experiment file", results.file},
       {"fingerprint", results.fingerprint},
       {"elsie version", results.elsie_version},
-      {"runs", std::to_string(findings.runs())}};
+      {"runs", std::to_string(findings.runs())},
+      {"successful runs", successes_in_words(findings)}};
   for (const auto& [name, value] : properties) {
     xml += "      <property name=\"" + name + "\" value=\"" + escaped_attribute(value) + "\"/>\n";
   }

@@ -1,5 +1,6 @@
 #include "page.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "elsie/report/report.h"
@@ -14,7 +15,7 @@ std::string command(const PageContext& page, const Run& run) {
   return "<code class=\"command\">" + escaped(replay_command(page.database, run.id)) + "</code>";
 }
 
-std::string ending_tag(const Run& run) {
+std::string ending_tag(const Findings& findings, const Run& run) {
   if (run.broken()) {
     return "<em class=\"tag bad\">" + std::string(to_string(run.state)) + "</em>";
   }
@@ -25,7 +26,7 @@ std::string ending_tag(const Run& run) {
     case Outcome::success:
       return "success";
     case Outcome::time_limit:
-      return "<em class=\"tag bad\">time limit</em>";
+      return findings.cells[run.cell].goals ? "<em class=\"tag bad\">time limit</em>" : "no goals";
     default:
       return "<em class=\"tag bad\">failure</em>";
   }
@@ -57,13 +58,54 @@ std::string policy_hash(const std::string& script) {
   return text;
 }
 
+// So many make a megabyte or less, with everything that is drawn of them.
+constexpr std::size_t kMostInDetail = 100;
+
 }  // namespace
 
+bool PageContext::is_detailed(std::size_t cell) const {
+  return std::binary_search(detailed.begin(), detailed.end(), cell);
+}
+
+std::vector<std::size_t> cells_in_detail(const Findings& findings, const std::string& filter) {
+  std::vector<std::size_t> notable, others;
+  for (std::size_t i = 0; i < findings.cells.size(); ++i) {
+    if (findings.results.cells[i].label.find(filter) == std::string::npos) {
+      continue;
+    }
+    const CellFindings& cell = findings.cells[i];
+    const bool stands_out = !cell.broken.empty() || !cell.outliers.empty() ||
+                            std::any_of(cell.runs.begin(), cell.runs.end(), [&](std::size_t run) {
+                              return findings.missed(findings.results.runs[run]);
+                            });
+    (stands_out ? notable : others).push_back(i);
+  }
+  if (notable.size() + others.size() <= kMostInDetail) {
+    notable.insert(notable.end(), others.begin(), others.end());
+    std::sort(notable.begin(), notable.end());
+    return notable;
+  }
+  // At least half of the room is for those that stand out, as far as there are so many.
+  const std::size_t even =
+      std::min(others.size(), kMostInDetail - std::min(notable.size(), kMostInDetail / 2));
+  std::vector<std::size_t> chosen;
+  const auto take = [&](const std::vector<std::size_t>& from, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      chosen.push_back(from[i * from.size() / count]);
+    }
+  };
+  take(notable, std::min(notable.size(), kMostInDetail - even));
+  take(others, std::min(others.size(), kMostInDetail - chosen.size()));
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
 std::string html_report(const Findings& findings, const ResultsFile& file,
-                        const std::string& database) {
+                        const std::string& database, const std::string& cells) {
+  const std::vector<std::size_t> detailed = cells_in_detail(findings, cells);
   Inks inks = choose_inks(findings);
-  add_behaviors(file, findings, inks);
-  const PageContext page{findings, file, database, inks};
+  add_behaviors(file, findings, detailed, inks);
+  const PageContext page{findings, file, database, inks, detailed};
   const std::string title = escaped(findings.results.experiment);
   const std::string script = "\n" + std::string(kPageScript);
   // The policy has the browser refuse whatever a label could try to slip in, and all of the

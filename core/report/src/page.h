@@ -1,7 +1,9 @@
 // The sections of the page.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "elsie/report/findings.h"
 #include "elsie/report/results.h"
@@ -15,7 +17,15 @@ struct PageContext {
   const ResultsFile& file;
   const std::string& database;  // as the user calls it
   const Inks& inks;
+  /// The cells that have a section of their own, ascending.
+  const std::vector<std::size_t>& detailed;
+
+  bool is_detailed(std::size_t cell) const;
 };
+
+/// Which cells have a section of their own: those whose label has `filter` in it; of too many for a
+/// page first those with runs that are worth a look, the others evenly.
+std::vector<std::size_t> cells_in_detail(const Findings& findings, const std::string& filter);
 
 /// Texts that are compiled in: page.css, page.js.
 extern const char* const kPageStyle;
@@ -33,7 +43,7 @@ std::string methods_section(const PageContext& page);
 /// "elsie replay ..." for copying.
 std::string command(const PageContext& page, const Run& run);
 /// "success", "time limit", "crash"..., marked when it is no success.
-std::string ending_tag(const Run& run);
+std::string ending_tag(const Findings& findings, const Run& run);
 /// Where a cell's own section is on the page.
 std::string anchor(std::size_t cell);
 

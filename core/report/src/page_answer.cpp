@@ -37,18 +37,18 @@ std::string duration(double seconds) {
 }
 
 std::string tiles(const Findings& findings) {
-  std::size_t successes = 0;
   std::set<std::uint64_t> seeds;
   double simulated_s = 0.0, wall_s = 0.0;
   for (const Run& run : findings.results.runs) {
     seeds.insert(run.seed);
-    successes += run.success() ? 1 : 0;
     simulated_s += run.simulated_s.value_or(0.0);
     wall_s += run.wall_s.value_or(0.0);
   }
   std::string text = "<dl class=\"tiles\">";
-  text +=
-      tile(std::to_string(successes), " of " + std::to_string(findings.ended()), "successful runs");
+  const std::string successes = successes_in_words(findings);
+  const std::size_t of = successes.find(" of ");
+  text += tile(successes.substr(0, of), of == std::string::npos ? "" : successes.substr(of),
+               findings.any_goals() ? "successful runs" : "no run succeeds or fails");
   text += tile(std::to_string(findings.cells.size()), "",
                findings.cells.size() == 1 ? "cell" : "cells");
   text += tile(std::to_string(seeds.size()), "", seeds.size() == 1 ? "seed" : "seeds");
@@ -159,8 +159,8 @@ std::string troubles(const PageContext& page) {
     }
     rows += "<tr><td class=\"n\">" + std::to_string(run.id) + "</td><td class=\"n\">" +
             std::to_string(run.seed) + "</td><td>" +
-            escaped(findings.results.cells[run.cell].label) + "</td><td>" + ending_tag(run) + " " +
-            escaped(circumstances(run)) +
+            escaped(findings.results.cells[run.cell].label) + "</td><td>" +
+            ending_tag(findings, run) + " " + escaped(circumstances(run)) +
             (run.log.empty() ? ""
                              : "<details><summary>its last words</summary><pre>" +
                                    escaped(run.log) + "</pre></details>") +

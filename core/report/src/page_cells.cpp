@@ -1,6 +1,9 @@
 // Each cell by itself.
+#include <algorithm>
 #include <map>
 #include <set>
+
+#include "elsie/world/shell_word.h"
 
 #include "markup.h"
 #include "numbers.h"
@@ -17,11 +20,36 @@ constexpr std::size_t kHeadMeasures = 3;
 // Of runs that are worth a look; the others are told on request.
 constexpr std::size_t kRunsAtOnce = 8;
 
+// Of a measure with bounds: what is known of it.
+std::string censored_row(const MeasureFindings& found, bool some_missed) {
+  constexpr const char* kUnknown = "<td class=\"n none\">\xe2\x80\x93</td>";
+  const Censoring& censoring = *found.censoring;
+  const std::optional<int> decimals =
+      found.successes
+          ? decimals_for(found.successes->mean, found.successes->standard_deviation.value_or(0.0))
+          : decimals_for(censoring.limit, 0.0);
+  const auto number = [&](double value) {
+    return decimals ? fixed(value, *decimals) : brief(value);
+  };
+  const auto cell = [](const std::string& text) { return "<td class=\"n\">" + text + "</td>"; };
+  const std::string bound = "&gt;\xc2\xa0" + number(censoring.limit);
+  const double least = *std::min_element(found.values.begin(), found.values.end());
+  std::string text = cell(std::to_string(found.values.size()));
+  text += std::string(kUnknown) + kUnknown + kUnknown;
+  text += cell(least < censoring.limit ? number(least) : bound) + kUnknown;
+  text += cell(censoring.median ? number(*censoring.median) : bound) + kUnknown + cell(bound);
+  if (some_missed) {
+    text += found.successes ? cell(number(found.successes->mean)) : kUnknown;
+  }
+  return text;
+}
+
 std::string measure_table(const PageContext& page, const CellFindings& cell) {
   const Results& results = page.findings.results;
   bool some_missed = false;
   for (const MeasureFindings& found : cell.measures) {
-    some_missed |= found.all && (!found.successes || found.successes->count < found.all->count);
+    some_missed |= cell.goals && !found.values.empty() &&
+                   (!found.successes || found.successes->count < found.values.size());
   }
   std::string text =
       "<details class=\"numbers\"><summary>All numbers</summary><div "
@@ -38,6 +66,10 @@ std::string measure_table(const PageContext& page, const CellFindings& cell) {
     const MeasureFindings& found = cell.measures[i];
     text += "<tr><th scope=\"row\">" + escaped(in_words(measure.name, measure.unit)) +
             (measure.unit.empty() ? "" : " <span>" + escaped(measure.unit) + "</span>") + "</th>";
+    if (found.censoring) {
+      text += censored_row(found, some_missed) + "</tr>";
+      continue;
+    }
     if (!found.all) {
       text += "<td class=\"n none\">0</td></tr>";
       continue;
@@ -81,7 +113,7 @@ std::vector<std::pair<std::size_t, std::string>> notable_runs(const Findings& fi
   }
   for (const std::size_t place : cell.runs) {
     const Run& run = findings.results.runs[place];
-    if (run.state == RunState::done && !run.success()) {
+    if (findings.missed(run)) {
       order.push_back(place);
     }
   }
@@ -92,7 +124,7 @@ std::vector<std::pair<std::size_t, std::string>> notable_runs(const Findings& fi
       continue;
     }
     const Run& run = findings.results.runs[place];
-    std::string text = run.broken() ? circumstances(run) : run.success() ? "" : run.message;
+    std::string text = run.broken() ? circumstances(run) : findings.missed(run) ? run.message : "";
     if (text.ends_with('.')) {
       text.pop_back();
     }
@@ -125,8 +157,8 @@ std::string run_table(const PageContext& page, const CellFindings& cell) {
               counted(notable.size() - kRunsAtOnce, "more", "more") + "</summary>" + head;
     }
     text += "<tr><td class=\"n\">" + std::to_string(run.id) + "</td><td class=\"n\">" +
-            std::to_string(run.seed) + "</td><td>" + ending_tag(run) + "</td><td>" + escaped(why) +
-            "</td><td>" + command(page, run) + "</td></tr>";
+            std::to_string(run.seed) + "</td><td>" + ending_tag(page.findings, run) + "</td><td>" +
+            escaped(why) + "</td><td>" + command(page, run) + "</td></tr>";
   }
   return text + foot + (told > kRunsAtOnce + 1 ? "</details>" : "");
 }
@@ -136,8 +168,11 @@ std::string headline(const PageContext& page, std::size_t place) {
   const std::string swatch =
       page.inks.factor ? "<i class=\"swatch " + page.inks.cell_class(place) + "\"></i>" : "";
   std::string text = "<h3>" + swatch + escaped(page.findings.results.cells[place].label) +
-                     "</h3><p class=\"facts\"><span><b>" + std::to_string(cell.successes) +
-                     "</b>/" + std::to_string(cell.ended) + " success</span>";
+                     "</h3><p class=\"facts\"><span>" +
+                     (cell.goals ? "<b>" + std::to_string(cell.successes) + "</b>/" +
+                                       std::to_string(cell.ended) + " success"
+                                 : "no goals") +
+                     "</span>";
   if (!cell.broken.empty()) {
     text += "<span class=\"bad\"><b>" + std::to_string(cell.broken.size()) + "</b> failed</span>";
   }
@@ -147,25 +182,45 @@ std::string headline(const PageContext& page, std::size_t place) {
   for (std::size_t i = 0; i < std::min(kHeadMeasures, cell.measures.size()); ++i) {
     const MeasureFindings& found = cell.measures[i];
     const Measure& measure = page.findings.results.measures[page.findings.measures[i]];
+    if (found.censoring) {
+      text += "<span>" + escaped(in_words(measure.name, measure.unit)) + " <b>" +
+              escaped(censored_in_words(found, decimals_of(page.findings, i))) + "</b>" +
+              (measure.unit.empty() ? "" : " " + escaped(measure.unit)) + "</span>";
+    }
     if (!found.all) {
       continue;
     }
     const MeanText mean = mean_text(*found.all, found.interval);
     text += "<span>" + escaped(in_words(measure.name, measure.unit)) + " <b>" + mean.mean + "</b>" +
             (mean.deviation.empty() ? "" : " \xc2\xb1 " + mean.deviation) +
-            (measure.unit.empty() ? "" : " " + escaped(measure.unit)) + "</span>";
+            (measure.unit.empty() ? "" : " " + escaped(measure.unit)) +
+            (found.all->count < cell.ended ? " (n " + std::to_string(found.all->count) + ")" : "") +
+            "</span>";
   }
   return text + "</p>";
+}
+
+// Which cells have no section, and how to see them.
+std::string left_out(const PageContext& page) {
+  const std::size_t all = page.findings.cells.size(), shown = page.detailed.size();
+  if (shown == all) {
+    return "";
+  }
+  return "<p class=\"lead\">" + std::to_string(shown) + " of " + counted(all, "cell") +
+         (shown == 1 ? " is" : " are") + " drawn here. <code>elsie report " +
+         escaped(world::shell_word(page.database)) +
+         " --html FILE.html --cells TEXT</code> draws those whose names have the text in "
+         "them.</p>\n";
 }
 
 }  // namespace
 
 std::string cell_sections(const PageContext& page) {
   const Findings& findings = page.findings;
-  const bool folded = findings.cells.size() > kOpenCells;
-  const Budget budget = budget_for(findings.cells.size());
-  std::string text = "<section id=\"cells\"><h2>Cells</h2>\n";
-  for (std::size_t i = 0; i < findings.cells.size(); ++i) {
+  const bool folded = page.detailed.size() > kOpenCells;
+  const Budget budget = budget_for(page.detailed.size());
+  std::string text = "<section id=\"cells\"><h2>Cells</h2>\n" + left_out(page);
+  for (const std::size_t i : page.detailed) {
     const CellInfo& info = findings.results.cells[i];
     const std::string decisions =
         decision_figure(findings, i, page.file.timelines(info.id), page.inks, budget);

@@ -16,22 +16,32 @@ namespace {
 constexpr const char* kSuccessLead =
     "Runs that reached their goals, of those that ended; the bar is Wilson\xe2\x80\x99s "
     "95\xc2\xa0% interval.";
+constexpr const char* kNoGoalsLead =
+    "No world of this experiment has goals, so a run can neither succeed nor fail.";
 constexpr const char* kTableLead =
     "Mean \xc2\xb1 standard deviation over the runs that ended by themselves; below, the "
-    "bootstrap 95\xc2\xa0% interval of the mean.";
+    "95\xc2\xa0% interval of the mean. n: over how many runs, where the others have "
+    "no "
+    "value. &gt;: stopped by the time limit, so that the time is at least that.";
 constexpr const char* kNoValues =
     "No run that ended by itself has a value: there is nothing to compare but success.";
 constexpr const char* kBoxesLead =
     "A dot is a run, a cross one without success. The box has the middle half of the runs, its "
     "line is the median; whiskers go to the farthest run within 1.5 box lengths, what has a ring "
     "is "
-    "beyond. The diamond is the mean, with its 95\xc2\xa0% interval.";
+    "beyond. The diamond is the mean, with its 95\xc2\xa0% interval. Where the time limit stopped "
+    "runs, their times are at least where the dots stand, and there is no box and no mean.";
 
 // Box plots of more measures than these are shown on request.
 constexpr std::size_t kFiguresAtOnce = 6;
 // Figures with rows for more cells than these, too: the table tells the same in less room.
 constexpr std::size_t kRowsAtOnce = 40;
 constexpr std::size_t kHeadLength = 40;  // of a column, in characters
+
+// And with more than these they are left out.
+constexpr std::size_t kMostRows = 200;
+
+bool has_figures(const Findings& findings) { return findings.cells.size() <= kMostRows; }
 
 std::string folded(const Findings& findings, const std::string& figures) {
   const std::size_t cells = findings.cells.size();
@@ -86,7 +96,15 @@ std::string head(const std::string& text, const std::string& unit, bool number,
          escaped(text) + (unit.empty() ? "" : " <span>" + escaped(unit) + "</span>") + "</th>";
 }
 
-std::string value_cell(const MeasureFindings& found, std::optional<int> decimals) {
+std::string value_cell(const CellFindings& of, const MeasureFindings& found,
+                       std::optional<int> decimals) {
+  const std::string count = found.values.size() < of.ended
+                                ? "<small>n " + std::to_string(found.values.size()) + "</small>"
+                                : "";
+  if (found.censoring) {
+    return "<td class=\"n\" data-v=\"" + exact(found.censoring->median.value_or(1e300)) + "\"><b>" +
+           escaped(censored_in_words(found, decimals)) + "</b>" + count + "</td>";
+  }
   if (!found.all) {
     return "<td class=\"n none\" data-v=\"\">\xe2\x80\x93</td>";
   }
@@ -99,10 +117,13 @@ std::string value_cell(const MeasureFindings& found, std::optional<int> decimals
   if (!text.low.empty()) {
     cell += "<small>" + text.low + "\xc2\xa0\xe2\x80\x93\xc2\xa0" + text.high + "</small>";
   }
-  return cell + "</td>";
+  return cell + count + "</td>";
 }
 
 std::string success_cell(const CellFindings& cell) {
+  if (!cell.goals) {
+    return "<td class=\"n none\" data-v=\"\">no goals</td>";
+  }
   const double rate =
       cell.ended > 0 ? static_cast<double>(cell.successes) / static_cast<double>(cell.ended) : 0.0;
   return "<td class=\"n\" data-v=\"" + exact(rate) + "\"><b>" + std::to_string(cell.successes) +
@@ -140,8 +161,11 @@ std::string table(const PageContext& page) {
     const CellFindings& cell = findings.cells[i];
     const CellInfo& info = results.cells[i];
     text += "<tr data-cell=\"" + escaped_attribute(info.label) + "\">";
-    text += "<th scope=\"row\" data-v=\"" + std::to_string(i) + "\"><a href=\"#" + anchor(i) +
-            "\">" + swatch(page, i) + escaped(info.label) + "</a></th>";
+    text += "<th scope=\"row\" data-v=\"" + std::to_string(i) + "\">" +
+            (page.is_detailed(i) ? "<a href=\"#" + anchor(i) + "\">" + swatch(page, i) +
+                                       escaped(info.label) + "</a>"
+                                 : swatch(page, i) + escaped(info.label)) +
+            "</th>";
     text += success_cell(cell);
     const auto count = [&](std::size_t number) {
       return "<td class=\"n" + std::string(number > 0 ? " bad" : "") + "\" data-v=\"" +
@@ -154,7 +178,7 @@ std::string table(const PageContext& page) {
       text += count(cell.pending);
     }
     for (std::size_t j = 0; j < cell.measures.size(); ++j) {
-      text += value_cell(cell.measures[j], decimals[j]);
+      text += value_cell(cell, cell.measures[j], decimals[j]);
     }
     text += "</tr>\n";
   }
@@ -166,6 +190,9 @@ std::optional<double> only_value(const Findings& findings, std::size_t measure) 
   std::optional<double> value;
   std::size_t count = 0;
   for (const CellFindings& cell : findings.cells) {
+    if (cell.measures[measure].censoring) {
+      return std::nullopt;
+    }
     const auto& all = cell.measures[measure].all;
     if (!all) {
       continue;
@@ -188,6 +215,12 @@ std::string figures(const PageContext& page) {
       });
   if (findings.measures.empty() || (findings.cells.size() == 1 && !several)) {
     return "";  // the table has the only value already
+  }
+  if (!has_figures(findings)) {
+    return "<section id=\"distributions\"><h2>Distributions</h2><p class=\"quiet\">Box plots are "
+           "left out: " +
+           std::to_string(findings.cells.size()) +
+           " cells are too many for one page.</p></section>\n";
   }
   std::string shown, others, constant;
   std::size_t count = 0;
@@ -222,8 +255,11 @@ std::string comparison_sections(const PageContext& page) {
     note[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(note[0])));
     note = "<p class=\"quiet\">" + escaped(note) + ".</p>";
   }
-  return "<section id=\"success\"><h2>Success</h2><p class=\"lead\">" + std::string(kSuccessLead) +
-         "</p>" + folded(page.findings, ink_key(page) + rate_figure(page.findings, page.inks)) +
+  return "<section id=\"success\"><h2>Success</h2><p class=\"lead\">" +
+         std::string(page.findings.any_goals() ? kSuccessLead : kNoGoalsLead) + "</p>" +
+         (page.findings.any_goals() && has_figures(page.findings)
+              ? folded(page.findings, ink_key(page) + rate_figure(page.findings, page.inks))
+              : "") +
          "</section>\n<section id=\"comparison\"><h2>Comparison</h2><p class=\"lead\">" +
          (page.findings.measures.empty() ? kNoValues : kTableLead) + "</p>" + table(page) + note +
          "</section>\n" + figures(page);

@@ -22,11 +22,15 @@ std::vector<std::string> notes() {
       "are over the others, whether these reached their goals or not.",
       "Standard deviation: n \xe2\x88\x92 1 below the line. Quartiles: linear between order "
       "statistics (definition 7 of Hyndman and Fan, 1996).",
-      "Interval of a rate: Wilson (1927). Interval of a mean: percentile bootstrap (Efron, "
-      "1979), " +
+      "Interval of a rate: Wilson (1927). Interval of a mean: bootstrap-t (Efron, 1979; Hall, "
+      "1988), " +
           std::to_string(kResamples) +
           " resamples from a generator that is seeded by the fingerprint, so that the same "
-          "database gives the same page.",
+          "database gives the same page; with fewer than " +
+          std::to_string(kFewestForBootstrap) + " values Student\xe2\x80\x99s t.",
+      "The time of a run that the time limit stopped is censored: it is at least the limit. The "
+      "mean of such times is not known; their median is when it lies below the limit (Kaplan and "
+      "Meier, 1958).",
       "Outlier: more than 1.5 quartile ranges beyond the quartiles (Tukey, 1977), in samples "
       "of at least " +
           std::to_string(kFewest) + ".",
@@ -49,6 +53,9 @@ std::string methods_section(const PageContext& page) {
   text += "</dl>\n<ul class=\"notes\">";
   for (const std::string& note : notes()) {
     text += "<li>" + note + "</li>";
+  }
+  if (const std::string note = give_ups_in_words(page.findings); !note.empty()) {
+    text += "<li><strong>" + escaped(note) + "</strong></li>";
   }
   text += "</ul>\n";
   if (!page.findings.measures.empty()) {

@@ -92,7 +92,8 @@ void read_runs(sqlite::Connection& connection, const Places& cells, Results& res
   sqlite::Statement runs(
       connection,
       "SELECT id, cell_id, seed, repetition, state, outcome, message, steps, simulated_s, "
-      "state_hash, exit_code, signal, plugin, robot, step, log, wall_s FROM runs ORDER BY id");
+      "state_hash, exit_code, signal, plugin, robot, step, log, wall_s, solver_gave_up, "
+      "solver_unsolved FROM runs ORDER BY id");
   while (runs.next()) {
     Run run;
     run.id = runs.integer(0);
@@ -112,6 +113,8 @@ void read_runs(sqlite::Connection& connection, const Places& cells, Results& res
     run.step = runs.optional_integer(14);
     run.log = runs.text(15);
     run.wall_s = runs.optional_number(16);
+    run.solver_gave_up = runs.optional_integer(17);
+    run.solver_unsolved = runs.optional_integer(18);
     run.values.resize(results.measures.size());
     places[run.id] = results.runs.size();
     results.runs.push_back(std::move(run));

@@ -6,7 +6,7 @@
 
 #include <boost/math/distributions/normal.hpp>
 
-#include "elsie/api/random.h"
+#include "samples.h"
 
 namespace elsie::report {
 
@@ -36,13 +36,13 @@ double deviation_of(std::span<const double> values, double mean) {
   return std::sqrt(std::max(0.0, squares - rest * rest / count) / (count - 1.0));
 }
 
+}  // namespace
+
 std::vector<double> ascending(std::span<const double> values) {
   std::vector<double> sorted(values.begin(), values.end());
   std::sort(sorted.begin(), sorted.end());
   return sorted;
 }
-
-}  // namespace
 
 double quantile(std::span<const double> ascending, double part) {
   const double at = part * static_cast<double>(ascending.size() - 1);
@@ -116,36 +116,6 @@ Interval wilson_interval(std::size_t successes, std::size_t trials, double confi
           successes == trials ? 1.0 : std::min(1.0, middle + half)};
 }
 
-std::optional<Interval> bootstrap_interval(Statistic statistic, std::span<const double> values,
-                                           double confidence, std::uint64_t seed,
-                                           std::string_view path) {
-  if (values.size() < 2) {
-    return std::nullopt;
-  }
-  const std::vector<double> sorted = ascending(values);
-  if (sorted.front() == sorted.back()) {
-    const double only = statistic_of(statistic, sorted).value_or(0.0);
-    return Interval{only, only};
-  }
-  Random random(seed, path);
-  std::vector<double> sample(sorted.size());
-  std::vector<double> found;
-  found.reserve(kResamples);
-  for (int i = 0; i < kResamples; ++i) {
-    for (double& value : sample) {
-      value =
-          sorted[static_cast<std::size_t>(random.uniform() * static_cast<double>(sorted.size()))];
-    }
-    found.push_back(statistic_of(statistic, sample).value_or(0.0));
-  }
-  std::sort(found.begin(), found.end());
-  const double tail = 0.5 * (1.0 - confidence);
-  return Interval{quantile(found, tail), quantile(found, 1.0 - tail)};
-}
-
-namespace {
-
-// As relation_of(), but infinite for a ratio of anything else to 0.
 std::optional<double> boundless_relation(Relation relation, Statistic statistic,
                                          std::span<const Pair> pairs) {
   if (pairs.empty()) {
@@ -167,41 +137,10 @@ std::optional<double> boundless_relation(Relation relation, Statistic statistic,
   return std::isnan(ratio) ? std::nullopt : std::optional(ratio);
 }
 
-}  // namespace
-
 std::optional<double> relation_of(Relation relation, Statistic statistic,
                                   std::span<const Pair> pairs) {
   const auto value = boundless_relation(relation, statistic, pairs);
   return value && std::isfinite(*value) ? value : std::nullopt;
-}
-
-std::optional<Interval> paired_interval(Relation relation, Statistic statistic,
-                                        std::span<const Pair> pairs, double confidence,
-                                        std::uint64_t seed, std::string_view path) {
-  if (pairs.size() < 2) {
-    return std::nullopt;
-  }
-  Random random(seed, path);
-  std::vector<Pair> sample(pairs.size());
-  std::vector<double> found;
-  for (int i = 0; i < kResamples; ++i) {
-    for (Pair& pair : sample) {
-      pair = pairs[static_cast<std::size_t>(random.uniform() * static_cast<double>(pairs.size()))];
-    }
-    if (const auto value = boundless_relation(relation, statistic, sample)) {
-      found.push_back(*value);
-    }
-  }
-  if (2 * found.size() < static_cast<std::size_t>(kResamples)) {
-    return std::nullopt;
-  }
-  std::sort(found.begin(), found.end());
-  const double tail = 0.5 * (1.0 - confidence);
-  const Interval interval{quantile(found, tail), quantile(found, 1.0 - tail)};
-  if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) {
-    return std::nullopt;
-  }
-  return interval;
 }
 
 std::optional<Interval> interval_of_rates(Relation relation, const Frequency& cell,

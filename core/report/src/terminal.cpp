@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,7 +56,7 @@ Column labels(const Findings& findings) {
 Column success_column(const Findings& findings) {
   Column column{"success"};
   for (const CellFindings& cell : findings.cells) {
-    column.push_back(std::to_string(cell.successes) + "/" + std::to_string(cell.ended));
+    column.push_back(success_in_words(cell));
   }
   return column;
 }
@@ -64,8 +65,15 @@ Column measure_column(const Findings& findings, std::size_t place) {
   const Measure& measure = findings.results.measures[findings.measures[place]];
   const std::optional<int> decimals = decimals_of(findings, place);
   Column column{shown_name(measure.name)};
+  std::vector<std::string> counts;
   for (const CellFindings& cell : findings.cells) {
     const MeasureFindings& found = cell.measures[place];
+    const std::size_t count = found.values.size();
+    counts.push_back(count > 0 && count < cell.ended ? " (n " + std::to_string(count) + ")" : "");
+    if (found.censoring) {
+      column.push_back(censored_in_words(found, decimals));
+      continue;
+    }
     if (!found.all) {
       column.emplace_back("-");
       continue;
@@ -87,6 +95,13 @@ Column measure_column(const Findings& findings, std::size_t place) {
     if (sign != std::string::npos) {
       column[i] += std::string(after - length, ' ');
     }
+  }
+  std::size_t widest = 0;
+  for (const std::string& count : counts) {
+    widest = std::max(widest, count.size());
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    column[i + 1] += counts[i] + std::string(widest - counts[i].size(), ' ');
   }
   return column;
 }
@@ -121,6 +136,29 @@ std::string tables(const Findings& findings, std::size_t width) {
       part.push_back(&columns[next++]);
     } while (next < columns.size() && used + kGap + width_of(columns[next]) <= width);
     text += (text.empty() ? "" : "\n") + table(part);
+  }
+  return text;
+}
+
+// What is in the tables besides means, by the first example of it.
+std::string legend(const Findings& findings) {
+  std::size_t fewer = 0;
+  std::optional<double> limit;
+  for (const CellFindings& cell : findings.cells) {
+    for (const MeasureFindings& found : cell.measures) {
+      const std::size_t count = found.values.size();
+      fewer = fewer == 0 && count < cell.ended ? count : fewer;
+      limit = !limit && found.censoring ? found.censoring->limit : limit;
+    }
+  }
+  std::string text;
+  if (fewer > 0) {
+    text += "(n " + std::to_string(fewer) + "): over " + counted(fewer, "run") +
+            ", as the others of the cell have no value\n";
+  }
+  if (limit) {
+    text += "> " + brief(*limit) + ": the time limit stopped runs after " + brief(*limit) +
+            " s; how long they would have taken is not known\n";
   }
   return text;
 }
@@ -191,7 +229,11 @@ std::string terminal_report(const Findings& findings, const std::string& databas
   if (!findings.measures.empty()) {
     text += "\nmean +- standard deviation over the runs of a cell that ended by themselves\n";
   }
+  text += legend(findings);
   if (const std::string note = one_run_in_words(findings); !note.empty()) {
+    text += '\n' + world::one_line(note) + '\n';
+  }
+  if (const std::string note = give_ups_in_words(findings); !note.empty()) {
     text += '\n' + world::one_line(note) + '\n';
   }
   return text + expectations(findings) + troubles(findings, database);

@@ -35,6 +35,28 @@ std::string missing_in_words(const Findings& findings) {
          (findings.results.shard == "1/1" ? "" : ", which is shard " + findings.results.shard);
 }
 
+std::string give_ups_in_words(const Findings& findings) {
+  std::size_t count = 0;
+  const Run* worst = nullptr;
+  for (const Run& run : findings.results.runs) {
+    if (run.solver_gave_up.value_or(0) == 0) {
+      continue;
+    }
+    ++count;
+    if (!worst || *run.solver_gave_up > *worst->solver_gave_up) {
+      worst = &run;
+    }
+  }
+  if (!worst) {
+    return "";
+  }
+  return "in " + std::to_string(count) + " of " + counted(findings.runs(), "run") +
+         " the solver of the physics gave up in some steps, most often in " +
+         name_of(findings.results, *worst) + ", in " + std::to_string(*worst->solver_gave_up) +
+         " of " + std::to_string(worst->steps.value_or(0)) +
+         ": contacts there are only roughly right; the notes of these runs say what may help";
+}
+
 std::string one_run_in_words(const Findings& findings) {
   constexpr std::size_t kNamed = 3;
   std::size_t count = 0;
@@ -56,10 +78,44 @@ std::string one_run_in_words(const Findings& findings) {
          (all ? "" : " (" + names + (count > kNamed ? "; ..." : "") + ")");
 }
 
+std::string success_in_words(const CellFindings& cell) {
+  return cell.goals ? std::to_string(cell.successes) + "/" + std::to_string(cell.ended)
+                    : "no goals";
+}
+
+std::string successes_in_words(const Findings& findings) {
+  if (!findings.any_goals()) {
+    return "no goals";
+  }
+  std::size_t successes = 0, ended = 0;
+  for (const Run& run : findings.results.runs) {
+    const bool counts = findings.cells[run.cell].goals;
+    successes += counts && run.success() ? 1 : 0;
+    ended += counts && run.ended() ? 1 : 0;
+  }
+  return std::to_string(successes) + " of " + std::to_string(ended);
+}
+
+std::string censored_in_words(const MeasureFindings& found, std::optional<int> decimals) {
+  const auto number = [&](double value) {
+    return decimals ? fixed(value, *decimals) : brief(value);
+  };
+  const Censoring& censoring = *found.censoring;
+  const std::string bound = "> " + number(censoring.limit);
+  if (censoring.count == found.values.size()) {
+    return bound;
+  }
+  return (censoring.median ? "median " + number(*censoring.median) + ", " : "") +
+         std::to_string(censoring.count) + " of " + std::to_string(found.values.size()) + " " +
+         bound;
+}
+
 std::optional<int> decimals_of(const Findings& findings, std::size_t measure) {
   std::optional<int> least, most;
   for (const CellFindings& cell : findings.cells) {
-    const auto& all = cell.measures[measure].all;
+    const MeasureFindings& found = cell.measures[measure];
+    // Of times that are not all known, those of the successful runs tell how fine they are.
+    const auto& all = found.censoring ? found.successes : found.all;
     if (!all) {
       continue;
     }

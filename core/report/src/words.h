@@ -19,6 +19,20 @@ std::string missing_in_words(const Findings& findings);
 /// "" for none. Names three cells at most.
 std::string one_run_in_words(const Findings& findings);
 
+/// "in 3 of 40 runs the solver of the physics gave up in some steps, most often in run 7 (a, seed
+/// 3), in 415 of 2000"; "" for none.
+std::string give_ups_in_words(const Findings& findings);
+
+/// "3/4", or "no goals".
+std::string success_in_words(const CellFindings& cell);
+
+/// "37 of 40", of the runs that ended in cells with goals; "no goals" when there are none.
+std::string successes_in_words(const Findings& findings);
+
+/// A sample with bounds among its values: "> 40.00" when there are only bounds, "median 31.33, 1 of
+/// 4 > 40.00" when the median is known, "3 of 4 > 40.00" when it is not.
+std::string censored_in_words(const MeasureFindings& found, std::optional<int> decimals);
+
 /// How many decimals a measure (a place in Findings::measures) has in a table of all cells: what
 /// the cell with the finest spread asks for, but at most three more than the coarsest one. None:
 /// its values are better written with exponents.

@@ -87,6 +87,8 @@ CREATE TABLE runs (
   message     TEXT,                   -- one sentence: why it ended, what failed
   steps       INTEGER,
   simulated_s REAL,
+  solver_gave_up  INTEGER,            -- steps in which the solver of the physics gave up, and was run again with softer contacts
+  solver_unsolved INTEGER,            -- of them, those in which that did not help
   state_hash  TEXT,                   -- 16 hexadecimal digits
   exit_code   INTEGER,                -- of the process, when it ended by itself
   signal      TEXT,                   -- "SIGSEGV"
@@ -98,7 +100,9 @@ CREATE TABLE runs (
   ended       TEXT,                   -- UTC, ISO 8601
   UNIQUE (cell_id, seed, repetition),
   CHECK ((state = 'pending') = (ended IS NULL)),
-  CHECK ((state = 'done') = (outcome IS NOT NULL))
+  CHECK ((state = 'done') = (outcome IS NOT NULL)),
+  CHECK (solver_gave_up BETWEEN 0 AND steps + 1),  -- also in the step that a fault ended
+  CHECK (solver_unsolved BETWEEN 0 AND solver_gave_up)
 ) STRICT;
 CREATE INDEX runs_by_state ON runs (state);
 
@@ -167,7 +171,7 @@ CREATE TABLE timelines (              -- who decided when: the condensed account
   PRIMARY KEY (run_id, robot)
 ) STRICT, WITHOUT ROWID;
 
-CREATE TABLE notes (                  -- what plugins said before the run
+CREATE TABLE notes (                  -- what plugins said before the run, and the simulator of its physics (plugin "physics")
   run_id INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
   place  INTEGER NOT NULL,
   robot  TEXT NOT NULL,

@@ -62,7 +62,9 @@ struct RunRecord {
   std::string message;
   std::optional<std::uint64_t> steps;
   std::optional<double> simulated_s;
-  std::optional<std::string> state_hash;  // 16 hexadecimal digits
+  std::optional<std::uint64_t> solver_gave_up;   // steps, as in simulation::SolverResult
+  std::optional<std::uint64_t> solver_unsolved;  // of them
+  std::optional<std::string> state_hash;         // 16 hexadecimal digits
   std::optional<int> exit_code;
   std::optional<std::string> signal;
   std::optional<std::string> plugin;

@@ -70,6 +70,7 @@ struct PlannedCell {
     std::size_t file = 0;  // place in Plan::files
   };
   std::vector<Data> data;  // by name
+  bool goals = true;       // the world has some
 };
 
 struct PlannedRun {

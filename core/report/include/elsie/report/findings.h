@@ -19,13 +19,28 @@ inline constexpr double kConfidence = 0.95;
 /// The measure that every run has: 1 when it reached its goals, else 0.
 inline constexpr const char* kSuccess = "success";
 
+/// The measure that a run stopped by its time limit has a lower bound of only: how long it takes to
+/// reach the goals. What other measures count or add up, they do as long as the run goes on.
+inline constexpr const char* kTime = "time_s";
+
+/// A sample of which some values are only known to be larger than a limit, the same for all. Their
+/// mean is not known. Quantiles below the limit are: as every value that is known lies below it,
+/// the estimate of Kaplan and Meier (1958) is the plain distribution of the sample up to there.
+struct Censoring {
+  std::size_t count = 0;  // how many are only known to be larger
+  double limit = 0.0;     // the least of the bounds
+  std::optional<double> median;
+  std::optional<Interval> median_interval;  // its upper end may be infinite: not below the limit
+};
+
 /// One measure in one cell, over the runs that ended by themselves and have it.
 struct MeasureFindings {
-  std::vector<double> values;  // in the order of the runs
-  std::optional<Summary> all;
-  std::optional<Interval> interval;  // bootstrap, of the mean
-  std::optional<Interval> fences;    // with fewer than kFewest values: none
-  std::optional<Summary> successes;  // over the successful runs only
+  std::vector<double> values;          // in the order of the runs; bounds as if they were values
+  std::optional<Summary> all;          // none when a value is censored
+  std::optional<Censoring> censoring;  // then
+  std::optional<Interval> interval;    // of the mean
+  std::optional<Interval> fences;      // with fewer than kFewest values: none
+  std::optional<Summary> successes;    // over the successful runs only
 
   /// Whether a value is outside of the fences, by more than rounding.
   bool stands_out(double value) const;
@@ -46,12 +61,14 @@ struct Outlier {
 
 /// One cell. A sample has one run of each seed: a repetition is no second observation.
 struct CellFindings {
-  std::vector<std::size_t> runs;          // the sample, places in Results::runs
-  std::vector<std::size_t> broken;        // of all repetitions
-  std::size_t pending = 0;                // of all repetitions
-  std::size_t ended = 0;                  // of the sample
-  std::size_t successes = 0;              // of the sample
-  Interval success;                       // Wilson's interval of the rate of success
+  std::vector<std::size_t> runs;    // the sample, places in Results::runs
+  std::vector<std::size_t> broken;  // of all repetitions
+  std::size_t pending = 0;          // of all repetitions
+  std::size_t ended = 0;            // of the sample
+  std::size_t successes = 0;        // of the sample
+  Interval success;                 // Wilson's interval of the rate of success
+  /// Its world has some, or cannot be read; without goals a run can neither succeed nor fail.
+  bool goals = true;
   std::vector<MeasureFindings> measures;  // in the order of Findings::measures
   std::vector<Outlier> outliers;          // the farthest first
 
@@ -95,6 +112,12 @@ struct Findings {
   std::vector<Verdict> verdicts;
 
   std::size_t runs() const { return results.runs.size(); }
+  /// It ended by itself without success, in a world where there is some.
+  bool missed(const Run& run) const;
+  /// The time that it took to succeed is not known: it was stopped before.
+  bool is_censored(const Run& run, std::size_t measure) const;
+  /// Some cell has goals.
+  bool any_goals() const;
   std::size_t ended() const;
   std::size_t broken() const;
   std::size_t pending() const { return runs() - ended(); }

@@ -30,8 +30,9 @@ std::string junit_report(const Findings& findings, const std::string& database);
 std::string json_report(const Findings& findings);
 
 /// One page of HTML with everything in it. `file` is where the findings are from: what is drawn is
-/// read from it cell by cell. Throws as ResultsFile does when that fails.
+/// read from it cell by cell. Of a hundred cells at most there is a section with what is drawn;
+/// `cells` is a part of the labels of those that are asked for. Throws as ResultsFile does.
 std::string html_report(const Findings& findings, const ResultsFile& file,
-                        const std::string& database);
+                        const std::string& database, const std::string& cells = "");
 
 }  // namespace elsie::report

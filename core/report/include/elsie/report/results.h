@@ -50,6 +50,8 @@ struct Run {
   std::string message;             // one sentence; may be empty
   std::optional<std::int64_t> steps;
   std::optional<double> simulated_s;
+  std::optional<std::int64_t> solver_gave_up;   // steps, as in simulation::SolverResult
+  std::optional<std::int64_t> solver_unsolved;  // of them
   std::string state_hash;
   std::optional<int> exit_code;
   std::string signal;

@@ -65,12 +65,40 @@ Interval wilson_interval(std::size_t successes, std::size_t trials, double confi
 /// How many resamples a bootstrap interval is made of.
 inline constexpr int kResamples = 4000;
 
+/// The interval of a mean: bootstrap-t (Efron 1979; Hall 1988). The mean of each of kResamples
+/// samples, drawn with replacement, is measured in its own standard errors, and the quantiles of
+/// these take the place of Student's. With fewer than kFewestForBootstrap values, and where so many
+/// resamples are one value over and over that a quantile is infinite, Student's t itself; and never
+/// farther from the mean than kFarthest times Student's t, as where resamples of values that are
+/// nearly equal have next to no spread. None for fewer than two values. `seed` and `path` name the
+/// stream of random numbers: see Random.
+///
+/// How often it holds the mean, at 95 %: test_coverage.cpp.
+std::optional<Interval> mean_interval(std::span<const double> values, double confidence,
+                                      std::uint64_t seed, std::string_view path);
+
+inline constexpr double kFarthest = 4.0;
+
+/// Below, resamples have too few values to tell their spread.
+inline constexpr std::size_t kFewestForBootstrap = 5;
+
+/// The interval of a median: between two order statistics (Thompson 1936), so that it holds the
+/// median at least as often as it says, whatever the distribution. None when the sample is too
+/// small for that: at 95 %, fewer than six values. Values may be infinite.
+std::optional<Interval> median_interval(std::span<const double> values, double confidence);
+
 /// The percentile bootstrap interval of a statistic (Efron 1979; Efron and Tibshirani 1993, chapter
-/// 13): its quantiles over kResamples samples of the same size, drawn with replacement. None for
-/// fewer than two values. `seed` and `path` name the stream of random numbers: see Random.
+/// 13): its quantiles over kResamples samples of the same size. Too short for small samples: for
+/// the mean of ten values it holds at 95 % what it should in 90 of 100 experiments. None for fewer
+/// than two values.
 std::optional<Interval> bootstrap_interval(Statistic statistic, std::span<const double> values,
                                            double confidence, std::uint64_t seed,
                                            std::string_view path);
+
+/// The interval that suits the statistic: mean_interval(), median_interval(), wilson_interval() of
+/// a rate, and for those left, bootstrap_interval().
+std::optional<Interval> interval_of(Statistic statistic, std::span<const double> values,
+                                    double confidence, std::uint64_t seed, std::string_view path);
 
 /// What two cells have for one seed.
 struct Pair {
@@ -83,10 +111,10 @@ struct Pair {
 std::optional<double> relation_of(Relation relation, Statistic statistic,
                                   std::span<const Pair> pairs);
 
-/// bootstrap_interval() for relation_of(): the pairs are drawn, so that both cells always have the
-/// same seeds. Resamples in which it is not known are left out; none when these are more than half.
-/// A ratio of something else to 0 is beyond all others in a resample; none when one of the ends is
-/// such a ratio.
+/// The interval of relation_of(). The pairs are drawn, so that both cells always have the same
+/// seeds. For means it is that of mean_interval(), with the standard error of a difference or of a
+/// ratio of means (delta method); for other statistics the percentile bootstrap. None when the
+/// ratio may be one to 0: when too many resamples have none.
 std::optional<Interval> paired_interval(Relation relation, Statistic statistic,
                                         std::span<const Pair> pairs, double confidence,
                                         std::uint64_t seed, std::string_view path);

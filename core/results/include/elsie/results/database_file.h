@@ -26,7 +26,7 @@ class DatabaseError : public std::runtime_error {
 
 inline constexpr std::int64_t kApplicationId = 0x456C7369;  // "Elsi"
 /// The version of the schema that this program reads and writes.
-inline constexpr int kSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 2;
 
 /// Opens a database that is there. Throws DatabaseRefused when there is no such file, when it is no
 /// database of results or one of another version, was not begun, or is damaged; DatabaseError when
