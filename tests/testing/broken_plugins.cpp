@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -67,6 +68,50 @@ class SharesQuietly final : public elsie::Behavior {
   static inline double last = 0.0;
 };
 ELSIE_BEHAVIOR(SharesQuietly, "shares_quietly", "Smooths in a static, which reset() clears");
+
+/// A board for messages that nobody sees in the world: robots tell each other where they are.
+class Board final : public elsie::Behavior {
+ public:
+  Response respond(const Perception& now) override {
+    static std::map<std::string, double> board;
+    board[std::string(now.self().id)] = now.self().pose.x;
+    double others = 0.0;
+    for (const auto& [id, x] : board) {
+      others += id == now.self().id ? 0.0 : x;
+    }
+    return MotorCommand{others, others};
+  }
+};
+ELSIE_BEHAVIOR(Board, "board", "Leaves messages in a static");
+
+/// The same among those who see each other.
+class Follower final : public elsie::Behavior {
+ public:
+  Response respond(const Perception& now) override {
+    static double goal = 0.0;
+    if (now.self().is_leader) {
+      goal = now.self().pose.x;
+      return MotorCommand{1.0, 1.0};
+    }
+    return MotorCommand{goal, goal};
+  }
+};
+ELSIE_BEHAVIOR(Follower, "follower", "The leader's place is in a static");
+
+class TurnsByWay final : public elsie::Behavior {
+ public:
+  double turn_deg_m = 5.0;
+  double turn_deg_per_m = 5.0;
+  double offset_m = 1.0;
+  Response respond(const Perception&) override { return MotorCommand{1.0, 1.0}; }
+};
+ELSIE_BEHAVIOR(TurnsByWay, "turns_by_way", "Has units of two parts",
+               elsie::parameter("turn_deg_m", &TurnsByWay::turn_deg_m,
+                                {.unit = "deg/m", .meaning = "an angle along the way"}),
+               elsie::parameter("turn_deg_per_m", &TurnsByWay::turn_deg_per_m,
+                                {.unit = "deg/m", .meaning = "the same"}),
+               elsie::parameter("offset_m", &TurnsByWay::offset_m,
+                                {.unit = "deg", .meaning = "of another unit than it says"}));
 
 class Address final : public elsie::Behavior {
  public:

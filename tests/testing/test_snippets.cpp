@@ -1,4 +1,5 @@
-// What docs/testing-a-plugin.md shows: the page is compared with this file.
+// What docs/testing-a-plugin.md and the pages on coordinators and sensors show: the pages are
+// compared with this file.
 #include "elsie/testing/catch.h"
 
 #include "places.h"
@@ -75,6 +76,21 @@ TEST_CASE("Members on the page") {
   CHECK(arbiter.decide() == elsie::MotorCommand{10, -10});
   CHECK(team.trace("seek").reason == std::string("suppressed"));
   CHECK(team.asked("seek") == 0);
+}
+
+TEST_CASE("A coordinator that asks further hears what its members are told to say") {
+  const auto likes_to_turn_left = [](const elsie::MotorCommand& command) {
+    return command.right > command.left ? 1.0 : 0.2;
+  };
+  testing::Team team;
+  team.member("cautious", 1, testing::active(1, {5, 10})).rating(likes_to_turn_left);
+  team.member("lazy", 1, testing::active(1, {0, 0}))
+      .sets({elsie::FuzzySet::triangle(0, 2), elsie::FuzzySet::triangle(0, 2)});
+  testing::Coordinator vote("arbiter_voting", team);
+  const elsie::MotorCommand command = vote.decide();
+  CHECK(command.right > command.left);
+  const std::vector<double> inside_a_behavior = vote.rate({{0, 10}, {10, 0}});
+  CHECK(inside_a_behavior[0] > inside_a_behavior[1]);
 }
 
 TEST_CASE("Surroundings on the page") {

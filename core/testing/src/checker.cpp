@@ -40,6 +40,28 @@ std::optional<std::string> difference(const Answer& one, const Answer& other) {
   return std::nullopt;
 }
 
+/// "40.1 MB".
+std::string in_bytes(double bytes) {
+  const auto rounded = [](double value) { return number_text(std::round(10.0 * value) / 10.0); };
+  return bytes < 1e4   ? number_text(std::round(bytes)) + " bytes"
+         : bytes < 1e6 ? rounded(bytes / 1e3) + " kB"
+                       : rounded(bytes / 1e6) + " MB";
+}
+
+/// The same as another robot of the team meets it: the first of the mates that others perceive,
+/// and its leader if the others have none.
+Input as_a_mate(Input input) {
+  for (Situation& now : input.instants) {
+    now.self.id = "mate0";
+    now.self.is_leader = !now.self.is_leader;
+    now.self.team_index = now.self.team_index == 0 ? 1 : 0;
+  }
+  return input;
+}
+
+/// A plugin took more than CheckOptions::memory_limit.
+class TooMuchMemory {};
+
 class Checker {
  public:
   Checker(const Declaration& declaration, const CheckOptions& options, const Plugins& plugins)
@@ -64,6 +86,33 @@ class Checker {
 
  private:
   using Answers = std::vector<Answer>;
+
+  /// After a call: what it did to the process and must not.
+  void look_at_process(plugin::Call& call) {
+    if (const char* const changed = call.restore_arithmetic()) {
+      find("arithmetic", std::string("it changes ") + changed + " for the whole program" + where_);
+    }
+    if (call.has_forked()) {
+      find("forks",
+           "it makes a copy of the program with fork(); start other programs with "
+           "posix_spawn()" +
+               where_);
+    }
+  }
+
+  /// reset(), with a clock for a plugin::Watchdog.
+  void reset(Trial& trial, std::uint64_t seed) {
+    plugin::Call call({.doing = doing_.c_str()});
+    call.start_clock();
+    trial.reset(seed);
+    look_at_process(call);
+  }
+
+  /// Where findings from now on are made.
+  void be_at(const Settings& settings, const Input& input) {
+    where_ = " (" + in_words(settings) + "; " + input.robot + ")";
+    doing_ = "while it was tried" + where_;
+  }
 
   /// Of each sort of finding the first one is told.
   void find(const char* sort, const std::string& finding) {
@@ -156,7 +205,7 @@ class Checker {
       if (as_given && !typical_) {
         typical_ = &input;
       }
-      where_ = " (" + in_words(settings) + "; " + input.robot + ")";
+      be_at(settings, input);
       compare_runs(settings, input, *trial,
                    other_input_[(robot + static_cast<std::size_t>(variant)) % input_.size()]);
     }
@@ -176,16 +225,18 @@ class Checker {
     Answer ignored;
     std::size_t step = 0;
     try {
-      trial.reset(kRunSeed);
+      reset(trial, kRunSeed);
       if (beside) {
-        beside->reset(kRunSeed + 1);
+        reset(*beside, kRunSeed + 1);
       }
       for (; step < answers.size(); ++step) {
         if (beside) {
           beside->step(step, ignored);
         }
-        const plugin::Call call({.step = step});
+        plugin::Call call({.step = step, .doing = doing_.c_str()});
+        call.start_clock();  // for a plugin::Watchdog, if there is one
         trial.step(step, answers[step]);
+        look_at_process(call);
       }
       return answers;
     } catch (const Wrong& wrong) {
@@ -237,7 +288,12 @@ class Checker {
               *first, run(one))) {
       return;
     }
-    if (const auto beside = try_to_make(settings, other_input, false)) {
+    const Input mates_input = as_a_mate(other_input);
+    for (const Input* of_another : {&other_input, &mates_input}) {
+      const auto beside = try_to_make(settings, *of_another, false);
+      if (!beside) {
+        continue;
+      }
       if (!same("shared",
                 "it answers differently while another object of it works on something else: "
                 "objects must not share state (a static or a global)",
@@ -264,7 +320,7 @@ class Checker {
     const std::size_t middle = first.size() / 2;
     Answer answer;
     try {
-      one.reset(kRunSeed);
+      reset(one, kRunSeed);
       for (std::size_t step = 0; step < middle; ++step) {
         one.step(step, answer);
       }
@@ -311,7 +367,7 @@ class Checker {
     if (!typical_ || !told_.empty()) {
       return;  // with wrong answers, the rest says little
     }
-    where_ = " (" + in_words(options_.settings) + "; " + typical_->robot + ")";
+    be_at(options_.settings, *typical_);
     try {
       check_growth();
       check_leaks();
@@ -330,25 +386,38 @@ class Checker {
     const bool sees = declaration_.kind == PluginKind::sensor &&
                       declaration_.produces.front().kind == VisionReading::kind;
     const std::size_t steps = static_cast<std::size_t>(options_.steps) / (sees ? 50 : 1) / 4;
+    const std::size_t begun = memory_in_use();
     const auto walk = [&] {
+      constexpr std::size_t kStepsBetweenLooks = 64;
       for (std::size_t i = 0; i < steps; ++i) {
+        plugin::Call call({.step = step, .doing = doing_.c_str()});
+        call.start_clock();
         trial->step(step++, answer);
+        if (step % kStepsBetweenLooks == 0 && memory_in_use() > begun + options_.memory_limit) {
+          throw TooMuchMemory();
+        }
       }
     };
-    trial->reset(kRunSeed);
-    walk();  // what is filled once is filled now
-    const double least = 512.0 + 0.5 * static_cast<double>(steps);
-    // A vector grows by leaps: twice as many steps each time are sure to see one.
-    const double grown = steady_growth(least, [&] {
-      const std::size_t before = step;
-      while (step < 2 * before) {
-        walk();
+    try {
+      reset(*trial, kRunSeed);
+      walk();  // what is filled once is filled now
+      const double least = 512.0 + 0.5 * static_cast<double>(steps);
+      // A vector grows by leaps: twice as many steps each time are sure to see one.
+      std::size_t before_growth = step;
+      const double grown = steady_growth(least, [&] {
+        before_growth = step;
+        while (step < 2 * before_growth) {
+          walk();
+        }
+      });
+      if (grown > least) {
+        find("grows", "its memory grows with the number of steps, by " + in_bytes(grown) + " in " +
+                          std::to_string(step - before_growth) + " steps" + where_);
       }
-    });
-    if (grown > least) {
-      find("grows", "its memory grows with the number of steps, by " +
-                        number_text(std::round(grown)) + " bytes from step to step " +
-                        std::to_string(step) + where_);
+    } catch (const TooMuchMemory&) {
+      find("grows", "its memory grows with the number of steps: more than " +
+                        in_bytes(static_cast<double>(options_.memory_limit)) + " in " +
+                        std::to_string(step) + " steps" + where_);
     }
   }
 
@@ -358,7 +427,7 @@ class Checker {
       Answer answer;
       for (int i = 0; i < kObjects; ++i) {
         const auto trial = make(options_.settings, *typical_);
-        trial->reset(kRunSeed);
+        reset(*trial, kRunSeed);
         for (std::size_t step = 0; step < 3; ++step) {
           trial->step(step, answer);
         }
@@ -369,7 +438,7 @@ class Checker {
     const double left = steady_growth(least, come_and_go);
     if (left > least) {
       find("leaks", "its objects leave memory behind when they are destroyed: " +
-                        number_text(std::round(left / kObjects)) + " bytes each" + where_);
+                        in_bytes(left / kObjects) + " each" + where_);
     }
   }
 
@@ -382,6 +451,7 @@ class Checker {
   const Input* typical_ = nullptr;          // the first that the plugin takes
   std::string refusal_;
   std::string where_;
+  std::string doing_ = "while it was tried";  // for reports of crashes
   std::set<std::string> told_;
   std::vector<std::string> found_;
 };

@@ -1,5 +1,6 @@
 // What a declaration lacks beyond what makes it unusable.
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -65,6 +66,15 @@ class Findings {
     }
   }
 
+  /// A unit as names spell it: "deg/m" is deg_m or deg_per_m.
+  static std::string in_a_name(const std::string& unit, const char* per) {
+    std::string name;
+    for (const char c : unit) {
+      name += c == '/' ? per : std::isalnum(static_cast<unsigned char>(c)) ? std::string(1, c) : "";
+    }
+    return name;
+  }
+
   /// A name may say the unit; then it must be the declared one.
   void check_ending(const std::string& name, const std::string& unit, const std::string& subject) {
     // Longer endings first.
@@ -77,6 +87,10 @@ class Findings {
         {"_m", "m"},
         {"_s", "s"},
     }};
+    if (!unit.empty() && (name.ends_with("_" + in_a_name(unit, "_")) ||
+                          name.ends_with("_" + in_a_name(unit, "_per_")))) {
+      return;  // turn_deg_m is in deg/m
+    }
     for (const auto& [ending, expected] : kEndings) {
       if (name.ends_with(ending)) {
         if (unit != expected) {

@@ -1,16 +1,13 @@
 #include "elsie/testing/plugins.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <optional>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
-#include <dlfcn.h>
-
 #include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/source_build.h"
+#include "elsie/world/data_directories.h"
 
 namespace elsie::testing {
 namespace {
@@ -20,16 +17,6 @@ namespace fs = std::filesystem;
 fs::path program_folder() {
   std::error_code error;
   return fs::read_symlink("/proc/self/exe", error).parent_path();
-}
-
-/// The folder of the library that this code is in.
-fs::path library_folder() {
-  Dl_info info{};
-  std::error_code error;
-  const void* const here = reinterpret_cast<const void*>(&library_folder);
-  return dladdr(here, &info) != 0 && info.dli_fname
-             ? fs::canonical(info.dli_fname, error).parent_path()
-             : fs::path();
 }
 
 /// What was given by name must be of use.
@@ -47,8 +34,9 @@ void require_loaded(const plugin::DirectoryReport& place) {
 plugin::Host load(const std::vector<fs::path>& given) {
   std::vector<plugin::SearchDirectory> places;
   for (const fs::path& place : given) {
-    places.push_back(
-        {plugin::is_source(place) ? plugin::build_source(place).library : place, place.string()});
+    const bool is_source = plugin::is_source(place);
+    places.push_back({is_source ? plugin::build_source(place).library : place, place.string(),
+                      is_source ? place : fs::path()});
   }
   // The test's own plugins are built beside it, in general; they come before what is installed.
   bool has_own = false;
@@ -173,25 +161,6 @@ Elements Plugins::completed(const Declaration& declaration, const Elements& elem
   return all;
 }
 
-std::vector<std::string> data_directories() {
-  std::vector<std::string> directories;
-  if (const char* const variable = std::getenv("ELSIE_DATA_PATH")) {
-    std::string_view rest = variable;
-    while (!rest.empty()) {
-      const std::string_view directory = rest.substr(0, rest.find(':'));
-      rest.remove_prefix(std::min(directory.size() + 1, rest.size()));
-      if (!directory.empty()) {
-        directories.emplace_back(directory);
-      }
-    }
-  }
-  for (const fs::path& folder : {program_folder(), library_folder()}) {
-    std::string directory = (folder.parent_path() / "share" / "elsie").string();
-    if (std::find(directories.begin(), directories.end(), directory) == directories.end()) {
-      directories.push_back(std::move(directory));
-    }
-  }
-  return directories;
-}
+std::vector<std::string> data_directories() { return world::default_data_directories(); }
 
 }  // namespace elsie::testing

@@ -20,10 +20,16 @@ std::size_t input_of(const elsie::fuzzy::Model& model, const char* name, const s
 
 }  // namespace
 
-BeamController::BeamController(const std::string& file)
-    : model_(elsie::fuzzy::read_fcl(file)),
+BeamController::BeamController(const std::string& file, const std::string& block)
+    : model_(elsie::fuzzy::read_fcl(file, block)),
       range_(input_of(model_, "range", file)),
       azimuth_(input_of(model_, "azimuth", file)) {}
+
+void BeamController::list_notes(std::vector<std::string>& notes) const {
+  for (const elsie::fuzzy::Problem& note : model_.notes()) {
+    notes.push_back(note.text());
+  }
+}
 
 std::array<double, 2> BeamController::inputs(double range_m, double azimuth_deg) const {
   std::array<double, 2> values{};
@@ -43,8 +49,15 @@ elsie::FuzzySet BeamController::wish(double range_m, double azimuth_deg) const {
 }
 
 void BeamSteering::configured() {
-  left_.emplace(left_model.path);
-  right_.emplace(right_model.path);
+  left_.emplace(left_model.path, left_block);
+  right_.emplace(right_model.path, right_block);
+}
+
+std::vector<std::string> BeamSteering::notes() const {
+  std::vector<std::string> notes;
+  left_->list_notes(notes);
+  right_->list_notes(notes);
+  return notes;
 }
 
 elsie::Response BeamSteering::respond(const elsie::Perception& now) {

@@ -15,8 +15,12 @@
 /// output `speed` (rad/s).
 class BeamController {
  public:
-  /// Throws fuzzy::FclError, or std::invalid_argument when the inputs and the output are not these.
-  explicit BeamController(const std::string& file);
+  /// `block`: of the file's function blocks, see fuzzy::read_fcl(). Throws fuzzy::FclError, or
+  /// std::invalid_argument when the inputs and the output are not these.
+  explicit BeamController(const std::string& file, const std::string& block = "");
+
+  /// What is untidy in the file, a sentence each.
+  void list_notes(std::vector<std::string>& notes) const;
 
   double speed(double range_m, double azimuth_deg) const;
   /// The wish before defuzzification.
@@ -37,8 +41,11 @@ class BeamSteering : public elsie::Behavior {
  public:
   elsie::FilePath left_model;
   elsie::FilePath right_model;
+  std::string left_block;
+  std::string right_block;
 
   void configured() override;
+  std::vector<std::string> notes() const override;
   elsie::Response respond(const elsie::Perception& now) override;
   /// For each wheel the union of its controller's sets for every beam.
   elsie::CommandSets command_sets(const elsie::Response& given) const override;

@@ -17,9 +17,9 @@ class Escape final : public elsie::Behavior, public elsie::Remembers {
   double patience = 1.0;
   double collision_patience = 0.2;
   double moving = 0.2;
-  double least_speed = 0.02;
+  double least_speed = 1e-5;
   double progress_distance = 0.1;
-  double progress_time = 0.0;
+  double progress_time = 4.0;
   double back_distance = 0.1;
   double back_speed = 0.15;
   double turn_min = 60.0;
@@ -181,8 +181,9 @@ ELSIE_BEHAVIOR(
     elsie::parameter("progress_time", &Escape::progress_time,
                      {.unit = "s",
                       .min = 0,
-                      .meaning = "if it is not 0: stuck, too, is who is commanded to move for this "
-                                 "long and comes no farther than progress_distance"}),
+                      .meaning = "a robot that is commanded to move for this long and comes no "
+                                 "farther than progress_distance is stuck, too; 0: progress is not "
+                                 "watched"}),
     elsie::parameter("back_distance", &Escape::back_distance,
                      {.unit = "m",
                       .above = 0,

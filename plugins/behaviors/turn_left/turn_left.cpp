@@ -23,4 +23,10 @@ ELSIE_BEHAVIOR(
         "left_model", &TurnLeft::left_model,
         {.meaning = "fuzzy model (FCL) of the left wheel: inputs range and azimuth, output speed"}),
     elsie::parameter("right_model", &TurnLeft::right_model,
-                     {.meaning = "fuzzy model (FCL) of the right wheel"}));
+                     {.meaning = "fuzzy model (FCL) of the right wheel"}),
+    elsie::parameter("left_block", &TurnLeft::left_block,
+                     {.meaning = "the function block of left_model that is meant, if the file has "
+                                 "several"}),
+    elsie::parameter("right_block", &TurnLeft::right_block,
+                     {.meaning = "the function block of right_model that is meant, if the file "
+                                 "has several"}));

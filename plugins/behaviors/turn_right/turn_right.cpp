@@ -22,4 +22,10 @@ ELSIE_BEHAVIOR(
         "left_model", &TurnRight::left_model,
         {.meaning = "fuzzy model (FCL) of the left wheel: inputs range and azimuth, output speed"}),
     elsie::parameter("right_model", &TurnRight::right_model,
-                     {.meaning = "fuzzy model (FCL) of the right wheel"}));
+                     {.meaning = "fuzzy model (FCL) of the right wheel"}),
+    elsie::parameter("left_block", &TurnRight::left_block,
+                     {.meaning = "the function block of left_model that is meant, if the file has "
+                                 "several"}),
+    elsie::parameter("right_block", &TurnRight::right_block,
+                     {.meaning = "the function block of right_model that is meant, if the file "
+                                 "has several"}));

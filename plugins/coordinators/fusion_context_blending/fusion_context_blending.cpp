@@ -25,10 +25,11 @@ class FusionContextBlending final : public SetFusion, public elsie::Remembers {
   FusionContextBlending() : SetFusion("clip", "gate") {}
 
   elsie::FilePath model;
+  std::string block;
 
   void configured() override {
     SetFusion::configured();
-    rules_.emplace(fuzzy::read_fcl(model.path));
+    rules_.emplace(fuzzy::read_fcl(model.path, block));
     undecided_.clear();
     for (std::size_t i = 0; i < rules_->outputs().size(); ++i) {
       const fuzzy::OutputVariable& output = rules_->outputs()[i];
@@ -150,6 +151,9 @@ void FusionContextBlending::connect() {
 
 std::vector<std::string> FusionContextBlending::notes() const {
   std::vector<std::string> notes;
+  for (const fuzzy::Problem& note : rules_->notes()) {
+    notes.push_back(note.text());
+  }
   for (std::size_t i = 0; i < members_.size(); ++i) {
     if (!contexts_[i]) {
       notes.push_back("the fuzzy model '" + model.path + "' has no output '" + members_[i] +
@@ -180,6 +184,9 @@ ELSIE_COORDINATOR(
         {.meaning = "fuzzy model (FCL) of the context rules: inputs are what the robot "
                     "perceives, outputs, in 0 to 1, are ids of behaviours",
          .required = true}),
+    elsie::parameter(
+        "block", &FusionContextBlending::block,
+        {.meaning = "the function block of the model that is meant, if the file has several"}),
     elsie::parameter("combination", &FusionContextBlending::combination, combination_facts()),
     elsie::parameter("weighting", &FusionContextBlending::weighting, weighting_facts()),
     elsie::parameter("defuzzification", &FusionContextBlending::defuzzification,

@@ -56,6 +56,8 @@ struct CheckOptions {
   /// Steps for the look at memory, which must not grow: a run goes on for a few times as many when
   /// it seems to.
   int steps = 20000;
+  /// A plugin that comes to hold more than this is a finding, and is not tried any further; bytes.
+  std::size_t memory_limit = 1'000'000'000;
 };
 
 /// What is wrong with a plugin, each a sentence that names it; empty when nothing was found. Throws

@@ -52,8 +52,7 @@ class Plugins {
   std::shared_ptr<const plugin::Host> host_;
 };
 
-/// Where worlds and plugins find data files: ELSIE_DATA_PATH, share/elsie seen from the program's
-/// parent folder, the data that is installed with Elsie.
+/// Where worlds and plugins find data files: world::default_data_directories().
 std::vector<std::string> data_directories();
 
 }  // namespace elsie::testing
