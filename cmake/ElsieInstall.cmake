@@ -3,6 +3,7 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS elsie RUNTIME)
+install(TARGETS elsie_program RUNTIME DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie")
 install(TARGETS elsie_library elsie_testing EXPORT elsie-targets LIBRARY)
 set_target_properties(elsie_library PROPERTIES EXPORT_NAME elsie)
 
@@ -12,8 +13,16 @@ foreach(plugin IN LISTS ELSIE_SHIPPED_PLUGINS)
 endforeach()
 
 install(DIRECTORY experiments fuzzy_models robots templates training_sets worlds DESTINATION "${CMAKE_INSTALL_DATADIR}/elsie")
-install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY docs examples DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES README.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+# The pages name worlds and other data by `../worlds/`, as they lie in the source tree: links beside docs/ lead to the installed data.
+file(RELATIVE_PATH data "${CMAKE_INSTALL_FULL_DOCDIR}" "${CMAKE_INSTALL_FULL_DATADIR}/elsie")
+file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/doc-links")
+foreach(folder IN ITEMS experiments fuzzy_models robots training_sets worlds)
+  file(CREATE_LINK "${data}/${folder}" "${CMAKE_CURRENT_BINARY_DIR}/doc-links/${folder}" SYMBOLIC)
+endforeach()
+install(DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/doc-links/" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES tests/recording/official_reader/read.mjs DESTINATION "${CMAKE_INSTALL_DOCDIR}/tests/recording/official_reader")
 
 # find_package(elsie)
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/elsie")

@@ -3,7 +3,9 @@
 # Builds one plugin library with the flags that plugins need, into the directory where the program looks for them:
 # - hidden visibility: two plugins with a helper class of the same name must not run each other's code;
 # - -Wl,--no-undefined: a missing symbol is found when the plugin is linked, not when it is loaded;
-# - -fno-gnu-unique: an inline static in a template would keep the library loaded for ever.
+# - -fno-gnu-unique: an inline static in a template would keep the library loaded for ever;
+# - -O2 -g1, where the user has set neither a build type nor such flags: fast, and crash reports name lines;
+# - in projects outside of Elsie, warnings of methods that look as if they should override one of a base class and do not.
 function(elsie_add_plugin name)
   if(NOT ARGN)
     message(FATAL_ERROR "elsie_add_plugin(${name}) names no source; write elsie_add_plugin(${name} ${name}.cpp)")
@@ -26,6 +28,18 @@ function(elsie_add_plugin name)
   target_compile_options(${name} PRIVATE -ffp-contract=off)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${name} PRIVATE -fno-gnu-unique)
+  endif()
+  get_property(is_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+  if(NOT CMAKE_BUILD_TYPE AND NOT is_multi_config)
+    if(NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")
+      target_compile_options(${name} PRIVATE -O2)
+    endif()
+    if(NOT CMAKE_CXX_FLAGS MATCHES "(^| )-g")
+      target_compile_options(${name} PRIVATE -g1)
+    endif()
+  endif()
+  if(NOT TARGET elsie_compiler)
+    target_compile_options(${name} PRIVATE -Woverloaded-virtual $<$<CXX_COMPILER_ID:GNU>:-Wsuggest-override>)
   endif()
   if(NOT ELSIE_SANITIZE)
     target_link_options(${name} PRIVATE -Wl,--no-undefined)
@@ -54,6 +68,8 @@ function(elsie_add_plugin_test name)
     list(TRANSFORM arg_PLUGINS REPLACE "(.+)" "$<TARGET_FILE_DIR:\\1>" OUTPUT_VARIABLE folders)
   endif()
   list(TRANSFORM folders PREPEND "ELSIE_PLUGIN_PATH=path_list_prepend:")
+  # The same bits on every x86-64 processor, as bin/elsie has them.
+  list(APPEND folders "GLIBC_TUNABLES=set:glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-FMA4")
   set_tests_properties(${name} PROPERTIES ENVIRONMENT_MODIFICATION "${folders}")
 endfunction()
 

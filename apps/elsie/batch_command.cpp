@@ -12,12 +12,14 @@
 
 #include "elsie/batch/batch.h"
 #include "elsie/cluster/shard_folder.h"
+#include "elsie/world/data_directories.h"
 
 #include "arguments.h"
 #include "batch_options.h"
 #include "batch_report.h"
 #include "command.h"
 #include "stop_signals.h"
+#include "supervised.h"
 
 namespace fs = std::filesystem;
 using elsie::batch::Plan;
@@ -55,7 +57,7 @@ ResultsDatabase opened(const BatchOptions& options, const fs::path& file, const 
   if (options.again) {
     const std::int64_t count = database.redo_failed();
     if (!options.quiet && !options.json) {
-      std::cout << "runs that failed and are done again: " << count << '\n';
+      out() << "runs that failed and are done again: " << count << '\n';
     }
   }
   return database;
@@ -93,10 +95,11 @@ class ProgressFile {
   elsie::cluster::Count before_;
 };
 
-int run(const BatchOptions& options) {
+int run(BatchOptions options) {
   if (options.experiment.empty()) {
     throw BadInput("EXPERIMENT: the name of a file is missing");
   }
+  options.experiment = elsie::world::find_document(options.experiment, data_directories());
   if (options.again && !options.resume) {
     throw BadInput("--again is for a batch that is there already; it needs --resume");
   }
@@ -162,12 +165,12 @@ int run(const BatchOptions& options) {
     }
   }
   if (options.json) {
-    std::cout << report.json();
+    out() << report.json();
   } else if (!options.quiet) {
-    std::cout << report.table();
+    out() << report.table();
   }
   if (report.interrupted()) {
-    std::cout.flush();
+    out().flush();
     std::cerr << report.interruption();
   }
   return report.exit_code();

@@ -30,11 +30,13 @@ struct Total {
   std::int64_t done = 0;
   std::int64_t failed = 0;
   std::int64_t successes = 0;
+  std::int64_t with_goals = 0;  // of the runs that ended
 };
 
-Total total(const std::vector<CellCount>& cells) {
+Total total(const std::vector<CellCount>& cells, const std::set<std::string>& without_goals) {
   Total sum;
   for (const CellCount& cell : cells) {
+    sum.with_goals += without_goals.contains(cell.label) ? 0 : cell.done + cell.failed;
     sum.runs += cell.pending + cell.done + cell.failed;
     sum.pending += cell.pending;
     sum.done += cell.done;
@@ -45,10 +47,13 @@ Total total(const std::vector<CellCount>& cells) {
 }
 
 /// Of the runs that were made, whatever became of them: one that crashed is no success.
-std::string rate(std::int64_t successes, std::int64_t done) {
-  return done == 0
-             ? ""
-             : text("%.0f %%", 100.0 * static_cast<double>(successes) / static_cast<double>(done));
+/// In a world without goals a run can neither succeed nor fail.
+std::string rate(const Total& of) {
+  if (of.with_goals > 0) {
+    return text("%.0f %%",
+                100.0 * static_cast<double>(of.successes) / static_cast<double>(of.with_goals));
+  }
+  return of.done + of.failed > 0 ? "no goals" : "";
 }
 
 std::vector<std::string> row(const std::string& label, const Total& of) {
@@ -57,7 +62,7 @@ std::vector<std::string> row(const std::string& label, const Total& of) {
           std::to_string(of.done),
           std::to_string(of.failed),
           std::to_string(of.pending),
-          rate(of.successes, of.done + of.failed)};
+          rate(of)};
 }
 
 /// The first line of a message, as far as it fits.
@@ -126,9 +131,20 @@ void BatchReport::end(bool interrupted) {
   }
 }
 
+std::set<std::string> BatchReport::without_goals() const {
+  std::set<std::string> labels;
+  for (const elsie::batch::PlannedCell& cell : plan_.cells) {
+    if (!cell.goals) {
+      labels.insert(cell.label);
+    }
+  }
+  return labels;
+}
+
 std::string BatchReport::table() {
   const std::vector<CellCount> cells = database_.cells();
-  const Total sum = total(cells);
+  const std::set<std::string> aimless = without_goals();
+  const Total sum = total(cells, aimless);
   const std::string name = database_.file().string();
   std::string out = plan_.experiment + ": ";
   if (done_already_) {
@@ -144,7 +160,7 @@ std::string BatchReport::table() {
   std::vector<std::vector<std::string>> rows{
       {"cell", "runs", "done", "failed", "to do", "success"}};
   for (const CellCount& cell : cells) {
-    rows.push_back(row(cell.label, total({cell})));
+    rows.push_back(row(cell.label, total({cell}, aimless)));
   }
   if (cells.size() > 1) {
     rows.push_back(row("all", sum));
@@ -180,7 +196,8 @@ std::string BatchReport::table() {
 std::string BatchReport::json() {
   using Json = nlohmann::ordered_json;
   const std::vector<CellCount> cells = database_.cells();
-  const Total sum = total(cells);
+  const std::set<std::string> aimless = without_goals();
+  const Total sum = total(cells, aimless);
   Json object;
   object["experiment"] = plan_.experiment;
   object["database"] = database_.file().string();
@@ -190,16 +207,17 @@ std::string BatchReport::json() {
   object["done"] = sum.done;
   object["failed"] = sum.failed;
   object["to_do"] = sum.pending;
-  object["successes"] = sum.successes;
+  object["successes"] = aimless.size() == cells.size() ? Json(nullptr) : Json(sum.successes);
   object["interrupted"] = interrupted_;
   object["wall_s"] = last_.elapsed_s;
   object["cells"] = Json::array();
   for (const CellCount& cell : cells) {
-    object["cells"].push_back({{"cell", cell.label},
-                               {"done", cell.done},
-                               {"failed", cell.failed},
-                               {"to_do", cell.pending},
-                               {"successes", cell.successes}});
+    object["cells"].push_back(
+        {{"cell", cell.label},
+         {"done", cell.done},
+         {"failed", cell.failed},
+         {"to_do", cell.pending},
+         {"successes", aimless.contains(cell.label) ? Json(nullptr) : Json(cell.successes)}});
   }
   object["failures"] = Json::array();
   for (const auto& run : database_.failed(kAllFailures)) {
@@ -218,7 +236,7 @@ std::string BatchReport::json() {
 }
 
 std::string BatchReport::interruption() {
-  const Total sum = total(database_.cells());
+  const Total sum = total(database_.cells(), {});
   return "elsie: interrupted; " + std::to_string(sum.pending) + " of " + counted(sum.runs, "run") +
          ' ' + are(sum.runs) + " still to be done. Go on with\n  " + resume_ + '\n';
 }

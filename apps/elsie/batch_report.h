@@ -1,6 +1,7 @@
 // What `elsie batch` tells: while it is at work, and in the end.
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "elsie/batch/batch.h"
@@ -29,6 +30,9 @@ class BatchReport {
   int exit_code();
 
  private:
+  /// The labels of the cells whose worlds have none.
+  std::set<std::string> without_goals() const;
+
   const elsie::batch::Plan& plan_;
   elsie::batch::ResultsDatabase& database_;
   std::string resume_;

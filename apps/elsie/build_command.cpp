@@ -14,6 +14,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "supervised.h"
 
 namespace {
 
@@ -50,15 +51,16 @@ int build(const Options& options) {
   require_writable(output, "--output");
   const auto built = compiled(options.source);
   // What could not be used is not kept.
-  const elsie::plugin::Host host({{built.library, "built"}});
+  const LoadingLimit limit;
+  const elsie::plugin::Host host({{built.library, "built", options.source}});
   const auto& file = host.report().directories.front().files.front();
   if (file.status != elsie::plugin::FileStatus::loaded) {
     throw BadInput("'" + options.source + "' was compiled, but its library " + file.sentence);
   }
   copy_whole(built.library, output);
   for (const auto& plugin : file.plugins) {
-    std::cout << output.string() << ": " << elsie::plugin::kind_name(plugin.kind) << " '"
-              << plugin.name << "'" << (built.from_cache ? ", unchanged" : "") << '\n';
+    out() << output.string() << ": " << elsie::plugin::kind_name(plugin.kind) << " '" << plugin.name
+          << "'" << (built.from_cache ? ", unchanged" : "") << '\n';
   }
   return kSuccess;
 }

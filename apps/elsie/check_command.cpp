@@ -7,12 +7,15 @@
 
 #include "elsie/experiment/reader.h"
 #include "elsie/simulation/simulation.h"
+#include "elsie/world/data_directories.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/reader.h"
+#include "elsie/world/warnings.h"
 
 #include "command.h"
 #include "environment.h"
 #include "progress.h"
+#include "supervised.h"
 
 namespace {
 
@@ -35,6 +38,9 @@ std::string check_world(const std::string& file, const elsie::plugin::Host& host
       elsie::world::read_world(file, host, read_options(options.overrides));
   // Putting it together asks the plugins whether they fit their robots.
   const elsie::simulation::Simulation simulation(world, host);
+  for (const elsie::world::Warning& warning : elsie::world::warnings(world)) {
+    std::cerr << warning.text() << '\n';
+  }
   return counted(world.robots.size(), "robot") + ", " + counted(world.boxes.size(), "box");
 }
 
@@ -62,11 +68,12 @@ int check(const CheckOptions& options) {
   int wrong = 0;
   for (const std::string& file : options.files) {
     try {
-      const auto root = elsie::world::parse_markup(elsie::world::read_text(file), file);
-      const std::string found = root.name == "experiment" ? check_experiment(file, host, options)
-                                                          : check_world(file, host, options);
+      const std::string path = elsie::world::find_document(file, data_directories());
+      const auto root = elsie::world::parse_markup(elsie::world::read_text(path), path);
+      const std::string found = root.name == "experiment" ? check_experiment(path, host, options)
+                                                          : check_world(path, host, options);
       if (!options.quiet) {
-        std::cout << file << ": in order: " << found << '\n';
+        out() << file << ": in order: " << found << '\n';
       }
     } catch (const elsie::world::WorldError& error) {
       std::cerr << error.what() << '\n';

@@ -19,6 +19,7 @@
 #include "command.h"
 #include "status_line.h"
 #include "stop_signals.h"
+#include "supervised.h"
 #include "text_table.h"
 
 namespace fs = std::filesystem;
@@ -64,7 +65,7 @@ std::vector<std::string> task_command(const BatchOptions& options) {
   const auto absolute = [](const std::string& name) {
     return fs::absolute(name).lexically_normal().string();
   };
-  const fs::path program = fs::read_symlink("/proc/self/exe");
+  const fs::path program = program_path();
   if (!fs::exists(program)) {
     throw BadInput("this program was replaced by another one while it runs; begin again");
   }
@@ -203,9 +204,9 @@ class ClusterBatch {
 
   int print(BatchReport& report) const {
     if (options_.json) {
-      std::cout << report.json();
+      out() << report.json();
     } else if (!options_.quiet) {
-      std::cout << report.table();
+      out() << report.table();
     }
     return report.exit_code();
   }
@@ -213,7 +214,7 @@ class ClusterBatch {
  private:
   void say(const std::string& line) const {
     if (!options_.quiet && !options_.json) {
-      std::cout << line << '\n' << std::flush;
+      out() << line << '\n' << std::flush;
     }
   }
 
@@ -288,9 +289,9 @@ int already_there(const BatchOptions& options, const fs::path& file, const Plan&
   BatchReport report(plan, database, resume_command(options, file));
   report.all_done_already();
   if (options.json) {
-    std::cout << report.json();
+    out() << report.json();
   } else if (!options.quiet) {
-    std::cout << report.table();
+    out() << report.table();
   }
   return report.exit_code();
 }
@@ -330,7 +331,7 @@ int run_on_cluster(const BatchOptions& options) {
   }
   if (options.detach) {
     if (!options.quiet) {
-      std::cout << batch.goes_on();
+      out() << batch.goes_on();
     }
     return kSuccess;
   }

@@ -9,6 +9,7 @@
 
 #include "command.h"
 #include "command_tree.h"
+#include "supervised.h"
 
 namespace {
 
@@ -145,7 +146,7 @@ void add_completion_command(CLI::App& program, Job& job) {
       ->check(CLI::IsMember({"bash", "zsh"}));
   command->callback([&job, &program, shell] {
     job = [&program, shell] {
-      (*shell == "bash" ? write_bash : write_zsh)(std::cout, commands_of(program));
+      (*shell == "bash" ? write_bash : write_zsh)(out(), commands_of(program));
       return kSuccess;
     };
   });

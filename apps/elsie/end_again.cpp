@@ -16,6 +16,7 @@
 #include "elsie/simulation/simulation.h"
 
 #include "command.h"
+#include "supervised.h"
 #include "text_table.h"
 
 using elsie::batch::RunRecord;
@@ -32,7 +33,7 @@ std::atomic<EndAgain*> the_one{nullptr};
 
 void say(std::string_view text) noexcept {
   while (!text.empty()) {
-    const ssize_t count = write(STDOUT_FILENO, text.data(), text.size());
+    const ssize_t count = write(out_descriptor(), text.data(), text.size());
     if (count < 0 && errno != EINTR) {
       return;
     }

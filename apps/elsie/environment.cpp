@@ -1,8 +1,9 @@
 #include "environment.h"
 
-#include <cstdlib>
+#include <cstdio>
 #include <fstream>
 #include <initializer_list>
+#include <iostream>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include "elsie/simulation/trace.h"
+#include "elsie/world/data_directories.h"
 
 #include "command.h"
 #include "status_line.h"
@@ -32,6 +34,17 @@ void PluginOptions::add_to(CLI::App& command) {
 
 namespace {
 
+/// Whether a debugger is at work, which may hold the program for as long as it likes.
+bool is_traced() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("TracerPid:")) {
+      return line.find_first_of("123456789") != std::string::npos;
+    }
+  }
+  return false;
+}
+
 /// A --plugin, if it is a library or a source.
 fs::path checked(const std::string& file) {
   if (!elsie::plugin::is_source(file)) {
@@ -39,7 +52,8 @@ fs::path checked(const std::string& file) {
       throw BadInput("--plugin: '" + file +
                      "' should be a plugin library (.so) or the source of one (.cpp)");
     }
-    if (!fs::is_regular_file(file)) {
+    std::error_code error;  // of a link that leads back to itself, for example
+    if (!fs::is_regular_file(file, error)) {
       throw BadInput("--plugin: there is no file '" + file + "'");
     }
   }
@@ -61,7 +75,8 @@ void require_loaded(const elsie::plugin::Host& host, const std::vector<std::stri
 std::vector<elsie::plugin::SearchDirectory> places_of(const PluginOptions& options) {
   std::vector<fs::path> extra;
   for (const std::string& directory : options.directories) {
-    if (!fs::is_directory(directory)) {
+    std::error_code error;
+    if (!fs::is_directory(directory, error)) {
       throw BadInput("--plugin-path: '" + directory + "' is not a directory");
     }
     extra.emplace_back(directory);
@@ -89,6 +104,12 @@ void tell(const elsie::plugin::Report& report) {
 
 }  // namespace
 
+std::string late_text(double limit_s) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "did not return within %g s and was stopped", limit_s);
+  return text;
+}
+
 elsie::plugin::SourceBuild compiled(const fs::path& source) {
   const bool shown = isatty(STDERR_FILENO) != 0 && spdlog::should_log(spdlog::level::warn);
   bool drawn = false;
@@ -106,6 +127,9 @@ elsie::plugin::SourceBuild compiled(const fs::path& source) {
   try {
     auto built = elsie::plugin::build_source(source, elsie::plugin::cache_directory(), {}, begins);
     wipe();
+    if (!built.warnings.empty() && spdlog::should_log(spdlog::level::warn)) {
+      std::cerr << built.warnings;
+    }
     return built;
   } catch (...) {
     wipe();
@@ -117,14 +141,26 @@ std::vector<elsie::plugin::SearchDirectory> search_path(const PluginOptions& opt
   auto places = places_of(options);
   for (auto& place : places) {
     if (elsie::plugin::is_source(place.path)) {
-      place.path = compiled(place.path).library;
+      place.source = place.path;
+      place.path = compiled(place.source).library;
     }
   }
   return places;
 }
 
-elsie::plugin::Host load_plugins(const PluginOptions& options) {
-  elsie::plugin::Host host(search_path(options));
+LoadingLimit::LoadingLimit(double longest_s) : late_(late_text(longest_s)) {
+  if (!is_traced()) {
+    watchdog_.emplace(longest_s, kPluginFailed, late_.c_str());
+  }
+}
+
+elsie::plugin::Host load_plugins(const PluginOptions& options, std::optional<double> longest_s) {
+  const auto places = search_path(options);
+  std::optional<LoadingLimit> limit;
+  if (longest_s) {
+    limit.emplace(*longest_s);
+  }
+  elsie::plugin::Host host(places);
   require_loaded(host, options.files);
   tell(host.report());
   return host;
@@ -132,28 +168,14 @@ elsie::plugin::Host load_plugins(const PluginOptions& options) {
 
 std::unique_ptr<elsie::plugin::Watch> watch_plugins(const PluginOptions& options) {
   search_path(options);  // what it compiles is in the cache then
+  const LoadingLimit limit;
   auto watch = std::make_unique<elsie::plugin::Watch>(places_of(options));
   require_loaded(watch->host(), options.files);
   tell(watch->host().report());
   return watch;
 }
 
-std::vector<std::string> data_directories() {
-  std::vector<std::string> directories;
-  if (const char* path = std::getenv("ELSIE_DATA_PATH")) {
-    for (const std::string& directory : CLI::detail::split(path, ':')) {
-      if (!directory.empty()) {
-        directories.push_back(directory);
-      }
-    }
-  }
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    directories.push_back((program.parent_path().parent_path() / "share" / "elsie").string());
-  }
-  return directories;
-}
+std::vector<std::string> data_directories() { return elsie::world::default_data_directories(); }
 
 elsie::world::ReadOptions read_options(const std::vector<std::string>& overrides) {
   elsie::world::ReadOptions options;

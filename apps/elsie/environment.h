@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "elsie/experiment/reader.h"
+#include "elsie/plugin/crash_report.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/source_build.h"
 #include "elsie/plugin/watch.h"
@@ -35,12 +37,28 @@ std::vector<elsie::plugin::SearchDirectory> search_path(const PluginOptions& opt
 
 /// Loads the plugins, those given as source after compiling them; warnings go to the log, unless it
 /// is set to errors only. Throws BadInput for what was given on the command line and cannot be
-/// used.
-elsie::plugin::Host load_plugins(const PluginOptions& options);
+/// used. A library that takes longer than `longest_s` (s) to be loaded, as by a static constructor
+/// that does not return, ends the program. None: there is a LoadingLimit already.
+elsie::plugin::Host load_plugins(const PluginOptions& options,
+                                 std::optional<double> longest_s = 30.0);
+/// "did not return within 30 s and was stopped": what a plugin::Watchdog says of a plugin.
+std::string late_text(double limit_s);
+
+/// While it lives, a library that takes longer than that to be loaded or unloaded in this thread,
+/// or to make or destroy an object, ends the program: it may never return. So does every other call
+/// of a plugin whose clock was started. Not under a debugger. One at a time.
+class LoadingLimit {
+ public:
+  explicit LoadingLimit(double longest_s = 30.0);
+
+ private:
+  std::string late_;
+  std::optional<elsie::plugin::Watchdog> watchdog_;
+};
 /// The same, and follows the files from then on.
 std::unique_ptr<elsie::plugin::Watch> watch_plugins(const PluginOptions& options);
 
-/// ELSIE_DATA_PATH, then share/elsie beside the program's directory.
+/// world::default_data_directories()
 std::vector<std::string> data_directories();
 
 /// How worlds are read here: with the data directories, and every plugin asked about its

@@ -16,6 +16,7 @@
 #include "command.h"
 #include "environment.h"
 #include "explain_report.h"
+#include "supervised.h"
 #include "text_table.h"
 
 namespace {
@@ -108,17 +109,17 @@ int explain(const ExplainOptions& options) {
     }
   }
   if (options.json) {
-    std::cout << json(trace, span, robots);
+    out() << json(trace, span, robots);
   } else {
-    std::cout << headlines(trace);
+    out() << headlines(trace);
     for (const ExplainedRobot& robot : robots) {
       const std::size_t most =
           options.all ? std::numeric_limits<std::size_t>::max() : options.episodes;
-      std::cout << '\n' << report(trace, robot, most);
+      out() << '\n' << report(trace, robot, most);
     }
   }
   if (failure) {
-    std::cout.flush();
+    out().flush();
     std::rethrow_exception(failure);
   }
   return kSuccess;

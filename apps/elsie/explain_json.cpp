@@ -57,6 +57,7 @@ Json episode(const Trace& trace, const TraceRobot& robot, const elsie::simulatio
     object["decider"] = robot.members[place(part.decider)].path;
     object["share"] = tidy(part.share);
     object["weight"] = tidy(part.weight);
+    object["began"] = trace.reasons[part.first_reason];
     object["reason"] = trace.reasons[part.reason];
   } else {
     object["decider"] = nullptr;

@@ -196,15 +196,23 @@ std::string who(const TraceRobot& robot, const Episode& episode) {
   return text + (episode.parts.size() > kNamed ? "..." : "") + changes;
 }
 
-/// "share 0.93, weight 2: largest output".
+/// "share 0.93, weight 2: largest output; mostly no other is active": why it began, and what its
+/// coordinator gave as its reason longest, if that is another.
 std::string why(const Trace& trace, const Episode& episode) {
   const Episode::Part& part = episode.parts[0];
   if (part.decider < 0 || !is_nearly_all(episode)) {
     return "";
   }
-  const std::string& reason = trace.reasons[part.reason];
-  return "share " + number(part.share) + ", weight " + number(part.weight) +
-         (reason.empty() ? "" : ": " + reason);
+  const std::string& began = trace.reasons[part.first_reason];
+  const std::string& mostly = trace.reasons[part.reason];
+  std::string text = "share " + number(part.share) + ", weight " + number(part.weight);
+  if (!began.empty()) {
+    text += ": " + began;
+  }
+  if (!mostly.empty() && mostly != began) {
+    text += (began.empty() ? ": mostly " : "; mostly ") + mostly;
+  }
+  return text;
 }
 
 std::string episodes(const Trace& trace, const TraceRobot& robot,

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
 
 #include "elsie/fuzzy/fcl.h"
 #include "elsie/picture/fuzzy_plot.h"
@@ -14,6 +15,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "environment.h"
+#include "supervised.h"
 
 namespace {
 
@@ -23,6 +25,7 @@ using elsie::fuzzy::Variable;
 
 struct FuzzyOptions {
   std::string model;
+  std::string block;
   std::vector<std::string> inputs;
   std::optional<std::string> picture;
   bool json = false;
@@ -90,49 +93,53 @@ Evaluation evaluate(const Model& model, const std::vector<double>& inputs) {
 }
 
 void print_variable(const char* kind, const Variable& variable) {
-  std::cout << kind << ' ' << variable.name << " in [" << number(variable.range.low) << ", "
-            << number(variable.range.high) << "]\n";
+  out() << kind << ' ' << variable.name << " in [" << number(variable.range.low) << ", "
+        << number(variable.range.high) << "]\n";
   for (const elsie::fuzzy::Term& term : variable.terms) {
-    std::cout << "  " << term.name << ":";
-    if (term.singleton) {
-      std::cout << ' ' << number(*term.singleton);
+    out() << "  " << term.name << ":";
+    if (!term.linear.empty()) {
+      for (std::size_t i = 0; i + 1 < term.linear.size(); ++i) {
+        out() << (i > 0 ? " + " : " ") << number(term.linear[i]) << " x" << i + 1;
+      }
+      out() << " + " << number(term.linear.back());
+    } else if (term.singleton) {
+      out() << ' ' << number(*term.singleton);
     } else if (constexpr std::size_t kShown = 12; term.set.points.size() > kShown) {
-      std::cout << " a curve from " << number(term.set.points.front().x) << " to "
-                << number(term.set.points.back().x);
+      out() << " a curve from " << number(term.set.points.front().x) << " to "
+            << number(term.set.points.back().x);
     } else {
       for (const auto& point : term.set.points) {
-        std::cout << " (" << number(point.x) << ", " << number(point.degree) << ')';
+        out() << " (" << number(point.x) << ", " << number(point.degree) << ')';
       }
     }
-    std::cout << '\n';
+    out() << '\n';
   }
 }
 
 void print(const Model& model, const std::optional<Evaluation>& evaluation) {
-  std::cout << "model " << model.name() << '\n';
+  out() << "model " << model.name() << '\n';
   for (const Variable& input : model.inputs()) {
     print_variable("input", input);
   }
   for (const OutputVariable& output : model.outputs()) {
     print_variable("output", output);
   }
-  std::cout << "rules\n";
+  out() << "rules\n";
   for (std::size_t i = 0; i < model.rules().size(); ++i) {
     const elsie::fuzzy::Rule& rule = model.rules()[i];
-    std::cout << "  " << rule.label << ": " << rule.text;
+    out() << "  " << rule.label << ": " << rule.text;
     if (rule.weight != 1.0) {
-      std::cout << " WITH " << number(rule.weight);
+      out() << " WITH " << number(rule.weight);
     }
     if (evaluation) {
-      std::cout << "   [" << number(evaluation->degrees[i]) << ']';
+      out() << "   [" << number(evaluation->degrees[i]) << ']';
     }
-    std::cout << '\n';
+    out() << '\n';
   }
   if (evaluation) {
-    std::cout << "result\n";
+    out() << "result\n";
     for (std::size_t i = 0; i < model.outputs().size(); ++i) {
-      std::cout << "  " << model.outputs()[i].name << " = " << number(evaluation->outputs[i])
-                << '\n';
+      out() << "  " << model.outputs()[i].name << " = " << number(evaluation->outputs[i]) << '\n';
     }
   }
 }
@@ -171,13 +178,17 @@ void print_json(const Model& model, const std::optional<Evaluation>& evaluation)
     }
     object["rules"].push_back(entry);
   }
+  object["notes"] = nlohmann::ordered_json::array();
+  for (const elsie::fuzzy::Problem& note : model.notes()) {
+    object["notes"].push_back({{"line", note.line}, {"note", note.message}});
+  }
   if (evaluation) {
     object["result"] = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < model.outputs().size(); ++i) {
       object["result"][model.outputs()[i].name] = evaluation->outputs[i];
     }
   }
-  std::cout << object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  out() << object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 elsie::picture::SurfaceVariable axis(const Variable& variable) {
@@ -239,7 +250,10 @@ int fuzzy(const FuzzyOptions& options) {
   if (options.picture) {
     require_picture(*options.picture, "--picture");
   }
-  const Model model = elsie::fuzzy::read_fcl(options.model);
+  const Model model = elsie::fuzzy::read_fcl(options.model, options.block);
+  for (const elsie::fuzzy::Problem& note : model.notes()) {
+    spdlog::warn(note.text());
+  }
   std::optional<Evaluation> evaluation;
   if (!options.inputs.empty()) {
     evaluation = evaluate(model, parse_inputs(model, options.inputs));
@@ -263,6 +277,10 @@ void add_fuzzy_command(CLI::App& program, Job& job) {
   auto options = std::make_shared<FuzzyOptions>();
   command->add_option("MODEL", options->model, "Fuzzy model, a file in Fuzzy Control Language")
       ->required();
+  command
+      ->add_option("--block", options->block,
+                   "The function block that is meant, if the file has several")
+      ->type_name("NAME");
   command
       ->add_option("--input", options->inputs,
                    "Value of an input, to evaluate the model; one for each input")

@@ -1,5 +1,6 @@
 // The command-line program: elsie SUBCOMMAND ...
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "elsie/fuzzy/error.h"
 #include "elsie/neural/error.h"
 #include "elsie/plugin/crash_report.h"
+#include "elsie/plugin/process_end.h"
 #include "elsie/plugin/source_build.h"
 #include "elsie/results/database_file.h"
 #include "elsie/simulation/fault.h"
@@ -19,6 +21,7 @@
 
 #include "command.h"
 #include "progress.h"
+#include "supervised.h"
 #include "usage.h"
 
 namespace {
@@ -87,28 +90,16 @@ int finish(const Job& job) {
 
 /// A result that did not reach its reader is no success.
 int with_output_written(int exit_code) {
-  std::cout.flush();
-  if (std::cout) {
+  out().flush();
+  if (out()) {
     return exit_code;
   }
   std::cerr << "elsie: standard output could not be written to its end\n";
   return exit_code == kSuccess || exit_code == kGoalMissed ? int{kOtherFailure} : exit_code;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  // A limit to the size of files is told as a full disk is.
-  std::signal(SIGXFSZ, SIG_IGN);
-  set_up_log();
-  // Pictures of cameras are small: where Mesa draws them in software, handing them to threads costs
-  // more than it gains. Here, because nothing else runs yet that could look at the environment.
-  setenv("LP_NUM_THREADS", "0", 0);
-  if (argc == 2 && std::string_view(argv[1]) == kWorkerCommand) {
-    elsie::batch::work();
-  }
-  elsie::plugin::report_crashes(kPluginFailed);
-  end_at_once_when_interrupted();
+/// Parses the command line and does what it asks for. Returns the exit code.
+int work(int argc, char** argv) {
   CLI::App program("Elsie: behaviour-based mobile robot control", "elsie");
   program.set_version_flag("--version", "elsie " ELSIE_VERSION);
   program.require_subcommand(1);
@@ -140,7 +131,32 @@ int main(int argc, char** argv) {
     std::cerr << "elsie: " << error.what() << '\n';
     return kBadInput;
   } catch (const CLI::ParseError& error) {
-    return with_output_written(program.exit(error) == 0 ? kSuccess : kBadInput);
+    return with_output_written(program.exit(error, out(), std::cerr) == 0 ? kSuccess : kBadInput);
   }
   return with_output_written(finish(job));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  meet_supervisor();
+  // A limit to the size of files is told as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
+  set_up_log();
+  // Pictures of cameras are small: where Mesa draws them in software, handing them to threads costs
+  // more than it gains. Here, because nothing else runs yet that could look at the environment.
+  setenv("LP_NUM_THREADS", "0", 0);
+  if (argc == 2 && std::string_view(argv[1]) == kWorkerCommand) {
+    elsie::batch::work();
+  }
+  set_program_path(argv[0]);
+  keep_output(argc, argv);
+  elsie::plugin::report_crashes(kPluginFailed);
+  end_at_once_when_interrupted();
+  const int exit_code = work(argc, argv);
+  // Not return: what plugins have registered for the end of the process is not run. But what they
+  // have printed is written.
+  std::cout.flush();
+  std::fflush(nullptr);
+  elsie::plugin::end_with(exit_code);
 }

@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "command_tree.h"
+#include "supervised.h"
 
 namespace {
 
@@ -78,8 +79,9 @@ void write_manual(std::ostream& out, const CLI::App& program) {
          ".TP\n.B 4\nAnything else, such as a full disk or an interrupt.\n"
          ".SH ENVIRONMENT\n"
          ".TP\n.B ELSIE_PLUGIN_PATH\nDirectories with plugin libraries, separated by colons.\n"
-         ".TP\n.B ELSIE_DATA_PATH\nDirectories in which robot templates, fuzzy models and other "
-         "files of worlds are looked for, separated by colons.\n"
+         ".TP\n.B ELSIE_DATA_PATH\nDirectories in which worlds, robot templates, fuzzy models and "
+         "other "
+         "data are looked for, separated by colons.\n"
          ".TP\n.B ELSIE_LOG\nHow much is told on the standard error stream: debug, info, warn (the "
          "default), err, off.\n";
 }
@@ -91,7 +93,7 @@ void add_manual_command(CLI::App& program, Job& job) {
   command->footer("\nExample:\n  elsie manual > elsie.1 && man ./elsie.1\n");
   command->callback([&job, &program] {
     job = [&program] {
-      write_manual(std::cout, program);
+      write_manual(out(), program);
       return kSuccess;
     };
   });

@@ -12,6 +12,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "supervised.h"
 #include "text_table.h"
 
 using elsie::world::shell_word;
@@ -41,17 +42,17 @@ int merge(const Options& options) {
       elsie::batch::merge(options.into, {options.databases.begin(), options.databases.end()});
   if (!options.quiet) {
     const std::int64_t to_do = merged.pending + merged.missing;
-    std::cout << options.into << ": " << merged.all_runs - to_do << " of "
-              << counted(merged.all_runs, "run") << ' ' << are(merged.all_runs) << " done\n";
+    out() << options.into << ": " << merged.all_runs - to_do << " of "
+          << counted(merged.all_runs, "run") << ' ' << are(merged.all_runs) << " done\n";
     if (merged.duplicates > 0) {
-      std::cout << counted(merged.duplicates, "run")
-                << (merged.duplicates == 1 ? " was there more than once, and counts once\n"
-                                           : " were there more than once, and count once\n");
+      out() << counted(merged.duplicates, "run")
+            << (merged.duplicates == 1 ? " was there more than once, and counts once\n"
+                                       : " were there more than once, and count once\n");
     }
     if (to_do > 0) {
-      std::cout << to_do << ' ' << are(to_do) << " still to be done: elsie batch "
-                << shell_word(experiment_of(options.into)) << " --database "
-                << shell_word(options.into) << " --resume\n";
+      out() << to_do << ' ' << are(to_do) << " still to be done: elsie batch "
+            << shell_word(experiment_of(options.into)) << " --database " << shell_word(options.into)
+            << " --resume\n";
     }
   }
   return kSuccess;

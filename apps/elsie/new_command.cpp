@@ -17,6 +17,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "supervised.h"
 
 namespace {
 
@@ -200,17 +201,17 @@ int make_project(const Options& options) {
   }
   check_free(options);
   write_project(options, folder);
-  std::cout << "A new " << options.kind << " in " << folder.string() << ":\n";
+  out() << "A new " << options.kind << " in " << folder.string() << ":\n";
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) {
     names.push_back(entry.path().filename().string());
   }
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) {
-    std::cout << "  " << name << '\n';
+    out() << "  " << name << '\n';
   }
-  std::cout << "Try it:\n  cd " << folder.string() << "\n  elsie run world.xml --plugin "
-            << options.name << ".cpp\n";
+  out() << "Try it:\n  cd " << folder.string() << "\n  elsie run world.xml --plugin "
+        << options.name << ".cpp\n";
   return kSuccess;
 }
 

@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "supervised.h"
 #include "top_view.h"
 
 namespace {
@@ -17,21 +18,22 @@ namespace {
 struct PictureOptions {
   PluginOptions plugins;
   std::string world;
+  std::optional<std::string> picture;  // the same as the next one
   std::optional<std::string> output;
   std::vector<std::string> overrides;
   int width = 1000;
 };
 
 int picture(const PictureOptions& options) {
-  const std::filesystem::path file =
-      options.output.value_or(std::filesystem::path(options.world).stem().string() + ".png");
-  require_picture(file, "--output");
+  const std::filesystem::path file = options.output.value_or(
+      options.picture.value_or(std::filesystem::path(options.world).stem().string() + ".png"));
+  require_picture(file, options.picture ? "PICTURE" : "--output");
   const elsie::plugin::Host host = load_plugins(options.plugins);
   elsie::simulation::Simulation simulation(
       elsie::world::read_world(options.world, host, read_options(options.overrides)), host);
   simulation.step();  // so that the sensors have looked once
   draw(simulation, nullptr, {}, file, options.width);
-  std::cout << "wrote " << file.string() << '\n';
+  out() << "wrote " << file.string() << '\n';
   return kSuccess;
 }
 
@@ -41,12 +43,17 @@ void add_picture_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand("picture", "Draw a world from above");
   command->footer(
       "\nExamples:\n  elsie picture worlds/maze.xml\n"
-      "  elsie picture worlds/maze.xml --output maze.svg\n");
+      "  elsie picture worlds/maze.xml maze.svg\n"
+      "  elsie picture worlds/maze.xml --output maze.svg --width 2000\n");
   auto options = std::make_shared<PictureOptions>();
   command->add_option("WORLD", options->world, "World file")->required();
-  command
-      ->add_option("-o,--output", options->output,
-                   "Picture file, .png or .svg; default: the world's name with .png, here")
+  CLI::Option* second =
+      command
+          ->add_option("PICTURE", options->picture,
+                       "Picture file, .png or .svg; default: the world's name with .png, here")
+          ->type_name("FILE");
+  command->add_option("-o,--output", options->output, "The same as PICTURE, as an option")
+      ->excludes(second)
       ->type_name("FILE");
   command->add_option("--set", options->overrides, "Change an attribute first; may be repeated")
       ->type_name("PATH=VALUE")

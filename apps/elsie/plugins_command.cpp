@@ -16,6 +16,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "supervised.h"
 
 namespace {
 
@@ -81,12 +82,12 @@ void print_list(const Host& host) {
     }
   }
   for (const PluginKind kind : kPluginKinds) {
-    std::cout << kind_name(kind) << "s\n";
+    out() << kind_name(kind) << "s\n";
     for (const Declaration* plugin : host.all(kind)) {
-      std::cout << "  " << plugin->name << std::string(width + 2 - plugin->name.size(), ' ')
-                << plugin->description << '\n';
+      out() << "  " << plugin->name << std::string(width + 2 - plugin->name.size(), ' ')
+            << plugin->description << '\n';
       if (const std::string contents = contents_of(*plugin); !contents.empty()) {
-        std::cout << std::string(width + 4, ' ') << "holds " << contents << '\n';
+        out() << std::string(width + 4, ' ') << "holds " << contents << '\n';
       }
     }
   }
@@ -94,23 +95,22 @@ void print_list(const Host& host) {
 
 void print_check(const Host& host) {
   for (const DirectoryReport& directory : host.report().directories) {
-    std::cout << directory.directory.path.string() << " (" << directory.directory.origin << ")"
-              << (directory.problem.empty() ? "" : ": " + directory.problem) << '\n';
+    out() << directory.directory.path.string() << " (" << directory.directory.origin << ")"
+          << (directory.problem.empty() ? "" : ": " + directory.problem) << '\n';
     for (const FileReport& file : directory.files) {
-      std::cout << "  " << file.path.filename().string() << ": " << to_string(file.status);
+      out() << "  " << file.path.filename().string() << ": " << to_string(file.status);
       if (!file.sentence.empty()) {
-        std::cout << ": " << file.sentence;
+        out() << ": " << file.sentence;
       }
       const char* separator = ": ";
       for (const auto& plugin : file.plugins) {
-        std::cout << separator << kind_name(plugin.kind) << ' ' << plugin.name << ' '
-                  << plugin.version;
+        out() << separator << kind_name(plugin.kind) << ' ' << plugin.name << ' ' << plugin.version;
         if (!plugin.shadowed_by.empty()) {
-          std::cout << " (not used: " << plugin.shadowed_by.string() << " has one of that name)";
+          out() << " (not used: " << plugin.shadowed_by.string() << " has one of that name)";
         }
         separator = ", ";
       }
-      std::cout << '\n';
+      out() << '\n';
     }
   }
 }
@@ -236,13 +236,13 @@ void print_json(const Host& host) {
                                    {"problem", directory.problem},
                                    {"files", files}});
   }
-  std::cout << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+  out() << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
 }
 
 void print_names(const Host& host) {
   for (const PluginKind kind : kPluginKinds) {
     for (const Declaration* plugin : host.all(kind)) {
-      std::cout << plugin->name << '\n';
+      out() << plugin->name << '\n';
     }
   }
 }
@@ -266,8 +266,8 @@ int describe(const DescribeOptions& options) {
                      " files is not to be had as JSON; `elsie schema " + options.name +
                      "` prints its schema");
     }
-    std::cout << (options.name == "world" ? elsie::world::world_reference()
-                                          : elsie::experiment::experiment_reference());
+    out() << (options.name == "world" ? elsie::world::world_reference()
+                                      : elsie::experiment::experiment_reference());
     return kSuccess;
   }
   const Host host = load_plugins(options.plugins);
@@ -286,8 +286,8 @@ int describe(const DescribeOptions& options) {
       if (options.json) {
         all.push_back(to_json(host, *plugin));
       } else {
-        std::cout << (options.declaration ? elsie::world::plugin_declaration(*plugin)
-                                          : elsie::world::plugin_reference(*plugin));
+        out() << (options.declaration ? elsie::world::plugin_declaration(*plugin)
+                                      : elsie::world::plugin_reference(*plugin));
       }
     }
   }
@@ -299,7 +299,7 @@ int describe(const DescribeOptions& options) {
   }
   if (options.json) {
     const ordered_json& json = all.size() == 1 ? all[0] : all;
-    std::cout << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+    out() << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
   }
   return kSuccess;
 }

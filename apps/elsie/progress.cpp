@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include "elsie/plugin/crash_report.h"
@@ -25,6 +26,7 @@ constexpr std::uint64_t kStepsBetweenLooks = 64;  // at the clock
 // A signal handler can reach nothing but a global of this kind.
 volatile std::sig_atomic_t interrupted = 0;
 RepeatedRequest request;
+sigset_t blocked_at_start;  // by whoever has started the program
 
 void interrupt(int) {
   const RepeatedRequest::Kind kind = request.come();
@@ -112,6 +114,7 @@ void CheckProgress::draw(std::size_t checked, std::size_t all) {
 }
 
 void end_at_once_when_interrupted() {
+  pthread_sigmask(SIG_BLOCK, nullptr, &blocked_at_start);
   for (const int signal : kSignals) {
     if (std::signal(signal, end_at_once) == SIG_IGN) {
       std::signal(signal, SIG_IGN);
@@ -138,9 +141,28 @@ InterruptGuard::~InterruptGuard() {
   }
 }
 
-void InterruptGuard::stepped(const elsie::simulation::Simulation&) {
+void InterruptGuard::stepped(const elsie::simulation::Simulation& simulation) {
+  if (simulation.steps() % kStepsBetweenLooks == 0) {
+    let_signals_in();
+  }
   if (is_interrupted()) {
     throw Interrupted();
+  }
+}
+
+void InterruptGuard::let_signals_in() {
+  sigset_t ours;
+  sigset_t before;
+  sigemptyset(&ours);
+  for (const int signal : kSignals) {
+    if (sigismember(&blocked_at_start, signal) == 0) {
+      sigaddset(&ours, signal);
+    }
+  }
+  pthread_sigmask(SIG_UNBLOCK, &ours, &before);
+  if (sigismember(&ours, SIGINT) == 1 && sigismember(&before, SIGINT) == 1 && !has_warned_) {
+    has_warned_ = true;
+    spdlog::warn("a plugin has blocked Ctrl-C; this was undone");
   }
 }
 

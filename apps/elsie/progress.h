@@ -59,7 +59,11 @@ class InterruptGuard final : public elsie::simulation::Observer {
   static bool is_interrupted();
 
  private:
+  /// A plugin may have blocked them.
+  void let_signals_in();
+
   std::array<void (*)(int), 3> before_;
+  bool has_warned_ = false;
 };
 
 /// The user ended the run.

@@ -14,6 +14,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "elsie/file/read_whole.h"
 #include "elsie/mcap/reader.h"
 
 #include "arguments.h"
@@ -65,8 +66,12 @@ bool may_be_database(const std::filesystem::path& file) {
 /// Throws BadInput for a file that is there, but cannot be read, or has nothing in it.
 void require_content(const std::string& file) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
+  if (!std::filesystem::exists(file, error)) {
     return;  // whoever opens it says more
+  }
+  if (const std::string why = elsie::file::why_unreadable(file); !why.empty()) {
+    throw BadInput("'" + file + "' " + why +
+                   "; expected a recording or a database that `elsie batch` has written");
   }
   const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
   char byte = 0;

@@ -10,6 +10,7 @@
 #include "command.h"
 #include "environment.h"
 #include "run_report.h"
+#include "supervised.h"
 #include "text_table.h"
 
 namespace {
@@ -96,6 +97,6 @@ int replay_recording(const RecordingOptions& options) {
   if (options.picture) {
     draw(run, options);
   }
-  std::cout << report(run);
+  out() << report(run);
   return kSuccess;
 }

@@ -19,6 +19,7 @@
 #include "restored_run.h"
 #include "run_report.h"
 #include "same_run.h"
+#include "supervised.h"
 #include "top_view.h"
 
 using elsie::batch::RunState;
@@ -82,10 +83,10 @@ void tell_of(const StoredRun& run, const RunAgainOptions& options) {
   if (options.quiet) {
     return;
   }
-  std::cout << "run " << run.job.run << " of " << run.experiment << ": " << run.cell << ", seed "
-            << run.job.seed << '\n'
-            << "before: " << to_string(run.record.state) << ", " << run.record.message << '\n';
-  std::cout.flush();  // a plugin may bring the program down
+  out() << "run " << run.job.run << " of " << run.experiment << ": " << run.cell << ", seed "
+        << run.job.seed << '\n'
+        << "before: " << to_string(run.record.state) << ", " << run.record.message << '\n';
+  out().flush();  // a plugin may bring the program down
 }
 
 /// Whether it came to the same; says so.
@@ -95,17 +96,17 @@ bool compare(const StoredRun& run, const RunResult& result, const RestoredRun& r
   if (run.record.state == RunState::done) {
     const std::vector<std::string> different = differences(run.record, result);
     if (different.empty()) {
-      std::cout << "the same: " << hash << '\n';
+      out() << "the same: " << hash << '\n';
       return true;
     }
     for (const std::string& line : different) {
-      std::cout << (&line == &different.front() ? kNot : "              ") << line << '\n';
+      out() << (&line == &different.front() ? kNot : "              ") << line << '\n';
     }
   } else {
-    std::cout << kNot << "it ended by itself, " << hash << '\n';
+    out() << kNot << "it ended by itself, " << hash << '\n';
   }
   if (!restored.differences().empty()) {
-    std::cout << "what differs from what it was done with then may be why\n";
+    out() << "what differs from what it was done with then may be why\n";
   }
   return false;
 }
@@ -162,9 +163,9 @@ int replay_run(const RunAgainOptions& options) {
     const RunResult result = simulation.run(watchers.all());
     const bool same = compare(run, result, restored);
     if (!options.quiet) {
-      std::cout << '\n' << table(result);
+      out() << '\n' << table(result);
     }
-    std::cout.flush();
+    out().flush();
     draw_as(headline(result) + "  (seed " + std::to_string(result.seed) + ")");
     return same ? kSuccess : kGoalMissed;
   } catch (const PluginFault& fault) {
@@ -172,11 +173,18 @@ int replay_run(const RunAgainOptions& options) {
     if (!is_as_before(run, fault)) {
       throw;
     }
-    std::cout << "the same: " << fault.what() << '\n';
+    out() << "the same: " << fault.what() << '\n';
+    return kSuccess;
+  } catch (const elsie::simulation::PhysicsFault& fault) {
+    draw_as(fault.what());
+    if (run.record.state != RunState::error || run.record.message != fault.what()) {
+      throw;
+    }
+    out() << "the same: " << fault.what() << '\n';
     return kSuccess;
   } catch (const WallLimitMet&) {
     draw_as("ended at its wall limit");
-    std::cout << "not the same: " << end->slow();
+    out() << "not the same: " << end->slow();
     return kGoalMissed;
   } catch (const Interrupted&) {
     draw_as("interrupted");

@@ -1,4 +1,6 @@
 // elsie report: what the runs of an experiment come to.
+#include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -8,6 +10,7 @@
 #include <system_error>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include "elsie/experiment/reader.h"
@@ -16,6 +19,7 @@
 #include "command.h"
 #include "environment.h"
 #include "status_line.h"
+#include "supervised.h"
 
 namespace fs = std::filesystem;
 using elsie::report::Findings;
@@ -28,6 +32,7 @@ struct Options {
   std::optional<std::string> csv;
   std::optional<std::string> junit;
   std::optional<std::string> html;
+  std::string cells;
   bool json = false;
   bool quiet = false;
 };
@@ -41,6 +46,23 @@ Examples:
 Exit codes: 0 everything is as expected; 1 an expectation is not met, a run did not end by itself or
 is still to be done, or equal seeds gave different runs; 2 bad input; 4 anything else: a full disk.
 )";
+
+/// A folder may take no new files although its permissions say so: it is on a medium that can only
+/// be read, for example. That is found out by making the file, before any work is done.
+void require_room(const std::string& file, const char* option) {
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(file, ignored))) {
+    return;
+  }
+  const int made = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (made < 0) {
+    throw BadInput(std::string(option) + ": cannot write '" + file +
+                   "': " + std::generic_category().message(errno) +
+                   "; name a file in a folder that takes new files");
+  }
+  close(made);
+  unlink(file.c_str());
+}
 
 void require_output(const std::optional<std::string>& file, const char* option, const char* suffix,
                     const std::string& database) {
@@ -58,6 +80,7 @@ void require_output(const std::optional<std::string>& file, const char* option, 
                    "' is the database itself; choose another name");
   }
   require_replaceable(*file, option, "report");
+  require_room(*file, option);
 }
 
 /// The file as a whole, or as it was before. What is no regular file, a device or a link, is
@@ -85,7 +108,7 @@ void write(const std::string& file, const std::string& text, const char* option)
 }
 
 /// How wide the terminal is, in characters; a table for a file is not wrapped for one.
-std::size_t width() { return terminal_columns(STDOUT_FILENO, 120); }
+std::size_t width() { return terminal_columns(out_descriptor(), 120); }
 
 Findings found(const ResultsFile& file) {
   elsie::report::Results results = file.results();
@@ -98,12 +121,23 @@ Findings found(const ResultsFile& file) {
   return elsie::report::find(std::move(results), questions);
 }
 
+void require_cells(const Findings& findings, const std::string& part) {
+  const auto& cells = findings.results.cells;
+  if (!cells.empty() && std::none_of(cells.begin(), cells.end(), [&](const auto& cell) {
+        return cell.label.find(part) != std::string::npos;
+      })) {
+    throw BadInput("--cells: no cell's name contains '" + part +
+                   "'; expected a part of a name, as of '" + cells.front().label + "'");
+  }
+}
+
 int report(const Options& options) {
   require_output(options.csv, "--csv", ".csv", options.database);
   require_output(options.junit, "--junit", ".xml", options.database);
   require_output(options.html, "--html", ".html", options.database);
   const ResultsFile file(options.database);
   const Findings findings = found(file);
+  require_cells(findings, options.cells);
   if (options.csv) {
     write(*options.csv, elsie::report::csv_report(findings), "--csv");
   }
@@ -111,12 +145,13 @@ int report(const Options& options) {
     write(*options.junit, elsie::report::junit_report(findings, options.database), "--junit");
   }
   if (options.html) {
-    write(*options.html, elsie::report::html_report(findings, file, options.database), "--html");
+    write(*options.html,
+          elsie::report::html_report(findings, file, options.database, options.cells), "--html");
   }
   if (options.json) {
-    std::cout << elsie::report::json_report(findings);
+    out() << elsie::report::json_report(findings);
   } else if (!options.quiet) {
-    std::cout << elsie::report::terminal_report(findings, options.database, width());
+    out() << elsie::report::terminal_report(findings, options.database, width());
   }
   return findings.good() ? kSuccess : kGoalMissed;
 }
@@ -130,8 +165,15 @@ void add_report_command(CLI::App& program, Job& job) {
   auto options = std::make_shared<Options>();
   command->add_option("DATABASE", options->database, "Results, written by `elsie batch`")
       ->required();
-  command->add_option("--html", options->html, "Write a page with figures; needs no network")
-      ->type_name("FILE.html");
+  CLI::Option* html =
+      command->add_option("--html", options->html, "Write a page with figures; needs no network")
+          ->type_name("FILE.html");
+  command
+      ->add_option("--cells", options->cells,
+                   "With --html: draw the cells whose names have this text in them; default: all, "
+                   "or a hundred of more")
+      ->type_name("TEXT")
+      ->needs(html);
   command->add_option("--csv", options->csv, "Write a table with a row for each run")
       ->type_name("FILE.csv");
   command->add_option("--junit", options->junit, "Write the expectations as test cases, for CI")

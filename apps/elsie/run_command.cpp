@@ -1,4 +1,5 @@
 // elsie run: one world, one run.
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -19,9 +20,11 @@
 #include "environment.h"
 #include "image_saver.h"
 #include "live.h"
+#include "path_options.h"
 #include "progress.h"
 #include "record_options.h"
 #include "run_report.h"
+#include "supervised.h"
 #include "top_view.h"
 
 namespace {
@@ -37,6 +40,7 @@ struct RunOptions {
   std::optional<std::string> explain;
   bool explain_times = false;
   std::optional<std::string> picture;
+  PathOptions paths;
   std::optional<std::string> image_folder;
   double image_period_s = 0.0;
   bool watch = false;
@@ -59,7 +63,7 @@ Examples:
   elsie run worlds/clutter.xml --at '5:robot[r1]/@max_speed=0.2' --at '10:robot[r1]/@max_speed=0.4'
 
 The run ends with exit code 0 when the world's goals are reached, 1 when they are not, 3 when a
-plugin failed.
+plugin failed, 4 when the physics failed.
 )";
 
 /// Everything that watches one run.
@@ -183,8 +187,11 @@ void check(const RunOptions& options) {
   }
 }
 
-int run(const RunOptions& options) {
+int run(RunOptions options) {
   check(options);
+  if (options.picture) {
+    options.picture = std::filesystem::absolute(*options.picture);  // a plugin may change folders
+  }
   const auto changes = changes_of(options);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
@@ -198,10 +205,11 @@ int run(const RunOptions& options) {
     renew = [&](auto& running) { replace_what_changed(*watch, running, options.quiet); };
   }
   options.record.check(simulation);
+  options.paths.check(simulation.world());
   Watchers watchers(options);
   const auto draw_as = [&](const std::string& line) {
     if (options.picture) {
-      draw(simulation, watchers.tracks(), {line}, *options.picture, 1000);
+      draw(simulation, watchers.tracks(), {line}, *options.picture, 1000, options.paths.choice());
     }
   };
   const auto watchdog = watchdog_of(options);
@@ -209,11 +217,11 @@ int run(const RunOptions& options) {
     const elsie::simulation::RunResult result = simulation.run(watchers.all(), changes, renew);
     // First what the run came to: it is not lost when the picture cannot be written.
     if (options.json) {
-      std::cout << json(result);
+      out() << json(result);
     } else if (!options.quiet) {
-      std::cout << table(result);
+      out() << table(result);
     }
-    std::cout.flush();
+    out().flush();
     draw_as(headline(result) + "  (seed " + std::to_string(result.seed) + ")");
     return result.outcome == elsie::simulation::Outcome::success ? kSuccess : kGoalMissed;
   } catch (const elsie::simulation::PluginFault& fault) {
@@ -222,6 +230,9 @@ int run(const RunOptions& options) {
     } catch (const std::exception& error) {
       std::cerr << "elsie: " << error.what() << '\n';  // the fault is what counts
     }
+    throw;
+  } catch (const elsie::simulation::PhysicsFault& fault) {
+    draw_as(fault.what());
     throw;
   } catch (const elsie::simulation::ChangeRefused& refused) {
     draw_as(refused.what());
@@ -285,6 +296,7 @@ void add_run_command(CLI::App& program, Job& job) {
       ->add_option("--picture", options->picture,
                    "Draw the world at the end of the run with the robots' trajectories")
       ->type_name("FILE.png|FILE.svg");
+  options->paths.add_to(*command);
   command
       ->add_option("--save-images", options->image_folder,
                    "Save what every camera sees, raw and processed, in this folder, as PNG files "

@@ -103,6 +103,11 @@ std::string json(const RunResult& result) {
   object["wall_s"] = result.wall_s;
   object["steps"] = result.steps;
   object["state_hash"] = elsie::simulation::hash_text(result.state_hash);
+  object["solver"] = {
+      {"gave_up_steps", result.solver.gave_up},
+      {"unsolved_steps", result.solver.unsolved},
+      {"since_s",
+       result.solver.gave_up > 0 ? nlohmann::ordered_json(result.solver.since_s) : nullptr}};
   object["robots"] = nlohmann::ordered_json::array();
   for (const RobotResult& robot : result.robots) {
     object["robots"].push_back({{"id", robot.id},

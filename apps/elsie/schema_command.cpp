@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "supervised.h"
 
 void add_schema_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
@@ -26,8 +27,8 @@ void add_schema_command(CLI::App& program, Job& job) {
   command->callback([&job, plugins, kind] {
     job = [plugins, kind] {
       const elsie::plugin::Host host = load_plugins(*plugins);
-      std::cout << (*kind == "world" ? elsie::world::world_schema(host)
-                                     : elsie::experiment::experiment_schema(host));
+      out() << (*kind == "world" ? elsie::world::world_schema(host)
+                                 : elsie::experiment::experiment_schema(host));
       return kSuccess;
     };
   });

@@ -1,7 +1,9 @@
 // elsie test-plugin: tries plugins on random input, says what is wrong with them.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -11,15 +13,20 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include "elsie/plugin/crash_report.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/near_name.h"
 #include "elsie/plugin/source_build.h"
 #include "elsie/testing/checker.h"
 
+#include "arguments.h"
 #include "command.h"
 #include "environment.h"
+#include "supervised.h"
 
 namespace {
 
@@ -39,7 +46,24 @@ struct TestPluginOptions {
   std::vector<std::string> members;
   std::uint64_t seed = 1;
   int variants = CheckOptions().variants;
+  double time_limit_s = 20.0;
+  double memory_limit_mb = 1000.0;
 };
+
+/// Plugins get no more memory than this above what the program has now; what asks for more gets
+/// std::bad_alloc. Of the address space, because a plugin's large blocks are mapped.
+void limit_memory(double megabytes) {
+  std::ifstream statistics("/proc/self/statm");
+  std::uint64_t pages = 0;
+  statistics >> pages;
+  const rlim_t most = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) +
+                      static_cast<rlim_t>(1e6 * megabytes);
+  rlimit limit{};
+  if (statistics && getrlimit(RLIMIT_AS, &limit) == 0) {
+    limit.rlim_cur = std::min(limit.rlim_max, most);
+    setrlimit(RLIMIT_AS, &limit);
+  }
+}
 
 /// A library or a source, not a plugin's name.
 bool is_file(const std::string& name) {
@@ -141,7 +165,9 @@ int test_plugins(TestPluginOptions options) {
   }
   std::size_t wrong = 0;
   try {
-    const Plugins plugins(load_plugins(options.plugins));
+    const LoadingLimit limit(options.time_limit_s);  // of all calls, until the libraries are gone
+    const Plugins plugins(load_plugins(options.plugins, std::nullopt));
+    limit_memory(options.memory_limit_mb);
     std::vector<std::pair<const Declaration*, CheckOptions>> jobs;
     std::map<std::string, bool> used;
     for (const std::string& name : options.names) {
@@ -151,6 +177,7 @@ int test_plugins(TestPluginOptions options) {
         how.members = options.members;
         how.seed = options.seed;
         how.variants = options.variants;
+        how.memory_limit = static_cast<std::size_t>(0.5e6 * options.memory_limit_mb);
         jobs.emplace_back(declaration, std::move(how));
       }
     }
@@ -162,11 +189,11 @@ int test_plugins(TestPluginOptions options) {
     for (const auto& [declaration, how] : jobs) {
       const auto findings = check_plugin(declaration->kind, declaration->name, how, plugins);
       for (const std::string& finding : findings) {
-        std::cout << finding << std::endl;
+        out() << finding << std::endl;
       }
       if (findings.empty()) {
-        std::cout << elsie::plugin::kind_name(declaration->kind) << " '" << declaration->name
-                  << "': nothing wrong was found" << std::endl;
+        out() << elsie::plugin::kind_name(declaration->kind) << " '" << declaration->name
+              << "': nothing wrong was found" << std::endl;
       }
       wrong += findings.empty() ? 0 : 1;
     }
@@ -206,6 +233,19 @@ void add_test_plugin_command(CLI::App& program, Job& job) {
   command->add_option("--seed", options->seed, "Of the random input")->capture_default_str();
   command->add_option("--variants", options->variants, "How many sets of random parameters to try")
       ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  command
+      ->add_option("--time-limit", options->time_limit_s,
+                   "Stop the check, and name the plugin, when one call takes longer than this")
+      ->check(positive_number())
+      ->type_name("SECONDS")
+      ->capture_default_str();
+  command
+      ->add_option("--memory-limit", options->memory_limit_mb,
+                   "How much memory the plugins may take in all; a plugin that grows to half of it "
+                   "is a finding")
+      ->check(CLI::Range(50.0, 1e6))
+      ->type_name("MB")
       ->capture_default_str();
   options->plugins.add_to(*command);
   command->callback([&job, options] { job = [options] { return test_plugins(*options); }; });

@@ -20,7 +20,7 @@ std::vector<elsie::picture::Beam> beams(const elsie::simulation::Simulation& sim
 
 void draw(const elsie::simulation::Simulation& simulation,
           const elsie::simulation::TrackRecorder* tracks, const std::vector<std::string>& subtitles,
-          const std::filesystem::path& file, int width) {
+          const std::filesystem::path& file, int width, const elsie::picture::PathChoice& paths) {
   elsie::picture::TopView view{simulation.world()};
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
     const elsie::simulation::RobotView robot = simulation.robot(i);
@@ -42,6 +42,7 @@ void draw(const elsie::simulation::Simulation& simulation,
     view.boxes.push_back(simulation.box(i));
   }
   view.subtitles = subtitles;
+  view.paths = paths;
   view.path_period_s = tracks ? tracks->period_s() : 0.0;
   elsie::picture::save_top_view(view, file, {width, 0});
 }

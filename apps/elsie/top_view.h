@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/picture/top_view.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/simulation/tracks.h"
 
@@ -12,4 +13,5 @@
 /// went so far when `tracks` is given. Throws as picture::save_top_view().
 void draw(const elsie::simulation::Simulation& simulation,
           const elsie::simulation::TrackRecorder* tracks, const std::vector<std::string>& subtitles,
-          const std::filesystem::path& file, int width);
+          const std::filesystem::path& file, int width,
+          const elsie::picture::PathChoice& paths = {});

@@ -20,6 +20,7 @@
 #include "learner.h"
 #include "learning_curve.h"
 #include "progress.h"
+#include "supervised.h"
 
 namespace {
 
@@ -176,14 +177,14 @@ void print(const Report& report, const TrainOptions& options) {
   const neural::Lesson& lesson = report.lesson;
   char seconds[32];
   std::snprintf(seconds, sizeof(seconds), "%.2f", report.seconds);
-  std::cout << header(report) << '\n'
-            << neural::summary(lesson.training, lesson.assessment) << ", in " << seconds << " s\n";
+  out() << header(report) << '\n'
+        << neural::summary(lesson.training, lesson.assessment) << ", in " << seconds << " s\n";
   if (!report.warning.empty()) {
-    std::cout << report.warning << '\n';
+    out() << report.warning << '\n';
   }
-  std::cout << '\n' << answers(lesson);
+  out() << '\n' << answers(lesson);
   if (options.weights) {
-    std::cout << "\nweights: " << *options.weights << '\n';
+    out() << "\nweights: " << *options.weights << '\n';
   }
 }
 
@@ -217,8 +218,7 @@ void print_json(const Report& report) {
   for (const neural::CurvePoint& point : lesson.training.curve) {
     object["curve"].push_back({point.presentations, point.error});
   }
-  std::cout << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
-            << '\n';
+  out() << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 /// The stream that the network's first weights come from: that of a run with this seed, unless the
@@ -292,7 +292,7 @@ int train(const TrainOptions& options) {
   } else if (!options.quiet) {
     print(report, options);
   }
-  std::cout.flush();
+  out().flush();
   if (options.curve) {
     std::vector<std::string> lines{neural::summary(lesson.training, lesson.assessment)};
     if (!report.warning.empty()) {

@@ -1,0 +1,118 @@
+#include "supervised.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include <ext/stdio_filebuf.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "elsie/plugin/process_end.h"
+
+#include "../supervisor/channel.h"
+
+namespace {
+
+using elsie::supervisor::Message;
+
+// A handler of signals can reach nothing but globals.
+int channel = -1;
+Message message;
+int kept_output = STDOUT_FILENO;
+
+/// Of descriptors that plugins do not expect: above those that a program usually has.
+constexpr int kHigh = 200;
+
+void announce(int exit_code) noexcept {
+  message.process = getpid();  // in a copy of the process another one
+  message.exit_code = exit_code;
+  while (write(channel, &message, sizeof(message)) < 0 && errno == EINTR) {
+  }
+}
+
+/// "DESCRIPTOR:TOKEN".
+bool read_variable(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) {
+    return false;
+  }
+  const auto whole = [](std::string_view part, auto& number) {
+    const auto read = std::from_chars(part.data(), part.data() + part.size(), number);
+    return read.ec == std::errc() && read.ptr == part.data() + part.size();
+  };
+  return whole(text.substr(0, colon), channel) && whole(text.substr(colon + 1), message.token) &&
+         fcntl(channel, F_SETFD, FD_CLOEXEC) == 0;
+}
+
+std::string& path() {
+  static std::string program;
+  return program;
+}
+
+}  // namespace
+
+void meet_supervisor() {
+  char* const variable = std::getenv(elsie::supervisor::kVariable);
+  if (variable && read_variable(variable)) {
+    elsie::plugin::set_announcer(announce);
+    std::fill_n(variable, std::strlen(variable), ' ');  // /proc/self/environ shows it for ever
+  }
+  unsetenv(elsie::supervisor::kVariable);
+}
+
+std::ostream& out() {
+  // Never destroyed: it is written to until the process ends, and flushed before.
+  static auto* const buffer =
+      new __gnu_cxx::stdio_filebuf<char>(kept_output, std::ios::out | std::ios::binary);
+  static auto* const stream = new std::ostream(buffer);
+  return *stream;
+}
+
+int out_descriptor() { return kept_output; }
+
+void keep_output(int count, char** arguments) {
+  int kept = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, kHigh);
+  if (kept < 0) {
+    kept = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  }
+  if (kept < 0) {
+    return;  // it is closed: writing will fail and say so
+  }
+  kept_output = kept;
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+  // Kept for as long as the program runs, as arguments are.
+  static std::vector<std::string> changed;
+  changed.reserve(static_cast<std::size_t>(count));
+  for (int i = 1; i < count; ++i) {
+    const std::string_view argument = arguments[i];
+    for (const std::string_view name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+      const bool is_value = argument.size() > name.size() && argument.ends_with(name) &&
+                            argument[argument.size() - name.size() - 1] == '=';
+      if (argument == name || is_value) {
+        changed.push_back(std::string(argument.substr(0, argument.size() - name.size())) +
+                          "/dev/fd/" + std::to_string(kept));
+        arguments[i] = changed.back().data();
+        break;
+      }
+    }
+  }
+}
+
+const std::string& program_path() { return path(); }
+
+void set_program_path(const char* first_argument) {
+  std::error_code error;
+  // Started by hand and not by the supervisor: it is as good as the program itself.
+  path() = std::string_view(first_argument).starts_with('/')
+               ? first_argument
+               : std::filesystem::read_symlink("/proc/self/exe", error).string();
+}
