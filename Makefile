@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: transcript api install package tools all demo test sanitize bench figures four-resources tables reference format lint dependencies configure clean
+.PHONY: transcript api install package tools all demo test sanitize fuzz fuzz-check bench figures four-resources tables reference format lint dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -40,6 +40,21 @@ sanitize: dependencies
 	@cmake --preset asan --log-level=WARNING
 	cmake --build --preset asan --target elsie_unit_tests
 	ctest --preset asan
+
+# Damaged input for every reader of files, FUZZ_SECONDS for each: scripts/fuzz.
+FUZZ_SECONDS ?= 60
+fuzz: configure
+	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
+	@cmake --preset fuzz --log-level=WARNING
+	cmake --build --preset fuzz --target elsie_fuzzers
+	scripts/fuzz $(FUZZ_SECONDS) build/fuzz $(BUILD)
+
+# The same for a short while, with the build of `make sanitize`.
+fuzz-check: configure
+	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
+	@cmake --preset asan --log-level=WARNING
+	cmake --build --preset asan --target elsie_fuzzers
+	scripts/fuzz 5 build/asan $(BUILD)
 
 # Benchmarks: docs/performance.md.
 bench: all

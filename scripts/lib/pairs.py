@@ -1,5 +1,7 @@
 """Compares runs of the same seed: what both have from the seed does not count as a difference, nor as uncertainty."""
+import math
 import random
+import struct
 from statistics import mean
 
 RESAMPLES = 4000  # as elsie report
@@ -26,6 +28,25 @@ def interval(values):
     return means[round(0.025 * (RESAMPLES - 1))], means[round(0.975 * (RESAMPLES - 1))]
 
 
+def wilson(hits, trials):
+    """The 95 % interval of a rate: Wilson (1927). Without a trial it may be any."""
+    if trials == 0:
+        return 0.0, 1.0
+    z, rate = 1.959964, hits / trials
+    shrink = 1 + z * z / trials
+    middle, half = (rate + z * z / (2 * trials)) / shrink, z * math.sqrt(rate * (1 - rate) / trials + z * z / (4 * trials ** 2)) / shrink
+    return (0.0 if hits == 0 else middle - half), (1.0 if hits == trials else middle + half)
+
+
+def difference_of_rates(hits, trials, other_hits, other_trials):
+    """The 95 % interval of a rate less another one: Newcombe's method 10 (1998). Where one has no trial it may be any."""
+    if trials == 0 or other_trials == 0:
+        return -1.0, 1.0
+    p, q = hits / trials, other_hits / other_trials
+    (low, high), (other_low, other_high) = wilson(hits, trials), wilson(other_hits, other_trials)
+    return p - q - math.hypot(p - low, other_high - q), p - q + math.hypot(high - p, q - other_low)
+
+
 def mean_of(values):
     return sum(values) / len(values)
 
@@ -37,6 +58,19 @@ def mean_with_interval(values, digits):
     ends = [f"{end:.{digits}f}" for end in interval(values)]
     middle = f"{mean(values):.{digits}f}"
     return middle if ends == [middle, middle] else f"{middle} ({ends[0]} to {ends[1]})"
+
+
+def single(value):
+    """The nearest number of single precision."""
+    return struct.unpack("f", struct.pack("f", value))[0]
+
+
+def sum_of_steps(step, count):
+    """What adding up a step of single precision comes to, in single precision."""
+    time = 0.0
+    for _ in range(count):
+        time = single(time + single(step))
+    return time
 
 
 def path_m(run):

@@ -21,6 +21,9 @@ ORIGINAL = {
     ("6", "arbitration"): (34.26, 89.60, "success"), ("6", "fusion"): (26.40, 155.70, "success"),
     ("7", "arbitration"): (285.22, 998.40, "success"), ("7", "fusion"): (134.13, 1111.57, "success"),
 }
+# How many steps these times are, in single precision: what the six digits after their points give away.
+ORIGINAL_STEPS = {("5", "arbitration"): 153, ("5", "fusion"): 510, ("6", "arbitration"): 896, ("6", "fusion"): 1557}
+ORIGINAL_STEP_S = 0.1
 ORIGINAL_ERRORS = {
     ("1", "arbitration"): "0.0", ("1", "fusion"): "3.0e-4", ("2", "arbitration"): "3.5e-5", ("2", "fusion"): "3.8e-5",
     ("3", "arbitration"): "0.1238", ("3", "fusion"): "0.1238", ("4", "arbitration"): "0.1238", ("4", "fusion"): "4.5e-6",
@@ -144,11 +147,23 @@ def groups(results):
     return table(["", "success", "within coverage", "of them in all runs within 0.5 m at the end", "m from the leader at the end",
                   "out of coverage", "they moved by at most m", "s", "collisions a run"], rows)
 
-def provenance(every):
+
+def builds(every, commits):
+    """Which runs are of which build: a build is its library's hash. commits: that of each database, by name; where it is not known, it lacks."""
     runs = sum(len(results.runs) for results in every.values())
-    versions = sorted({results.version for results in every.values()})
-    return (f"Written by `make tables`: Elsie {', '.join(versions)}, {runs} runs of {len(every)} experiment files. Unless a table says otherwise: seeds 1 to 20 for each row; mean +- standard "
-            "deviation (least to largest) over all runs of the row, those that failed included; *successes* are those that reached their goal. A single figure: all seeds came to the same.")
+    found = {}
+    for name, results in every.items():
+        found.setdefault((results.version, results.program, commits.get(name)), []).append(name)
+    told = [f"{', '.join(f'`{name}.xml`' for name in names)}: Elsie {version}, {f'commit {commit}' if commit else 'commit not noted'}, `libelsie` {program[:12]} (SHA-256)"
+            for (version, program, commit), names in found.items()]
+    one = len(told) == 1
+    build = ("one build, " + told[0].partition(": ")[2]) if one else f"{len(told)} builds: " + "; ".join(told)
+    return f"Written by `make tables`: {runs} runs of {len(every)} experiment files, of {build}."
+
+
+def provenance(every, commits):
+    return (f"{builds(every, commits)}\n\nUnless a table says otherwise: seeds 1 to 20 for each row; mean +- standard "
+            "deviation (least to largest) over all runs of the row, those that failed included, whose times are those at their limit: such a mean is less than what it would have taken; *successes* are those that reached their goal. A single figure: all seeds came to the same.")
 
 
 def cell_of(runs):

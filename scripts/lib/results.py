@@ -42,6 +42,7 @@ class Results:
         self.database = sqlite3.connect(f"file:{file}?mode=ro", uri=True)
         ask = self.database.execute
         self.version = ask("SELECT elsie_version FROM about").fetchone()[0]
+        self.program = (ask("SELECT sha256 FROM files WHERE kind = 'library' ORDER BY id LIMIT 1").fetchone() or ["unknown"])[0]
         states = dict(ask("SELECT state, count(*) FROM runs GROUP BY state"))
         if set(states) != {"done"}:
             sys.exit(f"scripts/tables: {file} has runs that are not done: {states}; run without --no-runs")

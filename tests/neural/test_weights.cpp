@@ -185,3 +185,10 @@ TEST_CASE("A weight file is known by how it begins") {
   CHECK_FALSE(looks_like_weights(folder.file("x")));
   CHECK_FALSE(looks_like_weights(folder.file("nothing")));
 }
+
+TEST_CASE("A remark that could not be written again is refused") {
+  CHECK_THAT(complaint(with("about inputs metres", "about inp\ruts metres")),
+             Catch::Contains("holds a carriage return; take it out"));
+  CHECK_THAT(complaint(with("about inputs metres", "about inputs met\rres")),
+             Catch::Contains("holds a carriage return; take it out"));
+}

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/physics/failure.h"
+
 #include "physics_context.h"
 
 using namespace elsie;
@@ -266,16 +268,22 @@ TEST_CASE("A robot that is tipped over lies on the floor") {
   });
 }
 
-TEST_CASE("A robot is squeezed between a moving box and a wall without harm to the world") {
+TEST_CASE("A robot that a moving box presses through a wall ends the run, and is named") {
   const double step = GENERATE(0.001, 0.01, 0.02);
   PhysicsContext context(with_step(step));
   const std::size_t robot = context.robot(4.8, 0.0, 0);
   const std::size_t bystander = context.robot(0.0, 0.0, 0);
   const std::size_t ram = context.box(BoxKind::moving, 4.5, 0.0, {0.2, 0.2, 0.2});
-  context.drive(ram, {0.2, 0.0}, 3.0);
-  const RobotState state = context.engine->robot(robot);
-  CHECK(std::isfinite(state.pose.x));
-  CHECK(std::abs(state.frame.origin.z) < 5.0);
+  try {
+    context.drive(ram, {0.2, 0.0}, 3.0);
+    FAIL("nothing was said");
+  } catch (const PhysicsFailure& failure) {
+    CHECK(failure.failure.kind == Failure::Kind::outside);
+    CHECK(failure.failure.body == robot_body(robot));
+    CHECK(failure.failure.time_s > 0.5);
+    CHECK(failure.failure.time_s < 3.0);
+    CHECK(failure.failure.place.x == Approx(5.0).margin(0.01));
+  }
   CHECK(context.pose(bystander).x == Approx(0).margin(1e-4));
 }
 

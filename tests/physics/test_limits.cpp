@@ -1,4 +1,6 @@
 // Extreme but legal worlds neither crash nor go wrong in silence; impossible ones are refused.
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -117,6 +119,44 @@ TEST_CASE("Without walls a robot may leave the area") {
   const auto hit = context.engine->cast_ray({-5, 0, 0.05}, {1, 0, 0}, 20, mate);
   REQUIRE(hit);
   CHECK(hit->body == robot_body(robot));
+}
+
+// A corner 0.3 m from the middle of an axle of 0.03 m moves at 20 times the speed of the rims.
+TEST_CASE("A long robot that turns on the spot may kick a light box") {
+  world::Physics physics = with_step(0.002);
+  physics.friction = 1.0;
+  PhysicsContext context(physics, open_field());
+  world::RobotBody body;
+  body.length = 0.6;
+  body.height = 0.03;
+  body.axle = 0.03;
+  body.wheel_torque = 0.1;
+  const std::size_t robot = context.robot(0, 0, 0, body);
+  const double rim = 0.4;  // m/s
+  context.engine->set_wheel_rates(robot, {-rim / body.wheel_radius, rim / body.wheel_radius});
+  context.run(4.0);
+  const RobotState turning = context.engine->robot(robot);
+  REQUIRE(turning.turn_rate > 20.0);
+
+  // A quarter turn ahead of the front, with a side where the chassis' side will meet it.
+  world::Box box;
+  box.kind = BoxKind::dynamic;
+  box.length = box.width = box.height = 0.05;
+  box.mass = 1e-3;
+  const double away = 0.25, place = turning.pose.heading_rad + radians(90.0);
+  box.x = turning.pose.x + away * std::cos(place);
+  box.y = turning.pose.y + away * std::sin(place);
+  box.heading_deg = degrees(place - std::asin((0.5 * body.width + 0.5 * box.width) / away));
+  const std::size_t kicked = context.engine->add_box(box);
+  Vector3 before = context.engine->box(kicked).origin;
+  double fastest = 0.0;  // m/s
+  context.run(0.4, [&] {
+    const Vector3 now = context.engine->box(kicked).origin;
+    fastest = std::max(fastest, std::hypot(now.x - before.x, now.y - before.y) / physics.step);
+    before = now;
+  });
+  const double without_lever = 2.0 * rim + std::sqrt(2.0 * 9.81 * box.height) + 2.0;
+  CHECK(fastest > without_lever);
 }
 
 TEST_CASE("Impossible worlds are refused with a sentence") {

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,66 @@ TEST_CASE("A source file becomes a plugin, and is compiled anew only when someth
   write(there / "straight.cpp", std::string_view(kSource));
   write(there / "speed.h", std::string_view("constexpr double kSpeed = 5.0;\n"));
   CHECK(speed_of(build_source(there / "straight.cpp", cache.path())) == 5.0);
+}
+
+TEST_CASE("What is saved while the compiler runs is compiled too, and nothing stale is kept") {
+  Folder here, cache;
+  // A compiler that reads everything, and then finds that the user has saved a file.
+  write(here / "compiler",
+        "#!/bin/sh\nc++ \"$@\"; result=$?\n"
+        "if [ \"$1\" != --version ]; then\n  echo >> " +
+            (here / "count").string() + "\n  cd " + here.path().string() +
+            "\n  for file in saved/*; do [ -e \"$file\" ] && mv \"$file\" .; done\n"
+            "fi\nexit $result\n");
+  std::filesystem::permissions(here / "compiler", std::filesystem::perms::owner_all);
+  std::filesystem::create_directory(here / "saved");
+  const Variable compiler("CXX", (here / "compiler").string());
+  const auto compilations = [&] { return bytes_of(here / "count").size(); };
+  write(here / "straight.cpp", std::string_view(kSource));
+  write(here / "speed.h", std::string_view("constexpr double kSpeed = 3.0;\n"));
+
+  SECTION("a header, which nobody knew of before") {
+    write(here / "saved/speed.h", std::string_view("constexpr double kSpeed = 4.0;\n"));
+    CHECK(speed_of(build_source(here / "straight.cpp", cache.path())) == 4.0);
+    CHECK(compilations() == 2);
+  }
+  SECTION("the source") {
+    std::string backwards = kSource;
+    backwards.replace(backwards.find("{kSpeed"), 7, "{-kSpeed");
+    write(here / "saved/straight.cpp", backwards);
+    CHECK(speed_of(build_source(here / "straight.cpp", cache.path())) == -3.0);
+    CHECK(compilations() == 2);
+  }
+  SECTION("a source that was half written, of which the compiler complains") {
+    write(here / "straight.cpp", std::string_view(kSource).substr(0, 150));
+    write(here / "saved/straight.cpp", std::string_view(kSource));
+    CHECK(speed_of(build_source(here / "straight.cpp", cache.path())) == 3.0);
+    CHECK(compilations() == 2);
+  }
+  SECTION("nothing") {
+    CHECK(speed_of(build_source(here / "straight.cpp", cache.path())) == 3.0);
+    CHECK(compilations() == 1);
+  }
+  CHECK(build_source(here / "straight.cpp", cache.path()).from_cache);
+}
+
+TEST_CASE("A source that is saved each time that it is compiled is given up with a sentence") {
+  Folder here, cache;
+  write(here / "compiler",
+        "#!/bin/sh\nc++ \"$@\"; result=$?\n"
+        "[ \"$1\" = --version ] || echo '// more' >> " +
+            (here / "straight.cpp").string() + "\nexit $result\n");
+  std::filesystem::permissions(here / "compiler", std::filesystem::perms::owner_all);
+  const Variable compiler("CXX", (here / "compiler").string());
+  write(here / "straight.cpp", std::string_view(kSource));
+  write(here / "speed.h", std::string_view("constexpr double kSpeed = 3.0;\n"));
+  CHECK_THAT(
+      refusal(here / "straight.cpp", cache.path()),
+      Contains("straight.cpp was compiled 4 times, and each time '") &&
+          Contains("straight.cpp' was saved meanwhile; try again once nothing writes to it"));
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(cache.path())) {
+    CHECK(entry.is_directory());
+  }
 }
 
 TEST_CASE("What the compiler says is passed on, and the cache keeps nothing of it") {
@@ -207,6 +268,67 @@ TEST_CASE("Flags of the user's own are part of what is cached") {
   CHECK(built("-DSPEED=1.0") == 1.0);
   CHECK(built("-DSPEED=2.0") == 2.0);
   CHECK(built("-DSPEED=1.0") == 1.0);
+}
+
+TEST_CASE("The user's flags prevail over ours, and libraries come after the source") {
+  Folder here, cache;
+  write(here / "compiler", "#!/bin/sh\n[ \"$1\" = --version ] || echo \"$@\" > " +
+                               (here / "line").string() + "\nexec c++ \"$@\"\n");
+  std::filesystem::permissions(here / "compiler", std::filesystem::perms::owner_all);
+  write(here / "straight.cpp", std::string_view(kSource));
+  write(here / "speed.h", std::string_view("constexpr double kSpeed = 3.0;\n"));
+  const Variable compiler("CXX", (here / "compiler").string());
+  const Variable flags("CXXFLAGS", "-O0 -lm -fgnu-unique");
+  const Variable linker("LDFLAGS", "-Wl,--as-needed");
+  const Variable libraries("LDLIBS", "-lpthread");
+  build_source(here / "straight.cpp", cache.path());
+  std::string line;
+  std::getline(std::ifstream(here / "line") >> std::ws, line);
+  const auto place = [&](const std::string& word) {
+    const std::size_t at = line.find(word);
+    INFO(word << " in " << line);
+    REQUIRE(at != std::string::npos);
+    return at;
+  };
+  CHECK(place("-O2") < place("-O0"));
+  CHECK(place(" -g1 ") < place("-O0"));
+  CHECK(place("-Wl,--as-needed") < place("straight.cpp"));
+  CHECK(place("straight.cpp") < place("-lm"));
+  CHECK(place("-lm") < place("-lpthread"));
+}
+
+TEST_CASE("A method that was meant to override and does not is warned of") {
+  Folder here, cache;
+  write(here / "straight.cpp",
+        std::string_view("#include <elsie/api/behavior.h>\n"
+                         "class S final : public elsie::Behavior {\n"
+                         "  elsie::Response respond(const elsie::Perception&) override {\n"
+                         "    return elsie::MotorCommand{1, 1};\n  }\n"
+                         "  virtual void equipped() {}\n};\n"
+                         "ELSIE_BEHAVIOR(S, \"straight\", \"Drives straight on\");\n"));
+  const SourceBuild first = build_source(here / "straight.cpp", cache.path());
+  CHECK_THAT(first.warnings,
+             Contains("straight.cpp") && Contains("equipped") && Contains("-Woverloaded-virtual"));
+  CHECK(build_source(here / "straight.cpp", cache.path()).warnings.empty());
+}
+
+TEST_CASE("A sensor whose sense() is misspelt is not compiled, and a sentence says why") {
+  Folder here, cache;
+  const auto sensor = [](const std::string& method) {
+    return "#include <elsie/api/sensor.h>\n"
+           "class S final : public elsie::SensorOf<elsie::RangeReading> {\n" +
+           method +
+           "};\n"
+           "ELSIE_SENSOR(S, \"s\", \"Senses a distance\");\n";
+  };
+  write(here / "s.cpp", sensor("  elsie::RangeReading sens(const elsie::SensorContext&) {\n"
+                               "    return {};\n  }\n"));
+  CHECK_THAT(refusal(here / "s.cpp", cache.path()),
+             Contains("this sensor senses nothing: override sense() or sense_into()"));
+  // A private method is the class' own, too.
+  write(here / "s.cpp", sensor("  elsie::RangeReading sense(const elsie::SensorContext&) override "
+                               "{\n    return {};\n  }\n"));
+  CHECK(refusal(here / "s.cpp", cache.path()) == "it was built");
 }
 
 TEST_CASE("The cache is where the environment says") {

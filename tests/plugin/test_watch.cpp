@@ -212,6 +212,36 @@ TEST_CASE("A watch compiles a source when it or a header of its own changes") {
   unsetenv("ELSIE_CACHE");
 }
 
+TEST_CASE("A watch builds again what is saved while it compiles, also at its start") {
+  Folder here, cache;
+  const Variable there("ELSIE_CACHE", cache.path());
+  // A compiler that reads everything, and then finds that the user has saved a file.
+  write_text(here / "compiler",
+             "#!/bin/sh\nc++ \"$@\"; result=$?\ncd " + here.path().string() +
+                 "\nif [ \"$1\" != --version ] && [ -e saved.h ]; then mv saved.h speed.h; fi\n"
+                 "exit $result\n");
+  fs::permissions(here / "compiler", fs::perms::owner_all);
+  const Variable compiler("CXX", here / "compiler");
+  write_text(here / "speed.h", "constexpr double kSpeed = 3.0;\n");
+  write_text(here / "saved.h", "constexpr double kSpeed = 4.0;\n");
+  write_text(here / "straight.cpp", source("return elsie::MotorCommand{kSpeed, kSpeed};"));
+  Watch watch({{here / "straight.cpp", "--plugin"}}, milliseconds(20));
+  CHECK(speed(watch.host(), "straight") == 4.0);
+
+  // Two quick saves: the second one comes while the first one is compiled.
+  write_text(here / "saved.h", "constexpr double kSpeed = 6.0;\n");
+  write_text(here / "speed.h", "constexpr double kSpeed = 5.0;\n");
+  double last = 0.0;
+  for (int i = 0; i < 3 && last != 6.0; ++i) {
+    auto renewal = found(watch);
+    REQUIRE(renewal);
+    REQUIRE(renewal->host);
+    last = speed(*renewal->host, "straight");
+    watch.accept(*std::move(renewal));
+  }
+  CHECK(last == 6.0);
+}
+
 TEST_CASE("Of a source whose library is refused the old one goes on, not another of its name") {
   Folder here, cache, others;
   const Variable there("ELSIE_CACHE", cache.path());

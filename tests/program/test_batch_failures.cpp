@@ -86,7 +86,8 @@ TEST_CASE("A worker that is killed from outside costs its run only") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 3);
   const auto run = here.sh(
-      "elsie batch faulty.xml --workers 1 --quiet --plugin-path " + Laboratory::plugins() +
+      "elsie --one-process batch faulty.xml --workers 1 --quiet --plugin-path " +
+      Laboratory::plugins() +
       " & batch=$!\n"
       "while ! worker=$(cat /proc/$batch/task/$batch/children) || [ -z \"$worker\" ]; do sleep "
       "0.02; done\n"
@@ -110,7 +111,7 @@ TEST_CASE("A batch that is killed goes on where it was: no run is lost, none don
     // Somewhere in what it does; later and later, so that a slow machine comes to its runs, too.
     const int milliseconds = 30 + std::rand() % (100 + 30 * kills);
     const auto run = here.sh(
-        "elsie batch many.xml --quiet --database killed.sqlite --resume & batch=$!\n"
+        "elsie --one-process batch many.xml --quiet --database killed.sqlite --resume & batch=$!\n"
         "sleep " +
         std::to_string(milliseconds / 1000.0) +
         "\n"
@@ -152,8 +153,11 @@ TEST_CASE("The workers of a batch that is killed die with it") {
   const auto run =
       here.sh("elsie batch faulty.xml --workers 2 --quiet --plugin-path " + Laboratory::plugins() +
               " & batch=$!\n"
-              "while [ $(wc -w < /proc/$batch/task/$batch/children) -lt 2 ]; do sleep 0.02; done\n"
-              "workers=$(cat /proc/$batch/task/$batch/children)\n"
+              "until program=$(cat /proc/$batch/task/$batch/children) && [ -n \"$program\" ]; do "
+              "sleep 0.02; done; program=${program% }\n"
+              "while [ $(wc -w < /proc/$program/task/$program/children) -lt 2 ]; do sleep 0.02; "
+              "done\n"
+              "workers=\"$program $(cat /proc/$program/task/$program/children)\"\n"
               "kill -9 $batch; wait $batch || true\n"
               "for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do\n"
               "  left=0; for w in $workers; do\n"
@@ -217,14 +221,14 @@ TEST_CASE("A signal that comes twice at once is one request to stop") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 4);
   // As timeout(1) and schedulers send it: to the process, and to its group.
-  const auto run =
-      here.sh("elsie batch faulty.xml --workers 1 --plugin-path " + Laboratory::plugins() +
-              " & batch=$!\n"
-              "while [ $(wc -w < /proc/$batch/task/$batch/children) = 0 ]; do sleep 0.02; done\n"
-              "kill -TERM $batch; sleep 0.005; kill -TERM $batch 2>/dev/null || true\n"
-              "sleep 0.002; kill -INT $batch 2>/dev/null || true\n"
-              "wait $batch && code=$? || code=$?\n"
-              "exit $code");
+  const auto run = here.sh(
+      "elsie --one-process batch faulty.xml --workers 1 --plugin-path " + Laboratory::plugins() +
+      " & batch=$!\n"
+      "while [ $(wc -w < /proc/$batch/task/$batch/children) = 0 ]; do sleep 0.02; done\n"
+      "kill -TERM $batch; sleep 0.005; kill -TERM $batch 2>/dev/null || true\n"
+      "sleep 0.002; kill -INT $batch 2>/dev/null || true\n"
+      "wait $batch && code=$? || code=$?\n"
+      "exit $code");
   CHECK(run.exit_code == 4);
   CHECK_THAT(run.err, Contains("interrupted; 4 of 4 runs are still to be done"));
   CHECK_FALSE(fs::exists(here.file("faulty.sqlite-lock")));
@@ -235,10 +239,11 @@ TEST_CASE("Two batches do not write one database") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 2);
   const auto run =
-      here.sh("elsie batch faulty.xml --workers 1 --quiet --plugin-path " + Laboratory::plugins() +
+      here.sh("elsie --one-process batch faulty.xml --workers 1 --quiet --plugin-path " +
+              Laboratory::plugins() +
               " & batch=$!\n"
               "while [ $(wc -w < /proc/$batch/task/$batch/children) = 0 ]; do sleep 0.02; done\n"
-              "elsie batch faulty.xml --resume --plugin-path " +
+              "elsie --one-process batch faulty.xml --resume --plugin-path " +
               Laboratory::plugins() +
               " && code=$? || code=$?\n"
               "wait $batch\n"
@@ -272,15 +277,16 @@ TEST_CASE("A batch notices what changes under its feet, be it in the last run") 
   here.write("small_experiment.xml", Laboratory::experiment("<world file=\"small.xml\"/>", "", 3,
                                                             Laboratory::kTwoDawdledSteps));
   const std::string content = here.read(model);
-  const auto run = here.sh(
-      "elsie batch small_experiment.xml --workers 1 --plugin-path " + Laboratory::plugins() +
-      " & batch=$!\n"
-      "while [ $(wc -w < /proc/$batch/task/$batch/children) = 0 ]; do sleep 0.02; done\n"
-      "echo >> " +
-      model +
-      "\n"
-      "wait $batch && code=$? || code=$?\n"
-      "exit $code");
+  const auto run =
+      here.sh("elsie --one-process batch small_experiment.xml --workers 1 --plugin-path " +
+              Laboratory::plugins() +
+              " & batch=$!\n"
+              "while [ $(wc -w < /proc/$batch/task/$batch/children) = 0 ]; do sleep 0.02; done\n"
+              "echo >> " +
+              model +
+              "\n"
+              "wait $batch && code=$? || code=$?\n"
+              "exit $code");
   CHECK(run.exit_code == 4);
   // The run that was at work is not written: it may have read the file before, or after.
   CHECK_THAT(run.err, Contains(model + "' has changed since the batch began"));
@@ -288,7 +294,8 @@ TEST_CASE("A batch notices what changes under its feet, be it in the last run") 
                    "SELECT count(*) FROM runs WHERE state = 'pending'") == "3\n");
   auto resumed = here.batch("small_experiment.xml --resume");
   CHECK(resumed.exit_code == 2);
-  CHECK_THAT(resumed.err, Contains("these files have changed since: '"));
+  CHECK_THAT(resumed.err,
+             Contains("changed since it was begun: the data file '") && Contains(", now "));
   here.write(model, content);
   resumed = here.batch("small_experiment.xml --resume --quiet");
   CHECK(resumed.exit_code == 0);

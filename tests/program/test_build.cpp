@@ -117,6 +117,51 @@ TEST_CASE("A plugin that cannot be built or used is told of, and nothing runs") 
         "elsie: 'world.xml' is no C++ source: its name should end in .cpp, .cc or .cxx\n");
 }
 
+TEST_CASE("Messages name the source, not the library that it was compiled to") {
+  Bench here;
+  // With one more, so that it is of use.
+  here.write("again.cpp", source("1.0, 1.0") +
+                              "struct Other final : elsie::Behavior {\n"
+                              "  elsie::Response respond(const elsie::Perception&) override {\n"
+                              "    return {};\n  }\n};\n"
+                              "ELSIE_BEHAVIOR(Other, \"other\", \"Another one\");\n");
+  const auto twice = here.cached("check world.xml --plugin straight.cpp --plugin again.cpp");
+  CHECK_THAT(twice.err, Contains("behavior 'straight' is in both straight.cpp and again.cpp"));
+  CHECK_THAT(twice.err, !Contains("cache/"));
+  here.write("early.cpp", "#include <cstdlib>\n" + source("1.0, 1.0") +
+                              "const int now = [] { std::abort(); return 1; }();\n");
+  const auto crashed = here.cached("check world.xml --plugin early.cpp");
+  CHECK(crashed.exit_code == 3);
+  CHECK_THAT(crashed.err, Contains("early.cpp"));
+  CHECK_THAT(crashed.err.substr(0, crashed.err.find('\n')), !Contains("cache/"));
+}
+
+TEST_CASE("A crash in a function that was put inline names the plugin's own line") {
+  Bench here;
+  here.write("straight.cpp",
+             "#include <elsie/api/behavior.h>\n#include <vector>\n"
+             "class Straight final : public elsie::Behavior {\n"
+             "  std::vector<double> rates_;\n"
+             "  elsie::Response respond(const elsie::Perception&) override {\n"
+             "    return elsie::MotorCommand{rates_[0], 1.0};\n  }\n};\n"
+             "ELSIE_BEHAVIOR(Straight, \"straight\", \"Reads what is not there\");\n");
+  const auto run = here.cached("run world.xml --plugin straight.cpp");
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("straight.cpp"));
+  CHECK_THAT(run.err, Contains("straight.cpp:6\n"));
+}
+
+TEST_CASE("What the compiler warns of is passed on, once") {
+  Bench here;
+  here.write("straight.cpp", source("1.0, 1.0") + "static int forgotten;\n");
+  const auto first = here.cached("build straight.cpp");
+  CHECK(first.exit_code == 0);
+  CHECK_THAT(first.err, Contains("straight.cpp:8:") && Contains("forgotten"));
+  CHECK(here.cached("build straight.cpp").err.empty());
+  here.write("other.cpp", source("1.0, 1.0") + "static int forgotten;\n");
+  CHECK(here.cached("check world.xml --plugin other.cpp --quiet").err.empty());
+}
+
 TEST_CASE("The manual page and the shells' completion know every subcommand and option") {
   Workplace here;
   const auto manual = here.elsie("manual");

@@ -27,7 +27,7 @@ class Cluster : public Laboratory {
               plugins() +
               "'; }\n"
               // To be begun with &: what a signal reaches is the program.
-              "follow() { exec elsie batch \"$@\" --plugin-path '" +
+              "follow() { exec elsie --one-process batch \"$@\" --plugin-path '" +
               plugins() +
               "'; }\n"
               // The processes of tasks, and nobody else's: their databases are in this folder.

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "elsie/api/abi.h"
 
@@ -63,6 +64,9 @@ const std::set<std::string> kCutShort = {
     "--at '8:robot[r1]/@x=-1' --at '8:robot[r1]/@y=1'",
     "for seed in 1 2 3; do elsie run worlds/open_arena.xml --duration 20 --seed $seed --json; done "
     "> runs.jsonl",
+    "elsie run worlds/ten_robots.xml --duration 60 --picture last.png --picture-fade 10",
+    "elsie run worlds/ten_robots.xml --duration 60 --picture two.svg --picture-robots r1,r2 "
+    "--picture-from 20 --picture-to 40",
     "elsie run worlds/find_resource.xml --duration 20 --picture found.png",
     "elsie run worlds/find_resource.xml --duration 3 --save-images images --save-images-every 0.5",
     "elsie report obstacles.sqlite --html obstacles.html"};
@@ -210,7 +214,7 @@ TEST_CASE("The experiment that its page shows is in order with each piece that i
 TEST_CASE("The page on behaviours quotes the example as it is built") {
   const fs::path source(elsie::test::source_path(""));
   const auto code = blocks(read(source / "docs" / "writing-a-behavior.md"), "cpp");
-  REQUIRE(code.size() == 2);
+  REQUIRE(code.size() == 4);  // the other three are run below
   CHECK(code[0] == read(source / "examples" / "01-first-behavior" / "shy.cpp"));
 }
 
@@ -227,6 +231,95 @@ TEST_CASE("The behaviour that the page on behaviours adds raises its event, and 
       "--set 'robot[r1]/coordinator=<arbiter_strength/>'");
   CAPTURE(run.err);
   CHECK_THAT(run.out, Catch::Contains("events: came_near "));
+}
+
+TEST_CASE("The elements and the nesting that the page on behaviours adds do as it says") {
+  const std::string page =
+      read(fs::path(elsie::test::source_path("docs")) / "writing-a-behavior.md");
+  Workplace here;
+  here.write("patrol.cpp", blocks(page, "cpp").at(2) + blocks(page, "cpp").at(3));
+  const auto check = here.sh("ELSIE_CACHE=cache elsie test-plugin patrol.cpp");
+  CAPTURE(check.out, check.err);
+  CHECK(check.exit_code == 0);
+  const auto time_to_goal = [&](const std::string& behavior) {
+    here.write("world.xml",
+               "<world format='1'><robots><robot id='r1'><behaviors>" + behavior +
+                   "</behaviors><coordinator><arbiter_suppression/></coordinator></robot></robots>"
+                   "<goals><reach robot='r1' x='1' y='1' radius='0.1'/></goals></world>");
+    const auto run = here.sh("ELSIE_CACHE=cache elsie run world.xml --plugin patrol.cpp --json");
+    CAPTURE(run.out, run.err);
+    CHECK(run.exit_code == 0);
+    return nlohmann::json::parse(run.out)["simulated_s"].get<double>();
+  };
+  const std::string slowly = blocks(page, "xml").at(2);
+  REQUIRE_THAT(slowly, Catch::StartsWith("<slowly"));
+  const std::size_t from = slowly.find("<patrol"), to = slowly.find("</behaviors>");
+  const double alone = time_to_goal(slowly.substr(from, to - from));
+  CHECK(time_to_goal(slowly) == Approx(2.0 * alone).epsilon(0.1));
+}
+
+TEST_CASE("The coordinator and the sensor that their pages add are sound") {
+  const fs::path docs(elsie::test::source_path("docs"));
+  const auto plugin_with = [&](const char* page, const char* word) {
+    for (const std::string& block : blocks(read(docs / page), "cpp")) {
+      if (block.find(word) != std::string::npos) {
+        return block;
+      }
+    }
+    return std::string();
+  };
+  Workplace here;
+  here.write("best_wish.cpp",
+             plugin_with("writing-a-coordinator.md", "ELSIE_COORDINATOR(BestWish"));
+  here.write("glare.cpp", plugin_with("writing-a-sensor.md", "ELSIE_SENSOR(Glare"));
+  const auto check = here.sh("ELSIE_CACHE=cache elsie test-plugin best_wish.cpp glare.cpp");
+  CAPTURE(check.out, check.err);
+  CHECK(check.exit_code == 0);
+  // Alone, and inside a behaviour, whose coordinator asks further.
+  for (const char* outer : {"<best_wish/>", "<arbiter_voting/>"}) {
+    here.write("world.xml",
+               "<world format='1'><robots><robot id='r1' x='-2'><sensors><beam_range/></sensors>"
+               "<behaviors><blend><behaviors><avoid_obstacle/><go_to_point x='1' y='1'/>"
+               "</behaviors><coordinator><best_wish/></coordinator></blend></behaviors>"
+               "<coordinator>" +
+                   std::string(outer) +
+                   "</coordinator></robot></robots>"
+                   "<goals><reach robot='r1' x='1' y='1' radius='0.3'/></goals></world>");
+    const auto run = here.sh("ELSIE_CACHE=cache elsie run world.xml --plugin best_wish.cpp");
+    CAPTURE(outer, run.out, run.err);
+    CHECK(run.exit_code == 0);
+  }
+  const auto seen = here.sh(
+      "ELSIE_CACHE=cache elsie run worlds/open_arena.xml --duration 1 --plugin glare.cpp "
+      "--set 'robot[r1]/sensor[1]=<glare z=\"0\"/>'");
+  CHECK(seen.exit_code == 2);
+  CHECK_THAT(seen.err, Catch::Contains("it is mounted on the floor"));
+}
+
+TEST_CASE("The page on Elsie as a library quotes the example as it is built") {
+  const fs::path source(elsie::test::source_path(""));
+  const fs::path example = source / "examples" / "05-own-program";
+  const std::string page = read(source / "docs" / "elsie-as-a-library.md");
+  CHECK(blocks(page, "cpp").at(0) == read(example / "main.cpp"));
+  CHECK(blocks(page, "cmake").at(0) == read(example / "CMakeLists.txt"));
+}
+
+TEST_CASE("A program of one's own runs a shipped world by its name from any folder") {
+  Workplace here;
+  const std::string same_bits = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-FMA4 ";
+  const auto own = here.sh("cd / && " + same_bits + elsie::test::build_path("examples") +
+                           "/own_program worlds/contexts.xml 3");
+  CAPTURE(own.out, own.err);
+  CHECK(own.exit_code == 0);
+  CHECK_THAT(own.out, Catch::StartsWith("success after "));
+  const auto run =
+      here.sh("cd / && " + same_bits + "elsie run worlds/contexts.xml --seed 3 --json");
+  CHECK_THAT(own.out, Catch::EndsWith(
+                          "state hash " +
+                          nlohmann::json::parse(run.out)["state_hash"].get<std::string>() + "\n"));
+  CHECK(
+      here.sh("cd / && " + elsie::test::build_path("examples") + "/own_program worlds/contxts.xml")
+          .exit_code == 2);
 }
 
 TEST_CASE("The page on measures quotes what elsie new makes, and what it then tells") {
@@ -271,7 +364,8 @@ TEST_CASE("The measures that pages show are in order in a world that has what th
   CHECK(count >= 12);
 }
 
-TEST_CASE("The page on testing shows what is compiled and run by the tests") {
+TEST_CASE(
+    "The pages on testing, coordinators and sensors show what is built and run by the tests") {
   // Without what formatting makes of it: the page does not indent.
   const auto plain = [](const std::string& code) {
     std::istringstream lines(code);
@@ -286,19 +380,28 @@ TEST_CASE("The page on testing shows what is compiled and run by the tests") {
   for (const char* file :
        {"tests/testing/test_snippets.cpp", "tests/testing/without_framework.cpp",
         "examples/01-first-behavior/test_shy.cpp", "examples/01-first-behavior/CMakeLists.txt",
-        "examples/03-new-sensor/test_compass.cpp"}) {
+        "examples/02-coordinator/fusion_activity.cpp",
+        "examples/02-coordinator/test_fusion_activity.cpp", "examples/03-new-sensor/compass.cpp",
+        "examples/03-new-sensor/compass_reading.h", "examples/03-new-sensor/test_compass.cpp"}) {
     run += plain(read(source / file));
   }
-  const std::string page = read(source / "docs" / "testing-a-plugin.md");
   std::size_t shown = 0;
-  for (const char* language : {"cpp", "cmake"}) {
-    for (const std::string& block : blocks(page, language)) {
-      CAPTURE(block);
-      CHECK(run.find(plain(block)) != std::string::npos);
-      ++shown;
+  for (const char* name :
+       {"testing-a-plugin.md", "writing-a-coordinator.md", "writing-a-sensor.md"}) {
+    const std::string page = read(source / "docs" / name);
+    for (const char* language : {"cpp", "cmake"}) {
+      for (const std::string& block : blocks(page, language)) {
+        if (block.find("BestWish") != std::string::npos ||
+            block.find("Glare") != std::string::npos) {
+          continue;  // run above
+        }
+        CAPTURE(name, block);
+        CHECK(run.find(plain(block)) != std::string::npos);
+        ++shown;
+      }
     }
   }
-  CHECK(shown >= 14);
+  CHECK(shown >= 22);
 }
 
 TEST_CASE("The first example is a plugin of fewer than 30 lines that does its job") {

@@ -37,6 +37,9 @@ TEST_CASE("Bad input ends with exit code 2, a sentence, and nothing on standard 
     CHECK_THAT(run.err, Catch::Contains(sentence));
   };
   expect("run nowhere.xml --json", "nowhere.xml");
+  std::filesystem::create_symlink("loop", here.file("loop"));
+  expect("plugins --plugin-path loop", "elsie: --plugin-path: 'loop' is not a directory\n");
+  expect("plugins --plugin loop.so", "elsie: --plugin: there is no file 'loop.so'\n");
   expect("run broken.xml", "broken.xml:2:");
   expect("check broken.xml", "1,5");
   expect("picture broken.xml", "broken.xml:2:");

@@ -135,7 +135,7 @@ TEST_CASE("A trace that a kill cut short is told as far as it goes") {
 TEST_CASE("A killed run leaves a trace behind") {
   Workplace here;
   const auto run = here.sh(
-      "elsie run worlds/clutter.xml --duration 100000 --explain run.trace --quiet & "
+      "elsie --one-process run worlds/clutter.xml --duration 100000 --explain run.trace --quiet & "
       "while ! [ -s run.trace ] || [ \"$(wc -l < run.trace)\" -lt 500 ]; do sleep 0.05; done; "
       "kill -KILL $!; wait $! || true; elsie explain run.trace");
   CHECK(run.exit_code == 0);
@@ -161,7 +161,7 @@ TEST_CASE("explain and --explain refuse what they cannot work with in a sentence
   expect("run worlds/clutter.xml --explain-times", "--explain");
   CHECK(here.read("mine.trace") == "my own notes\n");
   expect("explain", "TRACE");
-  expect("explain nowhere.trace", "'nowhere.trace' cannot be opened: No such file");
+  expect("explain nowhere.trace", "'nowhere.trace' cannot be read: No such file");
   expect("explain mine.trace", "'mine.trace' is no trace");
   expect("explain worlds/clutter.xml", "is no trace");
   expect("explain broken.trace", "something follows after the end of the trace");

@@ -128,3 +128,16 @@ TEST_CASE("What is asked for under the name of a link is written to what that po
   CHECK_THAT(here.elsie("replay run.mcap").out, Catch::Contains("after 2.0 s"));
   CHECK(here.read("far/run.png").starts_with("\x89PNG"));
 }
+
+TEST_CASE("Shipped worlds and experiments open by their short names from any folder") {
+  Workplace here;
+  CHECK(here.sh("cd / && elsie run worlds/contexts.xml --quiet").exit_code == 0);
+  const auto check = here.sh("cd / && elsie check worlds/maze.xml experiments/top_speed.xml");
+  CHECK(check.exit_code == 0);
+  CHECK_THAT(check.out, Catch::StartsWith("worlds/maze.xml: in order"));
+  here.sh("mkdir empty && cd empty && elsie batch experiments/top_speed.xml --quiet");
+  CHECK(here.sh("ls empty/top_speed.sqlite").exit_code == 0);
+  const auto wrong = here.sh("cd / && elsie run worlds/maize.xml");
+  CHECK(wrong.exit_code == 2);
+  CHECK_THAT(wrong.err, Catch::Contains("did you mean 'worlds/maze.xml'?"));
+}

@@ -163,6 +163,32 @@ TEST_CASE("picture draws a world, as PNG or SVG") {
   CHECK_THAT(here.read("maze.png"), Catch::StartsWith("\x89PNG"));
   CHECK(here.elsie("picture worlds/maze.xml -o m.svg --width 600").exit_code == 0);
   CHECK(here.sh("xmllint --noout m.svg").exit_code == 0);
+  CHECK(here.elsie("picture worlds/maze.xml second.svg").exit_code == 0);
+  CHECK_THAT(here.read("second.svg"), Catch::Contains(">x (m)</text>"));
+  CHECK(here.elsie("picture worlds/maze.xml a.png -o b.png").exit_code == 2);
+  const auto refused = here.elsie("picture worlds/maze.xml a.gif");
+  CHECK(refused.exit_code == 2);
+  CHECK_THAT(refused.err, Catch::Contains("a picture's name must end in .png or .svg"));
+}
+
+TEST_CASE("A run's picture has the ways that are asked for") {
+  Workplace here;
+  const std::string run = "run worlds/ten_robots.xml --duration 4 --quiet --picture ";
+  here.elsie(run + "all.svg");
+  here.elsie(run + "some.svg --picture-robots r1,r2 --picture-from 1 --picture-to 3");
+  here.elsie(run + "fading.svg --picture-fade 2");
+  CHECK_THAT(here.read("all.svg"), Catch::Contains("path, from its start"));
+  CHECK_THAT(here.read("some.svg"), Catch::Contains("path from 1 s to 3 s"));
+  CHECK_THAT(here.read("fading.svg"), Catch::Contains("path of the last 2 s"));
+  CHECK(here.read("some.svg").size() < here.read("all.svg").size());
+  const auto refused = [&](const std::string& options, const std::string& why) {
+    const auto told = here.elsie("run worlds/ten_robots.xml --duration 4 " + options);
+    CHECK(told.exit_code == 2);
+    CHECK_THAT(told.err, Catch::Contains(why));
+  };
+  refused("--picture a.png --picture-robots r1,r99", "there is no robot 'r99' in this world");
+  refused("--picture a.png --picture-from 3 --picture-to 2", "cannot begin at 3 s and end at 2 s");
+  refused("--picture-fade 2", "--picture");
 }
 
 TEST_CASE("fuzzy shows a model, evaluates it and draws it") {

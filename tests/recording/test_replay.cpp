@@ -29,9 +29,11 @@ TEST_CASE(
   const Workplace here;
   here.elsie("run worlds/four_resources.xml --duration 30 --record run.mcap --picture run.png");
   const auto replay = here.sh(
-      "mkdir alone && cp run.mcap alone && cd alone && cp \"$(command -v elsie)\" elsie-alone &&"
-      " LD_LIBRARY_PATH='" +
-      build_path("lib") + "' ./elsie-alone replay run.mcap --picture again.png");
+      "mkdir -p alone/bin alone/lib/elsie && cp run.mcap alone && cp \"$(command -v elsie)\" "
+      "alone/bin"
+      " && cp '" +
+      build_path("lib/elsie/elsie-program") + "' alone/lib/elsie && cd alone && LD_LIBRARY_PATH='" +
+      build_path("lib") + "' bin/elsie replay run.mcap --picture again.png");
   CHECK(replay.err.empty());
   REQUIRE(replay.exit_code == 0);
   CHECK(here.read("run.png").size() > 5000);
@@ -72,7 +74,7 @@ TEST_CASE("Files that cannot be replayed are refused in a sentence") {
     return run.err;
   };
   CHECK_THAT(refusal("replay nowhere.mcap"),
-             Catch::Contains("recording 'nowhere.mcap' cannot be read: No such file"));
+             Catch::Contains("'nowhere.mcap' cannot be read: No such file"));
   here.elsie("run worlds/open_arena.xml --duration 1 --record run.csv");
   CHECK_THAT(refusal("replay run.csv"),
              Catch::Contains("'run.csv' is neither a recording, as `elsie run --record FILE.mcap` "

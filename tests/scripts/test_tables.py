@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """scripts/tables and scripts/lib over a made-up database. Called with the source folder."""
+import ast
 import contextlib
 import importlib.machinery
 import importlib.util
 import io
+import re
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import xml.etree.ElementTree
 from pathlib import Path
 
@@ -103,6 +106,29 @@ class Figures(unittest.TestCase):
         self.assertEqual(pairs.interval(values), (low, high))
         self.assertEqual(pairs.interval([2.0, 2.0]), (2.0, 2.0))
 
+    def test_intervals_of_rates_are_those_of_newcombes_tables(self):
+        low, high = pairs.wilson(1, 29)
+        self.assertAlmostEqual(low, 0.0061, delta=5e-5)
+        self.assertAlmostEqual(high, 0.1718, delta=5e-5)
+        low, high = pairs.difference_of_rates(56, 70, 48, 80)
+        self.assertAlmostEqual(low, 0.0524, delta=5e-5)
+        self.assertAlmostEqual(high, 0.3339, delta=5e-5)
+
+    def test_without_a_trial_a_rate_may_be_any(self):
+        self.assertEqual(pairs.wilson(0, 0), (0.0, 1.0))
+        self.assertEqual(pairs.difference_of_rates(0, 0, 3, 4), (-1.0, 1.0))
+        self.assertEqual(pairs.difference_of_rates(3, 4, 0, 0), (-1.0, 1.0))
+
+    def test_the_original_decided_every_tenth_of_a_second(self):
+        """Its times, printed with six digits after the point, are sums of steps of 0.1 s in single precision, and of no others."""
+        printed = {("5", "arbitration"): "15.300022", ("5", "fusion"): "50.999794", ("6", "arbitration"): "89.599205", ("6", "fusion"): "155.700302"}
+        self.assertEqual(parts.ORIGINAL_STEPS, dict(zip(printed, (153, 510, 896, 1557))))
+        for case, count in parts.ORIGINAL_STEPS.items():
+            self.assertEqual(f"{pairs.sum_of_steps(0.1, count):.6f}", printed[case])
+            self.assertAlmostEqual(pairs.sum_of_steps(0.1, count), parts.ORIGINAL[case][1], delta=0.005)
+            for step in (0.01, 0.02, 0.05):
+                self.assertNotEqual(f"{pairs.sum_of_steps(step, round(0.1 / step * count)):.6f}", printed[case])
+
     def test_means_with_intervals_are_told_in_few_words(self):
         self.assertEqual(pairs.mean_with_interval([], 2), "-")
         self.assertEqual(pairs.mean_with_interval([0.5, 0.5], 2), "0.50")
@@ -128,6 +154,97 @@ class Pairs(WithFolder):
     def test_two_that_never_succeed_together_have_no_figures(self):
         made_up = self.made_up().cell(0, "maze", "fusion").cell(1, "maze", "arbitration").run(0, 1).run(1, 1, outcome="failure")
         self.assertEqual(conclusions.pair_row("maze", *self.read(made_up).by_scheme()), ["maze", 0, "-", "-", "-", "-"])
+
+
+class Conclusions(WithFolder):
+    def test_a_statement_is_confirmed_refuted_or_not_decided(self):
+        known = {"as the original's": (), "other": ("another layout",)}
+        decide = conclusions.decide
+        with unittest.mock.patch.object(conclusions, "DIFFERENCES", known):
+            self.assertEqual(decide({"as the original's": True, "other": True}), "confirmed in our set-up")
+            self.assertEqual(decide({"as the original's": True, "other": None}), "not decided by these runs")
+            self.assertEqual(decide({"as the original's": True, "other": False}), "not decided by these runs")
+            self.assertEqual(decide({"as the original's": False, "other": True}), "refuted")
+            self.assertEqual(decide({"as the original's": None}), "not decided by these runs")
+            self.assertEqual(decide({}), "not decided by these runs")
+            self.assertEqual(conclusions.against({"other": False}), " What speaks against it is not the original's set-up: another layout.")
+            self.assertEqual(conclusions.against({"as the original's": False}), "")
+            self.assertEqual(conclusions.against({"other": True}), "")
+        self.assertEqual(conclusions.below((0.2, 0.4), 0.5), True)
+        self.assertEqual(conclusions.below((0.6, 0.7), 0.5), False)
+        self.assertIsNone(conclusions.below((0.4, 0.6), 0.5))
+
+    def test_no_case_of_ours_is_set_up_as_the_originals(self):
+        self.assertEqual(len(conclusions.DIFFERENCES), 8)
+        for differences in conclusions.DIFFERENCES.values():
+            self.assertIn(conclusions.PERIOD, differences)
+        page = (SOURCE / "docs" / "experiments.md").read_text()
+        self.assertNotIn("**Refuted", page)
+        self.assertIn("None of our cases is set up like that", " ".join(page.split()))
+        self.assertNotRegex(page, "confirmed(?! in our set-up)")
+
+    def test_a_conclusion_of_two_halves_tells_both(self):
+        told = conclusions.first_and_second
+        self.assertEqual(told("confirmed in our set-up", "confirmed in our set-up"), "**Confirmed in our set-up.**")
+        self.assertEqual(told("not decided by these runs", "confirmed in our set-up"),
+                         "**The first half is not decided by these runs, the second confirmed in our set-up.**")
+
+    def test_the_four_conclusions_over_made_up_runs(self):
+        def case(made_up, cell, world, scheme, layers, wins, path, time):
+            made_up.cell(cell, *[level for level in (world, scheme, layers) if level])
+            for seed in range(1, 11):
+                won = seed <= wins
+                made_up.run(cell, seed, path + 0.01 * seed, time, "success" if won else "time_limit", state_hash=str(seed),
+                            note=f"trained: mean error {1e-5 if won else 0.02} after 9 presentations")
+
+        def database(name, factors, worlds, layers, times):
+            made_up = MadeUp(self.folder / f"{name}.sqlite", SOURCE / "core" / "results" / "src" / "schema.sql", factors=factors)
+            cell = 0
+            for world in worlds:
+                for layer in layers:
+                    for scheme, path, time in (("fusion", 5.0, 20.0), ("arbitration", 10.0, times)):
+                        case(made_up, cell, world, scheme, layer, 10 if layer != "2 2 2 2" else 1, path, time)
+                        cell += 1
+            made_up.close()
+            read = results.Results(self.folder / f"{name}.sqlite")
+            self.addCleanup(read.database.close)
+            return read
+
+        every = {"four_resources": database("four", ("world", "coordinator", "layers"), ["four_resources"], parts.LAYERS, 30.0),
+                 "obstacles": database("obstacles", ("world", "coordinator"), [world for _, world in parts.CASES_5_AND_6], [None], 30.0),
+                 "clutter": database("clutter", ("world", "coordinator"), ["clutter"], [None], 30.0),
+                 "decision_period": database("period", ("world", "coordinator", "period"), ["four_resources"], [f"{p} s" for p in parts.PERIODS], 30.0)}
+        first, second, third, fourth = conclusions.conclusions(every).splitlines()
+        self.assertIn("**The first half is not decided by these runs, the second confirmed in our set-up.**", first)  # it fails with 2 2 2 2, but not as the original's
+        self.assertIn("a decision every 0.01 s instead of 0.1 s", first)
+        self.assertIn("**Confirmed in our set-up.**", second)  # 5 m instead of 10 m in every case
+        self.assertIn("**The first half is confirmed in our set-up, the second not decided by these runs.**", third)  # both succeed equally often
+        self.assertIn("**Not decided by these runs.**", fourth)
+        self.assertEqual([line[:2] for line in (first, second, third, fourth)], ["1.", "2.", "3.", "4."])
+
+    def test_groups_without_runs_decide_nothing(self):
+        class Nothing:
+            def of(self, **_):
+                return []
+
+            def by_scheme(self, **_):
+                return [], []
+
+        every = dict.fromkeys(("four_resources", "obstacles", "clutter", "decision_period"), Nothing())
+        told = conclusions.third(every)
+        self.assertIn("**Not decided by these runs.**", told)
+        self.assertTrue(told.endswith("Arbitration succeeds in 0 of 0 runs of cases 1 to 7, fusion in 0 of 0."), told)
+        told = conclusions.fourth(every)
+        self.assertIn("**Not decided by these runs.**", told)
+        self.assertTrue(told.endswith("Seconds, successes only: fusion -, -, -, -; arbitration -, -, -, -."), told)
+
+    def test_the_page_says_of_which_build_its_runs_are(self):
+        one = self.read(self.made_up().cell(0, "maze", "fusion").run(0, 1))
+        self.assertIn("of one build, Elsie 9.8.7, commit abc, `libelsie`", parts.builds({"x": one, "y": one}, {"x": "abc", "y": "abc"}))
+        told = parts.builds({"x": one, "y": one}, {"x": "abc"})
+        self.assertIn("of 2 builds: `x.xml`: Elsie 9.8.7, commit abc", told)
+        self.assertIn("`y.xml`: Elsie 9.8.7, commit not noted", told)
+        self.assertTrue(parts.provenance({"x": one}, {}).startswith("Written by `make tables`: 1 runs of 1 experiment files, of one build, "))
 
 
 class Tables(WithFolder):
@@ -218,6 +335,17 @@ class Prose(unittest.TestCase):
         self.assertEqual(self.found(claims.Claim("page.md", "Arbitration always fails.")), [])
         self.assertIn("and the databases say otherwise", self.found(claims.Claim("page.md", "Arbitration always fails.", holds=False))[0])
         self.assertIn("does not say", self.found(claims.Claim("page.md", "Arbitration never fails."))[0])
+
+    def test_every_sentence_that_is_checked_stands_on_its_page(self):
+        """With whatever figures: these need the databases."""
+        pages = {"EXPERIMENTS": "experiments.md", "COORDINATORS": "every-coordinator.md"}
+        text = {name: claims.prose((SOURCE / "docs" / page).read_text()) for name, page in pages.items()}
+        tree = ast.parse((SOURCE / "scripts" / "lib" / "statements.py").read_text())
+        told = [node.args for node in ast.walk(tree) if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "Claim"]
+        self.assertGreater(len(told), 30)
+        for page, sentence, *_ in told:
+            template = re.sub(r"\\{[^}]*\\}", ".+?", re.escape(" ".join(sentence.value.split())))
+            self.assertRegex(text[page.id], template)
 
     def test_numbers_in_words(self):
         self.assertEqual([claims.in_words(n) for n in (0, 2, 20, 21)], ["none", "two", "twenty", "21"])

@@ -119,6 +119,17 @@ class Rater final : public Coordinator {
   }
 };
 
+/// Says of its one member what should not be said.
+class Boaster final : public Coordinator {
+ public:
+  static inline double weight = 1.0, share = 1.0;
+  MotorCommand coordinate(std::span<Member> members, const Perception&) override {
+    members[0].trace.weight = weight;
+    members[0].trace.share = share;
+    return members[0].respond().command;
+  }
+};
+
 class Enthusiast final : public Behavior {
  public:
   Response respond(const Perception&) override { return MotorCommand{}; }
@@ -149,6 +160,44 @@ TEST_CASE("A coordinator cannot swallow the fault of a member") {
   Simulation simulation(world, scripted.host);
   CHECK_THROWS_WITH(simulation.step(),
                     Catch::Contains("plugin 'scripted'") && Catch::Contains("ouch"));
+}
+
+TEST_CASE("A coordinator whose trace has shares outside [0, 1] or weights below 0 is named") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  add<Boaster>(scripted.host, PluginKind::coordinator, "boaster");
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world.robots[0].coordinator->plugin = "boaster";
+  const auto step = [&](double weight, double share, double priority = 1.0) {
+    Boaster::weight = weight;
+    Boaster::share = share;
+    world.robots[0].behaviors[0].priority = priority;
+    Simulation(world, scripted.host).step();
+  };
+  CHECK_NOTHROW(step(1.0, 1.0));
+  CHECK_NOTHROW(step(5.0, 1.0 + 1e-12));  // a sum that was rounded
+  CHECK_NOTHROW(step(1.0, -1e-12));       // likewise
+  CHECK_NOTHROW(step(-2.0, 1.0, -2.0));   // as the user wants it
+  CHECK_THROWS_AS(step(1.0, 1.5), PluginFault);
+  CHECK_THROWS_WITH(step(1.0, 1.5),
+                    Catch::Contains("plugin 'boaster' (id 'arbiter_suppression') of robot 'r1'") &&
+                        Catch::Contains("the share of 'scripted' in its trace is "
+                                        "1.500000; expected a part of the whole"));
+  CHECK_THROWS_WITH(step(1.0, -0.25),
+                    Catch::Contains("the share of 'scripted' in its trace is -0.250000; expected a "
+                                    "part of the whole command, from 0 to 1"));
+  CHECK_THROWS_WITH(step(-0.5, 1.0),
+                    Catch::Contains("the weight of 'scripted' in its trace is -0.500000; expected "
+                                    "0 or more"));
+}
+
+TEST_CASE("A behaviour that asks for a reading that no sensor makes is named, with the kind") {
+  CHECK_THROWS_WITH(run([]() -> Response {
+                      const Readings<RangeReading> none;
+                      return MotorCommand{none[0]->distance_m, 0.0};
+                    }),
+                    Catch::Contains("plugin 'scripted' of robot 'r1' failed in step 3: it asks "
+                                    "for reading number 0 of kind 'range'"));
 }
 
 TEST_CASE("A behaviour that rates out of range, or throws in reset(), is named") {

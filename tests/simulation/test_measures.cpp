@@ -94,19 +94,19 @@ TEST_CASE("Measures see what is in the world, and what is gone") {
 
 namespace {
 
-/// Gives its only member a share that is none.
+/// Gives its only member a share that rounding took below zero.
 class SharesBelowZero final : public Coordinator {
  public:
   MotorCommand coordinate(std::span<Member> members, const Perception&) override {
     members[0].respond();
-    members[0].trace.share = -0.5;
+    members[0].trace.share = -1e-10;
     return {};
   }
 };
 
 }  // namespace
 
-TEST_CASE("A share below zero is no share in the robot's command") {
+TEST_CASE("A share that rounding took below zero is no share in the robot's command") {
   std::vector<double> seen;
   Script script;
   script.observe = [&](const Observation& now) {
@@ -116,7 +116,7 @@ TEST_CASE("A share below zero is no share in the robot's command") {
   Declaration declaration;
   declaration.kind = PluginKind::coordinator;
   declaration.name = "below_zero";
-  declaration.description = "Gives a share below zero";
+  declaration.description = "Gives a share a little below zero";
   declaration.create = [] { return std::make_unique<SharesBelowZero>(); };
   run.scripted.host.add(std::move(declaration));
   run.world.robots[0].coordinator->plugin = "below_zero";

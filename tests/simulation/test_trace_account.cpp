@@ -103,6 +103,23 @@ TEST_CASE("Episodes follow each other without gaps, each with share, weight and 
   CHECK(episodes[1].parts[0].time_s == Approx(1));
 }
 
+TEST_CASE("An episode tells why it began, and the reason of its longest stretch") {
+  TraceRobot robot = traced_robot({"a", "b"});
+  note(robot, 0, 0, 1.0).reason = 1;
+  note(robot, 1, 0, 0.0);
+  note(robot, 0, 1, 1.0).reason = 2;
+  note(robot, 0, 5, 0.0);
+  note(robot, 1, 5, 1.0).reason = 1;
+  const Trace trace = trace_of(robot, 10);
+  const RobotAccount told = account(trace.robots[0], within({}, trace));
+  const auto& episodes = told.coordinators[0].episodes;
+  REQUIRE(episodes.size() == 2);
+  CHECK(episodes[0].parts.at(0).first_reason == 1);
+  CHECK(episodes[0].parts[0].reason == 2);
+  CHECK(episodes[1].parts.at(0).first_reason == 1);
+  CHECK(episodes[1].parts[0].reason == 1);
+}
+
 TEST_CASE("A span takes a part of the run; it begins with the first decision at the earliest") {
   TraceRobot robot = two();
   for (auto& member : robot.members) {

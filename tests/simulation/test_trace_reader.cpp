@@ -131,8 +131,8 @@ TEST_CASE("What is no trace, or one of another format, is refused in a sentence"
       Catch::StartsWith("'t.trace' is a trace of format '2', but this program reads format 1 "
                         "only"));
   CHECK_THROWS_WITH(read_trace("/nowhere.trace"),
-                    "trace '/nowhere.trace' cannot be opened: No such file or directory");
-  CHECK_THROWS_WITH(read_trace("/tmp"), "trace '/tmp' cannot be read: it is a directory");
+                    "trace '/nowhere.trace' cannot be read: No such file or directory");
+  CHECK_THROWS_WITH(read_trace("/tmp"), "trace '/tmp' is a directory");
 }
 
 TEST_CASE("A damaged row is named by its line, with what was found and what was expected") {

@@ -121,6 +121,8 @@ TEST_CASE("A path that leads nowhere is told as in an override") {
     CHECK(problems(kWorld, {std::string(path) + "=1"}) ==
           "--set " + std::string(path) + "=1: " + wrong(path));
   }
+  CHECK(wrong("robot[r1]/@remove") ==
+        "an element can be removed before a run only: by --set, or by <set> in an experiment");
   CHECK(wrong("robot[r1]/@leeder") == "<robot> has no attribute 'leeder'; did you mean 'leader'?");
   CHECK_THAT(wrong("robot[r1]/segments/@x"), Catch::Contains("<segments> has no attribute 'x'"));
   CHECK_THAT(wrong("robot[r1]/roam/behaviors/@x"), Catch::Contains("no such element"));

@@ -294,6 +294,104 @@ TEST_CASE("An override may take away what stands in a robot or in a behaviour") 
         "world.xml:4: the robot 'r1' has behaviours but no coordinator; add a <coordinator>");
 }
 
+namespace {
+
+const char* const kCrowd = R"(
+  <teams><team id="crew"/></teams>
+  <obstacles>
+    <static_box id="wall" x="1"/><static_box x="2"/>
+    <moving_box id="cart" y="2"><waypoint x="1" y="2"/><waypoint x="2" y="2"/></moving_box>
+  </obstacles>
+  <resources><resource x="-1"/></resources>
+  <chargers><charger id="dock" x="-1" y="1"/></chargers>
+  <robots>
+    <robot id="r1" x="-2">
+      <segments><segment/><segment id="last"/></segments>
+      <sensors><eye><threshold low="0.1"/><mask/><threshold low="0.2"/></eye></sensors>
+      <behaviors><roam id="stroll"/><roam/></behaviors>
+      <coordinator><layers><suppress by="stroll" of="roam"/></layers></coordinator>
+    </robot>
+    <robot id="r2" y="1"/>
+    <robot id="r3" y="-1"/>
+  </robots>
+  <goals><endure time="5"/><travel robot="r1" distance="1"/></goals>)";
+
+world::World crowd(std::vector<std::string> overrides) {
+  return read(kCrowd, std::move(overrides));
+}
+
+}  // namespace
+
+TEST_CASE("An override may take away whatever may stand any number of times") {
+  CHECK(crowd({"robot[r2]/@remove=true"}).robots.at(1).id == "r3");
+  CHECK(crowd({"robot[*]/@remove=true", "travel/@remove=false", "goal[2]/@remove=true"})
+            .robots.empty());
+  CHECK(crowd({"obstacle[wall]/@remove=true"}).boxes.at(0).id == "static_box_2");
+  CHECK(crowd({"obstacles/static_box[2]/@remove=true"}).boxes.at(1).id == "cart");
+  CHECK(crowd({"moving_box[cart]/waypoint[1]/@remove=true"}).boxes.at(2).waypoints.size() == 1);
+  CHECK(crowd({"resource/@remove=true"}).boxes.size() == 3);
+  CHECK(crowd({"charger[dock]/@remove=true"}).chargers.empty());
+  CHECK(crowd({"goal[1]/@remove=true"}).goals.size() == 1);
+  CHECK(crowd({"robot[r1]/segment[last]/@remove=true"}).robots.at(0).segments.size() == 1);
+  const world::Robot r1 =
+      crowd({"eye/threshold[1]/@remove=true", "coordinator/suppress/@remove=true"}).robots.at(0);
+  REQUIRE(r1.sensors.at(0).elements.size() == 2);
+  CHECK(r1.sensors[0].elements[0].element == "mask");
+  CHECK(std::get<double>(r1.sensors[0].elements[1].parameters.at("low")) == 0.2);
+  CHECK(read("<teams><team id=\"crew\"/></teams>", {"team[crew]/@remove=true"}).teams.size() == 2);
+}
+
+TEST_CASE("What is taken away keeps its number until the end, and may be set all the same") {
+  const world::World w = crowd({"robot[1]/@remove=true", "goal[2]/@remove=true",
+                                "robot[2]/@max_speed=0.3", "robot[*]/@coverage=7"});
+  REQUIRE(w.robots.size() == 2);
+  CHECK(w.robots[0].id == "r2");
+  CHECK(w.robots[0].max_speed == 0.3);
+  CHECK(w.robots[1].coverage == 7);
+  CHECK(crowd({"robot[r2]/@remove=true", "robot[r2]/@remove=false"}).robots.size() == 3);
+}
+
+TEST_CASE("What is left after a removal is checked like a file") {
+  CHECK(problems(kCrowd, {"robot[r1]/@remove=true"}) ==
+        "world.xml:19: robot=\"r1\" of <travel>: there is no such robot; did you mean 'r2'?");
+  CHECK_THAT(problems(kCrowd, {"moving_box[cart]/waypoint[*]/@remove=true"}),
+             Catch::Contains("<moving_box>") && Catch::Contains("waypoint"));
+  CHECK_THAT(problems(kCrowd, {"robot[r1]/coordinator/@remove=true"}),
+             Catch::Contains("has behaviours but no coordinator"));
+}
+
+TEST_CASE("What cannot be taken away is refused in words") {
+  const auto message = [](const std::string& override) {
+    const std::string text = problems(kCrowd, {override});
+    const std::string before = "--set " + override + ": ";
+    REQUIRE(text.starts_with(before));
+    return text.substr(before.size());
+  };
+  CHECK(message("@remove=true") ==
+        "the world itself cannot be removed; expected the path of something in it, as in "
+        "robot[r1]/@remove");
+  CHECK(message("robots/@remove=true") ==
+        "<robots> is a list and cannot be removed; to empty it, remove what stands in it: "
+        "robot[*]/@remove");
+  CHECK(message("robot[r1]/sensors/@remove=true") ==
+        "<sensors> is a list and cannot be removed; to empty it, remove what stands in it: "
+        "sensor[*]/@remove");
+  for (const char* once : {"arena", "physics", "limits", "robot[r1]/body"}) {
+    CHECK_THAT(message(std::string(once) + "/@remove=true"),
+               Catch::Contains("cannot be removed: it is always there, with its defaults where "
+                               "nothing is set; set its attributes instead"));
+  }
+  CHECK(message("robot[r1]/@remove=yes") == "remove=\"yes\" of <robot>: expected true or false");
+  CHECK(message("robot[r9]/@remove=true") == "there is no robot[r9]; there are: r1, r2, r3");
+  CHECK(message("robot[r1]/behavior[roam]=<roam remove=\"true\"/>") ==
+        "nothing stands under <roam remove=\"...\"> that could be taken away; to remove an "
+        "element, end its path with @remove=true");
+  CHECK_THAT(
+      problems(kCrowd, {"behavior[roam]/@remove=true", "robot[r1]/behavior[roam]=<roam/>"}),
+      Catch::Contains("this replaces the element in which 'behavior[roam]/@remove=true' is set "
+                      "before"));
+}
+
 TEST_CASE("An attribute called template is a robot's or a parameter like others") {
   CHECK(problems(kNested, {"coordinator/inhibit/@template=x"}) ==
         "--set coordinator/inhibit/@template=x: <inhibit> has no attribute 'template'; it may "

@@ -181,7 +181,8 @@ TEST_CASE("All mistakes of a file are reported, in the order of their lines") {
         "world.xml:5: there is no behavior 'raom'; did you mean 'roam'?\n"
         "world.xml:5: speed=\"x\" of <roam>: expected a number at least 0 and at most 50 rad/s\n"
         "world.xml:6: a second robot with the id 'r1'; the first is there already (line 4)\n"
-        "world.xml:8: length=\"nan\" of <arena>: expected a number above 0 and at most 10000 m\n"
+        "world.xml:8: length=\"nan\" of <arena>: expected a number at least 1e-04 and at most "
+        "10000 m\n"
         "world.xml:9: walls=\"maybe\" of <arena>: expected true or false");
 }
 

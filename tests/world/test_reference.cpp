@@ -13,9 +13,10 @@ using Catch::Matchers::Contains;
 TEST_CASE("The world reference has every element and attribute") {
   const std::string page = world::world_reference();
   CHECK_THAT(page, Contains("## world / arena"));
-  CHECK_THAT(page,
-             Contains("| `length` | a number above 0 and at most 10000 m | `10` | along x, between "
-                      "the walls |"));
+  CHECK_THAT(
+      page,
+      Contains("| `length` | a number at least 1e-04 and at most 10000 m | `10` | along x, between "
+               "the walls |"));
   CHECK_THAT(page, Contains("## world / robots / robot / sensors / *any sensor plugin*"));
   CHECK_THAT(page, Contains("| `path` | one of 'round', 'to_and_fro' | `round` |"));
   CHECK_THAT(page, Contains("| `team` | the id of a team |"));

@@ -83,7 +83,7 @@ TEST_CASE("What is no file is refused in words") {
                              "file"));
   CHECK_THAT(message_of((folder / "link.xml").string()),
              Catch::EndsWith("link.xml: this is a link to 'gone.xml', but there is no such file"));
-  CHECK(message_of("/dev/null") == "/dev/null: this is not a file; expected an XML file");
+  CHECK(message_of("/dev/null") == "/dev/null: this is a device, not a file; expected an XML file");
   CHECK(message_of("") == "'': the name of a file is missing; expected that of an XML file");
 }
 
@@ -91,7 +91,18 @@ TEST_CASE("A file that no world can fill is not read") {
   const Draft draft("<world format='1'/>");
   fs::resize_file(draft.path(), (std::uintmax_t{32} << 20) + 1);
   CHECK_THAT(message_of(draft.path()),
-             Catch::EndsWith(": the file is larger than 32 MiB; no world is"));
+             Catch::EndsWith(
+                 ": this is 33.6 MB long; files of up to 32 MB are read; expected an XML file"));
+}
+
+TEST_CASE("An element with very many attributes is refused soon") {
+  std::string text = "<world format='1'\n";
+  for (int i = 0; i < 20000; ++i) {
+    text += " a" + std::to_string(i) + "='1'\n";
+  }
+  const Draft draft(text + "/>");
+  CHECK_THAT(message_of(draft.path()),
+             Catch::EndsWith(":501: <world> has more than 500 attributes; no element has so many"));
 }
 
 TEST_CASE("A file with very many mistakes is reported in full, and soon") {

@@ -1,0 +1,310 @@
+// Plugins that do to the process what no plugin should, after half a second, for the tests of the
+// program: they end it, copy it, print, close its files, or change how it computes.
+#include <cfenv>
+#include <csignal>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <elsie/api/behavior.h>
+
+namespace {
+
+std::string wish() {
+  const char* const text = std::getenv("TRESPASS_WHILE_LOADED");
+  return text ? text : "";
+}
+
+/// What a test asks for happens while the library is loaded, whether a world uses it or not.
+[[maybe_unused]] const bool loaded = [] {
+  if (wish() == "leave") {
+    _exit(0);
+  }
+  if (wish() == "round") {
+    std::fesetround(FE_UPWARD);
+  }
+  while (wish() == "loop") {
+  }
+  return true;
+}();
+
+/// A function that the compiler cannot look into, so that the faults below stay.
+template <class Value>
+Value hidden(Value value) {
+  asm volatile("" : "+r"(value));
+  return value;
+}
+
+/// Drives on for half a second, does once what `Deed` does, and drives on.
+template <class Deed>
+class Trespassing final : public elsie::Behavior {
+ public:
+  elsie::Response respond(const elsie::Perception& now) override {
+    if (!done_ && now.time_s() >= 0.495) {
+      done_ = true;
+      Deed()();
+    }
+    return elsie::MotorCommand{10.0, 10.0 + 0.1 * now.time_s()};
+  }
+
+ private:
+  bool done_ = false;
+};
+
+struct Leaves {
+  void operator()() { _exit(0); }
+};
+struct LeavesInC {
+  void operator()() { std::_Exit(0); }
+};
+struct LeavesQuickly {
+  void operator()() { std::quick_exit(0); }
+};
+struct HandlesItsCrash {
+  void operator()() {
+    struct sigaction action {};
+    action.sa_handler = [](int) { _exit(0); };
+    sigaction(SIGSEGV, &action, nullptr);
+    *hidden<int*>(nullptr) = 1;
+  }
+};
+struct LeavesAtTheEnd {
+  void operator()() {
+    std::atexit([] { _exit(0); });
+  }
+};
+struct LeavesBySystemCall {
+  void operator()() { syscall(SYS_exit_group, 0); }
+};
+struct BecomesAnother {
+  void operator()() { execl("/bin/true", "true", nullptr); }
+};
+struct KillsTheProgram {
+  void operator()() { raise(SIGKILL); }
+};
+struct LeavesElsewhere {
+  void operator()() {
+    std::thread([] { _exit(0); }).join();
+  }
+};
+/// The run goes on, and reaches its goals, while the thread's crash is reported.
+struct CrashesBeside {
+  void operator()() {
+    std::thread([] { *hidden<int*>(nullptr) = 1; }).detach();
+  }
+};
+/// Leaves a thread behind, which goes on when its code is gone.
+struct LeavesAThread {
+  void operator()() {
+    std::thread([] {
+      while (hidden(true)) {
+      }
+    }).detach();
+  }
+};
+/// A copy that crashes has nothing to do with the program.
+struct ForksAndCrashesThere {
+  void operator()() {
+    if (fork() == 0) {
+      *hidden<int*>(nullptr) = 1;
+    }
+  }
+};
+struct Forks {
+  void operator()() { static_cast<void>(fork()); }
+};
+struct StartsAProgram {
+  void operator()() { static_cast<void>(std::system("true")); }
+};
+struct ForgetsHandlersAndCrashes {
+  void operator()() {
+    for (int number = 1; number < 32; ++number) {
+      signal(number, SIG_DFL);
+    }
+    *hidden<int*>(nullptr) = 1;
+  }
+};
+struct WritesToABrokenPipe {
+  void operator()() {
+    int ends[2];
+    if (pipe(ends) == 0) {
+      close(ends[0]);
+      static_cast<void>(write(ends[1], "x", 1));
+    }
+  }
+};
+struct Prints {
+  void operator()() {
+    std::printf("printed by printf\n");
+    std::cout << "printed by cout\n";  // not flushed: the program sees to that
+    static_cast<void>(write(STDOUT_FILENO, "written\n", 8));
+  }
+};
+struct Rounds {
+  void operator()() { std::fesetround(FE_UPWARD); }
+};
+struct BlocksSignals {
+  void operator()() {
+    sigset_t all;
+    sigfillset(&all);
+    sigprocmask(SIG_SETMASK, &all, nullptr);
+  }
+};
+struct BlocksSignalsAndLoops {
+  void operator()() {
+    BlocksSignals()();
+    static_cast<void>(write(STDERR_FILENO, "for ever\n", 9));
+    while (hidden(true)) {
+    }
+  }
+};
+struct CrashesInElsie {
+  void operator()() {
+    // The heap is damaged here, and the damage is noticed elsewhere.
+    auto* const block = static_cast<char*>(std::malloc(64));
+    for (int i = -16; i < 4096; ++i) {
+      static_cast<volatile char*>(hidden(block))[i] = 0x41;
+    }
+  }
+};
+
+/// One object is made when the library is read, and goes well.
+int made = 0;
+class LeavesWhenMade final : public elsie::Behavior {
+ public:
+  LeavesWhenMade() {
+    if (made++ > 0) {
+      _exit(0);
+    }
+  }
+  elsie::Response respond(const elsie::Perception&) override { return {}; }
+};
+int made_too = 0;
+class RoundsWhenMade final : public elsie::Behavior {
+ public:
+  RoundsWhenMade() {
+    if (made_too++ > 0) {
+      std::fesetround(FE_UPWARD);
+    }
+  }
+  elsie::Response respond(const elsie::Perception&) override { return {}; }
+};
+class LeavesWhenDestroyed final : public elsie::Behavior {
+ public:
+  ~LeavesWhenDestroyed() override {
+    if (asked_) {
+      _exit(0);
+    }
+  }
+  elsie::Response respond(const elsie::Perception&) override {
+    asked_ = true;
+    return {};
+  }
+
+ private:
+  bool asked_ = false;
+};
+
+/// From the first step on.
+class LoopsAtOnce final : public elsie::Behavior {
+ public:
+  elsie::Response respond(const elsie::Perception&) override {
+    while (hidden(true)) {
+    }
+    return {};
+  }
+};
+class LeavesAtOnce final : public elsie::Behavior {
+ public:
+  elsie::Response respond(const elsie::Perception&) override { _exit(0); }
+};
+/// Keeps something of every step, and does not free it.
+class Hoards final : public elsie::Behavior {
+ public:
+  elsie::Response respond(const elsie::Perception&) override {
+    kept_.push_back(hidden(new double[1000]));
+    return elsie::MotorCommand{1, 1};
+  }
+
+ private:
+  std::vector<double*> kept_;
+};
+/// Wants everything at once.
+class Gulps final : public elsie::Behavior {
+ public:
+  elsie::Response respond(const elsie::Perception&) override {
+    delete[] hidden(new char[hidden(std::size_t{4'000'000'000})]);
+    return elsie::MotorCommand{1, 1};
+  }
+};
+
+using LeavesLate = Trespassing<Leaves>;
+using LeavesInCLate = Trespassing<LeavesInC>;
+using LeavesQuicklyLate = Trespassing<LeavesQuickly>;
+using HandlesItsCrashLate = Trespassing<HandlesItsCrash>;
+using LeavesAtTheEndLate = Trespassing<LeavesAtTheEnd>;
+using LeavesBySystemCallLate = Trespassing<LeavesBySystemCall>;
+using BecomesAnotherLate = Trespassing<BecomesAnother>;
+using KillsTheProgramLate = Trespassing<KillsTheProgram>;
+using LeavesElsewhereLate = Trespassing<LeavesElsewhere>;
+using CrashesBesideLate = Trespassing<CrashesBeside>;
+using LeavesAThreadLate = Trespassing<LeavesAThread>;
+using ForksAndCrashesThereLate = Trespassing<ForksAndCrashesThere>;
+using ForksLate = Trespassing<Forks>;
+using StartsAProgramLate = Trespassing<StartsAProgram>;
+using ForgetsHandlersLate = Trespassing<ForgetsHandlersAndCrashes>;
+using WritesToABrokenPipeLate = Trespassing<WritesToABrokenPipe>;
+using PrintsLate = Trespassing<Prints>;
+using RoundsLate = Trespassing<Rounds>;
+using BlocksSignalsLate = Trespassing<BlocksSignals>;
+using BlocksSignalsAndLoopsLate = Trespassing<BlocksSignalsAndLoops>;
+using CrashesInElsieLate = Trespassing<CrashesInElsie>;
+
+}  // namespace
+
+ELSIE_BEHAVIOR(LeavesLate, "leaving", "Calls _exit(0) after half a second");
+ELSIE_BEHAVIOR(LeavesInCLate, "leaving_in_c", "Calls _Exit(0) after half a second");
+ELSIE_BEHAVIOR(LeavesQuicklyLate, "leaving_quickly", "Calls quick_exit(0) after half a second");
+ELSIE_BEHAVIOR(HandlesItsCrashLate, "handling_its_crash",
+               "Crashes after half a second, and ends the program in a handler of its own");
+ELSIE_BEHAVIOR(LeavesAtTheEndLate, "leaving_at_the_end",
+               "Has _exit(0) called when its library goes");
+ELSIE_BEHAVIOR(LeavesBySystemCallLate, "leaving_by_system_call",
+               "Ends the process without the C library after half a second");
+ELSIE_BEHAVIOR(BecomesAnotherLate, "becoming_another",
+               "Puts another program in the place of this one after half a second");
+ELSIE_BEHAVIOR(KillsTheProgramLate, "killing", "Kills the process after half a second");
+ELSIE_BEHAVIOR(LeavesElsewhereLate, "leaving_elsewhere",
+               "Calls _exit(0) in a thread of its own after half a second");
+ELSIE_BEHAVIOR(CrashesBesideLate, "crashing_beside",
+               "Crashes in a thread of its own, which it does not wait for");
+ELSIE_BEHAVIOR(LeavesAThreadLate, "leaving_a_thread", "Leaves a thread behind that does not end");
+ELSIE_BEHAVIOR(ForksAndCrashesThereLate, "forking_and_crashing",
+               "Copies the process after half a second, and the copy crashes");
+ELSIE_BEHAVIOR(ForksLate, "forking", "Copies the process after half a second");
+ELSIE_BEHAVIOR(StartsAProgramLate, "starting", "Starts a program after half a second");
+ELSIE_BEHAVIOR(ForgetsHandlersLate, "forgetting_handlers",
+               "Takes back all handlers of signals, and crashes");
+ELSIE_BEHAVIOR(WritesToABrokenPipeLate, "writing_to_a_broken_pipe",
+               "Writes to a pipe that nobody reads");
+ELSIE_BEHAVIOR(PrintsLate, "printing", "Prints after half a second");
+ELSIE_BEHAVIOR(RoundsLate, "rounding", "Has numbers rounded upward after half a second");
+ELSIE_BEHAVIOR(BlocksSignalsLate, "blocking", "Blocks all signals after half a second");
+ELSIE_BEHAVIOR(BlocksSignalsAndLoopsLate, "blocking_and_looping",
+               "Blocks all signals and does not return after half a second");
+ELSIE_BEHAVIOR(CrashesInElsieLate, "smashing_heap", "Damages the heap after half a second");
+ELSIE_BEHAVIOR(LeavesWhenMade, "leaving_when_made", "Calls _exit(0) when it is made");
+ELSIE_BEHAVIOR(RoundsWhenMade, "rounding_when_made", "Has numbers rounded upward when it is made");
+ELSIE_BEHAVIOR(LeavesWhenDestroyed, "leaving_when_destroyed", "Calls _exit(0) when it goes");
+ELSIE_BEHAVIOR(LoopsAtOnce, "looping_at_once", "Never returns");
+ELSIE_BEHAVIOR(LeavesAtOnce, "leaving_at_once", "Calls _exit(0) in its first step");
+ELSIE_BEHAVIOR(Hoards, "hoarding", "Keeps 8000 bytes of every step");
+ELSIE_BEHAVIOR(Gulps, "gulping", "Wants 4 GB in every step");

@@ -1,0 +1,382 @@
+// Plugins that end the process, copy it, print or change how it computes: the exit code, the
+// answer and the results are the program's.
+#include <string>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "places.h"
+#include "program.h"
+
+using Catch::Contains;
+using elsie::test::ProgramRun;
+using elsie::test::Workplace;
+
+namespace {
+
+/// A plugin of plugins/trespassers.cpp on the robot r1, in a run that reaches its goal after a
+/// second.
+class TrespassersWorld {
+ public:
+  ProgramRun run(const std::string& behavior, const std::string& options = "") const {
+    here.write("world.xml",
+               "<world format=\"1\"><robots><robot id=\"r1\"><behaviors><" + behavior +
+                   "/></behaviors>\n<coordinator><arbiter_suppression/></coordinator></robot>"
+                   "</robots>\n<goals><endure time=\"1\"/></goals></world>\n");
+    return here.elsie("run world.xml --plugin-path " + plugins + " --json " + options);
+  }
+
+  const std::string plugins = elsie::test::build_path("tests/program/plugins");
+  Workplace here;
+};
+
+std::string state_hash(const ProgramRun& run) {
+  return nlohmann::json::parse(run.out).at("state_hash");
+}
+
+}  // namespace
+
+TEST_CASE("A plugin that ends the process by a function of the C library is named, exit code 3") {
+  TrespassersWorld world;
+  struct Case {
+    std::string plugin, what;
+  };
+  for (const Case& expected : {Case{"leaving", "_exit()"},
+                               {"leaving_in_c", "_Exit()"},
+                               {"leaving_quickly", "quick_exit()"},
+                               {"handling_its_crash", "_exit()"}}) {
+    CAPTURE(expected.plugin);
+    const auto run = world.run(expected.plugin, "--record run.csv --record-rate 100");
+    CAPTURE(run.err);
+    CHECK(run.exit_code == 3);
+    CHECK(run.out.empty());
+    CHECK_THAT(run.err, Contains("elsie: plugin '" + expected.plugin +
+                                 "' of robot 'r1' ended the program by calling " + expected.what +
+                                 " in step 50\n") &&
+                            Contains("what was recorded until then is kept\n") &&
+                            Contains("trespassers.so+0x"));
+    CHECK_THAT(world.here.read("run.csv"), Catch::EndsWith("\n"));
+  }
+}
+
+TEST_CASE("It is named as well when it is made, when it goes, and when its library goes") {
+  TrespassersWorld world;
+  auto run = world.run("leaving_when_made");
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("plugin 'leaving_when_made' ended the program by calling _exit(), "
+                               "while it was made (world.xml:1)"));
+  run = world.run("leaving_when_destroyed");
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err,
+             Contains("trespassers.so' ended the program by calling _exit(), while it went"));
+  run = world.run("leaving_at_the_end");
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("trespassers.so' ended the program by calling _exit(), while it was "
+                               "unloaded"));
+}
+
+TEST_CASE("A library that ends the process while it is loaded is named, though nobody uses it") {
+  TrespassersWorld world;
+  for (const std::string command :
+       {"run worlds/open_arena.xml --duration 1", "check worlds/open_arena.xml",
+        "test-plugin wander", "describe wander", "plugins"}) {
+    CAPTURE(command);
+    const auto run = world.here.sh(
+        "TRESPASS_WHILE_LOADED=leave ELSIE_PLUGIN_PATH=" + world.plugins + " elsie " + command);
+    CHECK(run.exit_code == 3);
+    CHECK(run.out.empty());
+    CHECK_THAT(run.err,
+               Contains("elsie: plugin library '") &&
+                   Contains("trespassers.so' ended the program by calling _exit(), while it "
+                            "was loaded\n"));
+  }
+}
+
+TEST_CASE("An end that nobody in the process can see is no success") {
+  TrespassersWorld world;
+  for (const std::string plugin : {"leaving_by_system_call", "becoming_another"}) {
+    CAPTURE(plugin);
+    const auto run = world.run(plugin);
+    CHECK(run.exit_code == 3);
+    CHECK(run.out.empty());
+    CHECK(run.err ==
+          "elsie: the program was ended before its work was done, with exit code 0: a plugin has "
+          "ended it by a system call, or has closed the files that it needs; the results are not "
+          "whole\n");
+  }
+  const auto killed = world.run("killing");
+  CHECK(killed.exit_code == 128 + 9);
+  CHECK_THAT(killed.err, Contains("elsie: the program was killed (SIGKILL)"));
+}
+
+TEST_CASE("The check of a plugin that ends the process ends with exit code 3") {
+  TrespassersWorld world;
+  const auto run =
+      world.here.elsie("test-plugin leaving --plugin-path " + world.plugins + " --variants 1");
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("plugin 'leaving' ended the program by calling _exit()"));
+}
+
+TEST_CASE("A thread of a plugin that ends the process or crashes is found in its library") {
+  TrespassersWorld world;
+  auto run = world.run("leaving_elsewhere");
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("elsie: plugin library '") &&
+                          Contains("trespassers.so', in a thread of its own, ended the program by "
+                                   "calling _exit()"));
+  run = world.run("crashing_beside", "--speed 1");  // so that there is time for the crash
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("trespassers.so', in a thread of its own, ended the program with a "
+                               "segmentation fault (SIGSEGV)"));
+}
+
+TEST_CASE("A thread that a plugin leaves behind is found in the library that was unloaded") {
+  TrespassersWorld world;
+  // The program may have ended before the thread comes to run again.
+  bool was_seen = false;
+  for (int i = 0; i < 20 && !was_seen; ++i) {
+    const auto run = world.run("leaving_a_thread");
+    CAPTURE(run.err);
+    was_seen = run.exit_code == 3;
+    CHECK((was_seen || (run.exit_code == 0 && run.err.empty())));
+    if (was_seen) {
+      CHECK_THAT(run.err,
+                 Contains("trespassers.so', in a thread of its own, ended the program with "
+                          "a segmentation fault (SIGSEGV)"));
+    }
+  }
+  CHECK(was_seen);
+}
+
+TEST_CASE("A copy of the process that crashes does not speak for the program") {
+  TrespassersWorld world;
+  const auto run = world.run("forking_and_crashing", "--record run.csv --record-rate 100");
+  CHECK(run.exit_code == 3);
+  CHECK(run.err ==
+        "elsie: plugin 'forking_and_crashing' of robot 'r1' failed in step 50: it made a copy of "
+        "the program with fork(); start other programs with posix_spawn()\n");
+}
+
+TEST_CASE("A crash outside of plugins, after one has damaged the heap, says where to look") {
+  TrespassersWorld world;
+  const auto run = world.run("smashing_heap");
+  // Where the damage is noticed depends on the allocator: in the plugin's next call, or outside.
+  const bool is_noticed_outside = run.exit_code >= 128;
+  CHECK((run.exit_code == 3 || is_noticed_outside));
+  CHECK(run.out.empty());
+  CHECK_THAT(run.err, Contains(is_noticed_outside
+                                   ? "if a plugin has written over memory that is not its own"
+                                   : "plugin 'smashing_heap' of robot 'r1' ended the program"));
+}
+
+TEST_CASE("A copy of the process ends, and the plugin that made it has failed") {
+  TrespassersWorld world;
+  const auto run = world.run("forking", "--record run.csv --record-rate 100");
+  CHECK(run.exit_code == 3);
+  CHECK(run.out.empty());
+  CHECK(run.err ==
+        "elsie: plugin 'forking' of robot 'r1' failed in step 50: it made a copy of the program "
+        "with fork(); start other programs with posix_spawn()\n");
+  CHECK(world.run("starting").exit_code == 0);
+}
+
+TEST_CASE("What plugins print is not mixed with the answer") {
+  TrespassersWorld world;
+  world.run("printing");
+  const auto run = world.here.sh("elsie run world.xml --json --record /dev/stdout --plugin-path " +
+                                 world.plugins + " | cat");
+  CHECK(run.exit_code == 0);
+  CHECK_THAT(run.err, Contains("printed by printf\n") && Contains("printed by cout\n") &&
+                          Contains("written\n"));
+  CHECK_THAT(run.out, !Contains("printed") && !Contains("written"));
+  const std::size_t answer = run.out.find("\n{");
+  REQUIRE(answer != std::string::npos);
+  CHECK(nlohmann::json::parse(run.out.substr(answer)).at("outcome") == "success");
+  CHECK(nlohmann::json::parse(world.run("printing").out).at("outcome") == "success");
+}
+
+TEST_CASE("A library that changes how numbers are rounded is named, and changes no run") {
+  TrespassersWorld world;
+  const std::string command = " elsie run worlds/clutter.xml --seed 5 --duration 5 --json";
+  const auto plain = world.here.sh(command);
+  const auto run =
+      world.here.sh("TRESPASS_WHILE_LOADED=round ELSIE_PLUGIN_PATH=" + world.plugins + command);
+  CHECK(state_hash(run) == state_hash(plain));
+  CHECK(plain.err.empty());
+  CHECK_THAT(run.err,
+             Contains("trespassers.so: changed how results are rounded for the whole program "
+                      "when it was loaded; this was undone\n"));
+}
+
+TEST_CASE("A plugin that changes how numbers are rounded is named, and changes no other") {
+  TrespassersWorld world;
+  const auto run = world.run("rounding");
+  CHECK(run.exit_code == 0);
+  const auto result = nlohmann::json::parse(run.out);
+  REQUIRE(result.at("notes").size() == 1);
+  CHECK(result.at("notes")[0].at("plugin") == "rounding");
+  CHECK(result.at("notes")[0].at("text") ==
+        "changed how results are rounded for the whole program, once, first in step 50; this was "
+        "undone after each call");
+  CHECK(state_hash(run) == state_hash(world.run("starting")));  // which drives the same way
+  const auto made = world.run("rounding_when_made");
+  CHECK(made.exit_code == 3);
+  CHECK_THAT(made.err, Contains("world.xml:1: ") && Contains("rounding_when_made") &&
+                           Contains("could not be made: it changed how results are rounded for "
+                                    "the whole program"));
+}
+
+TEST_CASE("A plugin that blocks all signals is ended all the same") {
+  TrespassersWorld world;
+  const auto in_time = world.run("blocking_and_looping", "--time-budget 500");
+  CHECK(in_time.exit_code == 3);
+  CHECK_THAT(in_time.err, Contains("plugin 'blocking_and_looping' of robot 'r1' has blocked all "
+                                   "signals, and did not return within its time budget"));
+  const auto interrupted =
+      world.here.sh("elsie run world.xml --plugin-path " + world.plugins +
+                    " 2> err & pid=$!\nuntil grep -q 'for ever' err; do sleep 0.1; done\n"
+                    "kill $pid; sleep 1; kill $pid; wait $pid || echo $?");
+  CHECK(interrupted.out == "4\n");
+  CHECK_THAT(world.here.read("err"), Contains("the program did not end although it was asked "
+                                              "twice, and was killed"));
+}
+
+TEST_CASE("One that blocks them and goes on can still be interrupted") {
+  TrespassersWorld world;
+  world.run("blocking");
+  const auto run = world.here.sh(
+      "sed -i 's/<goals>.*<.goals>//' world.xml\nelsie run world.xml --speed 1 --duration 100 "
+      "--plugin-path " +
+      world.plugins + " 2> err & pid=$!\nsleep 3; kill $pid; wait $pid || echo $?");
+  CHECK(run.out == "4\n");
+  CHECK_THAT(world.here.read("err"), Contains("interrupted after"));
+}
+
+TEST_CASE("In one process, for a debugger, everything is as otherwise but for the exit code") {
+  TrespassersWorld world;
+  world.run("starting");
+  const std::string options = "run world.xml --json --plugin-path " + world.plugins;
+  CHECK(state_hash(world.here.elsie("--one-process " + options)) ==
+        state_hash(world.here.elsie(options)));
+  const auto run = world.here.sh(
+      "elsie --one-process check worlds/open_arena.xml & pid=$!\n"
+      "wait $pid");
+  CHECK(run.out == "worlds/open_arena.xml: in order: 1 robot, 0 boxes\n");
+}
+
+TEST_CASE("A program whose other half is missing says so") {
+  const Workplace here;
+  const auto run = here.sh("mkdir -p half/bin; cp " + elsie::test::build_path("bin/elsie") +
+                           " half/bin; half/bin/elsie plugins");
+  CHECK(run.exit_code == 4);
+  CHECK_THAT(run.err, Contains("half/lib/elsie/elsie-program' is missing, which belongs to this "
+                               "program; install it again\n"));
+}
+
+TEST_CASE("test-plugin stops a plugin that does not return, and one that takes ever more memory") {
+  TrespassersWorld world;
+  auto run = world.here.sh(
+      "TRESPASS_WHILE_LOADED=loop elsie test-plugin wander --time-limit 1 "
+      "--plugin-path " +
+      world.plugins);
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("trespassers.so' did not return within 1 s and was stopped, while "
+                               "it was loaded"));
+  run =
+      world.here.elsie("test-plugin looping_at_once --time-limit 1 --plugin-path " + world.plugins);
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("plugin 'looping_at_once' did not return within 1 s and was stopped "
+                               "in step 0, while it was tried (its defaults; "));
+  run = world.here.elsie("test-plugin hoarding --variants 0 --memory-limit 400 --plugin-path " +
+                         world.plugins);
+  CHECK(run.exit_code == 1);
+  CHECK_THAT(run.out, Contains("behavior 'hoarding': its memory grows with the number of steps: "
+                               "more than 200 MB"));
+  run = world.here.elsie("test-plugin gulping --memory-limit 200 --plugin-path " + world.plugins);
+  CHECK(run.exit_code == 1);
+  CHECK_THAT(run.out, Contains("behavior 'gulping': ") && Contains("std::bad_alloc"));
+}
+
+TEST_CASE("A plugin that crashes while it is checked is named with the trial") {
+  TrespassersWorld world;
+  const auto run = world.here.elsie("test-plugin leaving_at_once --plugin-path " + world.plugins);
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("plugin 'leaving_at_once' ended the program by calling _exit() in "
+                               "step 0, while it was tried (its defaults; "));
+}
+
+TEST_CASE("Every command that reads a file refuses a pipe, a device and what is far too large") {
+  const Workplace here;
+  here.sh(
+      "mkfifo pipe pipe.mcap pipe.trace pipe.xml pipe.sqlite pipe.fcl\n"
+      "truncate -s 1100000000 sparse.fcl sparse.trace sparse.mcap sparse.xml sparse.txt");
+  struct Case {
+    std::string command, sentence;
+  };
+  const std::string kPipe = "is a pipe, not a file";
+  const std::string kDevice = "is a device, not a file";
+  const std::string kLarge = "MB are read";
+  for (const Case& expected : {Case{"fuzzy pipe.fcl", kPipe},
+                               {"fuzzy /dev/zero", kDevice},
+                               {"fuzzy sparse.fcl", kLarge},
+                               {"explain pipe.trace", kPipe},
+                               {"explain /dev/zero", kDevice},
+                               {"explain sparse.trace", "sparse.trace"},
+                               {"replay pipe.mcap", kPipe},
+                               {"replay /dev/zero", kDevice},
+                               {"replay sparse.mcap", "is neither a recording"},
+                               {"replay pipe.sqlite 3", kPipe},
+                               {"run pipe.xml", kPipe},
+                               {"check sparse.xml", kLarge},
+                               {"report pipe.sqlite", "pipe.sqlite"},
+                               {"train worlds/learned_priorities.xml --robot r1 --set "
+                                "'robot[r1]/coordinator/@training=sparse.txt'",
+                                kLarge},
+                               {"run worlds/learned_priorities.xml --set "
+                                "'robot[r1]/coordinator/@training=pipe'",
+                                "there is no such file"}}) {
+    CAPTURE(expected.command);
+    const auto run = here.sh("ulimit -v 4000000; timeout 20 elsie " + expected.command);
+    CAPTURE(run.err);
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    CHECK_THAT(run.err, Contains(expected.sentence));
+  }
+}
+
+TEST_CASE("A plugin that takes back the handlers of signals and crashes is no silent end") {
+  TrespassersWorld world;
+  const auto run = world.run("forgetting_handlers");
+  CHECK(run.exit_code == 128 + 11);
+  CHECK_THAT(run.err, Catch::StartsWith("elsie: the program was ended by the signal SIGSEGV, which "
+                                        "it could not report: a plugin may have replaced its "
+                                        "handlers of signals\n"));
+}
+
+TEST_CASE("A plugin that writes to a pipe that nobody reads is named") {
+  TrespassersWorld world;
+  const auto run = world.run("writing_to_a_broken_pipe");
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("plugin 'writing_to_a_broken_pipe' of robot 'r1' ended the program "
+                               "with the signal SIGPIPE in step 50\n"));
+}
+
+TEST_CASE("A report that nobody reads to its end does not change the exit code") {
+  TrespassersWorld world;
+  world.run("starting");
+  const auto run = world.here.sh(
+      "sed -i s/starting/leaving/ world.xml\n"
+      "{ elsie run world.xml --plugin-path " +
+      world.plugins + " 2>&1 || echo $? > code; } | head -c 1\ncat code");
+  CHECK_THAT(run.out, Catch::EndsWith("3\n"));
+}
+
+TEST_CASE("test-plugin finds plugins that fork or change how numbers are rounded") {
+  TrespassersWorld world;
+  const auto run =
+      world.here.elsie("test-plugin forking rounding --variants 0 --plugin-path " + world.plugins);
+  CHECK(run.exit_code == 1);
+  CHECK_THAT(run.out, Contains("behavior 'forking': it makes a copy of the program with fork()") &&
+                          Contains("behavior 'rounding': it changes how results are rounded for "
+                                   "the whole program"));
+}

@@ -1,0 +1,81 @@
+// Every shipped world has the same bits whatever processor the C library believes to be on.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "places.h"
+#include "program.h"
+
+using elsie::test::build_path;
+using elsie::test::Workplace;
+
+namespace {
+
+std::vector<std::string> shipped_worlds() {
+  std::vector<std::string> worlds;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(elsie::test::source_path("worlds"))) {
+    if (entry.path().extension() == ".xml") {
+      worlds.push_back("worlds/" + entry.path().filename().string());
+    }
+  }
+  return worlds;
+}
+
+/// The state hash of two simulated seconds. `tunables`: of the C library, as a user may have set
+/// them; `program`: the program as users start it, or what it starts.
+std::string hash_of(const std::string& world, const std::string& tunables,
+                    const std::string& program = "elsie") {
+  const Workplace here;
+  const auto run = here.sh("GLIBC_TUNABLES='" + tunables + "' " + program + " run " + world +
+                           " --seed 3 --duration 2 --json || [ $? = 1 ]");
+  CAPTURE(run.err);
+  REQUIRE(run.exit_code == 0);
+  return nlohmann::json::parse(run.out).at("state_hash");
+}
+
+bool this_processor_has_fma() {
+  std::ifstream file("/proc/cpuinfo");
+  const std::string facts{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  return facts.find(" fma ") != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("The features of the processor make no difference to any shipped world") {
+  // What the supervisor sets, and less: a processor that lacks all that came after the first
+  // x86-64.
+  const std::string oldest =
+      "glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-FMA4,-SSE3,-SSSE3,-SSE4_1,-SSE4_2,-AVX512F,-AVX512VL,-"
+      "BMI1,"
+      "-BMI2,-LZCNT,-POPCNT,-MOVBE,-ERMS";
+  const std::string proper = build_path("lib/elsie/elsie-program");
+  bool differs_without = false;
+  for (const std::string& world : shipped_worlds()) {
+    CAPTURE(world);
+    const std::string hash = hash_of(world, "");
+    CHECK(hash_of(world, "glibc.cpu.hwcaps=-FMA,-AVX2:glibc.malloc.check=0") == hash);
+    CHECK(hash_of(world, oldest, proper) == hash);
+    differs_without = differs_without || hash_of(world, "", proper) != hash;
+  }
+  // So that the test would see it if the supervisor set nothing.
+  CHECK(differs_without == this_processor_has_fma());
+}
+
+TEST_CASE("Nor do they to what a camera sees, and to what is found in it") {
+  // Mesa and OpenCV choose their code by the processor as well; these are their own switches.
+  const std::string world = "worlds/find_resource.xml";
+  const std::string hash = hash_of(world, "");
+  for (const std::string setting :
+       {"GALLIUM_OVERRIDE_CPU_CAPS=sse2", "GALLIUM_OVERRIDE_CPU_CAPS=sse4.1",
+        "LP_NATIVE_VECTOR_WIDTH=128", "LP_NATIVE_VECTOR_WIDTH=256",
+        "OPENCV_CPU_DISABLE=AVX2,AVX,FP16,FMA3,AVX512_SKX"}) {
+    CAPTURE(setting);
+    CHECK(hash_of(world, "", "env " + setting + " elsie") == hash);
+  }
+}
