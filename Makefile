@@ -100,7 +100,7 @@ format: tools
 lint: tools dependencies
 	@cmake -S . -B build/lint -G Ninja -DCMAKE_CXX_COMPILER=clang++ --log-level=WARNING
 	git ls-files '*.cpp' '*.h' | xargs clang-format --dry-run -Werror
-	git ls-files 'core/*.cpp' 'plugins/*.cpp' 'apps/*.cpp' | xargs -n 4 -P 2 clang-tidy --quiet -p build/lint
+	git ls-files 'core/*.cpp' 'libraries/*.cpp' 'plugins/*.cpp' 'apps/*.cpp' | xargs -n 4 -P 2 clang-tidy --quiet -p build/lint
 
 clean:
 	rm -rf build out

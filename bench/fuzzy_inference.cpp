@@ -13,7 +13,7 @@
 #include <benchmark/benchmark.h>
 #include <fl/Headers.h>
 
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 #include "elsie/fuzzy/fcl.h"
 
 namespace {

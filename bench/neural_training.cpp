@@ -13,7 +13,7 @@
 
 #include <fann.h>
 
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 #include "elsie/neural/back_propagation.h"
 #include "elsie/neural/training_set.h"
 

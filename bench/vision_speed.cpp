@@ -21,6 +21,7 @@
 
 #include "elsie/plugin/host.h"
 #include "elsie/render/renderer.h"
+#include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
 
 namespace {
@@ -93,8 +94,10 @@ double speed(elsie::simulation::Simulation& simulation, int steps) {
 }
 
 void measure(const elsie::plugin::Host& host, int robots, int repeats) {
-  elsie::simulation::Simulation seeing(world(robots, true), host);
-  elsie::simulation::Simulation blind(world(robots, false), host);
+  elsie::simulation::Simulation seeing(world(robots, true), host,
+                                       {.cameras = elsie::render::world_cameras});
+  elsie::simulation::Simulation blind(world(robots, false), host,
+                                      {.cameras = elsie::render::world_cameras});
   const int steps = kRobotSteps / robots;
   std::vector<double> with, without;
   for (int i = 0; i < repeats; ++i) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "elsie/plugin/host.h"
+#include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/reader.h"
 
@@ -30,7 +31,7 @@ struct Figures {
 
 Figures run(const elsie::world::World& world, const elsie::plugin::Host& host, int seeds) {
   Figures figures;
-  elsie::simulation::Simulation simulation(world, host);
+  elsie::simulation::Simulation simulation(world, host, {.cameras = elsie::render::world_cameras});
   for (int seed = 1; seed <= seeds; ++seed) {
     simulation.reset(static_cast<std::uint64_t>(seed));
     const auto result = simulation.run();

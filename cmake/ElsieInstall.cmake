@@ -4,8 +4,8 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS elsie RUNTIME)
 install(TARGETS elsie_program RUNTIME DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie")
-install(TARGETS elsie_library elsie_testing EXPORT elsie-targets LIBRARY)
-set_target_properties(elsie_library PROPERTIES EXPORT_NAME elsie)
+get_property(storeys GLOBAL PROPERTY ELSIE_STOREYS)
+install(TARGETS ${storeys} EXPORT elsie-targets LIBRARY)
 
 # The plugins as they lie in the build, so that a folder dropped into plugins/ is installed, too.
 foreach(plugin IN LISTS ELSIE_SHIPPED_PLUGINS)

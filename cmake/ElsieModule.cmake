@@ -1,22 +1,53 @@
 # elsie_module(NAME SOURCES file... [USES module...] [LIBRARIES target...])
 #
-# One module of core/. Its public headers lie in include/elsie/NAME/. It sees the headers of the modules that it names
-# under USES, and of theirs, and no others: this is what keeps the layers of docs/architecture.md apart.
+# One module. Its public headers lie in include/elsie/NAME/. It sees the headers of the modules that it names under USES, and of theirs, and no
+# others: this is what keeps the layers of docs/architecture.md apart.
 function(elsie_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;USES;LIBRARIES")
-  add_library(elsie_${name} OBJECT ${arg_SOURCES})
+  add_library(elsie_module_${name} OBJECT ${arg_SOURCES})
   target_include_directories(
-    elsie_${name}
+    elsie_module_${name}
     PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/include"
     PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src")
-  target_compile_definitions(elsie_${name} PRIVATE ELSIE_BUILDING_CORE)
-  target_link_libraries(elsie_${name} PRIVATE elsie_compiler ${arg_LIBRARIES})
+  target_compile_definitions(elsie_module_${name} PRIVATE ELSIE_BUILDING_CORE)
+  target_link_libraries(elsie_module_${name} PRIVATE elsie_compiler ${arg_LIBRARIES})
   foreach(used IN LISTS arg_USES)
-    target_include_directories(elsie_${name}
-                               PUBLIC $<TARGET_PROPERTY:elsie_${used},INTERFACE_INCLUDE_DIRECTORIES>)
+    target_include_directories(elsie_module_${name}
+                               PUBLIC $<TARGET_PROPERTY:elsie_module_${used},INTERFACE_INCLUDE_DIRECTORIES>)
   endforeach()
-  set_property(GLOBAL APPEND PROPERTY ELSIE_MODULES ${name})
-  foreach(library IN LISTS arg_LIBRARIES)
-    set_property(GLOBAL APPEND PROPERTY ELSIE_LIBRARIES ${library})
+  set_target_properties(elsie_module_${name} PROPERTIES ELSIE_FOLDER "${CMAKE_CURRENT_SOURCE_DIR}" ELSIE_LIBRARIES "${arg_LIBRARIES}")
+endfunction()
+
+# elsie_library(NAME FILE file-name MODULES module... [USES library...])
+#
+# A storey of docs/architecture.md: a shared library of some modules, elsie::NAME, that links to the storeys it names under USES and to what its
+# modules need, and to nothing else: a symbol of any other storey is an error of the linker.
+function(elsie_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "FILE" "MODULES;USES")
+  add_library(elsie_${name} SHARED)
+  add_library(elsie::${name} ALIAS elsie_${name})
+  set_target_properties(elsie_${name} PROPERTIES OUTPUT_NAME ${arg_FILE} EXPORT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION 0
+                                                 INSTALL_RPATH "$ORIGIN")
+  foreach(module IN LISTS arg_MODULES)
+    get_target_property(folder elsie_module_${module} ELSIE_FOLDER)
+    get_target_property(libraries elsie_module_${module} ELSIE_LIBRARIES)
+    target_sources(elsie_${name} PRIVATE $<TARGET_OBJECTS:elsie_module_${module}>)
+    target_include_directories(elsie_${name} INTERFACE "$<BUILD_INTERFACE:${folder}/include>")
+    install(DIRECTORY "${folder}/include/" TYPE INCLUDE)
+    if(libraries)
+      target_link_libraries(elsie_${name} PRIVATE ${libraries})
+    endif()
+    # The headers lie where they will when installed, so that plugins can be compiled against the build folder, too.
+    file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/include/elsie")
+    file(CREATE_LINK "${folder}/include/elsie/${module}" "${CMAKE_BINARY_DIR}/include/elsie/${module}" SYMBOLIC)
   endforeach()
+  target_include_directories(elsie_${name} INTERFACE "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+  target_compile_features(elsie_${name} INTERFACE cxx_std_20)
+  list(TRANSFORM arg_USES PREPEND elsie::)
+  target_link_libraries(elsie_${name} PUBLIC ${arg_USES} PRIVATE elsie_compiler Threads::Threads ${CMAKE_DL_LIBS})
+  target_link_options(elsie_${name} PRIVATE -Wl,--as-needed)
+  if(NOT ELSIE_SANITIZE)
+    target_link_options(elsie_${name} PRIVATE -Wl,--no-undefined)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY ELSIE_STOREYS elsie_${name})
 endfunction()

@@ -2,6 +2,7 @@
 #
 # Builds one plugin library with the flags that plugins need, into the directory where the program looks for them:
 # - hidden visibility: two plugins with a helper class of the same name must not run each other's code;
+# - -Wl,--as-needed: a plugin loads the storeys that it uses, and no others;
 # - -Wl,--no-undefined: a missing symbol is found when the plugin is linked, not when it is loaded;
 # - -fno-gnu-unique: an inline static in a template would keep the library loaded for ever;
 # - -O2 -g1, where the user has set neither a build type nor such flags: fast, and crash reports name lines;
@@ -11,7 +12,8 @@ function(elsie_add_plugin name)
     message(FATAL_ERROR "elsie_add_plugin(${name}) names no source; write elsie_add_plugin(${name} ${name}.cpp)")
   endif()
   add_library(${name} MODULE ${ARGN})
-  target_link_libraries(${name} PRIVATE elsie::elsie)
+  target_link_libraries(${name} PRIVATE elsie::elsie elsie::inference)
+  target_link_options(${name} PRIVATE -Wl,--as-needed)
   if(TARGET elsie_compiler)
     target_link_libraries(${name} PRIVATE elsie_compiler)
   endif()

@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+namespace elsie::program {
+
 std::optional<double> parse_number(std::string_view text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -56,3 +58,5 @@ CLI::Validator seed_number() {
       },
       "UINT");
 }
+
+}  // namespace elsie::program

@@ -9,6 +9,8 @@ namespace CLI {
 class Validator;
 }
 
+namespace elsie::program {
+
 /// A whole text as a finite number, or none: no "1,5", "3abc" or "nan".
 std::optional<double> parse_number(std::string_view text);
 
@@ -23,3 +25,5 @@ CLI::Validator whole_number();
 
 /// For seeds: a whole number of 64 bits, without a sign.
 CLI::Validator seed_number();
+
+}  // namespace elsie::program

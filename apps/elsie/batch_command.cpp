@@ -21,9 +21,11 @@
 #include "stop_signals.h"
 #include "supervised.h"
 
+namespace elsie::program {
+
 namespace fs = std::filesystem;
-using elsie::batch::Plan;
-using elsie::batch::ResultsDatabase;
+using batch::Plan;
+using batch::ResultsDatabase;
 
 namespace {
 
@@ -50,7 +52,7 @@ std::size_t processors() {
 }
 
 ResultsDatabase opened(const BatchOptions& options, const fs::path& file, const Plan& plan) {
-  if (!options.resume || elsie::results::is_vacant(file)) {
+  if (!options.resume || results::is_vacant(file)) {
     return ResultsDatabase::create(file, plan);
   }
   ResultsDatabase database = ResultsDatabase::resume(file, plan);
@@ -70,36 +72,36 @@ class ProgressFile {
     if (!file_) {
       return;
     }
-    for (const elsie::batch::CellCount& cell : database.cells()) {
+    for (const batch::CellCount& cell : database.cells()) {
       before_.runs += cell.pending + cell.done + cell.failed;
       before_.ended += cell.done + cell.failed;
       before_.failed += cell.failed;
     }
-    elsie::cluster::write_count(*file_, before_);
+    cluster::write_count(*file_, before_);
   }
 
-  void write(const elsie::batch::Progress& progress) const noexcept {
+  void write(const batch::Progress& progress) const noexcept {
     if (!file_) {
       return;
     }
     try {
-      elsie::cluster::write_count(*file_, {.runs = before_.runs,
-                                           .ended = before_.ended + progress.ended,
-                                           .failed = before_.failed + progress.failed});
+      cluster::write_count(*file_, {.runs = before_.runs,
+                                    .ended = before_.ended + progress.ended,
+                                    .failed = before_.failed + progress.failed});
     } catch (const std::exception&) {  // results are what counts: they have a word of their own
     }
   }
 
  private:
   const std::optional<std::string> file_;
-  elsie::cluster::Count before_;
+  cluster::Count before_;
 };
 
 int run(BatchOptions options) {
   if (options.experiment.empty()) {
     throw BadInput("EXPERIMENT: the name of a file is missing");
   }
-  options.experiment = elsie::world::find_document(options.experiment, data_directories());
+  options.experiment = world::find_document(options.experiment, data_directories());
   if (options.again && !options.resume) {
     throw BadInput("--again is for a batch that is there already; it needs --resume");
   }
@@ -119,18 +121,18 @@ int run(BatchOptions options) {
     }
     require_replaceable(*options.progress, "--progress", "progress of a batch");
   }
-  const elsie::batch::Shard shard = shard_of(options);
+  const batch::Shard shard = shard_of(options);
   const fs::path file = database_of(options, shard);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
-  if (!options.resume && !elsie::results::is_vacant(file)) {
+  if (!options.resume && !results::is_vacant(file)) {
     throw BadInput("there is a file '" + file.string() +
                    "' already; go on with it by --resume, or choose another --database");
   }
   const Plan plan = plan_of(options, shard);
   const StopSignals signals;  // before anything is made
-  const bool is_new = elsie::results::is_vacant(file);
+  const bool is_new = results::is_vacant(file);
   std::optional<ResultsDatabase> made(opened(options, file, plan));
   if (is_new && signals.is_waiting()) {
     made.reset();
@@ -147,15 +149,14 @@ int run(BatchOptions options) {
     const bool bar = !options.quiet && !options.json && isatty(STDERR_FILENO);
     report.begin(bar);
     try {
-      const bool complete =
-          elsie::batch::carry_out(plan, database,
-                                  {.worker = {"/proc/self/exe", kWorkerCommand},
-                                   .workers = options.workers.value_or(processors()),
-                                   .stop_descriptor = signals.descriptor()},
-                                  [&](const elsie::batch::Progress& progress) {
-                                    report.progress(progress);
-                                    progress_file.write(progress);
-                                  });
+      const bool complete = batch::carry_out(plan, database,
+                                             {.worker = {"/proc/self/exe", kWorkerCommand},
+                                              .workers = options.workers.value_or(processors()),
+                                              .stop_descriptor = signals.descriptor()},
+                                             [&](const batch::Progress& progress) {
+                                               report.progress(progress);
+                                               progress_file.write(progress);
+                                             });
       report.end(!complete);
     } catch (...) {
       report.end(true);
@@ -233,3 +234,5 @@ void add_batch_command(CLI::App& program, Job& job) {
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->callback([&job, options] { job = [options] { return run(*options); }; });
 }
+
+}  // namespace elsie::program

@@ -1,18 +1,20 @@
 #include "batch_options.h"
 
+#include "elsie/base/shell_word.h"
 #include "elsie/experiment/reader.h"
 #include "elsie/results/hash.h"
-#include "elsie/world/shell_word.h"
 
 #include "command.h"
 #include "progress.h"
 
-namespace fs = std::filesystem;
-using elsie::batch::Plan;
-using elsie::world::shell_word;
+namespace elsie::program {
 
-elsie::batch::Shard shard_of(const BatchOptions& options) {
-  const auto shard = elsie::batch::parse_shard(options.shard);
+namespace fs = std::filesystem;
+using base::shell_word;
+using batch::Plan;
+
+batch::Shard shard_of(const BatchOptions& options) {
+  const auto shard = batch::parse_shard(options.shard);
   if (!shard) {
     throw BadInput("--shard: '" + options.shard +
                    "' is no part of an experiment; expected K/N with K from 1 to N, such as 2/5");
@@ -20,7 +22,7 @@ elsie::batch::Shard shard_of(const BatchOptions& options) {
   return *shard;
 }
 
-fs::path database_of(const BatchOptions& options, const elsie::batch::Shard& shard) {
+fs::path database_of(const BatchOptions& options, const batch::Shard& shard) {
   if (options.database) {
     const fs::path file = *options.database;
     require_database_name(file, "--database");
@@ -32,17 +34,17 @@ fs::path database_of(const BatchOptions& options, const elsie::batch::Shard& sha
          ".sqlite";
 }
 
-Plan plan_of(const BatchOptions& options, const elsie::batch::Shard& shard) {
-  const elsie::plugin::Host host = load_plugins(options.plugins);
+Plan plan_of(const BatchOptions& options, const batch::Shard& shard) {
+  const plugin::Host host = load_plugins(options.plugins);
   CheckProgress progress(!options.quiet && !options.json);
-  elsie::experiment::ReadOptions reading = experiment_options();
+  experiment::ReadOptions reading = experiment_options();
   reading.progress = [&](std::size_t read, std::size_t all) { progress.draw(read, all); };
-  const auto experiment = elsie::experiment::read_experiment(options.experiment, host, reading);
-  return elsie::batch::make_plan(experiment, host,
-                                 {.elsie_version = ELSIE_VERSION,
-                                  .text = elsie::results::file_content(options.experiment),
-                                  .data_directories = reading.data_directories,
-                                  .shard = shard});
+  const auto experiment = experiment::read_experiment(options.experiment, host, reading);
+  return batch::make_plan(experiment, host,
+                          {.elsie_version = ELSIE_VERSION,
+                           .text = results::file_content(options.experiment),
+                           .data_directories = reading.data_directories,
+                           .shard = shard});
 }
 
 /// The command line that goes on with it.
@@ -65,3 +67,5 @@ std::string resume_command(const BatchOptions& options, const fs::path& database
   }
   return line + " --database " + shell_word(database.string()) + " --resume";
 }
+
+}  // namespace elsie::program

@@ -11,6 +11,8 @@
 
 #include "environment.h"
 
+namespace elsie::program {
+
 struct BatchOptions {
   PluginOptions plugins;
   std::string experiment;
@@ -29,16 +31,18 @@ struct BatchOptions {
 };
 
 /// Throws BadInput when it is no part of an experiment.
-elsie::batch::Shard shard_of(const BatchOptions& options);
+batch::Shard shard_of(const BatchOptions& options);
 
 /// Where the results go.
-std::filesystem::path database_of(const BatchOptions& options, const elsie::batch::Shard& shard);
+std::filesystem::path database_of(const BatchOptions& options, const batch::Shard& shard);
 
 /// Reads the experiment, with the plugins, and what all of its runs take.
-elsie::batch::Plan plan_of(const BatchOptions& options, const elsie::batch::Shard& shard);
+batch::Plan plan_of(const BatchOptions& options, const batch::Shard& shard);
 
 /// The command line that goes on with a batch.
 std::string resume_command(const BatchOptions& options, const std::filesystem::path& database);
 
 /// The batch as a job array of a cluster, followed to its end; returns the exit code.
 int run_on_cluster(const BatchOptions& options);
+
+}  // namespace elsie::program

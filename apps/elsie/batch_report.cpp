@@ -8,16 +8,20 @@
 
 #include <nlohmann/json.hpp>
 
-#include "elsie/world/shell_word.h"
+#include "elsie/base/number_text.h"
+#include "elsie/base/shell_word.h"
+#include "elsie/base/words.h"
+#include "elsie/report/text_table.h"
 
 #include "command.h"
 #include "progress.h"
 #include "status_line.h"
-#include "text_table.h"
 
-using elsie::batch::CellCount;
-using elsie::batch::RunState;
-using elsie::world::shell_word;
+namespace elsie::program {
+
+using base::shell_word;
+using batch::CellCount;
+using batch::RunState;
 
 namespace {
 
@@ -50,8 +54,9 @@ Total total(const std::vector<CellCount>& cells, const std::set<std::string>& wi
 /// In a world without goals a run can neither succeed nor fail.
 std::string rate(const Total& of) {
   if (of.with_goals > 0) {
-    return text("%.0f %%",
-                100.0 * static_cast<double>(of.successes) / static_cast<double>(of.with_goals));
+    return base::fixed_text(
+               100.0 * static_cast<double>(of.successes) / static_cast<double>(of.with_goals), 0) +
+           " %";
   }
   return of.done + of.failed > 0 ? "no goals" : "";
 }
@@ -94,13 +99,13 @@ std::string duration_text(double seconds) {
   return std::to_string(whole) + " s";
 }
 
-std::string progress_line(const elsie::batch::Progress& progress) {
+std::string progress_line(const batch::Progress& progress) {
   // On a cluster there may be none: what is left of the batch is the end of its tasks.
   const double part = progress.runs > 0
                           ? static_cast<double>(progress.ended) / static_cast<double>(progress.runs)
                           : 1.0;
   std::string line = bar_text(part) + "  " + std::to_string(progress.ended) + " of " +
-                     counted(progress.runs, "run");
+                     base::counted(progress.runs, "run");
   if (progress.failed > 0) {
     line += ", " + std::to_string(progress.failed) + " failed";
   }
@@ -110,13 +115,13 @@ std::string progress_line(const elsie::batch::Progress& progress) {
   return line;
 }
 
-BatchReport::BatchReport(const elsie::batch::Plan& plan, elsie::batch::ResultsDatabase& database,
+BatchReport::BatchReport(const batch::Plan& plan, batch::ResultsDatabase& database,
                          std::string resume)
     : plan_(plan), database_(database), resume_(std::move(resume)) {}
 
 void BatchReport::begin(bool bar) { bar_ = bar; }
 
-void BatchReport::progress(const elsie::batch::Progress& progress) {
+void BatchReport::progress(const batch::Progress& progress) {
   last_ = progress;
   if (!bar_ || progress.runs == 0) {
     return;
@@ -133,7 +138,7 @@ void BatchReport::end(bool interrupted) {
 
 std::set<std::string> BatchReport::without_goals() const {
   std::set<std::string> labels;
-  for (const elsie::batch::PlannedCell& cell : plan_.cells) {
+  for (const batch::PlannedCell& cell : plan_.cells) {
     if (!cell.goals) {
       labels.insert(cell.label);
     }
@@ -149,12 +154,12 @@ std::string BatchReport::table() {
   std::string out = plan_.experiment + ": ";
   if (done_already_) {
     out += sum.runs == 1 ? "the only run is done already"
-                         : "all " + counted(sum.runs, "run") + " are done already";
+                         : "all " + base::counted(sum.runs, "run") + " are done already";
   } else {
-    out += counted(last_.ended, "run") + " in " + duration_text(last_.elapsed_s);
+    out += base::counted(last_.ended, "run") + " in " + duration_text(last_.elapsed_s);
   }
   if (plan_.shard.of > 1) {
-    out += "; shard " + plan_.shard.text() + " of " + counted(plan_.all_runs, "run");
+    out += "; shard " + plan_.shard.text() + " of " + base::counted(plan_.all_runs, "run");
   }
   out += "\n\n";
   std::vector<std::vector<std::string>> rows{
@@ -165,7 +170,7 @@ std::string BatchReport::table() {
   if (cells.size() > 1) {
     rows.push_back(row("all", sum));
   }
-  out += laid_out(rows, 1);
+  out += report::laid_out(rows, 1);
   const auto failed = database_.failed(kShownFailures);
   if (!failed.empty()) {
     out += "\nfailed:\n";
@@ -237,8 +242,9 @@ std::string BatchReport::json() {
 
 std::string BatchReport::interruption() {
   const Total sum = total(database_.cells(), {});
-  return "elsie: interrupted; " + std::to_string(sum.pending) + " of " + counted(sum.runs, "run") +
-         ' ' + are(sum.runs) + " still to be done. Go on with\n  " + resume_ + '\n';
+  return "elsie: interrupted; " + std::to_string(sum.pending) + " of " +
+         base::counted(sum.runs, "run") + ' ' + base::is_or_are(sum.runs) +
+         " still to be done. Go on with\n  " + resume_ + '\n';
 }
 
 int BatchReport::exit_code() {
@@ -254,3 +260,5 @@ int BatchReport::exit_code() {
   }
   return !database_.disagreements().empty() ? kPluginFailed : error ? kOtherFailure : kSuccess;
 }
+
+}  // namespace elsie::program

@@ -6,17 +6,18 @@
 
 #include "elsie/batch/batch.h"
 
+namespace elsie::program {
+
 class BatchReport {
  public:
   /// Both must stay where they are. `resume`: the command line that goes on with the database.
-  BatchReport(const elsie::batch::Plan& plan, elsie::batch::ResultsDatabase& database,
-              std::string resume);
+  BatchReport(const batch::Plan& plan, batch::ResultsDatabase& database, std::string resume);
 
   /// There was nothing to do.
   void all_done_already() { done_already_ = true; }
   /// The runs begin; `bar`: show how far they are, on standard error.
   void begin(bool bar);
-  void progress(const elsie::batch::Progress& progress);
+  void progress(const batch::Progress& progress);
   /// The runs have ended, all of them or not; the bar is wiped.
   void end(bool interrupted);
 
@@ -33,17 +34,19 @@ class BatchReport {
   /// The labels of the cells whose worlds have none.
   std::set<std::string> without_goals() const;
 
-  const elsie::batch::Plan& plan_;
-  elsie::batch::ResultsDatabase& database_;
+  const batch::Plan& plan_;
+  batch::ResultsDatabase& database_;
   std::string resume_;
   bool done_already_ = false;
   bool bar_ = false;
   bool interrupted_ = false;
-  elsie::batch::Progress last_;
+  batch::Progress last_;
 };
 
 /// A bar, how many runs have ended, how long the rest will take.
-std::string progress_line(const elsie::batch::Progress& progress);
+std::string progress_line(const batch::Progress& progress);
 
 /// "1 h 5 min", "2 min 10 s", "8 s".
 std::string duration_text(double seconds);
+
+}  // namespace elsie::program

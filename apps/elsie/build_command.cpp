@@ -7,14 +7,16 @@
 
 #include <CLI/CLI.hpp>
 
-#include "elsie/file/whole.h"
+#include "elsie/base/write_whole.h"
+#include "elsie/build/source_build.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/plugin/source_build.h"
 
 #include "command.h"
 #include "environment.h"
 #include "supervised.h"
+
+namespace elsie::program {
 
 namespace {
 
@@ -27,7 +29,7 @@ struct Options {
 
 /// Whole or not at all.
 void copy_whole(const fs::path& from, const fs::path& file) {
-  const fs::path to = elsie::file::end_of_links(file);
+  const fs::path to = base::end_of_links(file);
   const fs::path scratch = to.string() + ".new";
   std::error_code error;
   fs::copy_file(from, scratch, fs::copy_options::overwrite_existing, error);
@@ -52,15 +54,15 @@ int build(const Options& options) {
   const auto built = compiled(options.source);
   // What could not be used is not kept.
   const LoadingLimit limit;
-  const elsie::plugin::Host host({{built.library, "built", options.source}});
+  const plugin::Host host({{built.library, "built", options.source}});
   const auto& file = host.report().directories.front().files.front();
-  if (file.status != elsie::plugin::FileStatus::loaded) {
+  if (file.status != plugin::FileStatus::loaded) {
     throw BadInput("'" + options.source + "' was compiled, but its library " + file.sentence);
   }
   copy_whole(built.library, output);
   for (const auto& plugin : file.plugins) {
-    out() << output.string() << ": " << elsie::plugin::kind_name(plugin.kind) << " '" << plugin.name
-          << "'" << (built.from_cache ? ", unchanged" : "") << '\n';
+    out() << output.string() << ": " << plugin::kind_name(plugin.kind) << " '" << plugin.name << "'"
+          << (built.from_cache ? ", unchanged" : "") << '\n';
   }
   return kSuccess;
 }
@@ -84,3 +86,5 @@ void add_build_command(CLI::App& program, Job& job) {
       ->type_name("FILE.so");
   command->callback([&job, options] { job = [options] { return build(*options); }; });
 }
+
+}  // namespace elsie::program

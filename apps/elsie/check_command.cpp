@@ -5,7 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
 
+#include "elsie/base/words.h"
 #include "elsie/experiment/reader.h"
+#include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/data_directories.h"
 #include "elsie/world/markup.h"
@@ -17,6 +19,8 @@
 #include "progress.h"
 #include "supervised.h"
 
+namespace elsie::program {
+
 namespace {
 
 struct CheckOptions {
@@ -26,56 +30,50 @@ struct CheckOptions {
   bool quiet = false;
 };
 
-/// "1 robot", "2 robots"
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : what == "box" ? "es" : "s");
-}
-
 /// What there is to say of a world that is in order.
-std::string check_world(const std::string& file, const elsie::plugin::Host& host,
+std::string check_world(const std::string& file, const plugin::Host& host,
                         const CheckOptions& options) {
-  const elsie::world::World world =
-      elsie::world::read_world(file, host, read_options(options.overrides));
+  const world::World world = world::read_world(file, host, read_options(options.overrides));
   // Putting it together asks the plugins whether they fit their robots.
-  const elsie::simulation::Simulation simulation(world, host);
-  for (const elsie::world::Warning& warning : elsie::world::warnings(world)) {
+  const simulation::Simulation simulation(world, host, {.cameras = render::world_cameras});
+  for (const world::Warning& warning : world::warnings(world)) {
     std::cerr << warning.text() << '\n';
   }
-  return counted(world.robots.size(), "robot") + ", " + counted(world.boxes.size(), "box");
+  return base::counted(world.robots.size(), "robot") + ", " +
+         base::counted(world.boxes.size(), "box", "boxes");
 }
 
-std::string check_experiment(const std::string& file, const elsie::plugin::Host& host,
+std::string check_experiment(const std::string& file, const plugin::Host& host,
                              const CheckOptions& options) {
   if (!options.overrides.empty()) {
     throw BadInput("--set is for worlds; '" + file +
                    "' is an experiment, which has elements <set> for that");
   }
   CheckProgress progress(!options.quiet);
-  elsie::experiment::ReadOptions reading = experiment_options();
+  experiment::ReadOptions reading = experiment_options();
   reading.progress = [&](std::size_t read, std::size_t all) { progress.draw(read, all); };
-  const elsie::experiment::Experiment experiment =
-      elsie::experiment::read_experiment(file, host, reading);
-  return counted(elsie::experiment::cells(experiment).size(), "cell") + ", " +
-         counted(elsie::experiment::number_of_runs(experiment), "run") + ", " +
-         counted(experiment.expectations.size(), "expectation");
+  const experiment::Experiment experiment = experiment::read_experiment(file, host, reading);
+  return base::counted(experiment::cells(experiment).size(), "cell") + ", " +
+         base::counted(experiment::number_of_runs(experiment), "run") + ", " +
+         base::counted(experiment.expectations.size(), "expectation");
 }
 
 int check(const CheckOptions& options) {
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
-  const elsie::plugin::Host host = load_plugins(options.plugins);
+  const plugin::Host host = load_plugins(options.plugins);
   int wrong = 0;
   for (const std::string& file : options.files) {
     try {
-      const std::string path = elsie::world::find_document(file, data_directories());
-      const auto root = elsie::world::parse_markup(elsie::world::read_text(path), path);
+      const std::string path = world::find_document(file, data_directories());
+      const auto root = world::parse_markup(world::read_text(path), path);
       const std::string found = root.name == "experiment" ? check_experiment(path, host, options)
                                                           : check_world(path, host, options);
       if (!options.quiet) {
         out() << file << ": in order: " << found << '\n';
       }
-    } catch (const elsie::world::WorldError& error) {
+    } catch (const world::WorldError& error) {
       std::cerr << error.what() << '\n';
       ++wrong;
     }
@@ -106,3 +104,5 @@ void add_check_command(CLI::App& program, Job& job) {
   options->plugins.add_to(*command);
   command->callback([&job, options] { job = [options] { return check(*options); }; });
 }
+
+}  // namespace elsie::program

@@ -10,6 +10,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "elsie/base/words.h"
 #include "elsie/batch/results_database.h"
 #include "elsie/cluster/shard_folder.h"
 #include "elsie/cluster/slurm.h"
@@ -20,14 +21,14 @@
 #include "status_line.h"
 #include "stop_signals.h"
 #include "supervised.h"
-#include "text_table.h"
+
+namespace elsie::program {
 
 namespace fs = std::filesystem;
-namespace cluster = elsie::cluster;
+using batch::Plan;
+using batch::ResultsDatabase;
 using cluster::ShardFolder;
 using cluster::Task;
-using elsie::batch::Plan;
-using elsie::batch::ResultsDatabase;
 
 namespace {
 
@@ -105,7 +106,7 @@ class ClusterBatch {
     const std::vector<std::size_t> to_do = folder_.unfinished(numbers(at_work));
     if (to_do.empty()) {
       if (!at_work.empty()) {
-        say("job array " + folder_.job() + " is at work: " + counted(at_work.size(), "task"));
+        say("job array " + folder_.job() + " is at work: " + base::counted(at_work.size(), "task"));
       }
       return;
     }
@@ -117,8 +118,8 @@ class ClusterBatch {
                                      .log = folder_.log("%a"),
                                      .options = options_.sbatch}));
     say("job array " + folder_.job() + ": " + std::to_string(to_do.size()) + " of " +
-        counted(static_cast<std::int64_t>(folder_.shards()), "shard") + ", " +
-        counted(plan_.all_runs, "run") + " in all");
+        base::counted(static_cast<std::int64_t>(folder_.shards()), "shard") + ", " +
+        base::counted(plan_.all_runs, "run") + " in all");
   }
 
   /// Whether submit(), which has failed, has left no task behind for sure.
@@ -182,8 +183,8 @@ class ClusterBatch {
     std::string text;
     for (const std::size_t shard : folder_.unfinished()) {
       text += "  shard " + std::to_string(shard) + ": " + std::to_string(folder_.pending(shard)) +
-              " of " + counted(folder_.runs(shard), "run") + ' ' + are(folder_.runs(shard)) +
-              " still to be done";
+              " of " + base::counted(folder_.runs(shard), "run") + ' ' +
+              base::is_or_are(folder_.runs(shard)) + " still to be done";
       if (const std::string fate = cluster::fate(folder_.job(), shard); !fate.empty()) {
         text += "; " + fate;
       }
@@ -230,7 +231,7 @@ class ClusterBatch {
                                          [](const Task& task) { return task.running; });
       const auto waits = std::find_if(tasks->begin(), tasks->end(),
                                       [](const Task& task) { return !task.running; });
-      note = ", " + counted(running, "task") + (running == 1 ? " runs" : " run");
+      note = ", " + base::counted(running, "task") + (running == 1 ? " runs" : " run");
       if (waits != tasks->end()) {
         note += ", " + std::to_string(std::ssize(*tasks) - running) +
                 (std::ssize(*tasks) - running == 1 ? " waits (" : " wait (") + waits->reason + ")";
@@ -301,7 +302,7 @@ int already_there(const BatchOptions& options, const fs::path& file, const Plan&
 int run_on_cluster(const BatchOptions& options) {
   require_sound(options);
   const fs::path file = database_of(options, {});
-  if (!options.resume && !elsie::results::is_vacant(file)) {
+  if (!options.resume && !results::is_vacant(file)) {
     throw BadInput("there is a file '" + file.string() +
                    "' already; go on with it by --resume, or choose another --database");
   }
@@ -309,7 +310,7 @@ int run_on_cluster(const BatchOptions& options) {
     spdlog::set_level(spdlog::level::err);
   }
   const Plan plan = plan_of(options, {});
-  if (!elsie::results::is_vacant(file)) {
+  if (!results::is_vacant(file)) {
     return already_there(options, file, plan);
   }
   bool made = false;
@@ -346,7 +347,7 @@ int run_on_cluster(const BatchOptions& options) {
   }
   const ShardFolder::Turn turn(folder);
   // Somebody else who followed it may have been first.
-  if (!folder.exists() && !elsie::results::is_vacant(file)) {
+  if (!folder.exists() && !results::is_vacant(file)) {
     return already_there(options, file, plan);
   }
   if (const std::string left = batch.left_over(); !left.empty()) {
@@ -356,3 +357,5 @@ int run_on_cluster(const BatchOptions& options) {
   }
   return batch.conclude();
 }
+
+}  // namespace elsie::program

@@ -2,31 +2,24 @@
 #pragma once
 
 #include <functional>
-#include <stdexcept>
-#include <string>
+
+#include "elsie/base/error.h"
 
 namespace CLI {
 class App;
 }
 
-/// What the program tells the shell.
-enum ExitCode {
-  kSuccess = 0,
-  kGoalMissed = 1,    // the run ended without reaching its goal
-  kBadInput = 2,      // bad input or usage
-  kPluginFailed = 3,  // a plugin failed while running
-  kOtherFailure = 4,  // anything else: a full disk, an interrupt
-};
+namespace elsie::program {
+
+using base::BadInput;
+using base::kBadInput;
+using base::kGoalMissed;
+using base::kOtherFailure;
+using base::kPluginFailed;
+using base::kSuccess;
 
 /// The one word on the command line of a worker, which `elsie batch` starts; for no user.
 inline constexpr const char* kWorkerCommand = "batch-worker";
-
-/// Input that the program cannot work with; what() is a sentence for the user. Ends the program
-/// with kBadInput.
-class BadInput : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// The work of the chosen subcommand; returns the exit code.
 using Job = std::function<int()>;
@@ -50,3 +43,5 @@ void add_new_command(CLI::App& program, Job& job);
 void add_build_command(CLI::App& program, Job& job);
 void add_manual_command(CLI::App& program, Job& job);
 void add_completion_command(CLI::App& program, Job& job);
+
+}  // namespace elsie::program

@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+namespace elsie::program {
+
 namespace {
 
 /// "FILE.png|FILE.svg" of "FILE.png|FILE.svg"; "{a,b}" and the words of checks are for the help.
@@ -76,3 +78,5 @@ std::vector<CommandFacts> commands_of(const CLI::App& program) {
   }
   return commands;
 }
+
+}  // namespace elsie::program

@@ -9,6 +9,8 @@ namespace CLI {
 class App;
 }
 
+namespace elsie::program {
+
 /// An option, or a positional argument.
 struct OptionFacts {
   std::vector<std::string> names;  // "--seed", "-s"; a positional argument's name alone
@@ -28,3 +30,5 @@ struct CommandFacts {
 
 /// All subcommands that help lists, in its order.
 std::vector<CommandFacts> commands_of(const CLI::App& program);
+
+}  // namespace elsie::program

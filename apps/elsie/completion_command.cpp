@@ -7,9 +7,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "elsie/base/words.h"
+
 #include "command.h"
 #include "command_tree.h"
 #include "supervised.h"
+
+namespace elsie::program {
 
 namespace {
 
@@ -22,14 +26,6 @@ std::string in_quotes(std::string_view text) {
   return out + "'";
 }
 
-std::string joined(const std::vector<std::string>& words, const char* between) {
-  std::string line;
-  for (const std::string& word : words) {
-    line += (line.empty() ? "" : between) + word;
-  }
-  return line;
-}
-
 void write_bash_command(std::ostream& out, const CommandFacts& command) {
   std::vector<std::string> words;
   out << "    " << command.name << ")\n      case $previous in\n";
@@ -39,16 +35,17 @@ void write_bash_command(std::ostream& out, const CommandFacts& command) {
     }
     words.insert(words.end(), option.names.begin(), option.names.end());
     if (!option.choices.empty()) {
-      out << "        " << joined(option.names, "|") << ") COMPREPLY=($(compgen -W "
-          << in_quotes(joined(option.choices, " ")) << " -- \"$word\")); return ;;\n";
+      out << "        " << base::joined(option.names, "|") << ") COMPREPLY=($(compgen -W "
+          << in_quotes(base::joined(option.choices, " ")) << " -- \"$word\")); return ;;\n";
     } else if (option.takes_file) {
-      out << "        " << joined(option.names, "|") << ") COMPREPLY=($(compgen -f -- \"$word\")); "
+      out << "        " << base::joined(option.names, "|")
+          << ") COMPREPLY=($(compgen -f -- \"$word\")); "
           << "return ;;\n";
     } else if (!option.value.empty()) {
-      out << "        " << joined(option.names, "|") << ") return ;;\n";
+      out << "        " << base::joined(option.names, "|") << ") return ;;\n";
     }
   }
-  out << "      esac\n      options=" << in_quotes(joined(words, " ")) << " ;;\n";
+  out << "      esac\n      options=" << in_quotes(base::joined(words, " ")) << " ;;\n";
 }
 
 void write_bash(std::ostream& out, const std::vector<CommandFacts>& commands) {
@@ -62,7 +59,7 @@ void write_bash(std::ostream& out, const std::vector<CommandFacts>& commands) {
          "  COMPREPLY=()\n"
          "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
          "    COMPREPLY=($(compgen -W "
-      << in_quotes(joined(names, " ") + " --help --version")
+      << in_quotes(base::joined(names, " ") + " --help --version")
       << " -- \"$word\"))\n    return\n  fi\n  case ${COMP_WORDS[1]} in\n";
   for (const CommandFacts& command : commands) {
     write_bash_command(out, command);
@@ -105,7 +102,7 @@ void write_zsh_command(std::ostream& out, const CommandFacts& command) {
     for (const std::string& name : option.names) {
       std::string words = "*" + name + "[" + bracketed(option.meaning) + "]";
       if (!option.choices.empty()) {
-        words += ":" + option.value + ":(" + joined(option.choices, " ") + ")";
+        words += ":" + option.value + ":(" + base::joined(option.choices, " ") + ")";
       } else if (!option.value.empty()) {
         words += ":" + bracketed(option.value) + ":" + (option.takes_file ? "_files" : "");
       }
@@ -151,3 +148,5 @@ void add_completion_command(CLI::App& program, Job& job) {
     };
   });
 }
+
+}  // namespace elsie::program

@@ -12,16 +12,18 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include "elsie/base/number_text.h"
 #include "elsie/plugin/call.h"
 #include "elsie/simulation/simulation.h"
 
 #include "command.h"
 #include "supervised.h"
-#include "text_table.h"
 
-using elsie::batch::RunRecord;
-using elsie::batch::RunState;
-using elsie::plugin::CallFacts;
+namespace elsie::program {
+
+using batch::RunRecord;
+using batch::RunState;
+using plugin::CallFacts;
 
 namespace {
 
@@ -138,23 +140,21 @@ void EndAgain::set_timer(double seconds) const noexcept {
   }
 }
 
-void EndAgain::started(const elsie::simulation::Simulation& simulation) {
-  step_ = simulation.steps();
-}
+void EndAgain::started(const simulation::Simulation& simulation) { step_ = simulation.steps(); }
 
-void EndAgain::stepped(const elsie::simulation::Simulation& simulation) {
+void EndAgain::stepped(const simulation::Simulation& simulation) {
   step_ = simulation.steps();
-  if (is_late_ && simulation.outcome() == elsie::simulation::Outcome::running) {
+  if (is_late_ && simulation.outcome() == simulation::Outcome::running) {
     throw WallLimitMet();
   }
 }
 
-void EndAgain::ended(const elsie::simulation::Simulation&) { set_timer(0.0); }
+void EndAgain::ended(const simulation::Simulation&) { set_timer(0.0); }
 
 std::string EndAgain::slow() const {
   const std::uint64_t step = step_ - 1;
-  const std::string now = "after " + text("%g", wall_limit_s_) + " s on the clock it was in step " +
-                          std::to_string(step) + " and went on";
+  const std::string now = "after " + base::number_text(wall_limit_s_, 6) +
+                          " s on the clock it was in step " + std::to_string(step) + " and went on";
   if (before_.state != RunState::hang) {
     return "the run has not come to its end: " + now + not_same_;
   }
@@ -167,7 +167,7 @@ std::string EndAgain::slow() const {
 }
 
 bool EndAgain::is_same_place() const noexcept {
-  const CallFacts now = elsie::plugin::facts_at_work();
+  const CallFacts now = process::facts_at_work();
   return before_.step == step_of(now, step_) && is_same(before_.plugin, now.plugin) &&
          is_same(before_.robot, now.robot);
 }
@@ -190,20 +190,19 @@ void EndAgain::limit_is_met(int) {
     say(self->same_);
   } else {
     say("not the same: hangs in ");
-    const CallFacts now = elsie::plugin::facts_at_work();
+    const CallFacts now = process::facts_at_work();
     say_place(now, step_of(now, self->step_));
     say(self->not_same_);
   }
-  elsie::plugin::end_process("did not return before the wall limit of the run",
-                             "the run did not end before its wall limit",
-                             same ? kSuccess : kGoalMissed);
+  process::end_process("did not return before the wall limit of the run",
+                       "the run did not end before its wall limit", same ? kSuccess : kGoalMissed);
 }
 
 bool EndAgain::write_now() noexcept {
   if (is_told_) {
     return false;
   }
-  const int signal = elsie::plugin::signal_of_crash();
+  const int signal = process::signal_of_crash();
   const char* const name = signal != 0 ? sigabbrev_np(signal) : nullptr;
   const bool same_signal = name ? before_.signal && before_.signal->starts_with("SIG") &&
                                       before_.signal->compare(3, std::string::npos, name) == 0
@@ -216,3 +215,5 @@ bool EndAgain::write_now() noexcept {
   }
   return false;
 }
+
+}  // namespace elsie::program

@@ -7,9 +7,12 @@
 
 #include <time.h>
 
+#include "elsie/base/emergency.h"
 #include "elsie/batch/job.h"
-#include "elsie/plugin/crash_report.h"
+#include "elsie/process/crash_report.h"
 #include "elsie/simulation/observer.h"
+
+namespace elsie::program {
 
 /// The run had not ended at its wall limit, but goes on by itself: it is slow.
 class WallLimitMet {};
@@ -24,15 +27,15 @@ class WallLimitMet {};
 ///   is thrown. If not: what differs, a report, and exit code 1.
 ///
 /// In the thread that makes it, which must be the one that runs; one at a time.
-class EndAgain final : public elsie::simulation::Observer, private elsie::plugin::EmergencyWriter {
+class EndAgain final : public simulation::Observer, private base::EmergencyWriter {
  public:
   /// `before`: must outlive this. `wall_limit_s`: from now on; 0: none.
-  EndAgain(const elsie::batch::RunRecord& before, double wall_limit_s);
+  EndAgain(const batch::RunRecord& before, double wall_limit_s);
   ~EndAgain() override;
 
-  void started(const elsie::simulation::Simulation& simulation) override;
-  void stepped(const elsie::simulation::Simulation& simulation) override;
-  void ended(const elsie::simulation::Simulation& simulation) override;
+  void started(const simulation::Simulation& simulation) override;
+  void stepped(const simulation::Simulation& simulation) override;
+  void ended(const simulation::Simulation& simulation) override;
 
   /// After WallLimitMet: the sentence about it.
   std::string slow() const;
@@ -43,7 +46,7 @@ class EndAgain final : public elsie::simulation::Observer, private elsie::plugin
   bool is_same_place() const noexcept;
   void set_timer(double seconds) const noexcept;
 
-  const elsie::batch::RunRecord& before_;
+  const batch::RunRecord& before_;
   const double wall_limit_s_;
   // For the handlers, which cannot put texts together.
   const std::string same_, not_same_;
@@ -52,3 +55,5 @@ class EndAgain final : public elsie::simulation::Observer, private elsie::plugin
   std::atomic<bool> is_late_{false};
   std::atomic<bool> is_told_{false};
 };
+
+}  // namespace elsie::program

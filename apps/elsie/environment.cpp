@@ -10,11 +10,14 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "elsie/simulation/trace.h"
+#include "elsie/base/number_text.h"
+#include "elsie/traces/trace.h"
 #include "elsie/world/data_directories.h"
 
 #include "command.h"
 #include "status_line.h"
+
+namespace elsie::program {
 
 namespace fs = std::filesystem;
 
@@ -47,7 +50,7 @@ bool is_traced() {
 
 /// A --plugin, if it is a library or a source.
 fs::path checked(const std::string& file) {
-  if (!elsie::plugin::is_source(file)) {
+  if (!build::is_source(file)) {
     if (fs::path(file).extension() != ".so") {
       throw BadInput("--plugin: '" + file +
                      "' should be a plugin library (.so) or the source of one (.cpp)");
@@ -61,10 +64,10 @@ fs::path checked(const std::string& file) {
 }
 
 /// A file that was asked for by name must be of use.
-void require_loaded(const elsie::plugin::Host& host, const std::vector<std::string>& files) {
+void require_loaded(const plugin::Host& host, const std::vector<std::string>& files) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     for (const auto& file : host.report().directories[i].files) {
-      if (file.status != elsie::plugin::FileStatus::loaded) {
+      if (file.status != plugin::FileStatus::loaded) {
         throw BadInput("--plugin: '" + files[i] + "' " + file.sentence);
       }
     }
@@ -72,7 +75,7 @@ void require_loaded(const elsie::plugin::Host& host, const std::vector<std::stri
 }
 
 /// Where plugins are looked for; sources as they are given.
-std::vector<elsie::plugin::SearchDirectory> places_of(const PluginOptions& options) {
+std::vector<plugin::SearchDirectory> places_of(const PluginOptions& options) {
   std::vector<fs::path> extra;
   for (const std::string& directory : options.directories) {
     std::error_code error;
@@ -81,17 +84,17 @@ std::vector<elsie::plugin::SearchDirectory> places_of(const PluginOptions& optio
     }
     extra.emplace_back(directory);
   }
-  std::vector<elsie::plugin::SearchDirectory> places;
+  std::vector<plugin::SearchDirectory> places;
   for (const std::string& file : options.files) {
     places.push_back({checked(file), "--plugin"});
   }
-  for (auto& directory : elsie::plugin::default_search_path(extra)) {
+  for (auto& directory : plugin::default_search_path(extra)) {
     places.push_back(std::move(directory));
   }
   return places;
 }
 
-void tell(const elsie::plugin::Report& report) {
+void tell(const plugin::Report& report) {
   for (const std::string& warning : report.warnings) {
     spdlog::warn(warning);
   }
@@ -105,12 +108,10 @@ void tell(const elsie::plugin::Report& report) {
 }  // namespace
 
 std::string late_text(double limit_s) {
-  char text[64];
-  std::snprintf(text, sizeof(text), "did not return within %g s and was stopped", limit_s);
-  return text;
+  return "did not return within " + base::seconds_text(limit_s) + " and was stopped";
 }
 
-elsie::plugin::SourceBuild compiled(const fs::path& source) {
+build::SourceBuild compiled(const fs::path& source) {
   const bool shown = isatty(STDERR_FILENO) != 0 && spdlog::should_log(spdlog::level::warn);
   bool drawn = false;
   const auto begins = [&] {
@@ -125,7 +126,7 @@ elsie::plugin::SourceBuild compiled(const fs::path& source) {
     }
   };
   try {
-    auto built = elsie::plugin::build_source(source, elsie::plugin::cache_directory(), {}, begins);
+    auto built = build::build_source(source, build::cache_directory(), {}, begins);
     wipe();
     if (!built.warnings.empty() && spdlog::should_log(spdlog::level::warn)) {
       std::cerr << built.warnings;
@@ -137,10 +138,10 @@ elsie::plugin::SourceBuild compiled(const fs::path& source) {
   }
 }
 
-std::vector<elsie::plugin::SearchDirectory> search_path(const PluginOptions& options) {
+std::vector<plugin::SearchDirectory> search_path(const PluginOptions& options) {
   auto places = places_of(options);
   for (auto& place : places) {
-    if (elsie::plugin::is_source(place.path)) {
+    if (build::is_source(place.path)) {
       place.source = place.path;
       place.path = compiled(place.source).library;
     }
@@ -154,39 +155,39 @@ LoadingLimit::LoadingLimit(double longest_s) : late_(late_text(longest_s)) {
   }
 }
 
-elsie::plugin::Host load_plugins(const PluginOptions& options, std::optional<double> longest_s) {
+plugin::Host load_plugins(const PluginOptions& options, std::optional<double> longest_s) {
   const auto places = search_path(options);
   std::optional<LoadingLimit> limit;
   if (longest_s) {
     limit.emplace(*longest_s);
   }
-  elsie::plugin::Host host(places);
+  plugin::Host host(places);
   require_loaded(host, options.files);
   tell(host.report());
   return host;
 }
 
-std::unique_ptr<elsie::plugin::Watch> watch_plugins(const PluginOptions& options) {
+std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options) {
   search_path(options);  // what it compiles is in the cache then
   const LoadingLimit limit;
-  auto watch = std::make_unique<elsie::plugin::Watch>(places_of(options));
+  auto watch = std::make_unique<build::Watch>(places_of(options));
   require_loaded(watch->host(), options.files);
   tell(watch->host().report());
   return watch;
 }
 
-std::vector<std::string> data_directories() { return elsie::world::default_data_directories(); }
+std::vector<std::string> data_directories() { return world::default_data_directories(); }
 
-elsie::world::ReadOptions read_options(const std::vector<std::string>& overrides) {
-  elsie::world::ReadOptions options;
+world::ReadOptions read_options(const std::vector<std::string>& overrides) {
+  world::ReadOptions options;
   options.overrides = overrides;
   options.data_directories = data_directories();
   options.check_plugins = true;
   return options;
 }
 
-elsie::experiment::ReadOptions experiment_options() {
-  elsie::experiment::ReadOptions options;
+experiment::ReadOptions experiment_options() {
+  experiment::ReadOptions options;
   options.data_directories = data_directories();
   return options;
 }
@@ -307,7 +308,7 @@ void require_trace(const fs::path& file, const char* option) {
   }
   require_writable(file, option);
   std::error_code error;
-  if (fs::is_regular_file(file, error) && !elsie::simulation::may_be_trace(file)) {
+  if (fs::is_regular_file(file, error) && !traces::may_be_trace(file)) {
     throw BadInput(std::string(option) + ": '" + file.string() +
                    "' is there already and is no trace; remove it or choose another name");
   }
@@ -321,3 +322,5 @@ void require_picture(const fs::path& file, const char* option) {
   }
   require_replaceable(file, option, "picture");
 }
+
+}  // namespace elsie::program

@@ -7,16 +7,18 @@
 #include <string>
 #include <vector>
 
+#include "elsie/build/source_build.h"
+#include "elsie/build/watch.h"
 #include "elsie/experiment/reader.h"
-#include "elsie/plugin/crash_report.h"
 #include "elsie/plugin/host.h"
-#include "elsie/plugin/source_build.h"
-#include "elsie/plugin/watch.h"
+#include "elsie/process/crash_report.h"
 #include "elsie/world/reader.h"
 
 namespace CLI {
 class App;
 }
+
+namespace elsie::program {
 
 /// The options of every subcommand that needs plugins.
 struct PluginOptions {
@@ -28,20 +30,19 @@ struct PluginOptions {
 
 /// Compiles a plugin's source, unless the cache has it. On a terminal a line on standard error says
 /// so as long as it takes, unless the log is set to errors only. Throws what build_source() throws.
-elsie::plugin::SourceBuild compiled(const std::filesystem::path& source);
+build::SourceBuild compiled(const std::filesystem::path& source);
 
 /// Where plugins are looked for: libraries given by name, those given as source after compiling
 /// them, then directories. Throws BadInput for what was given on the command line and cannot be
 /// used.
-std::vector<elsie::plugin::SearchDirectory> search_path(const PluginOptions& options);
+std::vector<plugin::SearchDirectory> search_path(const PluginOptions& options);
 
 /// Loads the plugins, those given as source after compiling them; warnings go to the log, unless it
 /// is set to errors only. Throws BadInput for what was given on the command line and cannot be
 /// used. A library that takes longer than `longest_s` (s) to be loaded, as by a static constructor
 /// that does not return, ends the program. None: there is a LoadingLimit already.
-elsie::plugin::Host load_plugins(const PluginOptions& options,
-                                 std::optional<double> longest_s = 30.0);
-/// "did not return within 30 s and was stopped": what a plugin::Watchdog says of a plugin.
+plugin::Host load_plugins(const PluginOptions& options, std::optional<double> longest_s = 30.0);
+/// "did not return within 30 s and was stopped": what a process::Watchdog says of a plugin.
 std::string late_text(double limit_s);
 
 /// While it lives, a library that takes longer than that to be loaded or unloaded in this thread,
@@ -53,20 +54,20 @@ class LoadingLimit {
 
  private:
   std::string late_;
-  std::optional<elsie::plugin::Watchdog> watchdog_;
+  std::optional<process::Watchdog> watchdog_;
 };
 /// The same, and follows the files from then on.
-std::unique_ptr<elsie::plugin::Watch> watch_plugins(const PluginOptions& options);
+std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options);
 
 /// world::default_data_directories()
 std::vector<std::string> data_directories();
 
 /// How worlds are read here: with the data directories, and every plugin asked about its
 /// parameters.
-elsie::world::ReadOptions read_options(const std::vector<std::string>& overrides = {});
+world::ReadOptions read_options(const std::vector<std::string>& overrides = {});
 
 /// The same for experiments.
-elsie::experiment::ReadOptions experiment_options();
+experiment::ReadOptions experiment_options();
 
 /// Throws BadInput when a file's name is not that of a database of results.
 void require_database_name(const std::filesystem::path& file, const char* option);
@@ -84,3 +85,5 @@ void require_recording(const std::filesystem::path& file, const char* option);
 void require_trace(const std::filesystem::path& file, const char* option);
 /// The same for a picture: its name must end in .png or .svg.
 void require_picture(const std::filesystem::path& file, const char* option);
+
+}  // namespace elsie::program

@@ -8,21 +8,23 @@
 
 #include <CLI/CLI.hpp>
 
+#include "elsie/base/near_name.h"
+#include "elsie/base/number_text.h"
 #include "elsie/picture/timeline.h"
-#include "elsie/plugin/near_name.h"
-#include "elsie/simulation/trace_account.h"
+#include "elsie/traces/trace_account.h"
 
 #include "arguments.h"
 #include "command.h"
 #include "environment.h"
 #include "explain_report.h"
 #include "supervised.h"
-#include "text_table.h"
+
+namespace elsie::program {
 
 namespace {
 
-using elsie::simulation::TimeSpan;
-using elsie::simulation::Trace;
+using traces::TimeSpan;
+using traces::Trace;
 
 struct ExplainOptions {
   std::string trace;
@@ -46,8 +48,8 @@ Examples:
 
 Trace read(const std::string& file) {
   try {
-    return elsie::simulation::read_trace(file);
-  } catch (const elsie::simulation::TraceError& error) {
+    return traces::read_trace(file);
+  } catch (const traces::TraceError& error) {
     throw BadInput(error.what());
   }
 }
@@ -63,7 +65,7 @@ std::vector<std::size_t> chosen(const Trace& trace, const std::vector<std::strin
     const auto at = std::find(known.begin(), known.end(), id);
     if (at == known.end()) {
       throw BadInput("--robot: the trace has no robot '" + id + "'" +
-                     elsie::plugin::did_you_mean(id, known));
+                     base::did_you_mean(id, known));
     }
     places.push_back(static_cast<std::size_t>(at - known.begin()));
   }
@@ -80,9 +82,9 @@ TimeSpan span_of(const Trace& trace, const ExplainOptions& options) {
     throw BadInput("--from must be less than --to");
   }
   if (options.from && asked.from_s >= trace.end_s) {
-    throw BadInput("--from: the trace ends at " + text("%g", trace.end_s) + " s");
+    throw BadInput("--from: the trace ends at " + base::number_text(trace.end_s, 6) + " s");
   }
-  return elsie::simulation::within(asked, trace);
+  return traces::within(asked, trace);
 }
 
 int explain(const ExplainOptions& options) {
@@ -94,14 +96,14 @@ int explain(const ExplainOptions& options) {
   const TimeSpan span = span_of(trace, options);
   std::vector<ExplainedRobot> robots;
   for (const std::size_t place : places) {
-    robots.push_back({&trace.robots[place], elsie::simulation::account(trace.robots[place], span)});
+    robots.push_back({&trace.robots[place], traces::account(trace.robots[place], span)});
   }
   std::exception_ptr failure;  // told after what there is to tell
   if (options.picture) {
-    const elsie::picture::Timeline timeline{
+    const picture::Timeline timeline{
         trace, places, span, "", {"seed " + std::to_string(trace.seed) + ", " + ending(trace)}};
     try {
-      elsie::picture::save_timeline(timeline, *options.picture, {options.width, 0});
+      picture::save_timeline(timeline, *options.picture, {options.width, 0});
     } catch (const std::invalid_argument& error) {
       throw BadInput(std::string("--picture: ") + error.what() + " See --robot and --width.");
     } catch (...) {
@@ -156,3 +158,5 @@ void add_explain_command(CLI::App& program, Job& job) {
   command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
   command->callback([&job, options] { job = [options] { return explain(*options); }; });
 }
+
+}  // namespace elsie::program

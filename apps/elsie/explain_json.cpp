@@ -2,10 +2,12 @@
 
 #include "explain_report.h"
 
+namespace elsie::program {
+
 namespace {
 
-using elsie::simulation::Trace;
-using elsie::simulation::TraceRobot;
+using traces::Trace;
+using traces::TraceRobot;
 using Json = nlohmann::ordered_json;
 
 std::size_t place(int index) { return static_cast<std::size_t>(index); }
@@ -16,8 +18,7 @@ double tidy(double value) {
   return std::abs(value) < 1e9 ? std::round(value * kDecimals) / kDecimals : value;
 }
 
-Json member(const TraceRobot& robot, std::size_t index,
-            const elsie::simulation::MemberAccount& account) {
+Json member(const TraceRobot& robot, std::size_t index, const traces::MemberAccount& account) {
   const auto& traced = robot.members[index];
   Json object{{"path", traced.path},
               {"plugin", traced.plugin},
@@ -50,7 +51,7 @@ Json member(const TraceRobot& robot, std::size_t index,
   return object;
 }
 
-Json episode(const Trace& trace, const TraceRobot& robot, const elsie::simulation::Episode& told) {
+Json episode(const Trace& trace, const TraceRobot& robot, const traces::Episode& told) {
   const auto& part = told.parts[0];
   Json object{{"from_s", tidy(told.from_s)}, {"to_s", tidy(told.to_s)}};
   if (part.decider >= 0) {
@@ -61,15 +62,15 @@ Json episode(const Trace& trace, const TraceRobot& robot, const elsie::simulatio
     object["reason"] = trace.reasons[part.reason];
   } else {
     object["decider"] = nullptr;
-    object["why"] = part.decider == elsie::simulation::kNobody     ? "nobody"
-                    : part.decider == elsie::simulation::kTogether ? "several"
-                                                                   : "not asked";
+    object["why"] = part.decider == traces::kNobody     ? "nobody"
+                    : part.decider == traces::kTogether ? "several"
+                                                        : "not asked";
   }
   return object;
 }
 
 Json coordinator(const Trace& trace, const TraceRobot& robot,
-                 const elsie::simulation::CoordinatorAccount& account) {
+                 const traces::CoordinatorAccount& account) {
   Json object{{"inside", account.parent >= 0 ? Json(robot.members[place(account.parent)].path)
                                              : Json(nullptr)},
               {"coordinator", account.coordinator},
@@ -86,7 +87,7 @@ Json coordinator(const Trace& trace, const TraceRobot& robot,
 
 }  // namespace
 
-std::string json(const Trace& trace, const elsie::simulation::TimeSpan& span,
+std::string json(const Trace& trace, const traces::TimeSpan& span,
                  const std::vector<ExplainedRobot>& robots) {
   Json object{{"world", trace.world},   {"file", trace.world_file},   {"seed", trace.seed},
               {"step_s", trace.step_s}, {"period_s", trace.period_s}, {"end_s", trace.end_s}};
@@ -118,3 +119,5 @@ std::string json(const Trace& trace, const elsie::simulation::TimeSpan& span,
   }
   return object.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
+
+}  // namespace elsie::program

@@ -3,27 +3,31 @@
 #include <algorithm>
 #include <map>
 
-#include "text_table.h"
+#include "elsie/base/number_text.h"
+#include "elsie/base/words.h"
+#include "elsie/report/text_table.h"
+
+namespace elsie::program {
 
 namespace {
 
-using elsie::simulation::CoordinatorAccount;
-using elsie::simulation::Decider;
-using elsie::simulation::Episode;
-using elsie::simulation::MemberAccount;
-using elsie::simulation::Trace;
-using elsie::simulation::TraceEvent;
-using elsie::simulation::TraceMember;
-using elsie::simulation::TraceRobot;
+using traces::CoordinatorAccount;
+using traces::Decider;
+using traces::Episode;
+using traces::MemberAccount;
+using traces::Trace;
+using traces::TraceEvent;
+using traces::TraceMember;
+using traces::TraceRobot;
 
 constexpr double kShort = 0.05;  // s; from there on, two decimals say too little
 
 std::size_t place(int index) { return static_cast<std::size_t>(index); }
 
-std::string seconds(double time_s) { return text("%.2f", time_s); }
+std::string seconds(double time_s) { return base::fixed_text(time_s, 2); }
 
 /// As short as it says what is to be said: 0.5, 0.125.
-std::string number(double value) { return text("%.3g", value); }
+std::string number(double value) { return base::number_text(value, 3); }
 
 /// Whether one decider had so much of the episode that the others need no names.
 bool is_nearly_all(const Episode& episode) {
@@ -38,20 +42,19 @@ std::string per_cent(double part, double whole) {
   const double value = 100.0 * part / whole;
   // What is not quite all or nothing is not rounded to it.
   const bool at_border = (value > 0.0 && value < 0.1) || (value < 100.0 && value > 99.9);
-  return text(at_border ? "%.2g" : "%.1f", at_border && value > 50.0 ? 99.9 : value) + " %";
-}
-
-std::string count(int number, const std::string& what) {
-  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+  return (!at_border     ? base::fixed_text(value, 1)
+          : value > 50.0 ? "99.9"
+                         : base::number_text(value, 2)) +
+         " %";
 }
 
 std::string name_of(const TraceRobot& robot, Decider decider) {
   switch (decider) {
-    case elsie::simulation::kNobody:
+    case traces::kNobody:
       return "(nobody)";
-    case elsie::simulation::kTogether:
+    case traces::kTogether:
       return "(several with the same share)";
-    case elsie::simulation::kIdle:
+    case traces::kIdle:
       return "(not asked)";
     default:
       return robot.members[place(decider)].path;
@@ -76,9 +79,9 @@ const CoordinatorAccount& coordinator_of(const ExplainedRobot& explained,
 
 /// "1" or, where it was changed, "1, 3, 0.5".
 std::string priorities_of(const TraceRobot& robot, const TraceMember& member,
-                          const elsie::simulation::TimeSpan& span) {
+                          const traces::TimeSpan& span) {
   std::string text;
-  for (const auto& from : elsie::simulation::priorities(robot, member, span)) {
+  for (const auto& from : traces::priorities(robot, member, span)) {
     text += (text.empty() ? "" : ", ") + number(from.priority);
   }
   return text;
@@ -126,7 +129,7 @@ std::string table(const ExplainedRobot& explained) {
     }
     rows.push_back(std::move(row));
   }
-  return laid_out(rows, 1);
+  return report::laid_out(rows, 1);
 }
 
 std::string inhibitions(const ExplainedRobot& explained) {
@@ -139,14 +142,14 @@ std::string inhibitions(const ExplainedRobot& explained) {
     for (std::size_t n = 0; n < std::min(inhibited.size(), kNamed); ++n) {
       rows.push_back({n == 0 ? "  " + robot.members[i].path : "",
                       "by " + robot.members[place(inhibited[n].by)].path,
-                      count(inhibited[n].times, "time"), seconds(inhibited[n].time_s) + " s",
-                      per_cent(inhibited[n].time_s, asked_s)});
+                      base::counted(inhibited[n].times, "time"),
+                      seconds(inhibited[n].time_s) + " s", per_cent(inhibited[n].time_s, asked_s)});
     }
     if (inhibited.size() > kNamed) {
       rows.push_back({"", "and by " + std::to_string(inhibited.size() - kNamed) + " more"});
     }
   }
-  return rows.empty() ? "" : "\nsilenced\n" + laid_out(rows, 2);
+  return rows.empty() ? "" : "\nsilenced\n" + report::laid_out(rows, 2);
 }
 
 std::string events(const ExplainedRobot& explained) {
@@ -165,7 +168,7 @@ std::string events(const ExplainedRobot& explained) {
   std::string lines;
   for (const std::string& name : names) {
     const std::vector<double>& all = times[name];
-    lines += "  " + name + ": " + count(static_cast<int>(all.size()), "time") + ", at ";
+    lines += "  " + name + ": " + base::counted(static_cast<int>(all.size()), "time") + ", at ";
     for (std::size_t i = 0; i < std::min(all.size(), kTimes); ++i) {
       lines += (i ? ", " : "") + seconds(all[i]);
     }
@@ -181,10 +184,10 @@ std::string who(const TraceRobot& robot, const Episode& episode) {
   if (episode.parts.size() == 1) {
     return main;
   }
-  const std::string changes = ", " + count(episode.switches, "change");
+  const std::string changes = ", " + base::counted(episode.switches, "change");
   if (is_nearly_all(episode)) {
     const double others_s = episode.length_s() - episode.parts[0].time_s;
-    return main + " but for " + text(others_s < kShort ? "%.3f" : "%.2f", others_s) + " s" +
+    return main + " but for " + base::fixed_text(others_s, others_s < kShort ? 3 : 2) + " s" +
            changes;
   }
   constexpr std::size_t kNamed = 4;
@@ -217,13 +220,13 @@ std::string why(const Trace& trace, const Episode& episode) {
 
 std::string episodes(const Trace& trace, const TraceRobot& robot,
                      const CoordinatorAccount& coordinator, std::size_t most) {
-  const std::vector<Episode> told = elsie::simulation::condensed(coordinator.episodes, most);
+  const std::vector<Episode> told = traces::condensed(coordinator.episodes, most);
   std::string title = "\nwho decided";
   if (coordinator.parent >= 0) {
     title += " inside " + robot.members[place(coordinator.parent)].path + " (" +
              coordinator.coordinator + ")";
   }
-  title += ": " + count(coordinator.switches, "change");
+  title += ": " + base::counted(coordinator.switches, "change");
   if (told.size() < coordinator.episodes.size()) {
     title += ", " + std::to_string(coordinator.episodes.size()) + " episodes told in " +
              std::to_string(told.size()) + " (--all tells them all)";
@@ -232,7 +235,7 @@ std::string episodes(const Trace& trace, const TraceRobot& robot,
   for (const Episode& episode : told) {
     const bool is_short = episode.length_s() < kShort;
     rows.push_back({"  " + seconds(episode.from_s), "to", seconds(episode.to_s),
-                    text(is_short ? "%.3f" : "%.2f", episode.length_s()) + " s",
+                    base::fixed_text(episode.length_s(), is_short ? 3 : 2) + " s",
                     " " + who(robot, episode), why(trace, episode)});
   }
   // Times stand to the right, names and reasons to the left: in two tables laid side by side.
@@ -242,7 +245,7 @@ std::string episodes(const Trace& trace, const TraceRobot& robot,
     row.resize(4);
   }
   std::string text = title + '\n';
-  const std::string times = laid_out(rows, 0), reasons = laid_out(names, 2);
+  const std::string times = report::laid_out(rows, 0), reasons = report::laid_out(names, 2);
   std::size_t from = 0, name_from = 0;
   while (from < times.size()) {
     const std::size_t end = times.find('\n', from), name_end = reasons.find('\n', name_from);
@@ -257,7 +260,7 @@ std::string episodes(const Trace& trace, const TraceRobot& robot,
 }  // namespace
 
 std::string ending(const Trace& trace) {
-  const std::string time = text("%.1f", trace.end_s) + " s";
+  const std::string time = base::fixed_text(trace.end_s, 1) + " s";
   if (trace.outcome.empty()) {
     return "no end after " + time;
   }
@@ -301,3 +304,5 @@ std::string report(const Trace& trace, const ExplainedRobot& explained, std::siz
   }
   return out;
 }
+
+}  // namespace elsie::program

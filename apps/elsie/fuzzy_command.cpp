@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
+#include "elsie/base/number_text.h"
 #include "elsie/fuzzy/fcl.h"
 #include "elsie/picture/fuzzy_plot.h"
 
@@ -17,11 +18,13 @@
 #include "environment.h"
 #include "supervised.h"
 
+namespace elsie::program {
+
 namespace {
 
-using elsie::fuzzy::Model;
-using elsie::fuzzy::OutputVariable;
-using elsie::fuzzy::Variable;
+using fuzzy::Model;
+using fuzzy::OutputVariable;
+using fuzzy::Variable;
 
 struct FuzzyOptions {
   std::string model;
@@ -37,11 +40,7 @@ struct Evaluation {
   std::vector<double> degrees;  // of the rules
 };
 
-std::string number(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof(buffer), "%.6g", value);
-  return buffer;
-}
+std::string number(double value) { return base::number_text(value, 6); }
 
 std::string names_of(std::span<const Variable> variables) {
   std::string names;
@@ -84,7 +83,7 @@ std::vector<double> parse_inputs(const Model& model, const std::vector<std::stri
 }
 
 Evaluation evaluate(const Model& model, const std::vector<double>& inputs) {
-  elsie::fuzzy::Workspace workspace;
+  fuzzy::Workspace workspace;
   Evaluation evaluation{inputs, std::vector<double>(model.outputs().size(), 0.0),
                         std::vector<double>(model.rules().size())};
   model.evaluate(inputs, evaluation.outputs, workspace);
@@ -95,7 +94,7 @@ Evaluation evaluate(const Model& model, const std::vector<double>& inputs) {
 void print_variable(const char* kind, const Variable& variable) {
   out() << kind << ' ' << variable.name << " in [" << number(variable.range.low) << ", "
         << number(variable.range.high) << "]\n";
-  for (const elsie::fuzzy::Term& term : variable.terms) {
+  for (const fuzzy::Term& term : variable.terms) {
     out() << "  " << term.name << ":";
     if (!term.linear.empty()) {
       for (std::size_t i = 0; i + 1 < term.linear.size(); ++i) {
@@ -126,7 +125,7 @@ void print(const Model& model, const std::optional<Evaluation>& evaluation) {
   }
   out() << "rules\n";
   for (std::size_t i = 0; i < model.rules().size(); ++i) {
-    const elsie::fuzzy::Rule& rule = model.rules()[i];
+    const fuzzy::Rule& rule = model.rules()[i];
     out() << "  " << rule.label << ": " << rule.text;
     if (rule.weight != 1.0) {
       out() << " WITH " << number(rule.weight);
@@ -146,7 +145,7 @@ void print(const Model& model, const std::optional<Evaluation>& evaluation) {
 
 nlohmann::ordered_json to_json(const Variable& variable) {
   nlohmann::ordered_json terms = nlohmann::ordered_json::object();
-  for (const elsie::fuzzy::Term& term : variable.terms) {
+  for (const fuzzy::Term& term : variable.terms) {
     auto points = nlohmann::ordered_json::array();
     for (const auto& point : term.set.points) {
       points.push_back({point.x, point.degree});
@@ -170,7 +169,7 @@ void print_json(const Model& model, const std::optional<Evaluation>& evaluation)
   }
   object["rules"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < model.rules().size(); ++i) {
-    const elsie::fuzzy::Rule& rule = model.rules()[i];
+    const fuzzy::Rule& rule = model.rules()[i];
     nlohmann::ordered_json entry{{"block", rule.block}, {"label", rule.label}, {"text", rule.text}};
     entry["weight"] = rule.weight;
     if (evaluation) {
@@ -179,7 +178,7 @@ void print_json(const Model& model, const std::optional<Evaluation>& evaluation)
     object["rules"].push_back(entry);
   }
   object["notes"] = nlohmann::ordered_json::array();
-  for (const elsie::fuzzy::Problem& note : model.notes()) {
+  for (const base::Problem& note : model.notes()) {
     object["notes"].push_back({{"line", note.line}, {"note", note.message}});
   }
   if (evaluation) {
@@ -191,14 +190,14 @@ void print_json(const Model& model, const std::optional<Evaluation>& evaluation)
   out() << object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
-elsie::picture::SurfaceVariable axis(const Variable& variable) {
+picture::SurfaceVariable axis(const Variable& variable) {
   return {variable.name, "", variable.range.low, variable.range.high};
 }
 
 /// The surface of one output over the first two inputs; further inputs stay at the middle of their
 /// range.
-elsie::picture::ControlSurface surface(const Model& model, std::size_t output) {
-  elsie::picture::ControlSurface surface;
+picture::ControlSurface surface(const Model& model, std::size_t output) {
+  picture::ControlSurface surface;
   surface.x = axis(model.inputs()[0]);
   if (model.inputs().size() > 1) {
     surface.y = axis(model.inputs()[1]);
@@ -211,7 +210,7 @@ elsie::picture::ControlSurface surface(const Model& model, std::size_t output) {
       surface.held.push_back({model.inputs()[i].name, "", inputs.back()});
     }
   }
-  auto workspace = std::make_shared<elsie::fuzzy::Workspace>();
+  auto workspace = std::make_shared<fuzzy::Workspace>();
   surface.value = [model, output, inputs, workspace](double x, double y) mutable {
     inputs[0] = x;
     if (inputs.size() > 1) {
@@ -224,17 +223,16 @@ elsie::picture::ControlSurface surface(const Model& model, std::size_t output) {
   return surface;
 }
 
-elsie::picture::MembershipPanel panel(const Variable& variable) {
-  elsie::picture::MembershipPanel panel{
-      variable.name, "", variable.range.low, variable.range.high, {}};
-  for (const elsie::fuzzy::Term& term : variable.terms) {
+picture::MembershipPanel panel(const Variable& variable) {
+  picture::MembershipPanel panel{variable.name, "", variable.range.low, variable.range.high, {}};
+  for (const fuzzy::Term& term : variable.terms) {
     panel.terms.emplace_back(term.name, term.set);
   }
   return panel;
 }
 
 void draw(const Model& model, const std::string& file) {
-  elsie::picture::FuzzyPicture picture;
+  picture::FuzzyPicture picture;
   picture.title = model.name();
   for (const Variable& input : model.inputs()) {
     picture.variables.push_back(panel(input));
@@ -243,15 +241,15 @@ void draw(const Model& model, const std::string& file) {
     picture.variables.push_back(panel(model.outputs()[i]));
     picture.surfaces.push_back(surface(model, i));
   }
-  elsie::picture::save_fuzzy_picture(picture, file);
+  picture::save_fuzzy_picture(picture, file);
 }
 
 int fuzzy(const FuzzyOptions& options) {
   if (options.picture) {
     require_picture(*options.picture, "--picture");
   }
-  const Model model = elsie::fuzzy::read_fcl(options.model, options.block);
-  for (const elsie::fuzzy::Problem& note : model.notes()) {
+  const Model model = fuzzy::read_fcl(options.model, options.block);
+  for (const base::Problem& note : model.notes()) {
     spdlog::warn(note.text());
   }
   std::optional<Evaluation> evaluation;
@@ -293,3 +291,5 @@ void add_fuzzy_command(CLI::App& program, Job& job) {
       ->type_name("FILE.png|FILE.svg");
   command->callback([&job, options] { job = [options] { return fuzzy(*options); }; });
 }
+
+}  // namespace elsie::program

@@ -11,9 +11,11 @@
 
 #include "command.h"
 
+namespace elsie::program {
+
 namespace fs = std::filesystem;
-using elsie::simulation::SensorView;
-using elsie::simulation::Simulation;
+using simulation::SensorView;
+using simulation::Simulation;
 
 void require_image_folder(const fs::path& folder, const char* option) {
   const std::string what =
@@ -99,17 +101,19 @@ void ImageSaver::save(const Simulation& simulation, std::uint64_t step) const {
                                "+" + std::string(sensor.id);
       using elsie::VisionReading;
       if (sensor.sensor->kind() != elsie::ReadingKind::of<VisionReading>()) {
-        elsie::picture::write_png(*sensor.picture, folder_ / (name + "_raw.png"));
+        picture::write_png(*sensor.picture, folder_ / (name + "_raw.png"));
         continue;
       }
       // The sensor's own noise is in the reading.
       const auto& reading = *static_cast<const VisionReading*>(sensor.sensor->reading());
       if (!reading.raw.empty()) {
-        elsie::picture::write_png(reading.raw, folder_ / (name + "_raw.png"));
+        picture::write_png(reading.raw, folder_ / (name + "_raw.png"));
       }
       if (!reading.processed.empty()) {
-        elsie::picture::write_png(reading.processed, folder_ / (name + "_processed.png"));
+        picture::write_png(reading.processed, folder_ / (name + "_processed.png"));
       }
     }
   }
 }
+
+}  // namespace elsie::program

@@ -6,18 +6,20 @@
 
 #include "elsie/simulation/observer.h"
 
+namespace elsie::program {
+
 /// Checks, before any work is done, that pictures can be saved in the folder: it is empty, or not
 /// there yet beside something that can be written to. Throws BadInput.
 void require_image_folder(const std::filesystem::path& folder, const char* option);
 
 /// Throws BadInput when no robot has a sensor with a camera: then there is nothing to save.
-void require_cameras(const elsie::simulation::Simulation& simulation, const char* option);
+void require_cameras(const simulation::Simulation& simulation, const char* option);
 
 /// Saves pictures of all sensors with cameras as PNG files:
 ///
 ///   0000120_r1+eye_raw.png        as the camera saw it before step 120 (counted from 0)
 ///   0000120_r1+eye_processed.png  as the sensor looked for something in it, where it says so
-class ImageSaver final : public elsie::simulation::Observer {
+class ImageSaver final : public simulation::Observer {
  public:
   /// `every_s`: simulated time from one picture of a camera to the next, at least a control period;
   /// 0: every control period.
@@ -26,16 +28,18 @@ class ImageSaver final : public elsie::simulation::Observer {
 
   /// Makes the folder. Throws BadInput when no robot has a camera, std::runtime_error when it
   /// cannot be made.
-  void started(const elsie::simulation::Simulation& simulation) override;
+  void started(const simulation::Simulation& simulation) override;
   /// Throws std::runtime_error when a picture cannot be written.
-  void stepped(const elsie::simulation::Simulation& simulation) override;
+  void stepped(const simulation::Simulation& simulation) override;
 
  private:
-  void remember_who_sees(const elsie::simulation::Simulation& simulation);
-  void save(const elsie::simulation::Simulation& simulation, std::uint64_t step) const;
+  void remember_who_sees(const simulation::Simulation& simulation);
+  void save(const simulation::Simulation& simulation, std::uint64_t step) const;
 
   std::filesystem::path folder_;
   double every_s_;
   std::uint64_t times_ = 0;  // that pictures were saved
   std::vector<bool> blind_;  // robots whose battery was empty before the step
 };
+
+}  // namespace elsie::program

@@ -6,14 +6,15 @@
 #include <utility>
 
 #include "elsie/api/coordinator.h"
-#include "elsie/plugin/near_name.h"
+#include "elsie/base/near_name.h"
 #include "elsie/world/error.h"
 
 #include "command.h"
 
+namespace elsie::program {
+
 namespace {
 
-namespace world = elsie::world;
 using elsie::PluginKind;
 
 std::string list_of(const std::vector<std::string>& names) {
@@ -35,8 +36,7 @@ auto& find(Things& things, const std::string& id, const std::string& what,
     }
     ids.push_back(thing.id);
   }
-  throw BadInput("there is no " + what + " '" + id + "' " + where +
-                 elsie::plugin::did_you_mean(id, ids) +
+  throw BadInput("there is no " + what + " '" + id + "' " + where + base::did_you_mean(id, ids) +
                  (ids.empty() ? "" : "; there are: " + list_of(ids)));
 }
 
@@ -82,13 +82,13 @@ world::PluginUse& coordinator_at(world::Robot& robot, const std::string& behavio
   return *coordination->coordinator;
 }
 
-std::string learners(const elsie::plugin::Host& host) {
+std::string learners(const plugin::Host& host) {
   std::vector<std::string> names;
   for (const elsie::Declaration* declaration : host.all(PluginKind::coordinator)) {
     try {
       const auto object =
           host.create<elsie::Coordinator>(PluginKind::coordinator, declaration->name);
-      if (dynamic_cast<const elsie::neural::Trainable*>(object.get())) {
+      if (dynamic_cast<const neural::Trainable*>(object.get())) {
         names.push_back(declaration->name);
       }
     } catch (const std::exception&) {  // a plugin that cannot be made does not learn, either
@@ -111,14 +111,14 @@ std::string without_name(const std::string& message, const std::string& plugin) 
 /// The making of a learner: the world that it is in, once for each set of options.
 class Maker {
  public:
-  Maker(const world::World& world, const elsie::plugin::Host& host, const LearnerPlace& place)
+  Maker(const world::World& world, const plugin::Host& host, const LearnerPlace& place)
       : host_(host), place_(place), world_(world) {
     const world::Robot& robot = robot_of(world_, place.robot);
     index_ = static_cast<std::size_t>(&robot - world_.robots.data());
     use_ = &coordinator_at(world_.robots[index_], place.behavior, owner_, stream_);
     described_ = use_->parameters;
     const auto object = host.create<elsie::Coordinator>(PluginKind::coordinator, use_->plugin);
-    if (!dynamic_cast<const elsie::neural::Trainable*>(object.get())) {
+    if (!dynamic_cast<const neural::Trainable*>(object.get())) {
       throw BadInput("the coordinator '" + use_->plugin + "' of the " + owner_ +
                      " does not learn; " + learners(host));
     }
@@ -149,12 +149,12 @@ class Maker {
     learner.robot = world->robots[index_].id;
     learner.world = std::move(world);
     learner.equipped.emplace(*learner.world, index_, host_);
-    learner.network = dynamic_cast<const elsie::neural::Trainable*>(&learner.equipped->object(use));
+    learner.network = dynamic_cast<const neural::Trainable*>(&learner.equipped->object(use));
     return learner;
   }
 
   /// What is wrong with these options; nothing when the robot can be made.
-  std::vector<world::Problem> problems_with(const std::vector<LearnerOption>& options) {
+  std::vector<base::Problem> problems_with(const std::vector<LearnerOption>& options) {
     try {
       attempt(options);
       return {};
@@ -165,13 +165,13 @@ class Maker {
 
   /// Throws BadInput when an option is at fault: when what is wrong is not wrong without it.
   void blame_options(const world::WorldError& error, const std::vector<LearnerOption>& options) {
-    const auto told_by = [](const world::Problem& problem,
-                            const std::vector<world::Problem>& problems) {
+    const auto told_by = [](const base::Problem& problem,
+                            const std::vector<base::Problem>& problems) {
       return std::find(problems.begin(), problems.end(), problem) != problems.end();
     };
-    const std::vector<world::Problem> without_all = problems_with({});
+    const std::vector<base::Problem> without_all = problems_with({});
     std::string text;
-    for (const world::Problem& problem : error.problems()) {
+    for (const base::Problem& problem : error.problems()) {
       if (told_by(problem, without_all)) {
         continue;  // the world's own
       }
@@ -192,7 +192,7 @@ class Maker {
     }
   }
 
-  const elsie::plugin::Host& host_;
+  const plugin::Host& host_;
   const LearnerPlace& place_;
   world::World world_;
   std::size_t index_ = 0;
@@ -203,7 +203,9 @@ class Maker {
 
 }  // namespace
 
-Learner make_learner(const world::World& world, const elsie::plugin::Host& host,
-                     const LearnerPlace& place, const std::vector<LearnerOption>& options) {
+Learner make_learner(const world::World& world, const plugin::Host& host, const LearnerPlace& place,
+                     const std::vector<LearnerOption>& options) {
   return Maker(world, host, place).make(options);
 }
+
+}  // namespace elsie::program

@@ -12,6 +12,8 @@
 #include "elsie/simulation/equipped_robot.h"
 #include "elsie/world/description.h"
 
+namespace elsie::program {
+
 /// Which coordinator of a world is meant.
 struct LearnerPlace {
   std::optional<std::string> robot;  // its id; may be left out where there is only one
@@ -29,9 +31,9 @@ struct LearnerOption {
 
 /// A coordinator that can be trained: one of a robot that is equipped as it would be in a run.
 struct Learner {
-  std::unique_ptr<const elsie::world::World> world;  // with the options in it
-  std::optional<elsie::simulation::EquippedRobot> equipped;
-  const elsie::neural::Trainable* network = nullptr;  // the robot's
+  std::unique_ptr<const world::World> world;  // with the options in it
+  std::optional<simulation::EquippedRobot> equipped;
+  const neural::Trainable* network = nullptr;  // the robot's
   std::string plugin;
   std::string robot;
   std::string stream;  // the path in the world that names its random stream in a run
@@ -41,5 +43,7 @@ struct Learner {
 /// the weights that the world gives it. Throws BadInput when there is none, it is of a kind that
 /// does not learn, or one of the options is refused; and world::WorldError when the world does not
 /// fit the robot.
-Learner make_learner(const elsie::world::World& world, const elsie::plugin::Host& host,
-                     const LearnerPlace& place, const std::vector<LearnerOption>& options);
+Learner make_learner(const world::World& world, const plugin::Host& host, const LearnerPlace& place,
+                     const std::vector<LearnerOption>& options);
+
+}  // namespace elsie::program

@@ -4,12 +4,14 @@
 
 #include "elsie/picture/plot.h"
 
-void draw_learning_curve(const elsie::neural::Training& training, const std::string& title,
+namespace elsie::program {
+
+void draw_learning_curve(const neural::Training& training, const std::string& title,
                          const std::vector<std::string>& subtitles,
                          const std::filesystem::path& file) {
   namespace picture = elsie::picture;
   picture::Series plain, powers;
-  for (const elsie::neural::CurvePoint& point : training.curve) {
+  for (const neural::CurvePoint& point : training.curve) {
     const auto x = static_cast<double>(point.presentations);
     plain.points.push_back({x, point.error});
     powers.points.push_back({x, std::log10(point.error)});
@@ -34,3 +36,5 @@ void draw_learning_curve(const elsie::neural::Training& training, const std::str
   }
   picture::save_page(page, file);
 }
+
+}  // namespace elsie::program

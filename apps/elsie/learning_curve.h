@@ -7,8 +7,12 @@
 
 #include "elsie/neural/training.h"
 
+namespace elsie::program {
+
 /// The mean error over the presentations, on a plain axis and on one of powers of ten. Throws as
 /// picture::save_page().
-void draw_learning_curve(const elsie::neural::Training& training, const std::string& title,
+void draw_learning_curve(const neural::Training& training, const std::string& title,
                          const std::vector<std::string>& subtitles,
                          const std::filesystem::path& file);
+
+}  // namespace elsie::program

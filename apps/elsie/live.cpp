@@ -15,8 +15,10 @@
 
 #include "progress.h"
 
-using elsie::simulation::Replacement;
-using elsie::simulation::Simulation;
+namespace elsie::program {
+
+using simulation::Replacement;
+using simulation::Simulation;
 
 void Pacer::started(const Simulation&) { start_ = std::chrono::steady_clock::now(); }
 
@@ -66,7 +68,7 @@ std::string told(const Replacement& replacement) {
 
 }  // namespace
 
-void replace_what_changed(elsie::plugin::Watch& watch, Simulation& simulation, bool quiet) {
+void replace_what_changed(build::Watch& watch, Simulation& simulation, bool quiet) {
   auto renewal = watch.take();
   if (!renewal) {
     return;
@@ -95,8 +97,10 @@ void replace_what_changed(elsie::plugin::Watch& watch, Simulation& simulation, b
     if (!quiet) {
       std::cerr << at << files << ": " << told(replacement) << '\n';
     }
-  } catch (const elsie::simulation::ReplacementRefused& refused) {
+  } catch (const simulation::ReplacementRefused& refused) {
     std::cerr << at << files << " cannot be used: " << refused.what()
               << "\nwhat was there before goes on\n";
   }
 }
+
+}  // namespace elsie::program

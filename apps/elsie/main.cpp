@@ -10,11 +10,11 @@
 #include <spdlog/spdlog.h>
 
 #include "elsie/batch/worker.h"
+#include "elsie/build/source_build.h"
 #include "elsie/fuzzy/error.h"
 #include "elsie/neural/error.h"
-#include "elsie/plugin/crash_report.h"
-#include "elsie/plugin/process_end.h"
-#include "elsie/plugin/source_build.h"
+#include "elsie/process/crash_report.h"
+#include "elsie/process/process_end.h"
 #include "elsie/results/database_file.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/world/error.h"
@@ -23,6 +23,8 @@
 #include "progress.h"
 #include "supervised.h"
 #include "usage.h"
+
+namespace elsie::program {
 
 namespace {
 
@@ -52,33 +54,9 @@ void set_up_log() {
 int finish(const Job& job) {
   try {
     return job();
-  } catch (const elsie::world::WorldError& error) {
-    std::cerr << error.what() << '\n';
-    return error.plugin_failed() ? kPluginFailed : kBadInput;
-  } catch (const elsie::fuzzy::FclError& error) {
-    std::cerr << error.what() << '\n';
-    return kBadInput;
-  } catch (const elsie::neural::FileError& error) {
-    std::cerr << error.what() << '\n';
-    return kBadInput;
-  } catch (const elsie::plugin::BuildError& error) {
-    std::cerr << error.what() << '\n';  // the compiler's own messages
-    return kBadInput;
-  } catch (const elsie::plugin::CreateError& error) {
-    std::cerr << "elsie: " << error.what() << '\n';
-    return kPluginFailed;
-  } catch (const elsie::plugin::PluginError& error) {
-    std::cerr << "elsie: " << error.what() << '\n';
-    return kBadInput;
-  } catch (const BadInput& error) {
-    std::cerr << "elsie: " << error.what() << '\n';
-    return kBadInput;
-  } catch (const elsie::results::DatabaseRefused& error) {
-    std::cerr << "elsie: " << error.what() << '\n';
-    return kBadInput;
-  } catch (const elsie::simulation::PluginFault& fault) {
-    std::cerr << "elsie: " << fault.what() << '\n';
-    return kPluginFailed;
+  } catch (const base::Error& error) {
+    std::cerr << error.message() << '\n';
+    return error.exit_code();
   } catch (const std::exception& error) {
     std::cerr << "elsie: " << error.what() << '\n';
     return kOtherFailure;
@@ -128,17 +106,16 @@ int work(int argc, char** argv) {
     check_words(program, argc, argv);
     program.parse(argc, argv);
   } catch (const BadInput& error) {
-    std::cerr << "elsie: " << error.what() << '\n';
-    return kBadInput;
+    std::cerr << error.message() << '\n';
+    return error.exit_code();
   } catch (const CLI::ParseError& error) {
     return with_output_written(program.exit(error, out(), std::cerr) == 0 ? kSuccess : kBadInput);
   }
   return with_output_written(finish(job));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// The whole program.
+[[noreturn]] void perform(int argc, char** argv) {
   meet_supervisor();
   // A limit to the size of files is told as a full disk is.
   std::signal(SIGXFSZ, SIG_IGN);
@@ -147,16 +124,22 @@ int main(int argc, char** argv) {
   // more than it gains. Here, because nothing else runs yet that could look at the environment.
   setenv("LP_NUM_THREADS", "0", 0);
   if (argc == 2 && std::string_view(argv[1]) == kWorkerCommand) {
-    elsie::batch::work();
+    batch::work();
   }
   set_program_path(argv[0]);
   keep_output(argc, argv);
-  elsie::plugin::report_crashes(kPluginFailed);
+  process::report_crashes(kPluginFailed);
   end_at_once_when_interrupted();
   const int exit_code = work(argc, argv);
   // Not return: what plugins have registered for the end of the process is not run. But what they
   // have printed is written.
   std::cout.flush();
   std::fflush(nullptr);
-  elsie::plugin::end_with(exit_code);
+  process::end_with(exit_code);
 }
+
+}  // namespace
+
+}  // namespace elsie::program
+
+int main(int argc, char** argv) { elsie::program::perform(argc, argv); }

@@ -10,6 +10,8 @@
 #include "command_tree.h"
 #include "supervised.h"
 
+namespace elsie::program {
+
 namespace {
 
 /// Text in roff: what roff would take for its own is escaped.
@@ -98,3 +100,5 @@ void add_manual_command(CLI::App& program, Job& job) {
     };
   });
 }
+
+}  // namespace elsie::program

@@ -6,16 +6,18 @@
 
 #include <CLI/CLI.hpp>
 
+#include "elsie/base/shell_word.h"
+#include "elsie/base/words.h"
 #include "elsie/batch/merge.h"
 #include "elsie/results/database_file.h"
-#include "elsie/world/shell_word.h"
 
 #include "command.h"
 #include "environment.h"
 #include "supervised.h"
-#include "text_table.h"
 
-using elsie::world::shell_word;
+namespace elsie::program {
+
+using base::shell_word;
 
 namespace {
 
@@ -32,25 +34,26 @@ Example:
 
 /// The file of the experiment that a database is of.
 std::string experiment_of(const std::string& database) {
-  return elsie::results::open_to_read(database).text("SELECT file FROM about");
+  return results::open_to_read(database).text("SELECT file FROM about");
 }
 
 int merge(const Options& options) {
   require_database_name(options.into, "OUT");  // else no batch would go on with it
   require_writable(options.into, "OUT");
-  const elsie::batch::Merged merged =
-      elsie::batch::merge(options.into, {options.databases.begin(), options.databases.end()});
+  const batch::Merged merged =
+      batch::merge(options.into, {options.databases.begin(), options.databases.end()});
   if (!options.quiet) {
     const std::int64_t to_do = merged.pending + merged.missing;
     out() << options.into << ": " << merged.all_runs - to_do << " of "
-          << counted(merged.all_runs, "run") << ' ' << are(merged.all_runs) << " done\n";
+          << base::counted(merged.all_runs, "run") << ' ' << base::is_or_are(merged.all_runs)
+          << " done\n";
     if (merged.duplicates > 0) {
-      out() << counted(merged.duplicates, "run")
+      out() << base::counted(merged.duplicates, "run")
             << (merged.duplicates == 1 ? " was there more than once, and counts once\n"
                                        : " were there more than once, and count once\n");
     }
     if (to_do > 0) {
-      out() << to_do << ' ' << are(to_do) << " still to be done: elsie batch "
+      out() << to_do << ' ' << base::is_or_are(to_do) << " still to be done: elsie batch "
             << shell_word(experiment_of(options.into)) << " --database " << shell_word(options.into)
             << " --resume\n";
     }
@@ -70,3 +73,5 @@ void add_merge_command(CLI::App& program, Job& job) {
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->callback([&job, options] { job = [options] { return merge(*options); }; });
 }
+
+}  // namespace elsie::program

@@ -19,6 +19,8 @@
 #include "environment.h"
 #include "supervised.h"
 
+namespace elsie::program {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,9 +112,9 @@ void check_name(const std::string& name) {
 }
 
 void check_free(const Options& options) {
-  const elsie::plugin::Host host = load_plugins(options.plugins);
-  for (const PluginKind kind : elsie::plugin::kPluginKinds) {
-    if (elsie::plugin::kind_name(kind) == options.kind && host.find(kind, options.name)) {
+  const plugin::Host host = load_plugins(options.plugins);
+  for (const PluginKind kind : plugin::kPluginKinds) {
+    if (plugin::kind_name(kind) == options.kind && host.find(kind, options.name)) {
       throw BadInput("there is a " + options.kind + " '" + options.name + "' already (" +
                      host.file_of(kind, options.name).string() + "); choose another name");
     }
@@ -237,10 +239,9 @@ void add_new_command(CLI::App& program, Job& job) {
       if (options->kind == "behaviour") {
         options->kind = "behavior";
       }
-      const auto& kinds = elsie::plugin::kPluginKinds;
-      if (std::none_of(kinds.begin(), kinds.end(), [&](PluginKind kind) {
-            return options->kind == elsie::plugin::kind_name(kind);
-          })) {
+      const auto& kinds = plugin::kPluginKinds;
+      if (std::none_of(kinds.begin(), kinds.end(),
+                       [&](PluginKind kind) { return options->kind == plugin::kind_name(kind); })) {
         throw BadInput(
             "'" + options->kind +
             "' is no kind of plugin; there are behavior, coordinator, sensor and measure");
@@ -249,3 +250,5 @@ void add_new_command(CLI::App& program, Job& job) {
     };
   });
 }
+
+}  // namespace elsie::program

@@ -4,12 +4,14 @@
 
 #include <CLI/CLI.hpp>
 
-#include "elsie/plugin/near_name.h"
+#include "elsie/base/near_name.h"
+#include "elsie/base/number_text.h"
 #include "elsie/world/description.h"
 
 #include "arguments.h"
 #include "command.h"
-#include "text_table.h"
+
+namespace elsie::program {
 
 void PathOptions::add_to(CLI::App& command) {
   command
@@ -35,19 +37,22 @@ void PathOptions::add_to(CLI::App& command) {
       ->type_name("SECONDS");
 }
 
-void PathOptions::check(const elsie::world::World& world) const {
+void PathOptions::check(const world::World& world) const {
   if (choice_.from_s >= choice_.to_s) {
-    throw BadInput("--picture-from: the ways cannot begin at " + text("%g", choice_.from_s) +
-                   " s and end at " + text("%g", choice_.to_s) + " s");
+    throw BadInput("--picture-from: the ways cannot begin at " +
+                   base::number_text(choice_.from_s, 6) + " s and end at " +
+                   base::number_text(choice_.to_s, 6) + " s");
   }
   std::vector<std::string> ids;
-  for (const elsie::world::Robot& robot : world.robots) {
+  for (const world::Robot& robot : world.robots) {
     ids.push_back(robot.id);
   }
   for (const std::string& id : choice_.robots) {
     if (std::find(ids.begin(), ids.end(), id) == ids.end()) {
       throw BadInput("--picture-robots: there is no robot '" + id + "' in this world" +
-                     elsie::plugin::did_you_mean(id, ids));
+                     base::did_you_mean(id, ids));
     }
   }
 }
+
+}  // namespace elsie::program

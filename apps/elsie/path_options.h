@@ -10,15 +10,19 @@ namespace CLI {
 class App;
 }
 
+namespace elsie::program {
+
 class PathOptions {
  public:
   /// Adds the options, which need `--picture`.
   void add_to(CLI::App& command);
   /// Throws BadInput for a window of time that is empty, and for a robot that is not in the world.
-  void check(const elsie::world::World& world) const;
+  void check(const world::World& world) const;
 
-  const elsie::picture::PathChoice& choice() const { return choice_; }
+  const picture::PathChoice& choice() const { return choice_; }
 
  private:
-  elsie::picture::PathChoice choice_;
+  picture::PathChoice choice_;
 };
+
+}  // namespace elsie::program

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/reader.h"
 
@@ -12,6 +13,8 @@
 #include "environment.h"
 #include "supervised.h"
 #include "top_view.h"
+
+namespace elsie::program {
 
 namespace {
 
@@ -28,9 +31,10 @@ int picture(const PictureOptions& options) {
   const std::filesystem::path file = options.output.value_or(
       options.picture.value_or(std::filesystem::path(options.world).stem().string() + ".png"));
   require_picture(file, options.picture ? "PICTURE" : "--output");
-  const elsie::plugin::Host host = load_plugins(options.plugins);
-  elsie::simulation::Simulation simulation(
-      elsie::world::read_world(options.world, host, read_options(options.overrides)), host);
+  const plugin::Host host = load_plugins(options.plugins);
+  simulation::Simulation simulation(
+      world::read_world(options.world, host, read_options(options.overrides)), host,
+      {.cameras = render::world_cameras});
   simulation.step();  // so that the sensors have looked once
   draw(simulation, nullptr, {}, file, options.width);
   out() << "wrote " << file.string() << '\n';
@@ -64,3 +68,5 @@ void add_picture_command(CLI::App& program, Job& job) {
   options->plugins.add_to(*command);
   command->callback([&job, options] { job = [options] { return picture(*options); }; });
 }
+
+}  // namespace elsie::program

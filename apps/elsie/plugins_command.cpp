@@ -9,27 +9,29 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "elsie/base/near_name.h"
 #include "elsie/experiment/vocabulary.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/plugin/near_name.h"
-#include "elsie/world/reference.h"
+#include "elsie/reference/reference.h"
 
 #include "command.h"
 #include "environment.h"
 #include "supervised.h"
+
+namespace elsie::program {
 
 namespace {
 
 using elsie::Declaration;
 using elsie::ParameterDeclaration;
 using elsie::PluginKind;
-using elsie::plugin::DirectoryReport;
-using elsie::plugin::FileReport;
-using elsie::plugin::FileStatus;
-using elsie::plugin::Host;
-using elsie::plugin::kind_name;
-using elsie::plugin::kPluginKinds;
 using nlohmann::ordered_json;
+using plugin::DirectoryReport;
+using plugin::FileReport;
+using plugin::FileStatus;
+using plugin::Host;
+using plugin::kind_name;
+using plugin::kPluginKinds;
 
 struct PluginsOptions {
   PluginOptions plugins;
@@ -266,8 +268,8 @@ int describe(const DescribeOptions& options) {
                      " files is not to be had as JSON; `elsie schema " + options.name +
                      "` prints its schema");
     }
-    out() << (options.name == "world" ? elsie::world::world_reference()
-                                      : elsie::experiment::experiment_reference());
+    out() << (options.name == "world" ? reference::world_reference()
+                                      : experiment::experiment_reference());
     return kSuccess;
   }
   const Host host = load_plugins(options.plugins);
@@ -286,15 +288,15 @@ int describe(const DescribeOptions& options) {
       if (options.json) {
         all.push_back(to_json(host, *plugin));
       } else {
-        out() << (options.declaration ? elsie::world::plugin_declaration(*plugin)
-                                      : elsie::world::plugin_reference(*plugin));
+        out() << (options.declaration ? reference::plugin_declaration(*plugin)
+                                      : reference::plugin_reference(*plugin));
       }
     }
   }
   if (!found) {
     throw BadInput("there is no " +
                    std::string(options.kind ? kind_name(*options.kind) : "plugin") + " '" +
-                   options.name + "'" + elsie::plugin::did_you_mean(options.name, names) +
+                   options.name + "'" + base::did_you_mean(options.name, names) +
                    "\n`elsie plugins` lists all that were found");
   }
   if (options.json) {
@@ -367,3 +369,5 @@ void add_describe_command(CLI::App& program, Job& job) {
   options->plugins.add_to(*command);
   command->callback([&job, options] { job = [options] { return describe(*options); }; });
 }
+
+}  // namespace elsie::program

@@ -10,11 +10,13 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "elsie/plugin/crash_report.h"
+#include "elsie/process/crash_report.h"
 #include "elsie/simulation/simulation.h"
 
 #include "command.h"
 #include "repeated_request.h"
+
+namespace elsie::program {
 
 namespace {
 
@@ -33,7 +35,7 @@ void interrupt(int) {
   interrupted = 1;
   if (kind == RepeatedRequest::Kind::second) {
     // Whatever is at work does not come to an end.
-    elsie::plugin::end_process(
+    process::end_process(
         "was at work when the run was interrupted",
         "something outside of all plugins was at work when the run was interrupted", kOtherFailure);
   }
@@ -48,9 +50,9 @@ void end_at_once(int) {
   if (check_is_drawn != 0) {
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kWipe.data(), kWipe.size());
   }
-  elsie::plugin::end_process("was at work when the program was interrupted",
-                             "interrupted; no run was under way", kOtherFailure,
-                             elsie::plugin::Stack::left_out);
+  process::end_process("was at work when the program was interrupted",
+                       "interrupted; no run was under way", kOtherFailure,
+                       process::Stack::left_out);
 }
 
 }  // namespace
@@ -65,12 +67,12 @@ std::string bar_text(double part) {
   return "[" + bar + "] " + percent;
 }
 
-void ProgressBar::started(const elsie::simulation::Simulation&) {
+void ProgressBar::started(const simulation::Simulation&) {
   start_ = Clock::now();
   last_drawn_ = start_;
 }
 
-void ProgressBar::stepped(const elsie::simulation::Simulation& simulation) {
+void ProgressBar::stepped(const simulation::Simulation& simulation) {
   if (simulation.steps() % kStepsBetweenLooks != 0) {
     return;
   }
@@ -86,7 +88,7 @@ void ProgressBar::stepped(const elsie::simulation::Simulation& simulation) {
   std::fflush(stderr);
 }
 
-void ProgressBar::ended(const elsie::simulation::Simulation&) {
+void ProgressBar::ended(const simulation::Simulation&) {
   std::fwrite(kWipe.data(), 1, kWipe.size(), stderr);
   std::fflush(stderr);
 }
@@ -141,7 +143,7 @@ InterruptGuard::~InterruptGuard() {
   }
 }
 
-void InterruptGuard::stepped(const elsie::simulation::Simulation& simulation) {
+void InterruptGuard::stepped(const simulation::Simulation& simulation) {
   if (simulation.steps() % kStepsBetweenLooks == 0) {
     let_signals_in();
   }
@@ -167,3 +169,5 @@ void InterruptGuard::let_signals_in() {
 }
 
 bool InterruptGuard::is_interrupted() { return interrupted != 0; }
+
+}  // namespace elsie::program

@@ -8,16 +8,18 @@
 
 #include "elsie/simulation/observer.h"
 
+namespace elsie::program {
+
 /// "[=====>    ]  42 %": how much of something is done, from 0 to 1.
 std::string bar_text(double part);
 
 /// Draws "[=====>    ]  42 %  252.0 s  31 x real time" on standard error while a run goes on, and
 /// wipes it at the end.
-class ProgressBar final : public elsie::simulation::Observer {
+class ProgressBar final : public simulation::Observer {
  public:
-  void started(const elsie::simulation::Simulation& simulation) override;
-  void stepped(const elsie::simulation::Simulation& simulation) override;
-  void ended(const elsie::simulation::Simulation& simulation) override;
+  void started(const simulation::Simulation& simulation) override;
+  void stepped(const simulation::Simulation& simulation) override;
+  void ended(const simulation::Simulation& simulation) override;
 
  private:
   std::chrono::steady_clock::time_point start_;
@@ -50,11 +52,11 @@ void end_at_once_when_interrupted();
 /// Ends the run in order on these signals: throws Interrupted from the next step. While it lives,
 /// the first of them does not end the process; one that comes half a second later or more does at
 /// once, with a report of what was at work.
-class InterruptGuard final : public elsie::simulation::Observer {
+class InterruptGuard final : public simulation::Observer {
  public:
   InterruptGuard();
   ~InterruptGuard() override;
-  void stepped(const elsie::simulation::Simulation& simulation) override;
+  void stepped(const simulation::Simulation& simulation) override;
   /// Whether the work is to end.
   static bool is_interrupted();
 
@@ -68,3 +70,5 @@ class InterruptGuard final : public elsie::simulation::Observer {
 
 /// The user ended the run.
 class Interrupted {};
+
+}  // namespace elsie::program

@@ -4,13 +4,15 @@
 
 #include <CLI/CLI.hpp>
 
+#include "elsie/recording/csv_recorder.h"
 #include "elsie/recording/mcap_recorder.h"
-#include "elsie/simulation/recording.h"
 
 #include "arguments.h"
 #include "command.h"
 #include "environment.h"
 #include "image_saver.h"
+
+namespace elsie::program {
 
 namespace {
 
@@ -46,19 +48,21 @@ void RecordOptions::check() const {
   }
 }
 
-void RecordOptions::check(const elsie::simulation::Simulation& simulation) const {
+void RecordOptions::check(const simulation::Simulation& simulation) const {
   if (images) {
     require_cameras(simulation, "--record-images");
   }
 }
 
-std::unique_ptr<elsie::simulation::Observer> RecordOptions::recorder() const {
+std::unique_ptr<simulation::Observer> RecordOptions::recorder() const {
   if (!file) {
     return nullptr;
   }
   if (is_mcap(*file)) {
-    return std::make_unique<elsie::recording::McapRecorder>(
-        *file, elsie::recording::McapOptions{rate_hz, images, times, "elsie " ELSIE_VERSION});
+    return std::make_unique<recording::McapRecorder>(
+        *file, recording::McapOptions{rate_hz, images, times, "elsie " ELSIE_VERSION});
   }
-  return std::make_unique<elsie::simulation::CsvRecorder>(*file, rate_hz, times);
+  return std::make_unique<recording::CsvRecorder>(*file, rate_hz, times);
 }
+
+}  // namespace elsie::program

@@ -11,6 +11,8 @@ namespace CLI {
 class App;
 }
 
+namespace elsie::program {
+
 /// The options of every subcommand that runs one world.
 struct RecordOptions {
   std::optional<std::string> file;  // .csv or .mcap
@@ -22,7 +24,9 @@ struct RecordOptions {
   /// Before any work is done. Throws BadInput.
   void check() const;
   /// Whether the world has what is to be recorded. Throws BadInput.
-  void check(const elsie::simulation::Simulation& simulation) const;
+  void check(const simulation::Simulation& simulation) const;
   /// Writes the file, which is created at once; none when none was asked for.
-  std::unique_ptr<elsie::simulation::Observer> recorder() const;
+  std::unique_ptr<simulation::Observer> recorder() const;
 };
+
+}  // namespace elsie::program

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cstdint>
 
+namespace elsie::program {
+
 /// Tells a second request to end from an echo of the first: timeout(1), schedulers and shells send
 /// a signal to a process and to its group, which is one request. For handlers of signals.
 class RepeatedRequest {
@@ -32,3 +34,5 @@ class RepeatedRequest {
   std::atomic<std::int64_t> first_ns_{kNone};
   static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 };
+
+}  // namespace elsie::program

@@ -14,13 +14,15 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "elsie/file/read_whole.h"
+#include "elsie/base/read_whole.h"
 #include "elsie/mcap/reader.h"
 
 #include "arguments.h"
 #include "command.h"
 #include "replay_recording.h"
 #include "replay_run.h"
+
+namespace elsie::program {
 
 namespace {
 
@@ -69,7 +71,7 @@ void require_content(const std::string& file) {
   if (!std::filesystem::exists(file, error)) {
     return;  // whoever opens it says more
   }
-  if (const std::string why = elsie::file::why_unreadable(file); !why.empty()) {
+  if (const std::string why = base::why_unreadable(file); !why.empty()) {
     throw BadInput("'" + file + "' " + why +
                    "; expected a recording or a database that `elsie batch` has written");
   }
@@ -101,7 +103,7 @@ void refuse(const CLI::App& command, const std::string& group, const std::string
 
 int replay(const CLI::App& command, const ReplayOptions& options) {
   require_content(options.file);
-  if (elsie::mcap::may_be_mcap(options.file)) {
+  if (mcap::may_be_mcap(options.file)) {
     refuse(command, kForRuns,
            "'" + options.file + "' is a recording of one run, in which nothing is run again");
     return replay_recording({options.file, options.picture, options.at, options.width});
@@ -185,3 +187,5 @@ void add_replay_command(CLI::App& program, Job& job) {
     job = [options, command] { return replay(*command, *options); };
   });
 }
+
+}  // namespace elsie::program

@@ -4,35 +4,38 @@
 #include <string>
 #include <vector>
 
+#include "elsie/base/number_text.h"
 #include "elsie/mcap/records.h"
 #include "elsie/recording/recorded_run.h"
+#include "elsie/report/text_table.h"
 
 #include "command.h"
 #include "environment.h"
 #include "run_report.h"
 #include "supervised.h"
-#include "text_table.h"
+
+namespace elsie::program {
 
 namespace {
 
-using elsie::recording::RecordedRun;
+using recording::RecordedRun;
 
 RecordedRun read(const RecordingOptions& options) {
   try {
-    return options.at ? elsie::recording::read_recorded_run(options.recording, *options.at)
-                      : elsie::recording::read_recorded_run(options.recording);
-  } catch (const elsie::mcap::McapError& error) {
+    return options.at ? recording::read_recorded_run(options.recording, *options.at)
+                      : recording::read_recorded_run(options.recording);
+  } catch (const mcap::McapError& error) {
     throw BadInput(error.what());
   }
 }
 
 std::string ending(const RecordedRun& run) {
   if (!run.result) {
-    return "no outcome: the recording ends after " + text("%.1f", run.end_s) + " s";
+    return "no outcome: the recording ends after " + base::fixed_text(run.end_s, 1) + " s";
   }
   const auto& result = *run.result;
   return result.reason.empty()
-             ? result.outcome + " after " + text("%.1f", result.simulated_s) + " s"
+             ? result.outcome + " after " + base::fixed_text(result.simulated_s, 1) + " s"
              : headline(result.outcome, result.simulated_s, result.reason);
 }
 
@@ -51,11 +54,11 @@ std::string report(const RecordedRun& run) {
     if (run.result && !run.result->measures.empty()) {
       out += "measures:";
       for (const auto& [name, value] : run.result->measures) {
-        out += ' ' + name + ' ' + text("%.6g", value);
+        out += ' ' + name + ' ' + base::number_text(value, 6);
       }
       out += '\n';
     }
-    out += "a sample every " + text("%g", run.period_s) + " s\n";
+    out += "a sample every " + base::number_text(run.period_s, 6) + " s\n";
   } else {
     out += "no run of Elsie: recorded by '" + run.library + "'\n";
   }
@@ -65,7 +68,7 @@ std::string report(const RecordedRun& run) {
     rows.push_back({channel.topic, channel.schema, std::to_string(channel.messages)});
   }
   constexpr std::size_t kTextColumns = 2;
-  return out + '\n' + laid_out(rows, kTextColumns);
+  return out + '\n' + report::laid_out(rows, kTextColumns);
 }
 
 void draw(const RecordedRun& run, const RecordingOptions& options) {
@@ -80,11 +83,12 @@ void draw(const RecordedRun& run, const RecordingOptions& options) {
   }
   constexpr double kHair = 1e-9;  // s
   if (options.at && *options.at > run.end_s + kHair) {
-    throw BadInput("--at: the recording ends at " + text("%g", run.end_s) + " s");
+    throw BadInput("--at: the recording ends at " + base::number_text(run.end_s, 6) + " s");
   }
-  const std::string line = (options.at ? "at " + text("%g", run.shown_s) + " s" : ending(run)) +
-                           "  (" + seed_of(run) + ")";
-  elsie::recording::save_picture(run, {line}, *options.picture, {options.width, 0});
+  const std::string line =
+      (options.at ? "at " + base::number_text(run.shown_s, 6) + " s" : ending(run)) + "  (" +
+      seed_of(run) + ")";
+  recording::save_picture(run, {line}, *options.picture, {options.width, 0});
 }
 
 }  // namespace
@@ -100,3 +104,5 @@ int replay_recording(const RecordingOptions& options) {
   out() << report(run);
   return kSuccess;
 }
+
+}  // namespace elsie::program

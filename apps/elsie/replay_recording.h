@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+namespace elsie::program {
+
 /// What `elsie replay` was told to do with a recording.
 struct RecordingOptions {
   std::string recording;
@@ -14,3 +16,5 @@ struct RecordingOptions {
 
 /// Prints what is in it, draws it, and gives the exit code. Throws BadInput.
 int replay_recording(const RecordingOptions& options);
+
+}  // namespace elsie::program

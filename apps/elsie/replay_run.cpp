@@ -8,9 +8,10 @@
 #include <unistd.h>
 
 #include "elsie/batch/results_database.h"
+#include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
-#include "elsie/simulation/trace_recorder.h"
-#include "elsie/simulation/tracks.h"
+#include "elsie/traces/trace_recorder.h"
+#include "elsie/traces/tracks.h"
 #include "elsie/world/reader.h"
 
 #include "command.h"
@@ -22,16 +23,18 @@
 #include "supervised.h"
 #include "top_view.h"
 
-using elsie::batch::RunState;
-using elsie::batch::StoredRun;
-using elsie::simulation::PluginFault;
-using elsie::simulation::RunResult;
-using elsie::simulation::Simulation;
+namespace elsie::program {
+
+using batch::RunState;
+using batch::StoredRun;
+using simulation::PluginFault;
+using simulation::RunResult;
+using simulation::Simulation;
 
 namespace {
 
 StoredRun stored_run(const RunAgainOptions& options) {
-  auto database = elsie::batch::ResultsDatabase::open(options.database);
+  auto database = batch::ResultsDatabase::open(options.database);
   auto run = database.run(options.run);
   if (!run) {
     throw BadInput(database.why_no_run(options.run));
@@ -67,16 +70,16 @@ class Watchers {
   Watchers(const Watchers&) = delete;
   Watchers& operator=(const Watchers&) = delete;
 
-  std::span<elsie::simulation::Observer* const> all() const { return all_; }
-  const elsie::simulation::TrackRecorder* tracks() const { return tracks_ ? &*tracks_ : nullptr; }
+  std::span<simulation::Observer* const> all() const { return all_; }
+  const traces::TrackRecorder* tracks() const { return tracks_ ? &*tracks_ : nullptr; }
 
  private:
-  std::unique_ptr<elsie::simulation::Observer> recorder_;
-  std::optional<elsie::simulation::TraceRecorder> trace_;
-  std::optional<elsie::simulation::TrackRecorder> tracks_;
+  std::unique_ptr<simulation::Observer> recorder_;
+  std::optional<traces::TraceRecorder> trace_;
+  std::optional<traces::TrackRecorder> tracks_;
   std::optional<ProgressBar> progress_;
   InterruptGuard interrupt_;
-  std::vector<elsie::simulation::Observer*> all_;
+  std::vector<simulation::Observer*> all_;
 };
 
 void tell_of(const StoredRun& run, const RunAgainOptions& options) {
@@ -91,7 +94,7 @@ void tell_of(const StoredRun& run, const RunAgainOptions& options) {
 
 /// Whether it came to the same; says so.
 bool compare(const StoredRun& run, const RunResult& result, const RestoredRun& restored) {
-  const std::string hash = "state hash " + elsie::simulation::hash_text(result.state_hash);
+  const std::string hash = "state hash " + simulation::hash_text(result.state_hash);
   constexpr const char* kNot = "not the same: ";
   if (run.record.state == RunState::done) {
     const std::vector<std::string> different = differences(run.record, result);
@@ -151,7 +154,9 @@ int replay_run(const RunAgainOptions& options) {
   }
   tell_of(run, options);
   Simulation simulation(restored.world(), restored.host(),
-                        {.seed = run.job.seed, .measure_time = options.record.times});
+                        {.seed = run.job.seed,
+                         .measure_time = options.record.times,
+                         .cameras = render::world_cameras});
   options.record.check(simulation);
   Watchers watchers(options, end ? &*end : nullptr);
   const auto draw_as = [&](const std::string& line) {
@@ -175,7 +180,7 @@ int replay_run(const RunAgainOptions& options) {
     }
     out() << "the same: " << fault.what() << '\n';
     return kSuccess;
-  } catch (const elsie::simulation::PhysicsFault& fault) {
+  } catch (const simulation::PhysicsFault& fault) {
     draw_as(fault.what());
     if (run.record.state != RunState::error || run.record.message != fault.what()) {
       throw;
@@ -193,3 +198,5 @@ int replay_run(const RunAgainOptions& options) {
     return kOtherFailure;
   }
 }
+
+}  // namespace elsie::program

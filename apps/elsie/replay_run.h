@@ -8,6 +8,8 @@
 #include "environment.h"
 #include "record_options.h"
 
+namespace elsie::program {
+
 /// What `elsie replay` was told to do with a run of a database.
 struct RunAgainOptions {
   PluginOptions plugins;
@@ -24,3 +26,5 @@ struct RunAgainOptions {
 /// Does it again, says whether it comes to the same, and gives the exit code. Throws BadInput,
 /// PluginFault and what else may go wrong in a run.
 int replay_run(const RunAgainOptions& options);
+
+}  // namespace elsie::program

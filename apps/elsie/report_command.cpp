@@ -21,9 +21,11 @@
 #include "status_line.h"
 #include "supervised.h"
 
+namespace elsie::program {
+
 namespace fs = std::filesystem;
-using elsie::report::Findings;
-using elsie::report::ResultsFile;
+using report::Findings;
+using report::ResultsFile;
 
 namespace {
 
@@ -111,14 +113,14 @@ void write(const std::string& file, const std::string& text, const char* option)
 std::size_t width() { return terminal_columns(out_descriptor(), 120); }
 
 Findings found(const ResultsFile& file) {
-  elsie::report::Results results = file.results();
-  const auto experiment = elsie::experiment::parse_outline(results.text, results.file);
-  elsie::report::Questions questions;
+  report::Results results = file.results();
+  const auto experiment = experiment::parse_outline(results.text, results.file);
+  report::Questions questions;
   for (const auto& measure : experiment.measures) {
     questions.measures.push_back(measure.name);
   }
   questions.expectations = experiment.expectations;
-  return elsie::report::find(std::move(results), questions);
+  return report::find(std::move(results), questions);
 }
 
 void require_cells(const Findings& findings, const std::string& part) {
@@ -139,19 +141,19 @@ int report(const Options& options) {
   const Findings findings = found(file);
   require_cells(findings, options.cells);
   if (options.csv) {
-    write(*options.csv, elsie::report::csv_report(findings), "--csv");
+    write(*options.csv, report::csv_report(findings), "--csv");
   }
   if (options.junit) {
-    write(*options.junit, elsie::report::junit_report(findings, options.database), "--junit");
+    write(*options.junit, report::junit_report(findings, options.database), "--junit");
   }
   if (options.html) {
-    write(*options.html,
-          elsie::report::html_report(findings, file, options.database, options.cells), "--html");
+    write(*options.html, report::html_report(findings, file, options.database, options.cells),
+          "--html");
   }
   if (options.json) {
-    out() << elsie::report::json_report(findings);
+    out() << report::json_report(findings);
   } else if (!options.quiet) {
-    out() << elsie::report::terminal_report(findings, options.database, width());
+    out() << report::terminal_report(findings, options.database, width());
   }
   return findings.good() ? kSuccess : kGoalMissed;
 }
@@ -183,3 +185,5 @@ void add_report_command(CLI::App& program, Job& job) {
   command->add_flag("--quiet", options->quiet, "Print nothing")->excludes(json);
   command->callback([&job, options] { job = [options] { return report(*options); }; });
 }
+
+}  // namespace elsie::program

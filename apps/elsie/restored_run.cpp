@@ -15,28 +15,30 @@
 
 #include "command.h"
 
+namespace elsie::program {
+
 namespace fs = std::filesystem;
-using elsie::batch::StoredRun;
-using elsie::plugin::Host;
+using batch::StoredRun;
+using plugin::Host;
 
 namespace {
 
 /// None when it cannot be read.
 std::optional<std::string> hash_of(const fs::path& file) {
   try {
-    return elsie::results::sha256(elsie::results::file_content(file.string()));
+    return results::sha256(results::file_content(file.string()));
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }
 }
 
 Host host_of(const StoredRun& run, const PluginOptions& plugins) {
-  std::vector<elsie::plugin::SearchDirectory> places = search_path(plugins);
+  std::vector<plugin::SearchDirectory> places = search_path(plugins);
   // Before all directories but those that the user has given.
   const auto own = std::find_if(places.begin(), places.end(), [](const auto& place) {
     return place.origin != "--plugin" && place.origin != "given";
   });
-  std::vector<elsie::plugin::SearchDirectory> stored;
+  std::vector<plugin::SearchDirectory> stored;
   for (const StoredRun::Library& library : run.libraries) {
     if (hash_of(library.path)) {
       stored.push_back({library.path, "the database"});
@@ -51,8 +53,8 @@ fs::path file_of(const Host& host, const std::string& plugin) {
   const std::string kind = plugin.substr(0, plugin.find(' '));
   const std::string rest = plugin.substr(kind.size() + 1);
   const std::string name = rest.substr(0, rest.find(' '));
-  for (const auto one : elsie::plugin::kPluginKinds) {
-    if (elsie::plugin::kind_name(one) == kind) {
+  for (const auto one : plugin::kPluginKinds) {
+    if (plugin::kind_name(one) == kind) {
       return host.file_of(one, name);
     }
   }
@@ -66,15 +68,15 @@ RestoredRun::RestoredRun(const StoredRun& run, const PluginOptions& plugins)
   if (run.elsie_version != ELSIE_VERSION) {
     differences_.push_back("the run was done with Elsie " + run.elsie_version +
                            ", and this is " ELSIE_VERSION "; it may come to something else");
-  } else if (const auto now = hash_of(elsie::plugin::file_of_this_library());
+  } else if (const auto now = hash_of(plugin::file_of_this_library());
              now && *now != run.elsie.sha256) {
     differences_.push_back(
         "the run was done with another build of libelsie; it may come to something else");
   }
   compare_libraries(run);
-  elsie::world::ReadOptions options = read_options();
+  world::ReadOptions options = read_options();
   restore_data(run, options.files);
-  world_ = elsie::world::parse_world(run.job.world_text, run.job.world_file, host_, options);
+  world_ = world::parse_world(run.job.world_text, run.job.world_file, host_, options);
 }
 
 RestoredRun::~RestoredRun() {
@@ -132,3 +134,5 @@ void RestoredRun::restore_data(const StoredRun& run, std::map<std::string, std::
                            "; the run takes what was in it, from the database");
   }
 }
+
+}  // namespace elsie::program

@@ -12,28 +12,32 @@
 
 #include "environment.h"
 
+namespace elsie::program {
+
 /// Data files that have changed on disk are taken from the database. Plugins are taken from the
 /// libraries that the run was done with, unless the user gives others; where they are gone, from
 /// where plugins are looked for.
 class RestoredRun {
  public:
   /// Throws BadInput, and world::WorldError when a plugin is not to be had at all.
-  RestoredRun(const elsie::batch::StoredRun& run, const PluginOptions& plugins);
+  RestoredRun(const batch::StoredRun& run, const PluginOptions& plugins);
   ~RestoredRun();
   RestoredRun(const RestoredRun&) = delete;
   RestoredRun& operator=(const RestoredRun&) = delete;
 
-  const elsie::world::World& world() const { return world_; }
-  const elsie::plugin::Host& host() const { return host_; }
+  const world::World& world() const { return world_; }
+  const plugin::Host& host() const { return host_; }
   /// Sentences on what is not as it was.
   const std::vector<std::string>& differences() const { return differences_; }
 
  private:
-  void restore_data(const elsie::batch::StoredRun& run, std::map<std::string, std::string>& files);
-  void compare_libraries(const elsie::batch::StoredRun& run);
+  void restore_data(const batch::StoredRun& run, std::map<std::string, std::string>& files);
+  void compare_libraries(const batch::StoredRun& run);
 
   std::vector<std::string> differences_;
   std::filesystem::path folder_;  // of data files that were restored; empty: there is none
-  elsie::plugin::Host host_;
-  elsie::world::World world_;
+  plugin::Host host_;
+  world::World world_;
 };
+
+}  // namespace elsie::program

@@ -9,10 +9,11 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "elsie/plugin/crash_report.h"
+#include "elsie/process/crash_report.h"
+#include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
-#include "elsie/simulation/trace_recorder.h"
-#include "elsie/simulation/tracks.h"
+#include "elsie/traces/trace_recorder.h"
+#include "elsie/traces/tracks.h"
 #include "elsie/world/reader.h"
 
 #include "arguments.h"
@@ -26,6 +27,8 @@
 #include "run_report.h"
 #include "supervised.h"
 #include "top_view.h"
+
+namespace elsie::program {
 
 namespace {
 
@@ -98,22 +101,22 @@ class Watchers {
   Watchers(const Watchers&) = delete;
   Watchers& operator=(const Watchers&) = delete;
 
-  std::span<elsie::simulation::Observer* const> all() const { return all_; }
-  const elsie::simulation::TrackRecorder* tracks() const { return tracks_ ? &*tracks_ : nullptr; }
+  std::span<simulation::Observer* const> all() const { return all_; }
+  const traces::TrackRecorder* tracks() const { return tracks_ ? &*tracks_ : nullptr; }
 
  private:
-  std::unique_ptr<elsie::simulation::Observer> recorder_;
+  std::unique_ptr<simulation::Observer> recorder_;
   std::optional<ImageSaver> images_;
-  std::optional<elsie::simulation::TraceRecorder> trace_;
-  std::optional<elsie::simulation::TrackRecorder> tracks_;
+  std::optional<traces::TraceRecorder> trace_;
+  std::optional<traces::TrackRecorder> tracks_;
   std::optional<ProgressBar> progress_;
   std::optional<Pacer> pacer_;
   InterruptGuard interrupt_;
-  std::vector<elsie::simulation::Observer*> all_;
+  std::vector<simulation::Observer*> all_;
 };
 
 /// TIME:PATH=VALUE. Throws BadInput.
-elsie::simulation::TimedChange change_of(const std::string& text) {
+simulation::TimedChange change_of(const std::string& text) {
   const auto fail = [&](const std::string& problem) {
     throw BadInput("--at " + text + ": " + problem +
                    "; expected TIME:PATH=VALUE, as in '5:robot[r1]/@max_speed=0.2'");
@@ -133,42 +136,43 @@ elsie::simulation::TimedChange change_of(const std::string& text) {
   return {*time, {text.substr(colon + 1, equals - colon - 1), text.substr(equals + 1)}};
 }
 
-std::vector<elsie::simulation::TimedChange> changes_of(const RunOptions& options) {
-  std::vector<elsie::simulation::TimedChange> changes;
+std::vector<simulation::TimedChange> changes_of(const RunOptions& options) {
+  std::vector<simulation::TimedChange> changes;
   for (const std::string& text : options.changes) {
     changes.push_back(change_of(text));
   }
   return changes;
 }
 
-elsie::simulation::Budget budget_of(const RunOptions& options) {
+simulation::Budget budget_of(const RunOptions& options) {
   return {1e-3 * options.time_budget_ms, static_cast<std::size_t>(1e6 * options.memory_budget_mb)};
 }
 
 /// Stops plugins that do not return, if there is a budget of time. One that returns late by less
 /// than this ends the run in order.
 constexpr double kGrace = 1.0;  // s
-std::optional<elsie::plugin::Watchdog> watchdog_of(const RunOptions& options) {
+std::optional<process::Watchdog> watchdog_of(const RunOptions& options) {
   if (options.time_budget_ms <= 0.0) {
     return std::nullopt;
   }
-  return std::optional<elsie::plugin::Watchdog>(std::in_place, budget_of(options).time_s + kGrace,
-                                                kPluginFailed);
+  return std::optional<process::Watchdog>(std::in_place, budget_of(options).time_s + kGrace,
+                                          kPluginFailed);
 }
 
 /// The simulation of a world that is in order, with changes that can be made.
-elsie::simulation::Simulation simulation_of(
-    const RunOptions& options, const elsie::plugin::Host& host,
-    std::span<const elsie::simulation::TimedChange> changes) {
-  elsie::world::World world =
-      elsie::world::read_world(options.world, host, read_options(options.overrides));
-  elsie::simulation::Simulation simulation(
-      std::move(world), host,
-      {options.seed, options.record.times || options.explain_times, data_directories(),
-       budget_of(options), options.duration});
+simulation::Simulation simulation_of(const RunOptions& options, const plugin::Host& host,
+                                     std::span<const simulation::TimedChange> changes) {
+  world::World world = world::read_world(options.world, host, read_options(options.overrides));
+  simulation::Simulation simulation(std::move(world), host,
+                                    {.seed = options.seed,
+                                     .measure_time = options.record.times || options.explain_times,
+                                     .data_directories = data_directories(),
+                                     .budget = budget_of(options),
+                                     .time_limit_s = options.duration,
+                                     .cameras = render::world_cameras});
   try {
     simulation.check(changes);
-  } catch (const elsie::simulation::ChangeRefused& refused) {
+  } catch (const simulation::ChangeRefused& refused) {
     throw BadInput(std::string("--at: ") + refused.what());
   }
   return simulation;
@@ -197,10 +201,9 @@ int run(RunOptions options) {
     spdlog::set_level(spdlog::level::err);
   }
   const auto watch = options.watch ? watch_plugins(options.plugins) : nullptr;
-  const auto host = watch ? elsie::plugin::Host() : load_plugins(options.plugins);
-  elsie::simulation::Simulation simulation =
-      simulation_of(options, watch ? watch->host() : host, changes);
-  std::function<void(elsie::simulation::Simulation&)> renew;
+  const auto host = watch ? plugin::Host() : load_plugins(options.plugins);
+  simulation::Simulation simulation = simulation_of(options, watch ? watch->host() : host, changes);
+  std::function<void(simulation::Simulation&)> renew;
   if (watch) {
     renew = [&](auto& running) { replace_what_changed(*watch, running, options.quiet); };
   }
@@ -214,7 +217,7 @@ int run(RunOptions options) {
   };
   const auto watchdog = watchdog_of(options);
   try {
-    const elsie::simulation::RunResult result = simulation.run(watchers.all(), changes, renew);
+    const simulation::RunResult result = simulation.run(watchers.all(), changes, renew);
     // First what the run came to: it is not lost when the picture cannot be written.
     if (options.json) {
       out() << json(result);
@@ -223,18 +226,18 @@ int run(RunOptions options) {
     }
     out().flush();
     draw_as(headline(result) + "  (seed " + std::to_string(result.seed) + ")");
-    return result.outcome == elsie::simulation::Outcome::success ? kSuccess : kGoalMissed;
-  } catch (const elsie::simulation::PluginFault& fault) {
+    return result.outcome == simulation::Outcome::success ? kSuccess : kGoalMissed;
+  } catch (const simulation::PluginFault& fault) {
     try {
       draw_as(fault.what());
     } catch (const std::exception& error) {
       std::cerr << "elsie: " << error.what() << '\n';  // the fault is what counts
     }
     throw;
-  } catch (const elsie::simulation::PhysicsFault& fault) {
+  } catch (const simulation::PhysicsFault& fault) {
     draw_as(fault.what());
     throw;
-  } catch (const elsie::simulation::ChangeRefused& refused) {
+  } catch (const simulation::ChangeRefused& refused) {
     draw_as(refused.what());
     throw BadInput(std::string("--at: ") + refused.what() +
                    "\nthe run ended there; what was recorded until then is kept");
@@ -326,3 +329,5 @@ void add_run_command(CLI::App& program, Job& job) {
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->callback([&job, options] { job = [options] { return run(*options); }; });
 }
+
+}  // namespace elsie::program

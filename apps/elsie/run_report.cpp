@@ -7,14 +7,16 @@
 #include <nlohmann/json.hpp>
 
 #include "elsie/api/geometry.h"
+#include "elsie/base/number_text.h"
+#include "elsie/report/text_table.h"
 #include "elsie/simulation/measures.h"
 
-#include "text_table.h"
+namespace elsie::program {
 
 namespace {
 
-using elsie::simulation::RobotResult;
-using elsie::simulation::RunResult;
+using simulation::RobotResult;
+using simulation::RunResult;
 
 constexpr std::size_t kTextColumns = 2;  // id and team
 constexpr std::size_t kMeasureTextColumns = 2;
@@ -22,26 +24,27 @@ constexpr std::size_t kMeasureTextColumns = 2;
 std::vector<std::string> row(const RobotResult& robot) {
   return {robot.id,
           robot.team,
-          text("%.2f", robot.distance_m),
+          base::fixed_text(robot.distance_m, 2),
           std::to_string(robot.collected),
-          text("%.0f", robot.energy),
+          base::fixed_text(robot.energy, 0),
           std::to_string(robot.collisions),
-          text("%.2f", robot.pose.x) + ", " + text("%.2f", robot.pose.y) + ", " +
-              text("%.0f", elsie::degrees(robot.pose.heading_rad))};
+          base::fixed_text(robot.pose.x, 2) + ", " + base::fixed_text(robot.pose.y, 2) + ", " +
+              base::fixed_text(elsie::degrees(robot.pose.heading_rad), 0)};
 }
 
 /// What the world measures; what every run has is said elsewhere in the table.
 std::string measures(const RunResult& result) {
-  if (result.measures.size() <= elsie::simulation::kMeasuresOfEveryRun) {
+  if (result.measures.size() <= simulation::kMeasuresOfEveryRun) {
     return "";
   }
   std::vector<std::vector<std::string>> rows{{"measure", "meaning", "value", "unit"}};
-  for (std::size_t i = elsie::simulation::kMeasuresOfEveryRun; i < result.measures.size(); ++i) {
-    const elsie::simulation::MeasuredValue& measured = result.measures[i];
+  for (std::size_t i = simulation::kMeasuresOfEveryRun; i < result.measures.size(); ++i) {
+    const simulation::MeasuredValue& measured = result.measures[i];
     rows.push_back({measured.name, measured.meaning,
-                    measured.value ? text("%.6g", *measured.value) : "none", measured.unit});
+                    measured.value ? base::number_text(*measured.value, 6) : "none",
+                    measured.unit});
   }
-  return '\n' + laid_out(rows, kMeasureTextColumns);
+  return '\n' + report::laid_out(rows, kMeasureTextColumns);
 }
 
 /// JSON text must be UTF-8; ids come from XML, which is.
@@ -52,7 +55,7 @@ std::string dumped(const nlohmann::ordered_json& object) {
 }  // namespace
 
 std::string headline(const std::string& outcome, double simulated_s, const std::string& reason) {
-  return outcome + " after " + text("%.1f", simulated_s) + " s: " + reason;
+  return outcome + " after " + base::fixed_text(simulated_s, 1) + " s: " + reason;
 }
 
 std::string headline(const RunResult& result) {
@@ -63,7 +66,7 @@ std::string table(const RunResult& result) {
   const double speed = result.wall_s > 0.0 ? result.simulated_s / result.wall_s : 0.0;
   std::string out = headline(result) + '\n';
   out += "seed " + std::to_string(result.seed) + ", " + std::to_string(result.steps) +
-         " steps in " + text("%.2f", result.wall_s) + " s, " + text("%.0f", speed) +
+         " steps in " + base::fixed_text(result.wall_s, 2) + " s, " + base::fixed_text(speed, 0) +
          " x real time\n";
   if (!result.robots.empty()) {
     std::vector<std::vector<std::string>> rows{{"robot", "team", "distance m", "collected",
@@ -71,7 +74,7 @@ std::string table(const RunResult& result) {
     for (const RobotResult& robot : result.robots) {
       rows.push_back(row(robot));
     }
-    out += '\n' + laid_out(rows, kTextColumns);
+    out += '\n' + report::laid_out(rows, kTextColumns);
   }
   out += measures(result);
   if (!result.notes.empty()) {
@@ -102,7 +105,7 @@ std::string json(const RunResult& result) {
   object["simulated_s"] = result.simulated_s;
   object["wall_s"] = result.wall_s;
   object["steps"] = result.steps;
-  object["state_hash"] = elsie::simulation::hash_text(result.state_hash);
+  object["state_hash"] = simulation::hash_text(result.state_hash);
   object["solver"] = {
       {"gave_up_steps", result.solver.gave_up},
       {"unsolved_steps", result.solver.unsolved},
@@ -140,3 +143,5 @@ std::string json(const RunResult& result) {
   }
   return dumped(object) + '\n';
 }
+
+}  // namespace elsie::program

@@ -5,13 +5,17 @@
 
 #include "elsie/simulation/run_result.h"
 
+namespace elsie::program {
+
 /// A short table.
-std::string table(const elsie::simulation::RunResult& result);
+std::string table(const simulation::RunResult& result);
 
 /// One JSON object on one line; see docs/running.md for its members.
-std::string json(const elsie::simulation::RunResult& result);
+std::string json(const simulation::RunResult& result);
 
 /// "success after 12.3 s: all goals are reached".
-std::string headline(const elsie::simulation::RunResult& result);
+std::string headline(const simulation::RunResult& result);
 /// The same line for a run of which only this is known.
 std::string headline(const std::string& outcome, double simulated_s, const std::string& reason);
+
+}  // namespace elsie::program

@@ -1,25 +1,22 @@
 #include "same_run.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
-using elsie::batch::Measure;
-using elsie::batch::RunRecord;
-using elsie::simulation::MeasuredValue;
-using elsie::simulation::RunResult;
+#include "elsie/base/number_text.h"
+
+namespace elsie::program {
+
+using batch::Measure;
+using batch::RunRecord;
+using simulation::MeasuredValue;
+using simulation::RunResult;
 
 namespace {
 
-/// As many digits as it takes to tell two numbers apart.
-std::string exactly(double value) {
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof(digits), value).ptr};
-}
-
 std::string value_text(const std::optional<double>& value, const std::string& unit) {
-  return value ? exactly(*value) + (unit.empty() ? "" : " " + unit) : "none";
+  return value ? base::number_text(*value) + (unit.empty() ? "" : " " + unit) : "none";
 }
 
 /// Databases have no numbers but finite ones.
@@ -64,10 +61,12 @@ std::vector<std::string> differences(const RunRecord& before, const RunResult& n
       found.push_back(std::string(what) + ' ' + value + ", before " + old.value_or("none"));
     }
   };
-  compare("state hash", elsie::simulation::hash_text(now.state_hash), before.state_hash);
+  compare("state hash", simulation::hash_text(now.state_hash), before.state_hash);
   compare("outcome", to_string(now.outcome), before.outcome);
   compare("steps", std::to_string(now.steps),
           before.steps ? std::optional(std::to_string(*before.steps)) : std::nullopt);
   compare_measures(before, now, found);
   return found;
 }
+
+}  // namespace elsie::program

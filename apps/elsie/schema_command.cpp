@@ -6,11 +6,13 @@
 #include <CLI/CLI.hpp>
 
 #include "elsie/experiment/vocabulary.h"
-#include "elsie/world/schema.h"
+#include "elsie/reference/schema.h"
 
 #include "command.h"
 #include "environment.h"
 #include "supervised.h"
+
+namespace elsie::program {
 
 void add_schema_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
@@ -26,10 +28,12 @@ void add_schema_command(CLI::App& program, Job& job) {
   plugins->add_to(*command);
   command->callback([&job, plugins, kind] {
     job = [plugins, kind] {
-      const elsie::plugin::Host host = load_plugins(*plugins);
-      out() << (*kind == "world" ? elsie::world::world_schema(host)
-                                 : elsie::experiment::experiment_schema(host));
+      const plugin::Host host = load_plugins(*plugins);
+      out() << (*kind == "world" ? reference::world_schema(host)
+                                 : experiment::experiment_schema(host));
       return kSuccess;
     };
   });
 }
+
+}  // namespace elsie::program

@@ -5,6 +5,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+namespace elsie::program {
+
 std::size_t terminal_columns(int descriptor, std::size_t otherwise) {
   constexpr std::size_t kFewest = 40;
   struct winsize size {};
@@ -27,3 +29,5 @@ void wipe_status() {
   std::fputs("\r\033[K", stderr);
   std::fflush(stderr);
 }
+
+}  // namespace elsie::program

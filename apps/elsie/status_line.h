@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string>
 
+namespace elsie::program {
+
 /// Columns of the terminal behind a file descriptor; `otherwise` when it is none, or too narrow to
 /// be believed.
 std::size_t terminal_columns(int descriptor, std::size_t otherwise);
@@ -16,3 +18,5 @@ std::string cut_to(const std::string& line, std::size_t columns);
 void draw_status(const std::string& line);
 /// Leaves an empty line.
 void wipe_status();
+
+}  // namespace elsie::program

@@ -11,6 +11,8 @@
 
 #include "repeated_request.h"
 
+namespace elsie::program {
+
 namespace {
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
@@ -74,3 +76,5 @@ StopSignals::~StopSignals() {
     sigaction(kSignals[i], &before_[i], nullptr);
   }
 }
+
+}  // namespace elsie::program

@@ -5,6 +5,8 @@
 
 #include <signal.h>
 
+namespace elsie::program {
+
 /// While it lives, Ctrl-C (SIGINT), a request to terminate (SIGTERM) and a closed terminal (SIGHUP)
 /// make a descriptor readable. A second one, half a second later or more, ends the process at once.
 /// When one has come, they stay so when it is gone. One at a time.
@@ -23,3 +25,5 @@ class StopSignals {
   std::array<int, 2> ends_;
   std::array<struct sigaction, 3> before_;
 };
+
+}  // namespace elsie::program

@@ -16,9 +16,11 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "elsie/plugin/process_end.h"
+#include "elsie/process/process_end.h"
 
 #include "../supervisor/channel.h"
+
+namespace elsie::program {
 
 namespace {
 
@@ -63,7 +65,7 @@ std::string& path() {
 void meet_supervisor() {
   char* const variable = std::getenv(elsie::supervisor::kVariable);
   if (variable && read_variable(variable)) {
-    elsie::plugin::set_announcer(announce);
+    process::set_announcer(announce);
     std::fill_n(variable, std::strlen(variable), ' ');  // /proc/self/environ shows it for ever
   }
   unsetenv(elsie::supervisor::kVariable);
@@ -116,3 +118,5 @@ void set_program_path(const char* first_argument) {
                ? first_argument
                : std::filesystem::read_symlink("/proc/self/exe", error).string();
 }
+
+}  // namespace elsie::program

@@ -5,6 +5,8 @@
 #include <iosfwd>
 #include <string>
 
+namespace elsie::program {
+
 /// Finds the supervisor's pipe, if there is one, and has the exit codes of this process announced
 /// on it. First of all, before anything is loaded.
 void meet_supervisor();
@@ -25,3 +27,5 @@ void keep_output(int count, char** arguments);
 const std::string& program_path();
 /// Before plugins are loaded: argv[0].
 void set_program_path(const char* first_argument);
+
+}  // namespace elsie::program

@@ -16,17 +16,19 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "elsie/plugin/crash_report.h"
+#include "elsie/base/near_name.h"
+#include "elsie/build/source_build.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/plugin/near_name.h"
-#include "elsie/plugin/source_build.h"
+#include "elsie/process/crash_report.h"
 #include "elsie/testing/checker.h"
 
 #include "arguments.h"
 #include "command.h"
 #include "environment.h"
 #include "supervised.h"
+
+namespace elsie::program {
 
 namespace {
 
@@ -35,9 +37,9 @@ using elsie::Declaration;
 using elsie::ParameterDeclaration;
 using elsie::ParameterType;
 using elsie::PluginKind;
-using elsie::plugin::kPluginKinds;
-using elsie::testing::CheckOptions;
-using elsie::testing::Plugins;
+using plugin::kPluginKinds;
+using testing::CheckOptions;
+using testing::Plugins;
 
 struct TestPluginOptions {
   PluginOptions plugins;
@@ -111,10 +113,9 @@ elsie::ParameterValue value_of(const ParameterDeclaration& parameter, const std:
 }
 
 /// The settings, as far as they are parameters of this plugin; `used` counts which were of any use.
-elsie::testing::Settings settings_for(const Declaration& declaration,
-                                      const TestPluginOptions& options,
-                                      std::map<std::string, bool>& used) {
-  elsie::testing::Settings settings;
+testing::Settings settings_for(const Declaration& declaration, const TestPluginOptions& options,
+                               std::map<std::string, bool>& used) {
+  testing::Settings settings;
   for (const std::string& setting : options.settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) {
@@ -136,7 +137,7 @@ elsie::testing::Settings settings_for(const Declaration& declaration,
 std::vector<const Declaration*> chosen(const Plugins& plugins, const std::string& name) {
   std::vector<const Declaration*> all;
   std::vector<std::string> names;
-  const fs::path library = elsie::plugin::is_source(name) ? compiled(name).library : fs::path(name);
+  const fs::path library = build::is_source(name) ? compiled(name).library : fs::path(name);
   for (const PluginKind kind : kPluginKinds) {
     for (const Declaration* declaration : plugins.host().all(kind)) {
       std::error_code error;
@@ -151,7 +152,7 @@ std::vector<const Declaration*> chosen(const Plugins& plugins, const std::string
     }
   }
   if (all.empty()) {
-    throw BadInput("there is no plugin '" + name + "'" + elsie::plugin::did_you_mean(name, names) +
+    throw BadInput("there is no plugin '" + name + "'" + base::did_you_mean(name, names) +
                    "\n`elsie plugins` lists all that were found");
   }
   return all;
@@ -192,12 +193,12 @@ int test_plugins(TestPluginOptions options) {
         out() << finding << std::endl;
       }
       if (findings.empty()) {
-        out() << elsie::plugin::kind_name(declaration->kind) << " '" << declaration->name
+        out() << plugin::kind_name(declaration->kind) << " '" << declaration->name
               << "': nothing wrong was found" << std::endl;
       }
       wrong += findings.empty() ? 0 : 1;
     }
-  } catch (const elsie::plugin::PluginError& error) {
+  } catch (const plugin::PluginError& error) {
     throw BadInput(error.what());
   }
   return wrong == 0 ? kSuccess : kGoalMissed;
@@ -250,3 +251,5 @@ void add_test_plugin_command(CLI::App& program, Job& job) {
   options->plugins.add_to(*command);
   command->callback([&job, options] { job = [options] { return test_plugins(*options); }; });
 }
+
+}  // namespace elsie::program

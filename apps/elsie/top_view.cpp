@@ -5,12 +5,13 @@
 #include "elsie/picture/top_view.h"
 #include "elsie/recording/beams.h"
 
+namespace elsie::program {
+
 namespace {
 
-std::vector<elsie::picture::Beam> beams(const elsie::simulation::Simulation& simulation,
-                                        std::size_t robot) {
-  std::vector<elsie::picture::Beam> beams;
-  for (const auto& beam : elsie::recording::range_beams(simulation, robot)) {
+std::vector<picture::Beam> beams(const simulation::Simulation& simulation, std::size_t robot) {
+  std::vector<picture::Beam> beams;
+  for (const auto& beam : recording::range_beams(simulation, robot)) {
     beams.push_back({{beam.from.x, beam.from.y}, {beam.to.x, beam.to.y}, beam.hit});
   }
   return beams;
@@ -18,13 +19,13 @@ std::vector<elsie::picture::Beam> beams(const elsie::simulation::Simulation& sim
 
 }  // namespace
 
-void draw(const elsie::simulation::Simulation& simulation,
-          const elsie::simulation::TrackRecorder* tracks, const std::vector<std::string>& subtitles,
-          const std::filesystem::path& file, int width, const elsie::picture::PathChoice& paths) {
-  elsie::picture::TopView view{simulation.world()};
+void draw(const simulation::Simulation& simulation, const traces::TrackRecorder* tracks,
+          const std::vector<std::string>& subtitles, const std::filesystem::path& file, int width,
+          const picture::PathChoice& paths) {
+  picture::TopView view{simulation.world()};
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
-    const elsie::simulation::RobotView robot = simulation.robot(i);
-    elsie::picture::RobotTrack track;
+    const simulation::RobotView robot = simulation.robot(i);
+    picture::RobotTrack track;
     track.id = robot.description->id;
     track.now = robot.state->pose;
     for (std::size_t k = 0; k < robot.description->segments.size(); ++k) {
@@ -44,5 +45,7 @@ void draw(const elsie::simulation::Simulation& simulation,
   view.subtitles = subtitles;
   view.paths = paths;
   view.path_period_s = tracks ? tracks->period_s() : 0.0;
-  elsie::picture::save_top_view(view, file, {width, 0});
+  picture::save_top_view(view, file, {width, 0});
 }
+
+}  // namespace elsie::program

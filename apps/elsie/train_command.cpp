@@ -12,6 +12,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "elsie/base/number_text.h"
 #include "elsie/world/reader.h"
 
 #include "arguments.h"
@@ -22,9 +23,9 @@
 #include "progress.h"
 #include "supervised.h"
 
-namespace {
+namespace elsie::program {
 
-namespace neural = elsie::neural;
+namespace {
 
 struct TrainOptions {
   PluginOptions plugins;
@@ -84,11 +85,7 @@ void require_weights(const std::string& file) {
   }
 }
 
-std::string rough(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof(buffer), "%.4g", value);
-  return buffer;
-}
+std::string rough(double value) { return base::number_text(value, 4); }
 
 /// Shows how far a training has come, and ends it when the user wants it to end.
 class TrainingWatcher {
@@ -258,9 +255,9 @@ int train(const TrainOptions& options) {
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
-  const elsie::plugin::Host host = load_plugins(options.plugins);
-  const elsie::world::World world =
-      elsie::world::read_world(options.world, host, read_options(options.overrides));
+  const plugin::Host host = load_plugins(options.plugins);
+  const world::World world =
+      world::read_world(options.world, host, read_options(options.overrides));
   const Learner learner = make_learner(world, host, options.place, learner_options(options));
 
   std::uint64_t seed = 0;
@@ -348,3 +345,5 @@ void add_train_command(CLI::App& program, Job& job) {
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->callback([&job, options] { job = [options] { return train(*options); }; });
 }
+
+}  // namespace elsie::program

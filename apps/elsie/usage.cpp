@@ -6,9 +6,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "elsie/plugin/near_name.h"
+#include "elsie/base/near_name.h"
 
 #include "command.h"
+
+namespace elsie::program {
 
 namespace {
 
@@ -22,8 +24,8 @@ const CLI::App& subcommand_of(const CLI::App& program, const std::string& word) 
     names.push_back(command->get_name());
     list += (list.empty() ? "" : ", ") + command->get_name();
   }
-  throw BadInput("there is no subcommand '" + word + "'" +
-                 elsie::plugin::did_you_mean(word, names) + "\nthere are: " + list);
+  throw BadInput("there is no subcommand '" + word + "'" + base::did_you_mean(word, names) +
+                 "\nthere are: " + list);
 }
 
 }  // namespace
@@ -47,7 +49,7 @@ void check_words(const CLI::App& program, int argc, char** argv) {
     const std::string name = word.substr(0, word.find('='));
     if (word.starts_with("--") && std::find(names.begin(), names.end(), name) == names.end()) {
       throw BadInput("`elsie " + command.get_name() + "` has no option '" + name + "'" +
-                     elsie::plugin::did_you_mean(name, names) + "\n`elsie " + command.get_name() +
+                     base::did_you_mean(name, names) + "\n`elsie " + command.get_name() +
                      " --help` lists them");
     }
   }
@@ -82,3 +84,5 @@ std::string usage_message(const CLI::App* command, const CLI::Error& error) {
   }
   return "elsie: " + message + "\nRun `" + name + " --help` for more information.\n";
 }
+
+}  // namespace elsie::program

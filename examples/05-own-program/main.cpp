@@ -52,12 +52,9 @@ int main(int argc, char** argv) {
     }
     std::printf("state hash %s\n", simulation::hash_text(result.state_hash).c_str());
     return result.outcome == simulation::Outcome::success ? 0 : 1;
-  } catch (const world::WorldError& error) {  // all that is wrong with the world
+  } catch (const elsie::base::Error& error) {  // a sentence, or a line for each mistake of a file
     std::fprintf(stderr, "%s\n", error.what());
-    return 2;
-  } catch (const simulation::PluginFault& fault) {  // names plugin, robot and step
-    std::fprintf(stderr, "%s\n", fault.what());
-    return 3;
+    return error.exit_code();  // 2: bad input, 3: a plugin failed, 4: anything else
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 4;

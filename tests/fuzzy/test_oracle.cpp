@@ -10,7 +10,7 @@
 #include <catch2/catch.hpp>
 #include <fl/Headers.h>
 
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 #include "elsie/fuzzy/fcl.h"
 
 using elsie::Random;

@@ -50,7 +50,7 @@ double power(const Model& model, double cold) {
 
 std::vector<std::string> notes(const Model& model) {
   std::vector<std::string> notes;
-  for (const elsie::fuzzy::Problem& note : model.notes()) {
+  for (const elsie::base::Problem& note : model.notes()) {
     CHECK(note.file == "heating.fcl");
     notes.push_back(std::to_string(note.line) + ": " + note.message);
   }

@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 #include "elsie/fuzzy/error.h"
 #include "elsie/fuzzy/fcl.h"
 

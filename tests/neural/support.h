@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 #include "elsie/neural/network.h"
 #include "elsie/neural/training_set.h"
 

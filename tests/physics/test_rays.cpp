@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 
 #include "physics_context.h"
 

@@ -13,7 +13,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 #include "elsie/world/train.h"
 
 #include "physics_context.h"

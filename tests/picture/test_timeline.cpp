@@ -13,10 +13,10 @@ using picture::test::Bitmap;
 using picture::test::bytes_of;
 using picture::test::Folder;
 using picture::test::Pixel;
-using simulation::Trace;
-using simulation::TraceMember;
-using simulation::TraceNote;
-using simulation::TraceRobot;
+using traces::Trace;
+using traces::TraceMember;
+using traces::TraceNote;
+using traces::TraceRobot;
 
 namespace {
 
@@ -94,7 +94,7 @@ int count_down(const Bitmap& image, int x, const std::function<bool(const Pixel&
   return found;
 }
 
-Bitmap drawn(const Folder& folder, const Trace& trace, const simulation::TimeSpan& span = {}) {
+Bitmap drawn(const Folder& folder, const Trace& trace, const traces::TimeSpan& span = {}) {
   save_timeline({trace, {}, span, "", {}}, folder / "a.png");
   return Bitmap(folder / "a.png");
 }

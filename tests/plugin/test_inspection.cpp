@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <elf.h>
 
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 #include "elsie/plugin/abi_word.h"
 #include "elsie/plugin/inspection.h"
 

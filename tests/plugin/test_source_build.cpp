@@ -9,9 +9,9 @@
 #include <catch2/catch.hpp>
 #include <unistd.h>
 
+#include "elsie/build/source_build.h"
 #include "elsie/plugin/abi_word.h"
 #include "elsie/plugin/host.h"
-#include "elsie/plugin/source_build.h"
 
 #include "support.h"
 

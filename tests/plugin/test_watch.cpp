@@ -9,8 +9,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/build/watch.h"
 #include "elsie/plugin/host.h"
-#include "elsie/plugin/watch.h"
 
 #include "support.h"
 

@@ -2,6 +2,7 @@
 
 #include "elsie/api/measure.h"
 #include "elsie/picture/image_file.h"
+#include "elsie/render/world_cameras.h"
 #include "elsie/world/writer.h"
 
 #include "recorded.h"
@@ -143,12 +144,14 @@ TEST_CASE("A run is the same with a recording and without, and so are two record
     hash = record(simulation, file.path, {.images = true}).state_hash;
     return file.bytes();
   };
-  Simulation simulation(shipped_world("find_resource.xml", 3), shipped());
+  Simulation simulation(shipped_world("find_resource.xml", 3), shipped(),
+                        {.cameras = render::world_cameras});
   const std::uint64_t alone = simulation.run().state_hash;
   simulation.reset();
   std::uint64_t watched = 0, again = 0;
   const std::string first = record_bytes(simulation, watched);
-  Simulation other(shipped_world("find_resource.xml", 3), shipped());
+  Simulation other(shipped_world("find_resource.xml", 3), shipped(),
+                   {.cameras = render::world_cameras});
   CHECK(record_bytes(other, again) == first);
   CHECK(first.size() > 5000);
   CHECK(watched == alone);
@@ -157,7 +160,8 @@ TEST_CASE("A run is the same with a recording and without, and so are two record
 
 TEST_CASE("What cameras see is recorded on request, whole, with the time at which it was taken") {
   McapFile file;
-  Simulation simulation(shipped_world("find_resource.xml", 1), shipped());
+  Simulation simulation(shipped_world("find_resource.xml", 1), shipped(),
+                        {.cameras = render::world_cameras});
   record(simulation, file.path, {.images = true});
   auto all = recorded(file.path);
   const std::string robot = simulation.robot(0).description->id;
@@ -185,7 +189,7 @@ TEST_CASE("A robot whose battery is empty sees nothing") {
   world::World world = shipped_world("find_resource.xml", 2);
   world.robots[0].energy = 0.5;
   world.robots[0].sensors[0].energy_cost = 1.0;
-  Simulation simulation(world, shipped());
+  Simulation simulation(world, shipped(), {.cameras = render::world_cameras});
   record(simulation, file.path, {.images = true});
   auto all = recorded(file.path);
   std::size_t pictures = 0;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/recording/beams.h"
-#include "elsie/simulation/tracks.h"
+#include "elsie/traces/tracks.h"
 
 #include "recorded.h"
 
@@ -19,12 +19,12 @@ std::string bytes_of(const std::filesystem::path& file) {
 }
 
 /// The picture of a simulation itself, as the program draws it.
-void draw(const Simulation& simulation, const simulation::TrackRecorder& tracks,
+void draw(const Simulation& simulation, const traces::TrackRecorder& tracks,
           const std::filesystem::path& file) {
   picture::TopView view{simulation.world()};
   for (std::size_t r = 0; r < simulation.robots(); ++r) {
     const simulation::RobotView robot = simulation.robot(r);
-    const simulation::Track& track = tracks.tracks()[r];
+    const traces::Track& track = tracks.tracks()[r];
     picture::RobotTrack drawn{robot.description->id, track.path, robot.state->pose, {},
                               track.touches,         {},         track.placed};
     for (const auto& beam : recording::range_beams(simulation, r)) {
@@ -55,7 +55,7 @@ TEST_CASE("The picture from a recording alone is that of the run itself, byte fo
     const std::string own_png = own.path.string() + ".png";
     const std::string replayed_png = replayed.path.string() + ".png";
     Simulation simulation(shipped_world(name, 12.34), shipped());
-    simulation::TrackRecorder tracks;
+    traces::TrackRecorder tracks;
     {
       recording::McapRecorder recorder(file.path);
       simulation::Observer* const observers[] = {&tracks, &recorder};
@@ -75,7 +75,7 @@ TEST_CASE("The picture from a recording alone is that of the run itself, byte fo
 TEST_CASE("A robot that was put elsewhere is drawn without a line to there, from a recording too") {
   McapFile file;
   Simulation simulation(shipped_world("open_arena.xml", 4), shipped());
-  simulation::TrackRecorder tracks;
+  traces::TrackRecorder tracks;
   {
     recording::McapRecorder recorder(file.path);
     simulation::Observer* const observers[] = {&tracks, &recorder};

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 #include "elsie/results/hash.h"
 
 #include "places.h"
@@ -27,7 +27,7 @@ class Writer {
   explicit Writer(const std::filesystem::path& file) {
     std::filesystem::remove(file);
     if (sqlite3_open(file.c_str(), &handle_) != SQLITE_OK) fail();
-    std::ifstream schema(source_path("core/results/src/schema.sql"));
+    std::ifstream schema(source_path("libraries/studies/results/src/schema.sql"));
     std::ostringstream text;
     text << schema.rdbuf();
     run("PRAGMA application_id = 0x456C7369; PRAGMA user_version = 2; BEGIN;" + text.str());

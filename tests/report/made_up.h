@@ -1,4 +1,4 @@
-// Results databases with made-up runs, written with the schema of core/results.
+// Results databases with made-up runs, written with the schema of libraries/studies/results.
 #pragma once
 
 #include <cstddef>

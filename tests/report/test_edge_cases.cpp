@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "elsie/world/utf8.h"
+#include "elsie/base/utf8.h"
 
 #include "edge_cases.h"
 #include "hostile.h"
@@ -150,7 +150,7 @@ TEST_CASE("A table for a terminal has no column for nothing, and none that is en
       text.substr(text.find("\n\n"), text.find("mean +-") - text.find("\n\n"));
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) {
-    CHECK(elsie::world::characters(line) <= 130);
+    CHECK(elsie::base::characters(line) <= 130);
   }
 }
 

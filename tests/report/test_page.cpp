@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/reader.h"
 

@@ -83,7 +83,7 @@ double contrast(const std::string& a, const std::string& b) {
 // The variables of the n-th ":root" of the style: 0 is light, 1 dark, 2 print.
 std::map<std::string, std::string> variables(std::size_t n) {
   std::ostringstream style;
-  style << std::ifstream(elsie::test::source_path("core/report/src/page.css")).rdbuf();
+  style << std::ifstream(elsie::test::source_path("libraries/studies/report/src/page.css")).rdbuf();
   const std::string text = style.str();
   std::size_t at = text.find(":root {");
   for (std::size_t i = 0; i < n; ++i) at = text.find(":root {", at + 1);

@@ -4,7 +4,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <catch2/catch.hpp>
 
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 #include "elsie/report/statistics.h"
 
 using namespace elsie::report;

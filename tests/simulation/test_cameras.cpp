@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/render/renderer.h"
+#include "elsie/render/world_cameras.h"
 #include "elsie/render/world_scene.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/error.h"
@@ -63,7 +64,7 @@ TEST_CASE("A robot sees a resource where the pinhole model says, while it drives
   const ScriptedHost host = driving(5.0);
   auto world = world_with({resource("food", 3.0, 0.35)});
   world.boxes[0].length = world.boxes[0].width = 0.05;
-  Simulation simulation(world, host.host);
+  Simulation simulation(world, host.host, {.cameras = render::world_cameras});
   for (int i = 0; i < 120; ++i) {
     const Frame eye = simulation.sensor_frame(0, 0);  // where it is when the picture is taken
     simulation.step();
@@ -85,7 +86,7 @@ TEST_CASE("What a camera sees is the world as it is at that instant, without its
   world.robots.push_back(robot("r2", 1.0, 0.3, 180, behavior("scripted")));
   world.robots[0].sensors.push_back(camera("wide", 20.0, {{"fov_deg", 80.0}}));
   world.robots[1].sensors = {camera("eye")};
-  Simulation simulation(world, host.host);
+  Simulation simulation(world, host.host, {.cameras = render::world_cameras});
   for (int i = 0; i < 150; ++i) {
     simulation.step();
   }
@@ -128,7 +129,7 @@ TEST_CASE("A camera sees what other robots pull where it is") {
   world.robots[0].coordinator.reset();
   const auto width_of_dark = [&world, &host](std::size_t segments) {
     world.robots[1].segments.resize(segments);
-    Simulation simulation(world, host.host);
+    Simulation simulation(world, host.host, {.cameras = render::world_cameras});
     for (int i = 0; i < 30; ++i) {
       simulation.step();
     }
@@ -153,7 +154,8 @@ TEST_CASE("A camera sees what other robots pull where it is") {
 
 TEST_CASE("A collected resource is seen no more, and is back after a reset") {
   const ScriptedHost host = driving(20.0);
-  Simulation simulation(world_with({resource("food", 0.5, 0.0)}), host.host);
+  Simulation simulation(world_with({resource("food", 0.5, 0.0)}), host.host,
+                        {.cameras = render::world_cameras});
   simulation.step();
   CHECK(reading(simulation).found);
   for (int i = 0; i < 300 && simulation.box(0); ++i) {
@@ -171,7 +173,7 @@ TEST_CASE("A collected resource is seen no more, and is back after a reset") {
 TEST_CASE("A robot looks for the resources that it may collect, by their colours") {
   const ScriptedHost host = driving(0.0);
   const auto finds = [&](const world::Box& box) {
-    Simulation simulation(world_with({box}), host.host);
+    Simulation simulation(world_with({box}), host.host, {.cameras = render::world_cameras});
     simulation.step();
     return reading(simulation).found;
   };
@@ -212,7 +214,7 @@ TEST_CASE("A robot looks for the resources that it may collect, by their colours
   world::SensorUse use;
   use.plugin = use.id = "asking";
   world.robots[0].sensors = {use};
-  Simulation simulation(world, asking.host);
+  Simulation simulation(world, asking.host, {.cameras = render::world_cameras});
   simulation.step();
   CHECK(seen == std::vector<Colour>{world::kRedTeam, world::kResourceOfNoTeam});
 }
@@ -222,7 +224,7 @@ TEST_CASE("A camera that cannot look for a resource's colour is refused, whoseso
   const auto refusal = [&](world::World world) -> std::string {
     world.robots[0].sensors[0].location = {"here.xml", 12};
     try {
-      const Simulation simulation(std::move(world), host.host);
+      const Simulation simulation(std::move(world), host.host, {.cameras = render::world_cameras});
       return "";
     } catch (const world::WorldError& error) {
       return error.what();
@@ -240,7 +242,7 @@ TEST_CASE("A camera that cannot look for a resource's colour is refused, whoseso
   world.robots[1].x = 1;
   world.robots[1].sensors.push_back(camera("other"));
   try {
-    const Simulation simulation(world, host.host);
+    const Simulation simulation(world, host.host, {.cameras = render::world_cameras});
     FAIL("it was accepted");
   } catch (const world::WorldError& error) {
     CHECK(error.problems().size() == 3);
@@ -261,7 +263,7 @@ TEST_CASE("Cameras take pictures once every control period, none when the batter
   world.robots[0].battery = 0.5;
   world.robots[0].sensors[0].energy_cost = 1.0;
   world.robots[0].sensors[0].parameters = {{"error", 0.05}};  // no two pictures are alike
-  Simulation simulation(world, host.host);
+  Simulation simulation(world, host.host, {.cameras = render::world_cameras});
   std::vector<std::vector<std::uint8_t>> pictures;
   for (int i = 0; i < 100; ++i) {
     simulation.step();
@@ -277,8 +279,9 @@ TEST_CASE("The same seed gives the same pictures, from whatever thread each step
   const ScriptedHost host = driving(12.0);
   auto world = world_with({resource("food", 2.0, 0.3), box("b", world::BoxKind::dynamic, 0.5, 0)});
   world.robots[0].sensors[0].parameters = {{"error", 0.05}};
-  Simulation one(world, host.host, {.seed = 4}), other(world, host.host, {.seed = 4});
-  Simulation third(world, host.host, {.seed = 5});
+  Simulation one(world, host.host, {.seed = 4, .cameras = render::world_cameras}),
+      other(world, host.host, {.seed = 4, .cameras = render::world_cameras});
+  Simulation third(world, host.host, {.seed = 5, .cameras = render::world_cameras});
   for (int i = 0; i < 20; ++i) {
     one.step();
     std::thread([&other] { other.step(); }).join();
@@ -326,7 +329,7 @@ TEST_CASE("A camera that can take no picture is a fault at the sensor's place in
     use.location = {"here.xml", 17};
     world.robots[0].sensors.push_back(use);
     try {
-      const Simulation simulation(world, host.host);
+      const Simulation simulation(world, host.host, {.cameras = render::world_cameras});
       FAIL("it was accepted");
     } catch (const world::WorldError& error) {
       REQUIRE(error.problems().size() == 1);

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/simulation/recording.h"
-#include "elsie/simulation/tracks.h"
+#include "elsie/recording/csv_recorder.h"
+#include "elsie/traces/tracks.h"
 
 #include "world_builder.h"
 
@@ -62,8 +62,8 @@ TEST_CASE("A reset in the same process brings back the same run") {
 
 TEST_CASE("Watching, recording and timing a run does not change it") {
   TemporaryFile file;
-  simulation::CsvRecorder recorder(file.path, 100, true);
-  simulation::TrackRecorder tracks;
+  recording::CsvRecorder recorder(file.path, 100, true);
+  traces::TrackRecorder tracks;
   simulation::Observer* const observers[] = {&recorder, &tracks};
   Simulation simulation(lively(), shipped(), {5, true});
   CHECK(simulation.run(observers).state_hash == hash(5));

@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/simulation/trace_account.h"
-#include "elsie/simulation/trace_recorder.h"
+#include "elsie/traces/trace_account.h"
+#include "elsie/traces/trace_recorder.h"
 
 #include "measures_support.h"
 
@@ -71,7 +71,7 @@ TEST_CASE("Measures agree with what the run tells otherwise") {
     world.measures.push_back(measure(name));
   }
   TemporaryFile file;
-  simulation::TraceRecorder recorder(file.path);
+  traces::TraceRecorder recorder(file.path);
   simulation::Observer* const observers[] = {&recorder};
   const RunResult result = Simulation(world, shipped(), {.seed = 3}).run(observers);
   CHECK(value(result, "path_length") == value(result, "path_length_m"));
@@ -79,11 +79,10 @@ TEST_CASE("Measures agree with what the run tells otherwise") {
   CHECK(value(result, "collected.count") == value(result, "collected"));
   CHECK(value(result, "energy.left") == value(result, "energy_left"));
   CHECK(value(result, "run_time") == value(result, "time_s"));
-  const simulation::Trace trace = simulation::read_trace(file.path);
+  const traces::Trace trace = traces::read_trace(file.path);
   REQUIRE(trace.robots.size() == 1);
-  const simulation::TraceRobot& traced = trace.robots[0];
-  const simulation::RobotAccount account =
-      simulation::account(traced, simulation::within({}, trace));
+  const traces::TraceRobot& traced = trace.robots[0];
+  const traces::RobotAccount account = traces::account(traced, traces::within({}, trace));
   REQUIRE(traced.members.size() >= 3);
   for (std::size_t i = 0; i < traced.members.size(); ++i) {
     CAPTURE(traced.members[i].path);

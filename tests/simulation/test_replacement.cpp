@@ -10,7 +10,7 @@
 #include <malloc.h>
 
 #include "elsie/plugin/abi_word.h"
-#include "elsie/simulation/recording.h"
+#include "elsie/recording/csv_recorder.h"
 
 #include "versions.h"
 #include "world_builder.h"
@@ -320,7 +320,7 @@ TEST_CASE("A recording keeps its columns when a sensor lists other numbers") {
   Simulation& simulation = stage.start();
   const TemporaryFile table;
   {
-    simulation::CsvRecorder recorder(table.path, 100.0);
+    recording::CsvRecorder recorder(table.path, 100.0);
     simulation::Observer* const observers[] = {&recorder};
     simulation.run(observers, {}, [&](Simulation& running) {
       if (running.steps() == 5) {

@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/reader.h"
 
@@ -63,6 +64,7 @@ Told run(const std::string& file, const std::vector<std::string>& overrides, boo
   options.data_directories = {source_path("")};
   simulation::Options how;
   how.data_directories = options.data_directories;
+  how.cameras = render::world_cameras;
   Simulation simulation(world::read_world(file, *host, options), *host, how);
   double due_s = replaces ? kEvery : 2.0 * kLength;
   while (simulation.outcome() == simulation::Outcome::running && simulation.time_s() < kLength) {

@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/simulation/trace.h"
-#include "elsie/simulation/trace_recorder.h"
+#include "elsie/traces/trace.h"
+#include "elsie/traces/trace_recorder.h"
 
 #include "change_support.h"
 
@@ -174,7 +174,7 @@ TEST_CASE("Recordings tell what was changed, and observers see the start as it i
   world.robots = {robot("r1", 0, 0, 0, behavior("scripted"))};
   Simulation simulation(world, scripted.host);
   TemporaryFile file;
-  simulation::TraceRecorder recorder(file.path);
+  traces::TraceRecorder recorder(file.path);
   simulation::Observer* observers[] = {&start, &recorder};
   simulation.run(observers, std::vector<TimedChange>{{0.0, {"robot[r1]/@x", "-2"}},
                                                      {0.5, {"robot[1]/@max_speed", "0.05"}}});

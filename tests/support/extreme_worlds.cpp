@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/error.h"
 #include "elsie/world/reader.h"

@@ -3,9 +3,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/reference/reference.h"
+#include "elsie/reference/schema.h"
 #include "elsie/world/attributes.h"
-#include "elsie/world/reference.h"
-#include "elsie/world/schema.h"
 #include "elsie/world/writer.h"
 
 #include "fixture.h"
@@ -91,12 +91,12 @@ TEST_CASE("An unknown measure keeps no robot from being checked") {
 }
 
 TEST_CASE("The schema and the reference page know measures") {
-  const std::string schema = world::world_schema(host());
+  const std::string schema = reference::world_schema(host());
   CHECK_THAT(schema, Contains("<xs:element name=\"way\" type=\"measure.way.type\">"));
   CHECK_THAT(schema,
              Contains("<xs:unique name=\"measure_id\"><xs:selector xpath=\"measures/*\"/>"));
-  CHECK_THAT(world::world_reference(), Contains("## world / measures / *any measure plugin*"));
-  const std::string page = world::plugin_reference(*host().find(PluginKind::measure, "way"));
+  CHECK_THAT(reference::world_reference(), Contains("## world / measures / *any measure plugin*"));
+  const std::string page = reference::plugin_reference(*host().find(PluginKind::measure, "way"));
   CHECK_THAT(page, Contains("A measure, version 1.0."));
   CHECK_THAT(page, Contains("It may hold any number of `<gate>`: A place on the way."));
 }

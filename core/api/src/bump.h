@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <span>
 
-#include "elsie/api/fuzzy_set.h"
 #include "elsie/api/motor_command.h"
+#include "elsie/base/fuzzy_set.h"
 
 namespace elsie {
 

@@ -1,18 +1,13 @@
 #include "elsie/physics/failure.h"
 
-#include <array>
-#include <cstdio>
 #include <utility>
+
+#include "elsie/base/number_text.h"
 
 namespace elsie::physics {
 namespace {
 
-template <class... Numbers>
-std::string text(const char* format, Numbers... numbers) {
-  std::array<char, 160> written{};
-  std::snprintf(written.data(), written.size(), format, numbers...);
-  return written.data();
-}
+std::string rough(double value) { return base::number_text(value, 4); }
 
 std::string sentence(const Failure& failure) {
   std::string what = failure.in_words();
@@ -22,14 +17,16 @@ std::string sentence(const Failure& failure) {
     what = (failure.segment ? "segment " + std::to_string(*failure.segment) + " of " : "") + kind +
            number + " " + what;
   }
-  return "The physics became unstable after " + text("%g", failure.time_s) + " s: " + what +
+  return "The physics became unstable after " + base::number_text(failure.time_s, 6) +
+         " s: " + what +
          ". A smaller step, a larger cfm, or less extreme masses, torques and speeds may help.";
 }
 
 }  // namespace
 
 std::string Failure::in_words() const {
-  const std::string at = text("(%.4g, %.4g, %.4g) m", place.x, place.y, place.z);
+  const std::string at =
+      "(" + rough(place.x) + ", " + rough(place.y) + ", " + rough(place.z) + ") m";
   switch (kind) {
     case Kind::stopped:
       break;
@@ -40,8 +37,8 @@ std::string Failure::in_words() const {
     case Kind::outside:
       return "is outside of the arena's walls: its middle is at " + at;
     case Kind::too_fast:
-      return "moves at " + text("%.4g m/s", speed) + " at " + at + ", where nothing can make it " +
-             "faster than " + text("%.4g m/s", limit);
+      return "moves at " + rough(speed) + " m/s at " + at + ", where nothing can make it " +
+             "faster than " + rough(limit) + " m/s";
   }
   return "the solver stopped, because numbers grew beyond all bounds or lost all their digits";
 }

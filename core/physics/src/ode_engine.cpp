@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/base/fnv1a.h"
 #include "elsie/physics/engine.h"
 #include "elsie/physics/failure.h"
 #include "elsie/world/engine_facts.h"
@@ -470,20 +471,20 @@ void OdeEngine::fail(Failure failure) const {
 }
 
 std::uint64_t OdeEngine::hash_state(std::uint64_t hash) const {
-  StateHash all(hash);
+  base::Fnv1a all(hash);
   for (const OdeRobot& robot : robots_) {
-    robot.for_each_body([&](dBodyID body) { all.add_body(body); });
+    robot.for_each_body([&](dBodyID body) { add_body(all, body); });
   }
   for (const BoxBody& box : boxes_) {
     all.add(std::uint64_t{box.present});
     if (!box.present) continue;
     if (box.body) {
-      all.add_body(box.body);
+      add_body(all, box.body);
     } else {
-      all.add(dGeomGetPosition(box.geom.get()), 3);
+      add_numbers(all, dGeomGetPosition(box.geom.get()), 3);
       dQuaternion facing;
       dGeomGetQuaternion(box.geom.get(), facing);
-      all.add(facing, 4);
+      add_numbers(all, facing, 4);
     }
   }
   return all.value();

@@ -11,15 +11,16 @@
 
 #include <sys/stat.h>
 
+#include "elsie/base/near_name.h"
+#include "elsie/base/words.h"
 #include "elsie/plugin/abi_word.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/declaration_check.h"
 #include "elsie/plugin/error.h"
+#include "elsie/plugin/file_fingerprint.h"
 #include "elsie/plugin/inspection.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/plugin/near_name.h"
 
-#include "fingerprint.h"
 #include "library.h"
 #include "text.h"
 
@@ -355,7 +356,7 @@ std::string Host::explain_missing(PluginKind kind, std::string_view name) const 
     names.push_back(known);
   }
   std::string text = "there is no " + title(kind, name);
-  const std::string hint = did_you_mean(name, names);
+  const std::string hint = base::did_you_mean(name, names);
   if (!hint.empty()) {
     return text + hint;
   }
@@ -375,8 +376,8 @@ std::string Host::explain_missing(PluginKind kind, std::string_view name) const 
       }
     }
   }
-  text +=
-      searched.empty() ? "; no directory was searched" : "; searched were " + enumeration(searched);
+  text += searched.empty() ? "; no directory was searched"
+                           : "; searched were " + base::enumerated(searched);
   text += refused.empty() ? "" : "; refused there: " + joined(refused, "; ");
   return text +
          "; if it is elsewhere, name its file with --plugin FILE, or its folder with --plugin-path "

@@ -12,8 +12,8 @@
 
 #include "elsie/api/registration.h"
 #include "elsie/plugin/call.h"
+#include "elsie/plugin/loaded_libraries.h"
 
-#include "loaded_libraries.h"
 #include "text.h"
 
 namespace elsie::plugin {

@@ -1,4 +1,4 @@
-#include "loaded_libraries.h"
+#include "elsie/plugin/loaded_libraries.h"
 
 #include <algorithm>
 #include <array>

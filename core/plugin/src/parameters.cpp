@@ -9,9 +9,10 @@
 #include <variant>
 #include <vector>
 
+#include "elsie/base/near_name.h"
+#include "elsie/base/words.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/plugin/near_name.h"
 
 #include "text.h"
 
@@ -52,7 +53,8 @@ std::string value_text(const ParameterValue& value) {
     std::string operator()(const std::string& text) const { return quoted(text); }
     std::string operator()(const std::vector<double>& numbers) const {
       std::vector<std::string> texts;
-      std::transform(numbers.begin(), numbers.end(), std::back_inserter(texts), number_text);
+      std::transform(numbers.begin(), numbers.end(), std::back_inserter(texts),
+                     [](double number) { return number_text(number); });
       return quoted(joined(texts, " "));
     }
   };
@@ -168,7 +170,8 @@ void check_values(const std::string& whose, const std::vector<ParameterDeclarati
   for (const auto& [name, value] : given) {
     const auto at = std::find(names.begin(), names.end(), name);
     if (at == names.end()) {
-      errors.push_back(whose + " has no parameter '" + name + "'" + did_you_mean(name, names));
+      errors.push_back(whose + " has no parameter '" + name + "'" +
+                       base::did_you_mean(name, names));
       continue;
     }
     const auto& parameter = declared[static_cast<std::size_t>(at - names.begin())];
@@ -187,7 +190,7 @@ const ElementDeclaration* find_element(const Declaration& declaration, const std
     }
     names.push_back(element.name);
   }
-  errors.push_back("it has no element <" + name + ">" + did_you_mean(name, names));
+  errors.push_back("it has no element <" + name + ">" + base::did_you_mean(name, names));
   return nullptr;
 }
 
@@ -222,7 +225,7 @@ std::string allowed_values(const ParameterDeclaration& parameter) {
   const std::vector<std::string> limits = limit_texts(parameter);
   const std::string& unit = parameter.facts.unit;
   if (!limits.empty()) {
-    text += (parameter.type == ParameterType::reals ? ", each " : " ") + enumeration(limits);
+    text += (parameter.type == ParameterType::reals ? ", each " : " ") + base::enumerated(limits);
     text += unit.empty() ? "" : " " + unit;
   } else if (!unit.empty()) {
     text += " in " + unit;
@@ -242,7 +245,7 @@ std::optional<std::string> check_value(const ParameterDeclaration& parameter,
   }
   sentence += ", but must be " + allowed_values(parameter);
   if (const auto* const text = std::get_if<std::string>(&value); right_type && text) {
-    sentence += did_you_mean(*text, parameter.facts.choices);
+    sentence += base::did_you_mean(*text, parameter.facts.choices);
   }
   return sentence;
 }

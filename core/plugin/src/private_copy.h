@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "elsie/plugin/crash_report.h"
+#include "elsie/base/emergency.h"
 
 namespace elsie::plugin {
 
@@ -12,7 +12,7 @@ namespace elsie::plugin {
 /// it knows for the one that it has loaded. So a library that may be replaced is loaded from a copy
 /// of its own, in a folder of its own, which goes with this object. Those of processes that were
 /// killed are removed by the first copy of a later one, of the same user.
-class PrivateCopy final : private EmergencyWriter {
+class PrivateCopy final : private base::EmergencyWriter {
  public:
   /// Throws std::runtime_error with a sentence.
   explicit PrivateCopy(const std::filesystem::path& file);

@@ -1,7 +1,6 @@
 #include "text.h"
 
 #include <cctype>
-#include <charconv>
 #include <cstdlib>
 #include <exception>
 #include <memory>
@@ -24,32 +23,6 @@ bool is_symbol_character(char c) {
 }
 
 }  // namespace
-
-std::string number_text(double value) {
-  char buffer[32];
-  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
-  return {buffer, end};
-}
-
-std::string enumeration(const std::vector<std::string>& items) {
-  std::string text;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    text += i == 0 ? "" : (i + 1 == items.size() ? " and " : ", ");
-    text += items[i];
-  }
-  return text;
-}
-
-std::string joined(const std::vector<std::string>& items, std::string_view separator) {
-  std::string text;
-  for (const std::string& item : items) {
-    if (!text.empty()) {
-      text += separator;
-    }
-    text += item;
-  }
-  return text;
-}
 
 std::string demangled(std::string_view text) {
   std::string result;

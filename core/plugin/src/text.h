@@ -3,18 +3,14 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "elsie/base/number_text.h"
+#include "elsie/base/words.h"
 
 namespace elsie::plugin {
 
-/// The shortest decimal text that reads back as the same number.
-std::string number_text(double value);
-
-/// "a", "a and b", "a, b and c".
-std::string enumeration(const std::vector<std::string>& items);
-
-/// The items with a separator between them.
-std::string joined(const std::vector<std::string>& items, std::string_view separator);
+using base::joined;
+using base::number_text;
 
 /// The text with every mangled C++ name (_Z...) in it made readable.
 std::string demangled(std::string_view text);

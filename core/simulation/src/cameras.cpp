@@ -24,8 +24,8 @@ std::optional<std::string> problem_with(const Camera& camera, int largest) {
 }  // namespace
 
 Cameras::Cameras(const world::World& world, std::span<const std::unique_ptr<Robot>> robots,
-                 std::vector<world::Problem>& problems)
-    : world_(world), robots_(robots) {
+                 const MakeCameraRenderer& make_renderer, std::vector<base::Problem>& problems)
+    : robots_(robots) {
   for (std::size_t r = 0; r < robots.size(); ++r) {
     for (std::size_t s = 0; s < robots[r]->sensor_count(); ++s) {
       if (robots[r]->camera(s)) {
@@ -41,9 +41,15 @@ Cameras::Cameras(const world::World& world, std::span<const std::unique_ptr<Robo
     problems.push_back(
         {use.location.file, use.location.line, "plugin '" + use.plugin + "': " + problem});
   };
+  if (!make_renderer) {
+    blame(mounts_.front(),
+          "its camera has nothing that takes its pictures; the program that runs "
+          "this world must hand in Options::cameras");
+    return;
+  }
   try {
-    renderer_.emplace();
-  } catch (const render::RenderError& error) {
+    renderer_ = make_renderer(world);
+  } catch (const base::Error& error) {
     blame(mounts_.front(), error.what());  // once, not for every camera
     return;
   }
@@ -53,7 +59,6 @@ Cameras::Cameras(const world::World& world, std::span<const std::unique_ptr<Robo
       blame(mount, *problem);
     }
   }
-  scene_.emplace(world);
 }
 
 std::optional<std::string> Cameras::problem_of(const Camera& camera) const {
@@ -65,32 +70,15 @@ void Cameras::take(const physics::Engine& engine) {
     return;
   }
   views_.clear();
-  pictures_.clear();
   for (const Mount& mount : mounts_) {
     Robot& robot = *robots_[mount.robot];
     if (!robot.empty()) {
-      views_.push_back(
-          {robot.sensor_frame(mount.sensor), *robot.camera(mount.sensor), mount.robot});
-      pictures_.push_back(&robot.picture(mount.sensor));
+      views_.push_back({robot.sensor_frame(mount.sensor), *robot.camera(mount.sensor), mount.robot,
+                        &robot.picture(mount.sensor)});
     }
   }
   if (!views_.empty()) {
-    place_bodies(engine);
-    renderer_->render(scene_->scene(), views_, pictures_);
-  }
-}
-
-void Cameras::place_bodies(const physics::Engine& engine) {
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    scene_->place_robot(i, engine.robot(i).frame);
-    for (std::size_t segment = 0; segment < engine.segments(i); ++segment) {
-      scene_->place_segment(i, segment, engine.segment(i, segment).frame);
-    }
-  }
-  for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
-    if (world_.boxes[i].kind != world::BoxKind::fixed) {
-      scene_->place_box(i, engine.has_box(i) ? std::optional(engine.box(i)) : std::nullopt);
-    }
+    renderer_->take(engine, views_);
   }
 }
 

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "elsie/physics/engine.h"
-#include "elsie/render/renderer.h"
-#include "elsie/render/world_scene.h"
+#include "elsie/simulation/camera_renderer.h"
 #include "elsie/world/description.h"
 #include "elsie/world/error.h"
 
@@ -23,16 +22,17 @@ namespace elsie::simulation {
 class Cameras {
  public:
   /// For these robots, which live as long. What is wrong with a camera, or with the machine, is
-  /// added to `problems`, with the sensor's place in the world file.
+  /// added to `problems`, with the sensor's place in the world file; so it is when
+  /// there are cameras but nothing that takes their pictures.
   Cameras(const world::World& world, std::span<const std::unique_ptr<Robot>> robots,
-          std::vector<world::Problem>& problems);
+          const MakeCameraRenderer& make_renderer, std::vector<base::Problem>& problems);
 
   /// What is wrong with a camera that one of these sensors is to look through from now on; none
   /// when nothing is.
   std::optional<std::string> problem_of(const Camera& camera) const;
 
   /// Hands every sensor with a camera the picture of what is before it now, except those of robots
-  /// whose battery is empty. Throws render::RenderError.
+  /// whose battery is empty. Throws base::Error.
   void take(const physics::Engine& engine);
 
  private:
@@ -40,15 +40,10 @@ class Cameras {
     std::size_t robot, sensor;
   };
 
-  void place_bodies(const physics::Engine& engine);
-
-  const world::World& world_;
   std::span<const std::unique_ptr<Robot>> robots_;
   std::vector<Mount> mounts_;
-  std::optional<render::Renderer> renderer_;  // none without cameras
-  std::optional<render::WorldScene> scene_;   // likewise
-  std::vector<render::View> views_;           // of the pictures being taken
-  std::vector<Image*> pictures_;              // likewise
+  std::unique_ptr<CameraRenderer> renderer_;  // none without cameras
+  std::vector<CameraView> views_;             // of the pictures being taken
 };
 
 }  // namespace elsie::simulation

@@ -44,7 +44,7 @@ std::string fault_of(std::span<const double> desirability) {
 }  // namespace
 
 Controller::Controller(const world::Coordination& description, const Setting& setting,
-                       std::vector<world::Problem>& problems)
+                       std::vector<base::Problem>& problems)
     : description_(description), setting_(setting) {
   Member::Runner& runner = *this;
   for (const world::BehaviorUse& use : description.behaviors) {
@@ -73,7 +73,7 @@ Controller::Controller(const world::Coordination& description, const Setting& se
   }
 }
 
-void Controller::equip(const Perception& example, std::vector<world::Problem>& problems) {
+void Controller::equip(const Perception& example, std::vector<base::Problem>& problems) {
   for (Slot& slot : slots_) {
     if (slot.inside) {
       slot.inside->equip(example, problems);

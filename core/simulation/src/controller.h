@@ -48,12 +48,12 @@ class Controller final : public Coordination, private Member::Runner {
 
   /// Makes the plugin objects; adds to `problems` what they refuse.
   Controller(const world::Coordination& description, const Setting& setting,
-             std::vector<world::Problem>& problems);
+             std::vector<base::Problem>& problems);
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
   /// Tells all objects what the robot has; see Behavior::equipped().
-  void equip(const Perception& example, std::vector<world::Problem>& problems);
+  void equip(const Perception& example, std::vector<base::Problem>& problems);
   /// Fresh random streams, named after `path`, which ends in "/"; all objects reset.
   void reset(std::uint64_t seed, const std::string& path);
   /// Appends what the objects have to say once they are reset.

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 
 #include <malloc.h>
+
+#include "elsie/base/number_text.h"
 
 // Of the address sanitizer, which has an allocator of its own; null without it.
 extern "C" __attribute__((weak)) std::size_t __sanitizer_get_current_allocated_bytes();
@@ -12,12 +13,7 @@ extern "C" __attribute__((weak)) std::size_t __sanitizer_get_current_allocated_b
 namespace elsie::simulation {
 namespace {
 
-/// "12.3", or with fewer digits when they are zero.
-std::string short_text(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof(digits), "%.4g", value);
-  return digits;
-}
+std::string short_text(double value) { return base::number_text(value, 4); }
 
 }  // namespace
 

@@ -152,7 +152,7 @@ class Guard {
 /// While a robot is put together, what a plugin object refuses is a fault of the world file: it is
 /// added to `problems`, and the result is an empty one.
 template <class Action>
-auto blaming(const world::PluginUse& use, std::vector<world::Problem>& problems, Action action)
+auto blaming(const world::PluginUse& use, std::vector<base::Problem>& problems, Action action)
     -> decltype(action()) {
   const auto blame = [&](const std::string& problem, bool plugin_failed = false) {
     problems.push_back({use.location.file, use.location.line,

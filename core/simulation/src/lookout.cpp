@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot_share.h"
+#include "elsie/simulation/robot_share.h"
 
 namespace elsie::simulation {
 namespace {

@@ -17,7 +17,7 @@ namespace elsie::simulation {
 /// called with the object before it is configured.
 template <class Kind, class Prepare>
 plugin::Object<Kind> make(const plugin::Host& host, PluginKind kind, const world::PluginUse& use,
-                          std::vector<world::Problem>& problems, Prepare prepare) {
+                          std::vector<base::Problem>& problems, Prepare prepare) {
   return blaming(use, problems, [&] {
     const Declaration* declaration = host.find(kind, use.plugin);
     if (!declaration) {
@@ -33,7 +33,7 @@ plugin::Object<Kind> make(const plugin::Host& host, PluginKind kind, const world
 
 template <class Kind>
 plugin::Object<Kind> make(const plugin::Host& host, PluginKind kind, const world::PluginUse& use,
-                          std::vector<world::Problem>& problems) {
+                          std::vector<base::Problem>& problems) {
   return make<Kind>(host, kind, use, problems, [](Kind&, const Declaration&) {});
 }
 

@@ -71,7 +71,7 @@ void measure_every_run(RunResult& result) {
 }
 
 std::vector<Quantity> measure_names(const world::World& world, const plugin::Host& host) {
-  std::vector<world::Problem> problems;
+  std::vector<base::Problem> problems;
   const Measuring measuring(world, host, {}, problems);
   if (!problems.empty()) {
     throw world::WorldError(std::move(problems));
@@ -84,7 +84,7 @@ std::vector<Quantity> measure_names(const world::World& world, const plugin::Hos
 }
 
 Measuring::Measuring(const world::World& world, const plugin::Host& host, const Budget& budget,
-                     std::vector<world::Problem>& problems)
+                     std::vector<base::Problem>& problems)
     : guard_("", budget), lookout_(world) {
   for (const world::PluginUse& use : world.measures) {
     Slot& slot = slots_.emplace_back();
@@ -103,7 +103,7 @@ Measuring::Measuring(const world::World& world, const plugin::Host& host, const 
 }
 
 /// Each value has a name of its own.
-void Measuring::check_names(std::vector<world::Problem>& problems) const {
+void Measuring::check_names(std::vector<base::Problem>& problems) const {
   std::set<std::string> of_every_run;
   for (const Quantity& quantity : measures_of_every_run()) {
     of_every_run.insert(quantity.name);

@@ -23,7 +23,7 @@ class Measuring {
   /// Makes and equips the plugin objects; adds to `problems` what they refuse. The world must stay
   /// where it is.
   Measuring(const world::World& world, const plugin::Host& host, const Budget& budget,
-            std::vector<world::Problem>& problems);
+            std::vector<base::Problem>& problems);
 
   bool empty() const { return slots_.empty(); }
   /// What they report, under the names that it has in results.
@@ -59,7 +59,7 @@ class Measuring {
     std::vector<std::optional<double>> values;
   };
 
-  void check_names(std::vector<world::Problem>& problems) const;
+  void check_names(std::vector<base::Problem>& problems) const;
 
   Guard guard_;
   Lookout lookout_;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "elsie/base/number_text.h"
+#include "elsie/base/words.h"
 #include "elsie/world/warnings.h"
 
 namespace elsie::simulation {
@@ -12,17 +14,7 @@ namespace {
 
 using About = world::Warning::About;
 
-std::string seconds(double time_s) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g s", time_s);
-  return text.data();
-}
-
-std::string counted(std::uint64_t count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
-std::string place_of(const world::Location& location) {
+std::string place_of(const base::Location& location) {
   return location.line > 0 ? " (" + location.file + ":" + std::to_string(location.line) + ")" : "";
 }
 
@@ -87,12 +79,12 @@ void note_give_ups(const world::World& world, const physics::GiveUps& give_ups, 
     return;
   }
   std::string text = "the solver gave up in " + std::to_string(give_ups.steps) + " of " +
-                     counted(steps, "step") + ", for the first time at " +
-                     seconds(give_ups.first_s) +
+                     base::counted(steps, "step") + ", for the first time at " +
+                     base::seconds_text(give_ups.first_s) +
                      ": it found no motion that satisfies all contacts, joints and motors, and was "
                      "run again with softer contacts";
   if (give_ups.unsolved > 0) {
-    text += "; in " + counted(give_ups.unsolved, "step") +
+    text += "; in " + base::counted(give_ups.unsolved, "step") +
             " that did not help, and a rougher solver took its place";
   }
   const std::vector<world::Warning> all = world::warnings(world);
@@ -105,9 +97,9 @@ PhysicsFault fault_of(const world::World& world, const physics::Failure& failure
                       std::uint64_t step) {
   const bool is_robot = failure.body && failure.body->kind == physics::BodyKind::robot;
   return {is_robot ? world.robots.at(failure.body->index).id : "", step,
-          "the physics failed after " + seconds(failure.time_s) + " (step " + std::to_string(step) +
-              "): " + (failure.body ? name_of(world, failure) + " " : "") + failure.in_words() +
-              ". The likely cause: " + likely_cause(world, failure) + "."};
+          "the physics failed after " + base::seconds_text(failure.time_s) + " (step " +
+              std::to_string(step) + "): " + (failure.body ? name_of(world, failure) + " " : "") +
+              failure.in_words() + ". The likely cause: " + likely_cause(world, failure) + "."};
 }
 
 }  // namespace elsie::simulation

@@ -15,7 +15,7 @@
 namespace elsie::simulation {
 namespace {
 
-void throw_if_any(const std::vector<world::Problem>& problems) {
+void throw_if_any(const std::vector<base::Problem>& problems) {
   if (!problems.empty()) {
     throw world::WorldError(problems);
   }
@@ -49,7 +49,7 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
              const plugin::Host& host, const Options& options)
     : description_(description), guard_(description.id, options.budget) {
   const plugin::Call call({.robot = description.id.c_str()});
-  std::vector<world::Problem> problems;
+  std::vector<base::Problem> problems;
   for (const world::SensorUse& use : description.sensors) {
     const Mounting mounting = mounting_of(use, description.body);
     SensorSlot& slot = sensors_.emplace_back();

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/base/fnv1a.h"
 #include "elsie/physics/engine.h"
 #include "elsie/simulation/sampling.h"
 #include "elsie/simulation/simulation.h"
@@ -30,17 +31,6 @@
 
 namespace elsie::simulation {
 
-/// FNV-1a, as physics::Engine::hash_state() continues it.
-inline std::uint64_t hash_of(std::uint64_t hash, double value) {
-  std::uint64_t bits = 0;
-  static_assert(sizeof(bits) == sizeof(value));
-  __builtin_memcpy(&bits, &value, sizeof(bits));
-  for (int shift = 0; shift < 64; shift += 8) {
-    hash = (hash ^ ((bits >> shift) & 0xff)) * 0x100000001b3ULL;
-  }
-  return hash;
-}
-
 class Simulation::Impl {
  public:
   Impl(world::World world, const plugin::Host& host, const Options& options)
@@ -49,7 +39,7 @@ class Simulation::Impl {
         seed_(options.seed),
         data_directories_(options.data_directories) {
     changes_.emplace(world_, host, data_directories_);
-    std::vector<world::Problem> problems;
+    std::vector<base::Problem> problems;
     for (std::size_t i = 0; i < world_.robots.size(); ++i) {
       try {
         robots_.push_back(
@@ -60,7 +50,7 @@ class Simulation::Impl {
     }
     measuring_ = std::make_unique<Measuring>(world_, host, options.budget, problems);
     if (problems.empty()) {
-      cameras_.emplace(world_, robots_, problems);
+      cameras_.emplace(world_, robots_, options.cameras, problems);
     }
     if (!problems.empty()) {
       throw world::WorldError(std::move(problems));
@@ -189,11 +179,11 @@ class Simulation::Impl {
   physics::GiveUps give_ups() const { return engine_->give_ups(); }
 
   std::uint64_t state_hash() const {
-    std::uint64_t hash = engine_->hash_state();
+    base::Fnv1a hash(engine_->hash_state());
     for (const auto& robot : robots_) {
-      hash = hash_of(hash, robot->state().energy);
+      hash.add(robot->state().energy);
     }
-    return hash;
+    return hash.value();
   }
 
   SegmentView segment(std::size_t robot, std::size_t index) const {

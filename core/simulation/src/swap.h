@@ -11,7 +11,7 @@
 
 #include "elsie/api/component.h"
 #include "elsie/api/declaration.h"
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/parameters.h"

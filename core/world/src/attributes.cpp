@@ -5,10 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "elsie/base/near_name.h"
 #include "elsie/plugin/host.h"
+#include "elsie/world/error.h"
 #include "elsie/world/files.h"
 #include "elsie/world/markup.h"
-#include "elsie/world/problems.h"
 #include "elsie/world/values.h"
 
 #include "path.h"
@@ -206,7 +207,7 @@ class Attributes::Impl {
     }
     if (!found) {
       throw std::invalid_argument("<" + element.name + "> has no attribute '" + name + "'" +
-                                  near_or_all(name, names, "it may have"));
+                                  base::near_or_all(name, names, "it may have"));
     }
     return place;
   }

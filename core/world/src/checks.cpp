@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/base/near_name.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/train.h"
 #include "elsie/world/values.h"
@@ -100,7 +101,7 @@ void check_mentions(const Reading& reading, Problems& problems) {
                    mention.in_words + ": there is no such " + what +
                        (ids->empty()    ? "; the world has none"
                         : valid.empty() ? "; the world has none with a valid id"
-                                        : near_or_all(mention.id, valid, "there are")));
+                                        : base::near_or_all(mention.id, valid, "there are")));
     }
   }
 }

@@ -1,8 +1,8 @@
 // What no single attribute can say: how the parts of a world fit together.
 #pragma once
 
+#include "elsie/world/error.h"
 #include "elsie/world/markup.h"
-#include "elsie/world/problems.h"
 
 #include "reading.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/file/whole.h"
+#include "elsie/base/write_whole.h"
 #include "elsie/world/error.h"
 #include "elsie/world/escaped.h"
 #include "elsie/world/markup.h"
@@ -220,7 +220,7 @@ void Document::erase(std::string_view path) {
 }
 
 void Document::save(const std::string& file) const {
-  if (const int error = file::write_whole(file, text_); error != 0) {
+  if (const int error = base::write_whole(file, text_); error != 0) {
     throw WorldError(
         {{file, 0, "the file cannot be written: " + std::generic_category().message(error)}});
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "elsie/plugin/near_name.h"
+#include "elsie/base/near_name.h"
 
 namespace elsie::world {
 
@@ -163,7 +163,7 @@ std::string near_file(const std::string& missing) {
   }
   std::sort(names.begin(), names.end());
   const auto near =
-      plugin::nearest_name(name, std::vector<std::string_view>(names.begin(), names.end()));
+      base::nearest_name(name, std::vector<std::string_view>(names.begin(), names.end()));
   return near ? (folder / *near).string() : "";
 }
 

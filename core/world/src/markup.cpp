@@ -8,11 +8,11 @@
 
 #include <tinyxml2.h>
 
-#include "elsie/file/read_whole.h"
+#include "elsie/base/read_whole.h"
+#include "elsie/base/utf8.h"
 #include "elsie/world/error.h"
 #include "elsie/world/escaped.h"
 #include "elsie/world/files.h"
-#include "elsie/world/utf8.h"
 
 #include "tags.h"
 
@@ -39,7 +39,7 @@ void check_characters(std::string_view text, const std::string& file) {
   if (zero != std::string_view::npos) {
     fail(file, line_of(text, zero), "this is not an XML file: it holds a zero byte");
   }
-  const std::size_t bad = first_invalid(text);
+  const std::size_t bad = base::first_invalid(text);
   if (bad < text.size()) {
     fail(file, line_of(text, bad), "this is not UTF-8 text; save the file as UTF-8");
   }
@@ -204,7 +204,7 @@ std::string read_text(const std::string& file) {
              (near.empty() ? "" : "; did you mean '" + fs::path(near).filename().string() + "'?"));
   }
   try {
-    return file::read_whole(file, kLargestFile);
+    return base::read_whole(file, kLargestFile);
   } catch (const std::runtime_error& why) {
     fail(file, 0, std::string("this ") + why.what() + "; expected an XML file");
   }

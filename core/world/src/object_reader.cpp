@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "elsie/base/near_name.h"
 #include "elsie/world/values.h"
 
 namespace elsie::world {
@@ -87,10 +88,10 @@ const ElementSpec* ObjectReader::spec_of(const ElementSpec& parent, const Elemen
     for (const ElementSpec& known : parent.children) {
       names.push_back("<" + known.name + ">");
     }
-    problems_.add(child.where,
-                  "<" + parent.name + "> may not hold <" + child.name + ">" +
-                      (names.empty() ? "; expected nothing in it"
-                                     : near_or_all("<" + child.name + ">", names, "it may hold")));
+    problems_.add(child.where, "<" + parent.name + "> may not hold <" + child.name + ">" +
+                                   (names.empty() ? "; expected nothing in it"
+                                                  : base::near_or_all("<" + child.name + ">", names,
+                                                                      "it may hold")));
   }
   return spec;
 }
@@ -110,7 +111,7 @@ bool ObjectReader::has_required(const std::vector<Field>& fields, const Element&
 void ObjectReader::refuse_attribute(const Element& element, const Attribute& attribute,
                                     const std::vector<std::string>& names) {
   problems_.add(attribute.where, "<" + element.name + "> has no attribute '" + attribute.name +
-                                     "'" + near_or_all(attribute.name, names, "it may have"));
+                                     "'" + base::near_or_all(attribute.name, names, "it may have"));
 }
 
 bool ObjectReader::read_attribute(const ElementSpec& spec, const Element& element,
@@ -160,7 +161,7 @@ void check_root(const Element& root, const std::string& name, int format,
   } else {
     problems.add(root.where, "<" + name + "> lacks its format; expected " + right);
   }
-  problems.raise(root.where.file);
+  problems.raise<WorldError>(root.where.file);
 }
 
 }  // namespace elsie::world

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "elsie/world/error.h"
 #include "elsie/world/markup.h"
-#include "elsie/world/problems.h"
 
 namespace elsie::world {
 

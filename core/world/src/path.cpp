@@ -4,7 +4,9 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "elsie/world/problems.h"
+#include "elsie/base/near_name.h"
+#include "elsie/base/words.h"
+#include "elsie/world/error.h"
 #include "elsie/world/vocabulary.h"
 
 namespace elsie::world {
@@ -137,7 +139,8 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
   }
   // A few are best listed, of many the nearest is told.
   fail("there is no " + text_of(step) +
-       (ids.size() > 10 ? near_or_all(step.key, ids, "there are") : "; there are: " + listed(ids)));
+       (ids.size() > 10 ? base::near_or_all(step.key, ids, "there are")
+                        : "; there are: " + base::listed(ids)));
 }
 
 std::vector<Place> step_from(const Place& place, const PathStep& step) {
@@ -236,7 +239,7 @@ std::vector<Place> find_places(Element& world, const Path& path) {
       const auto names = names_at(places.front());
       const bool known = std::find(names.begin(), names.end(), step.name) != names.end();
       fail("there is no '" + step.name + "' in <" + places.front().element->name + ">" +
-           (known ? " of this world" : near_or_all(step.name, names, "there are")));
+           (known ? " of this world" : base::near_or_all(step.name, names, "there are")));
     }
     places = std::move(next);
   }

@@ -5,10 +5,10 @@
 
 #include "elsie/world/colours.h"
 #include "elsie/world/data_directories.h"
+#include "elsie/world/error.h"
 #include "elsie/world/files.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/object_reader.h"
-#include "elsie/world/problems.h"
 #include "elsie/world/vocabulary.h"
 
 #include "checks.h"
@@ -98,7 +98,7 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
   std::stable_partition(world.boxes.begin(), world.boxes.end(),
                         [](const Box& box) { return box.kind != BoxKind::resource; });
   check_world(reading, root, host, problems);
-  problems.raise(file);
+  problems.raise<WorldError>(file);
   return std::move(world);
 }
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "elsie/api/declaration.h"
+#include "elsie/world/error.h"
 #include "elsie/world/files.h"
 #include "elsie/world/markup.h"
-#include "elsie/world/problems.h"
 
 namespace elsie::plugin {
 class Host;

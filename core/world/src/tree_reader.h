@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "elsie/api/declaration.h"
+#include "elsie/world/error.h"
 #include "elsie/world/files.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/object_reader.h"
-#include "elsie/world/problems.h"
 #include "elsie/world/vocabulary.h"
 
 #include "reading.h"

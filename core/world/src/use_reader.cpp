@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "elsie/api/behavior.h"
+#include "elsie/base/near_name.h"
+#include "elsie/base/words.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/host.h"
@@ -289,7 +291,7 @@ std::string TreeReader::explain_child(const Declaration& declaration, const Elem
       }
     }
     return holders.empty() ? "; no plugin that was found holds behaviours"
-                           : "; plugins that hold behaviours: " + listed(holders);
+                           : "; plugins that hold behaviours: " + base::listed(holders);
   }
   std::vector<std::string> names;
   for (const ElementDeclaration& element : declaration.elements) {
@@ -310,9 +312,9 @@ std::string TreeReader::explain_child(const Declaration& declaration, const Elem
     }
   }
   const std::vector<std::string> others = holders_of(child.name);
-  return !others.empty() ? "; it belongs in " + listed(others)
+  return !others.empty() ? "; it belongs in " + base::listed(others)
          : names.empty() ? kAttributesOfItsElement
-                         : near_or_all("<" + child.name + ">", names, "it may hold");
+                         : base::near_or_all("<" + child.name + ">", names, "it may hold");
 }
 
 }  // namespace elsie::world

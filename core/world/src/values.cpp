@@ -1,13 +1,13 @@
 #include "elsie/world/values.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
 #include <utility>
 
-#include "elsie/plugin/near_name.h"
+#include "elsie/base/near_name.h"
+#include "elsie/base/number_text.h"
 #include "elsie/plugin/parameters.h"
 
 namespace elsie::world {
@@ -15,13 +15,6 @@ namespace elsie::world {
 namespace {
 
 constexpr const char* kHex = "0123456789abcdefABCDEF";
-
-template <class Number>
-std::string format_number(Number value) {
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
-}
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
@@ -109,8 +102,7 @@ Parsed parse_text(const Field& field, std::string_view text) {
   if (good) {
     return accepted(std::string(text));
   }
-  return refused("expected " + expectation(field) +
-                 plugin::did_you_mean(std::string(text), choices));
+  return refused("expected " + expectation(field) + base::did_you_mean(std::string(text), choices));
 }
 
 }  // namespace
@@ -153,13 +145,13 @@ Parsed parse_value(const Field& field, std::string_view text) {
 std::string format_value(const ParameterValue& value) {
   struct Format {
     std::string operator()(bool flag) const { return flag ? "true" : "false"; }
-    std::string operator()(std::int64_t number) const { return format_number(number); }
-    std::string operator()(double number) const { return format_number(number); }
+    std::string operator()(std::int64_t number) const { return std::to_string(number); }
+    std::string operator()(double number) const { return base::number_text(number); }
     std::string operator()(const std::string& text) const { return text; }
     std::string operator()(const std::vector<double>& numbers) const {
       std::string list;
       for (const double number : numbers) {
-        list += (list.empty() ? "" : " ") + format_number(number);
+        list += (list.empty() ? "" : " ") + base::number_text(number);
       }
       return list;
     }

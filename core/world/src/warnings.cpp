@@ -1,11 +1,10 @@
 #include "elsie/world/warnings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
+#include "elsie/base/number_text.h"
 #include "elsie/world/engine_facts.h"
 #include "elsie/world/footprint.h"
 #include "elsie/world/values.h"
@@ -27,12 +26,7 @@ constexpr double kMassRatio = 1e4;
 constexpr double kFarthest = 0.5;  // of a body's length, in a step
 constexpr double kSteepest = 5.0;  // height of the middle over half the base
 
-/// Three significant digits.
-std::string about(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
+std::string about(double value) { return base::number_text(value, 3); }
 
 double total_mass(const RobotBody& body) {
   return body.mass * (1.0 + 2.0 * kCasterMass) + 2.0 * body.wheel_mass;

@@ -26,7 +26,7 @@ BeamController::BeamController(const std::string& file, const std::string& block
       azimuth_(input_of(model_, "azimuth", file)) {}
 
 void BeamController::list_notes(std::vector<std::string>& notes) const {
-  for (const elsie::fuzzy::Problem& note : model_.notes()) {
+  for (const elsie::base::Problem& note : model_.notes()) {
     notes.push_back(note.text());
   }
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <elsie/api/coordinator.h>
-#include <elsie/plugin/near_name.h>
+#include <elsie/base/near_name.h>
 
 #include "weighing.h"
 
@@ -82,7 +82,7 @@ void ArbiterStrength::assign() {
     if (found == names_.end()) {
       problems += (problems.empty() ? "" : "; ") +
                   ("<strength of=\"" + strength.of + "\"> names no behaviour of this coordinator" +
-                   elsie::plugin::did_you_mean(strength.of, names_));
+                   elsie::base::did_you_mean(strength.of, names_));
       continue;
     }
     Strength& factor = factors_[static_cast<std::size_t>(found - names_.begin())];

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include <elsie/api/remember.h>
-#include <elsie/plugin/near_name.h>
+#include <elsie/base/near_name.h>
 
 #include "winner.h"
 
@@ -242,7 +242,7 @@ std::size_t ArbiterSubsumption::layer_of(const char* element, const char* attrib
   if (found == layers_.end()) {
     problems.push_back("<" + std::string(element) + " " + attribute + "=\"" + name +
                        "\"> names no behaviour of this coordinator" +
-                       elsie::plugin::did_you_mean(name, layers_));
+                       elsie::base::did_you_mean(name, layers_));
   }
   return static_cast<std::size_t>(found - layers_.begin());
 }

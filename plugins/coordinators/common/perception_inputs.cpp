@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <elsie/api/vision.h>
-#include <elsie/plugin/near_name.h>
+#include <elsie/base/near_name.h>
 
 namespace {
 
@@ -198,5 +198,5 @@ std::string perception_input_hint(std::string_view name) {
   for (const PerceptionInput& input : kInputs) {
     names.emplace_back(input.name);
   }
-  return elsie::plugin::did_you_mean(name, names);
+  return elsie::base::did_you_mean(name, names);
 }

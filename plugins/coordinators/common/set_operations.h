@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <elsie/api/fuzzy_set.h>
+#include <elsie/base/fuzzy_set.h>
 
 /// How degrees of membership are put together. The first three say OR: what one wishes is possible.
 /// The others say AND: what one does not wish is impossible.

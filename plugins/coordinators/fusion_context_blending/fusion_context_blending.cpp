@@ -10,8 +10,8 @@
 #include <vector>
 
 #include <elsie/api/remember.h>
+#include <elsie/base/near_name.h>
 #include <elsie/fuzzy/fcl.h>
-#include <elsie/plugin/near_name.h>
 
 #include "perception_inputs.h"
 #include "set_fusion.h"
@@ -133,7 +133,7 @@ void FusionContextBlending::connect() {
     if (!used[i]) {
       const std::string& name = rules_->outputs()[i].name;
       problems.push_back("its output '" + name + "' is the id of no behaviour of this coordinator" +
-                         elsie::plugin::did_you_mean(name, members_));
+                         elsie::base::did_you_mean(name, members_));
     }
   }
   if (!problems.empty()) {
@@ -151,7 +151,7 @@ void FusionContextBlending::connect() {
 
 std::vector<std::string> FusionContextBlending::notes() const {
   std::vector<std::string> notes;
-  for (const fuzzy::Problem& note : rules_->notes()) {
+  for (const elsie::base::Problem& note : rules_->notes()) {
     notes.push_back(note.text());
   }
   for (std::size_t i = 0; i < members_.size(); ++i) {

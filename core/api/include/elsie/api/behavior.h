@@ -24,10 +24,10 @@
 
 #include "elsie/api/component.h"
 #include "elsie/api/event.h"
-#include "elsie/api/fuzzy_set.h"
 #include "elsie/api/motor_command.h"
 #include "elsie/api/perception.h"
 #include "elsie/api/registration.h"
+#include "elsie/base/fuzzy_set.h"
 
 namespace elsie {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "elsie/api/curve.h"
-#include "elsie/api/random.h"
+#include "elsie/base/random.h"
 
 namespace elsie {
 

@@ -10,8 +10,8 @@
 #include "elsie/api/event.h"
 #include "elsie/api/geometry.h"
 #include "elsie/api/motor_command.h"
-#include "elsie/api/random.h"
 #include "elsie/api/reading.h"
+#include "elsie/base/random.h"
 
 namespace elsie {
 

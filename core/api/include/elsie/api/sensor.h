@@ -15,9 +15,9 @@
 #include "elsie/api/geometry.h"
 #include "elsie/api/image.h"
 #include "elsie/api/perception.h"
-#include "elsie/api/random.h"
 #include "elsie/api/reading.h"
 #include "elsie/api/registration.h"
+#include "elsie/base/random.h"
 
 namespace elsie {
 

@@ -15,6 +15,7 @@
 #include "elsie/api/geometry.h"
 #include "elsie/api/motor_command.h"
 #include "elsie/api/sensor.h"
+#include "elsie/base/fnv1a.h"
 #include "elsie/world/description.h"
 
 namespace elsie::physics {
@@ -134,7 +135,7 @@ class Engine {
 
   /// FNV-1a (64 bits) over position, orientation, linear and angular velocity of every body,
   /// continuing from `hash`.
-  virtual std::uint64_t hash_state(std::uint64_t hash = 0xcbf29ce484222325ULL) const = 0;
+  virtual std::uint64_t hash_state(std::uint64_t hash = base::Fnv1a::kStart) const = 0;
 };
 
 /// The ODE engine: hinged wheels, casters on ball joints, segments on universal joints, contacts

@@ -1,12 +1,17 @@
-// The place of libelsie itself.
+// The libraries of Elsie that this process has loaded.
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace elsie::plugin {
 
 /// The file with the code of this module: libelsie, or a program that contains it. Empty when the
 /// system does not say.
 std::filesystem::path file_of_this_library();
+
+/// The libraries that decide what a run comes to, besides those of its plugins: libelsie, which is
+/// the first, and those that it or plugins compute with (the base, inference, ODE).
+std::vector<std::filesystem::path> deciding_libraries();
 
 }  // namespace elsie::plugin

@@ -2,25 +2,27 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "elsie/base/error.h"
 
 namespace elsie::simulation {
 
 /// A plugin threw, answered with something that is not a number, or went beyond a budget. what() is
 /// a sentence that names the plugin, the robot and the step. What was recorded until then is valid.
-class PluginFault : public std::runtime_error {
+class PluginFault : public base::Error {
  public:
   /// `at_id`: the plugin's id on the robot, its name unless the world file gives another.
   /// `on_robot`: "" for a measure, which is the world's.
   PluginFault(std::string faulty_plugin, std::string at_id, std::string on_robot,
               std::uint64_t at_step, const std::string& problem)
-      : std::runtime_error(
-            "plugin '" + faulty_plugin + "'" +
-            (at_id == faulty_plugin ? "" : " (id '" + at_id + "')") +
-            (on_robot.empty() ? " among the world's measures" : " of robot '" + on_robot + "'") +
-            " failed in step " + std::to_string(at_step) + ": " + problem),
+      : Error("plugin '" + faulty_plugin + "'" +
+                  (at_id == faulty_plugin ? "" : " (id '" + at_id + "')") +
+                  (on_robot.empty() ? " among the world's measures"
+                                    : " of robot '" + on_robot + "'") +
+                  " failed in step " + std::to_string(at_step) + ": " + problem,
+              base::kPluginFailed),
         plugin(std::move(faulty_plugin)),
         id(std::move(at_id)),
         robot(std::move(on_robot)),
@@ -35,10 +37,10 @@ class PluginFault : public std::runtime_error {
 /// The physics lost a body: its state is not finite, or it is where nothing in the world can have
 /// brought it. what() is a sentence that names the body, the time and the likely cause. What was
 /// recorded until then is valid.
-class PhysicsFault : public std::runtime_error {
+class PhysicsFault : public base::Error {
  public:
   PhysicsFault(std::string of_robot, std::uint64_t at_step, const std::string& sentence)
-      : std::runtime_error(sentence), robot(std::move(of_robot)), step(at_step) {}
+      : Error(sentence), robot(std::move(of_robot)), step(at_step) {}
 
   std::string robot;  // "": a box, or nothing in particular
   std::uint64_t step;

@@ -23,6 +23,7 @@
 #include "elsie/api/perception.h"
 #include "elsie/api/sensor.h"
 #include "elsie/plugin/host.h"
+#include "elsie/simulation/camera_renderer.h"
 #include "elsie/simulation/change.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/simulation/observer.h"
@@ -52,6 +53,9 @@ struct Options {
   /// Simulated time after which the run ends, s, instead of the world's <limits>; above 0. The
   /// world stays as its file says: an <endure> goal may last longer.
   std::optional<double> time_limit_s{};
+  /// What takes the pictures of cameras: render::world_cameras, for example. A world that has
+  /// cameras needs it.
+  MakeCameraRenderer cameras{};
 };
 
 /// One sensor of a robot, to look at.

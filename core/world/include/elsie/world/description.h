@@ -15,14 +15,11 @@
 #include "elsie/api/declaration.h"
 #include "elsie/api/geometry.h"
 #include "elsie/api/image.h"
+#include "elsie/base/problems.h"
 
 namespace elsie::world {
 
-/// Where in which file something stands, for messages.
-struct Location {
-  std::string file;
-  int line = 0;
-};
+using base::Location;
 
 struct Arena {
   double length = 10.0;         // m, along x; the arena's middle is the origin

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "elsie/world/error.h"
 #include "elsie/world/markup.h"
-#include "elsie/world/problems.h"
 #include "elsie/world/vocabulary.h"
 
 namespace elsie::world {

@@ -1,0 +1,51 @@
+// Lines of comma-separated values.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "elsie/base/csv.h"
+#include "elsie/base/number_text.h"
+
+namespace elsie::base {
+
+/// One line in the making. Numbers are the same in every locale.
+class CsvLine {
+ public:
+  void text(std::string_view value) { cells(csv_cell(value)); }
+  /// The shortest text that reads as this number, bit for bit.
+  void number(double value) { cells(NumberText(value).view()); }
+  void empty() { separate(); }
+  /// What was made with another line's take().
+  void cells(std::string_view made) {
+    separate();
+    line_ += made;
+  }
+  /// The line without its end; the next one begins.
+  std::string take() {
+    first_ = true;
+    return std::exchange(line_, {});
+  }
+  /// The same, but cells at the end that are empty are left out.
+  std::string take_short() {
+    line_.erase(line_.find_last_not_of(',') + 1);
+    return take();
+  }
+
+ private:
+  void separate() {
+    if (!first_) {
+      line_ += ',';
+    }
+    first_ = false;
+  }
+
+  std::string line_;
+  bool first_ = true;
+};
+
+/// Times as they are written: 0.7, not 0.7000000000000001.
+inline double tidy_time(double time_s) { return rounded(time_s, 9); }
+
+}  // namespace elsie::base

@@ -1,0 +1,37 @@
+// Numbers as text, the same in every locale.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace elsie::base {
+
+/// The shortest decimal text that reads back as the same number, bit for bit; "inf", "-inf", "nan".
+std::string number_text(double value);
+
+/// The number to `digits` significant digits, as printf's %g writes it.
+std::string number_text(double value, int digits);
+
+/// The number with `decimals` digits after the point; never "-0".
+std::string fixed_text(double value, int decimals);
+
+/// A time in seconds to six significant digits: "0.25 s".
+std::string seconds_text(double seconds);
+
+/// The text of number_text(value) without allocating memory: for long tables, and for handlers of
+/// signals.
+class NumberText {
+ public:
+  explicit NumberText(double value) noexcept;
+  std::string_view view() const noexcept { return {digits_, size_}; }
+
+ private:
+  char digits_[32];
+  std::size_t size_;
+};
+
+/// The number rounded to `decimals` decimals, 0 to 9; never a negative zero.
+double rounded(double value, int decimals);
+
+}  // namespace elsie::base

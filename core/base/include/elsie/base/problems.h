@@ -1,0 +1,97 @@
+// What is wrong with a file: all of it, each with its line.
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "elsie/base/error.h"
+
+namespace elsie::base {
+
+/// A line of a file.
+struct Location {
+  std::string file;  // as the user named it
+  int line = 0;      // from 1; 0: the file as a whole
+};
+
+/// One mistake and where it is.
+struct Problem {
+  std::string file;            // as the user named it, or "--set PATH=VALUE"
+  int line = 0;                // from 1; 0: the file as a whole
+  std::string message;         // a sentence: what was found, what was expected
+  bool plugin_failed = false;  // the file is not at fault: a constructor of a plugin throws
+
+  /// "file:line: message"
+  std::string text() const;
+  friend bool operator==(const Problem&, const Problem&) = default;
+};
+
+/// All the mistakes of a file and of those that it includes. what() has one line for each.
+class FileError : public Error {
+ public:
+  explicit FileError(std::vector<Problem> problems);
+
+  const std::vector<Problem>& problems() const { return problems_; }
+  /// Whether a plugin is at fault for one of them.
+  bool plugin_failed() const { return exit_code() == kPluginFailed; }
+  std::string message() const override { return what(); }
+
+ private:
+  std::vector<Problem> problems_;
+};
+
+/// Collects problems while a file is read, so that all of them are reported together.
+class Problems {
+ public:
+  static constexpr std::size_t kMost = 200;  // more do not help anyone
+
+  /// `file`: where problems are that are added without one.
+  explicit Problems(std::string file = {}, std::size_t most = kMost);
+
+  /// A problem that was added before is left out: a template's mistake is met by every robot that
+  /// uses it.
+  void add(const Location& where, std::string message, bool plugin_failed = false);
+  void add(int line, std::string message) { add({file_, line}, std::move(message)); }
+  void add(std::span<const Problem> problems);
+  void add(const FileError& error) { add(error.problems()); }
+  void add(const Problems& others) { add(others.problems_); }
+
+  /// Something untidy that does no harm.
+  void add_note(int line, std::string message);
+  /// Forgets the problems and notes of these lines.
+  void forget(int first_line, int last_line);
+
+  bool empty() const { return problems_.empty(); }
+  std::size_t size() const { return problems_.size(); }
+  /// The notes, by line.
+  std::vector<Problem> notes() const;
+  /// The problems by line, those of the main file first, the other files in the order in which they
+  /// were met; when there are too many, the last one says how many are missing.
+  std::vector<Problem> sorted(const std::string& main_file) const;
+
+  /// Throws the problems as an error of this type; does nothing when there are none.
+  template <class FileErrorType>
+  void raise(const std::string& main_file) const {
+    if (!empty()) {
+      throw FileErrorType(sorted(main_file));
+    }
+  }
+  template <class FileErrorType>
+  void raise() const {
+    raise<FileErrorType>(file_);
+  }
+
+ private:
+  std::string file_;
+  std::size_t most_;
+  std::size_t left_out_ = 0;
+  std::vector<Problem> problems_;
+  std::vector<Problem> notes_;
+  std::set<std::tuple<std::string, int, std::string>> known_;
+};
+
+}  // namespace elsie::base

@@ -1,0 +1,29 @@
+// Pieces of sentences.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace elsie::base {
+
+/// "1 run", "2 runs".
+std::string counted(std::uint64_t count, std::string_view what);
+/// "1 match", "2 matches".
+std::string counted(std::uint64_t count, std::string_view one, std::string_view several);
+/// "is" for one, "are" for any other number.
+const char* is_or_are(std::uint64_t count);
+
+/// The items with a separator between them.
+std::string joined(const std::vector<std::string>& items, std::string_view separator = ", ");
+/// "a, b, c"; of more than 20 items, the first 20 "and 5 more".
+std::string listed(const std::vector<std::string>& items);
+/// "a", "a and b", "a, b and c"; with "or" likewise.
+std::string enumerated(const std::vector<std::string>& items, std::string_view last = "and");
+
+/// A piece of a file as it may be shown in a message, between single quotes: no more than 40
+/// characters of it, "?" for what cannot be printed.
+std::string quoted(std::string_view word);
+
+}  // namespace elsie::base

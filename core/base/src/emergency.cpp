@@ -1,0 +1,58 @@
+#include "elsie/base/emergency.h"
+
+#include <array>
+#include <atomic>
+
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace elsie::base {
+namespace {
+
+// Handlers of signals can reach nothing but globals.
+std::array<std::atomic<EmergencyWriter*>, 512> writers;
+std::atomic<bool> is_cleaning{false};
+
+pid_t this_thread() { return static_cast<pid_t>(syscall(SYS_gettid)); }
+
+}  // namespace
+
+EmergencyWriter::EmergencyWriter() : thread_(this_thread()) {
+  for (auto& slot : writers) {
+    EmergencyWriter* none = nullptr;
+    if (slot.compare_exchange_strong(none, this)) {
+      return;
+    }
+  }
+}
+
+void EmergencyWriter::retire() noexcept {
+  for (auto& slot : writers) {
+    EmergencyWriter* self = this;
+    slot.compare_exchange_strong(self, nullptr);
+  }
+}
+
+bool write_in_emergency() noexcept {
+  bool any = false;
+  for (const auto& slot : writers) {
+    EmergencyWriter* const writer = slot.load();
+    if (writer && writer->thread_ == this_thread()) {
+      any = writer->write_now() || any;
+    }
+  }
+  return any;
+}
+
+void clean_up_in_emergency() noexcept {
+  if (is_cleaning.exchange(true)) {
+    return;
+  }
+  for (const auto& slot : writers) {
+    if (EmergencyWriter* const writer = slot.load()) {
+      writer->clean_up_now();
+    }
+  }
+}
+
+}  // namespace elsie::base

@@ -1,0 +1,54 @@
+#include "elsie/base/words.h"
+
+#include <algorithm>
+
+namespace elsie::base {
+
+std::string counted(std::uint64_t count, std::string_view one, std::string_view several) {
+  return std::to_string(count).append(" ").append(count == 1 ? one : several);
+}
+
+std::string counted(std::uint64_t count, std::string_view what) {
+  return counted(count, what, std::string(what) + 's');
+}
+
+const char* is_or_are(std::uint64_t count) { return count == 1 ? "is" : "are"; }
+
+std::string joined(const std::vector<std::string>& items, std::string_view separator) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    text.append(i == 0 ? "" : separator).append(items[i]);
+  }
+  return text;
+}
+
+std::string listed(const std::vector<std::string>& items) {
+  constexpr std::size_t kMost = 20;
+  if (items.size() <= kMost) {
+    return joined(items);
+  }
+  return joined({items.begin(), items.begin() + kMost}) + " and " +
+         std::to_string(items.size() - kMost) + " more";
+}
+
+std::string enumerated(const std::vector<std::string>& items, std::string_view last) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) {
+      text += i + 1 < items.size() ? ", " : " " + std::string(last) + " ";
+    }
+    text += items[i];
+  }
+  return text;
+}
+
+std::string quoted(std::string_view word) {
+  constexpr std::size_t kShown = 40;
+  std::string text(word.substr(0, kShown));
+  std::replace_if(
+      text.begin(), text.end(),
+      [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, '?');
+  return "'" + text + (word.size() > kShown ? "..." : "") + "'";
+}
+
+}  // namespace elsie::base

@@ -1,0 +1,92 @@
+#include "elsie/base/write_whole.h"
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "elsie/base/write_all.h"
+
+namespace fs = std::filesystem;
+
+namespace elsie::base {
+namespace {
+
+constexpr mode_t kForAll = 0666;  // less the user's mask
+
+/// A new file that no one else has, so that two programs which write the same one do not meet. An
+/// error is in errno.
+fs::path open_beside(const fs::path& file, int& descriptor) {
+  constexpr int kAttempts = 1000;
+  fs::path part;
+  descriptor = -1;
+  errno = EEXIST;
+  for (int attempt = 0; attempt < kAttempts && descriptor < 0 && errno == EEXIST; ++attempt) {
+    part = file;
+    part.replace_filename(".elsie-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) +
+                          ".part");
+    descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kForAll);
+  }
+  return part;
+}
+
+/// Writes and closes; the error number.
+int fill(int descriptor, std::string_view content, Durable durable) {
+  int error = write_all(descriptor, content);
+  if (error == 0 && durable == Durable::yes && ::fsync(descriptor) != 0 && errno != EINVAL) {
+    error = errno;  // EINVAL: a pipe
+  }
+  if (::close(descriptor) != 0 && error == 0) {
+    error = errno;
+  }
+  return error;
+}
+
+int write_in_place(const fs::path& file, std::string_view content, Durable durable) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+  return descriptor < 0 ? errno : fill(descriptor, content, durable);
+}
+
+}  // namespace
+
+fs::path end_of_links(fs::path file) {
+  constexpr int kMostLinks = 40;  // as Linux has it
+  const fs::path first = file;
+  std::error_code error;
+  for (int links = 0; links < kMostLinks; ++links) {
+    const fs::path target = fs::read_symlink(file, error);
+    if (error) {
+      return file;  // it is no link
+    }
+    file = file.parent_path() / target;
+  }
+  return first;
+}
+
+int write_whole(const fs::path& file, std::string_view content, Durable durable) {
+  std::error_code ignored;
+  const bool exists = fs::exists(file, ignored);
+  if (exists && !fs::is_regular_file(file, ignored)) {
+    return write_in_place(file, content, durable);
+  }
+  const fs::path target = end_of_links(file);
+  int descriptor = -1;
+  const fs::path part = open_beside(target, descriptor);
+  if (descriptor < 0) {
+    const int error = errno;
+    const bool closed_folder = error == EACCES || error == EPERM || error == EROFS;
+    return exists && closed_folder ? write_in_place(file, content, durable) : error;
+  }
+  int error = fill(descriptor, content, durable);
+  if (error == 0 && ::rename(part.c_str(), target.c_str()) != 0) {
+    error = errno;
+  }
+  if (error != 0) {
+    ::unlink(part.c_str());
+  }
+  return error;
+}
+
+}  // namespace elsie::base

@@ -1,0 +1,17 @@
+// What is wrong with a fuzzy model file.
+#pragma once
+
+#include "elsie/base/problems.h"
+
+namespace elsie::fuzzy {
+
+using base::Problem;
+using base::Problems;
+
+/// Thrown by read_fcl() and parse_fcl(): everything that is wrong with the file.
+class FclError : public base::FileError {
+ public:
+  using base::FileError::FileError;
+};
+
+}  // namespace elsie::fuzzy

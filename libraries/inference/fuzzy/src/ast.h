@@ -1,0 +1,93 @@
+// What an FCL file says, statement by statement, before it is checked.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elsie/base/fuzzy_set.h"
+#include "elsie/fuzzy/model.h"
+
+namespace elsie::fuzzy::ast {
+
+struct Name {
+  std::string text;
+  int line = 0;
+};
+
+struct RangeStatement {
+  Range range;
+  int line = 0;
+};
+
+struct Term {
+  Name name;
+  std::vector<FuzzySet::Point> points;  // of a list of points
+  std::optional<double> singleton;
+  std::string shape;
+  std::vector<double> parameters;  // of a shape
+};
+
+struct VariableDeclaration {
+  Name name;
+  std::optional<RangeStatement> range;
+};
+
+struct DefaultStatement {
+  std::optional<double> value;
+  bool no_change = false;
+  int line = 0;
+};
+
+/// A FUZZIFY or DEFUZZIFY block.
+struct VariableBlock {
+  Name name;
+  std::optional<RangeStatement> range;
+  std::vector<Term> terms;
+  // DEFUZZIFY only:
+  std::optional<Name> method;
+  std::optional<Name> accumulation;
+  std::optional<DefaultStatement> default_value;
+};
+
+struct Condition {
+  enum Kind { is, is_not, negation, conjunction, disjunction } kind = is;
+  Name variable;                    // of is and is_not
+  Name term;                        // of is and is_not
+  std::string hedges;               // of is and is_not: "very", "very very"...
+  std::vector<Condition> operands;  // of the others
+};
+
+struct Conclusion {
+  Name variable;
+  Name term;
+};
+
+struct Rule {
+  Name label;
+  Condition condition;
+  std::vector<Conclusion> conclusions;
+  double weight = 1.0;
+};
+
+struct RuleBlock {
+  Name name;
+  std::optional<Name> conjunction;
+  std::optional<Name> disjunction;
+  std::optional<Name> activation;
+  std::optional<Name> accumulation;
+  std::vector<Rule> rules;
+};
+
+struct FunctionBlock {
+  Name name;
+  int first_line = 0;
+  int last_line = 0;
+  std::vector<VariableDeclaration> inputs;
+  std::vector<VariableDeclaration> outputs;
+  std::vector<VariableBlock> fuzzify;
+  std::vector<VariableBlock> defuzzify;
+  std::vector<RuleBlock> rule_blocks;
+};
+
+}  // namespace elsie::fuzzy::ast

@@ -1,0 +1,112 @@
+// How a model comes about, from statements to variables to rules: what the parts of build() share.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "elsie/base/words.h"
+#include "elsie/fuzzy/error.h"
+
+#include "ast.h"
+#include "compile.h"
+#include "model_data.h"
+#include "text.h"
+#include "words.h"
+
+namespace elsie::fuzzy {
+
+inline std::string range_text(const Range& range) {
+  return std::string("(").append(number_text(range.low)) + " .. " + number_text(range.high) + ")";
+}
+
+class ModelBuilder {
+ public:
+  ModelBuilder(const ast::FunctionBlock& block, Problems& problems)
+      : block_(block), problems_(problems), model_(std::make_shared<ModelData>()) {}
+
+  std::shared_ptr<const ModelData> run();
+
+ private:
+  struct Declared {
+    bool output;
+    std::size_t index;
+    const ast::VariableDeclaration* declaration;
+    int block_line = 0;  // of its FUZZIFY or DEFUZZIFY block
+    int accumulation_line = 0;
+    bool used = false;
+    bool usable = false;  // has a block with terms
+  };
+  /// AND and OR of a rule block.
+  struct Operators {
+    Operator conjunction;
+    Operator disjunction;
+  };
+
+  void declare(const std::vector<ast::VariableDeclaration>& variables, bool output);
+  Declared* find(const ast::Name& name, const char* wanted);
+  Variable& variable(const Declared& declared);
+  void variable_block(const ast::VariableBlock& block, bool output);
+  void output_block(const ast::VariableBlock& block, OutputVariable& output, Declared& declared);
+  void range(const ast::VariableBlock& block, const Declared& declared, Variable& variable);
+  void linear_term(const ast::Term& term, Variable& variable);
+  std::optional<FuzzySet> term_set(const ast::Term& term, const Variable& variable);
+  bool check_points(const ast::Term& term);
+  std::vector<FuzzySet::Point> without_repetitions(const ast::Term& term);
+  void check_output_terms(const ast::VariableBlock& block, const OutputVariable& output,
+                          bool method_given);
+
+  /// What a word of the file stands for; none: it is not there, or no such word.
+  template <class Value, std::size_t count>
+  std::optional<Value> word(const std::optional<ast::Name>& name,
+                            const std::array<Word<Value>, count>& words, const char* keyword) {
+    if (!name || same_name(name->text, "none")) {
+      return std::nullopt;  // some tools write NONE for what is not set
+    }
+    std::vector<std::string> known;
+    for (const Word<Value>& candidate : words) {
+      if (same_name(candidate.word, name->text)) {
+        return candidate.value;
+      }
+      known.emplace_back(candidate.word);
+    }
+    const char* const tool = tool_of(name->text);
+    problems_.add(name->line, "Found " + quoted(name->text) + " for " + keyword + ", expected " +
+                                  base::enumerated(known, "or") + "." +
+                                  (tool ? " (This is a " + std::string(tool) +
+                                              " extension, which is not supported.)"
+                                        : ""));
+    return std::nullopt;
+  }
+
+  void accumulate(Declared& declared, Accumulation accumulation, int line);
+
+  void rule_block(const ast::RuleBlock& block);
+  void rule(const ast::RuleBlock& block, const ast::Rule& rule, const Operators& operators,
+            bool scales);
+  bool condition(const ast::Condition& condition, bool negated, const Operators& operators,
+                 std::vector<Instruction>& into);
+  bool comparison(const ast::Condition& condition, bool negated, std::vector<Instruction>& into);
+  /// The degree of a term, or of its complement, with hedges as in "very" or "very very".
+  std::size_t leaf(std::size_t input, std::size_t term, const std::string& hedges, bool complement);
+  std::string condition_text(const ast::Condition& condition) const;
+
+  void check_use(const Declared& declared);
+  void check_coverage();
+
+  const ast::FunctionBlock& block_;
+  Problems& problems_;
+  std::shared_ptr<ModelData> model_;
+  std::map<std::string, Declared> variables_;  // by name in lower case
+  std::map<std::tuple<std::size_t, std::size_t, std::string, bool>, std::size_t> leaves_;
+
+  std::vector<Conclusion> conclusions_;
+};
+
+}  // namespace elsie::fuzzy

@@ -1,0 +1,156 @@
+#include "elsie/batch/perform.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "elsie/plugin/host.h"
+#include "elsie/render/world_cameras.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/traces/account_recorder.h"
+#include "elsie/traces/tracks.h"
+#include "elsie/world/reader.h"
+
+#include "run_texts.h"
+
+namespace elsie::batch {
+namespace {
+
+std::atomic<std::uint64_t> current_step{0};
+
+class StepTeller final : public simulation::Observer {
+ public:
+  void started(const simulation::Simulation& run) override { current_step = run.steps(); }
+  void stepped(const simulation::Simulation& run) override { current_step = run.steps(); }
+};
+
+/// All that watches the run.
+struct Watchers {
+  explicit Watchers(double trajectory_period_s) : tracks(trajectory_period_s) {}
+
+  StepTeller step;
+  traces::TrackRecorder tracks;
+  traces::AccountRecorder accounts;
+};
+
+plugin::Host host_of(const Job& job) {
+  std::vector<plugin::SearchDirectory> libraries;
+  for (const std::string& library : job.libraries) {
+    libraries.push_back({library, "the batch"});
+  }
+  return plugin::Host(std::move(libraries));
+}
+
+world::World world_of(const Job& job, const plugin::Host& host) {
+  world::ReadOptions options;
+  options.files = job.files;
+  return world::parse_world(job.world_text, job.world_file, host, options);
+}
+
+bool is_finite(const simulation::RobotResult& robot) {
+  return std::isfinite(robot.distance_m) && std::isfinite(robot.energy) &&
+         std::isfinite(robot.pose.x) && std::isfinite(robot.pose.y) &&
+         std::isfinite(robot.pose.heading_rad);
+}
+
+/// What there is of a run, however it ended.
+void take(const simulation::Simulation& run, const Watchers& watchers, RunRecord& record) {
+  record.steps = run.steps();
+  record.simulated_s = run.time_s();
+  for (std::size_t i = 0; i < watchers.tracks.tracks().size(); ++i) {
+    record.trajectories.push_back(trajectory_of(run.world().robots[i].id,
+                                                watchers.tracks.tracks()[i],
+                                                watchers.tracks.period_s(), kMostPoses));
+  }
+  for (std::size_t i = 0; i < watchers.accounts.accounts().size(); ++i) {
+    record.timelines.push_back(
+        timeline_of(watchers.accounts.robots()[i], watchers.accounts.accounts()[i], kMostEpisodes));
+  }
+  // Last, as a measure may fail in it.
+  const simulation::RunResult result = run.result();
+  record.wall_s = result.wall_s;
+  if (std::all_of(result.robots.begin(), result.robots.end(), is_finite)) {
+    record.robots = result.robots;
+  }
+  record.notes = result.notes;
+  record.solver_gave_up = result.solver.gave_up;
+  record.solver_unsolved = result.solver.unsolved;
+  for (const simulation::LearningCurve& curve : result.curves) {
+    record.curves.push_back(curve_of(curve, kMostCurvePoints));
+  }
+  record.events = result.events;
+  if (record.events.size() > kMostEvents) {
+    record.notes.push_back({"", "",
+                            std::to_string(record.events.size() - kMostEvents) +
+                                " events after the first " + std::to_string(kMostEvents) +
+                                " were left out."});
+    record.events.resize(kMostEvents);
+  }
+}
+
+void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) {
+  Watchers watchers(job.trajectory_period_s);
+  simulation::Observer* const observers[] = {&watchers.step, &watchers.tracks, &watchers.accounts};
+  simulation::RunResult result;
+  try {
+    result = run.run(observers);
+  } catch (...) {
+    try {
+      take(run, watchers, record);
+    } catch (...) {
+      // A measure that cannot report. What ended the run is what there is to be told.
+    }
+    throw;
+  }
+  take(run, watchers, record);
+  record.state = RunState::done;
+  record.outcome = to_string(result.outcome);
+  record.message = result.reason;
+  record.state_hash = simulation::hash_text(result.state_hash);
+  for (const simulation::MeasuredValue& measure : result.measures) {
+    record.measures.push_back({measure.name, measure.unit, measure.meaning, measure.value});
+  }
+}
+
+}  // namespace
+
+RunRecord perform(const Job& job) {
+  RunRecord record;
+  try {
+    const plugin::Host host = host_of(job);
+    simulation::Simulation run(world_of(job, host), host,
+                               {.seed = job.seed, .cameras = render::world_cameras});
+    run_to_end(run, job, record);
+  } catch (const simulation::PluginFault& fault) {
+    record.state = RunState::fault;
+    record.message = fault.what();
+    record.plugin = fault.plugin;
+    record.robot = fault.robot;
+    record.step = fault.step;
+  } catch (const simulation::PhysicsFault& fault) {
+    record.state = RunState::error;
+    record.message = fault.what();
+    if (!fault.robot.empty()) {
+      record.robot = fault.robot;
+    }
+    record.step = fault.step;
+  } catch (const std::exception& error) {
+    record.state = RunState::error;
+    record.message = error.what();
+  } catch (...) {
+    record.state = RunState::error;
+    record.message = "something was thrown that is no std::exception";
+  }
+  if (record.state != RunState::done) {
+    record.outcome.reset();
+  }
+  return record;
+}
+
+std::uint64_t step_at_work() noexcept { return current_step; }
+
+}  // namespace elsie::batch

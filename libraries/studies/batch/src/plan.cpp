@@ -1,0 +1,396 @@
+#include "elsie/batch/plan.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <sys/stat.h>
+
+#include "elsie/experiment/reader.h"
+#include "elsie/plugin/abi_word.h"
+#include "elsie/plugin/host.h"
+#include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/own_library.h"
+#include "elsie/results/hash.h"
+#include "elsie/world/writer.h"
+
+#include "plugins_in_use.h"
+
+namespace elsie::batch {
+namespace {
+
+std::string absolute(const std::string& file) {
+  std::error_code error;
+  const auto path = std::filesystem::canonical(file, error);
+  return error ? std::filesystem::absolute(file).string() : path.string();
+}
+
+/// The same without following links: a library is known by its name's ending.
+std::string absolute_name(const std::filesystem::path& library) {
+  return std::filesystem::absolute(library).lexically_normal().string();
+}
+
+/// Fills a plan, cell by cell.
+class Planner {
+ public:
+  Planner(const experiment::Experiment& experiment, const plugin::Host& host,
+          const PlanOptions& options)
+      : experiment_(experiment), host_(host), options_(options) {}
+
+  Plan make() {
+    begin();
+    for (const experiment::Cell& cell : experiment::cells(experiment_)) {
+      add(cell);
+    }
+    add_runs();
+    plan_.fingerprint = fingerprint();
+    return std::move(plan_);
+  }
+
+ private:
+  void begin() {
+    plan_.elsie_version = options_.elsie_version;
+    plan_.abi = plugin::host_abi_word();
+    plan_.experiment = experiment_.name;
+    plan_.description = experiment_.description;
+    plan_.file = experiment_.file;
+    plan_.text = options_.text;
+    plan_.shard = options_.shard;
+    plan_.wall_limit_s = experiment_.wall_limit;
+    plan_.trajectory_period_s = experiment_.trajectory_period;
+    plan_.factors.emplace_back("world");
+    for (const experiment::Factor& factor : experiment_.factors) {
+      plan_.factors.push_back(factor.name);
+    }
+    for (const std::filesystem::path& library : plugin::deciding_libraries()) {
+      add_file(FileKind::library, absolute(library.string()));
+    }
+    plan_.program_files = plan_.files.size();
+    for (const auto& directory : host_.report().directories) {
+      for (const auto& file : directory.files) {
+        ranks_.try_emplace(absolute_name(file.path), ranks_.size() + 1);
+      }
+    }
+  }
+
+  void add(const experiment::Cell& cell) {
+    const experiment::WorldUse& use = experiment_.worlds[cell.world];
+    PlannedCell planned;
+    planned.label = cell.label;
+    planned.world = use.id;
+    planned.world_file = absolute(use.file);
+    planned.levels.push_back({0, use.id, cell.world});
+    for (std::size_t i = 0; i < cell.levels.size(); ++i) {
+      planned.levels.push_back(
+          {i + 1, experiment_.factors[i].levels[cell.levels[i]].label, cell.levels[i]});
+    }
+    add_file(FileKind::world, planned.world_file);
+    world::World world = world_of(cell);
+    Names names;
+    std::vector<std::size_t> plugins;
+    for_each_use(world, [&](PluginKind kind, world::PluginUse& plugin) {
+      plugins.push_back(add_plugin(kind, plugin.plugin));
+      name_files(host_.find(kind, plugin.plugin), plugin, names);
+    });
+    std::sort(plugins.begin(), plugins.end());
+    plugins.erase(std::unique(plugins.begin(), plugins.end()), plugins.end());
+    planned.plugins = std::move(plugins);
+    for (const auto& [name, path] : names.paths) {
+      planned.data.push_back({name, add_file(FileKind::data, path)});
+    }
+    planned.world_text = world::write_world(world);
+    planned.goals = !world.goals.empty();
+    planned.sha256 = results::sha256(planned.world_text);
+    identities_.push_back(identity_of(planned, world, names));
+    plan_.cells.push_back(std::move(planned));
+  }
+
+  /// The data files of a world's text.
+  struct Names {
+    std::map<std::string, std::string> paths;   // by name
+    std::map<std::string, std::string> shared;  // by path: the name that another file has already
+  };
+
+  /// What a cell has to say to the fingerprint.
+  struct CellIdentity {
+    std::string sha256;                       // of the world's text
+    std::map<std::string, std::string> data;  // hashes by name
+  };
+
+  /// Files that are named by their paths, as another one has their name, get one from what is in
+  /// them: where they are does not count.
+  CellIdentity identity_of(const PlannedCell& cell, world::World& world, const Names& names) {
+    CellIdentity identity{cell.sha256, {}};
+    std::map<std::string, std::string> renamed;  // by path
+    for (const PlannedCell::Data& data : cell.data) {
+      const PlannedFile& file = plan_.files[data.file];
+      const auto shared = names.shared.find(data.name);
+      const std::string name = shared == names.shared.end()
+                                   ? data.name
+                                   : (renamed[data.name] = shared->second + '#' + file.sha256);
+      identity.data[name] = file.sha256;
+    }
+    if (renamed.empty()) {
+      return identity;
+    }
+    const auto rename = [&](auto& file_names) {
+      for (auto& [parameter, file] : file_names) {
+        if (const auto other = renamed.find(file.name); other != renamed.end()) {
+          file.name = other->second;
+        }
+      }
+    };
+    for_each_use(world, [&](PluginKind, world::PluginUse& plugin) {
+      rename(plugin.file_names);
+      for (world::ElementUse& element : plugin.elements) {
+        rename(element.file_names);
+      }
+    });
+    identity.sha256 = results::sha256(world::write_world(world));
+    return identity;
+  }
+
+  world::World world_of(const experiment::Cell& cell) const {
+    experiment::ReadOptions options;
+    options.data_directories = options_.data_directories;
+    world::World world = experiment::read_cell(experiment_, cell, host_, options);
+    world.limits.wall_time.reset();
+    return world;
+  }
+
+  std::size_t add_plugin(PluginKind kind, const std::string& name) {
+    const auto [known, is_new] = plugin_places_.try_emplace({kind, name}, plan_.plugins.size());
+    if (is_new) {
+      PlannedPlugin planned{std::string(plugin::kind_name(kind)), name,
+                            host_.find(kind, name)->version, std::nullopt};
+      const std::filesystem::path file = host_.file_of(kind, name);
+      if (!file.empty()) {
+        planned.file = add_file(FileKind::library, absolute_name(file));
+      }
+      plan_.plugins.push_back(std::move(planned));
+    }
+    return known->second;
+  }
+
+  std::size_t add_file(FileKind kind, const std::string& path) {
+    const auto [known, is_new] = file_places_.try_emplace(path, plan_.files.size());
+    if (is_new) {
+      std::string content = results::file_content(path);
+      std::string hash = results::sha256(content);
+      if (kind != FileKind::data) {
+        content.clear();
+      }
+      const auto rank = ranks_.find(path);
+      plan_.files.push_back({kind, path, std::move(hash), std::move(content),
+                             rank == ranks_.end() ? 0 : rank->second});
+    } else if (PlannedFile& file = plan_.files[known->second];
+               kind == FileKind::data && file.kind != kind) {
+      file.kind = kind;  // a world that is somebody's data, too
+      file.content = results::file_content(path);
+    }
+    return known->second;
+  }
+
+  /// Sees to it that the world's text names every file, and no two by one name.
+  static void name_files(const std::vector<ParameterDeclaration>& declared,
+                         const std::map<std::string, ParameterValue>& parameters,
+                         std::map<std::string, world::FileName>& file_names, Names& names) {
+    for (auto& [parameter, file] : file_names) {
+      const auto value = parameters.find(parameter);
+      if (value == parameters.end() || value->second != ParameterValue(file.path)) {
+        continue;
+      }
+      if (file.name.empty()) {
+        const auto declaration =
+            std::find_if(declared.begin(), declared.end(),
+                         [&](const auto& other) { return other.name == parameter; });
+        file.name = std::get<std::string>(declaration->default_value);
+      }
+      if (names.paths.try_emplace(file.name, file.path).first->second != file.path) {
+        names.shared[file.path] = file.name;
+        file.name = file.path;
+        names.paths[file.name] = file.path;
+      }
+    }
+  }
+  static void name_files(const Declaration* declaration, world::PluginUse& use, Names& names) {
+    name_files(declaration->parameters, use.parameters, use.file_names, names);
+    for (world::ElementUse& element : use.elements) {
+      const auto declared =
+          std::find_if(declaration->elements.begin(), declaration->elements.end(),
+                       [&](const auto& other) { return other.name == element.element; });
+      name_files(declared->parameters, element.parameters, element.file_names, names);
+    }
+  }
+
+  void add_runs() {
+    for (std::size_t cell = 0; cell < plan_.cells.size(); ++cell) {
+      for (const std::uint64_t seed : experiment_.seeds) {
+        for (int repetition = 1; repetition <= experiment_.repeats; ++repetition) {
+          ++plan_.all_runs;
+          if (plan_.shard.has(plan_.all_runs)) {
+            plan_.runs.push_back({plan_.all_runs, cell, seed, repetition});
+          }
+        }
+      }
+    }
+  }
+
+  std::string fingerprint() const {
+    std::string all;
+    const auto add = [&](const std::string& text) {
+      all += std::to_string(text.size()) + ':' + text + '\n';  // no two lists give the same text
+    };
+    const auto end_list = [&] { all += ";\n"; };
+    add(plan_.elsie_version);
+    add(plan_.abi);
+    add(std::to_string(plan_.trajectory_period_s));
+    for (const std::string& factor : plan_.factors) {
+      add(factor);
+    }
+    end_list();
+    for (std::size_t i = 0; i < plan_.program_files; ++i) {
+      add(plan_.files[i].sha256);
+    }
+    end_list();
+    for (std::size_t i = 0; i < plan_.cells.size(); ++i) {
+      const PlannedCell& cell = plan_.cells[i];
+      add(cell.label);
+      add(identities_[i].sha256);
+      for (const PlannedLevel& level : cell.levels) {
+        add(level.label);
+      }
+      end_list();
+      for (const std::size_t place : cell.plugins) {
+        const PlannedPlugin& plugin = plan_.plugins[place];
+        add(plugin.kind);
+        add(plugin.name);
+        add(plugin.version);
+        add(plugin.file ? plan_.files[*plugin.file].sha256 : "");
+      }
+      end_list();
+      for (const auto& [name, hash] : identities_[i].data) {
+        add(name);
+        add(hash);
+      }
+      end_list();
+    }
+    for (const std::uint64_t seed : experiment_.seeds) {
+      add(std::to_string(seed));
+    }
+    add(std::to_string(experiment_.repeats));
+    return results::sha256(all);
+  }
+
+  const experiment::Experiment& experiment_;
+  const plugin::Host& host_;
+  const PlanOptions& options_;
+  Plan plan_;
+  std::vector<CellIdentity> identities_;  // of Plan::cells
+  std::map<std::pair<PluginKind, std::string>, std::size_t> plugin_places_;
+  std::map<std::string, std::size_t> file_places_;
+  std::map<std::string, std::size_t> ranks_;  // of the host's files
+};
+
+}  // namespace
+
+const char* to_string(FileKind kind) {
+  switch (kind) {
+    case FileKind::data:
+      return "data";
+    case FileKind::library:
+      return "library";
+    case FileKind::world:
+      break;
+  }
+  return "world";
+}
+
+std::string Shard::text() const { return std::to_string(index) + '/' + std::to_string(of); }
+
+std::optional<Shard> parse_shard(std::string_view text) {
+  const char* const end = text.data() + text.size();
+  Shard shard;
+  const auto index = std::from_chars(text.data(), end, shard.index);
+  if (index.ec != std::errc() || index.ptr == end || *index.ptr != '/') {
+    return std::nullopt;
+  }
+  const auto of = std::from_chars(index.ptr + 1, end, shard.of);
+  if (of.ec != std::errc() || of.ptr != end || shard.index < 1 || shard.index > shard.of) {
+    return std::nullopt;
+  }
+  return shard;
+}
+
+std::vector<std::string> Plan::libraries(const PlannedCell& cell) const {
+  std::set<std::pair<std::size_t, std::string>> ranked;
+  for (const std::size_t place : cell.plugins) {
+    if (const auto& from = plugins[place].file) {
+      ranked.emplace(files[*from].rank, files[*from].path);
+    }
+  }
+  std::vector<std::string> libraries;
+  for (const auto& [rank, path] : ranked) {
+    libraries.push_back(path);
+  }
+  return libraries;
+}
+
+Plan make_plan(const experiment::Experiment& experiment, const plugin::Host& host,
+               const PlanOptions& options) {
+  return Planner(experiment, host, options).make();
+}
+
+FileCheck::FileCheck(const Plan& plan) : plan_(plan), stamps_(plan.files.size()) {}
+
+FileCheck::Stamp FileCheck::stamp_of(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) {
+    return {};
+  }
+  return {status.st_size, status.st_mtim.tv_sec * 1'000'000'000 + status.st_mtim.tv_nsec,
+          status.st_ino};
+}
+
+bool FileCheck::is_changed(std::size_t place) {
+  const PlannedFile& file = plan_.files[place];
+  const Stamp now = stamp_of(file.path);
+  if (now.size >= 0 && now == stamps_[place]) {
+    return false;
+  }
+  try {
+    if (results::sha256(results::file_content(file.path)) != file.sha256) {
+      return true;
+    }
+  } catch (const std::runtime_error&) {
+    return true;
+  }
+  stamps_[place] = now;
+  return false;
+}
+
+std::optional<std::string> FileCheck::changed(std::size_t cell) {
+  const PlannedCell& planned = plan_.cells[cell];
+  for (std::size_t i = 0; i < plan_.program_files; ++i) {
+    if (is_changed(i)) {
+      return plan_.files[i].path;
+    }
+  }
+  for (const std::size_t place : planned.plugins) {
+    const auto& file = plan_.plugins[place].file;
+    if (file && is_changed(*file)) {
+      return plan_.files[*file].path;
+    }
+  }
+  for (const PlannedCell::Data& data : planned.data) {
+    if (is_changed(data.file)) {
+      return plan_.files[data.file].path;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace elsie::batch

@@ -1,0 +1,26 @@
+// The parts of a run that are kept as JSON texts.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "elsie/batch/job.h"
+#include "elsie/simulation/run_result.h"
+#include "elsie/traces/trace.h"
+#include "elsie/traces/trace_account.h"
+#include "elsie/traces/tracks.h"
+
+namespace elsie::batch {
+
+/// Poses, thinned to at most `most`, and the first `most` touches.
+Trajectory trajectory_of(const std::string& robot, const traces::Track& track, double period_s,
+                         std::size_t most);
+
+/// A curve, thinned to at most `most` points, which are 2 or more.
+Curve curve_of(const simulation::LearningCurve& curve, std::size_t most);
+
+/// Who decided when, in at most `most` episodes.
+Timeline timeline_of(const traces::TraceRobot& robot, const traces::RobotAccount& account,
+                     std::size_t most);
+
+}  // namespace elsie::batch

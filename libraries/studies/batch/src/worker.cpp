@@ -1,0 +1,172 @@
+#include "elsie/batch/worker.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <string>
+#include <string_view>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "elsie/base/emergency.h"
+#include "elsie/batch/perform.h"
+#include "elsie/batch/worker_pool.h"
+#include "elsie/plugin/call.h"
+#include "elsie/process/crash_report.h"
+#include "elsie/process/process_end.h"
+
+namespace elsie::batch {
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kNoJob = 2;
+constexpr int kPluginFailed = 3;
+constexpr int kOtherFailure = 4;
+
+// Within a handler of a signal: write(2), and memory that is there already.
+
+/// A line in the making that needs no memory of the heap.
+class Line {
+ public:
+  Line() { raw('\n').raw('!'); }  // an answer may be half written
+  Line& text(std::string_view text) {
+    for (const char c : text) {
+      if (size_ < text_.size()) {
+        text_[size_++] = c == '\t' || c == '\n' ? '?' : c;
+      }
+    }
+    return *this;
+  }
+  Line& part() { return raw('\t'); }
+  Line& number(std::uint64_t number) {
+    std::array<char, 20> digits;
+    std::size_t count = 0;
+    do {
+      digits[count++] = static_cast<char>('0' + number % 10);
+      number /= 10;
+    } while (number != 0);
+    std::reverse(digits.begin(), digits.begin() + static_cast<std::ptrdiff_t>(count));
+    return text({digits.data(), count});
+  }
+  void send(int to) {
+    size_ = std::min(size_, text_.size() - 1);
+    raw('\n');
+    for (std::size_t sent = 0; sent < size_;) {
+      const ssize_t written = write(to, text_.data() + sent, size_ - sent);
+      if (written <= 0 && errno != EINTR) {
+        return;
+      }
+      sent += static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+    }
+  }
+
+ private:
+  Line& raw(char c) {
+    if (size_ < text_.size()) {
+      text_[size_++] = c;
+    }
+    return *this;
+  }
+
+  std::array<char, 1024> text_{};
+  std::size_t size_ = 0;
+};
+
+/// Writes last_words.h's line.
+void send_last_words() {
+  const plugin::CallFacts known = process::facts_at_work();
+  const auto text = [](const char* maybe) { return std::string_view(maybe ? maybe : ""); };
+  Line line;
+  line.text(text(known.plugin)).part().text(text(known.id)).part().text(text(known.robot)).part();
+  line.number(known.step != plugin::CallFacts::kNoStep ? known.step : step_at_work()).part();
+  const int caught = process::signal_of_crash();
+  const char* const name = caught != 0 ? sigabbrev_np(caught) : nullptr;
+  line.text(name ? "SIG" : "").text(text(name)).send(kResultDescriptor);
+}
+
+class LastWordsWriter final : public base::EmergencyWriter {
+ public:
+  ~LastWordsWriter() override { retire(); }
+  bool write_now() noexcept override {
+    send_last_words();
+    return false;
+  }
+};
+
+void asked_to_end(int, siginfo_t*, void*) {
+  if (!plugin::Call::innermost()) {
+    send_last_words();
+  }
+  process::end_process("did not return before the wall limit of the run",
+                       "the run did not end before its wall limit", kPluginFailed);
+}
+
+void handle_signals() {
+  process::report_crashes(kPluginFailed);
+  struct sigaction action {};
+  action.sa_sigaction = asked_to_end;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+std::string standard_input() {
+  std::string text;
+  std::array<char, 64 * 1024> buffer;
+  for (;;) {
+    const ssize_t size = read(STDIN_FILENO, buffer.data(), buffer.size());
+    if (size > 0) {
+      text.append(buffer.data(), static_cast<std::size_t>(size));
+    } else if (size == 0 || errno != EINTR) {
+      return text;
+    }
+  }
+}
+
+[[noreturn]] void end(int exit_code) {
+  // What was said is wanted; what the destructors of globals would do is not.
+  std::cout.flush();
+  std::cerr.flush();
+  std::fflush(nullptr);
+  process::end_with(exit_code);
+}
+
+void send(std::string answer) {
+  answer += '\n';
+  for (std::size_t sent = 0; sent < answer.size();) {
+    const ssize_t written = write(kResultDescriptor, answer.data() + sent, answer.size() - sent);
+    if (written < 0 && errno != EINTR) {
+      std::cerr << "elsie: the results of the run cannot be handed over\n";
+      end(kOtherFailure);
+    }
+    sent += static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+  }
+}
+
+}  // namespace
+
+void work() {
+  handle_signals();
+  LastWordsWriter last_words;
+  fcntl(kResultDescriptor, F_SETFD, FD_CLOEXEC);  // not for what plugins start
+  Job job;
+  try {
+    job = job_from(standard_input());
+  } catch (const std::exception& error) {
+    std::cerr << "elsie: " << error.what()
+              << "; this command is for `elsie batch`, which starts its workers by it\n";
+    end(kNoJob);
+  }
+  const RunRecord record = perform(job);
+  send(to_json(record));
+  end(record.state == RunState::done    ? kDone
+      : record.state == RunState::fault ? kPluginFailed
+                                        : kOtherFailure);
+}
+
+}  // namespace elsie::batch

@@ -1,0 +1,221 @@
+#include "elsie/cluster/shard_folder.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "elsie/base/shell_word.h"
+#include "elsie/base/write_whole.h"
+#include "elsie/batch/merge.h"
+#include "elsie/batch/results_database.h"
+#include "elsie/results/hash.h"
+
+namespace fs = std::filesystem;
+
+namespace elsie::cluster {
+namespace {
+
+using batch::DatabaseRefused;
+using Json = nlohmann::ordered_json;
+
+void write_file(const fs::path& file, const std::string& text) {
+  if (const int error = base::write_whole(file, text); error != 0) {
+    throw std::runtime_error("'" + file.string() +
+                             "' cannot be written: " + std::generic_category().message(error));
+  }
+}
+
+Json read_json(const fs::path& file) {
+  std::ifstream in(file);
+  return in ? Json::parse(in, nullptr, false) : Json(Json::value_t::discarded);
+}
+
+/// A number of an object, 0 when there is none.
+std::int64_t number(const Json& object, const char* key) {
+  return object.is_object() && object.contains(key) && object[key].is_number_integer()
+             ? object[key].get<std::int64_t>()
+             : 0;
+}
+
+std::string script_text(const ShardFolder& folder, const std::vector<std::string>& command) {
+  const std::string task = "\"$SLURM_ARRAY_TASK_ID\"";
+  const std::string part = base::shell_word((folder.path() / "shard-").string()) + task;
+  return "#!/bin/sh\n"
+         "# A task of a job array does one shard; put back into the queue, it goes on.\n"
+         "exec " +
+         base::shell_line(command) + " --shard " + task + "/" + std::to_string(folder.shards()) +
+         " \\\n  --database " + part + ".sqlite --progress " + part + ".json --resume --quiet\n";
+}
+
+}  // namespace
+
+void write_count(const fs::path& file, const Count& count) {
+  write_file(
+      file,
+      Json{{"runs", count.runs}, {"ended", count.ended}, {"failed", count.failed}}.dump() + "\n");
+}
+
+fs::path ShardFolder::beside(const fs::path& database) {
+  return fs::absolute(database).lexically_normal().string() + "-shards";
+}
+
+ShardFolder::ShardFolder(fs::path path, std::string fingerprint, std::size_t shards,
+                         std::int64_t all_runs)
+    : path_(std::move(path)),
+      fingerprint_(std::move(fingerprint)),
+      shards_(shards),
+      all_runs_(all_runs),
+      name_("elsie-" + results::sha256(path_.string() + '\n' + fingerprint_).substr(0, 16)) {}
+
+ShardFolder ShardFolder::create(const fs::path& database, const batch::Plan& plan,
+                                std::size_t shards, const std::vector<std::string>& command) {
+  ShardFolder folder(beside(database), plan.fingerprint, shards, plan.all_runs);
+  std::error_code error;
+  if (!fs::create_directory(folder.path_, error)) {
+    const std::string name = "'" + folder.path_.string() + "'";
+    throw DatabaseRefused(
+        error ? "the folder " + name + " cannot be made: " + error.message()
+              : "there is a folder " + name +
+                    " already, of a batch that is not complete; go on with it by --resume, or "
+                    "choose another --database");
+  }
+  try {
+    write_file(folder.script(), script_text(folder, command));
+    folder.write();
+  } catch (...) {
+    folder.remove();
+    throw;
+  }
+  return folder;
+}
+
+ShardFolder ShardFolder::open(const fs::path& database, const batch::Plan& plan) {
+  const fs::path path = beside(database);
+  const Json stored = read_json(path / "cluster.json");
+  const auto text = [&](const char* key) -> const std::string* {
+    return stored.is_object() && stored.contains(key) ? stored[key].get_ptr<const std::string*>()
+                                                      : nullptr;
+  };
+  const std::string* const fingerprint = text("fingerprint");
+  const std::string* const job = text("job");
+  const std::int64_t shards = number(stored, "shards");
+  if (!fingerprint || !job || shards < 1) {
+    throw DatabaseRefused("'" + (path / "cluster.json").string() +
+                          "' is missing or damaged; remove the folder to begin anew");
+  }
+  if (*fingerprint != plan.fingerprint) {
+    throw DatabaseRefused("'" + path.string() +
+                          "' was begun with another experiment: a world, a model, a plugin, a seed "
+                          "or Elsie itself has changed since; put it back, or remove the folder to "
+                          "begin anew");
+  }
+  ShardFolder folder(path, plan.fingerprint, static_cast<std::size_t>(shards), plan.all_runs);
+  folder.job_ = *job;
+  return folder;
+}
+
+fs::path ShardFolder::database(std::size_t shard) const {
+  return path_ / ("shard-" + std::to_string(shard) + ".sqlite");
+}
+
+fs::path ShardFolder::log(const std::string& shard) const {
+  return path_ / ("shard-" + shard + ".log");
+}
+
+void ShardFolder::set_job(const std::string& job) {
+  job_ = job;
+  write();
+}
+
+void ShardFolder::write() const {
+  write_file(path_ / "cluster.json",
+             Json{{"shards", shards_}, {"fingerprint", fingerprint_}, {"job", job_}}.dump() + "\n");
+}
+
+std::int64_t ShardFolder::runs(std::size_t shard) const {
+  // Every shards_-th run, from the shard-th one on.
+  const auto all = static_cast<std::size_t>(all_runs_);
+  return static_cast<std::int64_t>((all + shards_ - shard) / shards_);
+}
+
+Count ShardFolder::count() const {
+  Count sum{.runs = all_runs_};
+  for (std::size_t shard = 1; shard <= shards_; ++shard) {
+    const Json told = read_json(path_ / ("shard-" + std::to_string(shard) + ".json"));
+    sum.ended += number(told, "ended");
+    sum.failed += number(told, "failed");
+  }
+  return sum;
+}
+
+std::int64_t ShardFolder::pending(std::size_t shard) const {
+  const fs::path file = database(shard);
+  if (results::is_vacant(file)) {
+    return runs(shard);
+  }
+  return static_cast<std::int64_t>(batch::ResultsDatabase::open(file).pending().size());
+}
+
+std::vector<std::size_t> ShardFolder::unfinished(const std::vector<std::size_t>& except) const {
+  std::vector<std::size_t> found;
+  for (std::size_t shard = 1; shard <= shards_; ++shard) {
+    if (!std::binary_search(except.begin(), except.end(), shard) && pending(shard) > 0) {
+      found.push_back(shard);
+    }
+  }
+  return found;
+}
+
+void ShardFolder::merge_into(const fs::path& database) const {
+  std::vector<fs::path> parts;
+  for (std::size_t shard = 1; shard <= shards_; ++shard) {
+    parts.push_back(this->database(shard));
+  }
+  batch::merge(database, parts);
+}
+
+ShardFolder::Turn::Turn(const ShardFolder& folder)
+    : descriptor_(::open((folder.path_ / "turn").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+  if (descriptor_ < 0 && !folder.exists()) {
+    return;  // nothing to take turns for
+  }
+  while (descriptor_ < 0 || flock(descriptor_, LOCK_EX) != 0) {
+    if (descriptor_ >= 0 && errno == EINTR) {
+      continue;
+    }
+    const std::string why = std::generic_category().message(errno);
+    if (descriptor_ >= 0) {
+      close(descriptor_);
+    }
+    throw std::runtime_error("'" + (folder.path_ / "turn").string() +
+                             "' cannot be locked, as several commands that follow one batch have "
+                             "to: " +
+                             why);
+  }
+}
+
+ShardFolder::Turn::~Turn() {
+  if (descriptor_ >= 0) {
+    close(descriptor_);
+  }
+}
+
+bool ShardFolder::exists() const {
+  std::error_code ignored;
+  return fs::exists(path_ / "cluster.json", ignored);
+}
+
+void ShardFolder::remove() const {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+}  // namespace elsie::cluster

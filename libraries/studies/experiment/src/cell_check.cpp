@@ -1,0 +1,284 @@
+#include "cell_check.h"
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "elsie/plugin/host.h"
+#include "elsie/render/world_cameras.h"
+#include "elsie/simulation/measures.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/reader.h"
+#include "elsie/world/writer.h"
+
+#include "factors.h"
+#include "grid.h"
+
+namespace elsie::experiment {
+
+namespace {
+
+world::World read(const Experiment& experiment, const Cell& cell, const std::string& file,
+                  const plugin::Host& host, const ReadOptions& options, bool check_plugins = true) {
+  world::ReadOptions reading;
+  reading.overrides = cell.overrides;
+  reading.overrides_from = experiment.file;
+  reading.data_directories = options.data_directories;
+  reading.check_plugins = check_plugins;
+  return world::read_world(file, host, reading);
+}
+
+// The same thing said of several cells.
+struct Complaint {
+  Location where;
+  std::string message;
+  bool is_setting = false;         // of this experiment, else of a world's file
+  std::vector<std::size_t> cells;  // of which it was said
+};
+
+class CellCheck {
+ public:
+  CellCheck(const Experiment& experiment, const std::vector<Cell>& grid,
+            const std::vector<std::string>& files, const std::set<std::size_t>& lists,
+            const plugin::Host& host, const ReadOptions& options)
+      : experiment_(experiment),
+        grid_(grid),
+        files_(files),
+        lists_(lists),
+        host_(host),
+        options_(options) {}
+
+  CellMeasures check() {
+    for (const Cell& cell : grid_) {
+      try {
+        check(cell);
+      } catch (const world::WorldError& error) {
+        for (const base::Problem& problem : error.problems()) {
+          complain(cell, problem);
+        }
+      }
+      if (options_.progress) {
+        options_.progress(cell.index + 1, grid_.size());
+      }
+    }
+    return std::move(measures_);
+  }
+
+  void report(base::Problems& problems) const {
+    constexpr std::size_t kMost = 20;
+    std::map<std::pair<std::string, int>, std::size_t> on_line;
+    for (const auto& [key, complaint] : complaints_) {
+      const std::size_t count = ++on_line[{complaint.where.file, complaint.where.line}];
+      if (count <= kMost) {
+        problems.add(complaint.where,
+                     complaint.message + circumstances(complaint) + limit_behind(complaint));
+      }
+    }
+    for (const auto& [place, count] : on_line) {
+      if (count > kMost) {
+        problems.add({place.first, place.second},
+                     "... and " + std::to_string(count - kMost) + " more problems on this line");
+      }
+    }
+    for (const auto& [where, message] : twins_) {
+      problems.add(where, message);
+    }
+  }
+
+ private:
+  // What a cell that is in order comes to.
+  struct Found {
+    std::vector<Quantity> measures;
+    std::string text;  // of its world
+  };
+
+  void check(const Cell& cell) {
+    Found found = look(cell);
+    note_measures(std::move(found.measures));
+    compare(cell, found.text);
+  }
+
+  Found look(const Cell& cell) const {
+    // Putting it together asks every plugin. To ask each before is twice the work, and finds all
+    // that is wrong instead of the first.
+    try {
+      return look(cell, false);
+    } catch (const std::exception&) {
+      return look(cell, true);
+    }
+  }
+
+  Found look(const Cell& cell, bool plugins_before) const {
+    const world::World world =
+        read(experiment_, cell, files_[cell.world], host_, options_, plugins_before);
+    // Putting it together asks the plugins whether they fit their robots.
+    const simulation::Simulation simulation(world, host_, {.cameras = render::world_cameras});
+    return {simulation::measure_names(world, host_), world::write_world(world)};
+  }
+
+  void note_measures(std::vector<Quantity> quantities) {
+    auto& lists = measures_.lists;
+    const auto known = std::find(lists.begin(), lists.end(), quantities);
+    measures_.of_cell.push_back(static_cast<std::size_t>(known - lists.begin()));
+    if (known == lists.end()) {
+      lists.push_back(std::move(quantities));
+    }
+  }
+
+  // Two cells that are the same world are a mistake: a level that changes nothing, or a setting
+  // that a later one undoes.
+  void compare(const Cell& cell, const std::string& text) {
+    const auto [known, is_new] = cells_by_text_.emplace(std::hash<std::string>()(text), cell.index);
+    const Cell& other = grid_[known->second];
+    if (is_new || world::write_world(
+                      read(experiment_, other, files_[other.world], host_, options_)) != text) {
+      return;
+    }
+    Location where = experiment_.worlds[cell.world].location;
+    std::string what = "'" + experiment_.worlds[cell.world].id + "'";
+    std::string of = experiment_.worlds[other.world].id;
+    for (std::size_t i = 0; i < experiment_.factors.size(); ++i) {
+      const Factor& factor = experiment_.factors[i];
+      if (cell.levels[i] != other.levels[i]) {
+        where = factor.levels[cell.levels[i]].location;
+        what = "the level '" + factor.levels[cell.levels[i]].label + "' of '" + factor.name + "'";
+        of = factor.levels[other.levels[i]].label;
+      }
+    }
+    // Of each pair of levels, told once.
+    if (told_.insert(what + of).second) {
+      twins_.emplace_back(where, what + " is the same as '" + of + "': the cells '" + other.label +
+                                     "' and '" + cell.label +
+                                     "' do not differ in anything; a later setting may undo it");
+    }
+  }
+
+  void complain(const Cell& cell, const base::Problem& problem) {
+    Complaint complaint{{problem.file, problem.line}, problem.message, false, {}};
+    for (const Setting& setting : settings_of(experiment_, cell)) {
+      if (problem.file == "--set " + override_of(setting)) {
+        complaint.where = setting.location;
+        complaint.is_setting = true;
+      }
+    }
+    for (const std::size_t list : lists_) {
+      const Factor& factor = experiment_.factors[list];
+      if (problem.file == "--set " + override_of(factor.levels.front().settings.front())) {
+        complaint.message += how_to_separate(factor);
+      }
+    }
+    auto& known = complaints_[{complaint.where.file, complaint.where.line, complaint.message}];
+    if (known.cells.empty()) {
+      known = std::move(complaint);
+    }
+    if (known.cells.empty() || known.cells.back() != cell.index) {
+      known.cells.push_back(cell.index);
+    }
+  }
+
+  // The cells of which it could have been said: those with a setting on that line, or all of the
+  // worlds that it was said of.
+  std::vector<std::size_t> could_be(const Complaint& complaint) const {
+    std::set<std::size_t> worlds;
+    for (const std::size_t index : complaint.cells) {
+      worlds.insert(grid_[index].world);
+    }
+    std::vector<std::size_t> found;
+    for (const Cell& cell : grid_) {
+      const auto settings = settings_of(experiment_, cell);
+      if (complaint.is_setting ? std::any_of(settings.begin(), settings.end(),
+                                             [&](const Setting& setting) {
+                                               return setting.location.line == complaint.where.line;
+                                             })
+                               : worlds.contains(cell.world)) {
+        found.push_back(cell.index);
+      }
+    }
+    return found;
+  }
+
+  // What it takes for the mistake to show: " (with coordinator=fusion)", or "" when it always does.
+  std::string circumstances(const Complaint& complaint) const {
+    const std::vector<std::size_t> all = could_be(complaint);
+    if (all == complaint.cells) {
+      return "";
+    }
+    std::vector<std::string> factors{kWorldFactor};
+    for (const Factor& factor : experiment_.factors) {
+      factors.push_back(factor.name);
+    }
+    const Cell& first = grid_[complaint.cells.front()];
+    for (const std::string& factor : factors) {
+      const std::string level = *level_of(experiment_, first, factor);
+      std::vector<std::size_t> with_it;
+      std::copy_if(all.begin(), all.end(), std::back_inserter(with_it), [&](std::size_t index) {
+        return level_of(experiment_, grid_[index], factor) == level;
+      });
+      if (with_it == complaint.cells) {
+        return " (with " + factor + "=" + level + ")";
+      }
+    }
+    const std::size_t count = complaint.cells.size();
+    return count == 1 ? " (in the cell '" + first.label + "')"
+                      : " (in " + std::to_string(count) + " cells, the first of them '" +
+                            first.label + "')";
+  }
+
+  // Where the time limit stands that makes a mistake of what a world says, or "".
+  std::string limit_behind(const Complaint& complaint) const {
+    if (complaint.is_setting || !experiment_.time_limit) {
+      return "";
+    }
+    Cell cell = grid_[complaint.cells.front()];
+    cell.overrides.erase(cell.overrides.begin());  // the time limit is the first one
+    try {
+      read(experiment_, cell, files_[cell.world], host_, options_);
+    } catch (const world::WorldError& error) {
+      for (const base::Problem& problem : error.problems()) {
+        if (problem.file == complaint.where.file && problem.line == complaint.where.line &&
+            problem.message == complaint.message) {
+          return "";
+        }
+      }
+    }
+    const Location& limits = experiment_.limits_location;
+    return "; that time limit is set in " + limits.file + ":" + std::to_string(limits.line);
+  }
+
+  const Experiment& experiment_;
+  const std::vector<Cell>& grid_;
+  const std::vector<std::string>& files_;
+  const std::set<std::size_t>& lists_;
+  const plugin::Host& host_;
+  const ReadOptions& options_;
+  CellMeasures measures_;
+  std::map<std::tuple<std::string, int, std::string>, Complaint> complaints_;
+  std::map<std::size_t, std::size_t> cells_by_text_;  // a hash, and the first cell that had it
+  std::set<std::string> told_;
+  std::vector<std::pair<Location, std::string>> twins_;
+};
+
+}  // namespace
+
+CellMeasures check_cells(const Experiment& experiment, const std::vector<Cell>& grid,
+                         const std::vector<std::string>& files, const std::set<std::size_t>& lists,
+                         const plugin::Host& host, const ReadOptions& options,
+                         base::Problems& problems) {
+  CellCheck check(experiment, grid, files, lists, host, options);
+  CellMeasures measures = check.check();
+  check.report(problems);
+  return measures;
+}
+
+world::World read_cell(const Experiment& experiment, const Cell& cell, const plugin::Host& host,
+                       const ReadOptions& options) {
+  return read(experiment, cell, experiment.worlds[cell.world].file, host, options);
+}
+
+}  // namespace elsie::experiment

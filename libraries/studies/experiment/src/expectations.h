@@ -1,0 +1,20 @@
+// Expectations: from what a file says to sentences about cells.
+#pragma once
+
+#include <vector>
+
+#include "elsie/base/problems.h"
+#include "elsie/experiment/experiment.h"
+
+#include "draft.h"
+
+namespace elsie::experiment {
+
+/// The experiment has its worlds and factors. Expectations with problems are left out.
+std::vector<Expectation> expectations_from(const std::vector<ExpectationDraft>& drafts,
+                                           const Experiment& experiment, base::Problems& problems);
+
+/// What an expectation says, in words: "rate of success, coordinator=fusion: at least 1".
+std::string in_words(const Expectation& expectation);
+
+}  // namespace elsie::experiment

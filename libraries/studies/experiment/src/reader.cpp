@@ -1,0 +1,271 @@
+#include "elsie/experiment/reader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "elsie/base/problems.h"
+#include "elsie/experiment/vocabulary.h"
+#include "elsie/world/error.h"
+#include "elsie/world/files.h"
+#include "elsie/world/markup.h"
+#include "elsie/world/object_reader.h"
+
+#include "cell_check.h"
+#include "draft.h"
+#include "expectations.h"
+#include "factors.h"
+#include "seeds.h"
+
+namespace elsie::experiment {
+
+namespace {
+
+using base::Problems;
+using world::Element;
+using world::ElementSpec;
+
+// Knows afterwards which elements have mistakes: what they describe has defaults where they are
+// wrong, and is not to be judged by those.
+class DraftReader final : private world::ObjectReader {
+ public:
+  explicit DraftReader(Problems& problems) : ObjectReader(problems) {}
+
+  ExperimentDraft read(const Element& root) {
+    ExperimentDraft draft;
+    grid_is_sound_ &= read_object(vocabulary(), root, &draft);
+    drop(draft.worlds);
+    drop(draft.settings);
+    drop(draft.factors);
+    drop(draft.measures);
+    drop(draft.expectations);
+    return draft;
+  }
+
+  /// Whether what worlds, settings and factors there are could be read.
+  bool grid_is_sound() const { return grid_is_sound_; }
+  bool is_sound(const Location& where) const {
+    return !unsound_.contains({where.file, where.line});
+  }
+
+ private:
+  void end(const ElementSpec& spec, const Element& element, bool sound) override {
+    if (!sound) {
+      unsound_.insert({element.where.file, element.where.line});
+      grid_is_sound_ &= spec.name == "measure" || spec.name == "measures" ||
+                        spec.name == "expect" || spec.name == "expectations";
+    }
+  }
+
+  template <class Draft>
+  void drop(std::vector<Draft>& drafts) const {
+    std::erase_if(drafts, [&](const Draft& draft) { return !is_sound(draft.location); });
+  }
+
+  std::set<std::pair<std::string, int>> unsound_;
+  bool grid_is_sound_ = true;
+};
+
+struct Worlds {
+  std::vector<WorldUse> uses;
+  std::vector<std::string> files;  // as they were found, for messages
+};
+
+// The line on which an experiment begins in a file; 0: it holds something else, and whoever reads
+// it as a world tells what is wrong.
+int line_of_experiment(const std::string& file) {
+  try {
+    const Element root = world::parse_markup(world::read_text(file), file);
+    return root.name == "experiment" ? root.where.line : 0;
+  } catch (const world::WorldError&) {
+    return 0;
+  }
+}
+
+// Without `files` nobody looks whether they are there.
+Worlds worlds_from(const std::vector<WorldDraft>& drafts, const world::Files* files,
+                   Problems& problems) {
+  Worlds worlds;
+  std::map<std::string, int> lines;
+  for (const WorldDraft& draft : drafts) {
+    WorldUse& use = worlds.uses.emplace_back();
+    use.name = draft.file;
+    use.location = draft.location;
+    use.id = draft.id ? *draft.id : std::filesystem::path(draft.file).stem().string();
+    use.settings = settings_from(draft.settings, problems);
+    const auto found =
+        draft.file.empty() || !files ? std::nullopt : files->find(draft.file, draft.location);
+    if (draft.file.empty() || (files && !found)) {
+      problems.add(draft.location,
+                   "file=\"" + draft.file + "\" of <world>: " +
+                       (draft.file.empty() ? "expected the path of a world file"
+                                           : files->why_not(draft.location, "file", draft.file)));
+    } else if (const int line = found ? line_of_experiment(*found) : 0; line > 0) {
+      problems.add(draft.location, "file=\"" + draft.file + "\" of <world>: this file is an " +
+                                       "experiment, which names worlds (" + *found + ":" +
+                                       std::to_string(line) + "); expected a world");
+    } else if (const std::string why = why_no_label(use.id); !why.empty()) {
+      problems.add(draft.location, "the world's file gives it the id '" + use.id + "', but " + why +
+                                       "; give it another one with id=\"...\"");
+    } else if (const auto [known, is_new] = lines.emplace(use.id, draft.location.line); !is_new) {
+      problems.add(draft.location, "the world on line " + std::to_string(known->second) +
+                                       " has the id '" + use.id +
+                                       "', too; give this one another with id=\"...\"");
+    }
+    use.file = found ? world::Files::absolute(*found) : "";
+    worlds.files.push_back(found.value_or(""));
+  }
+  return worlds;
+}
+
+// That the grid can be gone through in a lifetime. Products are taken of numbers that are known to
+// be in bounds.
+void check_size(const Experiment& experiment, const Location& root, Problems& problems) {
+  std::string product = std::to_string(experiment.worlds.size()) +
+                        (experiment.worlds.size() == 1 ? " world" : " worlds");
+  std::uint64_t cell_count = experiment.worlds.size();
+  for (const Factor& factor : experiment.factors) {
+    product += " x " + std::to_string(factor.levels.size()) + " of '" + factor.name + "'";
+    cell_count = std::min(cell_count * factor.levels.size(), kMostCells + 1);
+  }
+  if (cell_count > kMostCells) {
+    problems.add(root, "the grid has too many cells, " + product + "; an experiment has at most " +
+                           std::to_string(kMostCells));
+    return;
+  }
+  const std::uint64_t of_a_cell =
+      experiment.seeds.size() * static_cast<std::uint64_t>(experiment.repeats);
+  if (of_a_cell > 0 && cell_count > kMostRuns / of_a_cell) {
+    problems.add(root, "the experiment has " + std::to_string(cell_count * of_a_cell) + " runs, " +
+                           product + ", " + std::to_string(experiment.seeds.size()) + " seeds" +
+                           (experiment.repeats == 1
+                                ? ""
+                                : ", each " + std::to_string(experiment.repeats) + " times") +
+                           "; an experiment has at most " + std::to_string(kMostRuns));
+  }
+}
+
+// Labels are joined to those of cells, which must tell cells apart.
+void check_labels(const std::vector<Cell>& grid, const Location& root, Problems& problems) {
+  std::set<std::string> known;
+  for (const Cell& cell : grid) {
+    if (!known.insert(cell.label).second) {
+      problems.add(root, "two cells are called '" + cell.label + "'; change the levels' labels");
+      return;
+    }
+  }
+}
+
+std::vector<MeasureUse> measures_from(const std::vector<MeasureDraft>& drafts, Problems& problems) {
+  std::vector<MeasureUse> uses;
+  std::set<std::string> known;
+  for (const MeasureDraft& draft : drafts) {
+    if (known.insert(draft.name).second) {
+      uses.push_back({draft.name, draft.location});
+    } else {
+      problems.add(draft.location, "the measure '" + draft.name + "' is named twice");
+    }
+  }
+  return uses;
+}
+
+// What stands around an experiment while it is read.
+struct Parsed {
+  Experiment experiment;
+  std::vector<Cell> grid;          // none when it is not sound
+  std::vector<std::string> files;  // of the worlds, as they were found
+  std::set<std::size_t> lists;     // the factors whose levels stand in values="A; B"
+  Problems problems, grid_problems;
+};
+
+Parsed parsed(std::string_view text, const std::string& file, const world::Files* files) {
+  Parsed result;
+  Problems& problems = result.problems;
+  Problems& grid_problems = result.grid_problems;
+  Experiment& experiment = result.experiment;
+  const Element root = world::parse_markup(text, file, "experiment");
+  const std::string right = "expected <experiment format=\"" + std::to_string(kFormat) + "\">";
+  world::check_root(
+      root, "experiment", kFormat,
+      {{"world", "this file is a world, which an experiment may name; " + right},
+       {"robot_template", "this file is a template of a robot, which worlds use; " + right}},
+      problems);
+
+  DraftReader reader(problems);
+  const ExperimentDraft draft = reader.read(root);
+  experiment.file = file;
+  if (draft.name && draft.name->find_first_not_of(" \t\r\n") == std::string::npos) {
+    problems.add(root.where,
+                 "name=\"" + *draft.name +
+                     "\" of <experiment>: expected a title; without name= it is that of "
+                     "the file");
+  }
+  experiment.name = draft.name ? *draft.name : std::filesystem::path(file).stem().string();
+  experiment.description = draft.description;
+  if (draft.limits) {
+    experiment.time_limit = draft.limits->time;
+    experiment.limits_location = draft.limits->location;
+    experiment.wall_limit = draft.limits->wall_time;
+  }
+  experiment.trajectory_period = draft.trajectories.value_or(TrajectoriesDraft{}).period;
+  experiment.measures = measures_from(draft.measures, problems);
+
+  Worlds worlds = worlds_from(draft.worlds, files, grid_problems);
+  experiment.worlds = std::move(worlds.uses);
+  result.files = std::move(worlds.files);
+  experiment.settings = settings_from(draft.settings, grid_problems);
+  experiment.factors = factors_from(draft.factors, grid_problems);
+  for (std::size_t i = 0; i < draft.factors.size(); ++i) {
+    if (draft.factors[i].values) {
+      result.lists.insert(i);
+    }
+  }
+  if (draft.seeds && reader.is_sound(draft.seeds->location)) {
+    experiment.seeds = seeds_from(*draft.seeds, problems);
+    experiment.repeats = draft.seeds->repeats;
+  }
+  if (grid_problems.empty() && reader.grid_is_sound()) {
+    check_size(experiment, root.where, grid_problems);
+  }
+  if (grid_problems.empty() && reader.grid_is_sound()) {
+    result.grid = cells(experiment);
+    check_labels(result.grid, root.where, grid_problems);
+    experiment.expectations = expectations_from(draft.expectations, experiment, problems);
+  }
+  return result;
+}
+
+Experiment checked(Parsed parsed, const std::string& file) {
+  parsed.problems.add(parsed.grid_problems);
+  parsed.problems.raise<world::WorldError>(file);
+  return std::move(parsed.experiment);
+}
+
+}  // namespace
+
+Experiment read_experiment(const std::string& file, const plugin::Host& host,
+                           const ReadOptions& options) {
+  return parse_experiment(world::read_text(file), file, host, options);
+}
+
+Experiment parse_experiment(std::string_view text, const std::string& file,
+                            const plugin::Host& host, const ReadOptions& options) {
+  const world::Files files(file, options.data_directories);
+  Parsed result = parsed(text, file, &files);
+  if (!result.grid.empty()) {
+    const CellMeasures measures = check_cells(result.experiment, result.grid, result.files,
+                                              result.lists, host, options, result.grid_problems);
+    if (result.grid_problems.empty()) {
+      check_measures(result.experiment, result.grid, measures, result.problems);
+    }
+  }
+  return checked(std::move(result), file);
+}
+
+Experiment parse_outline(std::string_view text, const std::string& file) {
+  return checked(parsed(text, file, nullptr), file);
+}
+
+}  // namespace elsie::experiment

@@ -1,0 +1,156 @@
+// What a results database holds, as plain data: see libraries/studies/results/src/schema.sql.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elsie/api/geometry.h"
+#include "elsie/results/run_state.h"
+#include "elsie/simulation/run_result.h"
+
+namespace elsie::report {
+
+using results::RunState;
+using simulation::Outcome;
+
+struct Measure {
+  std::string name;  // "path_length_m"
+  std::string unit;  // "" for a pure number
+  std::string meaning;
+};
+
+struct Factor {
+  std::string name;
+};
+
+/// What differs between two runs of a cell is their seeds.
+struct CellInfo {
+  std::int64_t id = 0;
+  std::string label;  // unique
+  std::string world;  // the id in the experiment
+  std::string world_text;
+  std::string world_file;
+  std::vector<std::string> levels;  // labels, in the order of Results::factors; "" for none
+  std::vector<int> places;          // of the levels among those of their factor
+};
+
+struct Run {
+  std::int64_t id = 0;
+  std::size_t cell = 0;  // place in Results::cells
+  std::uint64_t seed = 0;
+  int repetition = 1;
+  RunState state = RunState::pending;
+  std::optional<Outcome> outcome;  // of those that are done
+  std::string message;             // one sentence; may be empty
+  std::optional<std::int64_t> steps;
+  std::optional<double> simulated_s;
+  std::optional<std::int64_t> solver_gave_up;   // steps, as in simulation::SolverResult
+  std::optional<std::int64_t> solver_unsolved;  // of them
+  std::string state_hash;
+  std::optional<int> exit_code;
+  std::string signal;
+  std::string plugin;
+  std::string robot;
+  std::optional<std::int64_t> step;
+  std::string log;
+  std::optional<double> wall_s;
+  /// In the order of Results::measures; those that it has none of are empty.
+  std::vector<std::optional<double>> values;
+
+  bool ended() const { return state != RunState::pending; }
+  /// It did not end by itself: a plugin failed, the process crashed, hung or could not do its work.
+  bool broken() const { return ended() && state != RunState::done; }
+  bool success() const { return outcome == Outcome::success; }
+};
+
+/// The experiment and all its runs.
+struct Results {
+  std::string elsie_version;
+  std::string experiment;
+  std::string description;
+  std::string file;  // the experiment's, as the user named it
+  std::string text;  // of that file
+  std::string fingerprint;
+  std::string shard;         // "2/5": every fifth run from the second on; "1/1": all
+  std::size_t all_runs = 0;  // of the experiment, in all shards
+  std::string created;       // UTC, ISO 8601
+  std::vector<Factor> factors;
+  std::vector<Measure> measures;
+  std::vector<CellInfo> cells;
+  std::vector<Run> runs;  // by id
+
+  /// What random numbers about these results are drawn from: follows from the fingerprint.
+  std::uint64_t seed() const;
+};
+
+struct Trajectory {
+  std::int64_t run = 0;
+  std::string robot;
+  double period_s = 0.0;
+  /// The first at time 0; the last, less than a period later, where the run ended.
+  std::vector<Pose> poses;
+};
+
+/// What a plugin learned before the run.
+struct Curve {
+  std::int64_t run = 0;
+  std::string robot;
+  std::string plugin;  // its id on the robot
+  std::string name;
+  std::string x_label;
+  std::string y_label;
+  std::vector<Vector2> points;
+};
+
+/// Who decided when on a robot.
+struct Timeline {
+  struct Behavior {
+    std::string path;
+    double share = 0.0;  // mean, in the robot's command
+    double decided_s = 0.0;
+  };
+  struct Episode {
+    double from_s = 0.0;
+    double to_s = 0.0;
+    std::string decider;  // a path; "": nobody; "*": several
+    double share = 0.0;
+    /// Several in quick turns: the time of each, s.
+    std::vector<std::pair<std::string, double>> parts;
+  };
+
+  std::int64_t run = 0;
+  std::string robot;
+  std::vector<Behavior> behaviors;
+  std::vector<Episode> episodes;
+};
+
+/// A results database, open for reading as it was at one instant: a batch may go on writing it.
+class ResultsFile {
+ public:
+  /// Throws as results::open_to_read() does.
+  explicit ResultsFile(const std::filesystem::path& file);
+  ~ResultsFile();
+  ResultsFile(const ResultsFile&) = delete;
+  ResultsFile& operator=(const ResultsFile&) = delete;
+
+  /// All but what follows. Throws results::DatabaseRefused when the file turns out to be damaged,
+  /// or results::DatabaseError when it cannot be read, as all below.
+  Results results() const;
+
+  // Of the runs of one cell, by run and robot; `cell` is CellInfo::id.
+  std::vector<Trajectory> trajectories(std::int64_t cell) const;
+  std::vector<Curve> curves(std::int64_t cell) const;
+  std::vector<Timeline> timelines(std::int64_t cell) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace elsie::report

@@ -1,0 +1,178 @@
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "elsie/base/utf8.h"
+#include "elsie/report/report.h"
+
+#include "words.h"
+
+namespace elsie::report {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json json_of(const std::optional<Interval>& interval) {
+  return interval ? Json::array({interval->low, interval->high}) : Json(nullptr);
+}
+
+Json json_of(const std::optional<Summary>& summary) {
+  if (!summary) {
+    return nullptr;
+  }
+  return {{"count", summary->count},
+          {"mean", summary->mean},
+          {"standard_deviation", or_null(summary->standard_deviation)},
+          {"least", summary->least},
+          {"lower_quartile", summary->lower_quartile},
+          {"median", summary->median},
+          {"upper_quartile", summary->upper_quartile},
+          {"largest", summary->largest}};
+}
+
+// Of a sample with bounds: what is known of it.
+Json json_of(const MeasureFindings& found) {
+  const Censoring& censoring = *found.censoring;
+  std::optional<Interval> interval = censoring.median_interval;
+  if (interval && !std::isfinite(interval->high)) {
+    interval.reset();
+  }
+  return {{"count", found.values.size()},
+          {"censored", censoring.count},
+          {"limit", censoring.limit},
+          {"mean", nullptr},
+          {"median", or_null(censoring.median)},
+          {"median_interval", json_of(interval)},
+          {"successes", json_of(found.successes)}};
+}
+
+Json json_of(const Findings& findings, std::size_t place) {
+  const Results& results = findings.results;
+  const CellFindings& cell = findings.cells[place];
+  Json levels = Json::object();
+  for (std::size_t i = 0; i < results.factors.size(); ++i) {
+    levels[base::clean(results.factors[i].name)] = base::clean(results.cells[place].levels[i]);
+  }
+  Json measures = Json::object();
+  for (std::size_t i = 0; i < findings.measures.size(); ++i) {
+    const MeasureFindings& found = cell.measures[i];
+    Json of_all = found.censoring ? json_of(found) : json_of(found.all);
+    if (found.all) {
+      of_all["censored"] = 0;
+      of_all["interval"] = json_of(found.interval);
+      of_all["fences"] = json_of(found.fences);
+      of_all["successes"] = json_of(found.successes);
+    }
+    measures[base::clean(results.measures[findings.measures[i]].name)] = std::move(of_all);
+  }
+  Json outliers = Json::array();
+  for (const Outlier& outlier : cell.outliers) {
+    const Run& run = results.runs[outlier.run];
+    outliers.push_back({{"run", run.id},
+                        {"seed", run.seed},
+                        {"measure", base::clean(results.measures[outlier.measure].name)},
+                        {"value", outlier.value}});
+  }
+  return {{"label", base::clean(results.cells[place].label)},
+          {"levels", std::move(levels)},
+          {"ended", cell.ended},
+          {"goals", cell.goals},
+          {"successes", cell.goals ? Json(cell.successes) : Json(nullptr)},
+          {"success_interval", cell.goals ? json_of(std::optional(cell.success)) : Json(nullptr)},
+          {"broken", cell.broken.size()},
+          {"pending", cell.pending},
+          {"measures", std::move(measures)},
+          {"outliers", std::move(outliers)}};
+}
+
+Json json_of(const Findings& findings, const Verdict& verdict) {
+  Json claims = Json::array();
+  for (const Claim& claim : verdict.claims) {
+    claims.push_back({{"cell", base::clean(findings.results.cells[claim.cell].label)},
+                      {"met", claim.holds},
+                      {"value", or_null(claim.value)},
+                      {"interval", json_of(claim.interval)},
+                      {"sentence", base::clean(claim.sentence)}});
+  }
+  return {{"name", base::clean(verdict.name)},
+          {"met", verdict.met()},
+          {"expected", base::clean(verdict.expected)},
+          {"trouble", verdict.trouble.empty() ? Json(nullptr) : Json(base::clean(verdict.trouble))},
+          {"cells", std::move(claims)}};
+}
+
+}  // namespace
+
+std::string json_report(const Findings& findings) {
+  const Results& results = findings.results;
+  Json measures = Json::array();
+  for (const std::size_t place : findings.measures) {
+    const Measure& measure = results.measures[place];
+    measures.push_back({{"name", base::clean(measure.name)},
+                        {"unit", base::clean(measure.unit)},
+                        {"meaning", base::clean(measure.meaning)}});
+  }
+  Json cells = Json::array();
+  for (std::size_t i = 0; i < findings.cells.size(); ++i) {
+    cells.push_back(json_of(findings, i));
+  }
+  Json expectations = Json::array();
+  for (const Verdict& verdict : findings.verdicts) {
+    expectations.push_back(json_of(findings, verdict));
+  }
+  Json failures = Json::array();
+  for (const Run& run : results.runs) {
+    if (!run.broken()) {
+      continue;
+    }
+    failures.push_back({{"run", run.id},
+                        {"cell", base::clean(results.cells[run.cell].label)},
+                        {"seed", run.seed},
+                        {"state", to_string(run.state)},
+                        {"told", base::clean(ending_in_words(run))}});
+  }
+  Json disagreements = Json::array();
+  for (const Disagreement& disagreement : findings.disagreements) {
+    Json runs = Json::array();
+    for (const std::size_t run : disagreement.runs) {
+      runs.push_back(results.runs[run].id);
+    }
+    disagreements.push_back(std::move(runs));
+  }
+  Json give_ups = Json::array();
+  for (const Run& run : results.runs) {
+    if (run.solver_gave_up.value_or(0) > 0) {
+      give_ups.push_back({{"run", run.id},
+                          {"cell", base::clean(results.cells[run.cell].label)},
+                          {"seed", run.seed},
+                          {"gave_up_steps", *run.solver_gave_up},
+                          {"unsolved_steps", run.solver_unsolved.value_or(0)}});
+    }
+  }
+  const Json all = {{"experiment", base::clean(results.experiment)},
+                    {"description", base::clean(results.description)},
+                    {"file", base::clean(results.file)},
+                    {"fingerprint", base::clean(results.fingerprint)},
+                    {"shard", base::clean(results.shard)},
+                    {"good", findings.good()},
+                    {"runs", findings.runs()},
+                    {"broken", findings.broken()},
+                    {"pending", findings.pending()},
+                    {"missing", findings.missing()},
+                    {"confidence", kConfidence},
+                    {"measures", std::move(measures)},
+                    {"cells", std::move(cells)},
+                    {"expectations", std::move(expectations)},
+                    {"failures", std::move(failures)},
+                    {"solver_give_ups", std::move(give_ups)},
+                    {"disagreements", std::move(disagreements)}};
+  return all.dump(2) + '\n';
+}
+
+}  // namespace elsie::report

@@ -1,0 +1,242 @@
+// Each cell by itself.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "elsie/base/shell_word.h"
+
+#include "markup.h"
+#include "numbers.h"
+#include "page.h"
+#include "words.h"
+
+namespace elsie::report {
+
+namespace {
+
+// With more cells than these they are folded.
+constexpr std::size_t kOpenCells = 12;
+constexpr std::size_t kHeadMeasures = 3;
+// Of runs that are worth a look; the others are told on request.
+constexpr std::size_t kRunsAtOnce = 8;
+
+// Of a measure with bounds: what is known of it.
+std::string censored_row(const MeasureFindings& found, bool some_missed) {
+  constexpr const char* kUnknown = "<td class=\"n none\">\xe2\x80\x93</td>";
+  const Censoring& censoring = *found.censoring;
+  const std::optional<int> decimals =
+      found.successes
+          ? decimals_for(found.successes->mean, found.successes->standard_deviation.value_or(0.0))
+          : decimals_for(censoring.limit, 0.0);
+  const auto number = [&](double value) {
+    return decimals ? fixed_text(value, *decimals) : brief(value);
+  };
+  const auto cell = [](const std::string& text) { return "<td class=\"n\">" + text + "</td>"; };
+  const std::string bound = "&gt;\xc2\xa0" + number(censoring.limit);
+  const double least = *std::min_element(found.values.begin(), found.values.end());
+  std::string text = cell(std::to_string(found.values.size()));
+  text += std::string(kUnknown) + kUnknown + kUnknown;
+  text += cell(least < censoring.limit ? number(least) : bound) + kUnknown;
+  text += cell(censoring.median ? number(*censoring.median) : bound) + kUnknown + cell(bound);
+  if (some_missed) {
+    text += found.successes ? cell(number(found.successes->mean)) : kUnknown;
+  }
+  return text;
+}
+
+std::string measure_table(const PageContext& page, const CellFindings& cell) {
+  const Results& results = page.findings.results;
+  bool some_missed = false;
+  for (const MeasureFindings& found : cell.measures) {
+    some_missed |= cell.goals && !found.values.empty() &&
+                   (!found.successes || found.successes->count < found.values.size());
+  }
+  std::string text =
+      "<details class=\"numbers\"><summary>All numbers</summary><div "
+      "class=\"scroll\"><table><thead>"
+      "<tr><th>measure</th><th class=\"n\">runs</th><th class=\"n\">mean</th><th class=\"n\">std. "
+      "deviation</th><th class=\"n\">95\xc2\xa0% interval</th><th class=\"n\">least</th><th "
+      "class=\"n\">lower quartile</th><th class=\"n\">median</th><th class=\"n\">upper "
+      "quartile</th>"
+      "<th class=\"n\">largest</th>" +
+      std::string(some_missed ? "<th class=\"n\">mean of successes</th>" : "") +
+      "</tr></thead><tbody>";
+  for (std::size_t i = 0; i < cell.measures.size(); ++i) {
+    const Measure& measure = results.measures[page.findings.measures[i]];
+    const MeasureFindings& found = cell.measures[i];
+    text += "<tr><th scope=\"row\">" + escaped(in_words(measure.name, measure.unit)) +
+            (measure.unit.empty() ? "" : " <span>" + escaped(measure.unit) + "</span>") + "</th>";
+    if (found.censoring) {
+      text += censored_row(found, some_missed) + "</tr>";
+      continue;
+    }
+    if (!found.all) {
+      text += "<td class=\"n none\">0</td></tr>";
+      continue;
+    }
+    const std::optional<int> decimals =
+        decimals_for(found.all->mean, found.all->standard_deviation.value_or(0.0));
+    const auto number = [&](std::optional<double> value) {
+      return "<td class=\"n\">" +
+             (!value     ? "\xe2\x80\x93"
+              : decimals ? fixed_text(*value, *decimals)
+                         : brief(*value)) +
+             "</td>";
+    };
+    const MeanText mean = mean_text(*found.all, found.interval);
+    text += "<td class=\"n\">" + std::to_string(found.all->count) + "</td>" +
+            number(found.all->mean) + number(found.all->standard_deviation) + "<td class=\"n\">" +
+            (mean.low.empty() ? "\xe2\x80\x93"
+                              : mean.low + "\xc2\xa0\xe2\x80\x93\xc2\xa0" + mean.high) +
+            "</td>" + number(found.all->least) + number(found.all->lower_quartile) +
+            number(found.all->median) + number(found.all->upper_quartile) +
+            number(found.all->largest);
+    if (some_missed) {
+      text += number(found.successes ? std::optional(found.successes->mean) : std::nullopt);
+    }
+    text += "</tr>";
+  }
+  return text + "</tbody></table></div></details>\n";
+}
+
+// Why runs are worth a look: by place, in the order in which they are to be told.
+std::vector<std::pair<std::size_t, std::string>> notable_runs(const Findings& findings,
+                                                              const CellFindings& cell) {
+  std::vector<std::size_t> order = cell.broken;
+  std::map<std::size_t, std::string> outliers;
+  for (const Outlier& outlier : cell.outliers) {
+    const Measure& measure = findings.results.measures[outlier.measure];
+    std::string& text = outliers[outlier.run];
+    text += (text.empty() ? "outlier: " : ", ") + in_words(measure.name, measure.unit) + " " +
+            brief(outlier.value, 5) + (measure.unit.empty() ? "" : " " + measure.unit);
+    order.push_back(outlier.run);
+  }
+  for (const std::size_t place : cell.runs) {
+    const Run& run = findings.results.runs[place];
+    if (findings.missed(run)) {
+      order.push_back(place);
+    }
+  }
+  std::vector<std::pair<std::size_t, std::string>> notable;
+  std::set<std::size_t> seen;
+  for (const std::size_t place : order) {
+    if (!seen.insert(place).second) {
+      continue;
+    }
+    const Run& run = findings.results.runs[place];
+    std::string text = run.broken() ? circumstances(run) : findings.missed(run) ? run.message : "";
+    if (text.ends_with('.')) {
+      text.pop_back();
+    }
+    if (const auto odd = outliers.find(place); odd != outliers.end()) {
+      text += (text.empty() ? "" : "; ") + odd->second;
+    }
+    notable.emplace_back(place, text);
+  }
+  return notable;
+}
+
+std::string run_table(const PageContext& page, const CellFindings& cell) {
+  const auto notable = notable_runs(page.findings, cell);
+  if (notable.empty()) {
+    return "<p class=\"quiet\">" +
+           std::string(cell.ended == 0 ? "No run is done yet." : "No run stands out.") + "</p>\n";
+  }
+  const std::string head =
+      "<div class=\"scroll\"><table class=\"runs\"><thead><tr><th "
+      "class=\"n\">run</th><th class=\"n\">seed</th><th>ended</th><th>why</th><th>again</th></tr>"
+      "</thead><tbody>";
+  const std::string foot = "</tbody></table></div>\n";
+  std::string text = "<h4>Runs to look at</h4>" + head;
+  std::size_t told = 0;
+  for (const auto& [place, why] : notable) {
+    const Run& run = page.findings.results.runs[place];
+    // One more is told rather than folded away.
+    if (told++ == kRunsAtOnce && notable.size() > kRunsAtOnce + 1) {
+      text += foot + "<details class=\"fold\"><summary>" +
+              counted(notable.size() - kRunsAtOnce, "more", "more") + "</summary>" + head;
+    }
+    text += "<tr><td class=\"n\">" + std::to_string(run.id) + "</td><td class=\"n\">" +
+            std::to_string(run.seed) + "</td><td>" + ending_tag(page.findings, run) + "</td><td>" +
+            escaped(why) + "</td><td>" + command(page, run) + "</td></tr>";
+  }
+  return text + foot + (told > kRunsAtOnce + 1 ? "</details>" : "");
+}
+
+std::string headline(const PageContext& page, std::size_t place) {
+  const CellFindings& cell = page.findings.cells[place];
+  const std::string swatch =
+      page.inks.factor ? "<i class=\"swatch " + page.inks.cell_class(place) + "\"></i>" : "";
+  std::string text = "<h3>" + swatch + escaped(page.findings.results.cells[place].label) +
+                     "</h3><p class=\"facts\"><span>" +
+                     (cell.goals ? "<b>" + std::to_string(cell.successes) + "</b>/" +
+                                       std::to_string(cell.ended) + " success"
+                                 : "no goals") +
+                     "</span>";
+  if (!cell.broken.empty()) {
+    text += "<span class=\"bad\"><b>" + std::to_string(cell.broken.size()) + "</b> failed</span>";
+  }
+  if (cell.pending > 0) {
+    text += "<span class=\"bad\"><b>" + std::to_string(cell.pending) + "</b> to do</span>";
+  }
+  for (std::size_t i = 0; i < std::min(kHeadMeasures, cell.measures.size()); ++i) {
+    const MeasureFindings& found = cell.measures[i];
+    const Measure& measure = page.findings.results.measures[page.findings.measures[i]];
+    if (found.censoring) {
+      text += "<span>" + escaped(in_words(measure.name, measure.unit)) + " <b>" +
+              escaped(censored_in_words(found, decimals_of(page.findings, i))) + "</b>" +
+              (measure.unit.empty() ? "" : " " + escaped(measure.unit)) + "</span>";
+    }
+    if (!found.all) {
+      continue;
+    }
+    const MeanText mean = mean_text(*found.all, found.interval);
+    text += "<span>" + escaped(in_words(measure.name, measure.unit)) + " <b>" + mean.mean + "</b>" +
+            (mean.deviation.empty() ? "" : " \xc2\xb1 " + mean.deviation) +
+            (measure.unit.empty() ? "" : " " + escaped(measure.unit)) +
+            (found.all->count < cell.ended ? " (n " + std::to_string(found.all->count) + ")" : "") +
+            "</span>";
+  }
+  return text + "</p>";
+}
+
+// Which cells have no section, and how to see them.
+std::string left_out(const PageContext& page) {
+  const std::size_t all = page.findings.cells.size(), shown = page.detailed.size();
+  if (shown == all) {
+    return "";
+  }
+  return "<p class=\"lead\">" + std::to_string(shown) + " of " + counted(all, "cell") +
+         (shown == 1 ? " is" : " are") + " drawn here. <code>elsie report " +
+         escaped(base::shell_word(page.database)) +
+         " --html FILE.html --cells TEXT</code> draws those whose names have the text in "
+         "them.</p>\n";
+}
+
+}  // namespace
+
+std::string cell_sections(const PageContext& page) {
+  const Findings& findings = page.findings;
+  const bool folded = page.detailed.size() > kOpenCells;
+  const Budget budget = budget_for(page.detailed.size());
+  std::string text = "<section id=\"cells\"><h2>Cells</h2>\n" + left_out(page);
+  for (const std::size_t i : page.detailed) {
+    const CellInfo& info = findings.results.cells[i];
+    const std::string decisions =
+        decision_figure(findings, i, page.file.timelines(info.id), page.inks, budget);
+    const std::string curves = curve_figures(findings, i, page.file.curves(info.id), page.inks);
+    const std::string map =
+        map_figure(findings, i, page.file.trajectories(info.id), page.inks, budget);
+    text += "<article class=\"cell\" id=\"" + anchor(i) + "\" data-cell=\"" +
+            escaped_attribute(info.label) + "\">" +
+            (folded ? "<details><summary>" + headline(page, i) + "</summary>" : headline(page, i)) +
+            "<div class=\"pictures\">" + map + "<div class=\"beside\">" + decisions + curves +
+            (decisions.empty() && curves.empty() ? run_table(page, findings.cells[i]) : "") +
+            "</div></div>" +
+            (decisions.empty() && curves.empty() ? "" : run_table(page, findings.cells[i])) +
+            measure_table(page, findings.cells[i]) + (folded ? "</details>" : "") + "</article>\n";
+  }
+  return text + "</section>\n";
+}
+
+}  // namespace elsie::report

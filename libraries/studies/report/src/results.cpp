@@ -1,0 +1,151 @@
+#include "elsie/report/results.h"
+
+#include <map>
+#include <utility>
+
+#include "elsie/base/random.h"
+
+#include "results_state.h"
+
+namespace elsie::report {
+
+namespace {
+
+std::optional<Outcome> outcome_of(const std::string& word) {
+  for (const Outcome outcome : {Outcome::success, Outcome::failure, Outcome::time_limit}) {
+    if (word == simulation::to_string(outcome)) return outcome;
+  }
+  return std::nullopt;
+}
+
+void read_about(sqlite::Connection& connection, Results& results) {
+  sqlite::Statement about(
+      connection,
+      "SELECT elsie_version, experiment, description, file, text, fingerprint, shard, "
+      "created, runs FROM about");
+  about.next();
+  int column = 0;
+  for (std::string* text :
+       {&results.elsie_version, &results.experiment, &results.description, &results.file,
+        &results.text, &results.fingerprint, &results.shard, &results.created}) {
+    *text = about.text(column++);
+  }
+  results.all_runs = static_cast<std::size_t>(about.integer(column));
+}
+
+using Places = std::map<std::int64_t, std::size_t>;  // from ids
+
+Places read_factors(sqlite::Connection& connection, Results& results) {
+  Places places;
+  sqlite::Statement factors(connection, "SELECT id, name FROM factors ORDER BY id");
+  while (factors.next()) {
+    places[factors.integer(0)] = results.factors.size();
+    results.factors.push_back({factors.text(1)});
+  }
+  return places;
+}
+
+Places read_cells(sqlite::Connection& connection, Results& results) {
+  const Places factors = read_factors(connection, results);
+  Places places;
+  sqlite::Statement cells(connection,
+                          "SELECT id, label, world, world_text, world_file FROM cells ORDER BY id");
+  while (cells.next()) {
+    CellInfo cell;
+    cell.id = cells.integer(0);
+    cell.label = cells.text(1);
+    cell.world = cells.text(2);
+    cell.world_text = cells.text(3);
+    cell.world_file = cells.text(4);
+    cell.levels.resize(results.factors.size());
+    cell.places.resize(results.factors.size());
+    places[cell.id] = results.cells.size();
+    results.cells.push_back(std::move(cell));
+  }
+  sqlite::Statement levels(connection, "SELECT cell_id, factor_id, label, place FROM cell_levels");
+  while (levels.next()) {
+    CellInfo& cell = results.cells[places.at(levels.integer(0))];
+    const std::size_t factor = factors.at(levels.integer(1));
+    cell.levels[factor] = levels.text(2);
+    cell.places[factor] = static_cast<int>(levels.integer(3));
+  }
+  return places;
+}
+
+// Those that tell most stand first, the others by name.
+std::map<std::string, std::size_t> read_measures(sqlite::Connection& connection, Results& results) {
+  std::map<std::string, std::size_t> places;
+  sqlite::Statement measures(
+      connection,
+      "SELECT name, unit, meaning FROM measures ORDER BY CASE name WHEN 'success' THEN "
+      "0 WHEN 'path_length_m' THEN 1 WHEN 'time_s' THEN 2 ELSE 3 END, name");
+  while (measures.next()) {
+    places[measures.text(0)] = results.measures.size();
+    results.measures.push_back({measures.text(0), measures.text(1), measures.text(2)});
+  }
+  return places;
+}
+
+void read_runs(sqlite::Connection& connection, const Places& cells, Results& results) {
+  const auto measures = read_measures(connection, results);
+  Places places;
+  sqlite::Statement runs(
+      connection,
+      "SELECT id, cell_id, seed, repetition, state, outcome, message, steps, simulated_s, "
+      "state_hash, exit_code, signal, plugin, robot, step, log, wall_s, solver_gave_up, "
+      "solver_unsolved FROM runs ORDER BY id");
+  while (runs.next()) {
+    Run run;
+    run.id = runs.integer(0);
+    run.cell = cells.at(runs.integer(1));
+    run.seed = static_cast<std::uint64_t>(runs.integer(2));
+    run.repetition = static_cast<int>(runs.integer(3));
+    run.state = results::run_state(runs.text(4));
+    run.outcome = outcome_of(runs.text(5));
+    run.message = runs.text(6);
+    run.steps = runs.optional_integer(7);
+    run.simulated_s = runs.optional_number(8);
+    run.state_hash = runs.text(9);
+    if (!runs.is_null(10)) run.exit_code = static_cast<int>(runs.integer(10));
+    run.signal = runs.text(11);
+    run.plugin = runs.text(12);
+    run.robot = runs.text(13);
+    run.step = runs.optional_integer(14);
+    run.log = runs.text(15);
+    run.wall_s = runs.optional_number(16);
+    run.solver_gave_up = runs.optional_integer(17);
+    run.solver_unsolved = runs.optional_integer(18);
+    run.values.resize(results.measures.size());
+    places[run.id] = results.runs.size();
+    results.runs.push_back(std::move(run));
+  }
+  sqlite::Statement values(connection, "SELECT run_id, measure, value FROM run_measures");
+  while (values.next()) {
+    Run& run = results.runs[places.at(values.integer(0))];
+    run.values[measures.at(values.text(1))] = values.optional_number(2);
+  }
+}
+
+}  // namespace
+
+std::uint64_t Results::seed() const { return Random(0, fingerprint).bits(); }
+
+ResultsFile::ResultsFile(const std::filesystem::path& file)
+    : state_(std::make_unique<State>(file)) {
+  // What others write from now on is not seen: a transaction begins when it reads.
+  state_->reading([&] { state_->connection.run("BEGIN; SELECT count(*) FROM about"); });
+}
+
+ResultsFile::~ResultsFile() = default;
+
+Results ResultsFile::results() const {
+  return state_->reading([&] {
+    Results results;
+    read_about(state_->connection, results);
+    const Places cells = read_cells(state_->connection, results);
+    read_runs(state_->connection, cells, results);
+    return results;
+  });
+}
+
+}  // namespace elsie::report

@@ -1,0 +1,240 @@
+#include "words.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "numbers.h"
+
+namespace elsie::report {
+
+std::string size_in_words(const Findings& findings) {
+  std::set<std::uint64_t> seeds;
+  int repeats = 1;
+  for (const Run& run : findings.results.runs) {
+    seeds.insert(run.seed);
+    repeats = std::max(repeats, run.repetition);
+  }
+  std::string text = counted(findings.runs(), "run") + ": " +
+                     counted(findings.cells.size(), "cell") + ", " + counted(seeds.size(), "seed");
+  if (repeats > 1) {
+    text += ", each " + std::to_string(repeats) + " times";
+  }
+  if (findings.partial()) {
+    text += "; " + missing_in_words(findings);
+  }
+  return text;
+}
+
+std::string missing_in_words(const Findings& findings) {
+  const std::size_t missing = findings.missing();
+  return std::to_string(missing) + " of " + counted(findings.results.all_runs, "run") +
+         (missing == 1 ? " is" : " are") + " not in this database" +
+         (findings.results.shard == "1/1" ? "" : ", which is shard " + findings.results.shard);
+}
+
+std::string give_ups_in_words(const Findings& findings) {
+  std::size_t count = 0;
+  const Run* worst = nullptr;
+  for (const Run& run : findings.results.runs) {
+    if (run.solver_gave_up.value_or(0) == 0) {
+      continue;
+    }
+    ++count;
+    if (!worst || *run.solver_gave_up > *worst->solver_gave_up) {
+      worst = &run;
+    }
+  }
+  if (!worst) {
+    return "";
+  }
+  return "in " + std::to_string(count) + " of " + counted(findings.runs(), "run") +
+         " the solver of the physics gave up in some steps, most often in " +
+         name_of(findings.results, *worst) + ", in " + std::to_string(*worst->solver_gave_up) +
+         " of " + std::to_string(worst->steps.value_or(0)) +
+         ": contacts there are only roughly right; the notes of these runs say what may help";
+}
+
+std::string one_run_in_words(const Findings& findings) {
+  constexpr std::size_t kNamed = 3;
+  std::size_t count = 0;
+  std::string names;
+  for (std::size_t i = 0; i < findings.cells.size(); ++i) {
+    if (findings.cells[i].one_run && ++count <= kNamed) {
+      names += (names.empty() ? "" : "; ") + findings.results.cells[i].label;
+    }
+  }
+  if (count == 0) {
+    return "";
+  }
+  const bool all = count == findings.cells.size();
+  return (all ? std::string("all")
+              : "in " + std::to_string(count) + " of " + counted(findings.cells.size(), "cell") +
+                    " all") +
+         " seeds gave one and the same run" + (all && count > 1 ? " in every cell" : "") +
+         ": nothing there is left to chance" +
+         (all ? "" : " (" + names + (count > kNamed ? "; ..." : "") + ")");
+}
+
+std::string success_in_words(const CellFindings& cell) {
+  return cell.goals ? std::to_string(cell.successes) + "/" + std::to_string(cell.ended)
+                    : "no goals";
+}
+
+std::string successes_in_words(const Findings& findings) {
+  if (!findings.any_goals()) {
+    return "no goals";
+  }
+  std::size_t successes = 0, ended = 0;
+  for (const Run& run : findings.results.runs) {
+    const bool counts = findings.cells[run.cell].goals;
+    successes += counts && run.success() ? 1 : 0;
+    ended += counts && run.ended() ? 1 : 0;
+  }
+  return std::to_string(successes) + " of " + std::to_string(ended);
+}
+
+std::string censored_in_words(const MeasureFindings& found, std::optional<int> decimals) {
+  const auto number = [&](double value) {
+    return decimals ? fixed_text(value, *decimals) : brief(value);
+  };
+  const Censoring& censoring = *found.censoring;
+  const std::string bound = "> " + number(censoring.limit);
+  if (censoring.count == found.values.size()) {
+    return bound;
+  }
+  return (censoring.median ? "median " + number(*censoring.median) + ", " : "") +
+         std::to_string(censoring.count) + " of " + std::to_string(found.values.size()) + " " +
+         bound;
+}
+
+std::optional<int> decimals_of(const Findings& findings, std::size_t measure) {
+  std::optional<int> least, most;
+  for (const CellFindings& cell : findings.cells) {
+    const MeasureFindings& found = cell.measures[measure];
+    // Of times that are not all known, those of the successful runs tell how fine they are.
+    const auto& all = found.censoring ? found.successes : found.all;
+    if (!all) {
+      continue;
+    }
+    const auto decimals = decimals_for(all->mean, all->standard_deviation.value_or(0.0));
+    if (!decimals) {
+      return std::nullopt;
+    }
+    least = std::min(least.value_or(*decimals), *decimals);
+    most = std::max(most.value_or(*decimals), *decimals);
+  }
+  return most ? std::min(*most, *least + 3) : most;
+}
+
+namespace {
+
+const char* verb_of(RunState state) {
+  switch (state) {
+    case RunState::fault:
+      return "failed in a plugin";
+    case RunState::crash:
+      return "crashed";
+    case RunState::hang:
+      return "hung";
+    case RunState::error:
+      return "could not be done";
+    default:
+      return "ended";
+  }
+}
+
+// "step 50", but not in "step 501".
+bool tells_step(const std::string& message, std::int64_t step) {
+  const std::string words = "step " + std::to_string(step);
+  for (std::size_t at = 0; (at = message.find(words, at)) != std::string::npos; ++at) {
+    const std::size_t end = at + words.size();
+    if (end == message.size() || message[end] < '0' || message[end] > '9') {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string circumstances(const Run& run) {
+  const auto told = [&](const std::string& words) {
+    return run.message.find(words) != std::string::npos;
+  };
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : " ") + part; };
+  if (!run.signal.empty() && !told(run.signal)) {
+    add("by " + run.signal);
+  }
+  if (!run.plugin.empty() && !told("'" + run.plugin + "'")) {
+    add("in plugin '" + run.plugin + "'");
+  }
+  if (!run.robot.empty() && !told("robot '" + run.robot + "'")) {
+    add("of robot '" + run.robot + "'");
+  }
+  if (run.step && !tells_step(run.message, *run.step)) {
+    add("at step " + std::to_string(*run.step));
+  }
+  if (!run.message.empty()) {
+    text += (text.empty() ? "" : ": ") + run.message;
+  }
+  return text;
+}
+
+std::string ending_in_words(const Run& run) {
+  const std::string how = circumstances(run);
+  const bool message_only = how == run.message;
+  return to_string(run.state) + std::string(how.empty() ? "" : message_only ? ": " : " ") + how;
+}
+
+std::string broken_in_words(const Findings& findings) {
+  const std::size_t broken = findings.broken();
+  if (broken == 0) {
+    return "";
+  }
+  std::map<RunState, std::size_t> states;
+  for (const Run& run : findings.results.runs) {
+    if (run.broken()) {
+      ++states[run.state];
+    }
+  }
+  const bool all = broken == findings.runs();
+  std::string text = !all ? std::to_string(broken) + " of " + counted(findings.runs(), "run")
+                     : broken == 1 ? "the only run"
+                                   : "all " + counted(broken, "run");
+  if (states.size() == 1) {
+    text += std::string(" ") + verb_of(states.begin()->first);
+  } else {
+    text += " did not end by themselves (";
+    for (const auto& [state, count] : states) {
+      text += (text.ends_with('(') ? "" : ", ") + std::to_string(count) + " " + verb_of(state);
+    }
+    text += ")";
+  }
+  const auto first = std::find_if(findings.results.runs.begin(), findings.results.runs.end(),
+                                  [](const Run& run) { return run.broken(); });
+  return text + (broken > 1 ? ", the first of them " : ": ") + name_of(findings.results, *first);
+}
+
+std::string name_of(const Results& results, const Run& run) {
+  const std::string& label = results.cells[run.cell].label;
+  return "run " + std::to_string(run.id) + " (" + (label.empty() ? "" : label + ", ") + "seed " +
+         std::to_string(run.seed) + ")";
+}
+
+std::string in_words(const Results& results, const Disagreement& disagreement) {
+  std::string text = "runs ";
+  for (std::size_t i = 0; i < disagreement.runs.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == disagreement.runs.size() ? " and " : ", ";
+    text += std::to_string(results.runs[disagreement.runs[i]].id);
+  }
+  const Run& first = results.runs[disagreement.runs.front()];
+  const std::string& label = results.cells[first.cell].label;
+  return text + " (" + (label.empty() ? "" : label + ", ") + "seed " + std::to_string(first.seed) +
+         ") ended in different states: a plugin does not follow from the seed alone";
+}
+
+}  // namespace elsie::report

@@ -1,0 +1,466 @@
+#include "elsie/testing/checker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "elsie/plugin/call.h"
+#include "elsie/plugin/kind_name.h"
+
+#include "memory.h"
+#include "random_input.h"
+#include "random_settings.h"
+#include "text.h"
+#include "trial.h"
+
+namespace elsie::testing {
+namespace {
+
+constexpr std::uint64_t kRunSeed = 5;
+
+/// The first difference of two answers, or none.
+std::optional<std::string> difference(const Answer& one, const Answer& other) {
+  for (std::size_t i = 0; i < std::min(one.numbers.size(), other.numbers.size()); ++i) {
+    const auto& [name, a] = one.numbers[i];
+    const double b = other.numbers[i].value;
+    if (a != b) {
+      return std::string(name) + " is " + number_text(b) + ", and was " + number_text(a);
+    }
+  }
+  if (one.numbers.size() != other.numbers.size()) {
+    return "it has " + std::to_string(other.numbers.size()) + " numbers, and had " +
+           std::to_string(one.numbers.size());
+  }
+  if (one.events != other.events) {
+    return "it says other words: events, or reasons in its trace";
+  }
+  return std::nullopt;
+}
+
+/// "40.1 MB".
+std::string in_bytes(double bytes) {
+  const auto rounded = [](double value) { return number_text(std::round(10.0 * value) / 10.0); };
+  return bytes < 1e4   ? number_text(std::round(bytes)) + " bytes"
+         : bytes < 1e6 ? rounded(bytes / 1e3) + " kB"
+                       : rounded(bytes / 1e6) + " MB";
+}
+
+/// The same as another robot of the team meets it: the first of the mates that others perceive,
+/// and its leader if the others have none.
+Input as_a_mate(Input input) {
+  for (Situation& now : input.instants) {
+    now.self.id = "mate0";
+    now.self.is_leader = !now.self.is_leader;
+    now.self.team_index = now.self.team_index == 0 ? 1 : 0;
+  }
+  return input;
+}
+
+/// A plugin took more than CheckOptions::memory_limit.
+class TooMuchMemory {};
+
+class Checker {
+ public:
+  Checker(const Declaration& declaration, const CheckOptions& options, const Plugins& plugins)
+      : declaration_(declaration),
+        options_(options),
+        plugins_(plugins),
+        random_(options.seed),
+        inputs_(declaration, options, plugins) {}
+
+  std::vector<std::string> findings() && {
+    // A plugin that brings the process down is named by those who report crashes.
+    const plugin::Call call({.plugin = declaration_.name.c_str(), .doing = "while it was checked"});
+    found_ = testing::check_declaration(declaration_);
+    if (check_start() && make_inputs()) {
+      for (int variant = 0; variant <= options_.variants; ++variant) {
+        try_variant(variant);
+      }
+      check_memory();
+    }
+    return std::move(found_);
+  }
+
+ private:
+  using Answers = std::vector<Answer>;
+
+  /// After a call: what it did to the process and must not.
+  void look_at_process(plugin::Call& call) {
+    if (const char* const changed = call.restore_arithmetic()) {
+      find("arithmetic", std::string("it changes ") + changed + " for the whole program" + where_);
+    }
+    if (call.has_forked()) {
+      find("forks",
+           "it makes a copy of the program with fork(); start other programs with "
+           "posix_spawn()" +
+               where_);
+    }
+  }
+
+  /// reset(), with a clock for a process::Watchdog.
+  void reset(Trial& trial, std::uint64_t seed) {
+    plugin::Call call({.doing = doing_.c_str()});
+    call.start_clock();
+    trial.reset(seed);
+    look_at_process(call);
+  }
+
+  /// Where findings from now on are made.
+  void be_at(const Settings& settings, const Input& input) {
+    where_ = " (" + in_words(settings) + "; " + input.robot + ")";
+    doing_ = "while it was tried" + where_;
+  }
+
+  /// Of each sort of finding the first one is told.
+  void find(const char* sort, const std::string& finding) {
+    if (told_.insert(sort).second) {
+      found_.push_back(std::string(plugin::kind_name(declaration_.kind)) + " '" +
+                       declaration_.name + "': " + finding);
+    }
+  }
+
+  /// Whether there is an object to go on with: made, with the defaults that it declares.
+  bool check_start() {
+    try {
+      const auto object = plugins_.host().create<Component>(declaration_.kind, declaration_.name);
+      for (const ParameterDeclaration& parameter : declaration_.parameters) {
+        if (parameter.get(*object) != parameter.default_value) {
+          find("default", "parameter '" + parameter.name +
+                              "' of a new object is not what the declaration gives as default; "
+                              "its constructor must always set the same");
+        }
+      }
+      plugins_.completed(declaration_, options_.settings);
+      return true;
+    } catch (...) {
+      find("start", "it cannot be made: " + caught_text());
+      return false;
+    }
+  }
+
+  bool make_inputs() {
+    try {
+      for (int robot = 0; robot < inputs_.robots(); ++robot) {
+        input_.push_back(inputs_.make(robot, random_));
+        other_input_.push_back(inputs_.make(robot, random_));
+      }
+      return true;
+    } catch (const std::exception& error) {
+      find("input", error.what());
+      return false;
+    }
+  }
+
+  std::unique_ptr<Trial> make(const Settings& settings, const Input& input) const {
+    const TrialSetting setting{plugins_, declaration_, settings, options_.elements, input};
+    switch (declaration_.kind) {
+      case PluginKind::behavior:
+        return make_behavior_trial(setting);
+      case PluginKind::coordinator:
+        return make_coordinator_trial(setting);
+      case PluginKind::measure:
+        return make_measure_trial(setting);
+      case PluginKind::sensor:
+        break;
+    }
+    return make_sensor_trial(setting);
+  }
+
+  /// The trial, or none when the plugin refuses it, as it may.
+  std::unique_ptr<Trial> try_to_make(const Settings& settings, const Input& input, bool as_given) {
+    try {
+      return make(settings, input);
+    } catch (const Refused& refusal) {
+      refusal_ = refusal.what();
+    } catch (const plugin::PluginError& error) {
+      if (as_given) {
+        find("refusal", "it refuses " + in_words(settings) + ": " + error.what());
+        refusal_ = error.what();
+      }
+    } catch (...) {
+      find("equipped", "equipped() throws " + caught_text() +
+                           "; throw std::invalid_argument with a sentence for what does not fit");
+    }
+    return nullptr;
+  }
+
+  void try_variant(int variant) {
+    const bool as_given = variant == 0;
+    const Settings settings =
+        as_given ? options_.settings : random_settings(declaration_, options_.settings, random_);
+    bool tried = false;
+    for (std::size_t robot = 0; robot < input_.size(); ++robot) {
+      if (!as_given && (tried || robot > 2)) {
+        break;  // one robot will do for each set of parameters
+      }
+      const Input& input = input_[(robot + static_cast<std::size_t>(variant)) % input_.size()];
+      auto trial = try_to_make(settings, input, as_given);
+      if (!trial) {
+        continue;
+      }
+      tried = true;
+      if (as_given && !typical_) {
+        typical_ = &input;
+      }
+      be_at(settings, input);
+      compare_runs(settings, input, *trial,
+                   other_input_[(robot + static_cast<std::size_t>(variant)) % input_.size()]);
+    }
+    if (as_given && !tried && told_.empty()) {
+      const bool watches = declaration_.kind == PluginKind::measure;
+      find("nothing", std::string("it refused every ") + (watches ? "world" : "robot") +
+                          " that it was offered, so nothing of it was tried: " + refusal_ +
+                          "; give the checker " +
+                          (watches ? "scenes and settings" : "robots and members") +
+                          " that it takes");
+    }
+  }
+
+  /// The answers of a run from the start, or none when it went wrong, which is told.
+  std::optional<Answers> run(Trial& trial, Trial* beside = nullptr) {
+    Answers answers(trial.run_length());
+    Answer ignored;
+    std::size_t step = 0;
+    try {
+      reset(trial, kRunSeed);
+      if (beside) {
+        reset(*beside, kRunSeed + 1);
+      }
+      for (; step < answers.size(); ++step) {
+        if (beside) {
+          beside->step(step, ignored);
+        }
+        plugin::Call call({.step = step, .doing = doing_.c_str()});
+        call.start_clock();  // for a process::Watchdog, if there is one
+        trial.step(step, answers[step]);
+        look_at_process(call);
+      }
+      return answers;
+    } catch (const Wrong& wrong) {
+      find("answer", "in step " + std::to_string(step) + " " + wrong.what() + where_);
+    } catch (...) {
+      find("throws", "in step " + std::to_string(step) + " it throws: " + caught_text() + where_);
+    }
+    return std::nullopt;
+  }
+
+  /// Whether two runs are the same; told otherwise, after `finding`.
+  bool same(const char* sort, const std::string& finding, const Answers& first,
+            const std::optional<Answers>& second) {
+    if (!second) {
+      return false;  // told already
+    }
+    for (std::size_t step = 0; step < first.size(); ++step) {
+      if (const auto differs = difference(first[step], (*second)[step])) {
+        find(sort, finding + ": in step " + std::to_string(step) + " " + *differs + where_);
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void compare_runs(const Settings& settings, const Input& input, Trial& one,
+                    const Input& other_input) {
+    const auto first = run(one);
+    if (!first) {
+      return;
+    }
+    // While the first one is alive, so that they have different addresses.
+    const auto two = try_to_make(settings, input, true);
+    if (!two) {
+      find("again",
+           "a second object with the same parameters, on the same robot, is refused: " + refusal_);
+      return;
+    }
+    if (!same("objects",
+              "two objects answer the same input differently: it has state that all objects share "
+              "(a static or a global), or goes by a clock, an address or random numbers other than "
+              "now.random()",
+              *first, run(*two))) {
+      return;
+    }
+    if (!same("reset",
+              "after reset() it answers the same input differently: reset() must forget "
+              "what the last run left",
+              *first, run(one))) {
+      return;
+    }
+    const Input mates_input = as_a_mate(other_input);
+    for (const Input* of_another : {&other_input, &mates_input}) {
+      const auto beside = try_to_make(settings, *of_another, false);
+      if (!beside) {
+        continue;
+      }
+      if (!same("shared",
+                "it answers differently while another object of it works on something else: "
+                "objects must not share state (a static or a global)",
+                *first, run(one, beside.get()))) {
+        return;
+      }
+    }
+    try {
+      one.configure_again();
+    } catch (...) {
+      find("configured",
+           "configured() fails when it is called once more: " + caught_text() + where_);
+      return;
+    }
+    if (same("configured", "after configured() was called once more it answers differently", *first,
+             run(one))) {
+      compare_successor(one, *two, *first);
+    }
+  }
+
+  /// Whether an object that is put in the place of another in the middle of a run goes on as that
+  /// would have.
+  void compare_successor(Trial& one, Trial& successor, const Answers& first) {
+    const std::size_t middle = first.size() / 2;
+    Answer answer;
+    try {
+      reset(one, kRunSeed);
+      for (std::size_t step = 0; step < middle; ++step) {
+        one.step(step, answer);
+      }
+      if (!successor.take_over(one)) {
+        return;  // it does not offer to
+      }
+      for (std::size_t step = middle; step < first.size(); ++step) {
+        successor.step(step, answer);
+        if (const auto differs = difference(first[step], answer)) {
+          find("remembers",
+               "an object that takes over in step " + std::to_string(middle) +
+                   " what remember() names goes on differently: remember() must name everything "
+                   "that outlives a step: in step " +
+                   std::to_string(step) + " " + *differs + where_);
+          return;
+        }
+      }
+    } catch (...) {
+      find("remembers", "remember() fails, or what follows it: " + caught_text() + where_);
+    }
+  }
+
+  /// Bytes that are in use after `action` and were not before.
+  template <class Action>
+  static double growth(Action action) {
+    const std::size_t before = memory_in_use();
+    action();
+    return static_cast<double>(memory_in_use()) - static_cast<double>(before);
+  }
+
+  /// Growth that is there each time, and not only because something is filled: the allocator's own
+  /// lists of free blocks may take a few rounds.
+  template <class Action>
+  static double steady_growth(double least, Action action) {
+    constexpr int kRounds = 8;
+    double smallest = growth(action);
+    for (int i = 1; i < kRounds && smallest > least; ++i) {
+      smallest = std::min(smallest, growth(action));
+    }
+    return smallest;
+  }
+
+  void check_memory() {
+    if (!typical_ || !told_.empty()) {
+      return;  // with wrong answers, the rest says little
+    }
+    be_at(options_.settings, *typical_);
+    try {
+      check_growth();
+      check_leaks();
+    } catch (const Wrong& wrong) {
+      find("answer", "in a long run " + std::string(wrong.what()) + where_);
+    } catch (...) {
+      find("throws", "in a long run it throws: " + caught_text() + where_);
+    }
+  }
+
+  void check_growth() {
+    const auto trial = make(options_.settings, *typical_);
+    Answer answer;
+    std::size_t step = 0;
+    // Pictures take long to look at.
+    const bool sees = declaration_.kind == PluginKind::sensor &&
+                      declaration_.produces.front().kind == VisionReading::kind;
+    const std::size_t steps = static_cast<std::size_t>(options_.steps) / (sees ? 50 : 1) / 4;
+    const std::size_t begun = memory_in_use();
+    const auto walk = [&] {
+      constexpr std::size_t kStepsBetweenLooks = 64;
+      for (std::size_t i = 0; i < steps; ++i) {
+        plugin::Call call({.step = step, .doing = doing_.c_str()});
+        call.start_clock();
+        trial->step(step++, answer);
+        if (step % kStepsBetweenLooks == 0 && memory_in_use() > begun + options_.memory_limit) {
+          throw TooMuchMemory();
+        }
+      }
+    };
+    try {
+      reset(*trial, kRunSeed);
+      walk();  // what is filled once is filled now
+      const double least = 512.0 + 0.5 * static_cast<double>(steps);
+      // A vector grows by leaps: twice as many steps each time are sure to see one.
+      std::size_t before_growth = step;
+      const double grown = steady_growth(least, [&] {
+        before_growth = step;
+        while (step < 2 * before_growth) {
+          walk();
+        }
+      });
+      if (grown > least) {
+        find("grows", "its memory grows with the number of steps, by " + in_bytes(grown) + " in " +
+                          std::to_string(step - before_growth) + " steps" + where_);
+      }
+    } catch (const TooMuchMemory&) {
+      find("grows", "its memory grows with the number of steps: more than " +
+                        in_bytes(static_cast<double>(options_.memory_limit)) + " in " +
+                        std::to_string(step) + " steps" + where_);
+    }
+  }
+
+  void check_leaks() {
+    constexpr int kObjects = 40;
+    const auto come_and_go = [&] {
+      Answer answer;
+      for (int i = 0; i < kObjects; ++i) {
+        const auto trial = make(options_.settings, *typical_);
+        reset(*trial, kRunSeed);
+        for (std::size_t step = 0; step < 3; ++step) {
+          trial->step(step, answer);
+        }
+      }
+    };
+    come_and_go();
+    const double least = 8.0 * kObjects;
+    const double left = steady_growth(least, come_and_go);
+    if (left > least) {
+      find("leaks", "its objects leave memory behind when they are destroyed: " +
+                        in_bytes(left / kObjects) + " each" + where_);
+    }
+  }
+
+  const Declaration& declaration_;
+  const CheckOptions& options_;
+  const Plugins& plugins_;
+  Random random_;
+  InputMaker inputs_;
+  std::vector<Input> input_, other_input_;  // for each robot
+  const Input* typical_ = nullptr;          // the first that the plugin takes
+  std::string refusal_;
+  std::string where_;
+  std::string doing_ = "while it was tried";  // for reports of crashes
+  std::set<std::string> told_;
+  std::vector<std::string> found_;
+};
+
+}  // namespace
+
+std::vector<std::string> check_plugin(PluginKind kind, const std::string& name,
+                                      const CheckOptions& options, const Plugins& plugins) {
+  return Checker(plugins.declaration(kind, name), options, plugins).findings();
+}
+
+}  // namespace elsie::testing

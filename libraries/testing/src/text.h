@@ -1,0 +1,15 @@
+// Pieces of sentences.
+#pragma once
+
+#include <string>
+
+#include "elsie/base/number_text.h"
+
+namespace elsie::testing {
+
+using base::number_text;
+
+/// To be called in a catch block: what() of the exception, or that it is no std::exception.
+std::string caught_text();
+
+}  // namespace elsie::testing

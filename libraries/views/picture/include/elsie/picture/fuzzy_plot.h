@@ -1,0 +1,75 @@
+// Pictures of fuzzy models: membership functions and control surfaces.
+//
+// The model is handed over as plain data and a function, so that any source of fuzzy sets can be
+// drawn.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elsie/base/fuzzy_set.h"
+#include "elsie/picture/plot.h"
+#include "elsie/picture/size.h"
+
+namespace elsie::picture {
+
+/// A variable with its terms by name.
+struct MembershipPanel {
+  std::string variable{};
+  std::string unit{};
+  double low = 0.0;
+  double high = 1.0;
+  std::vector<std::pair<std::string, FuzzySet>> terms{};
+};
+
+/// A variable with its range.
+struct SurfaceVariable {
+  std::string name{};
+  std::string unit{};
+  double low = 0.0;
+  double high = 1.0;
+};
+
+/// An input that is not drawn, and the value at which it is held meanwhile.
+struct HeldInput {
+  std::string name{};
+  std::string unit{};
+  double value = 0.0;
+};
+
+/// One output over one or two inputs.
+struct ControlSurface {
+  SurfaceVariable x{};
+  std::optional<SurfaceVariable> y{};  // none: the output is drawn as a curve over x
+  SurfaceVariable output{};
+  std::vector<HeldInput> held{};  // named in the title
+  /// The output at (x, y); y is 0 when there is no second input. NaN where it is undefined.
+  std::function<double(double x, double y)> value;
+};
+
+/// A whole model on one page: the variables, then each surface as heat map and mesh.
+struct FuzzyPicture {
+  std::string title{};
+  std::vector<std::string> subtitles{};
+  std::vector<MembershipPanel> variables{};
+  std::vector<ControlSurface> surfaces{};
+};
+
+/// The page that shows the picture's content, for use among other pages and panels. The surfaces
+/// are evaluated here. Throws std::invalid_argument when a variable's low is not below its high.
+Page fuzzy_page(const FuzzyPicture& picture);
+
+// Each draws one file; errors as save_page().
+void save_fuzzy_picture(const FuzzyPicture& picture, const std::filesystem::path& file,
+                        const Size& size = {});
+void save_membership_functions(const std::vector<MembershipPanel>& variables,
+                               const std::string& title, const std::filesystem::path& file,
+                               const Size& size = {});
+void save_control_surface(const ControlSurface& surface, const std::filesystem::path& file,
+                          const Size& size = {});
+
+}  // namespace elsie::picture

@@ -1,0 +1,52 @@
+#include "elsie/picture/axis.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "elsie/base/number_text.h"
+
+namespace elsie::picture {
+
+double nice_step(double span, int about) {
+  if (!(span > 0.0) || !std::isfinite(span) || about < 1) return 1.0;
+  const double wanted = span / about;
+  const double power = std::pow(10.0, std::floor(std::log10(wanted)));
+  // Nearest by ratio: the borders are the geometric means of neighbours.
+  const double ratio = wanted / power;
+  if (ratio < std::sqrt(2.0)) return power;
+  if (ratio < std::sqrt(10.0)) return 2.0 * power;
+  if (ratio < std::sqrt(50.0)) return 5.0 * power;
+  return 10.0 * power;
+}
+
+Ticks nice_ticks(double low, double high, int about) {
+  Ticks ticks;
+  if (!std::isfinite(low) || !std::isfinite(high) || !(low < high)) return ticks;
+  if (!std::isfinite(high - low)) return ticks;
+  ticks.step = nice_step(high - low, about);
+  // A tick may stand on a border that rounding has moved by a hair.
+  constexpr double kHair = 1e-9;
+  const double first = std::ceil(low / ticks.step - kHair);
+  const double last = std::floor(high / ticks.step + kHair);
+  // Where the step is below the resolution of the numbers, counting would not end.
+  if (!(last - first < 1000.0)) return ticks;
+  for (double i = first; i <= last; i += 1.0) {
+    ticks.at.push_back(std::clamp(i == 0.0 ? 0.0 : i * ticks.step, low, high));
+  }
+  return ticks;
+}
+
+std::string tick_label(double value, double step) {
+  const double magnitude = std::max(std::abs(value), step);
+  std::string text;
+  if (magnitude >= 1e6 || step < 1e-5) {
+    text = base::number_text(value, 6);
+  } else {
+    const double exponent = std::floor(std::log10(step) + 1e-9);
+    text = base::fixed_text(value, static_cast<int>(std::max(0.0, -exponent)));
+  }
+  if (!text.empty() && text.front() == '-') text.replace(0, 1, "\xE2\x88\x92");
+  return text;
+}
+
+}  // namespace elsie::picture

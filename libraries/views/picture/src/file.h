@@ -1,0 +1,22 @@
+// Picture files: their type by suffix, their size, and writing them whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "elsie/picture/size.h"
+
+namespace elsie::picture {
+
+enum class FileType { png, svg };
+
+/// Throws std::invalid_argument when the suffix is neither .png nor .svg, in any case of letters.
+FileType file_type(const std::filesystem::path& file);
+
+/// Throws std::invalid_argument for a size out of range.
+void check_size(const Size& size);
+
+/// base::write_whole(). Throws std::runtime_error with file and reason.
+void write_whole(const std::filesystem::path& file, const std::string& content);
+
+}  // namespace elsie::picture

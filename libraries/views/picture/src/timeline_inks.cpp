@@ -1,0 +1,51 @@
+#include <algorithm>
+#include <array>
+
+#include "timeline_parts.h"
+
+namespace elsie::picture {
+namespace {
+
+constexpr Ink kTogetherInk = hex(0xb4bac1);
+
+/// The nth colour; past the palette, the same ones lighter and turned a little.
+Ink nth_ink(std::size_t index) {
+  const auto round = static_cast<double>(index / kSeriesInks);
+  const Ink base = series_ink(index);
+  return round == 0.0 ? base : shifted(base, 0.13 * round, 0.3 * round);
+}
+
+/// The nth shade of a behaviour's colour, to either side of it in turn.
+Ink shade(const Ink& base, std::size_t index) {
+  const double step = 0.42 * static_cast<double>(index / 2 + 1);
+  return shifted(base, index % 2 == 0 ? 0.10 : -0.04, index % 2 == 0 ? step : -step);
+}
+
+}  // namespace
+
+BehaviorInks::BehaviorInks(const traces::Trace& trace) {
+  std::size_t outermost = 0;
+  std::map<std::string, std::size_t> shades;  // how many a path has given
+  for (const traces::TraceRobot& robot : trace.robots) {
+    for (const traces::TraceMember& member : robot.members) {
+      if (by_path_.contains(member.path)) continue;
+      if (member.parent < 0) {
+        by_path_[member.path] = nth_ink(outermost++);
+      } else {
+        const std::string& parent = robot.members[static_cast<std::size_t>(member.parent)].path;
+        by_path_[member.path] = shade(by_path_[parent], shades[parent]++);
+      }
+    }
+  }
+}
+
+Ink BehaviorInks::of(const traces::TraceRobot& robot, int member) const {
+  return by_path_.at(robot.members[static_cast<std::size_t>(member)].path);
+}
+
+Ink BehaviorInks::of_decider(const traces::TraceRobot& robot, traces::Decider decider) const {
+  if (decider >= 0) return of(robot, decider);
+  return decider == traces::kTogether ? kTogetherInk : kPaper;
+}
+
+}  // namespace elsie::picture

@@ -1,0 +1,43 @@
+// Recording a run as a table.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "elsie/simulation/observer.h"
+
+namespace elsie::recording {
+
+/// Writes one row per robot and sample, comma-separated, with a heading line. Columns:
+///
+/// - time_s, robot, x_m, y_m, heading_rad, speed_m_s, turn_rate_rad_s, distance_m, energy,
+///   command_left, command_right;
+/// - sensor[ID].VALUE for each number of each sensor's reading;
+/// - behavior[ID].asked, .left, .right, .activation, .strength, .weight, .share, .inhibited_by,
+///   .reason (and .time_s when time is measured): the coordinator's trace of its last decision.
+///
+/// Poses are those at time_s; readings, commands and traces those of the decision that led there,
+/// and empty in the first row, before any. Columns of what a robot does not have stay empty.
+/// When plugins are replaced, numbers that sensors did not have at the start get no columns.
+/// Numbers are written so that reading them back gives the same number, bit for bit. The file is
+/// written as the run goes: what is there when a plugin fails is valid. A recorder serves one run.
+class CsvRecorder final : public simulation::Observer {
+ public:
+  /// Creates the file at once; throws std::runtime_error with a sentence when that cannot be done.
+  /// `rate_hz`: samples per simulated second, rounded to whole steps, at most one a step; must be
+  /// positive.
+  CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times = false);
+  ~CsvRecorder() override;
+
+  void started(const simulation::Simulation& simulation) override;
+  void stepped(const simulation::Simulation& simulation) override;
+  void replaced(const simulation::Simulation& simulation) override;
+  /// Throws std::runtime_error when the file could not be written to its end (a full disk).
+  void ended(const simulation::Simulation& simulation) override;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace elsie::recording

@@ -1,0 +1,213 @@
+#include "elsie/recording/csv_recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elsie/base/csv_line.h"
+#include "elsie/base/record_file.h"
+#include "elsie/simulation/sampling.h"
+#include "elsie/simulation/simulation.h"
+
+namespace elsie::recording {
+namespace {
+
+constexpr const char* kBodyColumns =
+    "time_s,robot,x_m,y_m,heading_rad,speed_m_s,turn_rate_rad_s,distance_m,energy,"
+    "command_left,command_right";
+constexpr double kFlushEvery = 1.0;  // s, simulated: what a killed program may lose
+constexpr std::size_t kTraceColumns = 9;
+constexpr const char* kTraceNames[kTraceColumns] = {"asked",      "left",         "right",
+                                                    "activation", "strength",     "weight",
+                                                    "share",      "inhibited_by", "reason"};
+
+std::size_t place_of(std::vector<std::string>& columns, const std::string& name) {
+  const auto at = std::find(columns.begin(), columns.end(), name);
+  if (at != columns.end()) {
+    return static_cast<std::size_t>(at - columns.begin());
+  }
+  columns.push_back(name);
+  return columns.size() - 1;
+}
+
+}  // namespace
+
+class CsvRecorder::Impl {
+ public:
+  Impl(const std::filesystem::path& file, double rate_hz, bool with_times)
+      : out_("recording '" + file.string() + "'"), rate_hz_(rate_hz), with_times_(with_times) {
+    if (!(rate_hz > 0.0) || !std::isfinite(rate_hz)) {
+      throw std::runtime_error("a recording needs a positive number of samples a second");
+    }
+    out_.create(file);
+  }
+
+  void start(const simulation::Simulation& simulation) {
+    every_ = simulation::steps_in(1.0 / rate_hz_, simulation.world().physics.step);
+    lay_out(simulation);
+    std::string all = kBodyColumns;
+    for (const std::string& name : reading_columns_) {
+      all += ',' + quoted(name);
+    }
+    for (const std::string& behavior : behaviors_) {
+      for (const char* name : kTraceNames) {
+        all += ',' + quoted("behavior[" + behavior + "]." + name);
+      }
+      if (with_times_) {
+        all += ',' + quoted("behavior[" + behavior + "].time_s");
+      }
+    }
+    out_.line(all);
+    sample(simulation);
+  }
+
+  void step(const simulation::Simulation& simulation) {
+    if (simulation.steps() % every_ == 0) {
+      sample(simulation);
+      if (simulation.time_s() - flushed_at_s_ >= kFlushEvery) {
+        out_.flush();
+        flushed_at_s_ = simulation.time_s();
+      }
+    }
+  }
+
+  void end() { out_.close(); }
+
+  /// The columns are written: numbers that are new have none.
+  void lay_out_again(const simulation::Simulation& simulation) {
+    const auto columns = reading_columns_;
+    lay_out(simulation);
+    for (Places& places : places_) {
+      for (std::size_t& place : places.readings) {
+        const auto known = std::find(columns.begin(), columns.end(), reading_columns_[place]);
+        place = static_cast<std::size_t>(known - columns.begin());
+      }
+    }
+    reading_columns_ = columns;
+  }
+
+ private:
+  /// Where each robot's readings and behaviours go in a row.
+  struct Places {
+    std::vector<std::size_t> readings;   // of each number, sensors in order
+    std::vector<std::size_t> behaviors;  // of each member
+  };
+
+  static std::string quoted(const std::string& name) {
+    base::CsvLine line;
+    line.text(name);
+    return line.take();
+  }
+
+  void lay_out(const simulation::Simulation& simulation) {
+    places_.clear();
+    reading_columns_.clear();
+    behaviors_.clear();
+    for (std::size_t r = 0; r < simulation.robots(); ++r) {
+      Places places;
+      for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
+        const simulation::SensorView sensor = simulation.sensor(r, s);
+        values_.clear();
+        simulation.list_values(r, s, values_);
+        for (const NamedValue& value : values_) {
+          places.readings.push_back(
+              place_of(reading_columns_, "sensor[" + std::string(sensor.id) + "]." + value.name));
+        }
+      }
+      for (const simulation::TracedMember& member : simulation.robot(r).trace) {
+        places.behaviors.push_back(place_of(behaviors_, member.path));
+      }
+      places_.push_back(std::move(places));
+    }
+  }
+
+  void sample(const simulation::Simulation& simulation) {
+    for (std::size_t r = 0; r < simulation.robots(); ++r) {
+      const simulation::RobotView robot = simulation.robot(r);
+      line_.number(base::tidy_time(simulation.time_s()));
+      line_.text(robot.description->id);
+      for (const double value :
+           {robot.state->pose.x, robot.state->pose.y, robot.state->pose.heading_rad,
+            robot.state->speed_m_s, robot.state->turn_rate_rad_s, robot.distance_m,
+            robot.state->energy, robot.command.left, robot.command.right}) {
+        line_.number(value);
+      }
+      write_readings(simulation, r);
+      write_trace(robot, places_[r], simulation.steps() > 0);
+      out_.line(line_.take());
+    }
+  }
+
+  void write_readings(const simulation::Simulation& simulation, std::size_t r) {
+    values_.clear();
+    for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
+      simulation.list_values(r, s, values_);
+    }
+    row_.assign(reading_columns_.size() + 1, nullptr);  // the last is for what has no column
+    const bool measured = simulation.steps() > 0;
+    for (std::size_t i = 0; measured && i < places_[r].readings.size(); ++i) {
+      row_[places_[r].readings[i]] = &values_[i];
+    }
+    row_.pop_back();
+    for (const NamedValue* value : row_) {
+      value ? line_.number(value->value) : line_.empty();
+    }
+  }
+
+  void write_trace(const simulation::RobotView& robot, const Places& places, bool decided) {
+    std::vector<const simulation::TracedMember*>& rows = trace_;
+    rows.assign(behaviors_.size(), nullptr);
+    for (std::size_t i = 0; decided && i < robot.trace.size(); ++i) {
+      rows[places.behaviors[i]] = &robot.trace[i];
+    }
+    for (const simulation::TracedMember* member : rows) {
+      if (!member) {
+        for (std::size_t i = 0; i < kTraceColumns + (with_times_ ? 1 : 0); ++i) {
+          line_.empty();
+        }
+        continue;
+      }
+      const TraceRow* trace = &member->member->trace;
+      for (const double value :
+           {trace->asked ? 1.0 : 0.0, trace->command.left, trace->command.right, trace->activation,
+            trace->strength, trace->weight, trace->share}) {
+        line_.number(value);
+      }
+      const simulation::TracedMember* inhibitor = simulation::inhibitor_of(*member, robot.trace);
+      inhibitor ? line_.text(inhibitor->path) : line_.empty();
+      line_.text(trace->reason);
+      if (with_times_) {
+        line_.number(trace->time_s);
+      }
+    }
+  }
+
+  base::RecordFile out_;
+  double rate_hz_;
+  bool with_times_;
+  double flushed_at_s_ = 0.0;
+  std::uint64_t every_ = 1;
+  std::vector<std::string> reading_columns_;
+  std::vector<std::string> behaviors_;
+  std::vector<Places> places_;
+  std::vector<NamedValue> values_;
+  std::vector<const NamedValue*> row_;
+  std::vector<const simulation::TracedMember*> trace_;
+  base::CsvLine line_;
+};
+
+CsvRecorder::CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times)
+    : impl_(std::make_unique<Impl>(file, rate_hz, with_times)) {}
+CsvRecorder::~CsvRecorder() = default;
+void CsvRecorder::started(const simulation::Simulation& simulation) { impl_->start(simulation); }
+void CsvRecorder::stepped(const simulation::Simulation& simulation) { impl_->step(simulation); }
+void CsvRecorder::replaced(const simulation::Simulation& simulation) {
+  impl_->lay_out_again(simulation);
+}
+void CsvRecorder::ended(const simulation::Simulation&) { impl_->end(); }
+
+}  // namespace elsie::recording

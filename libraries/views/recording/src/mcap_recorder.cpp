@@ -1,0 +1,372 @@
+#include "elsie/recording/mcap_recorder.h"
+
+#include <cmath>
+#include <exception>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "elsie/api/reading.h"
+#include "elsie/base/emergency.h"
+#include "elsie/base/number_text.h"
+#include "elsie/mcap/writer.h"
+#include "elsie/simulation/sampling.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/writer.h"
+
+#include "format.h"
+#include "messages.h"
+#include "scene.h"
+#include "schema_parts.h"
+#include "schemas.h"
+
+namespace elsie::recording {
+namespace {
+
+using simulation::RobotView;
+using simulation::SensorView;
+using simulation::Simulation;
+
+bool sees_ranges(const Simulation& simulation, std::size_t robot) {
+  for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {
+    if (simulation.sensor(robot, i).sensor->kind() == ReadingKind::of<RangeReading>()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+class McapRecorder::Impl final : private base::EmergencyWriter {
+ public:
+  Impl(const std::filesystem::path& file, McapOptions options)
+      : options_(checked(std::move(options))), out_(file, {.library = options_.program}) {}
+
+  ~Impl() override { retire(); }
+
+  void start(const Simulation& simulation) {
+    const world::Physics& physics = simulation.world().physics;
+    every_ = simulation::steps_in(1.0 / options_.rate_hz, physics.step);
+    control_steps_ = static_cast<std::uint64_t>(physics.control_steps);
+    write_head(simulation);
+    add_channels(simulation);
+    write_world(simulation);
+    write_scene(simulation);
+    write_events(simulation);
+    remember_who_sees(simulation);
+    sample(simulation, false);
+  }
+
+  void step(const Simulation& simulation) {
+    const std::uint64_t step = simulation.steps() - 1;
+    if (step % control_steps_ == 0) {
+      decided_ns_ = time_of(simulation, step);
+      blind_ = empty_;
+      new_pictures_ = true;
+    }
+    write_events(simulation);
+    if (standing_boxes(simulation) != standing_) {
+      write_scene(simulation);
+    }
+    if (simulation.steps() % every_ == 0) {
+      sample(simulation, true);
+    }
+    remember_who_sees(simulation);
+    out_.pass(now(simulation));
+  }
+
+  void end(const Simulation& simulation) {
+    std::exception_ptr fault;
+    const simulation::RunResult result = result_of(simulation, fault);
+    const bool stopped = fault || result.outcome == simulation::Outcome::running;
+    write_events(simulation);
+    if (sampled_ != simulation.steps()) {
+      // What was decided last may be half of a step that a plugin did not end.
+      sample(simulation, !stopped);
+    }
+    out_.write(mcap::Metadata{kResultMetadata,
+                              {{"outcome", stopped ? kStopped : to_string(result.outcome)},
+                               {"reason", result.reason},
+                               {"simulated_s", base::number_text(result.simulated_s)},
+                               {"steps", std::to_string(result.steps)},
+                               {"state_hash", simulation::hash_text(result.state_hash)}}});
+    write_measures(result);
+    out_.close();
+    if (fault) {
+      std::rethrow_exception(fault);
+    }
+  }
+
+ private:
+  struct CameraChannels {
+    std::size_t sensor;
+    std::uint16_t raw;
+    std::optional<std::uint16_t> processed;
+  };
+  struct RobotChannels {
+    std::uint16_t pose, state, readings, command, trace;
+    std::optional<std::uint16_t> beams;
+    std::vector<CameraChannels> cameras;
+  };
+
+  bool write_now() noexcept override { return out_.write_in_emergency(); }
+
+  static McapOptions checked(McapOptions options) {
+    if (!(options.rate_hz > 0.0) || !std::isfinite(options.rate_hz)) {
+      throw std::invalid_argument("a recording needs a positive number of samples a second");
+    }
+    return options;
+  }
+
+  static std::uint64_t time_of(const Simulation& simulation, std::uint64_t steps) {
+    return nanoseconds(static_cast<double>(steps) * simulation.world().physics.step);
+  }
+  static std::uint64_t now(const Simulation& simulation) {
+    return time_of(simulation, simulation.steps());
+  }
+
+  void write_head(const Simulation& simulation) {
+    const world::World& world = simulation.world();
+    out_.write(mcap::Metadata{kRunMetadata,
+                              {{"program", options_.program},
+                               {"world", world.name},
+                               {"file", world.file},
+                               {"seed", std::to_string(simulation.seed())},
+                               {"time_limit_s", base::number_text(simulation.time_limit_s())},
+                               {"step_s", base::number_text(world.physics.step)},
+                               {"control_steps", std::to_string(control_steps_)},
+                               {"sample_steps", std::to_string(every_)}}});
+  }
+
+  /// A measure that fails in the end has no values from then on; its fault is for later.
+  static simulation::RunResult result_of(const Simulation& simulation, std::exception_ptr& fault) {
+    try {
+      return simulation.result();
+    } catch (const simulation::PluginFault&) {
+      fault = std::current_exception();
+      return simulation.result();
+    }
+  }
+
+  void write_measures(const simulation::RunResult& result) {
+    mcap::Metadata measures{kMeasuresMetadata, {}};
+    for (const simulation::MeasuredValue& measure : result.measures) {
+      if (measure.value) {
+        measures.values[measure.name] = base::number_text(*measure.value);
+      }
+    }
+    out_.write(measures);
+  }
+
+  void add_channels(const Simulation& simulation) {
+    const auto schema = [&](const std::string& name, const std::string& text) {
+      return out_.add_schema(name, "jsonschema", text);
+    };
+    const auto channel = [&](const std::string& topic, std::uint16_t of,
+                             std::map<std::string, std::string> metadata = {}) {
+      return out_.add_channel(topic, of, "json", std::move(metadata));
+    };
+    world_ = channel(kWorldTopic, schema("elsie.World", schemas::world()));
+    const auto scene = schema("foxglove.SceneUpdate", schemas::scene_update());
+    scene_ = channel(kSceneTopic, scene);
+    transforms_ =
+        channel(kTransformsTopic, schema("foxglove.FrameTransforms", schemas::frame_transforms()));
+    events_ = channel(kEventsTopic, schema("foxglove.Log", schemas::log()));
+    const auto pose = schema("foxglove.PoseInFrame", schemas::pose_in_frame());
+    const auto state = schema("elsie.State", schemas::state());
+    const auto command = schema("elsie.Command", schemas::command());
+    const auto trace = schema("elsie.Trace", schemas::trace());
+    const auto image = options_.images
+                           ? schema("foxglove.CompressedImage", schemas::compressed_image())
+                           : std::uint16_t{0};
+    for (std::size_t r = 0; r < simulation.robots(); ++r) {
+      const world::Robot& robot = *simulation.robot(r).description;
+      const std::map<std::string, std::string> who{{"robot", robot.id}, {"team", robot.team}};
+      const auto own = [&](const std::string& kind, std::uint16_t of) {
+        return channel(robot_topic(robot.id, kind), of, who);
+      };
+      RobotChannels channels{
+          own("pose", pose),
+          own("state", state),
+          own("readings", schema("elsie.Readings." + robot.id, readings_schema(simulation, r))),
+          own("command", command),
+          own("trace", trace),
+          std::nullopt,
+          {}};
+      if (sees_ranges(simulation, r)) {
+        channels.beams = own("beams", scene);
+      }
+      for (std::size_t s = 0; options_.images && s < simulation.sensors(r); ++s) {
+        const SensorView sensor = simulation.sensor(r, s);
+        if (!sensor.camera) {
+          continue;
+        }
+        const std::string kind = "cameras/" + std::string(sensor.id);
+        CameraChannels camera{s, own(kind, image), std::nullopt};
+        if (sensor.sensor->kind() == ReadingKind::of<VisionReading>()) {
+          camera.processed = own(kind + "/processed", image);
+        }
+        channels.cameras.push_back(camera);
+      }
+      robots_.push_back(std::move(channels));
+    }
+  }
+
+  std::string readings_schema(const Simulation& simulation, std::size_t r) {
+    Json sensors = Json::object();
+    for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
+      values_.clear();
+      simulation.list_values(r, s, values_);
+      Json numbers = Json::object();
+      for (const NamedValue& value : values_) {
+        numbers[value.name] = schemas::number();
+      }
+      sensors[std::string(simulation.sensor(r, s).id)] =
+          schemas::members(std::move(numbers), "one that is not finite is left out");
+    }
+    return schemas::readings(sensors);
+  }
+
+  void write(std::uint16_t channel, std::uint64_t time_ns, const Json& message) {
+    out_.write(channel, time_ns, recording::text_of(message));
+  }
+
+  void write_world(const Simulation& simulation) {
+    const world::World& world = simulation.world();
+    write(world_, now(simulation),
+          {{"name", world.name},
+           {"file", world.file},
+           {"seed", std::to_string(simulation.seed())},
+           {"program", options_.program},
+           {"xml", world::write_world(world)}});
+  }
+
+  static std::size_t standing_boxes(const Simulation& simulation) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < simulation.world().boxes.size(); ++i) {
+      count += simulation.box(i) ? 1U : 0U;
+    }
+    return count;
+  }
+
+  void write_scene(const Simulation& simulation) {
+    standing_ = standing_boxes(simulation);
+    write(scene_, now(simulation), scene_message(now(simulation), simulation));
+  }
+
+  void write_events(const Simulation& simulation) {
+    const auto events = simulation.events();
+    for (; seen_events_ < events.size(); ++seen_events_) {
+      const simulation::EventRecord& event = events[seen_events_];
+      const Pose* where = nullptr;
+      for (std::size_t r = 0; !where && r < simulation.robots(); ++r) {
+        const RobotView robot = simulation.robot(r);
+        where = robot.description->id == event.robot ? &robot.state->pose : nullptr;
+      }
+      const std::uint64_t time_ns = nanoseconds(event.time_s);
+      write(events_, time_ns, event_message(time_ns, event, where));
+    }
+  }
+
+  void remember_who_sees(const Simulation& simulation) {
+    empty_.clear();
+    for (std::size_t r = 0; options_.images && r < simulation.robots(); ++r) {
+      empty_.push_back(simulation.robot(r).empty);
+    }
+  }
+
+  void sample(const Simulation& simulation, bool decided) {
+    sampled_ = simulation.steps();
+    const std::uint64_t time_ns = now(simulation);
+    write(transforms_, time_ns, transforms_message(time_ns, simulation));
+    for (std::size_t r = 0; r < robots_.size(); ++r) {
+      const RobotView robot = simulation.robot(r);
+      write(robots_[r].pose, time_ns, pose_message(time_ns, robot.state->pose));
+      write(robots_[r].state, time_ns, state_message(time_ns, robot));
+      if (decided) {
+        write_decision(simulation, r, robot, time_ns);
+      }
+    }
+    new_pictures_ = new_pictures_ && !decided;
+  }
+
+  void write_decision(const Simulation& simulation, std::size_t r, const RobotView& robot,
+                      std::uint64_t time_ns) {
+    const RobotChannels& channels = robots_[r];
+    write_readings(simulation, r, time_ns);
+    write(channels.command, time_ns, command_message(decided_ns_, robot.command));
+    write(channels.trace, time_ns, trace_message(decided_ns_, robot, options_.with_times));
+    if (channels.beams) {
+      write(*channels.beams, time_ns, beams_message(time_ns, range_beams(simulation, r)));
+    }
+    if (new_pictures_ && !channels.cameras.empty() && !blind_[r]) {
+      write_pictures(simulation, r, time_ns);
+    }
+  }
+
+  void write_readings(const Simulation& simulation, std::size_t r, std::uint64_t time_ns) {
+    Json sensors = Json::object();
+    for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
+      values_.clear();
+      simulation.list_values(r, s, values_);
+      Json& sensor = sensors[std::string(simulation.sensor(r, s).id)] = Json::object();
+      for (const NamedValue& value : values_) {
+        if (std::isfinite(value.value)) {
+          sensor[value.name] = value.value;
+        }
+      }
+    }
+    write(robots_[r].readings, time_ns,
+          {{"timestamp", time_json(decided_ns_)}, {"sensors", std::move(sensors)}});
+  }
+
+  // What sensors make of a picture, noise and all, is in their reading.
+  void write_pictures(const Simulation& simulation, std::size_t r, std::uint64_t time_ns) {
+    for (const CameraChannels& camera : robots_[r].cameras) {
+      const SensorView sensor = simulation.sensor(r, camera.sensor);
+      const Image* raw = sensor.picture;
+      if (camera.processed) {
+        const auto& reading = *static_cast<const VisionReading*>(sensor.sensor->reading());
+        raw = &reading.raw;
+        write_picture(*camera.processed, simulation, r, reading.processed, time_ns);
+      }
+      if (raw) {
+        write_picture(camera.raw, simulation, r, *raw, time_ns);
+      }
+    }
+  }
+
+  void write_picture(std::uint16_t channel, const Simulation& simulation, std::size_t r,
+                     const Image& image, std::uint64_t time_ns) {
+    if (!image.empty()) {
+      const std::string& id = simulation.robot(r).description->id;
+      write(channel, time_ns, image_message(decided_ns_, id, image));
+    }
+  }
+
+  McapOptions options_;
+  mcap::Writer out_;
+  std::uint64_t every_ = 1;          // steps from one sample to the next
+  std::uint64_t control_steps_ = 1;  // from one decision to the next
+  std::uint16_t world_ = 0, scene_ = 0, transforms_ = 0, events_ = 0;
+  std::vector<RobotChannels> robots_;
+  std::size_t seen_events_ = 0;
+  std::size_t standing_ = 0;  // boxes, when the scene was last written
+  std::uint64_t sampled_ = 0;
+  std::uint64_t decided_ns_ = 0;
+  bool new_pictures_ = false;  // since the last sample
+  // Robots whose battery is empty now, and was before the last decision: they saw nothing then.
+  std::vector<bool> empty_, blind_;
+  std::vector<NamedValue> values_;
+};
+
+McapRecorder::McapRecorder(const std::filesystem::path& file, McapOptions options)
+    : impl_(std::make_unique<Impl>(file, std::move(options))) {}
+McapRecorder::~McapRecorder() = default;
+void McapRecorder::started(const Simulation& simulation) { impl_->start(simulation); }
+void McapRecorder::stepped(const Simulation& simulation) { impl_->step(simulation); }
+void McapRecorder::ended(const Simulation& simulation) { impl_->end(simulation); }
+
+}  // namespace elsie::recording

@@ -1,0 +1,14 @@
+// The cameras of a simulated world.
+#pragma once
+
+#include <memory>
+
+#include "elsie/simulation/camera_renderer.h"
+
+namespace elsie::render {
+
+/// For simulation::Options::cameras: takes the pictures with a Renderer. Throws RenderError where
+/// there is none.
+std::unique_ptr<simulation::CameraRenderer> world_cameras(const world::World& world);
+
+}  // namespace elsie::render

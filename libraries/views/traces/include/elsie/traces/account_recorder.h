@@ -1,0 +1,39 @@
+// Who decides when, added up while a run goes on.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "elsie/simulation/observer.h"
+#include "elsie/traces/trace.h"
+#include "elsie/traces/trace_account.h"
+
+namespace elsie::traces {
+
+/// Comes to what account() makes of the whole trace that a TraceRecorder would have written, to the
+/// last bit, without the file and without the memory that a long trace takes. A recorder serves one
+/// run.
+class AccountRecorder final : public simulation::Observer {
+ public:
+  AccountRecorder();
+  ~AccountRecorder() override;
+
+  void started(const simulation::Simulation& simulation) override;
+  void stepped(const simulation::Simulation& simulation) override;
+  void ended(const simulation::Simulation& simulation) override;
+
+  /// The robots and their members, as in Trace::robots but without what comes with time: notes,
+  /// commands, events.
+  const std::vector<TraceRobot>& robots() const;
+  /// For each of the robots, once the run has ended.
+  const std::vector<RobotAccount>& accounts() const;
+  /// That Episode::Part::reason counts in; the first one is empty.
+  const std::vector<std::string>& reasons() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace elsie::traces

@@ -1,0 +1,129 @@
+// What a coordination trace comes to: who decided when, how often that changed, who silenced whom.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "elsie/traces/trace.h"
+
+namespace elsie::traces {
+
+/// A part of a run, s. By default all of it.
+struct TimeSpan {
+  double from_s = 0.0;
+  double to_s = std::numeric_limits<double>::infinity();
+};
+
+/// The part of the span that is in the trace; may be empty (from_s == to_s). It begins with the
+/// first decision at the earliest: before, there is nothing to tell.
+TimeSpan within(const TimeSpan& span, const Trace& trace);
+
+/// Who decides: a place among the members of a robot, or one of the following.
+using Decider = int;
+inline constexpr Decider kNobody = -1;    // no behaviour has a share
+inline constexpr Decider kTogether = -2;  // several have the largest share, to three decimals
+inline constexpr Decider kIdle = -3;      // the behaviour around them was not asked
+
+/// An interval of time in which the notes about no member of a robot change.
+struct TraceMoment {
+  double from_s = 0.0;
+  double to_s = 0.0;
+  /// The note about each member; null before the first one.
+  std::span<const TraceNote* const> notes;
+  /// Each member's share in the robot's command: its own times those of the behaviours around it.
+  std::span<const double> shares;
+};
+
+/// Calls `see` for the moments of the span, in order and without gaps.
+void walk(const TraceRobot& robot, const TimeSpan& span,
+          const std::function<void(const TraceMoment&)>& see);
+
+/// The member inside `parent` (-1: of the robot itself) whose share is the largest at a moment.
+Decider decider(const TraceRobot& robot, int parent, const TraceMoment& moment);
+
+/// What a user has a member's priority be from some time on.
+struct PriorityFrom {
+  double time_s = 0.0;
+  double priority = 1.0;
+};
+
+/// The member's priority at the beginning of the span, then each change of it in the span that the
+/// robot's events tell of ("changed", see change.h). Never empty.
+std::vector<PriorityFrom> priorities(const TraceRobot& robot, const TraceMember& member,
+                                     const TimeSpan& span);
+
+/// For how long one member silenced another.
+struct Inhibition {
+  int by = -1;
+  int times = 0;        // how often it began
+  double time_s = 0.0;  // altogether
+};
+
+/// One behaviour over a span. Means are over time.
+struct MemberAccount {
+  double decided_s = 0.0;     // how long it was the decider among its neighbours
+  int periods = 0;            // how often it became that
+  double longest_s = 0.0;     // the longest of these
+  double longest_at_s = 0.0;  // when that began
+  double asked_s = 0.0;
+  double share = 0.0;           // mean, in the command of its own coordinator, while that was asked
+  double robot_share = 0.0;     // mean, in the command of the robot
+  double weight = 0.0;          // mean, while its coordinator was asked
+  double least_weight = 0.0;    // likewise
+  double largest_weight = 0.0;  // likewise
+  double activation = 0.0;      // mean, while asked
+  double strength = 0.0;        // likewise
+  std::vector<Inhibition> inhibited;  // by whom, the longest first
+};
+
+/// A stretch of time with one decider, or several in quick turns.
+struct Episode {
+  /// What one decider did in it.
+  struct Part {
+    Decider decider = kNobody;
+    double time_s = 0.0;
+    double share = 0.0;              // mean
+    double weight = 0.0;             // mean; zero when it is no single member
+    std::uint32_t reason = 0;        // that of its longest stretch; place in Trace::reasons
+    std::uint32_t first_reason = 0;  // why it began; likewise
+  };
+
+  double from_s = 0.0;
+  double to_s = 0.0;
+  int switches = 0;         // of the decider, within it
+  std::vector<Part> parts;  // the longest first; never empty
+
+  double length_s() const { return to_s - from_s; }
+};
+
+/// One coordinator over a span.
+struct CoordinatorAccount {
+  int parent = -1;  // the behaviour that it is inside of, by its place; -1: the robot's own
+  std::string coordinator;
+  double asked_s = 0.0;  // how long it was at work
+  double nobody_s = 0.0;
+  double together_s = 0.0;
+  int switches = 0;               // how often the decider changed while it was at work
+  std::vector<Episode> episodes;  // all of them, without gaps: none has a switch within it
+};
+
+struct RobotAccount {
+  TimeSpan span;
+  std::vector<MemberAccount> members;            // in the robot's order
+  std::vector<CoordinatorAccount> coordinators;  // the robot's own first, then in order of members
+};
+
+/// Goes through a robot's part of the trace. `span` should be one that within() gave.
+RobotAccount account(const TraceRobot& robot, const TimeSpan& span);
+
+/// The episodes told in at most `most` (at least 1) of them. Where there are more, those shorter
+/// than some length count as flicker, and the length is chosen so that enough of them do: a run of
+/// such episodes becomes one of several parts; if that is still short, it is joined with its
+/// neighbours when these have the same decider, and else with the longer one.
+std::vector<Episode> condensed(std::vector<Episode> episodes, std::size_t most);
+
+}  // namespace elsie::traces

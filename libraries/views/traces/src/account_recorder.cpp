@@ -1,0 +1,184 @@
+#include "elsie/traces/account_recorder.h"
+
+#include <deque>
+#include <map>
+#include <utility>
+
+#include "elsie/base/csv_line.h"
+#include "elsie/simulation/simulation.h"
+
+#include "trace_format.h"
+#include "trace_row.h"
+#include "trace_tally.h"
+
+namespace elsie::traces {
+
+class AccountRecorder::Impl {
+ public:
+  void start(const simulation::Simulation& simulation) {
+    step_s_ = simulation.world().physics.step;
+    period_steps_ = static_cast<std::uint64_t>(simulation.world().physics.control_steps);
+    for (std::size_t r = 0; r < simulation.robots(); ++r) {
+      robots_.push_back(introduced(simulation.robot(r)));
+    }
+    for (const TraceRobot& robot : robots_) {
+      watches_.emplace_back(robot);
+    }
+  }
+
+  void step(const simulation::Simulation& simulation) {
+    if ((simulation.steps() - 1) % period_steps_ != 0) {
+      return;
+    }
+    const double now_s = base::tidy_time(static_cast<double>(simulation.steps() - 1) * step_s_);
+    for (std::size_t r = 0; r < watches_.size(); ++r) {
+      look(simulation.robot(r), robots_[r], watches_[r], now_s);
+    }
+  }
+
+  void end(const simulation::Simulation& simulation) {
+    const double end_s = base::tidy_time(simulation.time_s());
+    double first_s = end_s;
+    for (const Watch& watch : watches_) {
+      if (watch.begun && watch.count() > 0) {
+        first_s = std::min(first_s, watch.first_s);
+      }
+    }
+    for (std::size_t r = 0; r < watches_.size(); ++r) {
+      tell(robots_[r], watches_[r], end_s);
+      accounts_.push_back(watches_[r].tally.finish({first_s, end_s}));
+    }
+  }
+
+  std::vector<TraceRobot> robots_;
+  std::vector<RobotAccount> accounts_;
+  std::vector<std::string> reasons_{""};
+
+ private:
+  struct Watch {
+    explicit Watch(const TraceRobot& robot)
+        : rows(robot.members.size()),
+          notes(robot.members.size()),
+          current(robot.members.size(), nullptr),
+          shares(robot.members.size()),
+          tally(robot) {}
+    std::size_t count() const { return rows.size(); }
+
+    std::vector<TraceRow> rows;             // as they were last looked at
+    std::vector<TraceNote> notes;           // that hold now
+    std::vector<const TraceNote*> current;  // those of the notes that are there
+    std::vector<double> shares;
+    RobotTally tally;
+    bool begun = false;
+    double first_s = 0.0;
+    double since_s = 0.0;  // that nothing has changed
+  };
+
+  static TraceRobot introduced(const simulation::RobotView& view) {
+    const world::Robot& description = *view.description;
+    TraceRobot robot;
+    robot.id = description.id;
+    robot.team = description.team;
+    robot.coordinator = description.coordinator ? description.coordinator->plugin : "";
+    for (const simulation::TracedMember& member : view.trace) {
+      TraceMember known;
+      known.path = member.path;
+      known.plugin = member.plugin;
+      known.coordinator = member.coordinator;
+      known.priority = member.member->priority();
+      known.depth = member.depth;
+      known.parent = member.parent;
+      robot.members.push_back(std::move(known));
+    }
+    return robot;
+  }
+
+  void look(const simulation::RobotView& view, const TraceRobot& robot, Watch& watch,
+            double now_s) {
+    for (std::size_t i = 0; i < watch.count(); ++i) {
+      const TraceRow& row = view.trace[i].member->trace;
+      if (watch.begun && same(row, watch.rows[i])) {
+        continue;
+      }
+      watch.rows[i] = row;
+      TraceNote note = note_of(row, view, i);
+      if (watch.begun && equal(note, watch.notes[i])) {
+        continue;
+      }
+      tell(robot, watch, now_s);
+      watch.notes[i] = note;
+    }
+    if (!watch.begun) {
+      watch.begun = true;
+      watch.first_s = watch.since_s = now_s;
+      for (std::size_t i = 0; i < watch.count(); ++i) {
+        watch.current[i] = &watch.notes[i];
+      }
+    }
+  }
+
+  /// Adds up what has held until now.
+  static void tell(const TraceRobot& robot, Watch& watch, double until_s) {
+    if (watch.begun && watch.count() > 0 && until_s > watch.since_s) {
+      find_shares(robot, watch.current, watch.shares);
+      watch.tally.add({watch.since_s, until_s, watch.current, watch.shares});
+      watch.since_s = until_s;
+    }
+  }
+
+  TraceNote note_of(const TraceRow& row, const simulation::RobotView& view, std::size_t member) {
+    TraceNote note;
+    note.asked = row.asked;
+    if (row.asked) {
+      note.command = {base::rounded(row.command.left, kDecimals),
+                      base::rounded(row.command.right, kDecimals)};
+      note.activation = base::rounded(row.activation, kDecimals);
+      note.strength = base::rounded(row.strength, kDecimals);
+    }
+    note.weight = shortened(row.weight);
+    note.share = base::rounded(row.share, kDecimals);
+    note.reason = place_of(row.reason);
+    if (const simulation::TracedMember* by =
+            simulation::inhibitor_of(view.trace[member], view.trace)) {
+      note.inhibited_by = static_cast<int>(by - view.trace.data());
+    }
+    return note;
+  }
+
+  static bool equal(const TraceNote& a, const TraceNote& b) {
+    return a.asked == b.asked && a.command == b.command && a.activation == b.activation &&
+           a.strength == b.strength && a.weight == b.weight && a.share == b.share &&
+           a.reason == b.reason && a.inhibited_by == b.inhibited_by;
+  }
+
+  std::uint32_t place_of(const char* reason) {
+    std::string text = trace_format::one_line(reason);
+    if (text.empty()) {
+      return 0;
+    }
+    const auto [known, is_new] =
+        places_.try_emplace(std::move(text), static_cast<std::uint32_t>(reasons_.size()));
+    if (is_new) {
+      reasons_.push_back(known->first);
+    }
+    return known->second;
+  }
+
+  double step_s_ = 0.0;
+  std::uint64_t period_steps_ = 1;
+  std::deque<Watch> watches_;
+  std::map<std::string, std::uint32_t> places_;
+};
+
+AccountRecorder::AccountRecorder() : impl_(std::make_unique<Impl>()) {}
+AccountRecorder::~AccountRecorder() = default;
+void AccountRecorder::started(const simulation::Simulation& simulation) {
+  impl_->start(simulation);
+}
+void AccountRecorder::stepped(const simulation::Simulation& simulation) { impl_->step(simulation); }
+void AccountRecorder::ended(const simulation::Simulation& simulation) { impl_->end(simulation); }
+const std::vector<TraceRobot>& AccountRecorder::robots() const { return impl_->robots_; }
+const std::vector<RobotAccount>& AccountRecorder::accounts() const { return impl_->accounts_; }
+const std::vector<std::string>& AccountRecorder::reasons() const { return impl_->reasons_; }
+
+}  // namespace elsie::traces

@@ -1,0 +1,117 @@
+#include "elsie/traces/trace_account.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string>
+
+#include "trace_tally.h"
+
+namespace elsie::traces {
+namespace {
+
+/// What an event says of the priority that `path` leads to from the robot on, if it does.
+std::optional<double> new_priority(const TraceEvent& event, const std::string& path) {
+  const std::string& detail = event.detail;
+  const std::size_t at = detail.find('/');
+  if (event.name != "changed" || at == std::string::npos ||
+      detail.compare(at, path.size(), path) != 0) {
+    return std::nullopt;
+  }
+  const char* const end = detail.data() + detail.size();
+  double value = 0.0;
+  const auto read = std::from_chars(detail.data() + at + path.size(), end, value);
+  return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<PriorityFrom> priorities(const TraceRobot& robot, const TraceMember& member,
+                                     const TimeSpan& span) {
+  // "explore/wander" is behavior[explore]/behavior[wander] in the world.
+  std::string path;
+  for (std::size_t at = 0; at <= member.path.size();) {
+    const std::size_t end = std::min(member.path.find('/', at), member.path.size());
+    path += "/behavior[" + member.path.substr(at, end - at) + "]";
+    at = end + 1;
+  }
+  path += "/@priority=";
+  std::vector<PriorityFrom> found{{span.from_s, member.priority}};
+  for (const TraceEvent& event : robot.events) {
+    if (event.time_s > span.to_s) break;
+    if (const auto priority = new_priority(event, path)) {
+      if (event.time_s <= span.from_s) {
+        found.front().priority = *priority;
+      } else {
+        found.push_back({event.time_s, *priority});
+      }
+    }
+  }
+  return found;
+}
+
+TimeSpan within(const TimeSpan& span, const Trace& trace) {
+  double first = trace.end_s;
+  for (const TraceRobot& robot : trace.robots) {
+    for (const TraceMember& member : robot.members) {
+      if (!member.notes.empty()) {
+        first = std::min(first, member.notes.front().time_s);
+      }
+    }
+  }
+  const double from = std::clamp(span.from_s, first, trace.end_s);
+  return {from, std::clamp(span.to_s, from, trace.end_s)};
+}
+
+void walk(const TraceRobot& robot, const TimeSpan& span,
+          const std::function<void(const TraceMoment&)>& see) {
+  const std::size_t count = robot.members.size();
+  std::vector<std::size_t> next(count, 0);  // note of each member that comes next
+  std::vector<const TraceNote*> notes(count, nullptr);
+  std::vector<double> shares(count, 0.0);
+  double now = span.from_s;
+  while (count > 0 && now < span.to_s) {
+    double until = span.to_s;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::vector<TraceNote>& all = robot.members[i].notes;
+      while (next[i] < all.size() && all[next[i]].time_s <= now) {
+        notes[i] = &all[next[i]++];
+      }
+      if (next[i] < all.size()) {
+        until = std::min(until, all[next[i]].time_s);
+      }
+    }
+    find_shares(robot, notes, shares);
+    see({now, until, notes, shares});
+    now = until;
+  }
+}
+
+Decider decider(const TraceRobot& robot, int parent, const TraceMoment& moment) {
+  if (!at_work(parent, moment)) {
+    return kIdle;
+  }
+  Decider best = kNobody;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < robot.members.size(); ++i) {
+    if (robot.members[i].parent != parent || !moment.notes[i]) {
+      continue;
+    }
+    const double share = moment.notes[i]->share;
+    if (share > largest) {
+      largest = share;
+      best = static_cast<Decider>(i);
+    } else if (share == largest && largest > 0.0) {
+      best = kTogether;
+    }
+  }
+  return best;
+}
+
+RobotAccount account(const TraceRobot& robot, const TimeSpan& span) {
+  RobotTally tally(robot);
+  walk(robot, span, [&](const TraceMoment& moment) { tally.add(moment); });
+  return tally.finish(span);
+}
+
+}  // namespace elsie::traces

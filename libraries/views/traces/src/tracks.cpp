@@ -1,0 +1,64 @@
+#include "elsie/traces/tracks.h"
+
+#include <string>
+
+#include "elsie/simulation/sampling.h"
+#include "elsie/simulation/simulation.h"
+
+namespace elsie::traces {
+
+void TrackRecorder::started(const simulation::Simulation& simulation) {
+  const double step = simulation.world().physics.step;
+  every_ = simulation::steps_in(asked_period_s_, step);
+  period_s_ = static_cast<double>(every_) * step;
+  tracks_.assign(simulation.robots(), {});
+  collisions_.assign(simulation.robots(), 0);
+  was_placed_.assign(simulation.robots(), false);
+  events_ = simulation.events().size();
+  sample(simulation);
+}
+
+void TrackRecorder::stepped(const simulation::Simulation& simulation) {
+  note_placements(simulation);
+  if (simulation.steps() % every_ == 0) {
+    sample(simulation);
+  }
+  for (std::size_t i = 0; i < simulation.robots(); ++i) {
+    const simulation::RobotView robot = simulation.robot(i);
+    if (robot.collisions != collisions_[i]) {
+      collisions_[i] = robot.collisions;
+      tracks_[i].touches.push_back({robot.state->pose.x, robot.state->pose.y});
+    }
+  }
+}
+
+void TrackRecorder::sample(const simulation::Simulation& simulation) {
+  for (std::size_t i = 0; i < simulation.robots(); ++i) {
+    Track& track = tracks_[i];
+    if (was_placed_[i]) {
+      track.placed.push_back(track.path.size());
+      was_placed_[i] = false;
+    }
+    track.path.push_back(simulation.robot(i).state->pose);
+  }
+}
+
+// A robot that is put elsewhere says so in an event, whose detail is "robot[r1]/@x=2".
+void TrackRecorder::note_placements(const simulation::Simulation& simulation) {
+  const auto events = simulation.events();
+  for (; events_ < events.size(); ++events_) {
+    const simulation::EventRecord& event = events[events_];
+    const std::string own = "robot[" + event.robot + "]/@";
+    if (event.name != "changed" ||
+        !(event.detail.starts_with(own + "x=") || event.detail.starts_with(own + "y="))) {
+      continue;
+    }
+    for (std::size_t i = 0; i < simulation.robots(); ++i) {
+      if (simulation.robot(i).description->id == event.robot) {
+        was_placed_[i] = true;
+      }
+    }
+  }
+}
+
+}  // namespace elsie::traces

@@ -1,0 +1,162 @@
+#include "build_cache.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <unistd.h>
+
+namespace elsie::build {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Scratch files are "new.", the process that writes them, and a suffix.
+constexpr std::string_view kScratch = "new.";
+
+/// Whether the process that wrote a scratch file is gone.
+bool is_left_behind(const std::string& name) {
+  pid_t process = 0;
+  const char* const number = name.data() + std::min(kScratch.size(), name.size());
+  const auto read = std::from_chars(number, name.data() + name.size(), process);
+  return name.starts_with(kScratch) && read.ec == std::errc() && process > 0 &&
+         kill(process, 0) != 0 && errno == ESRCH;
+}
+
+/// The files of a folder of the cache, the last used first. None when there is anything else in it:
+/// then it is not the cache's.
+std::vector<fs::path> cached_files(const fs::path& folder) {
+  std::vector<std::pair<fs::file_time_type, fs::path>> found;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    const bool known =
+        name == "inputs" || name.starts_with(kScratch) || at->path().extension() == ".so";
+    if (!known || !at->is_regular_file(error)) {
+      return {};
+    }
+    found.emplace_back(at->last_write_time(error), at->path());
+  }
+  std::sort(found.rbegin(), found.rend());
+  std::vector<fs::path> files;
+  for (auto& [time, file] : found) {
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+/// Removes what nobody has asked for in a long time. What is in use elsewhere stays in memory.
+void sweep(const fs::path& cache) {
+  const auto limit = fs::file_time_type::clock::now() - std::chrono::hours(24 * kCacheDays);
+  std::error_code error;
+  std::vector<fs::path> folders;
+  for (fs::directory_iterator at(cache, error), end; !error && at != end; at.increment(error)) {
+    if (fs::exists(at->path() / "inputs", error) &&
+        fs::last_write_time(at->path() / "inputs", error) < limit) {
+      folders.push_back(at->path());
+    }
+  }
+  for (const fs::path& folder : folders) {
+    for (const fs::path& file : cached_files(folder)) {
+      fs::remove(file, error);
+    }
+    fs::remove(folder, error);  // if nothing is left
+  }
+}
+
+}  // namespace
+
+CacheEntry::CacheEntry(const fs::path& source, const std::string& compiler, const fs::path& cache)
+    : cache_(cache),
+      folder_(cache /
+              (source.stem().string() + '-' + Hash().add(source.string()).add(compiler).text())),
+      stem_(source.stem().string()) {
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) {
+    throw plugin::PluginError("the folder " + folder_.string() +
+                              " for compiled plugins cannot be made: " + error.message() +
+                              "; name another one in the environment variable ELSIE_CACHE");
+  }
+}
+
+std::optional<SourceBuild> CacheEntry::find() const {
+  std::ifstream record(folder_ / "inputs");
+  SourceBuild build;
+  build.from_cache = true;
+  std::string name;
+  if (!std::getline(record, name)) {
+    return std::nullopt;
+  }
+  build.library = folder_ / name;
+  for (std::string hash, file; record >> hash && std::getline(record >> std::ws, file);) {
+    const auto content = content_of(file);
+    if (!content || Hash().add(*content).text() != hash) {
+      return std::nullopt;
+    }
+    build.inputs.emplace_back(file);
+  }
+  if (!fs::exists(build.library)) {
+    return std::nullopt;
+  }
+  std::error_code ignored;  // in a cache that is only read
+  const auto now = fs::file_time_type::clock::now();
+  fs::last_write_time(folder_ / "inputs", now, ignored);
+  return build;
+}
+
+fs::path CacheEntry::scratch(const char* suffix) const {
+  return folder_ / (std::string(kScratch) + std::to_string(getpid()) + suffix);
+}
+
+std::vector<fs::path> CacheEntry::last_inputs() const {
+  std::vector<fs::path> inputs;
+  std::ifstream record(folder_ / "inputs");
+  std::string name;
+  std::getline(record, name);
+  for (std::string hash, file; record >> hash && std::getline(record >> std::ws, file);) {
+    inputs.emplace_back(file);
+  }
+  return inputs;
+}
+
+SourceBuild CacheEntry::keep(const fs::path& library, std::vector<fs::path> inputs,
+                             const Sight& sight) const {
+  Hash all;
+  std::string record;
+  for (const fs::path& file : inputs) {
+    const std::string& hash = sight.at(file).hash;
+    all.add(hash);
+    record += hash + ' ' + file.string() + '\n';
+  }
+  const std::string name = stem_ + '-' + all.text() + ".so";
+  const fs::path text = scratch(".inputs");
+  std::ofstream(text) << name << '\n' << record;
+  fs::rename(library, folder_ / name);
+  fs::rename(text, folder_ / "inputs");
+  tidy(folder_ / name);
+  return {folder_ / name, std::move(inputs), false, {}};
+}
+
+/// Removes the libraries that are too many, and what compilers left that were killed.
+void CacheEntry::tidy(const fs::path& newest) const {
+  std::size_t libraries = 1;
+  std::error_code ignored;
+  for (const fs::path& file : cached_files(folder_)) {
+    const std::string name = file.filename().string();
+    const bool is_scratch = name.starts_with(kScratch);
+    if (is_scratch ? is_left_behind(name)
+                   : file.extension() == ".so" && file != newest && ++libraries > kMostBuilds) {
+      fs::remove(file, ignored);
+    }
+  }
+  sweep(cache_);
+}
+
+}  // namespace elsie::build

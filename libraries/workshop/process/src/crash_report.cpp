@@ -1,0 +1,374 @@
+#include "elsie/process/crash_report.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
+
+#include <dlfcn.h>
+#include <execinfo.h>
+#include <pthread.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "elsie/base/emergency.h"
+#include "elsie/plugin/call.h"
+#include "elsie/plugin/loaded_libraries.h"
+#include "elsie/process/process_end.h"
+
+#include "reporting.h"
+#include "stack_trace.h"
+
+namespace elsie::process {
+
+using plugin::Call;
+using plugin::CallFacts;
+using plugin::plugin_library_at;
+
+namespace {
+
+// All that a handler of signals can reach are globals, and so is what is told to all handlers.
+std::atomic<int> status_of_crash{0};
+std::atomic<pid_t> process{0};  // not that of its children
+std::atomic<int> crash_signal{0};
+
+constexpr std::size_t kStackSize = 256 * 1024;
+
+struct Crash {
+  int signal;
+  const char* what;
+};
+constexpr Crash kCrashes[] = {
+    {SIGSEGV, "ended the program with a segmentation fault (SIGSEGV)"},
+    {SIGBUS, "ended the program with a bus error (SIGBUS)"},
+    {SIGILL, "ended the program with an illegal instruction (SIGILL)"},
+    {SIGFPE,
+     "ended the program with an arithmetic error, such as a whole number divided by zero "
+     "(SIGFPE)"},
+    {SIGABRT,
+     "ended the program with an abort (SIGABRT), as an exception that nobody catches does"},
+};
+
+/// What ends a process as well, but is nobody's fault: it is only cleaned up after.
+constexpr int kOtherEnds[] = {SIGPIPE, SIGQUIT, SIGXCPU, SIGXFSZ, SIGUSR1, SIGUSR2, SIGALRM};
+
+void write_number(std::uint64_t number) {
+  char digits[20];
+  std::size_t count = 0;
+  do {
+    digits[count++] = static_cast<char>('0' + number % 10);
+    number /= 10;
+  } while (number != 0);
+  std::reverse(digits, digits + count);
+  write_error({digits, count});
+}
+
+void write_quoted(const char* before, const char* text) {
+  if (text) {
+    write_error(before);
+    write_error("'");
+    write_error(text);
+    write_error("'");
+  }
+}
+
+/// Whether the thread is in a plugin's code, and not only in that which is about to call it.
+bool is_plugin_at_work() {
+  for (const Call* call = Call::innermost(); call; call = call->outer()) {
+    if (call->facts().plugin || call->facts().library) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void write_culprit(const CallFacts& facts) {
+  if (facts.plugin) {
+    write_quoted("plugin ", facts.plugin);
+    if (facts.id && std::string_view(facts.id) != facts.plugin) {
+      write_quoted(" (id ", facts.id);
+      write_error(")");
+    }
+  } else {
+    write_quoted("plugin library ", facts.library ? facts.library : "?");
+  }
+  write_quoted(" of robot ", facts.robot);
+}
+
+void write_when(const CallFacts& facts) {
+  if (facts.step != CallFacts::kNoStep) {
+    write_error(" in step ");
+    write_number(facts.step);
+  }
+  if (facts.doing) {
+    write_error(", ");
+    write_error(facts.doing);
+  }
+  if (facts.file && facts.line > 0) {
+    write_error(" (");
+    write_error(facts.file);
+    write_error(":");
+    write_number(static_cast<std::uint64_t>(facts.line));
+    write_error(")");
+  }
+}
+
+/// Whether a library is being loaded, and nothing says yet that it does not come to an end.
+bool is_just_loading() {
+  constexpr double kLong = 1.0;  // s
+  const Call* const call = Call::innermost();
+  const double since = call && call->facts().library ? call->own_time_s() : 0.0;
+  return since > 0.0 && since < kLong && !facts_at_work().plugin;
+}
+
+/// The plugin library whose code is on the stack of a thread that no call into a plugin has made:
+/// one that a plugin has started. Null: there is none.
+const char* library_on_stack(const Fault& place) {
+  if (place.at) {
+    const char* const library = plugin_library_at(place.at);
+    Dl_info info{};
+    if (library || dladdr(place.at, &info) == 0) {
+      return library;  // from where there is no code, the stack cannot be followed
+    }
+  }
+  // A thread that starts after its library was unloaded crashes in the C++ library, which looks
+  // for the thread's code where the plugin was.
+  if (const char* const library = plugin_library_at(place.touched)) {
+    return library;
+  }
+  void* frames[64];
+  const int count = backtrace(frames, 64);
+  for (int i = 0; i < count; ++i) {
+    if (const char* const library = plugin_library_at(frames[i])) {
+      return library;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void write_culprit_and(const char* what, const char* library) {
+  write_error("elsie: ");
+  if (library) {
+    write_quoted("plugin library ", library);
+    write_error(", in a thread of its own, ");
+    write_error(what);
+  } else if (is_plugin_at_work()) {
+    const CallFacts facts = facts_at_work();
+    write_culprit(facts);
+    write_error(" ");
+    write_error(what);
+    write_when(facts);
+    if (facts.plugin && facts.library) {
+      write_error("; it is from ");
+      write_error(facts.library);
+    }
+  } else {
+    write_error("something outside of all plugins ");
+    write_error(what);
+  }
+  write_error("\n");
+}
+
+bool write_report(const char* what, const Fault& place) {
+  const bool at_work = is_plugin_at_work();
+  const char* const library = at_work ? nullptr : library_on_stack(place);
+  write_culprit_and(what, library);
+  if (!at_work && !library && crash_signal != 0) {
+    write_error(
+        "if a plugin has written over memory that is not its own, this is where it was noticed: "
+        "try each with `elsie test-plugin`, or build them with -fsanitize=address\n");
+  }
+  // First what matters: a stack that was written over may be the end of the trace.
+  if (base::write_in_emergency()) {
+    write_error("what was recorded until then is kept\n");
+  }
+  write_error("the stack, from the inside out:\n");
+  write_stack_trace(place);
+  base::clean_up_in_emergency();
+  return at_work || library;
+}
+
+Fault place_of_fault(const void* context) {
+#if defined(__x86_64__)
+  const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext.gregs;
+  return {reinterpret_cast<const void*>(registers[REG_RIP]),
+          reinterpret_cast<const void* const*>(registers[REG_RSP]), nullptr};
+#elif defined(__aarch64__)
+  const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext;
+  return {reinterpret_cast<const void*>(registers.pc), nullptr,
+          reinterpret_cast<const void*>(registers.regs[30])};
+#else
+  static_cast<void>(context);
+  return {};
+#endif
+}
+
+void handle(int signal, void (*handler)(int, siginfo_t*, void*), int flags) {
+  struct sigaction action {};
+  action.sa_sigaction = handler;
+  action.sa_flags = SA_SIGINFO | flags;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
+}
+
+namespace {
+
+/// As it would have ended by itself.
+[[noreturn]] void end_by(int signal) {
+  struct sigaction action {};
+  action.sa_handler = SIG_DFL;
+  sigaction(signal, &action, nullptr);
+  sigset_t only;
+  sigemptyset(&only);
+  sigaddset(&only, signal);
+  announce_end(128 + signal);
+  raise(signal);
+  pthread_sigmask(SIG_UNBLOCK, &only, nullptr);
+  end_with(128 + signal);
+}
+
+void crashed(int signal, siginfo_t* info, void* context) {
+  if (getpid() != process) {
+    end_by(signal);  // a child that a plugin has made with fork(): nothing here is its own
+  }
+  if (may_report()) {
+    crash_signal = signal;
+    const auto crash = std::find_if(std::begin(kCrashes), std::end(kCrashes),
+                                    [&](const Crash& known) { return known.signal == signal; });
+    Fault place = place_of_fault(context);
+    if ((signal == SIGSEGV || signal == SIGBUS) && info->si_code > 0) {
+      place.touched = info->si_addr;
+    }
+    if (write_report(crash->what, place)) {
+      end_with(status_of_crash);
+    }
+    end_by(signal);
+  }
+  // The report itself has crashed. Nothing that may be on the stack is looked at again.
+  write_error("  (no more of it can be read)\n");
+  base::clean_up_in_emergency();
+  if (Call::innermost()) {
+    end_with(status_of_crash);
+  }
+  end_by(signal);
+}
+
+void ended(int signal, siginfo_t* info, void*) {
+  const bool by_itself = info->si_pid == getpid();
+  if (by_itself && is_plugin_at_work() && may_report()) {
+    char what[64] = "ended the program with the signal SIG";
+    const char* const name = sigabbrev_np(signal);
+    std::strncat(what, name ? name : "?", sizeof(what) - std::strlen(what) - 1);
+    write_report(what, {});
+    end_with(status_of_crash);
+  }
+  base::clean_up_in_emergency();
+  end_by(signal);
+}
+
+void left_by_exit() {
+  if (is_plugin_at_work() && getpid() == process && may_report()) {
+    write_report("ended the program by calling exit()", {});
+    end_with(status_of_crash);
+  }
+}
+
+/// In a copy of the process, when the plugin that has made it returns: two processes would go on
+/// with one run, and write the same files.
+void end_copy() noexcept { end_with(status_of_crash); }
+
+}  // namespace
+
+void report_crashes(int exit_status) {
+  status_of_crash = exit_status;
+  process = getpid();
+  Call::watch_for_copies(end_copy);
+  prepare_stack_trace();
+  alignas(16) static char stack[kStackSize];
+  static const int once = std::atexit(left_by_exit);
+  static_cast<void>(once);
+  stack_t second{};
+  second.ss_sp = stack;
+  second.ss_size = kStackSize;
+  sigaltstack(&second, nullptr);
+  for (const Crash& crash : kCrashes) {
+    // Not blocked while it is handled: a fault in the handler would end the process on the spot.
+    handle(crash.signal, crashed, SA_ONSTACK | SA_NODEFER);
+  }
+  for (const int signal : kOtherEnds) {
+    struct sigaction action {};
+    if (sigaction(signal, nullptr, &action) == 0 && !(action.sa_flags & SA_SIGINFO) &&
+        action.sa_handler == SIG_DFL) {
+      handle(signal, ended, 0);
+    }
+  }
+}
+
+void report_exit(const char* function, int exit_code, const void* caller) noexcept {
+  if (getpid() != process) {
+    for (;;) {
+      syscall(SYS_exit_group, exit_code);
+    }
+  }
+  if (may_report()) {
+    char what[64] = "ended the program by calling ";
+    std::strncat(what, function, sizeof(what) - std::strlen(what) - 1);
+    write_report(what, {caller, nullptr, nullptr, true});
+  }
+  end_with(status_of_crash);
+}
+
+void end_process(const char* what, const char* else_say, int exit_status, Stack stack) {
+  // Outside of plugins a recorder may be in the middle of a line: what it holds is left alone.
+  if (stack == Stack::left_out && is_just_loading() && may_report()) {
+    write_error("elsie: interrupted while plugins were loaded\n");
+  } else if (may_report() && is_plugin_at_work()) {
+    if (stack == Stack::shown) {
+      write_report(what, {});
+    } else {
+      write_culprit_and(what, nullptr);
+    }
+  } else if (!is_plugin_at_work()) {
+    write_error("elsie: ");
+    write_error(else_say);
+    write_error("\n");
+  }
+  base::clean_up_in_emergency();
+  end_with(exit_status);
+}
+
+CallFacts facts_at_work() noexcept {
+  CallFacts all;
+  for (const Call* call = Call::innermost(); call; call = call->outer()) {
+    const CallFacts& facts = call->facts();
+    // Of the library only what belongs to the plugin.
+    const bool other_plugin =
+        all.plugin && facts.plugin && std::string_view(all.plugin) != facts.plugin;
+    if (!other_plugin) {
+      all.plugin = all.plugin ? all.plugin : facts.plugin;
+      all.id = all.id ? all.id : facts.id;
+      all.library = all.library ? all.library : facts.library;
+      if (!all.file) {
+        all.file = facts.file;
+        all.line = facts.line;
+      }
+      all.doing = all.doing ? all.doing : facts.doing;
+    }
+    all.robot = all.robot ? all.robot : facts.robot;
+    all.step = all.step != CallFacts::kNoStep ? all.step : facts.step;
+  }
+  return all;
+}
+
+int signal_of_crash() noexcept { return crash_signal; }
+
+}  // namespace elsie::process

@@ -1,0 +1,101 @@
+#include "elsie/process/run_process.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "elsie/base/emergency.h"
+
+extern char** environ;
+
+namespace elsie::process {
+namespace {
+
+std::string read_all(int from) {
+  std::string text;
+  std::array<char, 4096> buffer;
+  for (;;) {
+    const ssize_t count = read(from, buffer.data(), buffer.size());
+    if (count > 0) {
+      text.append(buffer.data(), static_cast<std::size_t>(count));
+    } else if (count == 0 || errno != EINTR) {
+      return text;
+    }
+  }
+}
+
+/// A process that leads a group of its own, which goes with this one.
+class Group final : private base::EmergencyWriter {
+ public:
+  explicit Group(pid_t leader) : leader_(leader) {}
+  ~Group() override { retire(); }
+  void terminate() const noexcept { kill(-leader_, SIGTERM); }
+
+ private:
+  void clean_up_now() noexcept override { terminate(); }
+
+  const pid_t leader_;
+};
+
+int wait_for(pid_t process) {
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+}  // namespace
+
+std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments,
+                                         const std::stop_token& stop) {
+  std::array<int, 2> pipe_ends{};
+  if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) {
+    return std::nullopt;
+  }
+  const auto [reads, writes] = pipe_ends;
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, writes, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, writes, STDERR_FILENO);
+  // A group of its own, so that it is ended with all that it starts; and no signal is kept from it,
+  // whatever the thread that asks for it has blocked.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
+  std::vector<std::string> copies = arguments;
+  std::vector<char*> words;
+  for (std::string& word : copies) {
+    words.push_back(word.data());
+  }
+  words.push_back(nullptr);
+  pid_t process = 0;
+  const int problem =
+      posix_spawnp(&process, words.front(), &actions, &attributes, words.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  close(writes);
+  std::optional<ProcessResult> result;
+  if (problem == 0) {
+    result.emplace();
+    {
+      const Group group(process);
+      const std::stop_callback stopped(stop, [&group] { group.terminate(); });
+      result->output = read_all(reads);
+    }
+    result->exit_code = wait_for(process);
+  }
+  close(reads);
+  return result;
+}
+
+}  // namespace elsie::process

@@ -1,0 +1,153 @@
+// What a plugin's declaration says, as a part of a page.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "elsie/plugin/kind_name.h"
+#include "elsie/reference/reference.h"
+#include "elsie/world/escaped.h"
+#include "elsie/world/values.h"
+#include "elsie/world/vocabulary.h"
+
+#include "reference_table.h"
+
+namespace elsie::reference {
+
+namespace {
+
+std::string number(double value) { return world::format_value(ParameterValue(value)); }
+
+std::string type_in_words(ParameterType type) {
+  switch (type) {
+    case ParameterType::real:
+      return "number";
+    case ParameterType::integer:
+      return "whole number";
+    case ParameterType::boolean:
+      return "true or false";
+    case ParameterType::text:
+      return "text";
+    case ParameterType::file:
+      return "file";
+    case ParameterType::reals:
+      break;
+  }
+  return "numbers";
+}
+
+std::string choices_in_words(const std::vector<std::string>& choices) {
+  std::string text;
+  for (const std::string& choice : choices) {
+    text += (text.empty() ? "`" : ", `") + choice + "`";
+  }
+  return text;
+}
+
+std::string range_in_words(const world::Field& field) {
+  const ParameterFacts& facts = field.facts;
+  if (!facts.choices.empty()) {
+    return choices_in_words(facts.choices);
+  }
+  // What the member's type rules out goes without saying, but for a sign.
+  const double min = field.lowest == 0.0 ? std::max(facts.min, 0.0) : facts.min;
+  const bool open = std::isfinite(facts.above) && facts.above >= min;
+  const bool low = open || std::isfinite(min), high = std::isfinite(facts.max);
+  const std::string range = low && high && !open ? number(min) + " to " + number(facts.max)
+                            : low && high
+                                ? "above " + number(facts.above) + ", at most " + number(facts.max)
+                            : open ? "above " + number(facts.above)
+                            : low  ? "at least " + number(min)
+                            : high ? "at most " + number(facts.max)
+                                   : "";
+  return field.type == ParameterType::reals && !range.empty() ? "each " + range : range;
+}
+
+std::string table_of(const std::vector<ParameterDeclaration>& parameters) {
+  if (parameters.empty()) {
+    return "";
+  }
+  std::string text =
+      "\n| parameter | type | unit | default | range | meaning |\n|---|---|---|---|---|---|\n";
+  for (const ParameterDeclaration& parameter : parameters) {
+    const world::Field field = world::field_of(parameter);
+    text += table_row({"`" + field.name + "`", type_in_words(field.type), field.facts.unit,
+                       default_text(field), range_in_words(field),
+                       field.facts.meaning + (field.live ? "" : "; settled before a run")});
+  }
+  return text;
+}
+
+// What differs from an element that says nothing.
+std::string markup_of(const ElementValue& value, const ElementDeclaration& declared) {
+  std::string text = "<" + value.element;
+  for (const ParameterDeclaration& parameter : declared.parameters) {
+    const auto given = value.parameters.find(parameter.name);
+    if (given != value.parameters.end() &&
+        (parameter.facts.required || given->second != parameter.default_value)) {
+      text += " " + parameter.name + "=\"" +
+              world::escaped_attribute(world::format_value(given->second)) + "\"";
+    }
+  }
+  return text + "/>";
+}
+
+// The elements of one list: each, and what is there when a file gives none of them.
+std::string list_of_elements(const Declaration& declaration, std::size_t list) {
+  std::vector<const ElementDeclaration*> elements;
+  for (const ElementDeclaration& element : declaration.elements) {
+    if (element.list == list) {
+      elements.push_back(&element);
+    }
+  }
+  const bool one = elements.size() == 1;
+  std::string text = one ? "\nIt may hold any number of "
+                         : "\nIt may hold any number of these elements, in an order that counts:\n";
+  for (const ElementDeclaration* element : elements) {
+    text += (one ? "`<" : "\n`<") + element->name + ">`: " + element->meaning + ".\n" +
+            table_of(element->parameters);
+  }
+  const std::string none =
+      one ? "Without any `<" + elements[0]->name + ">`" : "Without any of them";
+  std::string defaults;
+  for (const ElementValue& value : declaration.default_elements) {
+    for (const ElementDeclaration* element : elements) {
+      if (element->name == value.element) {
+        defaults += markup_of(value, *element) + "\n";
+      }
+    }
+  }
+  return defaults.empty() ? text
+                          : text + "\n" + none + " it is as with\n\n```xml\n" + defaults + "```\n";
+}
+
+}  // namespace
+
+std::string plugin_declaration(const Declaration& declaration) {
+  const std::string kind(plugin::kind_name(declaration.kind));
+  std::string text = declaration.description + ".\n\nA " + kind + ", version " +
+                     declaration.version + ".\n" + table_of(declaration.parameters);
+  const std::size_t lists = declaration.elements.empty() ? 0 : declaration.elements.back().list + 1;
+  for (std::size_t list = 0; list < lists; ++list) {
+    text += list_of_elements(declaration, list);
+  }
+  if (declaration.hold) {
+    text +=
+        "\nIt holds other behaviours: `<behaviors>` and `<coordinator>` stand in its element as in "
+        "a robot's.\n";
+  }
+  for (const ReadingDeclaration& reading : declaration.needs) {
+    text += "\nNeeds a sensor that makes readings of the kind `" + reading.kind + "`.\n";
+  }
+  for (const ReadingDeclaration& reading : declaration.produces) {
+    text += "\nMakes readings of the kind `" + reading.kind + "`.\n";
+  }
+  if (!declaration.events.empty()) {
+    text += "\nEvents that it may raise:\n\n";
+    for (const EventDeclaration& event : declaration.events) {
+      text += "- `" + event.name + "`: " + event.meaning + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace elsie::reference

@@ -1,0 +1,125 @@
+#include "elsie/reference/reference.h"
+
+#include <vector>
+
+#include "elsie/world/values.h"
+#include "elsie/world/vocabulary.h"
+
+#include "reference_table.h"
+
+namespace elsie::reference {
+
+std::string cell(const std::string& text) {
+  std::string escaped_text;
+  for (const char c : text) {
+    escaped_text += c == '|' ? "\\|" : c == '<' ? "&lt;" : std::string(1, c);
+  }
+  return escaped_text;
+}
+
+std::string table_row(std::initializer_list<std::string> texts) {
+  std::string row = "|";
+  for (const std::string& text : texts) {
+    row += " " + cell(text) + " |";
+  }
+  return row + "\n";
+}
+
+std::string default_text(const world::Field& field) {
+  if (field.required) {
+    return "required";
+  }
+  const std::string text = field.default_value ? world::format_value(*field.default_value) : "";
+  return text.empty() ? "" : "`" + text + "`";
+}
+
+namespace {
+
+std::string value_in_words(const world::Field& field) {
+  switch (field.refers_to) {
+    case world::Reference::team:
+      return "the id of a team";
+    case world::Reference::robot:
+      return "the id of a robot";
+    case world::Reference::box:
+      return "the id of a box";
+    case world::Reference::none:
+      break;
+  }
+  return field.form == world::TextForm::id ? "an id" : world::expectation(field);
+}
+
+std::string table(const std::vector<world::Field>& fields) {
+  if (fields.empty()) {
+    return "";
+  }
+  std::string text = "\n| attribute | value | default | meaning |\n|---|---|---|---|\n";
+  for (const world::Field& field : fields) {
+    text +=
+        table_row({"`" + field.name + "`", value_in_words(field), default_text(field),
+                   field.facts.meaning + (field.live ? "; may change while the world runs" : "")});
+  }
+  return text;
+}
+
+std::string list_of_children(const world::ElementSpec& spec) {
+  std::string list;
+  for (const world::ElementSpec& child : spec.children) {
+    list += (list.empty() ? "" : ", ");
+    list += child.plugins ? "an element named after any " + child.name + " plugin"
+                          : "`<" + child.name + ">`";
+  }
+  if (spec.take) {
+    list += std::string(list.empty() ? "" : ", ") + "an element of a world";
+  }
+  return list;
+}
+
+void describe(const world::ElementSpec& spec, const std::string& path, std::string& text) {
+  const bool is_use = spec.plugins.has_value();
+  text += "\n## " + path + (is_use ? " / *any " + spec.name + " plugin*" : "") + "\n\n" +
+          cell(spec.meaning) + ".\n";
+  if (!spec.children.empty() || spec.take) {
+    text += "\nHolds: " + list_of_children(spec) + ".\n";
+  }
+  if (is_use) {
+    text +=
+        "\nIts attributes are these and the plugin's parameters; what stands in it is what the "
+        "plugin declares.";
+    text += spec.inside ? " A behaviour that holds others has " +
+                              list_of_children(world::coordination_vocabulary()) +
+                              " in it, as a robot has, to any depth.\n"
+                        : "\n";
+  }
+  text += table({spec.attributes.begin(), spec.attributes.end()});
+  for (const world::ElementSpec& child : spec.children) {
+    describe(child, child.plugins ? path : path + " / " + child.name, text);
+  }
+}
+
+}  // namespace
+
+std::string world_reference() {
+  std::string text =
+      "# World files: elements and attributes\n\nFormat " + std::to_string(world::kFormat) +
+      ". SI units; angles in degrees, and their names say so. x points east, y north, z up; "
+      "headings are counter-clockwise from east. Numbers are written with a point, and are "
+      "finite.\n";
+  describe(world::vocabulary(), "world", text);
+  text += "\n## robot_template\n\n" + cell(world::template_vocabulary().meaning) +
+          ". It has what a `<robot>` has, but no `id`, and a `format`; the robot that names it "
+          "overrides what differs.\n";
+  return text;
+}
+
+std::string vocabulary_reference(const world::ElementSpec& root) {
+  std::string text;
+  describe(root, root.name, text);
+  return text;
+}
+
+std::string plugin_reference(const Declaration& declaration) {
+  return "# " + declaration.name + "\n\n" + plugin_declaration(declaration);
+}
+
+}  // namespace elsie::reference

@@ -1,0 +1,35 @@
+// Pieces of sentences.
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/base/words.h"
+
+using namespace elsie;
+
+TEST_CASE("Things are counted in words") {
+  CHECK(base::counted(1, "run") == "1 run");
+  CHECK(base::counted(0, "run") == "0 runs");
+  CHECK(base::counted(2, "box", "boxes") == "2 boxes");
+  CHECK(base::is_or_are(1) == std::string("is"));
+  CHECK(base::is_or_are(0) == std::string("are"));
+}
+
+TEST_CASE("Items are joined, listed and enumerated") {
+  CHECK(base::joined({}) == "");
+  CHECK(base::joined({"a", "", "c"}, "|") == "a||c");
+  CHECK(base::enumerated({"a"}) == "a");
+  CHECK(base::enumerated({"a", "b"}) == "a and b");
+  CHECK(base::enumerated({"a", "b", "c"}, "or") == "a, b or c");
+  const std::vector<std::string> many(23, "x");
+  CHECK(base::listed({many.begin(), many.begin() + 20}) ==
+        base::joined({many.begin(), many.begin() + 20}));
+  CHECK(base::listed(many).ends_with(", x and 3 more"));
+}
+
+TEST_CASE("A word from a file is quoted so that it can be printed") {
+  CHECK(base::quoted("a\tb") == "'a?b'");
+  CHECK(base::quoted(std::string(40, 'x')) == "'" + std::string(40, 'x') + "'");
+  CHECK(base::quoted(std::string(41, 'x')) == "'" + std::string(40, 'x') + "...'");
+}

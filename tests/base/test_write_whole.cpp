@@ -1,0 +1,100 @@
+// Files that are written whole or not at all.
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <catch2/catch.hpp>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "elsie/base/write_whole.h"
+
+namespace fs = std::filesystem;
+namespace base = elsie::base;
+
+namespace {
+
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "elsie-file-test-XXXXXX").string();
+    REQUIRE(mkdtemp(name.data()));
+    path_ = name;
+  }
+  ~Folder() { fs::remove_all(path_); }
+  fs::path operator/(const char* name) const { return path_ / name; }
+  /// How many there are in it.
+  std::ptrdiff_t files() const {
+    return std::distance(fs::directory_iterator(path_), fs::directory_iterator());
+  }
+
+ private:
+  fs::path path_;
+};
+
+std::string read(const fs::path& name) {
+  std::ifstream in(name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+void write(const fs::path& name, const std::string& text) { std::ofstream(name) << text; }
+
+}  // namespace
+
+TEST_CASE("A file is made, and replaced by another one; nothing is left over") {
+  const Folder here;
+  CHECK(base::write_whole(here / "a", "one") == 0);
+  CHECK(read(here / "a") == "one");
+  fs::create_hard_link(here / "a", here / "old");
+  CHECK(base::write_whole(here / "a", "two", base::Durable::yes) == 0);
+  CHECK(read(here / "a") == "two");
+  CHECK(read(here / "old") == "one");  // who has it open reads on
+  CHECK(here.files() == 2);
+}
+
+TEST_CASE("A link stays one, and what it points to is written") {
+  const Folder here;
+  fs::create_directory(here / "far");
+  write(here / "far/a", "one");
+  fs::create_symlink("far/a", here / "link");
+  fs::create_symlink("link", here / "link_to_link");
+  CHECK(base::write_whole(here / "link_to_link", "two") == 0);
+  CHECK(fs::is_symlink(here / "link_to_link"));
+  CHECK(fs::is_symlink(here / "link"));
+  CHECK_FALSE(fs::is_symlink(here / "far/a"));
+  CHECK(read(here / "far/a") == "two");
+
+  SECTION("even if there is nothing yet") {
+    fs::create_symlink(here / "far/b", here / "new");
+    CHECK(base::end_of_links(here / "new") == here / "far/b");
+    CHECK(base::write_whole(here / "new", "three") == 0);
+    CHECK(fs::is_symlink(here / "new"));
+    CHECK(read(here / "far/b") == "three");
+  }
+  SECTION("but a circle of links leads nowhere") {
+    fs::create_symlink("round", here / "about");
+    fs::create_symlink("about", here / "round");
+    CHECK(base::end_of_links(here / "round") == here / "round");
+  }
+}
+
+TEST_CASE("Pipes and devices are written to as they are") {
+  const Folder here;
+  CHECK(base::write_whole("/dev/null", "nothing", base::Durable::yes) == 0);
+  CHECK(fs::is_character_file("/dev/null"));
+  CHECK(base::write_whole("/dev/full", "too much") == ENOSPC);
+  fs::create_symlink("/dev/full", here / "full.png");
+  CHECK(base::write_whole(here / "full.png", "too much") == ENOSPC);
+  CHECK(fs::is_symlink(here / "full.png"));
+}
+
+TEST_CASE("What cannot be written leaves the file as it was") {
+  const Folder here;
+  CHECK(base::write_whole(here / "none/a", "one") == ENOENT);
+  fs::create_directory(here / "folder");
+  CHECK(base::write_whole(here / "folder", "one") == EISDIR);
+  CHECK(here.files() == 1);
+}

@@ -1,0 +1,334 @@
+#include <cstdlib>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/recording/csv_recorder.h"
+#include "elsie/traces/trace.h"
+#include "elsie/traces/trace_recorder.h"
+
+#include "trace_support.h"
+#include "world_builder.h"
+
+using namespace elsie;
+using namespace elsie::test;
+using simulation::Simulation;
+using traces::Trace;
+using traces::TraceRecorder;
+
+namespace {
+
+/// Runs and records; gives the result.
+simulation::RunResult record(Simulation& simulation, const std::filesystem::path& file,
+                             bool with_times = false) {
+  TraceRecorder recorder(file, with_times);
+  simulation::Observer* const observers[] = {&recorder};
+  return simulation.run(observers);
+}
+
+world::World two_robots() {
+  world::World world;
+  world.name = "two, \"robots\"";
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("go_to_point", 2, {{"x", 3.0}})));
+  world.robots[0].behaviors.push_back(behavior("wander", 1));
+  world.robots.push_back(robot("r2", 1, 1, 0, behavior("wander")));
+  world.robots[1].coordinator->plugin = "fusion_vector_summation";
+  world.limits.time = 1;
+  return world;
+}
+
+/// Holds others, for as long as it is not later than a time.
+class Holder final : public Behavior {
+ public:
+  Coordination* inside = nullptr;
+  Response respond(const Perception& now) override {
+    return now.time_s() < 0.05 ? inside->respond(now) : Response(MotorCommand{});
+  }
+};
+
+world::World nested() {
+  world::World world;
+  world::BehaviorUse holder = behavior("holder");
+  holder.id = "outer";
+  world::PluginUse inner;
+  inner.plugin = inner.id = "fusion_vector_summation";
+  holder.inside.push_back({{behavior("scripted", 3)}, inner});
+  world.robots.push_back(robot("r1", 0, 0, 0, holder));
+  world.limits.time = 0.1;
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("A trace tells of world, seed, periods, robots, coordinators and behaviours") {
+  const TraceFolder folder;
+  world::World world = two_robots();
+  world.file = "two.xml";
+  world.physics.control_steps = 5;
+  Simulation simulation(std::move(world), shipped(), {.seed = 18446744073709551615u});
+  record(simulation, folder / "run.trace");
+  const Trace trace = traces::read_trace(folder / "run.trace");
+  CHECK(trace.world == "two, \"robots\"");
+  CHECK(trace.world_file == "two.xml");
+  CHECK(trace.seed == 18446744073709551615u);
+  CHECK(trace.step_s == 0.01);
+  CHECK(trace.period_s == 0.05);
+  REQUIRE(trace.robots.size() == 2);
+  CHECK(trace.robots[0].id == "r1");
+  CHECK(trace.robots[0].team == "red");
+  CHECK(trace.robots[0].coordinator == "arbiter_suppression");
+  CHECK(trace.robots[1].coordinator == "fusion_vector_summation");
+  REQUIRE(trace.robots[0].members.size() == 2);
+  CHECK(trace.robots[0].members[0].path == "go_to_point");
+  CHECK(trace.robots[0].members[0].plugin == "go_to_point");
+  CHECK(trace.robots[0].members[0].priority == 2);
+  CHECK(trace.end_s == 1);
+  CHECK(trace.outcome == "time_limit");
+  CHECK(trace.outcome_reason == "the limit of simulated time was met");
+  CHECK(trace.cut_off.empty());
+}
+
+TEST_CASE("A trace tells what each coordinator made of each behaviour, and the command") {
+  const TraceFolder folder;
+  Simulation simulation(two_robots(), shipped());
+  record(simulation, folder / "run.trace");
+  const Trace trace = traces::read_trace(folder / "run.trace");
+  const auto& winner = trace.robots[0].members[0].notes.at(0);
+  CHECK(winner.time_s == 0);
+  CHECK(winner.asked);
+  CHECK(winner.share == 1);
+  CHECK(winner.weight == 1);
+  CHECK(winner.inhibited_by == -1);
+  CHECK(trace.reasons[winner.reason] == "highest priority");
+  const auto& loser = trace.robots[0].members[1].notes.at(0);
+  CHECK_FALSE(loser.asked);
+  CHECK(loser.share == 0);
+  CHECK(loser.inhibited_by == 0);
+  CHECK(trace.reasons[loser.reason] == "suppressed");
+  CHECK(trace.robots[0].commands.at(0).command == winner.command);
+}
+
+TEST_CASE("What has not changed since the last decision is not written") {
+  const TraceFolder folder;
+  ScriptedHost scripted([](const Perception& now) {
+    return MotorCommand{now.time_s() < 0.5 ? 3.0 : 4.0, 5.0};
+  });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world.limits.time = 1;
+  Simulation simulation(std::move(world), scripted.host);
+  record(simulation, folder / "run.trace");
+  const auto lines = lines_of(folder.read("run.trace"));
+  const std::vector<std::string> rows(lines.begin() + 5, lines.end());
+  CHECK(rows == std::vector<std::string>{"0,r1,scripted,1,3,5,1,1,1,1,highest priority",
+                                         "0,r1,,,3,5",
+                                         "0.5,r1,scripted,1,4,5,1,1,1,1,highest priority",
+                                         "0.5,r1,,,4,5", lines.back()});
+}
+
+TEST_CASE(
+    "Numbers are rounded: three decimals, weights four digits; what is smaller is no change") {
+  const TraceFolder folder;
+  ScriptedHost scripted([](const Perception& now) {
+    Response response = MotorCommand{-0.0001, 1.0 / 3.0};
+    response.activation = 0.66666 + 1e-5 * now.time_s();
+    return response;
+  });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted", 1.23456789e-7)));
+  world.robots[0].coordinator->plugin = "fusion_vector_summation";
+  world.robots[0].coordinator->parameters["weighted"] = true;
+  world.limits.time = 1;
+  Simulation simulation(std::move(world), scripted.host);
+  record(simulation, folder / "run.trace");
+  const auto lines = lines_of(folder.read("run.trace"));
+  REQUIRE(lines.size() == 5 + 3);
+  CHECK(lines[3].find("priority=\"1.23456789e-07\"") != std::string::npos);
+  CHECK(lines[5] == "0,r1,scripted,1,0,0.333,0.667,1,1.235e-07,1,summed");
+  CHECK(lines[6] == "0,r1,,,0,0");
+}
+
+TEST_CASE("With a control period of several steps there is a decision in each period") {
+  const TraceFolder folder;
+  ScriptedHost scripted([](const Perception& now) { return MotorCommand{now.time_s(), 0}; });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world.physics.control_steps = 5;
+  world.limits.time = 0.52;
+  Simulation simulation(std::move(world), scripted.host);
+  record(simulation, folder / "run.trace");
+  const Trace trace = traces::read_trace(folder / "run.trace");
+  const auto& notes = trace.robots[0].members[0].notes;
+  REQUIRE(notes.size() == 11);
+  CHECK(notes[10].time_s == 0.5);
+  CHECK(notes[10].command.left == 0.5);
+  CHECK(trace.end_s == 0.52);
+}
+
+TEST_CASE("Behaviours inside others are traced, also when they are not asked") {
+  const TraceFolder folder;
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{1, 2}; });
+  scripted.host.add(declare<Holder>(PluginKind::behavior, "holder", "holds others",
+                                    holds_behaviors(&Holder::inside)));
+  Simulation simulation(nested(), scripted.host);
+  record(simulation, folder / "run.trace");
+  const Trace trace = traces::read_trace(folder / "run.trace");
+  REQUIRE(trace.robots[0].members.size() == 2);
+  const auto& inner = trace.robots[0].members[1];
+  CHECK(inner.path == "outer/scripted");
+  CHECK(inner.coordinator == "fusion_vector_summation");
+  CHECK(inner.priority == 3);
+  CHECK(inner.depth == 1);
+  CHECK(inner.parent == 0);
+  REQUIRE(inner.notes.size() == 2);
+  CHECK(inner.notes[0].asked);
+  CHECK(inner.notes[0].share == 1);
+  CHECK(inner.notes[1].time_s == 0.05);
+  CHECK_FALSE(inner.notes[1].asked);
+  CHECK(inner.notes[1].share == 0);
+}
+
+TEST_CASE("Events are in the trace, at the end of the step in which they happened") {
+  const TraceFolder folder;
+  ScriptedHost scripted([](const Perception& now) {
+    Response response;
+    if (now.time_s() == 0.0) {
+      response.events.push_back({"hello"});
+    }
+    return response;
+  });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world.robots.push_back(robot("r2", 2, 0, 0, behavior("wander", 1, {{"speed", 20.0}})));
+  world.robots[1].behaviors[0].parameters["restlessness"] = 0.0;
+  world.boxes.push_back(box("apple", world::BoxKind::resource, 2.5, 0));
+  world.limits.time = 2;
+  Simulation simulation(std::move(world), scripted.host);
+  const auto result = record(simulation, folder / "run.trace");
+  const Trace trace = traces::read_trace(folder / "run.trace");
+  REQUIRE(trace.robots[0].events.size() == 1);
+  CHECK(trace.robots[0].events[0].name == "hello");
+  CHECK(trace.robots[0].events[0].time_s == 0.01);
+  REQUIRE(trace.robots[1].events.size() == 1);
+  CHECK(trace.robots[1].events[0].name == "collected");
+  CHECK(trace.robots[1].events[0].detail == "apple");
+  CHECK(trace.robots[1].events[0].time_s == Approx(result.events.back().time_s));
+}
+
+TEST_CASE("A run is the same, bit for bit, whether it is traced or not; two traces are, too") {
+  const TraceFolder folder;
+  const auto hash = Simulation(two_robots(), shipped()).run().state_hash;
+  Simulation simulation(two_robots(), shipped());
+  CHECK(record(simulation, folder / "a.trace").state_hash == hash);
+  simulation.reset();
+  CHECK(record(simulation, folder / "b.trace").state_hash == hash);
+  CHECK(folder.read("a.trace") == folder.read("b.trace"));
+}
+
+TEST_CASE("A robot without behaviours or coordinator has a trace, too") {
+  const TraceFolder folder;
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("wander")));
+  world.robots[0].behaviors.clear();
+  world.robots[0].coordinator.reset();
+  world.limits.time = 0.1;
+  Simulation simulation(std::move(world), shipped());
+  record(simulation, folder / "run.trace");
+  const Trace trace = traces::read_trace(folder / "run.trace");
+  CHECK(trace.robots.at(0).coordinator.empty());
+  CHECK(trace.robots[0].members.empty());
+  CHECK(trace.robots[0].commands.size() == 1);
+}
+
+TEST_CASE("A run that a plugin ended has a whole trace with the outcome 'stopped'") {
+  const TraceFolder folder;
+  ScriptedHost scripted([](const Perception& now) -> Response {
+    if (now.time_s() > 0.495) {
+      throw std::runtime_error("enough");
+    }
+    return MotorCommand{now.time_s(), 0};
+  });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  Simulation simulation(std::move(world), scripted.host);
+  CHECK_THROWS_AS(record(simulation, folder / "run.trace"), simulation::PluginFault);
+  const Trace trace = traces::read_trace(folder / "run.trace");
+  CHECK(trace.outcome == "stopped");
+  CHECK(trace.end_s == 0.5);
+  CHECK(trace.robots[0].members[0].notes.size() == 50);
+}
+
+TEST_CASE("The file grows as the run goes, whole lines at a time") {
+  const TraceFolder folder;
+  ScriptedHost scripted([](const Perception& now) { return MotorCommand{now.time_s(), 0}; });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  Simulation simulation(std::move(world), scripted.host);
+  TraceRecorder recorder(folder / "run.trace");
+  recorder.started(simulation);
+  for (int i = 0; i < 1500; ++i) {
+    simulation.step();
+    recorder.stepped(simulation);
+  }
+  // Nobody told the recorder that the run has ended: as if the program had been killed here.
+  CHECK(folder.read("run.trace").back() == '\n');
+  const Trace trace = traces::read_trace(folder / "run.trace");
+  CHECK(trace.outcome.empty());
+  CHECK(trace.cut_off.empty());
+  CHECK(trace.end_s > 14);
+  CHECK(trace.robots[0].members[0].notes.size() > 1400);
+}
+
+TEST_CASE("A trace in which nothing changes says now and then that it goes on") {
+  const TraceFolder folder;
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{0, 0}; });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  Simulation simulation(std::move(world), scripted.host);
+  TraceRecorder recorder(folder / "run.trace");
+  recorder.started(simulation);
+  for (int i = 0; i < 3550; ++i) {
+    simulation.step();
+    recorder.stepped(simulation);
+  }
+  const Trace trace = traces::read_trace(folder / "run.trace");
+  CHECK(trace.end_s == 30);
+  CHECK(trace.robots[0].members[0].notes.size() == 1);
+}
+
+TEST_CASE("Times that behaviours took are told at the end, when they are asked for") {
+  const TraceFolder folder;
+  Simulation measured(two_robots(), shipped(), {.seed = 1, .measure_time = true});
+  record(measured, folder / "a.trace", true);
+  const Trace trace = traces::read_trace(folder / "a.trace");
+  const auto& times = trace.robots[0].members[0].times;
+  CHECK(times.answers == 100);
+  CHECK(times.mean_s > 0);
+  CHECK(times.longest_s >= times.mean_s);
+  CHECK(trace.robots[0].members[1].times.answers == 0);  // suppressed
+  measured.reset();
+  record(measured, folder / "b.trace");
+  CHECK(folder.read("b.trace").find("took") == std::string::npos);
+}
+
+TEST_CASE("A file that is no trace is never overwritten; a trace is") {
+  const TraceFolder folder;
+  folder.write("mine.trace", "my notes\n");
+  CHECK_THROWS_WITH(TraceRecorder(folder / "mine.trace"),
+                    Catch::Contains("there is a file of that name that is no trace"));
+  CHECK(folder.read("mine.trace") == "my notes\n");
+  folder.write("old.trace", "# elsie trace 1\nold\n");
+  CHECK_NOTHROW(TraceRecorder(folder / "old.trace"));
+  CHECK(folder.read("old.trace").empty());
+  CHECK_NOTHROW(TraceRecorder(folder / "old.trace"));  // empty: of a run that was stopped at once
+}
+
+TEST_CASE("A trace that cannot be written says so") {
+  CHECK_THROWS_WITH(TraceRecorder("/nowhere/at/all.trace"),
+                    Catch::Contains("'/nowhere/at/all.trace' cannot be created: No such file"));
+  if (std::filesystem::exists("/dev/full")) {
+    Simulation simulation(two_robots(), shipped());
+    CHECK_THROWS_WITH(record(simulation, "/dev/full"),
+                      "trace '/dev/full' could not be written: No space left on device");
+  }
+}

@@ -1,0 +1,103 @@
+// Traces made by hand, and files of them.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "elsie/traces/trace.h"
+
+namespace elsie::test {
+
+/// A folder of its own for each test, gone at the end.
+class TraceFolder {
+ public:
+  TraceFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "elsie-trace-XXXXXX").string();
+    if (!mkdtemp(name.data())) {
+      throw std::runtime_error("cannot make a folder for the test");
+    }
+    path_ = name;
+  }
+  ~TraceFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TraceFolder(const TraceFolder&) = delete;
+  TraceFolder& operator=(const TraceFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path_ / name;
+  }
+  std::string read(const std::string& name) const {
+    std::ifstream in(path_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// A robot with the members "a", "b", ... or of the given paths, without notes.
+inline traces::TraceRobot traced_robot(const std::vector<std::string>& paths) {
+  traces::TraceRobot robot;
+  robot.id = "r1";
+  robot.team = "red";
+  robot.coordinator = "outer";
+  for (const std::string& path : paths) {
+    traces::TraceMember member;
+    member.path = path;
+    member.plugin = path;
+    member.coordinator = "outer";
+    if (const std::size_t slash = path.rfind('/'); slash != std::string::npos) {
+      for (std::size_t i = 0; i < robot.members.size(); ++i) {
+        if (robot.members[i].path == path.substr(0, slash)) {
+          member.parent = static_cast<int>(i);
+          member.depth = robot.members[i].depth + 1;
+          member.coordinator = "inner";
+        }
+      }
+    }
+    robot.members.push_back(std::move(member));
+  }
+  return robot;
+}
+
+/// Notes that a member has this share from a time on; its weight is ten times that.
+inline traces::TraceNote& note(traces::TraceRobot& robot, std::size_t member, double time_s,
+                               double share) {
+  traces::TraceNote note;
+  note.time_s = time_s;
+  note.asked = true;
+  note.activation = 1.0;
+  note.strength = 1.0;
+  note.share = share;
+  note.weight = 10.0 * share;
+  return robot.members[member].notes.emplace_back(note);
+}
+
+inline traces::Trace trace_of(traces::TraceRobot robot, double end_s) {
+  traces::Trace trace;
+  trace.world = "made up";
+  trace.step_s = trace.period_s = 0.01;
+  trace.reasons = {"", "largest output"};
+  trace.end_s = end_s;
+  trace.outcome = "success";
+  trace.robots.push_back(std::move(robot));
+  return trace;
+}
+
+}  // namespace elsie::test
