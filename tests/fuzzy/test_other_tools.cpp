@@ -10,70 +10,14 @@
 #include "elsie/fuzzy/error.h"
 #include "elsie/fuzzy/fcl.h"
 
+#include "heating.h"
+
 using Catch::Contains;
 using elsie::fuzzy::FclError;
 using elsie::fuzzy::Model;
 using elsie::fuzzy::parse_fcl;
 using elsie::fuzzy::Workspace;
-
-namespace {
-
-struct Parts {
-  std::string name = "heating";
-  std::string inputs = "  cold : REAL;\n";
-  std::string cold = "  TERM no := (0, 1) (10, 0);\n  TERM yes := (0, 0) (10, 1);\n";
-  std::string power = "  TERM low := 0;\n  TERM high := 100;\n";
-  std::string options = "  METHOD : COGS;\n  DEFAULT := 0;\n";
-  std::string rules =
-      "  RULE 1 : IF cold IS yes THEN power IS high;\n"
-      "  RULE 2 : IF cold IS no THEN power IS low;\n";
-  std::string end = "";
-};
-
-/// Line 3 declares inputs; the blocks follow.
-std::string text(const Parts& parts) {
-  return "FUNCTION_BLOCK " + parts.name + "\nVAR_INPUT\n" + parts.inputs +
-         "END_VAR\nVAR_OUTPUT\n  power : REAL;\nEND_VAR\nFUZZIFY cold\n" + parts.cold +
-         "END_FUZZIFY\nDEFUZZIFY power\n" + parts.power + parts.options +
-         "END_DEFUZZIFY\nRULEBLOCK first\n" + parts.rules + "END_RULEBLOCK\nEND_FUNCTION_BLOCK\n" +
-         parts.end;
-}
-
-double power(const Model& model, double cold) {
-  Workspace workspace;
-  std::vector<double> inputs(model.inputs().size(), 0.5);
-  inputs[*model.input_index("cold")] = cold;
-  double result = -1.0;
-  model.evaluate(inputs, {&result, 1}, workspace);
-  return result;
-}
-
-std::vector<std::string> notes(const Model& model) {
-  std::vector<std::string> notes;
-  for (const elsie::base::Problem& note : model.notes()) {
-    CHECK(note.file == "heating.fcl");
-    notes.push_back(std::to_string(note.line) + ": " + note.message);
-  }
-  return notes;
-}
-
-using Notes = std::vector<std::string>;
-
-Model read(const Parts& parts, const std::string& block = "") {
-  return parse_fcl(text(parts), "heating.fcl", block);
-}
-
-std::string refusal(const Parts& parts, const std::string& block = "") {
-  try {
-    read(parts, block);
-  } catch (const FclError& error) {
-    REQUIRE(error.problems().size() == 1);
-    return error.what();
-  }
-  return "it was read";
-}
-
-}  // namespace
+using namespace heating;
 
 TEST_CASE("A tidy file has no notes") {
   const Model model = read({});
