@@ -163,6 +163,12 @@ TEST_CASE("Of several function blocks one is chosen by its name") {
       refusal(parts, "heating"),
       Contains("heating.fcl:23: A second function block 'heating'; the first is in line 1."));
   CHECK_THAT(refusal(Parts{}, "cooling"), Contains("There is no function block 'cooling'."));
+  CHECK_THAT(refusal(parts),
+             Contains("heating.fcl:23: A second function block 'heating'; the first "
+                      "is in line 1. Give each a name of its own"));
+  parts.end += text(other);
+  CHECK_THAT(refusal(parts),
+             Contains("'heating' or 'cooling'") && !Contains("'heating', 'heating'"));
 }
 
 TEST_CASE("Extensions of other tools are called so") {

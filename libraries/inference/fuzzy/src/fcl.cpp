@@ -75,7 +75,12 @@ const ast::FunctionBlock& choose(const std::vector<ast::FunctionBlock>& blocks,
     const bool is_it = !name.empty() && same_name(block.name.text, name);
     second = is_it && chosen && !second ? &block : second;
     chosen = is_it && !chosen ? &block : chosen;
-    names.push_back(block.name.text.empty() ? "(without a name)" : "'" + block.name.text + "'");
+    const std::string shown =
+        block.name.text.empty() ? "(without a name)" : "'" + block.name.text + "'";
+    if (std::none_of(names.begin(), names.end(),
+                     [&](const std::string& other) { return same_name(other, shown); })) {
+      names.push_back(shown);
+    }
   }
   if (chosen) {
     problems.forget(0, chosen->first_line - 1);
@@ -93,7 +98,12 @@ const ast::FunctionBlock& choose(const std::vector<ast::FunctionBlock>& blocks,
     problems.raise<FclError>();
   }
   problems.forget(0, std::numeric_limits<int>::max());
-  if (name.empty()) {
+  if (name.empty() && names.size() == 1) {
+    problems.add(blocks[1].first_line,
+                 "A second function block " + names[0] + "; the first is in line " +
+                     std::to_string(blocks[0].first_line) +
+                     ". Give each a name of its own, by which it can be chosen.");
+  } else if (name.empty()) {
     problems.add(blocks[1].first_line,
                  "A second FUNCTION_BLOCK begins here, and a model is one of them. Name it: " +
                      base::enumerated(names, "or") +
