@@ -96,7 +96,9 @@ void print_variable(const char* kind, const Variable& variable) {
         << number(variable.range.high) << "]\n";
   for (const fuzzy::Term& term : variable.terms) {
     out() << "  " << term.name << ":";
-    if (!term.linear.empty()) {
+    if (!term.formula.empty()) {
+      out() << ' ' << term.formula;
+    } else if (!term.linear.empty()) {
       for (std::size_t i = 0; i + 1 < term.linear.size(); ++i) {
         out() << (i > 0 ? " + " : " ") << number(term.linear[i]) << " x" << i + 1;
       }

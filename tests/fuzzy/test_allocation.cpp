@@ -11,6 +11,23 @@
 
 using namespace elsie::fuzzy;
 
+TEST_CASE("Nothing is allocated for hedges and formulas") {
+  const Model model = parse_fcl(
+      "FUNCTION_BLOCK VAR_INPUT x : REAL; END_VAR VAR_OUTPUT z : REAL; END_VAR FUZZIFY x TERM low "
+      ":= Ramp 1 0; TERM high := Ramp 0 1; END_FUZZIFY DEFUZZIFY z TERM a := FUNCTION x * 2 + "
+      "SIN(x); TERM b := 4; END_DEFUZZIFY RULEBLOCK RULE 1 : IF x IS low THEN z IS very extremely "
+      "a; RULE 2 : IF x IS high THEN z IS b; END_RULEBLOCK END_FUNCTION_BLOCK");
+  Workspace workspace;
+  double z = 0.0;
+  double x = 0.5;
+  model.evaluate({&x, 1}, {&z, 1}, workspace);
+  const long before = elsie::test::allocations();
+  for (x = 0.0; x < 1.0; x += 0.01) {
+    model.evaluate({&x, 1}, {&z, 1}, workspace);
+  }
+  CHECK(elsie::test::allocations() == before);
+}
+
 TEST_CASE("Nothing is allocated in an evaluation after the first") {
   const std::string methods[] = {"COG", "COA", "LM", "RM", "MM"};
   for (const char* accumulation : {"MAX", "BSUM", "NSUM", "ASUM"}) {

@@ -115,7 +115,7 @@ const std::vector<Mistake>& mistakes() {
        {"1: Found '<', which has no meaning in FCL. Remove it.",
         "1: Found '=', which has no meaning in FCL. Remove it.",
         "1: Found '\"', which has no meaning in FCL. Remove it.",
-        "1: Found '/', which has no meaning in FCL. Remove it.",
+        "1: Found '>', which has no meaning in FCL. Remove it.",
         "1: Found 'world', expected FUNCTION_BLOCK at the beginning."}},
       {"no end of the function block",
        {{"END_FUNCTION_BLOCK\n", ""}},
@@ -240,7 +240,7 @@ const std::vector<Mistake>& mistakes() {
        {"15: In the term 'far' of 'range': The parameters of Gaussian do not fit together: the "
         "deviation must be above 0."}},
       {"a term without semicolon",
-       {{"TERM far := (0.2, 0) (1, 1);", "TERM far := (0.2, 0) (1, 1)"}},
+       {{"TERM far := (0.2, 0) (1, 1);\n", "TERM far := (0.2, 0) (1, 1) "}},
        {"15: Expected ';' at the end of the TERM statement, after ')', found 'END_FUZZIFY'."}},
       {"an output term outside of the range",
        {{"(10, 0) (20, 1) (30, 0)", "(40, 0) (50, 1) (60, 0)"}},
@@ -256,7 +256,7 @@ const std::vector<Mistake>& mistakes() {
         "the two."}},
       {"an unknown method",
        {{"METHOD : COG", "METHOD : COGSS"}},
-       {"28: Found 'COGSS' for METHOD, expected COG, COGS, COA, LM, RM, MM or MOM."}},
+       {"28: Found 'COGSS' for METHOD, expected COG, COGS, COGF, COA, LM, RM, MM or MOM."}},
       {"singletons wanted",
        {{"METHOD : COG", "METHOD : COGS"}},
        {"28: COGS works on singletons, but the terms of 'speed' have an area. Use COG, or write "
@@ -314,7 +314,8 @@ const std::vector<Mistake>& mistakes() {
       {"an output in a condition",
        {{"range IS near", "speed IS back"}},
        {"37: 'speed' is an output. A condition asks for inputs; correct the name. (Conditions on "
-        "outputs are a fuzzylite extension, which is not supported.)"}},
+        "outputs are an extension of fuzzylite and jFuzzyLogic, each in its own sense, which is "
+        "not supported.)"}},
       {"an unknown variable in a conclusion",
        {{"speed IS back", "sped IS back"}},
        {"37: There is no output 'sped'. Did you mean 'speed'? Declare it in VAR_OUTPUT or correct "
@@ -331,9 +332,9 @@ const std::vector<Mistake>& mistakes() {
         "meant."}},
       {"a hedge",
        {{"range IS near", "range IS slightly near"}},
-       {"37: Found the hedge 'slightly' before 'near'. FCL knows no hedges; in conditions very, "
-        "extremely, somewhat and seldom are read as fuzzylite has them. Define a term of its own "
-        "for what is meant."}},
+       {"37: Found the hedge 'slightly' before 'near'. FCL knows no hedges; very, extremely, "
+        "somewhat and seldom are read as fuzzylite has them. Define a term of its own for what is "
+        "meant."}},
       {"a rule without IF",
        {{": IF range IS near", ": range IS near"}},
        {"37: Found 'range', expected IF at the beginning of the rule."}},
@@ -416,7 +417,7 @@ TEST_CASE("All mistakes of a file are reported at once, in the order of its line
         std::vector<std::string>{
             "13: The RANGE (1 .. 0) of 'range' is empty: its lower end must be below its upper "
             "end.",
-            "28: Found 'CENTROID' for METHOD, expected COG, COGS, COA, LM, RM, MM or MOM.",
+            "28: Found 'CENTROID' for METHOD, expected COG, COGS, COGF, COA, LM, RM, MM or MOM.",
             "37: The input 'range' has no term 'close'. Its terms are near or far."});
 }
 

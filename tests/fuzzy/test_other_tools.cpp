@@ -1,5 +1,6 @@
 // What other tools write in FCL's name: what is read, with a note where it is untidy, and what is
 // refused as an extension of theirs.
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -69,6 +70,57 @@ TEST_CASE("What is untidy is noted with its line, and changes nothing") {
     CHECK(notes(model) == Notes{"1: The name of the function block, 'the heating-of house 5', is "
                                 "not one word. Write '_' between its parts."});
   }
+  SECTION("statements that end with their line") {
+    parts.cold = "  TERM no := (0, 1) (10, 0)\n  TERM yes := (0, 0) (10, 1)\n";
+    parts.options = "  METHOD : COGS\n  DEFAULT := 0 // in the end\n";
+    const auto missing = [](const std::string& statement, const std::string& after) {
+      return "The " + statement + " statement has no ';' at its end, after '" + after +
+             "'. Write one.";
+    };
+    CHECK(notes(read(parts)) == Notes{"9: " + missing("TERM", ")"), "10: " + missing("TERM", ")"),
+                                      "15: " + missing("METHOD", "COGS"),
+                                      "16: " + missing("DEFAULT", "0")});
+  }
+  SECTION("the centre of gravity of singletons") {
+    parts.options = "  METHOD : COG;\n  DEFAULT := 0;\n";
+    CHECK(notes(read(parts)) == Notes{"15: The terms of 'power' are singletons, whose centre of "
+                                      "gravity is that of COGS. Write METHOD : COGS."});
+  }
+  SECTION("names with a '-'") {
+    parts.inputs += "  wind-speed : REAL;\n";
+    parts.cold += "END_FUZZIFY\nFUZZIFY wind-speed\n  TERM rather-low := (0, 1) (9, 1);\n";
+    parts.rules.replace(parts.rules.find("cold IS no"), 10,
+                        "cold IS no AND wind-speed IS rather-low");
+    const auto untidy = [](const std::string& name) {
+      return "The name '" + name + "' has a '-', which is no part of names in FCL. Write '_'.";
+    };
+    const Model model = read(parts);
+    CHECK(notes(model) == Notes{"4: " + untidy("wind-speed"), "14: " + untidy("rather-low")});
+    CHECK(model.input_index("Wind-Speed") == 1);
+  }
+  SECTION("an input without terms that no rule asks for") {
+    parts.inputs += "  wind : REAL;\n";
+    parts.cold += "END_FUZZIFY\nFUZZIFY wind\n  RANGE := (0 .. 9);\n";
+    CHECK(notes(read(parts)) ==
+          Notes{"4: No rule asks for the variable 'wind'. Write one, or remove the variable."});
+  }
+  SECTION("the terms of an output in a FUZZIFY block") {
+    parts.cold += "END_FUZZIFY\nFUZZIFY power\n" + parts.power;
+    parts.power = "";
+    CHECK(notes(read(parts)) == Notes{"12: 'power' is an output, whose terms belong into its "
+                                      "DEFUZZIFY block. Write them there."});
+  }
+  SECTION("a name with a '-'") {
+    parts.name = "heating-of";
+    const Model model = read(parts);
+    CHECK(model.name() == "heating-of");
+    CHECK(notes(model) == Notes{"1: The name of the function block, 'heating-of', is not one "
+                                "word. Write '_' between its parts."});
+  }
+  SECTION("a name with signs in it") {
+    parts.name = "heat of sin(x)/x";
+    CHECK(read(parts).name() == "heat of sin(x)/x");
+  }
   SECTION("text after the end") {
     parts.end = "see readme.txt = 5\n";
     CHECK(notes(read(parts)) == Notes{"23: Found 'see' after END_FUNCTION_BLOCK. Nothing from here "
@@ -87,6 +139,14 @@ TEST_CASE("What other tools write and means one thing is read without a note") {
     parts.inputs += "  range : REAL;\n";
     parts.cold += "END_FUZZIFY\nFUZZIFY range\n  TERM any_range := (0, 1) (9, 1);\n";
     parts.rules.replace(parts.rules.find("cold IS no"), 10, "cold IS no AND range IS any_range");
+  }
+  SECTION("a conclusion in parentheses") {
+    parts.rules.replace(parts.rules.find("power IS high"), 13, "(power IS high)");
+  }
+  SECTION("that nothing is switched off") {
+    parts.cold = "  ENABLED : TRUE;\n" + parts.cold;
+    parts.options += "  ENABLED : TRUE;\n";
+    parts.rules = "  ENABLED : TRUE;\n" + parts.rules;
   }
   SECTION("a shape with its numbers in parentheses") {
     parts.cold = "  TERM no := Ramp (10, 0);\n  TERM yes := Ramp (0, 10);\n";
@@ -171,18 +231,43 @@ TEST_CASE("Of several function blocks one is chosen by its name") {
              Contains("'heating' or 'cooling'") && !Contains("'heating', 'heating'"));
 }
 
+TEST_CASE("Without ACCU it is noted where tools differ about singletons") {
+  Parts parts;
+  parts.rules += "  RULE 3 : IF cold IS NOT no THEN power IS high;\n";
+  CHECK(notes(read(parts)) ==
+        Notes{"12: Several rules conclude 'power IS high', and there is no ACCU. The strongest "
+              "counts, where fuzzylite adds them up. Write ACCU : MAX or ACCU : NSUM."});
+  CHECK(power(read(parts), 2.5) == Approx(25.0));
+  parts.options += "  ACCU : NSUM;\n";
+  CHECK(notes(read(parts)).empty());
+  CHECK(power(read(parts), 2.5) == Approx(100.0 * 0.5 / 1.25));
+}
+
 TEST_CASE("Extensions of other tools are called so") {
   Parts parts;
-  SECTION("formulas") {
-    parts.power =
-        "  TERM low := FUNCTION (cold * 3.0) + 5 * SIN(cold / 2) ^ 2;\n"
-        "  TERM high := 100;\n";
-    CHECK_THAT(refusal(parts), Contains("heating.fcl:13: ") &&
-                                   Contains("FUNCTION is a jFuzzyLogic and fuzzylite extension"));
+  SECTION("a hedge that stands alone") {
+    parts.rules.replace(parts.rules.find("cold IS yes"), 11, "cold IS any");
+    CHECK_THAT(refusal(parts), Contains("heating.fcl:19: The input 'cold' has no term 'any'") &&
+                                   Contains("The hedge 'any' is a fuzzylite extension"));
   }
-  SECTION("a hedge in a conclusion") {
-    parts.rules.replace(parts.rules.find("power IS high"), 13, "power IS very high");
-    CHECK_THAT(refusal(parts), Contains("heating.fcl:19: Found the hedge 'very' before 'high'"));
+  SECTION("conditions on outputs") {
+    parts.rules.replace(parts.rules.find("cold IS yes"), 11, "power IS low");
+    CHECK_THAT(refusal(parts), Contains("heating.fcl:19: 'power' is an output.") &&
+                                   Contains("an extension of fuzzylite and jFuzzyLogic"));
+  }
+  SECTION("a shape that moves") {
+    parts.cold = "  TERM no := gauss wind 2;\n  TERM yes := (0, 0) (10, 1);\n";
+    CHECK_THAT(refusal(parts), Contains("heating.fcl:9: Found 'wind' among the numbers of gauss") &&
+                                   Contains("a jFuzzyLogic extension"));
+  }
+  SECTION("what is switched off") {
+    parts.options += "  ENABLED : FALSE;\n";
+    CHECK_THAT(refusal(parts), Contains("heating.fcl:17: Found 'FALSE' for ENABLED") &&
+                                   Contains("a fuzzylite extension"));
+  }
+  SECTION("locks") {
+    parts.options += "  LOCK : PREVIOUS;\n";
+    CHECK_THAT(refusal(parts), Contains("heating.fcl:17: LOCK is a fuzzylite extension"));
   }
   SECTION("points that move") {
     parts.cold = "  TERM no := (0, 1) (wind, 0);\n  TERM yes := (0, 0) (10, 1);\n";
@@ -190,32 +275,15 @@ TEST_CASE("Extensions of other tools are called so") {
                                    Contains("a jFuzzyLogic extension"));
   }
   SECTION("a method") {
-    parts.options = "  METHOD : COGF;\n  DEFAULT := 0;\n";
-    CHECK_THAT(refusal(parts), Contains("heating.fcl:15: Found 'COGF' for METHOD") &&
-                                   Contains("a jFuzzyLogic extension"));
+    parts.power = "  TERM low := (0, 1) (50, 0);\n  TERM high := (50, 0) (100, 1);\n";
+    CHECK_THAT(refusal(parts), Contains("heating.fcl:15: COGS works on singletons") &&
+                                   Contains("Tsukamoto's method, is a fuzzylite extension"));
   }
   SECTION("an operator") {
     parts.rules = "  AND : EPROD;\n" + parts.rules;
     CHECK_THAT(refusal(parts), Contains("heating.fcl:19: Found 'EPROD' for AND") &&
                                    Contains("a fuzzylite extension"));
   }
-}
-
-TEST_CASE("Linear terms follow the inputs, as Takagi and Sugeno's do") {
-  Parts parts;
-  parts.inputs += "  wind : REAL;\n";
-  parts.cold += "END_FUZZIFY\nFUZZIFY wind\n  TERM weak := (0, 1) (1, 0);\n";
-  parts.power = "  TERM low := Linear 2 0 1;\n  TERM high := Linear 0 40 10;\n";
-  parts.rules =
-      "  RULE 1 : IF cold IS yes THEN power IS high;\n"
-      "  RULE 2 : IF cold IS no THEN power IS low;\n";
-  // At cold = 2.5, wind = 0.5: low is at 6 to the degree 0.75, high at 30 to 0.25.
-  CHECK(power(read(parts), 2.5) == Approx(0.75 * 6.0 + 0.25 * 30.0));
-  CHECK(power(read(parts), 10.0) == Approx(30.0));
-  parts.power = "  TERM low := Linear 2 0 1;\n  TERM high := Linear 0 40;\n";
-  CHECK_THAT(refusal(parts),
-             Contains("heating.fcl:18: Linear needs a number for each input and one more, 3 in "
-                      "all, but the term 'high' of 'power' has 2."));
 }
 
 TEST_CASE("Hedges in conditions are those of fuzzylite") {

@@ -169,6 +169,7 @@ TEST_CASE("Straight shapes are exact, whatever they are called") {
   const FuzzySet triangle{{{0, 0}, {1, 1}, {3, 0}}};
   CHECK(term("Triangle 0 1 3") == triangle);
   CHECK(term("trian 0 1 3") == triangle);
+  CHECK(term("triangular 0 1 3") == triangle);
   CHECK(term("TRIMF 0, 1, 3") == triangle);
   CHECK(term("Triangle 0 1 3 0.5") == FuzzySet{{{0, 0}, {1, 0.5}, {3, 0}}});
   CHECK(term("Triangle 0 0 3") == FuzzySet{{{0, 0}, {0, 1}, {3, 0}}});
@@ -176,6 +177,7 @@ TEST_CASE("Straight shapes are exact, whatever they are called") {
   const FuzzySet trapezoid{{{0, 0}, {1, 1}, {3, 1}, {4, 0}}};
   CHECK(term("Trapezoid 0 1 3 4") == trapezoid);
   CHECK(term("trape 0 1 3 4") == trapezoid);
+  CHECK(term("trapezoidal 0 1 3 4") == trapezoid);
   CHECK(term("trapmf 0 1 3 4") == trapezoid);
   CHECK(term("Trapezoid 0 1 inf inf") == FuzzySet{{{0, 0}, {1, 1}}});
   CHECK(term("Rectangle 1 2") == FuzzySet{{{1, 0}, {1, 1}, {2, 1}, {2, 0}}});

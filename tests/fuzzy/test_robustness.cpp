@@ -152,7 +152,12 @@ TEST_CASE("Tokens of the language in random order are refused, or make sense") {
                                 "DEFAULT",
                                 "NC",
                                 "-",
-                                "|"};
+                                "|",
+                                "FUNCTION",
+                                "SIN",
+                                "*",
+                                "^",
+                                "very"};
   for (int i = 0; i < 1000; ++i) {
     std::string text = "FUNCTION_BLOCK ";
     for (std::size_t n = place(random, 200); n > 0; --n) {

@@ -8,6 +8,8 @@
 #include "elsie/base/fuzzy_set.h"
 #include "elsie/fuzzy/model.h"
 
+#include "formula.h"
+
 namespace elsie::fuzzy::ast {
 
 struct Name {
@@ -20,12 +22,20 @@ struct RangeStatement {
   int line = 0;
 };
 
+/// A formula whose inputs are still names: a step of op input has its place among `variables`.
+struct Formula {
+  std::string text;
+  std::vector<FormulaStep> steps;
+  std::vector<Name> variables;
+};
+
 struct Term {
   Name name;
   std::vector<FuzzySet::Point> points;  // of a list of points
   std::optional<double> singleton;
   std::string shape;
   std::vector<double> parameters;  // of a shape
+  std::optional<Formula> formula;
 };
 
 struct VariableDeclaration {
@@ -61,6 +71,7 @@ struct Condition {
 struct Conclusion {
   Name variable;
   Name term;
+  std::string hedges;  // as of a condition
 };
 
 struct Rule {

@@ -51,6 +51,40 @@ void ModelBuilder::rule_block(const ast::RuleBlock& block) {
   }
 }
 
+/// What several rules on one singleton come to differs between tools.
+void ModelBuilder::check_accumulation(std::size_t index) {
+  OutputVariable& output = model_->outputs[index];
+  const Declared& declared = variables_.at(lower(output.name));
+  const bool is_linear = std::any_of(output.terms.begin(), output.terms.end(),
+                                     [](const Term& term) { return !term.linear.empty(); });
+  if (output.method != Defuzzification::centroid_of_singletons) {
+    return;
+  }
+  if (is_linear) {  // each rule has its weight in the mean
+    if (declared.accumulation_line && output.accumulation != Accumulation::normalized_sum) {
+      problems_.add_note(declared.accumulation_line,
+                         "ACCU does not count for " + quoted(output.name) +
+                             ", which has Linear terms: each rule has its weight. Remove it.");
+    }
+    output.accumulation = Accumulation::normalized_sum;
+    return;
+  }
+  if (declared.accumulation_line) {
+    return;
+  }
+  std::set<std::size_t> seen;
+  for (const Conclusion& conclusion : conclusions_) {
+    if (conclusion.output == index && !seen.insert(conclusion.term).second) {
+      problems_.add_note(declared.block_line,
+                         "Several rules conclude " +
+                             quoted(output.name + " IS " + output.terms[conclusion.term].name) +
+                             ", and there is no ACCU. The strongest counts, where fuzzylite adds "
+                             "them up. Write ACCU : MAX or ACCU : NSUM.");
+      return;
+    }
+  }
+}
+
 void ModelBuilder::rule(const ast::RuleBlock& block, const ast::Rule& rule,
                         const Operators& operators, bool scales) {
   CompiledRule compiled;
@@ -70,9 +104,20 @@ void ModelBuilder::rule(const ast::RuleBlock& block, const ast::Rule& rule,
         return instruction.op == Operator::leaf || instruction.op == Operator::min;
       });
   shown.text = "IF " + condition_text(rule.condition) + " THEN ";
+  std::string hedges;  // in fuzzylite they hold from their conclusion on
   for (std::size_t i = 0; i < rule.conclusions.size(); ++i) {
     const ast::Conclusion& conclusion = rule.conclusions[i];
-    shown.text += (i == 0 ? "" : ", ") + conclusion.variable.text + " IS " + conclusion.term.text;
+    shown.text += (i == 0 ? "" : ", ") + conclusion.variable.text + " IS " + conclusion.hedges +
+                  (conclusion.hedges.empty() ? "" : " ") + conclusion.term.text;
+    if (!conclusion.hedges.empty()) {
+      hedges.insert(0, conclusion.hedges + (hedges.empty() ? "" : " "));
+      if (i + 1 < rule.conclusions.size()) {
+        problems_.add_note(conclusion.term.line,
+                           "The hedge before " + quoted(conclusion.term.text) +
+                               " holds for the conclusions after it too, as in fuzzylite. Write a "
+                               "rule for each conclusion if that is not meant.");
+      }
+    }
     Declared* declared = find(conclusion.variable, "output");
     if (!declared) {
       continue;
@@ -102,7 +147,7 @@ void ModelBuilder::rule(const ast::RuleBlock& block, const ast::Rule& rule,
       continue;
     }
     conclusions_.push_back({model_->rules.size(), declared->index,
-                            static_cast<std::size_t>(term - output.terms.data()), scales});
+                            static_cast<std::size_t>(term - output.terms.data()), scales, hedges});
   }
   if (rule.weight != 1.0) {
     shown.text += " WITH " + number_text(rule.weight);
@@ -151,7 +196,8 @@ bool ModelBuilder::comparison(const ast::Condition& condition, bool negated,
     problems_.add(condition.variable.line,
                   quoted(condition.variable.text) +
                       " is an output. A condition asks for inputs; correct the name. (Conditions "
-                      "on outputs are a fuzzylite extension, which is not supported.)");
+                      "on outputs are an extension of fuzzylite and jFuzzyLogic, each in its own "
+                      "sense, which is not supported.)");
     return false;
   }
   declared->used = true;
@@ -165,10 +211,13 @@ bool ModelBuilder::comparison(const ast::Condition& condition, bool negated,
     for (const Term& candidate : input.terms) {
       names.push_back(candidate.name);
     }
-    problems_.add(condition.term.line, "The input " + quoted(input.name) + " has no term " +
-                                           quoted(condition.term.text) + "." +
-                                           did_you_mean(condition.term.text, names) +
-                                           " Its terms are " + base::enumerated(names, "or") + ".");
+    problems_.add(
+        condition.term.line,
+        "The input " + quoted(input.name) + " has no term " + quoted(condition.term.text) + "." +
+            did_you_mean(condition.term.text, names) + " Its terms are " + one_of(names) + "." +
+            (same_name(condition.term.text, "any") ? " (The hedge 'any' is a fuzzylite extension, "
+                                                     "which is not supported.)"
+                                                   : ""));
     return false;
   }
   if (term->set.points.empty()) {

@@ -1,6 +1,8 @@
 // Variables: their ranges, terms and algorithms.
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "elsie/fuzzy/sets.h"
 
@@ -77,7 +79,7 @@ void ModelBuilder::variable_block(const ast::VariableBlock& block, bool output) 
   declared->block_line = block.name.line;
   Variable& target = variable(*declared);
   range(block, *declared, target);
-  if (block.terms.empty()) {
+  if (output && block.terms.empty()) {
     problems_.add(block.name.line, "The variable " + quoted(block.name.text) +
                                        " has no terms. Write at least one TERM.");
   }
@@ -96,8 +98,12 @@ void ModelBuilder::variable_block(const ast::VariableBlock& block, bool output) 
       linear_term(term, target);
       continue;
     }
+    if (output && term.formula) {
+      formula_term(term, declared->index);
+      continue;
+    }
     std::optional<FuzzySet> set = term_set(term, target);
-    target.terms.push_back({term.name.text, set.value_or(FuzzySet{}), term.singleton, {}});
+    target.terms.push_back({term.name.text, set.value_or(FuzzySet{}), term.singleton, {}, ""});
   }
   declared->usable = !target.terms.empty();
   if (!target.range_given) {
@@ -148,8 +154,7 @@ void ModelBuilder::range(const ast::VariableBlock& block, const Declared& declar
 }
 
 const char* tool_of(std::string_view word) {
-  constexpr std::array kJFuzzyLogic = {"COGF", "DMIN",   "NIPMIN",  "HAMACHER",
-                                       "DMAX", "NIPMAX", "EINSTEIN"};
+  constexpr std::array kJFuzzyLogic = {"DMIN", "NIPMIN", "HAMACHER", "DMAX", "NIPMAX", "EINSTEIN"};
   constexpr std::array kFuzzylite = {"DPROD", "EPROD", "HPROD", "NMIN",
                                      "DSUM",  "ESUM",  "HSUM",  "NMAX"};
   const auto has = [&](const auto& words) {
@@ -247,6 +252,13 @@ std::optional<FuzzySet> ModelBuilder::term_set(const ast::Term& term, const Vari
     tidy.points = without_repetitions(term);
     return check_points(tidy) ? std::optional(FuzzySet{tidy.points}) : std::nullopt;
   }
+  if (term.formula) {
+    problems_.add(term.name.line, "The term " + quoted(term.name.text) + " of the input " +
+                                      quoted(variable.name) +
+                                      " is a formula, which says where a term of an output "
+                                      "stands. Write points or a shape.");
+    return std::nullopt;
+  }
   try {
     return make_shape(term.shape, term.parameters,
                       variable.range_given ? std::optional(variable.range) : std::nullopt);
@@ -265,16 +277,52 @@ void ModelBuilder::linear_term(const ast::Term& term, Variable& variable) {
                                       " in all, but the term " + quoted(term.name.text) + " of " +
                                       quoted(variable.name) + " has " +
                                       std::to_string(term.parameters.size()) + ".");
-    variable.terms.push_back({term.name.text, FuzzySet{}, 0.0, {}});
+    variable.terms.push_back({term.name.text, FuzzySet{}, 0.0, {}, ""});
     return;
   }
   double x = term.parameters.back();
   for (std::size_t i = 0; i < model_->inputs.size(); ++i) {
     const Range& range = model_->inputs[i].range;
     x += term.parameters[i] * 0.5 * (range.low + range.high);
+    if (term.parameters[i] != 0.0) {
+      variables_.at(lower(model_->inputs[i].name)).in_formula = true;
+    }
   }
   variable.terms.push_back(
-      {term.name.text, FuzzySet{{{x, 0.0}, {x, 1.0}, {x, 0.0}}}, x, term.parameters});
+      {term.name.text, FuzzySet{{{x, 0.0}, {x, 1.0}, {x, 0.0}}}, x, term.parameters, ""});
+}
+
+/// Without a value in the middle of the inputs' ranges it is shown at 0.
+void ModelBuilder::formula_term(const ast::Term& term, std::size_t output) {
+  Formula formula = term.formula->steps;
+  for (FormulaStep& step : formula) {
+    if (step.op != FormulaOp::input) {
+      continue;
+    }
+    const ast::Name& name = term.formula->variables[step.input];
+    Declared* input = find(name, "input");
+    if (input && input->output) {
+      problems_.add(name.line, quoted(name.text) +
+                                   " is an output. A formula works on inputs; correct the name. "
+                                   "(Formulas of outputs are a fuzzylite extension, which is not "
+                                   "supported.)");
+    }
+    step.input = 0;
+    if (input && !input->output) {
+      input->in_formula = true;
+      step.input = input->index;
+    }
+  }
+  std::vector<double> middle;
+  for (const Variable& input : model_->inputs) {
+    middle.push_back(0.5 * (input.range.low + input.range.high));
+  }
+  const double value = middle.empty() ? 0.0 : value_of(formula, middle);
+  const double x = std::abs(value) <= kFurthestPlace ? value : 0.0;
+  Variable& variable = model_->outputs[output];
+  model_->formulas[{output, variable.terms.size()}] = std::move(formula);
+  variable.terms.push_back(
+      {term.name.text, FuzzySet{{{x, 0.0}, {x, 1.0}, {x, 0.0}}}, x, {}, term.formula->text});
 }
 
 void ModelBuilder::output_block(const ast::VariableBlock& block, OutputVariable& output,
@@ -282,7 +330,13 @@ void ModelBuilder::output_block(const ast::VariableBlock& block, OutputVariable&
   const bool all_singletons =
       !output.terms.empty() && std::all_of(output.terms.begin(), output.terms.end(),
                                            [](const Term& t) { return t.singleton.has_value(); });
-  const std::optional<Defuzzification> method = word(block.method, kMethod, "METHOD");
+  std::optional<Defuzzification> method = word(block.method, kMethod, "METHOD");
+  if (all_singletons && method == Defuzzification::centroid) {
+    problems_.add_note(block.method->line, "The terms of " + quoted(output.name) +
+                                               " are singletons, whose centre of gravity is that "
+                                               "of COGS. Write METHOD : COGS.");
+    method = Defuzzification::centroid_of_singletons;
+  }
   output.method = method.value_or(all_singletons ? Defuzzification::centroid_of_singletons
                                                  : Defuzzification::centroid);
   if (const auto accumulation = word(block.accumulation, kAccumulation, "ACCU")) {

@@ -1,5 +1,7 @@
 #include "builder.h"
 
+#include <algorithm>
+
 #include "coverage.h"
 #include "model_builder.h"
 
@@ -9,12 +11,7 @@ std::shared_ptr<const ModelData> ModelBuilder::run() {
   model_->name = block_.name.text;
   declare(block_.inputs, false);
   declare(block_.outputs, true);
-  for (const ast::VariableBlock& block : block_.fuzzify) {
-    variable_block(block, false);
-  }
-  for (const ast::VariableBlock& block : block_.defuzzify) {
-    variable_block(block, true);
-  }
+  variable_blocks();
   for (const auto& [name, declared] : variables_) {
     if (declared.block_line == 0 && declared.output) {
       const ast::Name& written = declared.declaration->name;
@@ -38,10 +35,38 @@ std::shared_ptr<const ModelData> ModelBuilder::run() {
   if (!problems_.empty()) {
     return nullptr;
   }
+  for (std::size_t i = 0; i < model_->outputs.size(); ++i) {
+    check_accumulation(i);
+  }
   compile_outputs(conclusions_, *model_);
   check_coverage();
   model_->notes = problems_.notes();
   return model_;
+}
+
+/// Some tools let an output have its terms in a FUZZIFY block, and the rest in DEFUZZIFY.
+void ModelBuilder::variable_blocks() {
+  std::vector<ast::VariableBlock> defuzzify = block_.defuzzify;
+  for (const ast::VariableBlock& block : block_.fuzzify) {
+    const auto declared = variables_.find(lower(block.name.text));
+    const auto rest =
+        std::find_if(defuzzify.begin(), defuzzify.end(), [&](const ast::VariableBlock& candidate) {
+          return same_name(candidate.name.text, block.name.text) && candidate.terms.empty();
+        });
+    if (declared == variables_.end() || !declared->second.output || rest == defuzzify.end() ||
+        (block.range && rest->range)) {
+      variable_block(block, false);
+      continue;
+    }
+    problems_.add_note(block.name.line, quoted(block.name.text) +
+                                            " is an output, whose terms belong into its DEFUZZIFY "
+                                            "block. Write them there.");
+    rest->terms = block.terms;
+    rest->range = block.range ? block.range : rest->range;
+  }
+  for (const ast::VariableBlock& block : defuzzify) {
+    variable_block(block, true);
+  }
 }
 
 /// An input that no rule asks for does no harm, nor does an output that always has its DEFAULT.
@@ -56,12 +81,19 @@ void ModelBuilder::check_use(const Declared& declared) {
       input.range = {-1.0, 1.0};
     }
     const std::string lacks = "The variable " + quoted(written.text) + " has no FUZZIFY block";
-    declared.used ? problems_.add(written.line, lacks + ". Write one, or remove the variable.")
-                  : problems_.add_note(written.line,
-                                       lacks + ", and no rule asks for it. Remove the variable.");
+    if (declared.used) {
+      problems_.add(written.line, lacks + ". Write one, or remove the variable.");
+    } else if (!declared.in_formula) {
+      problems_.add_note(written.line, lacks + ", and no rule asks for it. Remove the variable.");
+    }
     return;
   }
-  if (declared.used || !declared.usable) {
+  if (!declared.output && declared.used && !declared.usable) {
+    problems_.add(declared.block_line, "The variable " + quoted(written.text) +
+                                           " has no terms. Write at least one TERM.");
+    return;
+  }
+  if (declared.used || declared.in_formula || (declared.output && !declared.usable)) {
     return;
   }
   if (!declared.output) {
@@ -80,7 +112,7 @@ void ModelBuilder::check_use(const Declared& declared) {
 
 void ModelBuilder::check_coverage() {
   for (std::size_t i = 0; i < model_->outputs.size(); ++i) {
-    const OutputVariable& output = model_->outputs[i];
+    OutputVariable& output = model_->outputs[i];
     if (output.default_value || output.keeps_last) {
       continue;
     }

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "elsie/fuzzy/error.h"
+#include "elsie/fuzzy/fcl.h"
 
 #include "ast.h"
 #include "model_data.h"

@@ -38,7 +38,7 @@ void assign_slots(std::vector<Conclusion>& conclusions, ModelData& model) {
     }
     output.end_slot = model.slots.size();
     model.compiled_rules[conclusion.rule].targets.push_back(
-        {conclusion.output, model.slots.size() - 1});
+        {conclusion.output, model.slots.size() - 1, conclusion.hedges});
     last = &conclusion;
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "model_data.h"
@@ -14,6 +15,7 @@ struct Conclusion {
   std::size_t output = 0;
   std::size_t term = 0;
   bool scales = false;  // ACT: PROD
+  std::string hedges;   // on its degree, as in "very" or "very very"
 };
 
 /// Fills in slots, cells and the rules' targets; everything else of the model is there.

@@ -5,6 +5,7 @@
 #include "elsie/fuzzy/sets.h"
 
 #include "inference.h"
+#include "shapes.h"
 
 namespace elsie::fuzzy {
 
@@ -14,6 +15,11 @@ namespace {
 double positive_product(double a, double b) {
   const double product = a * b;
   return product > 0.0 || a == 0.0 || b == 0.0 ? product : std::numeric_limits<double>::min();
+}
+
+/// So do the squares of positive degrees.
+double hedged_above_zero(double degree, const Target& target) {
+  return std::max(hedged(degree, target.hedges), std::numeric_limits<double>::min());
 }
 
 double evaluate_condition(const CompiledRule& rule, const double* leaves, double* stack) {
@@ -140,9 +146,11 @@ void fire_rules(const ModelData& model, Workspace::Memory& memory) {
       continue;
     }
     for (const Target& target : rule.targets) {
+      const double arrives = target.hedges.empty() ? degree : hedged_above_zero(degree, target);
       double& slot = memory.slots[target.slot];
-      slot = model.outputs[target.output].accumulation == Accumulation::max ? std::max(slot, degree)
-                                                                            : slot + degree;
+      slot = model.outputs[target.output].accumulation == Accumulation::max
+                 ? std::max(slot, arrives)
+                 : slot + arrives;
     }
   }
 }

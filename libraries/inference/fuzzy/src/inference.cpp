@@ -2,11 +2,15 @@
 #include "inference.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
+#include <stdexcept>
+#include <string>
 
 #include "elsie/fuzzy/sets.h"
 
 #include "polynomials.h"
+#include "text.h"
 #include "walk.h"
 
 namespace elsie::fuzzy {
@@ -36,7 +40,19 @@ double singleton_degree(Accumulation accumulation, std::span<const double> slots
 }
 
 /// Where a singleton stands for these inputs.
-double place_of(const Term& term, std::span<const double> inputs) {
+double place_of(const ModelData& model, std::size_t output, std::size_t index,
+                std::span<const double> inputs) {
+  const Term& term = model.outputs[output].terms[index];
+  if (!term.formula.empty()) {
+    const double x = value_of(model.formulas.at({output, index}), inputs);
+    if (!(std::abs(x) <= kFurthestPlace)) {
+      throw std::invalid_argument("The term '" + term.name + "' of the output '" +
+                                  model.outputs[output].name + "' of the fuzzy model '" +
+                                  model.name + "', '" + term.formula + "', is " + number_text(x) +
+                                  " for these inputs; expected a number from -1e100 to 1e100.");
+    }
+    return x;
+  }
   if (term.linear.empty()) {
     return *term.singleton;
   }
@@ -60,7 +76,7 @@ void each_singleton(const ModelData& model, std::size_t index, const Workspace::
     const double degree = singleton_degree(model.outputs[index].accumulation,
                                            std::span(memory.slots).subspan(s, end - s));
     if (degree > 0.0) {
-      take(place_of(model.outputs[index].terms[model.slots[s].term], memory.inputs), degree);
+      take(place_of(model, index, model.slots[s].term, memory.inputs), degree);
     }
     s = end;
   }

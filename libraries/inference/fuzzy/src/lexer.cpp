@@ -165,7 +165,8 @@ class Lexer {
   }
 
   void symbol() {
-    for (const std::string_view symbol : {":=", "..", ":", ";", ",", "(", ")", "|", "+", "-"}) {
+    for (const std::string_view symbol :
+         {":=", "..", ":", ";", ",", "(", ")", "|", "+", "-", "*", "/", "^", "%"}) {
       if (looking_at(symbol)) {
         push(TokenKind::symbol, symbol.size());
         return;
@@ -178,7 +179,7 @@ class Lexer {
                                   : std::string("the byte 0x") + kHex[byte / 16] + kHex[byte % 16];
     problems_.add(line_, "Found " + shown + ", which has no meaning in FCL. Remove it.");
     // One message for a run of such bytes: a file that is not text at all has many.
-    const std::string_view meaning = ":;,()|+-. \t\r\n/*";
+    const std::string_view meaning = ":;,()|+-*/^%. \t\r\n";
     while (at_ < text_.size() && !is_letter(text_[at_]) && !is_digit(text_[at_]) &&
            (meaning.find(text_[at_]) == std::string_view::npos ||
             static_cast<unsigned char>(text_[at_]) == byte)) {

@@ -18,7 +18,7 @@ struct Token {
   bool first_on_line = false;  // comments do not count
 };
 
-/// The tokens of the text, ended by one of kind `end`. Symbols: := : ; , ( ) .. | + -
+/// The tokens of the text, ended by one of kind `end`. Symbols: := : ; , ( ) .. | + - * / ^ %
 /// What is no token is reported and left out.
 std::vector<Token> tokenize(std::string_view text, Problems& problems);
 

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/base/words.h"
-#include "elsie/fuzzy/error.h"
+#include "elsie/fuzzy/fcl.h"
 
 #include "ast.h"
 #include "compile.h"
@@ -40,8 +39,9 @@ class ModelBuilder {
     const ast::VariableDeclaration* declaration;
     int block_line = 0;  // of its FUZZIFY or DEFUZZIFY block
     int accumulation_line = 0;
-    bool used = false;
-    bool usable = false;  // has a block with terms
+    bool used = false;        // in a condition or conclusion
+    bool in_formula = false;  // of an output's term
+    bool usable = false;      // has a block with terms
   };
   /// AND and OR of a rule block.
   struct Operators {
@@ -52,10 +52,12 @@ class ModelBuilder {
   void declare(const std::vector<ast::VariableDeclaration>& variables, bool output);
   Declared* find(const ast::Name& name, const char* wanted);
   Variable& variable(const Declared& declared);
+  void variable_blocks();
   void variable_block(const ast::VariableBlock& block, bool output);
   void output_block(const ast::VariableBlock& block, OutputVariable& output, Declared& declared);
   void range(const ast::VariableBlock& block, const Declared& declared, Variable& variable);
   void linear_term(const ast::Term& term, Variable& variable);
+  void formula_term(const ast::Term& term, std::size_t output);
   std::optional<FuzzySet> term_set(const ast::Term& term, const Variable& variable);
   bool check_points(const ast::Term& term);
   std::vector<FuzzySet::Point> without_repetitions(const ast::Term& term);
@@ -86,6 +88,7 @@ class ModelBuilder {
   }
 
   void accumulate(Declared& declared, Accumulation accumulation, int line);
+  void check_accumulation(std::size_t output);
 
   void rule_block(const ast::RuleBlock& block);
   void rule(const ast::RuleBlock& block, const ast::Rule& rule, const Operators& operators,

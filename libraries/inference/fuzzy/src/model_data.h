@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elsie/fuzzy/model.h"
+
+#include "formula.h"
 
 namespace elsie::fuzzy {
 
@@ -74,6 +78,7 @@ struct Slot {
 struct Target {
   std::size_t output = 0;
   std::size_t slot = 0;  // among all slots of the model
+  std::string hedges;    // on the rule's degree
 };
 
 struct CompiledRule {
@@ -113,6 +118,8 @@ struct ModelData {
   std::vector<OutputVariable> outputs;
   std::vector<Rule> rules;
   std::vector<Problem> notes;
+  /// Of terms that are formulas, by the places of output and term.
+  std::map<std::pair<std::size_t, std::size_t>, Formula> formulas;
 
   std::vector<Leaf> leaves;
   std::vector<CompiledRule> compiled_rules;  // one for each of `rules`

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "statement_reader.h"
+#include "formula_reader.h"
 
 namespace elsie::fuzzy {
 
@@ -17,14 +17,14 @@ namespace {
 /// Parentheses nested deeper than this are taken for a mistake.
 constexpr int kDeepest = 100;
 
-/// Words that fuzzylite lets stand before a term; see hedged().
+/// Words that fuzzylite lets stand before a term; see shapes.h.
 constexpr std::array kHedges = {"very", "extremely", "somewhat", "seldom"};
 /// What other tools let stand there.
 constexpr std::array kOtherHedges = {"any", "slightly", "more", "indeed"};
 
-class Parser : private StatementReader {
+class Parser : private FormulaReader {
  public:
-  using StatementReader::StatementReader;
+  using FormulaReader::FormulaReader;
 
   std::vector<ast::FunctionBlock> run() {
     try {
@@ -82,9 +82,9 @@ class Parser : private StatementReader {
 
   /// One word by the standard; some tools write several on the line.
   ast::Name block_name() {
+    const char* const begin = now().text.data();
     ast::Name result = name("the name of the function block");
-    const char* const begin = last().text.data();
-    bool is_word = true;
+    bool is_word = result.text.find('-') == std::string::npos;
     while (!at_end() && !now().first_on_line && !at_landmark()) {
       take();
       is_word = false;
@@ -143,7 +143,7 @@ class Parser : private StatementReader {
     declared_ = 0;
     std::vector<ast::VariableDeclaration> declared;
     do {
-      declared.push_back({name("the name of a variable"), std::nullopt});
+      declared.push_back({new_name("the name of a variable"), std::nullopt});
     } while (accept_symbol(","));
     expect_symbol(":", "between the name of a variable and its type");
     if (!at_word("real") && !at_word("lreal")) {
@@ -183,6 +183,12 @@ class Parser : private StatementReader {
         option(variable.accumulation, "ACCU");
       } else if (output && at_word("default")) {
         default_value(variable);
+      } else if (at_word("enabled")) {
+        enabled();
+      } else if (at_word("lock")) {
+        lose(
+            "LOCK is a fuzzylite extension, which is not supported: remove it, and write "
+            "DEFAULT := NC for an output that keeps its last value.");
       } else {
         lose_expecting(output ? "TERM, METHOD, ACCU, DEFAULT, RANGE or END_DEFUZZIFY"
                               : "TERM, RANGE or END_FUZZIFY");
@@ -216,7 +222,7 @@ class Parser : private StatementReader {
   /// name := (x, y) (x, y);   name := 5;   name := Triangle 0 1 2;   after the word TERM.
   ast::Term term() {
     ast::Term result;
-    result.name = name("the name of a term");
+    result.name = new_name("the name of a term");
     expect_symbol(":=", "after the name of the term");
     if (at_symbol("(")) {
       while (accept_symbol("(")) {
@@ -233,12 +239,13 @@ class Parser : private StatementReader {
         result.points.push_back(point);
         accept_symbol(",");
       }
-    } else if (now().kind == TokenKind::word && !at_landmark()) {
-      const int line = now().line;
-      result.shape = take().text;
-      if (same_name(result.shape, "function")) {
-        lose_function(line);
+    } else if (now().kind == TokenKind::word && !at_landmark() &&
+               !(now().first_on_line && contains(kStatements, now().text))) {
+      if (accept_word("function")) {
+        result.formula = formula();
+        return result;
       }
+      result.shape = take().text;
       const bool in_parentheses = accept_symbol("(");
       while (now().kind == TokenKind::number || at_symbol("-") || at_symbol("+") ||
              at_word("inf") || at_symbol(",")) {
@@ -246,6 +253,11 @@ class Parser : private StatementReader {
           continue;
         }
         result.parameters.push_back(parameter());
+      }
+      if (now().kind == TokenKind::word && !now().first_on_line && !at_landmark()) {
+        lose("Found " + found() + " among the numbers of " + result.shape +
+             ". A shape that moves with a variable is a jFuzzyLogic extension, which is not "
+             "supported: write a number.");
       }
       if (in_parentheses) {
         expect_symbol(")", "after the parameters of " + result.shape);
@@ -256,18 +268,16 @@ class Parser : private StatementReader {
     return result;
   }
 
-  /// Formulas have signs that mean nothing in FCL: what was said of those is forgotten.
-  [[noreturn]] void lose_function(int line) {
-    while (!at_end() && !at_symbol(";") && !at_landmark() &&
-           !(now().first_on_line && contains(kStatements, now().text))) {
-      take();
+  /// ENABLED : TRUE;   as fuzzylite writes of all that it has not switched off.
+  void enabled() {
+    take();
+    expect_symbol(":", "after ENABLED");
+    if (!accept_word("true")) {
+      lose("Found " + found() +
+           " for ENABLED. To switch off variables and rule blocks is a fuzzylite extension, which "
+           "is not supported: remove what is switched off, or write TRUE.");
     }
-    problems().forget(line, last().line);
-    note(line,
-         "Found a term that is a formula. FUNCTION is a jFuzzyLogic and fuzzylite extension "
-         "(Takagi and Sugeno's models), which is not supported: write the term as points or, for "
-         "METHOD : COGS, as a number.");
-    throw StatementLost();
+    expect_semicolon("ENABLED");
   }
 
   double parameter() {
@@ -302,6 +312,8 @@ class Parser : private StatementReader {
         option(rules.accumulation, "ACCU");
       } else if (accept_word("rule")) {
         rules.rules.push_back(rule());
+      } else if (at_word("enabled")) {
+        enabled();
       } else {
         lose_expecting("AND, OR, ACT, ACCU, RULE or END_RULEBLOCK");
       }
@@ -398,17 +410,14 @@ class Parser : private StatementReader {
     if (accept_word("not")) {
       result.kind = ast::Condition::is_not;
     }
-    result.term = name("the name of a term after IS");
-    while (is_hedge(result.term) && contains(kHedges, result.term.text)) {
-      result.hedges += (result.hedges.empty() ? "" : " ") + lower(result.term.text);
-      result.term = name("the name of a term after " + result.term.text);
-    }
-    refuse_hedge(result.term);
+    result.term = hedged_term(result.hedges);
     return result;
   }
 
+  /// power IS high;   some tools write (power IS high)
   ast::Conclusion conclusion() {
     ast::Conclusion result;
+    const bool in_parentheses = accept_symbol("(");
     result.variable = name("a conclusion such as 'speed IS slow'");
     if (!accept_word("is")) {
       lose_expecting("IS after the variable '" + result.variable.text + "'");
@@ -416,9 +425,26 @@ class Parser : private StatementReader {
     if (at_word("not")) {
       lose("Found NOT in a conclusion, which says nothing definite. Name the term that is meant.");
     }
-    result.term = name("the name of a term after IS");
-    refuse_hedge(result.term);
+    result.term = hedged_term(result.hedges);
+    if (in_parentheses) {
+      expect_symbol(")", "after the conclusion");
+    }
     return result;
+  }
+
+  /// very near: after IS.
+  ast::Name hedged_term(std::string& hedges) {
+    ast::Name term = name("the name of a term after IS");
+    while (is_hedge(term) && contains(kHedges, term.text)) {
+      hedges += (hedges.empty() ? "" : " ") + lower(term.text);
+      term = name("the name of a term after " + term.text);
+    }
+    if (is_hedge(term)) {
+      lose("Found the hedge '" + term.text + "' before '" + std::string(now().text) +
+           "'. FCL knows no hedges; very, extremely, somewhat and seldom are read as fuzzylite has "
+           "them. Define a term of its own for what is meant.");
+    }
+    return term;
   }
 
   /// `range IS very near`: a word of some tool, and a term follows.
@@ -426,14 +452,6 @@ class Parser : private StatementReader {
     return (contains(kHedges, word.text) || contains(kOtherHedges, word.text)) &&
            now().kind == TokenKind::word && !now().first_on_line &&
            !contains(kReserved, now().text);
-  }
-
-  void refuse_hedge(const ast::Name& term) {
-    if (is_hedge(term)) {
-      lose("Found the hedge '" + term.text + "' before '" + std::string(now().text) +
-           "'. FCL knows no hedges; in conditions very, extremely, somewhat and seldom are read as "
-           "fuzzylite has them. Define a term of its own for what is meant.");
-    }
   }
 
   std::vector<ast::FunctionBlock> blocks_;

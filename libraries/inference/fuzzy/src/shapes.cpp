@@ -153,9 +153,11 @@ struct NamedKind {
 const std::vector<NamedKind>& kinds() {
   static const std::vector<NamedKind> kAll = {
       {"Triangle", {Kind::triangle, {0, 1, 2}, "a b c"}},
+      {"triangular", {Kind::triangle, {0, 1, 2}, "a b c"}},
       {"trian", {Kind::triangle, {0, 1, 2}, "a b c"}},
       {"trimf", {Kind::triangle, {0, 1, 2}, "a b c"}},
       {"Trapezoid", {Kind::trapezoid, {0, 1, 2, 3}, "a b c d"}},
+      {"trapezoidal", {Kind::trapezoid, {0, 1, 2, 3}, "a b c d"}},
       {"trape", {Kind::trapezoid, {0, 1, 2, 3}, "a b c d"}},
       {"trapmf", {Kind::trapezoid, {0, 1, 2, 3}, "a b c d"}},
       {"Rectangle", {Kind::rectangle, {0, 1}, "start end"}},
@@ -425,6 +427,16 @@ double hedged_degree(double degree, std::string_view hedge) {
 }
 
 }  // namespace
+
+double hedged(double degree, std::string_view hedges) {
+  while (!hedges.empty()) {
+    const std::size_t space = hedges.rfind(' ');
+    const bool is_last = space == std::string_view::npos;
+    degree = hedged_degree(degree, is_last ? hedges : hedges.substr(space + 1));
+    hedges = is_last ? "" : hedges.substr(0, space);
+  }
+  return degree;
+}
 
 FuzzySet hedged(const FuzzySet& set, std::string_view hedges) {
   if (hedges.empty()) {

@@ -26,6 +26,8 @@ FuzzySet make_shape(std::string_view name, std::span<const double> parameters,
 /// hedges, of a degree d: very d^2; extremely 2 d^2 up to d = 0.5, from there on 1 - 2 (1 - d)^2;
 /// somewhat d^(1/2); seldom (d/2)^(1/2), then 1 - ((1 - d)/2)^(1/2).
 FuzzySet hedged(const FuzzySet& set, std::string_view hedges);
+/// The same of a degree.
+double hedged(double degree, std::string_view hedges);
 
 /// Appends the straight lines that stand for the function between consecutive knots. The function
 /// must be continuous, and smooth between knots.

@@ -47,6 +47,13 @@ void StatementReader::expect_semicolon(const std::string& statement) {
   if (accept_symbol(";")) {
     return;
   }
+  if (now().first_on_line && now().kind == TokenKind::word &&
+      (at_landmark() || contains(kStatements, now().text))) {
+    problems_.add_note(last().line, "The " + statement +
+                                        " statement has no ';' at its end, after '" +
+                                        std::string(last().text) + "'. Write one.");
+    return;
+  }
   note(last().line, "Expected ';' at the end of the " + statement + " statement, after '" +
                         std::string(last().text) + "', found " + found() + ".");
   throw StatementLost();
@@ -72,8 +79,26 @@ ast::Name StatementReader::name(const std::string& what) {
   if (contains(kReserved, now().text) || contains(kLandmarks, now().text)) {
     lose("Found the keyword " + upper(now().text) + ", expected " + what + ".");
   }
-  const Token& token = take();
-  return {std::string(token.text), token.line};
+  const Token& first = take();
+  const auto follows = [&](const Token& token) {
+    return token.text.data() == last().text.data() + last().text.size();
+  };
+  while (at_symbol("-") && follows(now()) && next().kind == TokenKind::word &&
+         next().text.data() == now().text.data() + 1) {
+    take();
+    take();
+  }
+  return {std::string(first.text.data(), last().text.data() + last().text.size()), first.line};
+}
+
+ast::Name StatementReader::new_name(const std::string& what) {
+  ast::Name result = name(what);
+  if (result.text.find('-') != std::string::npos) {
+    problems_.add_note(
+        result.line,
+        "The name '" + result.text + "' has a '-', which is no part of names in FCL. Write '_'.");
+  }
+  return result;
 }
 
 double StatementReader::number(const std::string& what) {

@@ -79,6 +79,7 @@ class StatementReader {
   [[noreturn]] void lose(const std::string& message);
   [[noreturn]] void lose_expecting(const std::string& expected);
   void expect_symbol(std::string_view symbol, const std::string& where);
+  /// A line that ends, and a next one that begins another statement, will do: that is noted.
   void expect_semicolon(const std::string& statement);
   /// Goes on after the statement that was lost.
   void recover();
@@ -112,7 +113,10 @@ class StatementReader {
 
   // --- pieces ---
 
+  /// Some tools write names such as Check-Plus-Tip.
   ast::Name name(const std::string& what);
+  /// The name of what is declared here.
+  ast::Name new_name(const std::string& what);
   double number(const std::string& what);
   /// RANGE := (low .. high); after the word RANGE.
   ast::RangeStatement range();

@@ -29,9 +29,10 @@ inline constexpr std::array<Word<Accumulation>, 6> kAccumulation = {
      {"BSUM", Accumulation::bounded_sum},
      {"NSUM", Accumulation::normalized_sum},
      {"SUM", Accumulation::normalized_sum}}};
-inline constexpr std::array<Word<Defuzzification>, 7> kMethod = {
+inline constexpr std::array<Word<Defuzzification>, 8> kMethod = {
     {{"COG", Defuzzification::centroid},
      {"COGS", Defuzzification::centroid_of_singletons},
+     {"COGF", Defuzzification::centroid_of_singletons},
      {"COA", Defuzzification::bisector},
      {"LM", Defuzzification::leftmost_maximum},
      {"RM", Defuzzification::rightmost_maximum},

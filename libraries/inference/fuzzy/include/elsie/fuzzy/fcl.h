@@ -22,7 +22,8 @@
 // - Curved shapes become straight lines that stay within kCurveTolerance of the curve.
 //
 // Shapes and their parameters; an optional last number is the height (default 1):
-//   Triangle, trian, trimf a b c            Trapezoid, trape, trapmf a b c d
+//   Triangle, triangular, trian, trimf a b c
+//   Trapezoid, trapezoidal, trape, trapmf a b c d
 //   Rectangle a b     Ramp from to          Discrete x y x y ...     Binary start direction
 //   Gaussian, gauss mean deviation          gaussmf deviation mean
 //   GaussianProduct, gauss2 mean deviation mean deviation

@@ -58,6 +58,9 @@ struct Term {
   /// times its number here, and of the last number. `singleton` and `set` are then those for inputs
   /// in the middle of their ranges. Empty for other terms.
   std::vector<double> linear;
+  /// Of an output's term that is a formula of the inputs, as the file has it: a singleton at its
+  /// value. `singleton` and `set` are as with `linear`. Empty for other terms.
+  std::string formula;
 };
 
 struct Variable {
@@ -131,7 +134,8 @@ class Model {
   /// caller passed it in, which is the last value when the same memory is passed each time; with
   /// `value | NC`, a NaN that is passed in (no last value yet) becomes that value.
   ///
-  /// Throws std::invalid_argument when an input is not finite or a size does not fit.
+  /// Throws std::invalid_argument when an input is not finite, a formula is not (1 / 0), or a size
+  /// does not fit.
   void evaluate(std::span<const double> inputs, std::span<double> outputs,
                 Workspace& workspace) const;
 
