@@ -250,8 +250,9 @@ int fuzzy(const FuzzyOptions& options) {
   if (options.picture) {
     require_picture(*options.picture, "--picture");
   }
-  const Model model = fuzzy::read_fcl(options.model, options.block);
-  for (const base::Problem& note : model.notes()) {
+  const Model model =
+      elsie::fuzzy::read_fcl(options.model, options.block, elsie::fuzzy::Gaps::noted);
+  for (const elsie::fuzzy::Problem& note : model.notes()) {
     spdlog::warn(note.text());
   }
   std::optional<Evaluation> evaluation;

@@ -231,6 +231,25 @@ TEST_CASE("Of several function blocks one is chosen by its name") {
              Contains("'heating' or 'cooling'") && !Contains("'heating', 'heating'"));
 }
 
+TEST_CASE("Without DEFAULT an output may lack a value where its model is only looked at") {
+  Parts parts;
+  for (const char* otherwise : {"", "  DEFAULT := nan;\n"}) {
+    CAPTURE(otherwise);
+    parts.options = std::string("  METHOD : COGS;\n") + otherwise;
+    parts.rules = "  RULE 1 : IF cold IS yes THEN power IS high;\n";
+    CHECK_THAT(refusal(parts), Contains("heating.fcl:12: The output 'power' has no DEFAULT, but no "
+                                        "rule decides it at cold = -0.5. Add DEFAULT"));
+    const Model model =
+        elsie::fuzzy::parse_fcl(text(parts), "heating.fcl", "", elsie::fuzzy::Gaps::noted);
+    CHECK_THAT(notes(model).at(0), Contains("12: The output 'power' has no DEFAULT") &&
+                                       Contains("it is nan there, so that no robot can use"));
+    CHECK(model.outputs()[0].gap == "cold = -0.5");
+    CHECK(std::isnan(power(model, -1.0)));
+    CHECK(power(model, 1.0) == 100.0);
+  }
+  CHECK_FALSE(read({}).outputs()[0].gap);
+}
+
 TEST_CASE("Without ACCU it is noted where tools differ about singletons") {
   Parts parts;
   parts.rules += "  RULE 3 : IF cold IS NOT no THEN power IS high;\n";

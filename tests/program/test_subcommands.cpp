@@ -204,6 +204,31 @@ TEST_CASE("fuzzy shows a model, evaluates it and draws it") {
   CHECK_THAT(here.read("left.png"), Catch::StartsWith("\x89PNG"));
 }
 
+TEST_CASE("fuzzy shows a model whose rules leave gaps, which no robot may use") {
+  Workplace here;
+  here.write("gaps.fcl",
+             "FUNCTION_BLOCK gaps\nVAR_INPUT\n  range, azimuth : REAL;\nEND_VAR\nVAR_OUTPUT\n"
+             "  speed : REAL;\nEND_VAR\nFUZZIFY range\n  TERM near := (0, 1) (1, 0);\n"
+             "END_FUZZIFY\nDEFUZZIFY speed\n  TERM slow := FUNCTION azimuth / 2;\n"
+             "END_DEFUZZIFY\nRULEBLOCK\n  RULE 1 : IF range IS near THEN speed IS slow;\n"
+             "END_RULEBLOCK\nEND_FUNCTION_BLOCK\n");
+  const auto shown = here.elsie("fuzzy gaps.fcl --input range=2 --input azimuth=30");
+  CHECK(shown.exit_code == 0);
+  CHECK_THAT(shown.err, Catch::Contains("gaps.fcl:11: The output 'speed' has no DEFAULT, but no "
+                                        "rule decides it at range = 1.5: it is nan there"));
+  CHECK_THAT(shown.out, Catch::Contains("slow: azimuth / 2") && Catch::Contains("speed = nan"));
+  const json result =
+      json::parse(here.elsie("fuzzy gaps.fcl --input range=0.5 --input azimuth=30 --json").out);
+  CHECK(result.at("result").at("speed") == 15.0);
+  here.write("world.xml",
+             "<world format=\"1\"><robots><robot id=\"r1\"><sensors><beam_range/></sensors>"
+             "<behaviors><avoid_obstacle left_model=\"gaps.fcl\"/></behaviors><coordinator>"
+             "<fusion_vector_summation/></coordinator></robot></robots></world>\n");
+  const auto refused = here.elsie("check world.xml");
+  CHECK(refused.exit_code == 2);
+  CHECK_THAT(refused.err, Catch::Contains("gaps.fcl:11: The output 'speed' has no DEFAULT"));
+}
+
 TEST_CASE("Help has examples and exit codes") {
   Workplace here;
   CHECK_THAT(here.elsie("--help").out,

@@ -116,18 +116,29 @@ void ModelBuilder::check_coverage() {
     if (output.default_value || output.keeps_last) {
       continue;
     }
-    if (const std::optional<Gap> gap = find_gap(*model_, i)) {
-      problems_.add(variables_.at(lower(output.name)).block_line,
-                    "The output " + quoted(output.name) + " has no DEFAULT, but no rule " +
-                        (gap->certain ? "decides it" : "could be shown to decide it") + " at " +
-                        gap->example +
-                        ". Add DEFAULT := value to its DEFUZZIFY block, or a rule for this case.");
+    const std::optional<Gap> gap = find_gap(*model_, i);
+    if (!gap) {
+      continue;
+    }
+    const int line = variables_.at(lower(output.name)).block_line;
+    const std::string lacks =
+        "The output " + quoted(output.name) + " has no DEFAULT, but no rule " +
+        (gap->certain ? "decides it" : "could be shown to decide it") + " at " + gap->example;
+    const std::string remedy =
+        "Add DEFAULT := value to its DEFUZZIFY block, or a rule for this case.";
+    if (gaps_ == Gaps::refused) {
+      problems_.add(line, lacks + ". " + remedy);
+    } else {
+      problems_.add_note(
+          line, lacks + ": it is nan there, so that no robot can use the model. " + remedy);
+      output.gap = gap->example;
     }
   }
 }
 
-std::shared_ptr<const ModelData> build(const ast::FunctionBlock& block, Problems& problems) {
-  return ModelBuilder(block, problems).run();
+std::shared_ptr<const ModelData> build(const ast::FunctionBlock& block, Problems& problems,
+                                       Gaps gaps) {
+  return ModelBuilder(block, problems, gaps).run();
 }
 
 }  // namespace elsie::fuzzy

@@ -11,6 +11,7 @@
 namespace elsie::fuzzy {
 
 /// Reports what does not fit together; the result is a model only when there are no problems.
-std::shared_ptr<const ModelData> build(const ast::FunctionBlock& block, Problems& problems);
+std::shared_ptr<const ModelData> build(const ast::FunctionBlock& block, Problems& problems,
+                                       Gaps gaps);
 
 }  // namespace elsie::fuzzy

@@ -24,17 +24,18 @@ namespace {
 /// cells of an experiment do; a model follows from its text alone, and does not change.
 class Recent {
  public:
-  Model model(const std::string& text, const std::string& path, const std::string& block) {
+  Model model(const std::string& text, const std::string& path, const std::string& block,
+              Gaps gaps) {
     for (const Entry& entry : entries_) {
-      if (entry.text == text && entry.path == path && entry.block == block) {
+      if (entry.text == text && entry.path == path && entry.block == block && entry.gaps == gaps) {
         return entry.model;
       }
     }
-    Model model = parse_fcl(text, path, block);
+    Model model = parse_fcl(text, path, block, gaps);
     if (entries_.size() < kMost) {
-      entries_.push_back({text, path, block, model});
+      entries_.push_back({text, path, block, gaps, model});
     } else {
-      entries_[next_] = {text, path, block, model};
+      entries_[next_] = {text, path, block, gaps, model};
       next_ = (next_ + 1) % kMost;
     }
     return model;
@@ -47,6 +48,7 @@ class Recent {
     std::string text;
     std::string path;  // which notes name
     std::string block;
+    Gaps gaps;
     Model model;
   };
   std::vector<Entry> entries_;
@@ -119,7 +121,8 @@ const ast::FunctionBlock& choose(const std::vector<ast::FunctionBlock>& blocks,
 
 }  // namespace
 
-Model parse_fcl(std::string_view text, const std::string& name, const std::string& block) {
+Model parse_fcl(std::string_view text, const std::string& name, const std::string& block,
+                Gaps gaps) {
   Problems problems(name);
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
     const auto line = 1 + std::count(text.begin(), text.begin() + zero, '\n');
@@ -131,13 +134,13 @@ Model parse_fcl(std::string_view text, const std::string& name, const std::strin
   const ast::FunctionBlock& chosen = choose(blocks, block, problems);
   // What was not understood is missing from the block: checking that would find mistakes that are
   // none.
-  problems.raise<FclError>();
-  std::shared_ptr<const ModelData> data = build(chosen, problems);
-  problems.raise<FclError>();
+  problems.throw_if_any();
+  std::shared_ptr<const ModelData> data = build(chosen, problems, gaps);
+  problems.throw_if_any();
   return Model(std::move(data));
 }
 
-Model read_fcl(const std::string& path, const std::string& block) {
+Model read_fcl(const std::string& path, const std::string& block, Gaps gaps) {
   Problems problems(path);
   constexpr std::uintmax_t kMostBytes = 16'000'000;
   std::error_code error;
@@ -154,8 +157,8 @@ Model read_fcl(const std::string& path, const std::string& block) {
     problems.add(0, "This " + reason +
                         (by_the_system ? "." : ". Expected a file in Fuzzy Control Language."));
   }
-  problems.raise<FclError>();
-  return recent().model(text, path, block);
+  problems.throw_if_any();
+  return recent().model(text, path, block, gaps);
 }
 
 }  // namespace elsie::fuzzy

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -107,6 +108,8 @@ void Model::evaluate(std::span<const double> inputs, std::span<double> outputs,
       outputs[i] = *value;
     } else if (output.default_value && (!output.keeps_last || std::isnan(outputs[i]))) {
       outputs[i] = *output.default_value;
+    } else if (output.gap) {
+      outputs[i] = std::numeric_limits<double>::quiet_NaN();
     } else if (!output.keeps_last) {
       // Some rule fires, however little, but its degree was lost in rounding.
       outputs[i] = 0.5 * (output.range.low + output.range.high);

@@ -27,8 +27,8 @@ inline std::string range_text(const Range& range) {
 
 class ModelBuilder {
  public:
-  ModelBuilder(const ast::FunctionBlock& block, Problems& problems)
-      : block_(block), problems_(problems), model_(std::make_shared<ModelData>()) {}
+  ModelBuilder(const ast::FunctionBlock& block, Problems& problems, Gaps gaps)
+      : block_(block), problems_(problems), gaps_(gaps), model_(std::make_shared<ModelData>()) {}
 
   std::shared_ptr<const ModelData> run();
 
@@ -105,6 +105,7 @@ class ModelBuilder {
 
   const ast::FunctionBlock& block_;
   Problems& problems_;
+  Gaps gaps_;
   std::shared_ptr<ModelData> model_;
   std::map<std::string, Declared> variables_;  // by name in lower case
   std::map<std::tuple<std::size_t, std::size_t, std::string, bool>, std::size_t> leaves_;

@@ -18,7 +18,7 @@
 // - `DEFAULT := nan` is no default. With `DEFAULT := NC` (no change) an output that no rule speaks
 //   of keeps the value that the caller passes in; see Model::evaluate().
 // - An output without DEFAULT must be decided by some rule wherever its inputs are; a gap is an
-//   error when the file is read.
+//   error when the file is read (see Gaps).
 // - Curved shapes become straight lines that stay within kCurveTolerance of the curve.
 //
 // Shapes and their parameters; an optional last number is the height (default 1):
@@ -46,13 +46,19 @@ namespace elsie::fuzzy {
 /// membership.
 inline constexpr double kCurveTolerance = 2.5e-4;
 
+/// What to do about an output without DEFAULT that no rule decides for some inputs.
+enum class Gaps {
+  refused,  // an error: what steers a robot always has a value
+  noted,    // a note; see OutputVariable::gap. For those who look at models of other tools
+};
+
 /// Reads a model from a file. `block`: the name of its function block, in any letter case; "" where
 /// the file has one block only. Throws FclError, also when there is no such block, and when there
 /// are several and none is named.
-Model read_fcl(const std::string& path, const std::string& block = "");
+Model read_fcl(const std::string& path, const std::string& block = "", Gaps gaps = Gaps::refused);
 
 /// Reads a model from text; `name` stands for the file in messages. Throws FclError.
 Model parse_fcl(std::string_view text, const std::string& name = "model",
-                const std::string& block = "");
+                const std::string& block = "", Gaps gaps = Gaps::refused);
 
 }  // namespace elsie::fuzzy

@@ -79,6 +79,9 @@ struct OutputVariable : Variable {
   Accumulation accumulation = Accumulation::max;
   std::optional<double> default_value;
   bool keeps_last = false;  // DEFAULT := NC
+  /// With Gaps::noted: inputs at which no rule decides it, in words. It has no DEFAULT, and is NaN
+  /// there.
+  std::optional<std::string> gap;
 };
 
 /// A rule as a person reads it.
@@ -132,7 +135,9 @@ class Model {
   ///
   /// Where no rule speaks of an output, it gets its DEFAULT. With DEFAULT := NC it is left as the
   /// caller passed it in, which is the last value when the same memory is passed each time; with
-  /// `value | NC`, a NaN that is passed in (no last value yet) becomes that value.
+  /// `value | NC`, a NaN that is passed in (no last value yet) becomes that value. Without DEFAULT
+  /// some rule speaks of it wherever the inputs are, but for models read with Gaps::noted: there it
+  /// may be NaN.
   ///
   /// Throws std::invalid_argument when an input is not finite, a formula is not (1 / 0), or a size
   /// does not fit.
