@@ -15,6 +15,7 @@
 #include "support.h"
 
 using namespace elsie;
+using namespace elsie::build;
 using namespace elsie::plugin;
 using namespace elsie::plugin::test;
 using Catch::Contains;

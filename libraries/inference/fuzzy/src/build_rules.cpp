@@ -214,7 +214,7 @@ bool ModelBuilder::comparison(const ast::Condition& condition, bool negated,
     problems_.add(
         condition.term.line,
         "The input " + quoted(input.name) + " has no term " + quoted(condition.term.text) + "." +
-            did_you_mean(condition.term.text, names) + " Its terms are " + one_of(names) + "." +
+            did_you_mean(condition.term.text, names) + " Its terms are " + base::enumerated(names, "or") + "." +
             (same_name(condition.term.text, "any") ? " (The hedge 'any' is a fuzzylite extension, "
                                                      "which is not supported.)"
                                                    : ""));

@@ -134,9 +134,9 @@ Model parse_fcl(std::string_view text, const std::string& name, const std::strin
   const ast::FunctionBlock& chosen = choose(blocks, block, problems);
   // What was not understood is missing from the block: checking that would find mistakes that are
   // none.
-  problems.throw_if_any();
+  problems.raise<FclError>();
   std::shared_ptr<const ModelData> data = build(chosen, problems, gaps);
-  problems.throw_if_any();
+  problems.raise<FclError>();
   return Model(std::move(data));
 }
 
@@ -157,7 +157,7 @@ Model read_fcl(const std::string& path, const std::string& block, Gaps gaps) {
     problems.add(0, "This " + reason +
                         (by_the_system ? "." : ". Expected a file in Fuzzy Control Language."));
   }
-  problems.throw_if_any();
+  problems.raise<FclError>();
   return recent().model(text, path, block, gaps);
 }
 

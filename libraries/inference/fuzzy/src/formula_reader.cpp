@@ -120,7 +120,7 @@ void FormulaReader::function_or_input(int depth) {
     for (const Word<FormulaOp>& candidate : kFunctions) {
       known.emplace_back(candidate.word);
     }
-    lose("Found the function '" + word.text + "', expected " + one_of(known) + ".");
+    lose("Found the function '" + word.text + "', expected " + base::enumerated(known, "or") + ".");
   }
   take();
   expect_symbol("(", "after " + word.text);
