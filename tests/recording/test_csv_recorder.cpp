@@ -152,7 +152,7 @@ TEST_CASE("What was recorded until a plugin failed is kept") {
   CHECK(read(file.path).size() == 1 + 52);
 }
 
-TEST_CASE("A recording that cannot be made says so") {
+TEST_CASE("A table that cannot be made says so") {
   CHECK_THROWS_WITH(CsvRecorder("/nowhere/at/all.csv", 10),
                     Catch::Contains("'/nowhere/at/all.csv' cannot be created"));
   TemporaryFile file;

@@ -39,7 +39,7 @@ class WithFolder(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def made_up(self, **how):
-        return MadeUp(self.folder / "made_up.sqlite", SOURCE / "core" / "results" / "src" / "schema.sql", **how)
+        return MadeUp(self.folder / "made_up.sqlite", SOURCE / "libraries" / "studies" / "results" / "src" / "schema.sql", **how)
 
     def read(self, database):
         database.close()
@@ -198,7 +198,7 @@ class Conclusions(WithFolder):
                             note=f"trained: mean error {1e-5 if won else 0.02} after 9 presentations")
 
         def database(name, factors, worlds, layers, times):
-            made_up = MadeUp(self.folder / f"{name}.sqlite", SOURCE / "core" / "results" / "src" / "schema.sql", factors=factors)
+            made_up = MadeUp(self.folder / f"{name}.sqlite", SOURCE / "libraries" / "studies" / "results" / "src" / "schema.sql", factors=factors)
             cell = 0
             for world in worlds:
                 for layer in layers:

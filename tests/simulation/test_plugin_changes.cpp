@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/render/world_cameras.h"
+
 #include "change_support.h"
 
 using namespace elsie;
@@ -328,7 +330,7 @@ TEST_CASE("A camera is not made to look for what no camera can find while a run 
   eye.id = "eye";
   eye.elements = {{{"match_colour", {{"colours", "#ffd000"}}}, {}, {}}};
   world.robots[0].sensors = {eye};
-  Simulation simulation(world, scripted.host);
+  Simulation simulation(world, scripted.host, {.cameras = render::world_cameras});
   simulation.step();
   const std::string path = "robot[r1]/sensor[eye]/match_colour/@colours";
   CHECK_THAT(why_not([&] { simulation.change(path, ""); }),
@@ -344,7 +346,7 @@ TEST_CASE("A camera that is changed goes on looking for the resources' colours")
   world::SensorUse eye;
   eye.plugin = eye.id = "vision";
   world.robots[0].sensors = {eye};
-  Simulation simulation(world, scripted.host);
+  Simulation simulation(world, scripted.host, {.cameras = render::world_cameras});
   for (const char* width : {"60", "80"}) {
     simulation.change("robot[r1]/sensor[vision]/@width", width);
     simulation.step();
@@ -359,7 +361,7 @@ TEST_CASE("A camera may take other pictures from now on") {
   eye.plugin = "vision";
   eye.id = "eye";
   world.robots[0].sensors = {eye};
-  Simulation simulation(world, scripted.host);
+  Simulation simulation(world, scripted.host, {.cameras = render::world_cameras});
   const auto reading = [&] {
     return static_cast<const VisionReading*>(simulation.sensor(0, 0).sensor->reading());
   };

@@ -20,6 +20,8 @@
 namespace elsie::fuzzy {
 namespace {
 
+constexpr std::size_t kMostProblems = 200;  // more do not help anyone
+
 /// What this thread has read last. The robots of a world share their models, and the thousands of
 /// cells of an experiment do; a model follows from its text alone, and does not change.
 class Recent {
@@ -123,7 +125,7 @@ const ast::FunctionBlock& choose(const std::vector<ast::FunctionBlock>& blocks,
 
 Model parse_fcl(std::string_view text, const std::string& name, const std::string& block,
                 Gaps gaps) {
-  Problems problems(name);
+  Problems problems(name, kMostProblems);
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
     const auto line = 1 + std::count(text.begin(), text.begin() + zero, '\n');
     problems.add(static_cast<int>(line),
@@ -141,7 +143,7 @@ Model parse_fcl(std::string_view text, const std::string& name, const std::strin
 }
 
 Model read_fcl(const std::string& path, const std::string& block, Gaps gaps) {
-  Problems problems(path);
+  Problems problems(path, kMostProblems);
   constexpr std::uintmax_t kMostBytes = 16'000'000;
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <set>
 #include <span>
 #include <string>
@@ -47,10 +48,10 @@ class FileError : public Error {
 /// Collects problems while a file is read, so that all of them are reported together.
 class Problems {
  public:
-  static constexpr std::size_t kMost = 200;  // more do not help anyone
-
-  /// `file`: where problems are that are added without one.
-  explicit Problems(std::string file = {}, std::size_t most = kMost);
+  /// `file`: where problems are that are added without one. `most`: how many are kept; those beyond
+  /// are only counted.
+  explicit Problems(std::string file = {},
+                    std::size_t most = std::numeric_limits<std::size_t>::max());
 
   /// A problem that was added before is left out: a template's mistake is met by every robot that
   /// uses it.
