@@ -25,7 +25,8 @@ std::string read(const fs::path& file) {
 }
 
 std::vector<fs::path> pages() {
-  std::vector<fs::path> pages{elsie::test::source_path("README.md")};
+  std::vector<fs::path> pages{elsie::test::source_path("README.md"),
+                              elsie::test::source_path("CHANGELOG.md")};
   for (const auto& entry : fs::recursive_directory_iterator(elsie::test::source_path("docs"))) {
     if (entry.path().extension() == ".md") {
       pages.push_back(entry.path());
