@@ -14,7 +14,7 @@ endforeach()
 
 install(DIRECTORY experiments fuzzy_models robots templates training_sets worlds DESTINATION "${CMAKE_INSTALL_DATADIR}/elsie")
 install(DIRECTORY docs examples DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-install(FILES README.md CHANGELOG.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # The pages name worlds and other data by `../worlds/`, as they lie in the source tree: links beside docs/ lead to the installed data.
 file(RELATIVE_PATH data "${CMAKE_INSTALL_FULL_DOCDIR}" "${CMAKE_INSTALL_FULL_DATADIR}/elsie")
 file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/doc-links")

@@ -26,7 +26,8 @@ std::string read(const fs::path& file) {
 
 std::vector<fs::path> pages() {
   std::vector<fs::path> pages{elsie::test::source_path("README.md"),
-                              elsie::test::source_path("CHANGELOG.md")};
+                              elsie::test::source_path("CHANGELOG.md"),
+                              elsie::test::source_path("CONTRIBUTING.md")};
   for (const auto& entry : fs::recursive_directory_iterator(elsie::test::source_path("docs"))) {
     if (entry.path().extension() == ".md") {
       pages.push_back(entry.path());
@@ -445,4 +446,22 @@ TEST_CASE("Links between the docs lead somewhere") {
       CHECK(fs::exists(page.parent_path() / link.substr(0, link.find('#'))));
     }
   }
+}
+
+TEST_CASE("Every file that the recipes for contributors name is there") {
+  const fs::path source(elsie::test::source_path(""));
+  const std::string page = read(source / "CONTRIBUTING.md");
+  const std::regex file(
+      "`((apps|core|docs|examples|experiments|fuzzy_models|libraries|plugins|scripts|tests|"
+      "training_sets|worlds)/[^` ]*)`");
+  int count = 0;
+  for (std::sregex_iterator at(page.begin(), page.end(), file), end; at != end; ++at) {
+    const std::string name = (*at)[1];
+    if (name.find("NAME") == name.npos) {  // else it is the reader's to make
+      ++count;
+      CAPTURE(name);
+      CHECK(fs::exists(source / name));
+    }
+  }
+  CHECK(count >= 50);
 }
