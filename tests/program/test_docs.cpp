@@ -465,3 +465,10 @@ TEST_CASE("Every file that the recipes for contributors name is there") {
   }
   CHECK(count >= 50);
 }
+
+TEST_CASE("The citation has the program's version") {
+  const std::string version = Workplace().elsie("--version").out;
+  REQUIRE_THAT(version, Catch::StartsWith("elsie "));
+  CHECK_THAT(read(elsie::test::source_path("CITATION.cff")),
+             Catch::Contains("\nversion: " + version.substr(6)));
+}
