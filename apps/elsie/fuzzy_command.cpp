@@ -1,6 +1,6 @@
 // elsie fuzzy: shows a fuzzy model, evaluates it and draws it.
-#include <cstdio>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -86,7 +86,11 @@ Evaluation evaluate(const Model& model, const std::vector<double>& inputs) {
   fuzzy::Workspace workspace;
   Evaluation evaluation{inputs, std::vector<double>(model.outputs().size(), 0.0),
                         std::vector<double>(model.rules().size())};
-  model.evaluate(inputs, evaluation.outputs, workspace);
+  try {
+    model.evaluate(inputs, evaluation.outputs, workspace);
+  } catch (const std::invalid_argument& error) {  // a formula without a value there
+    throw BadInput(error.what());
+  }
   model.rule_degrees(inputs, evaluation.degrees, workspace);
   return evaluation;
 }
@@ -152,7 +156,7 @@ nlohmann::ordered_json to_json(const Variable& variable) {
     for (const auto& point : term.set.points) {
       points.push_back({point.x, point.degree});
     }
-    terms[term.name] = points;
+    terms[term.name] = term.formula.empty() ? points : nlohmann::ordered_json(term.formula);
   }
   return {{"name", variable.name},
           {"range", {variable.range.low, variable.range.high}},
@@ -168,6 +172,9 @@ void print_json(const Model& model, const std::optional<Evaluation>& evaluation)
   object["outputs"] = nlohmann::ordered_json::array();
   for (const OutputVariable& output : model.outputs()) {
     object["outputs"].push_back(to_json(output));
+    if (output.gap) {
+      object["outputs"].back()["gap"] = *output.gap;
+    }
   }
   object["rules"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < model.rules().size(); ++i) {
@@ -219,7 +226,11 @@ picture::ControlSurface surface(const Model& model, std::size_t output) {
       inputs[1] = y;
     }
     std::vector<double> outputs(model.outputs().size(), 0.0);
-    model.evaluate(inputs, outputs, *workspace);
+    try {
+      model.evaluate(inputs, outputs, *workspace);
+    } catch (const std::invalid_argument&) {
+      return std::numeric_limits<double>::quiet_NaN();  // a formula without a value: a hole
+    }
     return outputs[output];
   };
   return surface;

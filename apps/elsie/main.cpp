@@ -9,15 +9,10 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include "elsie/base/error.h"
 #include "elsie/batch/worker.h"
-#include "elsie/build/source_build.h"
-#include "elsie/fuzzy/error.h"
-#include "elsie/neural/error.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/process/process_end.h"
-#include "elsie/results/database_file.h"
-#include "elsie/simulation/fault.h"
-#include "elsie/world/error.h"
 
 #include "command.h"
 #include "progress.h"

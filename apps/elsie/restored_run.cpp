@@ -67,11 +67,9 @@ RestoredRun::RestoredRun(const StoredRun& run, const PluginOptions& plugins)
     : host_(host_of(run, plugins)) {
   if (run.elsie_version != ELSIE_VERSION) {
     differences_.push_back("the run was done with Elsie " + run.elsie_version +
-                           ", and this is " ELSIE_VERSION "; it may come to something else");
-  } else if (const auto now = hash_of(plugin::file_of_this_library());
-             now && *now != run.elsie.sha256) {
-    differences_.push_back(
-        "the run was done with another build of libelsie; it may come to something else");
+                           ", and this is " ELSIE_VERSION "; its result may differ");
+  } else {
+    compare_program(run);
   }
   compare_libraries(run);
   world::ReadOptions options = read_options();
@@ -86,6 +84,22 @@ RestoredRun::~RestoredRun() {
   }
 }
 
+void RestoredRun::compare_program(const StoredRun& run) {
+  const auto stem = [](const fs::path& file) {
+    const std::string name = file.filename().string();
+    return name.substr(0, name.find(".so"));
+  };
+  for (const fs::path& file : plugin::deciding_libraries()) {
+    for (const StoredRun::Library& before : run.program) {
+      const auto now = stem(before.path) == stem(file) ? hash_of(file) : std::nullopt;
+      if (now && *now != before.sha256) {
+        differences_.push_back("the run was done with another build of " + stem(file) +
+                               "; its result may differ");
+      }
+    }
+  }
+}
+
 void RestoredRun::compare_libraries(const StoredRun& run) {
   for (const StoredRun::Library& library : run.libraries) {
     for (const std::string& plugin : library.plugins) {
@@ -97,7 +111,7 @@ void RestoredRun::compare_libraries(const StoredRun& run) {
         differences_.push_back("the plugin '" + plugin + "' comes from another library, '" +
                                file.string() + "', than the run was done with" +
                                (file == library.path ? " (it has changed since)" : "") +
-                               "; it may come to something else");
+                               "; its result may differ");
       }
     }
   }

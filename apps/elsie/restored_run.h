@@ -32,6 +32,7 @@ class RestoredRun {
 
  private:
   void restore_data(const batch::StoredRun& run, std::map<std::string, std::string>& files);
+  void compare_program(const batch::StoredRun& run);
   void compare_libraries(const batch::StoredRun& run);
 
   std::vector<std::string> differences_;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <elsie/plugin/host.h>
+#include <elsie/render/world_cameras.h>
 #include <elsie/simulation/simulation.h>
 #include <elsie/world/data_directories.h>
 #include <elsie/world/reader.h>
@@ -29,6 +30,7 @@ class Deciders final : public simulation::Observer {
 int main(int argc, char** argv) {
   const std::string file = argc > 1 ? argv[1] : "worlds/contexts.xml";
   simulation::Options options;
+  options.cameras = elsie::render::world_cameras;  // for worlds that have some
   options.seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
   try {
     const elsie::plugin::Host host(elsie::plugin::default_search_path());

@@ -18,7 +18,7 @@ STOREYS = {
     "libelsie-base": set(),
     "libelsie": {"libelsie-base", "libode", "libtinyxml2"},
     "libelsie-inference": {"libelsie-base"},
-    "libelsie-workshop": {"libelsie-base", "libelsie"},
+    "libelsie-workshop": {"libelsie-base", "libelsie", "libelsie-inference"},
     "libelsie-views": {"libelsie-base", "libelsie", "libcairo", "libepoxy", "libzstd", "libz"},
     "libelsie-studies": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop", "libsqlite3", "libcrypto"},
     "libelsie-testing": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop"},
@@ -29,6 +29,7 @@ EXCEPTIONS = {"vision": {"libopencv_core", "libopencv_imgproc"}}
 # What must not come with a storey by any detour.
 FORBIDDEN = {
     "libelsie": {"libcairo", "libepoxy", "libGL", "libEGL", "libsqlite3", "libcrypto", "libzstd"},
+    "libelsie-workshop": {"libcairo", "libepoxy", "libGL", "libEGL", "libsqlite3", "libcrypto", "libzstd"},
     "libelsie-inference": {"libelsie", "libode", "libtinyxml2", "libcairo", "libepoxy", "libsqlite3", "libcrypto", "libzstd"},
 }
 

@@ -41,13 +41,14 @@ TEST_CASE("An error with a plugin's failure among its problems is the plugin's")
   CHECK(error.exit_code() == base::kPluginFailed);
 }
 
-TEST_CASE("Too many problems are counted, not listed") {
+TEST_CASE("Too many problems are counted, not listed, and the first lines are listed") {
   Problems problems("data", 2);
-  for (int line = 1; line <= 5; ++line) {
+  for (int line = 5; line >= 1; --line) {
     problems.add(line, "no number");
   }
   const auto sorted = problems.sorted("data");
   REQUIRE(sorted.size() == 3);
+  CHECK(sorted.front().text() == "data:1: no number");
   CHECK(sorted.back().text() == "data: and 3 more mistakes");
 }
 

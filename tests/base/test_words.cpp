@@ -31,5 +31,6 @@ TEST_CASE("Items are joined, listed and enumerated") {
 TEST_CASE("A word from a file is quoted so that it can be printed") {
   CHECK(base::quoted("a\tb") == "'a?b'");
   CHECK(base::quoted(std::string(40, 'x')) == "'" + std::string(40, 'x') + "'");
+  CHECK(base::quoted("na\xc3\xafve", 3) == "'na...'");
   CHECK(base::quoted(std::string(41, 'x')) == "'" + std::string(40, 'x') + "...'");
 }

@@ -100,6 +100,8 @@ TEST_CASE("A plugin that crashes is named with robot, step and stack, and the re
                Contains("elsie: plugin '" + expected.plugin + "' of robot 'r1' ended the program"));
     CHECK_THAT(run.err, Contains(expected.what) && Contains(" in step 50\n"));
     CHECK_THAT(run.err, Contains("the stack, from the inside out:\n") && Contains("faulty.so+0x"));
+    // It ends where the code of Elsie begins, which called the plugin.
+    CHECK_THAT(run.err, !Contains("libelsie.so") && !Contains("elsie-program+0x"));
     CHECK_THAT(run.err, Contains("what was recorded until then is kept\nthe stack"));
     CHECK(world.rows() == 51);
     CHECK_THAT(world.here.read("run.trace"), Contains("\n0,r1,,,10,10\n"));

@@ -344,3 +344,11 @@ TEST_CASE("A camera that can take no picture is a fault at the sensor's place in
   refuse({10, 10, 4.0}, "must be above 0 and below 180");
   refuse({10, 13, 1.0}, "it has no luck");
 }
+
+TEST_CASE("A world with a camera needs what takes its pictures") {
+  const ScriptedHost host = driving(0.0);
+  const auto world = world_with({});
+  CHECK_THROWS_WITH(Simulation(world, host.host),
+                    Catch::Contains("plugin 'vision': no renderer was given for its camera"));
+  CHECK_NOTHROW(Simulation(world, host.host, {.cameras = render::world_cameras}));
+}

@@ -35,7 +35,7 @@ FileError::FileError(std::vector<Problem> problems)
 Problems::Problems(std::string file, std::size_t most) : file_(std::move(file)), most_(most) {}
 
 void Problems::add(const Location& where, std::string message, bool plugin_failed) {
-  if (problems_.size() == most_) {
+  if (problems_.size() >= kMostKept && !plugin_failed) {
     ++left_out_;
   } else if (known_.emplace(where.file, where.line, message).second) {
     problems_.push_back({where.file, where.line, std::move(message), plugin_failed});
@@ -79,8 +79,13 @@ std::vector<Problem> Problems::sorted(const std::string& main_file) const {
   std::stable_sort(sorted.begin(), sorted.end(), [&](const Problem& a, const Problem& b) {
     return std::pair(order.at(a.file), a.line) < std::pair(order.at(b.file), b.line);
   });
-  if (left_out_ > 0) {
-    sorted.push_back({main_file, 0, "and " + counted(left_out_, "more mistake")});
+  std::size_t left_out = left_out_;
+  if (sorted.size() > most_) {
+    left_out += sorted.size() - most_;
+    sorted.resize(most_);
+  }
+  if (left_out > 0) {
+    sorted.push_back({main_file, 0, "and " + counted(left_out, "more mistake")});
   }
   return sorted;
 }

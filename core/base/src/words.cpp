@@ -42,13 +42,17 @@ std::string enumerated(const std::vector<std::string>& items, std::string_view l
   return text;
 }
 
-std::string quoted(std::string_view word) {
-  constexpr std::size_t kShown = 40;
-  std::string text(word.substr(0, kShown));
+std::string quoted(std::string_view word, std::size_t most) {
+  std::size_t shown = std::min(most, word.size());
+  while (shown < word.size() && shown > 0 &&
+         (static_cast<unsigned char>(word[shown]) & 0xc0U) == 0x80U) {
+    --shown;  // not in the middle of a character of UTF-8
+  }
+  std::string text(word.substr(0, shown));
   std::replace_if(
       text.begin(), text.end(),
       [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, '?');
-  return "'" + text + (word.size() > kShown ? "..." : "") + "'";
+  return "'" + text + (shown < word.size() ? "..." : "") + "'";
 }
 
 }  // namespace elsie::base

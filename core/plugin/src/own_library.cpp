@@ -1,8 +1,7 @@
 #include "elsie/plugin/own_library.h"
 
-#include <algorithm>
+#include <map>
 #include <string>
-#include <string_view>
 
 #include <dlfcn.h>
 #include <link.h>
@@ -21,25 +20,32 @@ fs::path file_of_this_library() {
 
 std::vector<fs::path> deciding_libraries() {
   const fs::path own = file_of_this_library();
-  std::vector<fs::path> files{own};
-  // Inference is loaded with the first plugin that infers: it counts whether one has been or not.
-  if (const fs::path inference = own.parent_path() / "libelsie-inference.so";
-      fs::exists(inference)) {
-    files.push_back(inference);
+  // What is loaded counts as it is loaded; what is loaded later lies beside this library.
+  std::map<std::string, fs::path> files;  // by the name without its version
+  const std::string version = own.filename().string().substr(std::string("libelsie").size());
+  for (const char* const name : {"libelsie-inference", "libelsie-views"}) {
+    if (const fs::path file = own.parent_path() / (name + version); fs::exists(file)) {
+      files[name] = file;
+    }
   }
   dl_iterate_phdr(
-      [](dl_phdr_info* library, std::size_t, void* data) {
+      [](dl_phdr_info* library, std::size_t, void* found) {
         const fs::path file(library->dlpi_name);
         const std::string name = file.filename().string();
-        if (name.starts_with("libelsie-base.") || name.starts_with("libode.")) {
-          static_cast<std::vector<fs::path>*>(data)->push_back(file);
+        for (const char* const wanted :
+             {"libelsie-base", "libelsie-inference", "libelsie-views", "libode"}) {
+          if (name.starts_with(std::string(wanted) + '.')) {
+            (*static_cast<std::map<std::string, fs::path>*>(found))[wanted] = file;
+          }
         }
         return 0;
       },
       &files);
-  std::sort(files.begin() + 1, files.end(),
-            [](const fs::path& a, const fs::path& b) { return a.filename() < b.filename(); });
-  return files;
+  std::vector<fs::path> all{own};
+  for (const auto& [name, file] : files) {
+    all.push_back(file);
+  }
+  return all;
 }
 
 }  // namespace elsie::plugin

@@ -43,8 +43,8 @@ Cameras::Cameras(const world::World& world, std::span<const std::unique_ptr<Robo
   };
   if (!make_renderer) {
     blame(mounts_.front(),
-          "its camera has nothing that takes its pictures; the program that runs "
-          "this world must hand in Options::cameras");
+          "no renderer was given for its camera; the program that runs this world must set "
+          "Options::cameras");
     return;
   }
   try {

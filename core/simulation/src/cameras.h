@@ -22,8 +22,8 @@ namespace elsie::simulation {
 class Cameras {
  public:
   /// For these robots, which live as long. What is wrong with a camera, or with the machine, is
-  /// added to `problems`, with the sensor's place in the world file; so it is when
-  /// there are cameras but nothing that takes their pictures.
+  /// added to `problems`, with the sensor's place in the world file; also when
+  /// there are cameras and no renderer.
   Cameras(const world::World& world, std::span<const std::unique_ptr<Robot>> robots,
           const MakeCameraRenderer& make_renderer, std::vector<base::Problem>& problems);
 

@@ -1,8 +1,6 @@
 #include "physics_words.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "elsie/base/number_text.h"
 #include "elsie/base/words.h"

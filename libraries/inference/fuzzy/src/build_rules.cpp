@@ -51,7 +51,7 @@ void ModelBuilder::rule_block(const ast::RuleBlock& block) {
   }
 }
 
-/// What several rules on one singleton come to differs between tools.
+/// Tools differ in how they combine several rules on one singleton.
 void ModelBuilder::check_accumulation(std::size_t index) {
   OutputVariable& output = model_->outputs[index];
   const Declared& declared = variables_.at(lower(output.name));
@@ -214,7 +214,8 @@ bool ModelBuilder::comparison(const ast::Condition& condition, bool negated,
     problems_.add(
         condition.term.line,
         "The input " + quoted(input.name) + " has no term " + quoted(condition.term.text) + "." +
-            did_you_mean(condition.term.text, names) + " Its terms are " + base::enumerated(names, "or") + "." +
+            did_you_mean(condition.term.text, names) + " Its terms are " +
+            base::enumerated(names, "or") + "." +
             (same_name(condition.term.text, "any") ? " (The hedge 'any' is a fuzzylite extension, "
                                                      "which is not supported.)"
                                                    : ""));

@@ -11,7 +11,11 @@
 namespace elsie::fuzzy {
 
 using base::number_text;
-using base::quoted;
+
+/// Names of a model are shown whole.
+inline std::string quoted(std::string_view name) {
+  return base::quoted(name, std::string_view::npos);
+}
 
 /// ASCII letters in lower case, everything else unchanged.
 std::string lower(std::string_view text);

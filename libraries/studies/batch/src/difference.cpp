@@ -1,5 +1,6 @@
 #include "difference.h"
 
+#include <filesystem>
 #include <map>
 #include <set>
 #include <utility>
@@ -52,11 +53,19 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, Changes& ch
     named.insert(file.path);
   }
   // What is found elsewhere now.
-  const std::string own = connection.text("SELECT sha256 FROM files ORDER BY id LIMIT 1");
-  if (!plan.files.empty() && own != plan.files.front().sha256 &&
-      !named.contains(plan.files.front().path)) {
-    changes.push_back("the program's library " + in_quotes(plan.files.front().path) + " (" +
-                      hashes(own, plan.files.front().sha256) + ")");
+  const auto stem = [](const std::string& path) {
+    const std::string name = std::filesystem::path(path).filename().string();
+    return name.substr(0, name.find(".so"));
+  };
+  for (std::size_t i = 0; i < plan.program_files; ++i) {
+    const PlannedFile& file = plan.files[i];
+    for (const auto& [path, sha256] : known) {
+      if (path != file.path && stem(path) == stem(file.path) && sha256 != file.sha256 &&
+          named.insert(file.path).second) {
+        changes.push_back("the program's library " + in_quotes(file.path) + " (" +
+                          hashes(sha256, file.sha256) + ")");
+      }
+    }
   }
   const auto plugins =
       pairs(connection,
@@ -155,8 +164,9 @@ std::string difference(sqlite::Connection& connection, const Plan& plan) {
   if (changes.size() > kMostNamed) {
     list += "; and " + std::to_string(changes.size() - kMostNamed) + " more";
   }
-  return list.empty() ? "its plugins, their versions or its seeds differ"
-                      : "changed since it was begun: " + list;
+  return list.empty()
+             ? "its plugins, their versions, its seeds, or the libraries of Elsie or ODE differ"
+             : "changed since it was begun: " + list;
 }
 
 }  // namespace elsie::batch

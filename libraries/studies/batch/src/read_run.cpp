@@ -30,11 +30,13 @@ void read_libraries(sqlite::Connection& connection, std::int64_t cell, StoredRun
     }
     run.libraries.back().plugins.push_back(query.text(2));
   }
-  sqlite::Statement own(connection,
-                        "SELECT path, sha256 FROM files WHERE kind = 'library' AND load_order IS "
-                        "NULL AND id = 0");
-  if (own.next()) {
-    run.elsie = {own.text(0), own.text(1), {}};
+  sqlite::Statement own(
+      connection,
+      "SELECT path, sha256 FROM files WHERE kind = 'library' AND load_order IS "
+      "NULL AND id NOT IN (SELECT file_id FROM plugins WHERE file_id IS NOT NULL) "
+      "ORDER BY id");
+  while (own.next()) {
+    run.program.push_back({own.text(0), own.text(1), {}});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/base/problems.h"
 #include "elsie/world/description.h"
 
 namespace elsie::experiment {

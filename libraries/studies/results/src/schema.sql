@@ -24,7 +24,7 @@ CREATE TABLE factors (
   name TEXT NOT NULL UNIQUE
 ) STRICT;
 
-CREATE TABLE files (                  -- world files, models, training sets, libraries of plugins, libelsie
+CREATE TABLE files (                  -- world files, models, training sets, libraries of plugins and of the program
   id      INTEGER PRIMARY KEY,
   kind    TEXT NOT NULL CHECK (kind IN ('data', 'library', 'world')),
   path    TEXT NOT NULL UNIQUE,       -- absolute

@@ -66,11 +66,6 @@ fs::path headers_of(const fs::path& library) {
   return folder;
 }
 
-/// A library in the folder of this one.
-std::string beside(const fs::path& library, const char* name) {
-  return (library.parent_path() / name).string();
-}
-
 /// The compiler and everything on its command line but the names of source and output.
 class Compiler {
  public:
@@ -108,7 +103,8 @@ class Compiler {
         (is_library ? libraries_ : flags_).push_back(word);
       }
     }
-    stamp_ = stamp_of(*program) + '\n' + stamp_of(library_);
+    stamp_ = stamp_of(*program) + '\n' + stamp_of(library_) + '\n' + stamp_of(base()) + '\n' +
+             stamp_of(inference());
   }
 
   /// The same text for the same result from the same source.
@@ -135,8 +131,8 @@ class Compiler {
     command.insert(command.end(), flags_.begin(), flags_.end());
     for (const std::string& word :
          {std::string("-MMD"), std::string("-MF"), dependencies.string(), std::string("-o"),
-          output.string(), source.string(), std::string("-Wl,--as-needed"), library_.string(),
-          beside(library_, "libelsie-base.so"), beside(library_, "libelsie-inference.so")}) {
+          output.string(), source.string(), "-Wl,--as-needed,-rpath," + folder().string(),
+          library_.string(), base().string(), inference().string()}) {
       command.push_back(word);
     }
     command.insert(command.end(), libraries_.begin(), libraries_.end());
@@ -153,6 +149,10 @@ class Compiler {
   }
 
  private:
+  fs::path folder() const { return library_.parent_path(); }
+  fs::path base() const { return folder() / "libelsie-base.so"; }
+  fs::path inference() const { return folder() / "libelsie-inference.so"; }
+
   std::vector<std::string> words_;      // the compiler and our flags
   std::vector<std::string> flags_;      // the user's
   std::vector<std::string> libraries_;  // the user's

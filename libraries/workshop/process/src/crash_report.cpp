@@ -1,7 +1,6 @@
 #include "elsie/process/crash_report.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <csignal>

@@ -15,6 +15,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "elsie/plugin/search_path.h"
+
 namespace elsie::process {
 namespace {
 
@@ -214,7 +216,9 @@ void write_stack_trace(const Fault& fault) noexcept {
   // The handler's own frames come first, and after them the signal's.
   const int found = static_cast<int>(std::find(frames, frames + count, at) - frames);
   const bool known = found < count;
-  const void* const own = place_of(reinterpret_cast<const void*>(&write_stack_trace)).base;
+  // Elsie's own: this library, and the core, which calls the plugins.
+  const void* const here = place_of(reinterpret_cast<const void*>(&write_stack_trace)).base;
+  const void* const core = place_of(&plugin::kPluginPathVariable).base;
   Place places[kMostShown];
   int shown = 0;
   bool left_own = known;
@@ -222,7 +226,7 @@ void write_stack_trace(const Fault& fault) noexcept {
     // All but the first are where a call returns to: the call stands before.
     const bool exact = known && i == found && !fault.is_after;
     const Place place = place_of(static_cast<const char*>(frames[i]) - (exact ? 0 : 1));
-    const bool is_own = place.base == own;
+    const bool is_own = place.base == here || place.base == core;
     if (is_own && left_own && shown > 0) {
       break;
     }

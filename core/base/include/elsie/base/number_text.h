@@ -10,10 +10,10 @@ namespace elsie::base {
 /// The shortest decimal text that reads back as the same number, bit for bit; "inf", "-inf", "nan".
 std::string number_text(double value);
 
-/// The number to `digits` significant digits, as printf's %g writes it.
+/// The number to `digits` significant digits (1 to 17), as printf's %g writes it.
 std::string number_text(double value, int digits);
 
-/// The number with `decimals` digits after the point; never "-0".
+/// The number with `decimals` digits (0 to 17) after the point; never "-0".
 std::string fixed_text(double value, int decimals);
 
 /// A time in seconds to six significant digits: "0.25 s".

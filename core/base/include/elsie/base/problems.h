@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "elsie/base/error.h"
@@ -48,8 +49,8 @@ class FileError : public Error {
 /// Collects problems while a file is read, so that all of them are reported together.
 class Problems {
  public:
-  /// `file`: where problems are that are added without one. `most`: how many are kept; those beyond
-  /// are only counted.
+  /// `file`: where problems are that are added without one. `most`: how many are reported; those
+  /// beyond are counted.
   explicit Problems(std::string file = {},
                     std::size_t most = std::numeric_limits<std::size_t>::max());
 
@@ -59,19 +60,22 @@ class Problems {
   void add(int line, std::string message) { add({file_, line}, std::move(message)); }
   void add(std::span<const Problem> problems);
   void add(const FileError& error) { add(error.problems()); }
-  void add(const Problems& others) { add(others.problems_); }
+  void add(const Problems& others) {
+    add(others.problems_);
+    left_out_ += others.left_out_;
+  }
 
   /// Something untidy that does no harm.
   void add_note(int line, std::string message);
   /// Forgets the problems and notes of these lines.
   void forget(int first_line, int last_line);
 
-  bool empty() const { return problems_.empty(); }
+  bool empty() const { return problems_.empty() && left_out_ == 0; }
   std::size_t size() const { return problems_.size(); }
   /// The notes, by line.
   std::vector<Problem> notes() const;
   /// The problems by line, those of the main file first, the other files in the order in which they
-  /// were met; when there are too many, the last one says how many are missing.
+  /// were met; when there are too many, the last one says how many are left out.
   std::vector<Problem> sorted(const std::string& main_file) const;
 
   /// Throws the problems as an error of this type; does nothing when there are none.
@@ -87,9 +91,11 @@ class Problems {
   }
 
  private:
+  static constexpr std::size_t kMostKept = 100'000;  // a file can be wrong in every byte
+
   std::string file_;
   std::size_t most_;
-  std::size_t left_out_ = 0;
+  std::size_t left_out_ = 0;  // that were not kept
   std::vector<Problem> problems_;
   std::vector<Problem> notes_;
   std::set<std::tuple<std::string, int, std::string>> known_;

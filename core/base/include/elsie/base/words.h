@@ -1,6 +1,7 @@
 // Pieces of sentences.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -22,8 +23,8 @@ std::string listed(const std::vector<std::string>& items);
 /// "a", "a and b", "a, b and c"; with "or" likewise.
 std::string enumerated(const std::vector<std::string>& items, std::string_view last = "and");
 
-/// A piece of a file as it may be shown in a message, between single quotes: no more than 40
-/// characters of it, "?" for what cannot be printed.
-std::string quoted(std::string_view word);
+/// A piece of a file as it may be shown in a message, between single quotes: no more than `most`
+/// bytes of it, whole characters, "?" for what cannot be printed.
+std::string quoted(std::string_view word, std::size_t most = 40);
 
 }  // namespace elsie::base

@@ -10,8 +10,9 @@ namespace elsie::plugin {
 /// system does not say.
 std::filesystem::path file_of_this_library();
 
-/// The libraries that decide what a run comes to, besides those of its plugins: libelsie, which is
-/// the first, and those that it or plugins compute with (the base, inference, ODE).
+/// The libraries that decide the result of a run, besides those of its plugins: libelsie, which is
+/// the first, and those that it and its plugins compute with (the base, inference, the views, which
+/// take the pictures of cameras, and ODE).
 std::vector<std::filesystem::path> deciding_libraries();
 
 }  // namespace elsie::plugin
