@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/recording/beams.h"
+#include "elsie/render/world_cameras.h"
 #include "elsie/traces/tracks.h"
 
 #include "recorded.h"
@@ -54,7 +55,8 @@ TEST_CASE("The picture from a recording alone is that of the run itself, byte fo
     TemporaryFile own, replayed;
     const std::string own_png = own.path.string() + ".png";
     const std::string replayed_png = replayed.path.string() + ".png";
-    Simulation simulation(shipped_world(name, 12.34), shipped());
+    Simulation simulation(shipped_world(name, 12.34), shipped(),
+                          {.cameras = render::world_cameras});
     traces::TrackRecorder tracks;
     {
       recording::McapRecorder recorder(file.path);

@@ -6,16 +6,19 @@
 #include <dlfcn.h>
 #include <link.h>
 
-#include "elsie/plugin/search_path.h"
-
 namespace elsie::plugin {
 
 namespace fs = std::filesystem;
 
+const void* place_in_this_library() noexcept {
+  static const char here = 0;  // no other library has this one
+  return &here;
+}
+
 fs::path file_of_this_library() {
   Dl_info info{};
-  const void* const here = &kPluginPathVariable;
-  return dladdr(here, &info) != 0 && info.dli_fname ? fs::path(info.dli_fname) : fs::path();
+  const bool known = dladdr(place_in_this_library(), &info) != 0 && info.dli_fname;
+  return known ? fs::path(info.dli_fname) : fs::path();
 }
 
 std::vector<fs::path> deciding_libraries() {

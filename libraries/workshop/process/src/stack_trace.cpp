@@ -15,7 +15,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "elsie/plugin/search_path.h"
+#include "elsie/plugin/own_library.h"
 
 namespace elsie::process {
 namespace {
@@ -218,7 +218,7 @@ void write_stack_trace(const Fault& fault) noexcept {
   const bool known = found < count;
   // Elsie's own: this library, and the core, which calls the plugins.
   const void* const here = place_of(reinterpret_cast<const void*>(&write_stack_trace)).base;
-  const void* const core = place_of(&plugin::kPluginPathVariable).base;
+  const void* const core = place_of(plugin::place_in_this_library()).base;
   Place places[kMostShown];
   int shown = 0;
   bool left_own = known;

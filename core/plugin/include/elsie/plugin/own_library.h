@@ -6,6 +6,9 @@
 
 namespace elsie::plugin {
 
+/// An address in this module's library. For handlers of signals, too.
+const void* place_in_this_library() noexcept;
+
 /// The file with the code of this module: libelsie, or a program that contains it. Empty when the
 /// system does not say.
 std::filesystem::path file_of_this_library();
