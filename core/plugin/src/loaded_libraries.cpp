@@ -5,6 +5,9 @@
 #include <atomic>
 #include <cstdint>
 #include <cstring>
+#include <mutex>
+#include <set>
+#include <string>
 
 #include <link.h>
 
@@ -57,6 +60,14 @@ Range range_of(const void* code) noexcept {
   return search.found;
 }
 
+/// A copy that is never freed, because a handler may be reading it; each name once.
+const char* kept(const char* file) {
+  static std::mutex mutex;
+  static auto& names = *new std::set<std::string>;
+  const std::lock_guard lock(mutex);
+  return names.emplace(file).first->c_str();
+}
+
 }  // namespace
 
 void note_loaded(const void* code, const char* file) noexcept {
@@ -72,7 +83,7 @@ void note_loaded(const void* code, const char* file) noexcept {
       slot.begin = range.begin;
       slot.end = range.end;
       slot.is_loaded = true;
-      slot.file = known && std::strcmp(known, file) == 0 ? known : strdup(file);
+      slot.file = kept(file);
       return;
     }
   }
