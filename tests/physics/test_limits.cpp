@@ -8,10 +8,6 @@
 
 #include "physics_context.h"
 
-// When ODE's solver stops half way, the record of the job that it was at (80 bytes) is lost in ODE.
-extern "C" const char* __lsan_default_suppressions();  // NOLINT: the sanitizer's name
-extern "C" const char* __lsan_default_suppressions() { return "leak:PreallocateJobInfos\n"; }
-
 using namespace elsie;
 using namespace elsie::physics;
 using world::BoxKind;
