@@ -51,9 +51,9 @@ Json member(const TraceRobot& robot, std::size_t index, const traces::MemberAcco
   return object;
 }
 
-Json episode(const Trace& trace, const TraceRobot& robot, const traces::Episode& told) {
-  const auto& part = told.parts[0];
-  Json object{{"from_s", tidy(told.from_s)}, {"to_s", tidy(told.to_s)}};
+Json episode(const Trace& trace, const TraceRobot& robot, const traces::Episode& shown) {
+  const auto& part = shown.parts[0];
+  Json object{{"from_s", tidy(shown.from_s)}, {"to_s", tidy(shown.to_s)}};
   if (part.decider >= 0) {
     object["decider"] = robot.members[place(part.decider)].path;
     object["share"] = tidy(part.share);
@@ -79,8 +79,8 @@ Json coordinator(const Trace& trace, const TraceRobot& robot,
               {"several_s", tidy(account.together_s)},
               {"changes", account.switches}};
   object["episodes"] = Json::array();
-  for (const auto& told : account.episodes) {
-    object["episodes"].push_back(episode(trace, robot, told));
+  for (const auto& shown : account.episodes) {
+    object["episodes"].push_back(episode(trace, robot, shown));
   }
   return object;
 }

@@ -220,19 +220,19 @@ std::string why(const Trace& trace, const Episode& episode) {
 
 std::string episodes(const Trace& trace, const TraceRobot& robot,
                      const CoordinatorAccount& coordinator, std::size_t most) {
-  const std::vector<Episode> told = traces::condensed(coordinator.episodes, most);
+  const std::vector<Episode> shown = traces::condensed(coordinator.episodes, most);
   std::string title = "\nwho decided";
   if (coordinator.parent >= 0) {
     title += " inside " + robot.members[place(coordinator.parent)].path + " (" +
              coordinator.coordinator + ")";
   }
   title += ": " + base::counted(coordinator.switches, "change");
-  if (told.size() < coordinator.episodes.size()) {
+  if (shown.size() < coordinator.episodes.size()) {
     title += ", " + std::to_string(coordinator.episodes.size()) + " episodes told in " +
-             std::to_string(told.size()) + " (--all tells them all)";
+             std::to_string(shown.size()) + " (--all tells them all)";
   }
   std::vector<std::vector<std::string>> rows;
-  for (const Episode& episode : told) {
+  for (const Episode& episode : shown) {
     const bool is_short = episode.length_s() < kShort;
     rows.push_back({"  " + seconds(episode.from_s), "to", seconds(episode.to_s),
                     base::fixed_text(episode.length_s(), is_short ? 3 : 2) + " s",

@@ -46,7 +46,7 @@ std::string joined(const std::vector<std::filesystem::path>& files) {
 }
 
 /// "wander of r1, r2 (with what it remembers)" for every plugin.
-std::string told(const Replacement& replacement) {
+std::string replaced_text(const Replacement& replacement) {
   std::string text;
   std::vector<std::string> plugins;
   for (const Replacement::Object& object : replacement.objects) {
@@ -95,7 +95,7 @@ void replace_what_changed(build::Watch& watch, Simulation& simulation, bool quie
       std::cerr << "elsie: " << note << '\n';
     }
     if (!quiet) {
-      std::cerr << at << files << ": " << told(replacement) << '\n';
+      std::cerr << at << files << ": " << replaced_text(replacement) << '\n';
     }
   } catch (const simulation::ReplacementRefused& refused) {
     std::cerr << at << files << " cannot be used: " << refused.what()

@@ -112,7 +112,7 @@ int work(int argc, char** argv) {
 /// The whole program.
 [[noreturn]] void perform(int argc, char** argv) {
   meet_supervisor();
-  // A limit to the size of files is told as a full disk is.
+  // A file that grows beyond its limit is an error of writing, as on a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   set_up_log();
   // Pictures of cameras are small: where Mesa draws them in software, handing them to threads costs

@@ -6,7 +6,7 @@
 
 namespace elsie::program {
 
-/// What `elsie replay` was told to do with a recording.
+/// The options of `elsie replay` for a recording.
 struct RecordingOptions {
   std::string recording;
   std::optional<std::string> picture;

@@ -10,7 +10,7 @@
 
 namespace elsie::program {
 
-/// What `elsie replay` was told to do with a run of a database.
+/// The options of `elsie replay` for a run of a database.
 struct RunAgainOptions {
   PluginOptions plugins;
   std::string database;

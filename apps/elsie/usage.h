@@ -1,4 +1,4 @@
-// What a user is told whose command line does not fit.
+// Messages for command lines that cannot be understood.
 #pragma once
 
 #include <string>

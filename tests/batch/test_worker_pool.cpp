@@ -168,7 +168,8 @@ TEST_CASE("Only the tail of what a worker says is kept, and as text that anybody
   REQUIRE(record.log);
   CHECK(record.log->size() < batch::kLogTail + 100);
   CHECK(record.log->starts_with("[...]\n"));
-  CHECK_THAT(*record.log, Catch::EndsWith("line 4999\na\xef\xbf\xbd\xef\xbf\xbd\xc3\xa4\xef\xbf\xbdz"));
+  CHECK_THAT(*record.log,
+             Catch::EndsWith("line 4999\na\xef\xbf\xbd\xef\xbf\xbd\xc3\xa4\xef\xbf\xbdz"));
 }
 
 TEST_CASE("A worker that takes too long says who is at work, and is ended") {

@@ -150,13 +150,16 @@ TEST_CASE("A run is the same with measures and without") {
         measured.measures.push_back(measure(declaration->name));
       }
     }
-    const RunResult with = Simulation(measured, shipped(), {.seed = 5, .cameras = render::world_cameras}).run();
-    const RunResult without = Simulation(plain, shipped(), {.seed = 5, .cameras = render::world_cameras}).run();
+    const RunResult with =
+        Simulation(measured, shipped(), {.seed = 5, .cameras = render::world_cameras}).run();
+    const RunResult without =
+        Simulation(plain, shipped(), {.seed = 5, .cameras = render::world_cameras}).run();
     CHECK(with.state_hash == without.state_hash);
     CHECK(with.steps == without.steps);
     CHECK(with.measures.size() > without.measures.size());
     // And the values are the same again.
-    const RunResult again = Simulation(measured, shipped(), {.seed = 5, .cameras = render::world_cameras}).run();
+    const RunResult again =
+        Simulation(measured, shipped(), {.seed = 5, .cameras = render::world_cameras}).run();
     for (std::size_t i = 0; i < with.measures.size(); ++i) {
       CHECK(with.measures[i].value == again.measures[i].value);
     }

@@ -79,10 +79,10 @@ Timeline timeline_of(const traces::TraceRobot& robot, const traces::RobotAccount
   Json episodes = Json::array();
   for (const traces::Episode& episode : condensed(account.coordinators.front().episodes, most)) {
     const traces::Episode::Part& longest = episode.parts.front();
-    Json told = {{"from_s", thousandths(episode.from_s)},
-                 {"to_s", thousandths(episode.to_s)},
-                 {"decider", episode.parts.size() > 1 ? "*" : name_of(longest.decider, robot)},
-                 {"share", thousandths(longest.share)}};
+    Json shown = {{"from_s", thousandths(episode.from_s)},
+                  {"to_s", thousandths(episode.to_s)},
+                  {"decider", episode.parts.size() > 1 ? "*" : name_of(longest.decider, robot)},
+                  {"share", thousandths(longest.share)}};
     if (episode.parts.size() > 1) {
       Json parts = Json::array();
       for (const traces::Episode::Part& part : episode.parts) {
@@ -90,9 +90,9 @@ Timeline timeline_of(const traces::TraceRobot& robot, const traces::RobotAccount
                          {"time_s", thousandths(part.time_s)},
                          {"share", thousandths(part.share)}});
       }
-      told["parts"] = std::move(parts);
+      shown["parts"] = std::move(parts);
     }
-    episodes.push_back(std::move(told));
+    episodes.push_back(std::move(shown));
   }
   return {robot.id, behaviors.dump(), episodes.dump()};
 }

@@ -149,9 +149,9 @@ std::int64_t ShardFolder::runs(std::size_t shard) const {
 Count ShardFolder::count() const {
   Count sum{.runs = all_runs_};
   for (std::size_t shard = 1; shard <= shards_; ++shard) {
-    const Json told = read_json(path_ / ("shard-" + std::to_string(shard) + ".json"));
-    sum.ended += number(told, "ended");
-    sum.failed += number(told, "failed");
+    const Json progress = read_json(path_ / ("shard-" + std::to_string(shard) + ".json"));
+    sum.ended += number(progress, "ended");
+    sum.failed += number(progress, "failed");
   }
   return sum;
 }

@@ -20,7 +20,7 @@ std::string one_line(std::string text) {
   return text;
 }
 
-process::ProcessResult told(const std::vector<std::string>& command) {
+process::ProcessResult answer_of(const std::vector<std::string>& command) {
   // 127: posix_spawnp() may report a program that is not there in this way.
   const auto result = process::run_process(command);
   if (!result || result->exit_code == 127) {
@@ -72,7 +72,7 @@ std::string submit(const ArrayRequest& request) {
                                    "--requeue"};
   command.insert(command.end(), request.options.begin(), request.options.end());
   command.push_back(request.script.string());
-  const process::ProcessResult result = told(command);
+  const process::ProcessResult result = answer_of(command);
   // The last line: sbatch may warn before. "17" or "17;cluster".
   std::string said = result.output;
   while (!said.empty() && said.back() == '\n') {
@@ -89,7 +89,7 @@ std::string submit(const ArrayRequest& request) {
 
 std::vector<Task> unfinished(const std::string& name) {
   const process::ProcessResult result =
-      told({"squeue", "--me", "--noheader", "--array", "--name=" + name, "--format=%K|%t|%r"});
+      answer_of({"squeue", "--me", "--noheader", "--array", "--name=" + name, "--format=%K|%t|%r"});
   if (result.exit_code != 0) {
     throw ClusterSilent("Slurm does not answer: " + one_line(result.output));
   }

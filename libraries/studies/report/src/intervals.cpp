@@ -87,8 +87,8 @@ Interval student_interval(const Estimate& whole, std::size_t count, double tail)
   return {whole.value - reach, whole.value + reach};
 }
 
-// The bootstrap-t interval of what `estimate` says about a sample. `unsure`: it may have nothing to
-// say about a resample; when that is so too often, there is no interval.
+// The bootstrap-t interval of an estimate. `unsure`: there may be resamples without an estimate; if
+// there are too many of them, there is no interval.
 template <class Value, class Estimator>
 std::optional<Interval> studentized(std::span<const Value> values, Estimator estimate, bool unsure,
                                     double confidence, std::uint64_t seed, std::string_view path) {

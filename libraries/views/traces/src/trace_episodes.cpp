@@ -88,8 +88,8 @@ std::vector<Episode> with_short_ones_given_away(const std::vector<Episode>& epis
   return result;
 }
 
-/// As told when everything shorter than `least_s` is flicker.
-std::vector<Episode> told(const std::vector<Episode>& episodes, double least_s) {
+/// The episodes when everything shorter than `least_s` counts as flicker.
+std::vector<Episode> simplified(const std::vector<Episode>& episodes, double least_s) {
   return with_short_ones_given_away(with_flicker_joined(episodes, least_s), least_s);
 }
 
@@ -107,9 +107,9 @@ std::vector<Episode> condensed(std::vector<Episode> episodes, std::size_t most) 
   constexpr double kNearEnough = 1.02;
   while (enough > kNearEnough * too_short) {
     const double middle = std::sqrt(too_short * enough);
-    (told(episodes, middle).size() <= most ? enough : too_short) = middle;
+    (simplified(episodes, middle).size() <= most ? enough : too_short) = middle;
   }
-  return told(episodes, enough);
+  return simplified(episodes, enough);
 }
 
 }  // namespace elsie::traces
