@@ -321,7 +321,7 @@ TEST_CASE("What was not taken is not lost; a watch ends a compiler that is at wo
   write_text(here / "endless", "");
   write_text(here / "mine.cpp", own_good("6.0"));
   wait_for_compilers(4);
-  const auto renewal = watch->take();
+  const auto renewal = found(*watch);
   REQUIRE(renewal);
   REQUIRE(renewal->problems.size() == 2);
   CHECK_THAT(renewal->problems[0], Contains("nothing_known"));

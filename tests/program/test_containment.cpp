@@ -336,7 +336,7 @@ TEST_CASE("Every command that reads a file refuses a pipe, a device and what is 
                                 "'robot[r1]/coordinator/@training=pipe'",
                                 "there is no such file"}}) {
     CAPTURE(expected.command);
-    const auto run = here.sh("ulimit -v 4000000; timeout 20 elsie " + expected.command);
+    const auto run = here.sh("ulimit -v 4000000; timeout 200 elsie " + expected.command);
     CAPTURE(run.err);
     CHECK(run.exit_code == 2);
     CHECK(run.out.empty());
