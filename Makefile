@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: transcript api install package tools all demo test sanitize fuzz fuzz-check bench figures four-resources tables reference format lint dependencies configure clean
+.PHONY: configure-program transcript api install package tools all demo test sanitize fuzz fuzz-check bench figures four-resources tables reference format lint dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -14,8 +14,13 @@ dependencies:
 configure: dependencies
 	@cmake --preset $(PRESET) --log-level=WARNING
 
+# The program and its plugins: needs fewer packages than the tests do. A build folder that has the tests keeps them.
+configure-program:
+	@scripts/install-dependencies --program
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) --log-level=WARNING -DELSIE_BUILD_TESTS=OFF -DELSIE_BUILD_BENCHMARKS=OFF
+
 # Builds what it runs, and runs the main job: a robot whose behaviours are blended by a network collects four resources.
-demo: configure
+demo: configure-program
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	@mkdir -p out
 	$(ELSIE) run worlds/four_resources.xml --seed 1 --picture out/four_resources.png --record out/four_resources.csv --explain out/four_resources.trace
@@ -27,7 +32,7 @@ test: all
 
 # Installs what was built: docs/installing.md.
 PREFIX ?= /usr/local
-install: configure
+install: configure-program
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins elsie_help
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
@@ -69,12 +74,12 @@ four-resources: all
 	scripts/coordination-figures $(BUILD)
 
 # The published experiments and the study of every coordinator: docs/experiments.md, docs/every-coordinator.md. Goes on where it was stopped.
-tables: configure
+tables: configure-program
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	scripts/tables $(BUILD)
 
 # The generated parts of the plugins' pages in docs/, from their declarations.
-reference: configure
+reference: configure-program
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	scripts/reference $(BUILD)
 

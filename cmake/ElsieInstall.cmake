@@ -3,7 +3,7 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS elsie RUNTIME)
-install(TARGETS elsie_program RUNTIME DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie")
+install(TARGETS elsie_program elsie_commands RUNTIME DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie" LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie")
 get_property(storeys GLOBAL PROPERTY ELSIE_STOREYS)
 install(TARGETS ${storeys} EXPORT elsie-targets LIBRARY)
 

@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "elsie/base/number_text.h"
-#include "elsie/traces/trace.h"
 #include "elsie/world/data_directories.h"
 
 #include "command.h"
@@ -186,12 +185,6 @@ world::ReadOptions read_options(const std::vector<std::string>& overrides) {
   return options;
 }
 
-experiment::ReadOptions experiment_options() {
-  experiment::ReadOptions options;
-  options.data_directories = data_directories();
-  return options;
-}
-
 void require_writable(const fs::path& file, const char* option) {
   const std::string what = std::string(option) + ": cannot write '" + file.string() + "': ";
   std::error_code error;
@@ -243,6 +236,9 @@ bool is_what_its_name_says(const std::string& start, const std::string& suffix,
   }
   if (suffix == ".mcap") {
     return start.rfind("\x89MCAP", 0) == 0;
+  }
+  if (suffix == ".trace") {
+    return start.rfind("# elsie trace ", 0) == 0;
   }
   if (suffix == ".svg") {
     return has(start, "<svg");
@@ -306,12 +302,7 @@ void require_trace(const fs::path& file, const char* option) {
     throw BadInput(std::string(option) + ": a trace's name must end in .trace, but '" +
                    file.string() + "' does not");
   }
-  require_writable(file, option);
-  std::error_code error;
-  if (fs::is_regular_file(file, error) && !traces::may_be_trace(file)) {
-    throw BadInput(std::string(option) + ": '" + file.string() +
-                   "' is there already and is no trace; remove it or choose another name");
-  }
+  require_replaceable(file, option, "trace");
 }
 
 void require_picture(const fs::path& file, const char* option) {

@@ -9,7 +9,6 @@
 
 #include "elsie/build/source_build.h"
 #include "elsie/build/watch.h"
-#include "elsie/experiment/reader.h"
 #include "elsie/plugin/host.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/world/reader.h"
@@ -65,9 +64,6 @@ std::vector<std::string> data_directories();
 /// How worlds are read here: with the data directories, and every plugin asked about its
 /// parameters.
 world::ReadOptions read_options(const std::vector<std::string>& overrides = {});
-
-/// The same for experiments.
-experiment::ReadOptions experiment_options();
 
 /// Throws BadInput when a file's name is not that of a database of results.
 void require_database_name(const std::filesystem::path& file, const char* option);

@@ -10,11 +10,11 @@
 #include <spdlog/spdlog.h>
 
 #include "elsie/base/error.h"
-#include "elsie/batch/worker.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/process/process_end.h"
 
 #include "command.h"
+#include "command_module.h"
 #include "progress.h"
 #include "supervised.h"
 #include "usage.h"
@@ -80,27 +80,13 @@ int work(int argc, char** argv) {
   program.failure_message(usage_message);
   Job job;
   add_run_command(program, job);
-  add_batch_command(program, job);
-  add_replay_command(program, job);
-  add_merge_command(program, job);
-  add_explain_command(program, job);
-  add_report_command(program, job);
-  add_check_command(program, job);
-  add_picture_command(program, job);
-  add_plugins_command(program, job);
-  add_describe_command(program, job);
-  add_schema_command(program, job);
-  add_fuzzy_command(program, job);
-  add_test_plugin_command(program, job);
-  add_train_command(program, job);
-  add_new_command(program, job);
-  add_build_command(program, job);
-  add_manual_command(program, job);
-  add_completion_command(program, job);
   try {
+    if (argc < 2 || std::string_view(argv[1]) != "run") {
+      command_module().add_commands(program, job);
+    }
     check_words(program, argc, argv);
     program.parse(argc, argv);
-  } catch (const BadInput& error) {
+  } catch (const base::Error& error) {
     std::cerr << error.message() << '\n';
     return error.exit_code();
   } catch (const CLI::ParseError& error) {
@@ -119,7 +105,7 @@ int work(int argc, char** argv) {
   // more than it gains. Here, because nothing else runs yet that could look at the environment.
   setenv("LP_NUM_THREADS", "0", 0);
   if (argc == 2 && std::string_view(argv[1]) == kWorkerCommand) {
-    batch::work();
+    command_module().work();
   }
   set_program_path(argv[0]);
   keep_output(argc, argv);

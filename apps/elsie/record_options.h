@@ -1,11 +1,8 @@
 // What --record and its like ask for.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
-
-#include "elsie/simulation/simulation.h"
 
 namespace CLI {
 class App;
@@ -21,12 +18,6 @@ struct RecordOptions {
   bool images = false;              // what the cameras see
 
   void add_to(CLI::App& command);
-  /// Before any work is done. Throws BadInput.
-  void check() const;
-  /// Whether the world has what is to be recorded. Throws BadInput.
-  void check(const simulation::Simulation& simulation) const;
-  /// Writes the file, which is created at once; none when none was asked for.
-  std::unique_ptr<simulation::Observer> recorder() const;
 };
 
 }  // namespace elsie::program

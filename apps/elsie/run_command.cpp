@@ -1,32 +1,28 @@
 // elsie run: one world, one run.
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include "elsie/process/crash_report.h"
-#include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
-#include "elsie/traces/trace_recorder.h"
-#include "elsie/traces/tracks.h"
 #include "elsie/world/reader.h"
 
 #include "arguments.h"
 #include "command.h"
+#include "command_module.h"
 #include "environment.h"
-#include "image_saver.h"
 #include "live.h"
-#include "path_options.h"
 #include "progress.h"
-#include "record_options.h"
 #include "run_report.h"
+#include "run_views.h"
 #include "supervised.h"
-#include "top_view.h"
 
 namespace elsie::program {
 
@@ -39,13 +35,7 @@ struct RunOptions {
   std::optional<double> duration;
   std::vector<std::string> overrides;
   std::vector<std::string> changes;
-  RecordOptions record;
-  std::optional<std::string> explain;
-  bool explain_times = false;
-  std::optional<std::string> picture;
-  PathOptions paths;
-  std::optional<std::string> image_folder;
-  double image_period_s = 0.0;
+  ViewOptions views;
   bool watch = false;
   std::optional<double> speed;
   double time_budget_ms = 0.0;
@@ -72,29 +62,15 @@ plugin failed, 4 when the physics failed.
 /// Everything that watches one run.
 class Watchers {
  public:
-  explicit Watchers(const RunOptions& options) : recorder_(options.record.recorder()) {
-    if (recorder_) {
-      all_.push_back(recorder_.get());
-    }
-    if (options.image_folder) {
-      images_.emplace(*options.image_folder, options.image_period_s);
-      all_.push_back(&*images_);
-    }
-    if (options.explain) {
-      trace_.emplace(*options.explain, options.explain_times);
-      all_.push_back(&*trace_);
-    }
-    if (options.picture) {
-      tracks_.emplace();
-      all_.push_back(&*tracks_);
+  Watchers(const RunOptions& options, const RunViews* views) {
+    if (views) {
+      all_.assign(views->observers().begin(), views->observers().end());
     }
     if (!options.quiet && !options.json && isatty(STDERR_FILENO)) {
-      progress_.emplace();
-      all_.push_back(&*progress_);
+      all_.push_back(&progress_.emplace());
     }
     if (options.speed) {
-      pacer_.emplace(*options.speed);
-      all_.push_back(&*pacer_);
+      all_.push_back(&pacer_.emplace(*options.speed));
     }
     all_.push_back(&interrupt_);
   }
@@ -102,13 +78,8 @@ class Watchers {
   Watchers& operator=(const Watchers&) = delete;
 
   std::span<simulation::Observer* const> all() const { return all_; }
-  const traces::TrackRecorder* tracks() const { return tracks_ ? &*tracks_ : nullptr; }
 
  private:
-  std::unique_ptr<simulation::Observer> recorder_;
-  std::optional<ImageSaver> images_;
-  std::optional<traces::TraceRecorder> trace_;
-  std::optional<traces::TrackRecorder> tracks_;
   std::optional<ProgressBar> progress_;
   std::optional<Pacer> pacer_;
   InterruptGuard interrupt_;
@@ -159,17 +130,22 @@ std::optional<process::Watchdog> watchdog_of(const RunOptions& options) {
                                           kPluginFailed);
 }
 
+/// Pictures for sensors with cameras; the module is loaded when a world has one.
+std::unique_ptr<simulation::CameraRenderer> cameras(const world::World& world) {
+  return command_module().make_cameras(world);
+}
+
 /// The simulation of a world that is in order, with changes that can be made.
 simulation::Simulation simulation_of(const RunOptions& options, const plugin::Host& host,
                                      std::span<const simulation::TimedChange> changes) {
   world::World world = world::read_world(options.world, host, read_options(options.overrides));
   simulation::Simulation simulation(std::move(world), host,
                                     {.seed = options.seed,
-                                     .measure_time = options.record.times || options.explain_times,
+                                     .measure_time = options.views.needs_times(),
                                      .data_directories = data_directories(),
                                      .budget = budget_of(options),
                                      .time_limit_s = options.duration,
-                                     .cameras = render::world_cameras});
+                                     .cameras = cameras});
   try {
     simulation.check(changes);
   } catch (const simulation::ChangeRefused& refused) {
@@ -178,24 +154,8 @@ simulation::Simulation simulation_of(const RunOptions& options, const plugin::Ho
   return simulation;
 }
 
-void check(const RunOptions& options) {
-  options.record.check();
-  if (options.explain) {
-    require_trace(*options.explain, "--explain");
-  }
-  if (options.picture) {
-    require_picture(*options.picture, "--picture");
-  }
-  if (options.image_folder) {
-    require_image_folder(*options.image_folder, "--save-images");
-  }
-}
-
-int run(RunOptions options) {
-  check(options);
-  if (options.picture) {
-    options.picture = std::filesystem::absolute(*options.picture);  // a plugin may change folders
-  }
+int run(const RunOptions& options) {
+  const auto views = options.views.any() ? command_module().make_views(options.views) : nullptr;
   const auto changes = changes_of(options);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
@@ -207,12 +167,13 @@ int run(RunOptions options) {
   if (watch) {
     renew = [&](auto& running) { replace_what_changed(*watch, running, options.quiet); };
   }
-  options.record.check(simulation);
-  options.paths.check(simulation.world());
-  Watchers watchers(options);
+  if (views) {
+    views->open(simulation);
+  }
+  Watchers watchers(options, views.get());
   const auto draw_as = [&](const std::string& line) {
-    if (options.picture) {
-      draw(simulation, watchers.tracks(), {line}, *options.picture, 1000, options.paths.choice());
+    if (views) {
+      views->draw(simulation, line);
     }
   };
   const auto watchdog = watchdog_of(options);
@@ -286,27 +247,27 @@ void add_run_command(CLI::App& program, Job& job) {
                    "goes. 1 is real time")
       ->check(positive_number())
       ->type_name("FACTOR");
-  options->record.add_to(*command);
+  options->views.record.add_to(*command);
   command
-      ->add_option("--explain", options->explain,
+      ->add_option("--explain", options->views.explain,
                    "Write every coordinator's decisions, for `elsie explain`")
       ->type_name("FILE.trace");
   command
-      ->add_flag("--explain-times", options->explain_times,
+      ->add_flag("--explain-times", options->views.explain_times,
                  "Add how long each behaviour takes (differs from run to run)")
       ->needs("--explain");
   command
-      ->add_option("--picture", options->picture,
+      ->add_option("--picture", options->views.picture,
                    "Draw the world at the end of the run with the robots' trajectories")
       ->type_name("FILE.png|FILE.svg");
-  options->paths.add_to(*command);
+  options->views.paths.add_to(*command);
   command
-      ->add_option("--save-images", options->image_folder,
+      ->add_option("--save-images", options->views.image_folder,
                    "Save what every camera sees, raw and processed, in this folder, as PNG files "
                    "named after step, robot and sensor")
       ->type_name("DIR");
   command
-      ->add_option("--save-images-every", options->image_period_s,
+      ->add_option("--save-images-every", options->views.image_period_s,
                    "Simulated time from one saved image of a camera to the next; default: every "
                    "control period")
       ->needs("--save-images")

@@ -8,7 +8,7 @@
 
 #include "elsie/api/geometry.h"
 #include "elsie/base/number_text.h"
-#include "elsie/report/text_table.h"
+#include "elsie/base/text_table.h"
 #include "elsie/simulation/measures.h"
 
 namespace elsie::program {
@@ -44,7 +44,7 @@ std::string measures(const RunResult& result) {
                     measured.value ? base::number_text(*measured.value, 6) : "none",
                     measured.unit});
   }
-  return '\n' + report::laid_out(rows, kMeasureTextColumns);
+  return '\n' + base::laid_out(rows, kMeasureTextColumns);
 }
 
 /// JSON text must be UTF-8; ids come from XML, which is.
@@ -74,7 +74,7 @@ std::string table(const RunResult& result) {
     for (const RobotResult& robot : result.robots) {
       rows.push_back(row(robot));
     }
-    out += '\n' + report::laid_out(rows, kTextColumns);
+    out += '\n' + base::laid_out(rows, kTextColumns);
   }
   out += measures(result);
   if (!result.notes.empty()) {

@@ -6,7 +6,7 @@
 
 #include "elsie/base/utf8.h"
 #include "elsie/report/report.h"
-#include "elsie/report/text_table.h"
+#include "elsie/base/text_table.h"
 
 #include "numbers.h"
 #include "words.h"
@@ -37,7 +37,7 @@ std::string table(const std::vector<const Column*>& columns) {
       rows[row].push_back((*column)[row]);
     }
   }
-  return laid_out(rows, 1, kGap);
+  return base::laid_out(rows, 1, kGap);
 }
 
 std::string shown_name(const std::string& name) {

@@ -50,7 +50,8 @@ std::string check_experiment(const std::string& file, const plugin::Host& host,
                    "' is an experiment, which has elements <set> for that");
   }
   CheckProgress progress(!options.quiet);
-  experiment::ReadOptions reading = experiment_options();
+  experiment::ReadOptions reading;
+  reading.data_directories = data_directories();
   reading.progress = [&](std::size_t read, std::size_t all) { progress.draw(read, all); };
   const experiment::Experiment experiment = experiment::read_experiment(file, host, reading);
   return base::counted(experiment::cells(experiment).size(), "cell") + ", " +

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace elsie::report {
+namespace elsie::base {
 
 /// Rows of cells in columns that are `gap` blanks apart. The first `text_columns` stand to the
 /// left, the others, numbers, to the right. Rows may have different lengths. Width counts
@@ -13,4 +13,4 @@ namespace elsie::report {
 std::string laid_out(const std::vector<std::vector<std::string>>& rows, std::size_t text_columns,
                      std::size_t gap = 2);
 
-}  // namespace elsie::report
+}  // namespace elsie::base

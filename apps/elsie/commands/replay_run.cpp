@@ -1,8 +1,8 @@
 #include "replay_run.h"
 
 #include <iostream>
-#include <memory>
 #include <optional>
+#include <vector>
 
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -10,18 +10,16 @@
 #include "elsie/batch/results_database.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
-#include "elsie/traces/trace_recorder.h"
-#include "elsie/traces/tracks.h"
 #include "elsie/world/reader.h"
 
 #include "command.h"
 #include "end_again.h"
+#include "make_views.h"
 #include "progress.h"
 #include "restored_run.h"
 #include "run_report.h"
 #include "same_run.h"
 #include "supervised.h"
-#include "top_view.h"
 
 namespace elsie::program {
 
@@ -49,16 +47,8 @@ StoredRun stored_run(const RunAgainOptions& options) {
 /// Everything that watches it.
 class Watchers {
  public:
-  Watchers(const RunAgainOptions& options, EndAgain* end) : recorder_(options.record.recorder()) {
-    if (recorder_) {
-      all_.push_back(recorder_.get());
-    }
-    if (options.explain) {
-      all_.push_back(&trace_.emplace(*options.explain));
-    }
-    if (options.picture) {
-      all_.push_back(&tracks_.emplace());
-    }
+  Watchers(const RunAgainOptions& options, const RunViews& views, EndAgain* end)
+      : all_(views.observers().begin(), views.observers().end()) {
     if (!options.quiet && isatty(STDERR_FILENO)) {
       all_.push_back(&progress_.emplace());
     }
@@ -71,15 +61,11 @@ class Watchers {
   Watchers& operator=(const Watchers&) = delete;
 
   std::span<simulation::Observer* const> all() const { return all_; }
-  const traces::TrackRecorder* tracks() const { return tracks_ ? &*tracks_ : nullptr; }
 
  private:
-  std::unique_ptr<simulation::Observer> recorder_;
-  std::optional<traces::TraceRecorder> trace_;
-  std::optional<traces::TrackRecorder> tracks_;
+  std::vector<simulation::Observer*> all_;
   std::optional<ProgressBar> progress_;
   InterruptGuard interrupt_;
-  std::vector<simulation::Observer*> all_;
 };
 
 void tell_of(const StoredRun& run, const RunAgainOptions& options) {
@@ -128,20 +114,10 @@ void expect_end(std::optional<EndAgain>& end, const StoredRun& run,
   }
 }
 
-void check(const RunAgainOptions& options) {
-  options.record.check();
-  if (options.explain) {
-    require_trace(*options.explain, "--explain");
-  }
-  if (options.picture) {
-    require_picture(*options.picture, "--picture");
-  }
-}
-
 }  // namespace
 
 int replay_run(const RunAgainOptions& options) {
-  check(options);
+  const auto views = make_views(options.views);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
@@ -155,15 +131,11 @@ int replay_run(const RunAgainOptions& options) {
   tell_of(run, options);
   Simulation simulation(restored.world(), restored.host(),
                         {.seed = run.job.seed,
-                         .measure_time = options.record.times,
+                         .measure_time = options.views.needs_times(),
                          .cameras = render::world_cameras});
-  options.record.check(simulation);
-  Watchers watchers(options, end ? &*end : nullptr);
-  const auto draw_as = [&](const std::string& line) {
-    if (options.picture) {
-      draw(simulation, watchers.tracks(), {line}, *options.picture, options.width);
-    }
-  };
+  views->open(simulation);
+  Watchers watchers(options, *views, end ? &*end : nullptr);
+  const auto draw_as = [&](const std::string& line) { views->draw(simulation, line); };
   try {
     const RunResult result = simulation.run(watchers.all());
     const bool same = compare(run, result, restored);

@@ -125,8 +125,8 @@ int replay(const CLI::App& command, const ReplayOptions& options) {
   RunAgainOptions again = options.again;
   again.database = options.file;
   again.run = *options.run;
-  again.picture = options.picture;
-  again.width = options.width;
+  again.views.picture = options.picture;
+  again.views.picture_width = options.width;
   return replay_run(again);
 }
 
@@ -166,9 +166,9 @@ void add_replay_command(CLI::App& program, Job& job) {
   const auto before = command->get_options().size();
   RunAgainOptions& again = options->again;
   again.plugins.add_to(*command);
-  again.record.add_to(*command);
+  again.views.record.add_to(*command);
   command
-      ->add_option("--explain", again.explain,
+      ->add_option("--explain", again.views.explain,
                    "Write every coordinator's decisions, for `elsie explain`")
       ->type_name("FILE.trace");
   command

@@ -37,7 +37,8 @@ fs::path database_of(const BatchOptions& options, const batch::Shard& shard) {
 Plan plan_of(const BatchOptions& options, const batch::Shard& shard) {
   const plugin::Host host = load_plugins(options.plugins);
   CheckProgress progress(!options.quiet && !options.json);
-  experiment::ReadOptions reading = experiment_options();
+  experiment::ReadOptions reading;
+  reading.data_directories = data_directories();
   reading.progress = [&](std::size_t read, std::size_t all) { progress.draw(read, all); };
   const auto experiment = experiment::read_experiment(options.experiment, host, reading);
   return batch::make_plan(experiment, host,

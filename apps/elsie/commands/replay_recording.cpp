@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "elsie/base/number_text.h"
+#include "elsie/base/text_table.h"
 #include "elsie/mcap/records.h"
 #include "elsie/recording/recorded_run.h"
-#include "elsie/report/text_table.h"
 
 #include "command.h"
 #include "environment.h"
@@ -68,7 +68,7 @@ std::string report(const RecordedRun& run) {
     rows.push_back({channel.topic, channel.schema, std::to_string(channel.messages)});
   }
   constexpr std::size_t kTextColumns = 2;
-  return out + '\n' + report::laid_out(rows, kTextColumns);
+  return out + '\n' + base::laid_out(rows, kTextColumns);
 }
 
 void draw(const RecordedRun& run, const RecordingOptions& options) {

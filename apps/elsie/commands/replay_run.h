@@ -6,7 +6,7 @@
 #include <string>
 
 #include "environment.h"
-#include "record_options.h"
+#include "run_views.h"
 
 namespace elsie::program {
 
@@ -15,10 +15,7 @@ struct RunAgainOptions {
   PluginOptions plugins;
   std::string database;
   std::int64_t run = 0;
-  RecordOptions record;
-  std::optional<std::string> explain;
-  std::optional<std::string> picture;
-  int width = 1000;                    // of the picture, pixels
+  ViewOptions views;
   std::optional<double> wall_limit_s;  // 0: none; by default that of the batch, if it was met
   bool quiet = false;
 };

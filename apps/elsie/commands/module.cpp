@@ -1,0 +1,42 @@
+// What lib/elsie/elsie-commands.so exports.
+#include "elsie/batch/worker.h"
+#include "elsie/render/world_cameras.h"
+
+#include "command_module.h"
+#include "make_views.h"
+
+namespace elsie::program {
+
+namespace {
+
+void add_commands(CLI::App& program, Job& job) {
+  add_batch_command(program, job);
+  add_replay_command(program, job);
+  add_merge_command(program, job);
+  add_explain_command(program, job);
+  add_report_command(program, job);
+  add_check_command(program, job);
+  add_picture_command(program, job);
+  add_plugins_command(program, job);
+  add_describe_command(program, job);
+  add_schema_command(program, job);
+  add_fuzzy_command(program, job);
+  add_test_plugin_command(program, job);
+  add_train_command(program, job);
+  add_new_command(program, job);
+  add_build_command(program, job);
+  add_manual_command(program, job);
+  add_completion_command(program, job);
+}
+
+}  // namespace
+
+}  // namespace elsie::program
+
+extern "C" [[gnu::visibility("default")]] const elsie::program::CommandModule*
+elsie_command_module() {
+  using namespace elsie;
+  static const program::CommandModule module{program::add_commands, batch::work,
+                                             program::make_views, render::world_cameras};
+  return &module;
+}

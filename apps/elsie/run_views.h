@@ -1,0 +1,47 @@
+// What a run leaves for people to look at: recordings, traces, pictures.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "path_options.h"
+#include "record_options.h"
+
+namespace elsie::simulation {
+class Observer;
+class Simulation;
+}  // namespace elsie::simulation
+
+namespace elsie::program {
+
+/// What the command line asks for.
+struct ViewOptions {
+  RecordOptions record;
+  std::optional<std::string> explain;
+  bool explain_times = false;
+  std::optional<std::string> picture;
+  int picture_width = 1000;
+  PathOptions paths;
+  std::optional<std::string> image_folder;
+  double image_period_s = 0.0;  // simulated time between two saved images; 0: a control period
+
+  bool any() const { return record.file || explain || picture || image_folder; }
+  bool needs_times() const { return record.times || explain_times; }
+};
+
+/// The views of one run. The module of commands makes them (command_module.h), because they need
+/// libraries that most runs do without.
+class RunViews {
+ public:
+  virtual ~RunViews() = default;
+  /// Opens the files, before the run. Throws BadInput for what this world cannot show.
+  virtual void open(const simulation::Simulation& simulation) = 0;
+  /// Who watches the run; none before open().
+  virtual std::span<simulation::Observer* const> observers() const = 0;
+  /// Draws the picture, if one is asked for, with a line below its title.
+  virtual void draw(const simulation::Simulation& simulation, const std::string& line) const = 0;
+};
+
+}  // namespace elsie::program
