@@ -324,6 +324,21 @@ TEST_CASE("A program of one's own runs a shipped world by its name from any fold
           .exit_code == 2);
 }
 
+TEST_CASE("The examples of inference alone load nothing else of Elsie") {
+  Workplace here;
+  for (const std::string program : {"braking", "exclusive_or"}) {
+    const std::string file = elsie::test::build_path("examples") + "/" + program;
+    const auto run = here.sh(file);
+    CAPTURE(program, run.out, run.err);
+    CHECK(run.exit_code == 0);
+    const std::string libraries =
+        here.sh("ldd " + file + " | grep -o 'libelsie[a-z-]*' | sort -u").out;
+    CHECK(libraries == "libelsie-base\nlibelsie-inference\n");
+  }
+  CHECK(here.sh(elsie::test::build_path("examples") + "/braking 0.5 4").out ==
+        "0.5 m, 4.0 m/s: brake 0.797\n");
+}
+
 TEST_CASE("The page on measures quotes what elsie new makes, and what it then tells") {
   const std::string page =
       read(fs::path(elsie::test::source_path("docs")) / "writing-a-measure.md");
