@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: configure-program transcript api install package tools all demo test sanitize fuzz fuzz-check bench figures four-resources tables reference format lint dependencies configure clean
+.PHONY: configure-program transcript api install package all demo test sanitize fuzz fuzz-check bench figures four-resources tables reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -95,17 +95,15 @@ api: dependencies
 	doxygen Doxyfile
 	@echo "Look at out/api/html/index.html."
 
-tools:
-	@scripts/install-dependencies --with-tools
-
-format: tools
+format: dependencies
 	git ls-files '*.cpp' '*.h' | xargs clang-format -i
 
-# clang-tidy reads the flags of a build that is set up for clang.
-lint: tools dependencies
-	@cmake -S . -B build/lint -G Ninja -DCMAKE_CXX_COMPILER=clang++ --log-level=WARNING
-	git ls-files '*.cpp' '*.h' | xargs clang-format --dry-run -Werror
-	git ls-files 'core/*.cpp' 'libraries/*.cpp' 'plugins/*.cpp' 'apps/*.cpp' | xargs -n 4 -P 2 clang-tidy --quiet -p build/lint
+# The style of the whole tree, and of what differs from main.
+lint: dependencies
+	scripts/lint
+
+lint-changed: dependencies
+	scripts/lint --changed
 
 clean:
 	rm -rf build out

@@ -29,8 +29,8 @@ TEST_CASE("Items are joined, listed and enumerated") {
 }
 
 TEST_CASE("A word from a file is quoted so that it can be printed") {
-  CHECK(base::quoted("a\tb") == "'a?b'");
-  CHECK(base::quoted(std::string(40, 'x')) == "'" + std::string(40, 'x') + "'");
-  CHECK(base::quoted("na\xc3\xafve", 3) == "'na...'");
-  CHECK(base::quoted(std::string(41, 'x')) == "'" + std::string(40, 'x') + "...'");
+  CHECK(base::in_quotes("a\tb") == "'a?b'");
+  CHECK(base::in_quotes(std::string(40, 'x')) == "'" + std::string(40, 'x') + "'");
+  CHECK(base::in_quotes("na\xc3\xafve", 3) == "'na...'");
+  CHECK(base::in_quotes(std::string(41, 'x')) == "'" + std::string(40, 'x') + "...'");
 }

@@ -69,7 +69,7 @@ inline batch::Plan small_plan(const Folder& folder, batch::Shard shard = {}) {
 inline batch::RunRecord some_record(const std::string& hash = "0123456789abcdef") {
   batch::RunRecord record;
   record.state = batch::RunState::done;
-  record.outcome = "success";
+  record.outcome = simulation::Outcome::success;
   record.message = "all goals are reached";
   record.steps = 200;
   record.simulated_s = 2.0;

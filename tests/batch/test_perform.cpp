@@ -46,7 +46,7 @@ TEST_CASE("A job comes to what the same world and seed come to by themselves") {
       {.seed = 2});
   const simulation::RunResult result = alone.run();
   CHECK(record.state_hash == simulation::hash_text(result.state_hash));
-  CHECK(record.outcome == to_string(result.outcome));
+  CHECK(record.outcome == result.outcome);
   CHECK(record.message == result.reason);
   CHECK(record.steps == result.steps);
   CHECK(record.simulated_s == result.simulated_s);

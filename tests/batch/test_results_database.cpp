@@ -104,7 +104,7 @@ TEST_CASE("Cells, failures and seeds that disagree are counted") {
   fault.message = "plugin 'x' failed";
   database.write(7, fault);
   batch::RunRecord limit = test::some_record();
-  limit.outcome = "time_limit";
+  limit.outcome = simulation::Outcome::time_limit;
   database.write(8, limit);
   const auto cells = database.cells();
   REQUIRE(cells.size() == 2);

@@ -59,7 +59,7 @@ bool is_alive(pid_t process) {
 TEST_CASE("A worker gets its job and hands over its record") {
   const auto record = result_of("grep -q '\"run\":1,' && echo '" + kDone + "' >&3");
   CHECK(record.state == batch::RunState::done);
-  CHECK(record.outcome == "success");
+  CHECK(record.outcome == simulation::Outcome::success);
   CHECK(record.exit_code == 0);
   CHECK_FALSE(record.log);
 }

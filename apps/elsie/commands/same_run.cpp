@@ -62,7 +62,8 @@ std::vector<std::string> differences(const RunRecord& before, const RunResult& n
     }
   };
   compare("state hash", simulation::hash_text(now.state_hash), before.state_hash);
-  compare("outcome", to_string(now.outcome), before.outcome);
+  compare("outcome", to_string(now.outcome),
+          before.outcome ? std::optional<std::string>(to_string(*before.outcome)) : std::nullopt);
   compare("steps", std::to_string(now.steps),
           before.steps ? std::optional(std::to_string(*before.steps)) : std::nullopt);
   compare_measures(before, now, found);

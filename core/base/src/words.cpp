@@ -42,7 +42,7 @@ std::string enumerated(const std::vector<std::string>& items, std::string_view l
   return text;
 }
 
-std::string quoted(std::string_view word, std::size_t most) {
+std::string in_quotes(std::string_view word, std::size_t most) {
   std::size_t shown = std::min(most, word.size());
   while (shown < word.size() && shown > 0 &&
          (static_cast<unsigned char>(word[shown]) & 0xc0U) == 0x80U) {

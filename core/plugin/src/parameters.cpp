@@ -43,19 +43,19 @@ bool has_type(ParameterType type, const ParameterValue& value) {
   return false;
 }
 
-std::string quoted(std::string_view text) { return std::string("'").append(text).append("'"); }
+std::string in_quotes(std::string_view text) { return std::string("'").append(text).append("'"); }
 
 std::string value_text(const ParameterValue& value) {
   struct Writer {
     std::string operator()(bool flag) const { return flag ? "true" : "false"; }
     std::string operator()(std::int64_t number) const { return std::to_string(number); }
     std::string operator()(double number) const { return number_text(number); }
-    std::string operator()(const std::string& text) const { return quoted(text); }
+    std::string operator()(const std::string& text) const { return in_quotes(text); }
     std::string operator()(const std::vector<double>& numbers) const {
       std::vector<std::string> texts;
       std::transform(numbers.begin(), numbers.end(), std::back_inserter(texts),
                      [](double number) { return number_text(number); });
-      return quoted(joined(texts, " "));
+      return in_quotes(joined(texts, " "));
     }
   };
   return value.valueless_by_exception() ? "nothing" : std::visit(Writer{}, value);

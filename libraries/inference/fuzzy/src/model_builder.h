@@ -79,7 +79,7 @@ class ModelBuilder {
       known.emplace_back(candidate.word);
     }
     const char* const tool = tool_of(name->text);
-    problems_.add(name->line, "Found " + quoted(name->text) + " for " + keyword + ", expected " +
+    problems_.add(name->line, "Found " + in_quotes(name->text) + " for " + keyword + ", expected " +
                                   base::enumerated(known, "or") + "." +
                                   (tool ? " (This is a " + std::string(tool) +
                                               " extension, which is not supported.)"

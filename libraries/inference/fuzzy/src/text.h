@@ -13,8 +13,8 @@ namespace elsie::fuzzy {
 using base::number_text;
 
 /// Names of a model are shown whole.
-inline std::string quoted(std::string_view name) {
-  return base::quoted(name, std::string_view::npos);
+inline std::string in_quotes(std::string_view name) {
+  return base::in_quotes(name, std::string_view::npos);
 }
 
 /// ASCII letters in lower case, everything else unchanged.

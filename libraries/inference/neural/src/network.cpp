@@ -139,7 +139,7 @@ void Network::propagate(double* activations) const {
 std::vector<int> parse_hidden_layers(std::string_view text) {
   const auto refuse = [&](const std::string& problem) {
     throw std::invalid_argument(
-        "hidden is " + quoted(text) + ": " + problem +
+        "hidden is " + in_quotes(text) + ": " + problem +
         "; expected how many neurons each hidden layer has, such as '4 4', or '0' for none");
   };
   const std::vector<std::string_view> words = words_of(text);
@@ -150,7 +150,7 @@ std::vector<int> parse_hidden_layers(std::string_view text) {
   for (const std::string_view word : words) {
     long long size = 0;
     if (!read_count(word, 1, size)) {
-      refuse(quoted(word) + " is not a whole number above zero");
+      refuse(in_quotes(word) + " is not a whole number above zero");
     }
     if (size > static_cast<long long>(kMostWeights)) {
       refuse("a layer of " + std::string(word) + " neurons is too large");

@@ -21,14 +21,14 @@ std::string read_number(std::string_view word, double& value) {
   const char* const end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
   if (error == std::errc::result_out_of_range && stop == end) {
-    return quoted(word) + " is beyond what a number can hold";
+    return in_quotes(word) + " is beyond what a number can hold";
   }
   if (error != std::errc() || stop != end) {
-    return quoted(word) + " is not a number" +
+    return in_quotes(word) + " is not a number" +
            (word.find(',') != std::string_view::npos ? "; write a decimal point, not a comma" : "");
   }
   if (!std::isfinite(value)) {
-    return quoted(word) + " is not a finite number";
+    return in_quotes(word) + " is not a finite number";
   }
   return "";
 }

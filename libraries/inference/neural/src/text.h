@@ -14,7 +14,7 @@ namespace elsie::neural {
 
 using base::counted;
 using base::number_text;
-using base::quoted;
+using base::in_quotes;
 
 /// Four significant digits, for messages.
 inline std::string rough_text(double value) { return number_text(value, 4); }

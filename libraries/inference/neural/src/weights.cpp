@@ -87,7 +87,7 @@ class Reader {
              std::to_string(kWeightsVersion) + "' as its first line");
     }
     if (words_[2] != std::to_string(kWeightsVersion)) {
-      refuse("the file is of version " + neural::quoted(words_[2]) + ", but version " +
+      refuse("the file is of version " + neural::in_quotes(words_[2]) + ", but version " +
              std::to_string(kWeightsVersion) +
              " is what can be read here; write it anew with this version's elsie train");
     }
@@ -102,7 +102,7 @@ class Reader {
     for (std::size_t i = 1; i < words_.size(); ++i) {
       long long size = 0;
       if (!read_count(words_[i], 1, size) || size > static_cast<long long>(kMostWeights)) {
-        refuse("the size " + neural::quoted(words_[i]) + " is not a whole number from 1 to " +
+        refuse("the size " + neural::in_quotes(words_[i]) + " is not a whole number from 1 to " +
                std::to_string(kMostWeights));
       }
       sizes.push_back(static_cast<int>(size));
@@ -122,11 +122,11 @@ class Reader {
     }
     const std::string key(words_[1]);
     if (std::any_of(about.begin(), about.end(), [&](const Remark& r) { return r.key == key; })) {
-      refuse("a second line about " + neural::quoted(key));
+      refuse("a second line about " + neural::in_quotes(key));
     }
     about.push_back({key, trimmed_after(lines_[line_ - 1], words_[1])});
     if ((about.back().key + about.back().text).find('\r') != std::string::npos) {
-      refuse("what is said about " + neural::quoted(key) + " holds a carriage return; take it out");
+      refuse("what is said about " + neural::in_quotes(key) + " holds a carriage return; take it out");
     }
   }
 

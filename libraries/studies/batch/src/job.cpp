@@ -9,19 +9,42 @@ namespace {
 
 using Json = nlohmann::json;
 
-template <class T>
-void put(Json& object, const char* name, const std::optional<T>& value) {
-  if (value) {
-    object[name] = *value;
-  }
-}
+/// Fields without a value are left out.
+struct FieldWriter {
+  Json& object;
 
-template <class T>
-void get(const Json& object, const char* name, std::optional<T>& value) {
-  if (const auto at = object.find(name); at != object.end() && !at->is_null()) {
-    value = at->get<T>();
+  void operator()(const char* name, RunState state) { object[name] = to_string(state); }
+  void operator()(const char* name, const std::string& text) { object[name] = text; }
+  void operator()(const char* name, const std::optional<simulation::Outcome>& outcome) {
+    if (outcome) {
+      object[name] = simulation::to_string(*outcome);
+    }
   }
-}
+  template <class T>
+  void operator()(const char* name, const std::optional<T>& value) {
+    if (value) {
+      object[name] = *value;
+    }
+  }
+};
+
+struct FieldReader {
+  const Json& object;
+
+  void operator()(const char* name, RunState& state) {
+    state = results::run_state(object.at(name).get<std::string>());
+  }
+  void operator()(const char* name, std::string& text) { object.at(name).get_to(text); }
+  void operator()(const char* name, std::optional<simulation::Outcome>& outcome) {
+    outcome = results::outcome_of(object.value(name, ""));
+  }
+  template <class T>
+  void operator()(const char* name, std::optional<T>& value) {
+    if (const auto at = object.find(name); at != object.end() && !at->is_null()) {
+      value = at->get<T>();
+    }
+  }
+};
 
 template <class List, class Make>
 Json list(const List& from, Make make) {
@@ -87,20 +110,8 @@ Job job_from(std::string_view json) {
 }
 
 std::string to_json(const RunRecord& record) {
-  Json object = {
-      {"state", to_string(record.state)}, {"message", record.message}, {"wall_s", record.wall_s}};
-  put(object, "outcome", record.outcome);
-  put(object, "steps", record.steps);
-  put(object, "simulated_s", record.simulated_s);
-  put(object, "solver_gave_up", record.solver_gave_up);
-  put(object, "solver_unsolved", record.solver_unsolved);
-  put(object, "state_hash", record.state_hash);
-  put(object, "exit_code", record.exit_code);
-  put(object, "signal", record.signal);
-  put(object, "plugin", record.plugin);
-  put(object, "robot", record.robot);
-  put(object, "step", record.step);
-  put(object, "log", record.log);
+  Json object = Json::object();
+  for_each_field(record, FieldWriter{object});
   object["measures"] = list(record.measures, [](const Measure& measure) {
     return Json{measure.name, measure.unit, measure.meaning,
                 measure.value ? Json(*measure.value) : Json(nullptr)};
@@ -132,21 +143,7 @@ RunRecord record_from(std::string_view json) {
   const Json object = parsed(json, "the answer of the worker");
   try {
     RunRecord record;
-    record.state = results::run_state(object.at("state").get<std::string>());
-    object.at("message").get_to(record.message);
-    object.at("wall_s").get_to(record.wall_s);
-    get(object, "outcome", record.outcome);
-    get(object, "steps", record.steps);
-    get(object, "simulated_s", record.simulated_s);
-    get(object, "solver_gave_up", record.solver_gave_up);
-    get(object, "solver_unsolved", record.solver_unsolved);
-    get(object, "state_hash", record.state_hash);
-    get(object, "exit_code", record.exit_code);
-    get(object, "signal", record.signal);
-    get(object, "plugin", record.plugin);
-    get(object, "robot", record.robot);
-    get(object, "step", record.step);
-    get(object, "log", record.log);
+    for_each_field(record, FieldReader{object});
     read_list(object, "measures", record.measures, [](const Json& a) {
       Measure measure{text(a, 0), text(a, 1), text(a, 2), std::nullopt};
       if (!a.at(3).is_null()) {

@@ -59,9 +59,10 @@ class Copier {
   Statement insert_;
 };
 
-constexpr const char* kRuns =
-    "SELECT id, state, state_hash, outcome, json_array(message, plugin, robot, step, signal, "
-    "exit_code, steps, simulated_s, log, wall_s, ended) FROM runs";
+std::string runs_query() {
+  return "SELECT id, state, state_hash, outcome, json_array(" + results::field_names() +
+         ", ended) FROM runs";
+}
 
 /// Of two databases' states of one run, the one that tells more counts.
 int weight(const std::string& state) {
@@ -77,7 +78,7 @@ class Merger {
         from_(from),
         to_(to),
         run_(from, to, "runs", " WHERE id = ?"),
-        known_(to, std::string(kRuns) + " WHERE id = ?"),
+        known_(to, runs_query() + " WHERE id = ?"),
         forget_(to, "DELETE FROM runs WHERE id = ?") {
     for (const char* table : kOfRun) {
       of_run_.emplace_back(from, to, table, " WHERE run_id = ?");
@@ -88,7 +89,7 @@ class Merger {
   std::int64_t add() {
     std::int64_t duplicates = 0;
     add_measures();
-    Statement runs(from_, std::string(kRuns) + " ORDER BY id");
+    Statement runs(from_, runs_query() + " ORDER BY id");
     while (runs.next()) {
       duplicates += add(runs) ? 1 : 0;
     }

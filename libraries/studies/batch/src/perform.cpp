@@ -108,7 +108,7 @@ void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) 
   }
   take(run, watchers, record);
   record.state = RunState::done;
-  record.outcome = to_string(result.outcome);
+  record.outcome = result.outcome;
   record.message = result.reason;
   record.state_hash = simulation::hash_text(result.state_hash);
   for (const simulation::MeasuredValue& measure : result.measures) {

@@ -3,11 +3,6 @@
 namespace elsie::batch {
 namespace {
 
-template <class Get>
-auto value(const sqlite::Statement& query, int column, Get get) {
-  return query.is_null(column) ? std::nullopt : std::optional(get(column));
-}
-
 void read_data(sqlite::Connection& connection, std::int64_t cell, StoredRun& run) {
   sqlite::Statement query(connection,
                           "SELECT name, path, sha256, content FROM cell_files JOIN files ON "
@@ -47,8 +42,7 @@ void read_measures(sqlite::Connection& connection, StoredRun& run) {
   query.bind(1, run.job.run);
   while (query.next()) {
     run.record.measures.push_back(
-        {query.text(0), query.text(1), query.text(2),
-         value(query, 3, [&](int column) { return query.number(column); })});
+        {query.text(0), query.text(1), query.text(2), query.optional_number(3)});
   }
 }
 
@@ -57,41 +51,26 @@ void read_measures(sqlite::Connection& connection, StoredRun& run) {
 std::optional<StoredRun> read_run(sqlite::Connection& connection, std::int64_t id) {
   sqlite::Statement query(
       connection,
-      "SELECT cells.id, label, world_text, world_file, seed, repetition, state, outcome, message, "
-      "steps, simulated_s, state_hash, signal, plugin, robot, step, elsie_version, wall_limit_s, "
-      "trajectory_period_s, experiment, solver_gave_up, solver_unsolved FROM runs JOIN cells ON "
-      "cells.id = runs.cell_id JOIN about "
-      "WHERE runs.id = ?");
+      "SELECT cells.id, label, world_text, world_file, seed, repetition, elsie_version, "
+      "wall_limit_s, trajectory_period_s, experiment, " +
+          results::field_names() +
+          " FROM runs JOIN cells ON cells.id = runs.cell_id JOIN about WHERE runs.id = ?");
   query.bind(1, id);
   if (!query.next()) {
     return std::nullopt;
   }
-  const auto text = [&](int column) { return query.text(column); };
-  const auto count = [&](int column) { return static_cast<std::uint64_t>(query.integer(column)); };
-  const auto number = [&](int column) { return query.number(column); };
   StoredRun run;
   run.cell = query.text(1);
   run.job.run = id;
   run.job.world_text = query.text(2);
   run.job.world_file = query.text(3);
-  run.job.seed = count(4);
+  run.job.seed = static_cast<std::uint64_t>(query.integer(4));
   run.repetition = static_cast<int>(query.integer(5));
-  run.record.state = results::run_state(query.text(6));
-  run.record.outcome = value(query, 7, text);
-  run.record.message = query.text(8);
-  run.record.steps = value(query, 9, count);
-  run.record.simulated_s = value(query, 10, number);
-  run.record.state_hash = value(query, 11, text);
-  run.record.signal = value(query, 12, text);
-  run.record.plugin = value(query, 13, text);
-  run.record.robot = value(query, 14, text);
-  run.record.step = value(query, 15, count);
-  run.elsie_version = query.text(16);
-  run.wall_limit_s = query.number(17);
-  run.job.trajectory_period_s = query.number(18);
-  run.experiment = query.text(19);
-  run.record.solver_gave_up = value(query, 20, count);
-  run.record.solver_unsolved = value(query, 21, count);
+  run.elsie_version = query.text(6);
+  run.wall_limit_s = query.number(7);
+  run.job.trajectory_period_s = query.number(8);
+  run.experiment = query.text(9);
+  results::read_fields(query, 10, run.record);
   const std::int64_t cell = query.integer(0);
   read_data(connection, cell, run);
   read_libraries(connection, cell, run);

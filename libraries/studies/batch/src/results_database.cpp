@@ -181,11 +181,9 @@ std::int64_t ResultsDatabase::redo_failed() {
                               "timelines", "notes"}) {
       connection.run("DELETE FROM " + std::string(table) + " WHERE run_id IN " + failed);
     }
-    connection.run(
-        "UPDATE runs SET state = 'pending', outcome = NULL, message = NULL, steps = NULL, "
-        "simulated_s = NULL, state_hash = NULL, exit_code = NULL, signal = NULL, plugin = NULL, "
-        "robot = NULL, step = NULL, log = NULL, wall_s = NULL, ended = NULL "
-        "WHERE state NOT IN ('pending', 'done')");
+    connection.run("UPDATE runs SET " + results::field_names(" = NULL") +
+                   ", ended = NULL, state = 'pending' "
+                   "WHERE state NOT IN ('pending', 'done')");
     const std::int64_t count = connection.changes();
     transaction.commit();
     return count;

@@ -3,21 +3,10 @@
 #include "write_plan.h"
 
 namespace elsie::batch {
-namespace {
-
-std::optional<std::int64_t> whole(const std::optional<std::uint64_t>& value) {
-  return value ? std::optional(static_cast<std::int64_t>(*value)) : std::nullopt;
-}
-
-}  // namespace
-
 RunWriter::RunWriter(sqlite::Connection& connection)
     : connection_(connection),
-      run_(connection,
-           "UPDATE runs SET state = ?2, outcome = ?3, message = ?4, steps = ?5, simulated_s = ?6, "
-           "state_hash = ?7, exit_code = ?8, signal = ?9, plugin = ?10, robot = ?11, step = ?12, "
-           "log = ?13, wall_s = ?14, ended = ?15, solver_gave_up = ?16, solver_unsolved = ?17 "
-           "WHERE id = ?1 AND state = 'pending'"),
+      run_(connection, "UPDATE runs SET " + results::field_names(" = ?") +
+                           ", ended = ? WHERE id = ? AND state = 'pending'"),
       // Which run is written first is chance: the same measure must come out of any order.
       measure_(connection,
                "INSERT INTO measures (name, unit, meaning) VALUES (?, ?, ?) ON CONFLICT (name) DO "
@@ -92,24 +81,8 @@ bool RunWriter::write(std::int64_t run, const RunRecord& record) {
 }
 
 bool RunWriter::update(std::int64_t run, const RunRecord& record) {
-  run_.bind(1, run)
-      .bind(2, to_string(record.state))
-      .bind(3, record.outcome)
-      .bind(4, record.message)
-      .bind(5, whole(record.steps))
-      .bind(6, record.simulated_s)
-      .bind(7, record.state_hash)
-      .bind(9, record.signal)
-      .bind(10, record.plugin)
-      .bind(11, record.robot)
-      .bind(12, whole(record.step))
-      .bind(13, record.log)
-      .bind(14, record.wall_s)
-      .bind(15, utc_now())
-      .bind(16, whole(record.solver_gave_up))
-      .bind(17, whole(record.solver_unsolved));
-  record.exit_code ? run_.bind(8, std::int64_t{*record.exit_code}) : run_.bind_null(8);
-  run_.run();
+  const int next = results::bind_fields(run_, 1, record);
+  run_.bind(next, utc_now()).bind(next + 1, run).run();
   return connection_.changes() == 1;
 }
 

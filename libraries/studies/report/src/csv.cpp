@@ -20,13 +20,16 @@ std::string line(const std::vector<std::string>& cells) {
   return text + '\n';
 }
 
-template <class T>
-std::string optional_text(const std::optional<T>& value) {
-  return value ? std::to_string(*value) : "";
+std::string text_of(const std::string& text) { return text; }
+std::string text_of(double number) { return number_text(number); }
+template <class Whole>
+std::string text_of(Whole number) {
+  return std::to_string(number);
 }
 
-std::string optional_text(const std::optional<double>& value) {
-  return value ? number_text(*value) : "";
+template <class T>
+std::string optional_text(const std::optional<T>& value) {
+  return value ? text_of(*value) : "";
 }
 
 // In a world without goals the time limit is where a run ends, not what it fails by.
@@ -37,14 +40,35 @@ std::string outcome_of(const Findings& findings, const Run& run) {
   return run.outcome ? simulation::to_string(*run.outcome) : "";
 }
 
+/// A log of several lines has no place in a table.
+bool in_table(std::string_view field) { return field != "log"; }
+
+struct FieldCells {
+  std::vector<std::string>& cells;
+  const std::string& outcome;
+
+  void operator()(const char*, results::RunState state) { cells.emplace_back(to_string(state)); }
+  void operator()(const char*, const std::optional<Outcome>&) { cells.push_back(outcome); }
+  void operator()(const char*, const std::string& text) { cells.push_back(text); }
+  template <class T>
+  void operator()(const char* name, const std::optional<T>& value) {
+    if (in_table(name)) {
+      cells.push_back(optional_text(value));
+    }
+  }
+};
+
 }  // namespace
 
 std::string csv_report(const Findings& findings) {
   const Results& results = findings.results;
-  std::vector<std::string> heads{
-      "run",     "cell",  "seed",        "repetition", "state",          "outcome",
-      "message", "steps", "simulated_s", "state_hash", "signal",         "exit_code",
-      "plugin",  "robot", "step",        "wall_s",     "solver_gave_up", "solver_unsolved"};
+  std::vector<std::string> heads{"run", "cell", "seed", "repetition"};
+  const Run any;
+  for_each_field(any, [&](const char* name, const auto&) {
+    if (in_table(name)) {
+      heads.emplace_back(name);
+    }
+  });
   std::set<std::string> taken(heads.begin(), heads.end());
   const auto add = [&](const std::string& name, const std::string& otherwise) {
     heads.push_back(taken.insert(name).second ? name : otherwise + name);
@@ -58,24 +82,9 @@ std::string csv_report(const Findings& findings) {
   std::string text = line(heads);
   for (const Run& run : results.runs) {
     const CellInfo& cell = results.cells[run.cell];
-    std::vector<std::string> cells{std::to_string(run.id),
-                                   cell.label,
-                                   std::to_string(run.seed),
-                                   std::to_string(run.repetition),
-                                   to_string(run.state),
-                                   outcome_of(findings, run),
-                                   run.message,
-                                   optional_text(run.steps),
-                                   optional_text(run.simulated_s),
-                                   run.state_hash,
-                                   run.signal,
-                                   optional_text(run.exit_code),
-                                   run.plugin,
-                                   run.robot,
-                                   optional_text(run.step),
-                                   optional_text(run.wall_s),
-                                   optional_text(run.solver_gave_up),
-                                   optional_text(run.solver_unsolved)};
+    std::vector<std::string> cells{std::to_string(run.id), cell.label, std::to_string(run.seed),
+                                   std::to_string(run.repetition)};
+    for_each_field(run, FieldCells{cells, outcome_of(findings, run)});
     cells.insert(cells.end(), cell.levels.begin(), cell.levels.end());
     for (std::size_t i = 0; i < run.values.size(); ++i) {
       const bool unasked = !findings.cells[run.cell].goals && results.measures[i].name == kSuccess;

@@ -161,9 +161,9 @@ std::string troubles(const PageContext& page) {
             std::to_string(run.seed) + "</td><td>" +
             escaped(findings.results.cells[run.cell].label) + "</td><td>" +
             ending_tag(findings, run) + " " + escaped(circumstances(run)) +
-            (run.log.empty() ? ""
-                             : "<details><summary>its last words</summary><pre>" +
-                                   escaped(run.log) + "</pre></details>") +
+            (run.log.value_or("").empty() ? ""
+                                          : "<details><summary>its last words</summary><pre>" +
+                                                escaped(*run.log) + "</pre></details>") +
             "</td><td>" + command(page, run) + "</td></tr>\n";
   }
   std::string text;

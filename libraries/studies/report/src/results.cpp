@@ -11,13 +11,6 @@ namespace elsie::report {
 
 namespace {
 
-std::optional<Outcome> outcome_of(const std::string& word) {
-  for (const Outcome outcome : {Outcome::success, Outcome::failure, Outcome::time_limit}) {
-    if (word == simulation::to_string(outcome)) return outcome;
-  }
-  return std::nullopt;
-}
-
 void read_about(sqlite::Connection& connection, Results& results) {
   sqlite::Statement about(
       connection,
@@ -89,32 +82,15 @@ std::map<std::string, std::size_t> read_measures(sqlite::Connection& connection,
 void read_runs(sqlite::Connection& connection, const Places& cells, Results& results) {
   const auto measures = read_measures(connection, results);
   Places places;
-  sqlite::Statement runs(
-      connection,
-      "SELECT id, cell_id, seed, repetition, state, outcome, message, steps, simulated_s, "
-      "state_hash, exit_code, signal, plugin, robot, step, log, wall_s, solver_gave_up, "
-      "solver_unsolved FROM runs ORDER BY id");
+  sqlite::Statement runs(connection, "SELECT id, cell_id, seed, repetition, " +
+                                         results::field_names() + " FROM runs ORDER BY id");
   while (runs.next()) {
     Run run;
     run.id = runs.integer(0);
     run.cell = cells.at(runs.integer(1));
     run.seed = static_cast<std::uint64_t>(runs.integer(2));
     run.repetition = static_cast<int>(runs.integer(3));
-    run.state = results::run_state(runs.text(4));
-    run.outcome = outcome_of(runs.text(5));
-    run.message = runs.text(6);
-    run.steps = runs.optional_integer(7);
-    run.simulated_s = runs.optional_number(8);
-    run.state_hash = runs.text(9);
-    if (!runs.is_null(10)) run.exit_code = static_cast<int>(runs.integer(10));
-    run.signal = runs.text(11);
-    run.plugin = runs.text(12);
-    run.robot = runs.text(13);
-    run.step = runs.optional_integer(14);
-    run.log = runs.text(15);
-    run.wall_s = runs.optional_number(16);
-    run.solver_gave_up = runs.optional_integer(17);
-    run.solver_unsolved = runs.optional_integer(18);
+    results::read_fields(runs, 4, run);
     run.values.resize(results.measures.size());
     places[run.id] = results.runs.size();
     results.runs.push_back(std::move(run));

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/base/text_table.h"
 #include "elsie/base/utf8.h"
 #include "elsie/report/report.h"
-#include "elsie/base/text_table.h"
 
 #include "numbers.h"
 #include "words.h"

@@ -166,14 +166,14 @@ std::string circumstances(const Run& run) {
   };
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : " ") + part; };
-  if (!run.signal.empty() && !told(run.signal)) {
-    add("by " + run.signal);
+  if (run.signal && !told(*run.signal)) {
+    add("by " + *run.signal);
   }
-  if (!run.plugin.empty() && !told("'" + run.plugin + "'")) {
-    add("in plugin '" + run.plugin + "'");
+  if (run.plugin && !told("'" + *run.plugin + "'")) {
+    add("in plugin '" + *run.plugin + "'");
   }
-  if (!run.robot.empty() && !told("robot '" + run.robot + "'")) {
-    add("of robot '" + run.robot + "'");
+  if (run.robot && !told("robot '" + *run.robot + "'")) {
+    add("of robot '" + *run.robot + "'");
   }
   if (run.step && !tells_step(run.message, *run.step)) {
     add("at step " + std::to_string(*run.step));

@@ -25,6 +25,6 @@ std::string enumerated(const std::vector<std::string>& items, std::string_view l
 
 /// A piece of a file as it may be shown in a message, between single quotes: no more than `most`
 /// bytes of it, whole characters, "?" for what cannot be printed.
-std::string quoted(std::string_view word, std::size_t most = 40);
+std::string in_quotes(std::string_view word, std::size_t most = 40);
 
 }  // namespace elsie::base

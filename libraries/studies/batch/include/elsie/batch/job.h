@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "elsie/results/run_state.h"
+#include "elsie/results/run_fields.h"
 #include "elsie/simulation/run_result.h"
 
 namespace elsie::batch {
@@ -55,23 +55,13 @@ struct Timeline {
   std::string episodes;
 };
 
-/// What a run came to, whatever became of it.
-struct RunRecord {
-  RunState state = RunState::error;
-  std::optional<std::string> outcome;  // of one that is done
-  std::string message;
-  std::optional<std::uint64_t> steps;
-  std::optional<double> simulated_s;
-  std::optional<std::uint64_t> solver_gave_up;   // steps, as in simulation::SolverResult
-  std::optional<std::uint64_t> solver_unsolved;  // of them
-  std::optional<std::string> state_hash;         // 16 hexadecimal digits
-  std::optional<int> exit_code;
-  std::optional<std::string> signal;
-  std::optional<std::string> plugin;
-  std::optional<std::string> robot;
-  std::optional<std::uint64_t> step;
-  std::optional<std::string> log;
-  double wall_s = 0.0;
+/// The result of a run, however it ended.
+struct RunRecord : results::RunFields {
+  RunRecord() {
+    state = RunState::error;
+    wall_s = 0.0;
+  }
+
   std::vector<Measure> measures;
   std::vector<simulation::RobotResult> robots;
   std::vector<simulation::EventRecord> events;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "elsie/api/geometry.h"
-#include "elsie/results/run_state.h"
+#include "elsie/results/run_fields.h"
 #include "elsie/simulation/run_result.h"
 
 namespace elsie::report {
@@ -40,26 +40,11 @@ struct CellInfo {
   std::vector<int> places;          // of the levels among those of their factor
 };
 
-struct Run {
+struct Run : results::RunFields {
   std::int64_t id = 0;
   std::size_t cell = 0;  // place in Results::cells
   std::uint64_t seed = 0;
   int repetition = 1;
-  RunState state = RunState::pending;
-  std::optional<Outcome> outcome;  // of those that are done
-  std::string message;             // one sentence; may be empty
-  std::optional<std::int64_t> steps;
-  std::optional<double> simulated_s;
-  std::optional<std::int64_t> solver_gave_up;   // steps, as in simulation::SolverResult
-  std::optional<std::int64_t> solver_unsolved;  // of them
-  std::string state_hash;
-  std::optional<int> exit_code;
-  std::string signal;
-  std::string plugin;
-  std::string robot;
-  std::optional<std::int64_t> step;
-  std::string log;
-  std::optional<double> wall_s;
   /// In the order of Results::measures; those that it has none of are empty.
   std::vector<std::optional<double>> values;
 

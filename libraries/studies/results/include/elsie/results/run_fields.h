@@ -1,0 +1,68 @@
+// The fields of a run, each in one place: from here follow the answer of a worker, the columns of
+// the table `runs`, and those of a report in CSV. schema.sql says what each means.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "elsie/results/run_state.h"
+#include "elsie/simulation/run_result.h"
+
+namespace elsie::results {
+
+using simulation::Outcome;
+
+struct RunFields {
+  RunState state = RunState::pending;
+  std::optional<Outcome> outcome;  // of a run that is done
+  std::string message;             // one sentence; may be empty
+  std::optional<std::uint64_t> steps;
+  std::optional<double> simulated_s;
+  std::optional<std::string> state_hash;  // 16 hexadecimal digits
+  std::optional<std::string> signal;
+  std::optional<int> exit_code;
+  std::optional<std::string> plugin;
+  std::optional<std::string> robot;
+  std::optional<std::uint64_t> step;
+  std::optional<double> wall_s;
+  std::optional<std::uint64_t> solver_gave_up;   // steps, as in simulation::SolverResult
+  std::optional<std::uint64_t> solver_unsolved;  // of them
+  std::optional<std::string> log;                // several lines
+};
+
+/// Calls `visit(name, value)` for each field of a RunFields.
+template <class Fields, class Visit>
+void for_each_field(Fields& run, Visit visit) {
+  visit("state", run.state);
+  visit("outcome", run.outcome);
+  visit("message", run.message);
+  visit("steps", run.steps);
+  visit("simulated_s", run.simulated_s);
+  visit("state_hash", run.state_hash);
+  visit("signal", run.signal);
+  visit("exit_code", run.exit_code);
+  visit("plugin", run.plugin);
+  visit("robot", run.robot);
+  visit("step", run.step);
+  visit("wall_s", run.wall_s);
+  visit("solver_gave_up", run.solver_gave_up);
+  visit("solver_unsolved", run.solver_unsolved);
+  visit("log", run.log);
+}
+
+/// The name of every field, with `after` behind each: "state, outcome, ...".
+std::string field_names(const std::string& after = "");
+
+/// The outcome of a word of the database; none for any other word.
+std::optional<Outcome> outcome_of(const std::string& word);
+
+namespace sqlite {
+class Statement;
+}
+/// Binds all fields, in their order, from this place on. Returns the next place.
+int bind_fields(sqlite::Statement& statement, int place, const RunFields& run);
+/// Reads all fields, in their order, from this column on.
+void read_fields(const sqlite::Statement& statement, int column, RunFields& run);
+
+}  // namespace elsie::results

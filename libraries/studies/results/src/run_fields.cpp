@@ -1,0 +1,83 @@
+#include "elsie/results/run_fields.h"
+
+#include "elsie/results/sqlite.h"
+
+namespace elsie::results {
+namespace {
+
+struct Binder {
+  sqlite::Statement& statement;
+  int& place;
+
+  void operator()(const char*, RunState state) { statement.bind(place++, to_string(state)); }
+  void operator()(const char*, const std::optional<Outcome>& outcome) {
+    outcome ? statement.bind(place, simulation::to_string(*outcome)) : statement.bind_null(place);
+    ++place;
+  }
+  void operator()(const char*, const std::string& text) { statement.bind(place++, text); }
+  void operator()(const char*, const std::optional<std::string>& text) {
+    statement.bind(place++, text);
+  }
+  void operator()(const char*, const std::optional<double>& number) {
+    statement.bind(place++, number);
+  }
+  template <class Whole>
+  void operator()(const char*, const std::optional<Whole>& number) {
+    number ? statement.bind(place, static_cast<std::int64_t>(*number)) : statement.bind_null(place);
+    ++place;
+  }
+};
+
+struct Reader {
+  const sqlite::Statement& statement;
+  int column;
+
+  void operator()(const char*, RunState& state) { state = run_state(statement.text(column++)); }
+  void operator()(const char*, std::optional<Outcome>& outcome) {
+    outcome = outcome_of(statement.text(column++));
+  }
+  void operator()(const char*, std::string& text) { text = statement.text(column++); }
+  void operator()(const char*, std::optional<std::string>& text) {
+    text = statement.is_null(column) ? std::nullopt : std::optional(statement.text(column));
+    ++column;
+  }
+  void operator()(const char*, std::optional<double>& number) {
+    number = statement.optional_number(column++);
+  }
+  template <class Whole>
+  void operator()(const char*, std::optional<Whole>& number) {
+    const auto read = statement.optional_integer(column++);
+    number = read ? std::optional(static_cast<Whole>(*read)) : std::nullopt;
+  }
+};
+
+}  // namespace
+
+std::string field_names(const std::string& after) {
+  std::string names;
+  const RunFields any;
+  for_each_field(any, [&](const char* name, const auto&) {
+    names += (names.empty() ? "" : ", ") + (name + after);
+  });
+  return names;
+}
+
+std::optional<Outcome> outcome_of(const std::string& word) {
+  for (const Outcome outcome : {Outcome::success, Outcome::failure, Outcome::time_limit}) {
+    if (word == simulation::to_string(outcome)) {
+      return outcome;
+    }
+  }
+  return std::nullopt;
+}
+
+int bind_fields(sqlite::Statement& statement, int place, const RunFields& run) {
+  for_each_field(run, Binder{statement, place});
+  return place;
+}
+
+void read_fields(const sqlite::Statement& statement, int column, RunFields& run) {
+  for_each_field(run, Reader{statement, column});
+}
+
+}  // namespace elsie::results
