@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <fstream>
-#include <initializer_list>
 #include <iostream>
 #include <string_view>
 
@@ -11,7 +10,7 @@
 #include <unistd.h>
 
 #include "elsie/base/number_text.h"
-#include "elsie/traces/trace.h"
+#include "elsie/recording/formats.h"
 #include "elsie/world/data_directories.h"
 
 #include "command.h"
@@ -210,8 +209,6 @@ void require_writable(const fs::path& file, const char* option) {
 
 namespace {
 
-constexpr const char* kRecording = "recording";
-
 /// Devices such as /dev/stdout have no suffix, and nothing to lose.
 bool is_device(const fs::path& file) {
   std::error_code error;
@@ -236,13 +233,9 @@ bool has(const std::string& start, std::string_view word) {
 }
 
 /// Whether what a file begins with is what this program writes under such a name.
-bool is_what_its_name_says(const std::string& start, const std::string& suffix,
-                           const std::string& kind) {
+bool is_what_its_name_says(const std::string& start, const std::string& suffix) {
   if (suffix == ".png") {
     return start.rfind("\x89PNG", 0) == 0;
-  }
-  if (suffix == ".mcap") {
-    return start.rfind("\x89MCAP", 0) == 0;
   }
   if (suffix == ".svg") {
     return has(start, "<svg");
@@ -256,19 +249,21 @@ bool is_what_its_name_says(const std::string& start, const std::string& suffix,
   if (suffix == ".json") {
     return start.front() == '{' && has(start, "\"runs\"");
   }
-  // Tables: by the first of their columns.
-  return start.rfind(kind == kRecording ? "time_s,robot," : "run,cell,seed,", 0) == 0;
+  return start.rfind("run,cell,seed,", 0) == 0;  // a table, by the first of its columns
 }
 
-/// ".csv" alone is a hidden file that is called so.
-void require_name(const fs::path& file, const char* option,
-                  std::initializer_list<const char*> suffixes) {
-  for (const char* suffix : suffixes) {
-    if (file.filename() == suffix) {
-      throw BadInput(std::string(option) + ": '" + file.string() +
-                     "' lacks a name before its suffix; expected one such as run" + suffix);
-    }
+/// ".csv" alone is the name of a hidden file without a suffix.
+void require_name(const fs::path& file, const char* option, std::string_view suffix) {
+  if (file.filename() == suffix) {
+    throw BadInput(std::string(option) + ": '" + file.string() +
+                   "' lacks a name before its suffix; expected one such as run" +
+                   std::string(suffix));
   }
+}
+
+[[noreturn]] void refuse_other(const fs::path& file, const char* option, const std::string& kind) {
+  throw BadInput(std::string(option) + ": '" + file.string() + "' is there already and is no " +
+                 kind + "; remove it or choose another name");
 }
 
 }  // namespace
@@ -285,37 +280,30 @@ void require_database_name(const fs::path& file, const char* option) {
 void require_replaceable(const fs::path& file, const char* option, const char* kind) {
   require_writable(file, option);
   const std::string start = start_of(file);
-  if (!start.empty() && !is_what_its_name_says(start, file.extension().string(), kind)) {
-    throw BadInput(std::string(option) + ": '" + file.string() + "' is there already and is no " +
-                   kind + "; remove it or choose another name");
+  if (!start.empty() && !is_what_its_name_says(start, file.extension().string())) {
+    refuse_other(file, option, kind);
   }
 }
 
 void require_recording(const fs::path& file, const char* option) {
-  require_name(file, option, {".csv", ".mcap"});
-  if (!is_device(file) && file.extension() != ".csv" && file.extension() != ".mcap") {
-    throw BadInput(std::string(option) + ": a recording's name must end in .csv or .mcap, but '" +
-                   file.string() + "' does not");
+  for (const recording::Format& format : recording::formats()) {
+    require_name(file, option, format.suffix);
   }
-  require_replaceable(file, option, kRecording);
-}
-
-void require_trace(const fs::path& file, const char* option) {
-  require_name(file, option, {".trace"});
-  if (!is_device(file) && file.extension() != ".trace") {
-    throw BadInput(std::string(option) + ": a trace's name must end in .trace, but '" +
-                   file.string() + "' does not");
+  const recording::Format* format = recording::format_of(file);
+  if (!format && !is_device(file)) {
+    throw BadInput(std::string(option) + ": a recording's name must end in " +
+                   recording::suffixes(" or ") + ", but '" + file.string() + "' does not");
   }
   require_writable(file, option);
-  std::error_code error;
-  if (fs::is_regular_file(file, error) && !traces::may_be_trace(file)) {
-    throw BadInput(std::string(option) + ": '" + file.string() +
-                   "' is there already and is no trace; remove it or choose another name");
+  const std::string start = start_of(file);
+  if (!start.empty() && !(format && start.starts_with(format->mark))) {
+    refuse_other(file, option, "recording");
   }
 }
 
 void require_picture(const fs::path& file, const char* option) {
-  require_name(file, option, {".png", ".svg"});
+  require_name(file, option, ".png");
+  require_name(file, option, ".svg");
   if (file.extension() != ".png" && file.extension() != ".svg") {
     throw BadInput(std::string(option) + ": a picture's name must end in .png or .svg, but '" +
                    file.string() + "' does not");

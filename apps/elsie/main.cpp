@@ -27,8 +27,8 @@ constexpr const char* kExamples = R"(
 Examples:
   elsie run worlds/clutter.xml --seed 7 --picture clutter.png
   elsie run worlds/maze.xml --set 'robot[r1]/@max_speed=0.3' --json
-  elsie run worlds/clutter.xml --explain clutter.trace
-  elsie explain clutter.trace --picture clutter.png
+  elsie run worlds/clutter.xml --record clutter.mcap
+  elsie explain clutter.mcap --picture clutter.png
   elsie batch experiments/top_speed.xml
   elsie check worlds/*.xml
   elsie describe wander

@@ -10,7 +10,6 @@
 #include "elsie/batch/results_database.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
-#include "elsie/traces/trace_recorder.h"
 #include "elsie/traces/tracks.h"
 #include "elsie/world/reader.h"
 
@@ -49,12 +48,9 @@ StoredRun stored_run(const RunAgainOptions& options) {
 /// Everything that watches it.
 class Watchers {
  public:
-  Watchers(const RunAgainOptions& options, EndAgain* end) : recorder_(options.record.recorder()) {
-    if (recorder_) {
-      all_.push_back(recorder_.get());
-    }
-    if (options.explain) {
-      all_.push_back(&trace_.emplace(*options.explain));
+  Watchers(const RunAgainOptions& options, EndAgain* end) : recorders_(options.record.recorders()) {
+    for (const auto& recorder : recorders_) {
+      all_.push_back(recorder.get());
     }
     if (options.picture) {
       all_.push_back(&tracks_.emplace());
@@ -74,8 +70,7 @@ class Watchers {
   const traces::TrackRecorder* tracks() const { return tracks_ ? &*tracks_ : nullptr; }
 
  private:
-  std::unique_ptr<simulation::Observer> recorder_;
-  std::optional<traces::TraceRecorder> trace_;
+  std::vector<std::unique_ptr<simulation::Observer>> recorders_;
   std::optional<traces::TrackRecorder> tracks_;
   std::optional<ProgressBar> progress_;
   InterruptGuard interrupt_;
@@ -130,9 +125,6 @@ void expect_end(std::optional<EndAgain>& end, const StoredRun& run,
 
 void check(const RunAgainOptions& options) {
   options.record.check();
-  if (options.explain) {
-    require_trace(*options.explain, "--explain");
-  }
   if (options.picture) {
     require_picture(*options.picture, "--picture");
   }

@@ -16,7 +16,6 @@ struct RunAgainOptions {
   std::string database;
   std::int64_t run = 0;
   RecordOptions record;
-  std::optional<std::string> explain;
   std::optional<std::string> picture;
   int width = 1000;                    // of the picture, pixels
   std::optional<double> wall_limit_s;  // 0: none; by default that of the batch, if it was met

@@ -12,7 +12,6 @@
 #include "elsie/process/crash_report.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
-#include "elsie/traces/trace_recorder.h"
 #include "elsie/traces/tracks.h"
 #include "elsie/world/reader.h"
 
@@ -40,8 +39,6 @@ struct RunOptions {
   std::vector<std::string> overrides;
   std::vector<std::string> changes;
   RecordOptions record;
-  std::optional<std::string> explain;
-  bool explain_times = false;
   std::optional<std::string> picture;
   PathOptions paths;
   std::optional<std::string> image_folder;
@@ -60,7 +57,7 @@ Examples:
   elsie run worlds/clutter.xml --seed 7 --duration 60 --picture clutter.png
   elsie run worlds/clutter.xml --record clutter.csv --record-rate 20
   elsie run worlds/find_resource.xml --record find.mcap --record-images
-  elsie run worlds/clutter.xml --explain clutter.trace
+  elsie run worlds/clutter.xml --record clutter.mcap && elsie explain clutter.mcap
   elsie run worlds/clutter.xml --set 'robot[r1]/behavior[wander]/@speed=15' --json
   elsie run my_world.xml --plugin my_behavior.cpp --watch --speed 1
   elsie run worlds/clutter.xml --at '5:robot[r1]/@max_speed=0.2' --at '10:robot[r1]/@max_speed=0.4'
@@ -72,17 +69,13 @@ plugin failed, 4 when the physics failed.
 /// Everything that watches one run.
 class Watchers {
  public:
-  explicit Watchers(const RunOptions& options) : recorder_(options.record.recorder()) {
-    if (recorder_) {
-      all_.push_back(recorder_.get());
+  explicit Watchers(const RunOptions& options) : recorders_(options.record.recorders()) {
+    for (const auto& recorder : recorders_) {
+      all_.push_back(recorder.get());
     }
     if (options.image_folder) {
       images_.emplace(*options.image_folder, options.image_period_s);
       all_.push_back(&*images_);
-    }
-    if (options.explain) {
-      trace_.emplace(*options.explain, options.explain_times);
-      all_.push_back(&*trace_);
     }
     if (options.picture) {
       tracks_.emplace();
@@ -105,9 +98,8 @@ class Watchers {
   const traces::TrackRecorder* tracks() const { return tracks_ ? &*tracks_ : nullptr; }
 
  private:
-  std::unique_ptr<simulation::Observer> recorder_;
+  std::vector<std::unique_ptr<simulation::Observer>> recorders_;
   std::optional<ImageSaver> images_;
-  std::optional<traces::TraceRecorder> trace_;
   std::optional<traces::TrackRecorder> tracks_;
   std::optional<ProgressBar> progress_;
   std::optional<Pacer> pacer_;
@@ -165,7 +157,7 @@ simulation::Simulation simulation_of(const RunOptions& options, const plugin::Ho
   world::World world = world::read_world(options.world, host, read_options(options.overrides));
   simulation::Simulation simulation(std::move(world), host,
                                     {.seed = options.seed,
-                                     .measure_time = options.record.times || options.explain_times,
+                                     .measure_time = options.record.times,
                                      .data_directories = data_directories(),
                                      .budget = budget_of(options),
                                      .time_limit_s = options.duration,
@@ -180,9 +172,6 @@ simulation::Simulation simulation_of(const RunOptions& options, const plugin::Ho
 
 void check(const RunOptions& options) {
   options.record.check();
-  if (options.explain) {
-    require_trace(*options.explain, "--explain");
-  }
   if (options.picture) {
     require_picture(*options.picture, "--picture");
   }
@@ -287,14 +276,6 @@ void add_run_command(CLI::App& program, Job& job) {
       ->check(positive_number())
       ->type_name("FACTOR");
   options->record.add_to(*command);
-  command
-      ->add_option("--explain", options->explain,
-                   "Write every coordinator's decisions, for `elsie explain`")
-      ->type_name("FILE.trace");
-  command
-      ->add_flag("--explain-times", options->explain_times,
-                 "Add how long each behaviour takes (differs from run to run)")
-      ->needs("--explain");
   command
       ->add_option("--picture", options->picture,
                    "Draw the world at the end of the run with the robots' trajectories")
