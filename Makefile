@@ -23,8 +23,8 @@ configure-program:
 demo: configure-program
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	@mkdir -p out
-	$(ELSIE) run worlds/four_resources.xml --seed 1 --picture out/four_resources.png --record out/four_resources.csv --explain out/four_resources.trace
-	$(ELSIE) explain out/four_resources.trace --picture out/who_decided.png
+	$(ELSIE) run worlds/four_resources.xml --seed 1 --picture out/four_resources.png --record out/four_resources.csv --record out/four_resources.mcap
+	$(ELSIE) explain out/four_resources.mcap --picture out/who_decided.png
 	@echo "Look at out/four_resources.png and out/who_decided.png; the whole run is in out/four_resources.csv."
 
 test: all

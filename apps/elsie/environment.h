@@ -65,21 +65,4 @@ std::vector<std::string> data_directories();
 /// parameters.
 world::ReadOptions read_options(const std::vector<std::string>& overrides = {});
 
-/// Throws BadInput when a file's name is not that of a database of results.
-void require_database_name(const std::filesystem::path& file, const char* option);
-
-/// Checks, before any work is done, that a file can be written there. Throws BadInput.
-void require_writable(const std::filesystem::path& file, const char* option);
-/// The same, and what is there already must be what its name says, as far as its first bytes tell:
-/// a world, an experiment or a database is not overwritten by a slip. `kind`: for messages, and of
-/// a table the columns that it must have, those of a "recording" or of a report.
-void require_replaceable(const std::filesystem::path& file, const char* option, const char* kind);
-/// The same for a recording: its name must end in .csv or .mcap.
-void require_recording(const std::filesystem::path& file, const char* option);
-/// The same for a trace: its name must end in .trace, and what is there already must be a trace,
-/// too.
-void require_trace(const std::filesystem::path& file, const char* option);
-/// The same for a picture: its name must end in .png or .svg.
-void require_picture(const std::filesystem::path& file, const char* option);
-
 }  // namespace elsie::program

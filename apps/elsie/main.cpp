@@ -1,4 +1,5 @@
 // The command-line program: elsie SUBCOMMAND ...
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -27,8 +28,8 @@ constexpr const char* kExamples = R"(
 Examples:
   elsie run worlds/clutter.xml --seed 7 --picture clutter.png
   elsie run worlds/maze.xml --set 'robot[r1]/@max_speed=0.3' --json
-  elsie run worlds/clutter.xml --explain clutter.trace
-  elsie explain clutter.trace --picture clutter.png
+  elsie run worlds/clutter.xml --record clutter.mcap
+  elsie explain clutter.mcap --picture clutter.png
   elsie batch experiments/top_speed.xml
   elsie check worlds/*.xml
   elsie describe wander
@@ -71,6 +72,13 @@ int with_output_written(int exit_code) {
   return exit_code == kSuccess || exit_code == kGoalMissed ? int{kOtherFailure} : exit_code;
 }
 
+/// Whether the words ask for a run, and not for help about it.
+bool is_run(int argc, char** argv) {
+  const auto asks_for_help = [](std::string_view word) { return word == "--help" || word == "-h"; };
+  return argc > 1 && std::string_view(argv[1]) == "run" &&
+         std::none_of(argv + 2, argv + argc, asks_for_help);
+}
+
 /// Parses the command line and does what it asks for. Returns the exit code.
 int work(int argc, char** argv) {
   CLI::App program("Elsie: behaviour-based mobile robot control", "elsie");
@@ -81,7 +89,7 @@ int work(int argc, char** argv) {
   Job job;
   add_run_command(program, job);
   try {
-    if (argc < 2 || std::string_view(argv[1]) != "run") {
+    if (!is_run(argc, argv)) {
       command_module().add_commands(program, job);
     }
     check_words(program, argc, argv);

@@ -8,10 +8,10 @@ namespace elsie::program {
 
 void RecordOptions::add_to(CLI::App& command) {
   command
-      .add_option("--record", file,
-                  "Write poses, commands, readings and the coordinators' traces as a table, or as "
-                  "an MCAP file for viewers and `elsie replay`")
-      ->type_name("FILE.csv|FILE.mcap");
+      .add_option(
+          "--record", files,
+          "Record poses, commands, readings and every coordinator's decisions; may be repeated")
+      ->allow_extra_args(false);
   command.add_option("--record-rate", rate_hz, "Samples per simulated second and robot")
       ->needs("--record")
       ->check(positive_number())
@@ -20,7 +20,7 @@ void RecordOptions::add_to(CLI::App& command) {
       .add_flag("--record-times", times,
                 "Record how long each behaviour takes, too (differs from run to run)")
       ->needs("--record");
-  command.add_flag("--record-images", images, "Record what the cameras see, too, in an MCAP file")
+  command.add_flag("--record-images", images, "Record what the cameras see, too; not in a table")
       ->needs("--record");
 }
 

@@ -50,7 +50,7 @@ Examples:
   elsie run worlds/clutter.xml --seed 7 --duration 60 --picture clutter.png
   elsie run worlds/clutter.xml --record clutter.csv --record-rate 20
   elsie run worlds/find_resource.xml --record find.mcap --record-images
-  elsie run worlds/clutter.xml --explain clutter.trace
+  elsie run worlds/clutter.xml --record clutter.mcap && elsie explain clutter.mcap
   elsie run worlds/clutter.xml --set 'robot[r1]/behavior[wander]/@speed=15' --json
   elsie run my_world.xml --plugin my_behavior.cpp --watch --speed 1
   elsie run worlds/clutter.xml --at '5:robot[r1]/@max_speed=0.2' --at '10:robot[r1]/@max_speed=0.4'
@@ -141,7 +141,7 @@ simulation::Simulation simulation_of(const RunOptions& options, const plugin::Ho
   world::World world = world::read_world(options.world, host, read_options(options.overrides));
   simulation::Simulation simulation(std::move(world), host,
                                     {.seed = options.seed,
-                                     .measure_time = options.views.needs_times(),
+                                     .measure_time = options.views.record.times,
                                      .data_directories = data_directories(),
                                      .budget = budget_of(options),
                                      .time_limit_s = options.duration,
@@ -248,14 +248,6 @@ void add_run_command(CLI::App& program, Job& job) {
       ->check(positive_number())
       ->type_name("FACTOR");
   options->views.record.add_to(*command);
-  command
-      ->add_option("--explain", options->views.explain,
-                   "Write every coordinator's decisions, for `elsie explain`")
-      ->type_name("FILE.trace");
-  command
-      ->add_flag("--explain-times", options->views.explain_times,
-                 "Add how long each behaviour takes (differs from run to run)")
-      ->needs("--explain");
   command
       ->add_option("--picture", options->views.picture,
                    "Draw the world at the end of the run with the robots' trajectories")

@@ -1,4 +1,4 @@
-// What a run leaves for people to look at: recordings, traces, pictures.
+// What a run leaves for people to look at: recordings and pictures.
 #pragma once
 
 #include <memory>
@@ -19,16 +19,13 @@ namespace elsie::program {
 /// What the command line asks for.
 struct ViewOptions {
   RecordOptions record;
-  std::optional<std::string> explain;
-  bool explain_times = false;
   std::optional<std::string> picture;
   int picture_width = 1000;
   PathOptions paths;
   std::optional<std::string> image_folder;
   double image_period_s = 0.0;  // simulated time between two saved images; 0: a control period
 
-  bool any() const { return record.file || explain || picture || image_folder; }
-  bool needs_times() const { return record.times || explain_times; }
+  bool any() const { return !record.files.empty() || picture || image_folder; }
 };
 
 /// The views of one run. The module of commands makes them (command_module.h), because they need

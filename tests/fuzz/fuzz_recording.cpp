@@ -1,4 +1,4 @@
-// Recordings of runs: the world, the ways of the robots and the result in an MCAP file.
+// Recordings of runs: the world, the paths of the robots, the decisions and the result.
 #include <stdexcept>
 
 #include "elsie/recording/recorded_run.h"
@@ -6,8 +6,13 @@
 #include "fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto file = elsie::fuzz::file_of(data, size);
   try {
-    elsie::recording::read_recorded_run(elsie::fuzz::file_of(data, size));
+    elsie::recording::read_recorded_run(file);
+  } catch (const std::runtime_error&) {
+  }
+  try {
+    elsie::recording::read_trace(file);
   } catch (const std::runtime_error&) {
   }
   return 0;

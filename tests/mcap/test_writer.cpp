@@ -150,6 +150,39 @@ TEST_CASE("In an emergency the chunk that was begun is written as it is") {
   CHECK(!closed.write_in_emergency());
 }
 
+TEST_CASE("In an emergency the last words follow, with the time until then") {
+  for (const bool begun : {false, true}) {
+    McapFile file;
+    {
+      mcap::Writer writer(file.path);
+      writer.set_last_words({"result", {{"outcome", "stopped"}}}, "simulated_s");
+      const auto channel = writer.add_channel("/a", 0, "json");
+      writer.write(channel, 0, "{}");
+      if (!begun) {
+        writer.flush();
+      }
+      writer.pass(12'340'000'000);
+      CHECK(writer.write_in_emergency());
+    }
+    mcap::Reader reader(file.path);
+    while (reader.next()) {
+    }
+    REQUIRE(reader.metadata().size() == 1);
+    CHECK(reader.metadata()[0].name == "result");
+    CHECK(reader.metadata()[0].values.at("outcome") == "stopped");
+    CHECK(reader.metadata()[0].values.at("simulated_s") == "0000000012.340000000");
+  }
+  McapFile file;
+  {
+    mcap::Writer writer(file.path);
+    writer.set_last_words({"result", {{"outcome", "stopped"}}}, "simulated_s");
+    writer.close();
+  }
+  mcap::Reader reader(file.path);
+  CHECK(!reader.next());
+  CHECK(reader.metadata().empty());
+}
+
 TEST_CASE("A file that cannot be written says so") {
   CHECK_THROWS_WITH(
       mcap::Writer("/nowhere/at/all.mcap"),

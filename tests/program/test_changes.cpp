@@ -57,11 +57,14 @@ TEST_CASE("Runs with the same changes are the same, whether they are recorded or
     return json::parse(here.elsie(arguments).out).at("state_hash").get<std::string>();
   };
   const std::string first = hash(changed);
-  CHECK(hash(changed + " --explain run.trace --record run.csv") == first);
+  CHECK(hash(changed + " --record run.mcap --record run.csv") == first);
   CHECK(hash(kRun + " --seed 4") != first);
-  CHECK_THAT(here.read("run.trace"),
-             Catch::Contains("changed") && Catch::Contains("robot[r1]/behavior[wander]/@speed=18"));
-  CHECK_THAT(here.elsie("explain run.trace").out, Catch::Contains("changed"));
+  const auto told = json::parse(here.elsie("explain run.mcap --json").out);
+  const json& event = told.at("robots").at(0).at("events").at(0);
+  CHECK(event.at("name") == "changed");
+  CHECK(event.at("detail") == "robot[r1]/behavior[wander]/@speed=18");
+  CHECK(event.at("time_s") == 1.5);
+  CHECK_THAT(here.elsie("explain run.mcap").out, Catch::Contains("changed"));
 }
 
 TEST_CASE("A change that cannot be made is told before the run, with exit code 2") {

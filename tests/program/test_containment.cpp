@@ -308,8 +308,8 @@ TEST_CASE("A plugin that crashes while it is checked is named with the trial") {
 TEST_CASE("Every command that reads a file refuses a pipe, a device and what is far too large") {
   const Workplace here;
   here.sh(
-      "mkfifo pipe pipe.mcap pipe.trace pipe.xml pipe.sqlite pipe.fcl\n"
-      "truncate -s 1100000000 sparse.fcl sparse.trace sparse.mcap sparse.xml sparse.txt");
+      "mkfifo pipe pipe.mcap pipe.xml pipe.sqlite pipe.fcl\n"
+      "truncate -s 1100000000 sparse.fcl sparse.mcap sparse.xml sparse.txt");
   struct Case {
     std::string command, sentence;
   };
@@ -319,9 +319,9 @@ TEST_CASE("Every command that reads a file refuses a pipe, a device and what is 
   for (const Case& expected : {Case{"fuzzy pipe.fcl", kPipe},
                                {"fuzzy /dev/zero", kDevice},
                                {"fuzzy sparse.fcl", kLarge},
-                               {"explain pipe.trace", kPipe},
+                               {"explain pipe.mcap", kPipe},
                                {"explain /dev/zero", kDevice},
-                               {"explain sparse.trace", "sparse.trace"},
+                               {"explain sparse.mcap", "'sparse.mcap' is no recording"},
                                {"replay pipe.mcap", kPipe},
                                {"replay /dev/zero", kDevice},
                                {"replay sparse.mcap", "is neither a recording"},

@@ -60,7 +60,7 @@ std::vector<std::string> blocks(const std::string& page, const std::string& lang
 /// The commands that end a run before its goal is met (exit code 1), on purpose: each shows
 /// something for which a short run is enough. All others reach what they are after.
 const std::set<std::string> kCutShort = {
-    "elsie run worlds/ten_robots.xml --duration 60 --explain run.trace",
+    "elsie run worlds/ten_robots.xml --duration 60 --record run.mcap",
     "elsie run worlds/open_arena.xml --duration 10 --json",
     "elsie run worlds/open_arena.xml --duration 12 --at '4:robot[r1]/@max_speed=0.1' "
     "--at '8:robot[r1]/@x=-1' --at '8:robot[r1]/@y=1'",

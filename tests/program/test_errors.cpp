@@ -106,11 +106,11 @@ TEST_CASE("What a run came to is told even when its picture cannot be written") 
   }
   Workplace here;
   const auto run = here.elsie(
-      "run worlds/layers.xml --duration 1 --explain run.trace --json --picture /proc/run.png");
+      "run worlds/layers.xml --duration 1 --record run.mcap --json --picture /proc/run.png");
   CHECK(run.exit_code == 4);
   CHECK_THAT(run.out, Catch::Contains("\"outcome\""));
   CHECK_THAT(run.err, Catch::Contains("Cannot write the picture '/proc/run.png'"));
-  const auto told = here.elsie("explain run.trace --picture /proc/run.png");
+  const auto told = here.elsie("explain run.mcap --picture /proc/run.png");
   CHECK(told.exit_code == 4);
   CHECK_THAT(told.out, Catch::Contains("who decided"));
   CHECK_THAT(told.err, Catch::Contains("Cannot write the picture '/proc/run.png'"));
@@ -134,11 +134,11 @@ TEST_CASE("A command line that does not fit is told in sentences") {
   CHECK(refused("run a.xml b.xml") == "elsie: what is 'b.xml' for? Nothing was expected there");
   CHECK(refused("run worlds/maze.xml --seed") ==
         "elsie: --seed takes a value, and there is none after it");
-  CHECK(refused("run worlds/maze.xml --record a.csv --record b.csv") ==
-        "elsie: --record is given 2 times; it may be given once");
+  CHECK(refused("run worlds/maze.xml --picture a.png --picture b.png") ==
+        "elsie: --picture is given 2 times; it may be given once");
   CHECK(refused("picture worlds/maze.xml --width 1e3") ==
         "elsie: --width: '1e3' is not a whole number from 200 to 8000");
-  CHECK(refused("explain a.trace --from -1") ==
+  CHECK(refused("explain a.mcap --from -1") ==
         "elsie: --from: '-1' is not a number of zero or above");
   CHECK(refused("describe vision --kind camera") ==
         "elsie: --kind: 'camera' is no kind of plugin; there are sensor, behavior, coordinator and "

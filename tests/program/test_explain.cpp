@@ -4,9 +4,12 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "elsie/mcap/writer.h"
+
 #include "places.h"
 #include "program.h"
 
+namespace mcap = elsie::mcap;
 using elsie::test::Workplace;
 using nlohmann::json;
 
@@ -18,13 +21,12 @@ std::size_t lines(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("run --explain writes a trace that explain tells of, in words and in a picture") {
+TEST_CASE("explain shows who decided in a recording, in words and in a picture") {
   Workplace here;
-  const auto run = here.elsie("run worlds/clutter.xml --duration 30 --explain run.trace --quiet");
+  const auto run = here.elsie("run worlds/clutter.xml --duration 30 --record run.mcap --quiet");
   CHECK(run.exit_code == 1);  // thirty seconds are not enough for its goals
   CHECK(run.err.empty());
-  CHECK_THAT(here.read("run.trace"), Catch::StartsWith("# elsie trace 1\n# run world=\"clutter\""));
-  const auto told = here.elsie("explain run.trace --picture run.png");
+  const auto told = here.elsie("explain run.mcap --picture run.png");
   CHECK(told.exit_code == 0);
   CHECK(told.err.empty());
   CHECK_THAT(told.out, Catch::StartsWith("clutter, seed 1: time_limit after 30.0 s: "));
@@ -37,9 +39,9 @@ TEST_CASE("run --explain writes a trace that explain tells of, in words and in a
 TEST_CASE("explain tells who silenced whom") {
   Workplace here;
   here.elsie(
-      "run worlds/clutter.xml --duration 5 --explain run.trace --quiet "
+      "run worlds/clutter.xml --duration 5 --record run.mcap --quiet "
       "--set 'robot[r1]/coordinator=<arbiter_suppression/>'");
-  const auto told = here.elsie("explain run.trace");
+  const auto told = here.elsie("explain run.mcap");
   CHECK_THAT(told.out, Catch::Contains("arbiter_suppression"));
   CHECK_THAT(told.out, Catch::Contains("wander  by avoid_obstacle  1 time  5.00 s  100.0 %"));
   CHECK_THAT(told.out, Catch::Contains("avoid_obstacle  share 1, weight 1: highest priority"));
@@ -52,16 +54,15 @@ TEST_CASE("A run is the same whether it is explained or not") {
     return json::parse(run.out).at("state_hash").get<std::string>();
   };
   const std::string plain = hash("");
-  CHECK(hash("--explain run.trace") == plain);
-  CHECK(hash("--explain run.trace --explain-times --record run.csv") == plain);
+  CHECK(hash("--record run.mcap") == plain);
+  CHECK(hash("--record run.mcap --record-times --record run.csv") == plain);
 }
 
 TEST_CASE("explain --json tells everything, episodes unabridged") {
   Workplace here;
   here.elsie(
-      "run worlds/ten_robots.xml --duration 30 --seed 4 --explain run.trace --explain-times "
-      "--quiet");
-  const auto run = here.elsie("explain run.trace --robot r5 --robot r2 --from 5 --to 25 --json");
+      "run worlds/ten_robots.xml --duration 30 --seed 4 --record run.mcap --record-times --quiet");
+  const auto run = here.elsie("explain run.mcap --robot r5 --robot r2 --from 5 --to 25 --json");
   CHECK(run.err.empty());
   CHECK(lines(run.out) == 1);
   const json told = json::parse(run.out);
@@ -92,61 +93,87 @@ TEST_CASE("explain --json tells everything, episodes unabridged") {
   CHECK(coordinator.at("changes") == episodes.size() - 1);
 }
 
-TEST_CASE("A long list of episodes is told in as many lines as wanted, or in full") {
+TEST_CASE("A long list of episodes is condensed to as many lines as wanted, or shown in full") {
   Workplace here;
   // Two behaviours in turns of a tenth of a second, for a minute.
-  std::string trace =
-      "# elsie trace 1\n"
-      "# run world=\"turns\" file=\"\" seed=\"1\" step_s=\"0.01\" period_s=\"0.01\"\n"
-      "# robot id=\"r1\" team=\"red\" coordinator=\"arbiter\"\n"
-      "# behavior robot=\"r1\" path=\"a\" plugin=\"a\" coordinator=\"arbiter\" priority=\"1\"\n"
-      "# behavior robot=\"r1\" path=\"b\" plugin=\"b\" coordinator=\"arbiter\" priority=\"1\"\n"
-      "time_s,robot,behavior,asked,left,right,activation,strength,weight,share,reason,"
-      "inhibited_by,event,detail\n";
-  for (int i = 0; i < 600; ++i) {
-    const std::string time = std::to_string(i / 10) + "." + std::to_string(i % 10);
-    trace += time + ",r1,a,1,1,1,1,1,1," + (i % 2 ? "0" : "1") + "\n" + time +
-             ",r1,b,1,1,1,1,1,1," + (i % 2 ? "1" : "0") + "\n";
+  {
+    mcap::Writer writer(here.file("turns.mcap"));
+    writer.write(mcap::Metadata{
+        "elsie.run",
+        {{"world", "turns"}, {"seed", "1"}, {"step_s", "0.01"}, {"control_steps", "1"}}});
+    const auto channel = writer.add_channel(
+        "/robots/r1/trace", 0, "json",
+        {{"robot", "r1"},
+         {"team", "red"},
+         {"coordinator", "arbiter"},
+         {"behaviors",
+          R"([{"path": "a", "plugin": "a", "coordinator": "arbiter", "priority": 1},
+              {"path": "b", "plugin": "b", "coordinator": "arbiter", "priority": 1}])"}});
+    for (std::uint64_t i = 0; i < 600; ++i) {
+      json rows = json::array();
+      for (const std::string path : {"a", "b"}) {
+        rows.push_back({{"path", path},
+                        {"asked", true},
+                        {"left_rad_s", 1},
+                        {"right_rad_s", 1},
+                        {"activation", 1},
+                        {"strength", 1},
+                        {"weight", 1},
+                        {"share", (path == "a") == (i % 2 == 0) ? 1 : 0},
+                        {"inhibited_by", ""},
+                        {"reason", ""}});
+      }
+      writer.write(channel, i * 100'000'000, json{{"behaviors", rows}}.dump());
+    }
+    writer.write(
+        mcap::Metadata{"elsie.result", {{"outcome", "time_limit"}, {"simulated_s", "60"}}});
+    writer.close();
   }
-  here.write("turns.trace", trace + "# end time_s=\"60\" outcome=\"time_limit\" reason=\"\"\n");
-  const auto few = here.elsie("explain turns.trace --episodes 5");
+  const auto few = here.elsie("explain turns.mcap --episodes 5");
   CHECK(few.exit_code == 0);
   CHECK(lines(few.out) < 15);
   CHECK_THAT(few.out, Catch::Contains("who decided: 599 changes, 600 episodes told in 1 "));
   CHECK_THAT(few.out, Catch::Contains("a 50.0 %, b 50.0 %, 599 changes"));
-  const auto all = here.elsie("explain turns.trace --all");
+  const auto all = here.elsie("explain turns.mcap --all");
   CHECK(lines(all.out) > 600);
 }
 
-TEST_CASE("A trace that a kill cut short is told as far as it goes") {
+TEST_CASE("A recording that a kill cut short is explained as far as it goes") {
   Workplace here;
-  here.elsie("run worlds/clutter.xml --duration 10 --explain run.trace --quiet");
-  std::string text = here.read("run.trace");
-  text.resize(text.size() / 2);
-  text.resize(text.rfind(',') + 1);
-  here.write("cut.trace", text);
-  const auto told = here.elsie("explain cut.trace --picture cut.svg");
+  here.elsie("run worlds/clutter.xml --duration 10 --record run.mcap --quiet");
+  std::string bytes = here.read("run.mcap");
+  bytes.resize(bytes.size() / 2);
+  here.write("cut.mcap", bytes);
+  const auto told = here.elsie("explain cut.mcap --picture cut.svg");
   CHECK(told.exit_code == 0);
-  CHECK_THAT(told.out, Catch::Contains("The trace has no end: the run was killed, or is still"));
-  CHECK_THAT(told.out, Catch::Contains(" is cut off and was left out; everything before it"));
+  CHECK_THAT(told.out,
+             Catch::Contains("The recording has no end: the run was killed, or is still"));
+  CHECK_THAT(told.out, Catch::Contains("the end is missing: the file breaks off at byte "));
   CHECK_FALSE(here.read("cut.svg").empty());
+  here.write("begun.mcap", bytes.substr(0, 400));
+  const auto begun = here.elsie("explain begun.mcap");
+  CHECK(begun.exit_code == 2);
+  CHECK(begun.err ==
+        "elsie: recording 'begun.mcap' breaks off before its first second was written\n");
 }
 
-TEST_CASE("A killed run leaves a trace behind") {
+TEST_CASE("A killed run leaves decisions behind") {
   Workplace here;
   const auto run = here.sh(
-      "elsie --one-process run worlds/clutter.xml --duration 100000 --explain run.trace --quiet & "
-      "while ! [ -s run.trace ] || [ \"$(wc -l < run.trace)\" -lt 500 ]; do sleep 0.05; done; "
-      "kill -KILL $!; wait $! || true; elsie explain run.trace");
+      "elsie --one-process run worlds/clutter.xml --duration 100000 --record run.mcap --quiet & "
+      "while ! [ -s run.mcap ] || [ \"$(wc -c < run.mcap)\" -lt 40000 ]; do sleep 0.05; done; "
+      "kill -KILL $!; wait $! || true; elsie explain run.mcap");
   CHECK(run.exit_code == 0);
-  CHECK_THAT(run.out, Catch::Contains("The trace has no end"));
+  CHECK_THAT(run.out, Catch::Contains("The recording has no end"));
 }
 
-TEST_CASE("explain and --explain refuse what they cannot work with in a sentence") {
+TEST_CASE("explain refuses what it cannot work with in a sentence") {
   Workplace here;
-  here.elsie("run worlds/clutter.xml --duration 2 --explain run.trace --quiet");
-  here.write("mine.trace", "my own notes\n");
-  here.write("broken.trace", here.read("run.trace") + "0,r1\n");
+  here.elsie("run worlds/clutter.xml --duration 2 --record run.mcap --record run.csv --quiet");
+  here.write("mine.mcap", "my own notes\n");
+  std::string bytes = here.read("run.mcap");
+  bytes[bytes.find("zstd") + 60] ^= 1;
+  here.write("broken.mcap", bytes);
   const auto expect = [&](const std::string& arguments, const std::string& sentence) {
     CAPTURE(arguments);
     const auto run = here.elsie(arguments);
@@ -154,39 +181,39 @@ TEST_CASE("explain and --explain refuse what they cannot work with in a sentence
     CHECK(run.out.empty());
     CHECK_THAT(run.err, Catch::Contains(sentence));
   };
-  expect("run worlds/clutter.xml --explain run.csv", "a trace's name must end in .trace");
-  expect("run worlds/clutter.xml --explain worlds/clutter.xml", "must end in .trace");
-  expect("run worlds/clutter.xml --explain mine.trace", "is there already and is no trace");
-  expect("run worlds/clutter.xml --explain nowhere/run.trace", "there is no folder 'nowhere'");
-  expect("run worlds/clutter.xml --explain-times", "--explain");
-  CHECK(here.read("mine.trace") == "my own notes\n");
-  expect("explain", "TRACE");
-  expect("explain nowhere.trace", "'nowhere.trace' cannot be read: No such file");
-  expect("explain mine.trace", "'mine.trace' is no trace");
-  expect("explain worlds/clutter.xml", "is no trace");
-  expect("explain broken.trace", "something follows after the end of the trace");
-  expect("explain run.trace --robot r2", "the trace has no robot 'r2'; did you mean 'r1'?");
-  expect("explain run.trace --from 3", "--from: the trace ends at 2 s");
-  expect("explain run.trace --from 2 --to 1", "--from must be less than --to");
-  expect("explain run.trace --from nan", "--from");
-  expect("explain run.trace --to 1,5", "--to");
-  expect("explain run.trace --episodes 0", "--episodes");
-  expect("explain run.trace --picture run.gif", "must end in .png or .svg");
-  expect("explain run.trace --picture run.trace", "must end in .png or .svg");
+  expect("run worlds/clutter.xml --record mine.mcap", "is there already and is no recording");
+  expect("run worlds/clutter.xml --record nowhere/run.mcap", "there is no folder 'nowhere'");
+  CHECK(here.read("mine.mcap") == "my own notes\n");
+  expect("explain", "RECORDING");
+  expect("explain nowhere.mcap", "'nowhere.mcap' cannot be read: No such file");
+  for (const std::string other : {"mine.mcap", "run.csv", "worlds/clutter.xml"}) {
+    expect("explain " + other, "'" + other +
+                                   "' is no recording with decisions; expected a file "
+                                   "that `elsie run WORLD --record FILE.mcap` has written");
+  }
+  expect("explain broken.mcap", "'broken.mcap' is damaged: the chunk at byte ");
+  expect("explain run.mcap --robot r2", "the recording has no robot 'r2'; did you mean 'r1'?");
+  expect("explain run.mcap --from 3", "--from: the recording ends at 2 s");
+  expect("explain run.mcap --from 2 --to 1", "--from must be less than --to");
+  expect("explain run.mcap --from nan", "--from");
+  expect("explain run.mcap --to 1,5", "--to");
+  expect("explain run.mcap --episodes 0", "--episodes");
+  expect("explain run.mcap --picture run.gif", "must end in .png or .svg");
+  expect("explain run.mcap --picture run.mcap", "must end in .png or .svg");
 }
 
-TEST_CASE("explain tells what the user made of a priority in the run") {
+TEST_CASE("explain shows the priorities that the user set in the run") {
   const Workplace here;
   here.write("blend.xml", R"(<world format="1"><robots><robot id="r1"><behaviors>
     <blend id="drive"><behaviors><wander priority="2"/></behaviors><coordinator><fusion_vector_summation/></coordinator></blend>
     <wander id="roam"/></behaviors><coordinator><fusion_vector_summation/></coordinator></robot></robots>
     <limits time="4"/></world>)");
-  REQUIRE(here.elsie("run blend.xml --quiet --explain t.trace --at "
+  REQUIRE(here.elsie("run blend.xml --quiet --record t.mcap --at "
                      "'1:robot[r1]/behavior[roam]/@priority=0.25'"
                      " --at '2:robot[1]/behavior[drive]/behavior[1]/@priority=3'"
                      " --at '3:robot[*]/behavior[roam]/@priority=5'")
               .exit_code < 2);
-  const std::string told = here.elsie("explain t.trace").out;
+  const std::string told = here.elsie("explain t.mcap").out;
   CHECK_THAT(told, Catch::Matches("[\\s\\S]*\\n *roam +1, 0.25, 5 [\\s\\S]*"));
   CHECK_THAT(told, Catch::Matches("[\\s\\S]*\\n *wander +2, 3 [\\s\\S]*"));
 }
@@ -196,12 +223,13 @@ TEST_CASE("A full disk ends the run with a sentence") {
     return;
   }
   Workplace here;
-  const auto run = here.elsie("run worlds/clutter.xml --duration 5 --explain /dev/full");
+  std::filesystem::create_symlink("/dev/full", here.file("full.mcap"));
+  const auto run = here.elsie("run worlds/clutter.xml --duration 5 --record full.mcap");
   CHECK(run.exit_code == 4);
-  CHECK_THAT(run.err, Catch::Contains("'/dev/full' could not be written: No space left"));
+  CHECK_THAT(run.err, Catch::Contains("'full.mcap' could not be written: No space left"));
 }
 
-TEST_CASE("A crash ends the trace at the last step that was whole") {
+TEST_CASE("A crash ends the decisions at the last step that was whole") {
   Workplace here;
   here.write("world.xml",
              "<world format=\"1\"><robots><robot id=\"r1\" team=\"red\">\n"
@@ -210,9 +238,9 @@ TEST_CASE("A crash ends the trace at the last step that was whole") {
              "</robot></robots></world>\n");
   const auto run =
       here.elsie("run world.xml --plugin-path " + elsie::test::build_path("tests/program/plugins") +
-                 " --explain crash.trace --record crash.csv");
+                 " --record crash.mcap --record crash.csv");
   CHECK(run.exit_code == 3);
-  const auto told = here.elsie("explain crash.trace");
+  const auto told = here.elsie("explain crash.mcap");
   CAPTURE(told.out, told.err);
   CHECK(told.exit_code == 0);
   CHECK_THAT(told.out, Catch::Contains("stopped after 0.5 s: the program was brought down in the "

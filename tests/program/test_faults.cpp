@@ -24,7 +24,7 @@ class FaultyWorld {
     write(behavior, coordinator, sensor);
     return here.elsie("run world.xml --duration " + duration + " --plugin-path " +
                       elsie::test::build_path("tests/program/plugins") +
-                      " --record run.csv --record-rate 100 --explain run.trace --json " + options);
+                      " --record run.csv --record run.mcap --record-rate 100 --json " + options);
   }
   /// Asks a run to terminate once the plugin loops, again and again until it does. Libraries are
   /// copied to the folder copies.
@@ -104,9 +104,11 @@ TEST_CASE("A plugin that crashes is named with robot, step and stack, and the re
     CHECK_THAT(run.err, !Contains("libelsie.so") && !Contains("elsie-program+0x"));
     CHECK_THAT(run.err, Contains("what was recorded until then is kept\nthe stack"));
     CHECK(world.rows() == 51);
-    CHECK_THAT(world.here.read("run.trace"), Contains("\n0,r1,,,10,10\n"));
-    const auto told = world.here.elsie("explain run.trace");
+    CHECK_THAT(world.here.read("run.mcap"), Contains(R"("left_rad_s":10.0,"right_rad_s":10.0)"));
+    const auto told = world.here.elsie("explain run.mcap");
     CHECK(told.exit_code == 0);
+    CHECK_THAT(told.out, Contains("stopped after 0.5 s: the program was brought down in the step "
+                                  "after it\n"));
   }
 }
 

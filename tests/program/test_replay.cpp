@@ -18,14 +18,14 @@ TEST_CASE("A run that is replayed comes to the same, and can be looked at") {
   REQUIRE(here.batch("small_experiment.xml --quiet").exit_code == 0);
   const auto run = here.elsie(
       "replay small_experiment.sqlite 17 --picture run.png --record run.csv "
-      "--explain run.trace");
+      "--record run.mcap");
   CAPTURE(run.err);
   CHECK(run.exit_code == 0);
   CHECK(run.err.empty());
   CHECK_THAT(run.out, Contains("the same: state hash ") && Contains("0.4, seed 1"));
   CHECK(here.read("run.png").starts_with("\x89PNG"));
   CHECK(here.read("run.csv").starts_with("time_s,"));
-  CHECK(here.elsie("explain run.trace").exit_code == 0);
+  CHECK(here.elsie("explain run.mcap").exit_code == 0);
 
   // Recorded for viewers, it is the same run.
   const auto recorded = here.elsie("replay small_experiment.sqlite 17 --quiet --record run.mcap");

@@ -42,7 +42,7 @@ TEST_CASE("A run that hangs is ended at the batch's wall limit, and compared") {
   const std::string place = "plugin 'looping' of robot 'r1' in step ";
 
   const auto run =
-      here.elsie("replay faulty.sqlite 1 --record run.csv --explain run.trace --record-rate 100");
+      here.elsie("replay faulty.sqlite 1 --record run.csv --record run.mcap --record-rate 100");
   CAPTURE(run.out, run.err);
   CHECK(run.exit_code == 0);
   CHECK_THAT(run.out, Contains("before: hang, the run did not end within 2 s") &&
@@ -52,7 +52,7 @@ TEST_CASE("A run that hangs is ended at the batch's wall limit, and compared") {
                       "of the run in step 50\n") &&
                  Contains("what was recorded until then is kept\n") && Contains("the stack"));
   CHECK_THAT(here.read("run.csv"), Contains("\n0.5,") && Catch::EndsWith("\n"));
-  const auto explained = here.elsie("explain run.trace");
+  const auto explained = here.elsie("explain run.mcap");
   CHECK(explained.exit_code == 0);
   CHECK_THAT(explained.out, Contains("0.5 s"));
 

@@ -110,15 +110,13 @@ TEST_CASE("An interrupted run ends in order and keeps what was recorded") {
 
 TEST_CASE("What is asked for under the name of a link is written to what that points to") {
   Workplace here;
-  REQUIRE(here.sh("mkdir far && for name in run.png run.mcap run.csv run.trace; do "
+  REQUIRE(here.sh("mkdir far && for name in run.png run.mcap run.csv; do "
                   "ln -s far/$name $name; done")
               .exit_code == 0);
   for (const std::string duration : {"1", "2"}) {  // into nothing, and over what is there
     const std::string world = "run worlds/open_arena.xml --quiet --duration " + duration;
-    CHECK(
-        here.elsie(world + " --picture run.png --record run.mcap --explain run.trace").err.empty());
-    CHECK(here.elsie(world + " --record run.csv").err.empty());
-    for (const std::string name : {"run.png", "run.mcap", "run.csv", "run.trace"}) {
+    CHECK(here.elsie(world + " --picture run.png --record run.mcap --record run.csv").err.empty());
+    for (const std::string name : {"run.png", "run.mcap", "run.csv"}) {
       CAPTURE(name);
       CHECK(std::filesystem::is_symlink(here.file(name)));
       REQUIRE(std::filesystem::is_regular_file(here.file("far/" + name)));

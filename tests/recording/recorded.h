@@ -47,7 +47,7 @@ inline std::map<std::string, std::vector<Recorded>> recorded(const std::filesyst
 /// Runs a simulation with a recorder.
 inline simulation::RunResult record(simulation::Simulation& simulation,
                                     const std::filesystem::path& file,
-                                    recording::McapOptions options = {}) {
+                                    recording::RecorderOptions options = {}) {
   recording::McapRecorder recorder(file, std::move(options));
   simulation::Observer* const observers[] = {&recorder};
   return simulation.run(observers);

@@ -21,7 +21,8 @@ TEST_CASE("replay tells what is in a recording") {
           Catch::Contains("state hash " + hash + " after 500 steps\n") &&
           Catch::Contains("a sample every 0.1 s\n") && Catch::Contains("\ncomplete\n"));
   CHECK_THAT(replay.out, Catch::Matches("[^]*/robots/r1/state +elsie.State +51\n[^]*") &&
-                             Catch::Matches("[^]*/robots/r1/trace +elsie.Trace +50\n[^]*"));
+                             Catch::Matches("[^]*/robots/r1/command +elsie.Command +50\n[^]*") &&
+                             Catch::Matches("[^]*/robots/r1/trace +elsie.Trace +[0-9]+\n[^]*"));
 }
 
 TEST_CASE(
@@ -84,7 +85,7 @@ TEST_CASE("Files that cannot be replayed are refused in a sentence") {
   CHECK_THAT(refusal("replay run.mcap 1"),
              Catch::Contains("RUN: 'run.mcap' is a recording of one run, in which nothing is run "
                              "again"));
-  CHECK_THAT(refusal("replay run.mcap --explain run.trace"), Catch::Contains("--explain: "));
+  CHECK_THAT(refusal("replay run.mcap --record again.mcap"), Catch::Contains("--record: "));
   CHECK_THAT(refusal("replay run.mcap --picture run.gif"),
              Catch::Contains("must end in .png or .svg"));
   here.write("empty.mcap", "");
@@ -120,6 +121,8 @@ TEST_CASE("Options of recordings that do not fit are refused before the run") {
              Catch::Contains("--record-images: a table has no place for pictures"));
   CHECK_THAT(refusal("--record run.mcap --record-images"),
              Catch::Contains("--record-images: no robot of this world has a sensor with a camera"));
+  CHECK_THAT(refusal("--record run.mcap --record run.mcap"),
+             Catch::Contains("--record: 'run.mcap' is given twice"));
   CHECK(!std::filesystem::exists(here.file("run.mcap")));
   CHECK_THAT(refusal("--record-images"), Catch::Contains("--record-images requires --record"));
   CHECK(here.elsie("run worlds/open_arena.xml --record /nowhere/run.mcap").exit_code == 2);

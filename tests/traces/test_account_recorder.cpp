@@ -1,13 +1,13 @@
 #include <catch2/catch.hpp>
 
+#include "elsie/recording/mcap_recorder.h"
+#include "elsie/recording/recorded_run.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/account_recorder.h"
-#include "elsie/traces/trace.h"
-#include "elsie/traces/trace_recorder.h"
 #include "elsie/world/reader.h"
 
+#include "folder.h"
 #include "shipped.h"
-#include "trace_support.h"
 
 using namespace elsie;
 using namespace elsie::test;
@@ -57,17 +57,17 @@ void require_equal(const traces::Episode& a, const traces::Episode& b,
 /// Runs a shipped world for some seconds with both recorders.
 std::size_t compare(const std::string& name, double seconds) {
   CAPTURE(name);
-  const TraceFolder folder;
+  const Folder folder;
   world::ReadOptions options;
   options.data_directories = {source_path("")};
   world::World world = world::read_world(source_path("worlds/" + name), shipped(), options);
   world.limits.time = seconds;
   Simulation run(std::move(world), shipped(), {.seed = 3});
-  traces::TraceRecorder file(folder / "run.trace");
+  recording::McapRecorder file(folder / "run.mcap");
   AccountRecorder recorder;
   simulation::Observer* const observers[] = {&file, &recorder};
   run.run(observers);
-  const traces::Trace trace = traces::read_trace(folder / "run.trace");
+  const traces::Trace trace = recording::read_trace(folder / "run.mcap");
   const traces::TimeSpan all = within({}, trace);
   REQUIRE(recorder.accounts().size() == trace.robots.size());
   std::size_t episodes = 0;

@@ -1,55 +1,12 @@
-// Traces made by hand, and files of them.
+// Traces made by hand.
 #pragma once
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "elsie/traces/trace.h"
 
 namespace elsie::test {
-
-/// A folder of its own for each test, gone at the end.
-class TraceFolder {
- public:
-  TraceFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "elsie-trace-XXXXXX").string();
-    if (!mkdtemp(name.data())) {
-      throw std::runtime_error("cannot make a folder for the test");
-    }
-    path_ = name;
-  }
-  ~TraceFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TraceFolder(const TraceFolder&) = delete;
-  TraceFolder& operator=(const TraceFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  std::filesystem::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return path_ / name;
-  }
-  std::string read(const std::string& name) const {
-    std::ifstream in(path_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-
- private:
-  std::filesystem::path path_;
-};
-
-inline std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) {
-    lines.push_back(line);
-  }
-  return lines;
-}
 
 /// A robot with the members "a", "b", ... or of the given paths, without notes.
 inline traces::TraceRobot traced_robot(const std::vector<std::string>& paths) {

@@ -18,6 +18,7 @@
 #include "batch_options.h"
 #include "batch_report.h"
 #include "command.h"
+#include "output_files.h"
 #include "stop_signals.h"
 #include "supervised.h"
 

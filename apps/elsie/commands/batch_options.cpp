@@ -5,6 +5,7 @@
 #include "elsie/results/hash.h"
 
 #include "command.h"
+#include "output_files.h"
 #include "progress.h"
 
 namespace elsie::program {

@@ -14,6 +14,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "output_files.h"
 #include "supervised.h"
 
 namespace elsie::program {

@@ -1,4 +1,4 @@
-// elsie explain: a coordination trace in words, numbers and a picture.
+// elsie explain: who decided when in a recorded run, in words, numbers and a picture.
 #include <algorithm>
 #include <exception>
 #include <iostream>
@@ -10,13 +10,17 @@
 
 #include "elsie/base/near_name.h"
 #include "elsie/base/number_text.h"
+#include "elsie/base/read_whole.h"
+#include "elsie/mcap/reader.h"
 #include "elsie/picture/timeline.h"
+#include "elsie/recording/recorded_run.h"
 #include "elsie/traces/trace_account.h"
 
 #include "arguments.h"
 #include "command.h"
 #include "environment.h"
 #include "explain_report.h"
+#include "output_files.h"
 #include "supervised.h"
 
 namespace elsie::program {
@@ -27,7 +31,7 @@ using traces::TimeSpan;
 using traces::Trace;
 
 struct ExplainOptions {
-  std::string trace;
+  std::string recording;
   std::vector<std::string> robots;
   std::optional<double> from;
   std::optional<double> to;
@@ -40,16 +44,21 @@ struct ExplainOptions {
 
 constexpr const char* kExamples = R"(
 Examples:
-  elsie run worlds/clutter.xml --explain clutter.trace
-  elsie explain clutter.trace
-  elsie explain clutter.trace --picture timeline.png
-  elsie explain clutter.trace --robot r1 --from 30 --to 45 --all
+  elsie run worlds/clutter.xml --record clutter.mcap
+  elsie explain clutter.mcap
+  elsie explain clutter.mcap --picture timeline.png
+  elsie explain clutter.mcap --robot r1 --from 30 --to 45 --all
 )";
 
 Trace read(const std::string& file) {
+  if (base::why_unreadable(file).empty() && !mcap::may_be_mcap(file)) {
+    throw BadInput("'" + file +
+                   "' is no recording with decisions; expected a file that `elsie run WORLD "
+                   "--record FILE.mcap` has written");
+  }
   try {
-    return traces::read_trace(file);
-  } catch (const traces::TraceError& error) {
+    return recording::read_trace(file);
+  } catch (const mcap::McapError& error) {
     throw BadInput(error.what());
   }
 }
@@ -64,7 +73,7 @@ std::vector<std::size_t> chosen(const Trace& trace, const std::vector<std::strin
   for (const std::string& id : ids) {
     const auto at = std::find(known.begin(), known.end(), id);
     if (at == known.end()) {
-      throw BadInput("--robot: the trace has no robot '" + id + "'" +
+      throw BadInput("--robot: the recording has no robot '" + id + "'" +
                      base::did_you_mean(id, known));
     }
     places.push_back(static_cast<std::size_t>(at - known.begin()));
@@ -82,7 +91,7 @@ TimeSpan span_of(const Trace& trace, const ExplainOptions& options) {
     throw BadInput("--from must be less than --to");
   }
   if (options.from && asked.from_s >= trace.end_s) {
-    throw BadInput("--from: the trace ends at " + base::number_text(trace.end_s, 6) + " s");
+    throw BadInput("--from: the recording ends at " + base::number_text(trace.end_s, 6) + " s");
   }
   return traces::within(asked, trace);
 }
@@ -91,14 +100,14 @@ int explain(const ExplainOptions& options) {
   if (options.picture) {
     require_picture(*options.picture, "--picture");
   }
-  const Trace trace = read(options.trace);
+  const Trace trace = read(options.recording);
   const std::vector<std::size_t> places = chosen(trace, options.robots);
   const TimeSpan span = span_of(trace, options);
   std::vector<ExplainedRobot> robots;
   for (const std::size_t place : places) {
     robots.push_back({&trace.robots[place], traces::account(trace.robots[place], span)});
   }
-  std::exception_ptr failure;  // told after what there is to tell
+  std::exception_ptr failure;  // of the picture; reported after the text
   if (options.picture) {
     const picture::Timeline timeline{
         trace, places, span, "", {"seed " + std::to_string(trace.seed) + ", " + ending(trace)}};
@@ -131,12 +140,14 @@ int explain(const ExplainOptions& options) {
 
 void add_explain_command(CLI::App& program, Job& job) {
   CLI::App* command =
-      program.add_subcommand("explain", "Tell who decided when in a run, from its trace");
+      program.add_subcommand("explain", "Show who decided when in a run, from its recording");
   command->footer(kExamples);
   auto options = std::make_shared<ExplainOptions>();
-  command->add_option("TRACE", options->trace, "Trace, written by `elsie run --explain`")
+  command
+      ->add_option("RECORDING", options->recording,
+                   "Recording, written by `elsie run --record FILE.mcap`")
       ->required();
-  command->add_option("--robot", options->robots, "Tell of this robot only; may be repeated")
+  command->add_option("--robot", options->robots, "Show this robot only; may be repeated")
       ->type_name("ID")
       ->allow_extra_args(false);
   command->add_option("--from", options->from, "Begin at this simulated time, s")

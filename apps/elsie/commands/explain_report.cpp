@@ -272,10 +272,10 @@ std::string headlines(const Trace& trace) {
   std::string lines = (trace.world.empty() ? "a world" : trace.world) + ", seed " +
                       std::to_string(trace.seed) + ": " + ending(trace) + '\n';
   if (trace.outcome.empty()) {
-    lines += "The trace has no end: the run was killed, or is still going on.\n";
+    lines += "The recording has no end: the run was killed, or is still going on.\n";
   }
   if (!trace.cut_off.empty()) {
-    lines += "Its " + trace.cut_off + ".\n";
+    lines += trace.cut_off + '\n';
   }
   return lines;
 }

@@ -9,20 +9,19 @@
 
 namespace elsie::program {
 
-/// A robot of the trace, and what came of it.
+/// A robot of the trace, and its sums.
 struct ExplainedRobot {
   const traces::TraceRobot* robot;
   traces::RobotAccount account;
 };
 
-/// What a trace is of and how far it goes: one line, and another one when it has no end or its last
-/// line is cut off.
+/// The run and how far the trace goes: one line, and more when the end is missing.
 std::string headlines(const traces::Trace& trace);
 
 /// "success after 12.3 s", or how far the trace goes.
 std::string ending(const traces::Trace& trace);
 
-/// One robot: a table of its behaviours, what silenced them, and who decided when, in at most
+/// One robot: a table of its behaviours, who silenced them, and who decided when, in at most
 /// `most_episodes` lines for each coordinator.
 std::string report(const traces::Trace& trace, const ExplainedRobot& explained,
                    std::size_t most_episodes);

@@ -16,6 +16,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "environment.h"
+#include "output_files.h"
 #include "supervised.h"
 
 namespace elsie::program {

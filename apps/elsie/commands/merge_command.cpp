@@ -13,6 +13,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "output_files.h"
 #include "supervised.h"
 
 namespace elsie::program {

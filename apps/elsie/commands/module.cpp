@@ -1,4 +1,6 @@
 // What lib/elsie/elsie-commands.so exports.
+#include <CLI/CLI.hpp>
+
 #include "elsie/batch/worker.h"
 #include "elsie/render/world_cameras.h"
 
@@ -10,6 +12,7 @@ namespace elsie::program {
 namespace {
 
 void add_commands(CLI::App& program, Job& job) {
+  describe_formats(*program.get_subcommand("run"));
   add_batch_command(program, job);
   add_replay_command(program, job);
   add_merge_command(program, job);

@@ -11,6 +11,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "output_files.h"
 #include "supervised.h"
 #include "top_view.h"
 

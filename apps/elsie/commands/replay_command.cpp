@@ -19,6 +19,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "make_views.h"
 #include "replay_recording.h"
 #include "replay_run.h"
 
@@ -34,7 +35,7 @@ Examples:
   elsie replay clutter.mcap --picture half-way.svg --at 30
   elsie batch experiments/top_speed.xml --database speed.sqlite
   elsie replay speed.sqlite 17
-  elsie replay speed.sqlite 17 --picture run.png --explain run.trace --record run.mcap
+  elsie replay speed.sqlite 17 --picture run.png --record run.mcap
   elsie replay speed.sqlite 18 --wall-limit 60
 
 Exit codes for a run of a database: 0 it came to the same, or hangs in the same plugin, robot and
@@ -167,10 +168,7 @@ void add_replay_command(CLI::App& program, Job& job) {
   RunAgainOptions& again = options->again;
   again.plugins.add_to(*command);
   again.views.record.add_to(*command);
-  command
-      ->add_option("--explain", again.views.explain,
-                   "Write every coordinator's decisions, for `elsie explain`")
-      ->type_name("FILE.trace");
+  describe_formats(*command);
   command
       ->add_option(
           "--wall-limit", again.wall_limit_s,

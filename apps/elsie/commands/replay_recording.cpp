@@ -11,6 +11,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "output_files.h"
 #include "run_report.h"
 #include "supervised.h"
 
@@ -47,7 +48,7 @@ std::string report(const RecordedRun& run) {
   if (run.of_elsie) {
     out += "world '" + run.world + "' (" + run.world_file + "), " + seed_of(run) +
            ", recorded by " + run.library + '\n' + ending(run) + '\n';
-    if (run.result) {
+    if (run.result && !run.result->state_hash.empty()) {
       out += "state hash " + run.result->state_hash + " after " +
              std::to_string(run.result->steps) + " steps\n";
     }

@@ -131,7 +131,7 @@ int replay_run(const RunAgainOptions& options) {
   tell_of(run, options);
   Simulation simulation(restored.world(), restored.host(),
                         {.seed = run.job.seed,
-                         .measure_time = options.views.needs_times(),
+                         .measure_time = options.views.record.times,
                          .cameras = render::world_cameras});
   views->open(simulation);
   Watchers watchers(options, *views, end ? &*end : nullptr);

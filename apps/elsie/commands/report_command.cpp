@@ -18,6 +18,7 @@
 
 #include "command.h"
 #include "environment.h"
+#include "output_files.h"
 #include "status_line.h"
 #include "supervised.h"
 

@@ -1,48 +1,51 @@
 #include "run_views.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "elsie/recording/csv_recorder.h"
-#include "elsie/recording/mcap_recorder.h"
-#include "elsie/traces/trace_recorder.h"
+#include <CLI/CLI.hpp>
+
+#include "elsie/recording/formats.h"
 #include "elsie/traces/tracks.h"
 
 #include "command.h"
-#include "environment.h"
 #include "image_saver.h"
 #include "make_views.h"
+#include "output_files.h"
 #include "top_view.h"
 
 namespace elsie::program {
 
 namespace {
 
-bool is_mcap(const std::filesystem::path& recording) { return recording.extension() == ".mcap"; }
+/// A device has no suffix; it gets the first format.
+const recording::Format& format_of(const std::string& file) {
+  const recording::Format* format = recording::format_of(file);
+  return format ? *format : recording::formats().front();
+}
 
-std::unique_ptr<simulation::Observer> recorder(const RecordOptions& options) {
-  if (is_mcap(*options.file)) {
-    return std::make_unique<recording::McapRecorder>(
-        *options.file, recording::McapOptions{options.rate_hz, options.images, options.times,
-                                              "elsie " ELSIE_VERSION});
+void check(const RecordOptions& record) {
+  for (auto file = record.files.begin(); file != record.files.end(); ++file) {
+    require_recording(*file, "--record");
+    if (std::find(record.files.begin(), file, *file) != file) {
+      throw BadInput("--record: '" + *file + "' is given twice");
+    }
   }
-  return std::make_unique<recording::CsvRecorder>(*options.file, options.rate_hz, options.times);
+  const auto takes_images = [](const std::string& file) { return format_of(file).images; };
+  if (record.images && std::none_of(record.files.begin(), record.files.end(), takes_images)) {
+    throw BadInput("--record-images: " + std::string(format_of(record.files.front()).description) +
+                   " has no place for pictures; expected --record FILE" +
+                   recording::suffixes(" or FILE", true));
+  }
 }
 
 class Views final : public RunViews {
  public:
   explicit Views(ViewOptions options) : options_(std::move(options)) {
-    const RecordOptions& record = options_.record;
-    if (record.file) {
-      require_recording(*record.file, "--record");
-    }
-    if (record.images && !is_mcap(*record.file)) {
-      throw BadInput(
-          "--record-images: a table has no place for pictures; expected --record FILE.mcap");
-    }
-    if (options_.explain) {
-      require_trace(*options_.explain, "--explain");
-    }
+    check(options_.record);
     if (options_.picture) {
       require_picture(*options_.picture, "--picture");
       // A plugin may change folders.
@@ -58,14 +61,13 @@ class Views final : public RunViews {
       require_cameras(simulation, "--record-images");
     }
     options_.paths.check(simulation.world());
-    if (options_.record.file) {
-      add(recorder(options_.record));
+    const RecordOptions& record = options_.record;
+    for (const std::string& file : record.files) {
+      add(format_of(file).recorder(
+          file, {record.rate_hz, record.images, record.times, "elsie " ELSIE_VERSION}));
     }
     if (options_.image_folder) {
       add(std::make_unique<ImageSaver>(*options_.image_folder, options_.image_period_s));
-    }
-    if (options_.explain) {
-      add(std::make_unique<traces::TraceRecorder>(*options_.explain, options_.explain_times));
     }
     if (options_.picture) {
       auto tracks = std::make_unique<traces::TrackRecorder>();
@@ -96,6 +98,16 @@ class Views final : public RunViews {
 };
 
 }  // namespace
+
+void describe_formats(CLI::App& command) {
+  std::string help = command.get_option("--record")->get_description();
+  for (const recording::Format& format : recording::formats()) {
+    help += "; " + std::string(format.suffix) + ": " + std::string(format.description);
+  }
+  command.get_option("--record")
+      ->description(help)
+      ->type_name("FILE" + recording::suffixes("|FILE"));
+}
 
 std::unique_ptr<RunViews> make_views(const ViewOptions& options) {
   return std::make_unique<Views>(options);

@@ -20,6 +20,7 @@
 #include "environment.h"
 #include "learner.h"
 #include "learning_curve.h"
+#include "output_files.h"
 #include "progress.h"
 #include "supervised.h"
 

@@ -1,6 +1,6 @@
 #include "elsie/base/record_file.h"
 
-#include "elsie/base/number_text.h"
+#include <utility>
 
 namespace elsie::base {
 
@@ -23,12 +23,7 @@ bool RecordFile::write_now() noexcept {
   if (!out_.is_open()) {
     return false;
   }
-  if (before_time_.empty()) {
-    out_.write_now({buffer_});
-    return true;
-  }
-  const NumberText time(time_s_);
-  out_.write_now({buffer_, before_time_, time.view(), after_time_});
+  out_.write_now({buffer_});
   return true;
 }
 

@@ -95,4 +95,18 @@ Colour resource_colour(const World& world, const Box& resource) {
   return resource.team.empty() ? kResourceOfNoTeam : team_colour(world, resource.team);
 }
 
+Colour box_colour(const World& world, const Box& box, const BoxColours& otherwise) {
+  switch (box.kind) {
+    case BoxKind::fixed:
+      return box.colour.value_or(otherwise.fixed);
+    case BoxKind::dynamic:
+      return box.colour.value_or(otherwise.dynamic);
+    case BoxKind::moving:
+      return box.colour.value_or(otherwise.moving);
+    case BoxKind::resource:
+      break;
+  }
+  return resource_colour(world, box);
+}
+
 }  // namespace elsie::world

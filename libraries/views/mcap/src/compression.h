@@ -23,8 +23,8 @@ class Compressor {
   std::unique_ptr<ZSTD_CCtx, Free> context_;
 };
 
-/// What was compressed to these bytes; empty text in `problem` when all is well. Takes no more
-/// memory than the result does, whatever the bytes are. `size`: what it must come to.
+/// The text that was compressed to these bytes; `problem` stays empty if they are sound. `size`:
+/// the length that the text must have. Takes no more memory than that, whatever the bytes are.
 std::string decompressed(std::string_view bytes, std::uint64_t size, std::string& problem);
 
 }  // namespace elsie::mcap

@@ -63,7 +63,7 @@ void append(std::string& out, const MetadataPlace& metadata);
 void append(std::string& out, const Statistics& statistics);
 void append(std::string& out, const Group& group);
 void append_data_end(std::string& out, std::uint32_t checksum);
-/// The head of a chunk's record, up to its records, which are as long as ChunkPlace says.
+/// The head of a chunk's record, up to the messages, whose length is in ChunkPlace.
 void append_chunk_head(std::string& out, const ChunkPlace& chunk, std::uint32_t checksum);
 /// `out` begins with the summary, and its first byte is at `summary_start` in the file (0: there is
 /// none).

@@ -20,6 +20,8 @@ namespace {
 constexpr std::size_t kChunkHead =
     kPrefix + 3 * sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t);
 
+constexpr std::size_t kTimeDigits = 20;  // of the time in the last words
+
 void check_count(std::size_t count, const char* what) {
   if (count >= std::numeric_limits<std::uint16_t>::max()) {
     throw std::length_error(std::string("MCAP: more than 65535 ") + what);
@@ -80,6 +82,7 @@ class Writer::Impl {
   }
 
   void pass(std::uint64_t now_ns) {
+    now_ns_ = std::max(now_ns_, now_ns);
     if (full(now_ns)) {
       flush();
     }
@@ -148,18 +151,35 @@ class Writer::Impl {
     out_.close();
   }
 
+  void set_last_words(Metadata metadata, const std::string& time) {
+    const std::string digits(kTimeDigits, '#');
+    metadata.values[time] = digits;
+    last_words_.clear();
+    append(last_words_, metadata);
+    time_at_ = last_words_.find(digits);
+  }
+
   bool write_in_emergency() noexcept {
     if (!out_.is_open()) {
       return false;
     }
+    if (!last_words_.empty()) {
+      // "0000000012.340000000"
+      std::uint64_t rest = now_ns_;
+      for (std::size_t i = kTimeDigits; i-- > 0;) {
+        const bool point = i == kTimeDigits - 10;
+        last_words_[time_at_ + i] = point ? '.' : static_cast<char>('0' + rest % 10);
+        rest = point ? rest : rest / 10;
+      }
+    }
+    emergency_head_.clear();
     if (!records_.empty()) {
       ChunkPlace chunk = begun();
       chunk.compressed_size = records_.size();
       chunk.length = kChunkHead + records_.size();
-      emergency_head_.clear();
       append_chunk_head(emergency_head_, chunk, crc(records_));
-      out_.write_now({emergency_head_, records_});
     }
+    out_.write_now({emergency_head_, records_, last_words_});
     return true;
   }
 
@@ -231,7 +251,9 @@ class Writer::Impl {
   std::uint64_t messages_ = 0;
   std::uint64_t first_ns_ = 0, last_ns_ = 0;
   std::vector<std::vector<MessagePlace>> places_;  // of each channel
-  std::string emergency_head_;
+  std::string emergency_head_, last_words_;
+  std::size_t time_at_ = 0;  // in the last words
+  std::uint64_t now_ns_ = 0;
   // For the summary.
   std::vector<ChunkPlace> chunks_;
   std::vector<MetadataPlace> metadata_;
@@ -267,6 +289,9 @@ void Writer::write(const Metadata& metadata) { impl_->write(metadata); }
 void Writer::pass(std::uint64_t now_ns) { impl_->pass(now_ns); }
 void Writer::flush() { impl_->flush(); }
 void Writer::close() { impl_->close(); }
+void Writer::set_last_words(Metadata metadata, const std::string& time) {
+  impl_->set_last_words(std::move(metadata), time);
+}
 bool Writer::write_in_emergency() noexcept { return impl_->write_in_emergency(); }
 
 }  // namespace elsie::mcap

@@ -1,4 +1,4 @@
-// The parts of which a page of plots is made; see plot.h for what they show.
+// The parts of a page of plots; plot.h says what they show.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ namespace elsie::picture {
 
 /// Throws std::invalid_argument for an axis or a field that cannot be drawn.
 void check_panel(const Panel& panel);
-/// Height as a part of the width that suits the panel without its head.
+/// The height that suits the panel without its head, as a part of the width.
 double natural_aspect(const Panel& panel);
-/// The height that title and names above the plot itself need in a panel of this width.
+/// The height of title and names above the plot in a panel of this width.
 double head_height(const Canvas& canvas, const LineChart& chart, double width);
 double head_height(const Canvas& canvas, const HeatMap& map, double width);
 double head_height(const Canvas& canvas, const Mesh& mesh, double width);
 
-/// `head` is at least what head_height() says: the largest in the row, so that plots line up.
+/// `head` is at least head_height(): the largest in the row, so that plots line up.
 void draw(Canvas& canvas, const LineChart& chart, const Rect& area, double head);
 void draw(Canvas& canvas, const HeatMap& map, const Rect& area, double head);
 void draw(Canvas& canvas, const Mesh& mesh, const Rect& area, double head);

@@ -12,7 +12,7 @@ struct Extent {
   double mean = 0.0;
   double low = 0.0;
   double high = 0.0;
-  double time_s = 0.0;  // over which it was there; 0: the others mean nothing
+  double time_s = 0.0;  // for how long there was one; 0: the others are unset
 
   void add(double value, double length_s);
 };
@@ -24,7 +24,7 @@ struct MemberColumn {
   Extent activation;  // while it was asked
 };
 
-/// How long somebody decided.
+/// How long one decider decided.
 struct DeciderTime {
   traces::Decider decider = traces::kNobody;
   double part = 0.0;  // of the column's time
@@ -33,15 +33,15 @@ struct DeciderTime {
 struct Column {
   std::vector<MemberColumn> members;  // in the order of the robot's members
   std::vector<DeciderTime> deciders;  // at the robot's own coordinator; none twice
-  double known = 0.0;                 // part of the column's time of which the trace tells
+  double known = 0.0;                 // part of the column's time that the trace covers
 };
 
 /// `count` columns of equal length over the span, which must not be empty.
 std::vector<Column> columns_of(const traces::TraceRobot& robot, const traces::TimeSpan& span,
                                std::size_t count);
 
-/// How much of a column's height each of its deciders has: as much as of its time, but for short
-/// ones at least `least` or, where several share a column, an equal part.
+/// The part of a column's height for each of its deciders: its part of the time, but at least
+/// `least` or, where several share a column, an equal part.
 std::vector<DeciderTime> heights_of(const Column& column, double least);
 
 }  // namespace elsie::picture

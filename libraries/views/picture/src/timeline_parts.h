@@ -1,4 +1,4 @@
-// The parts of which a timeline is made; see timeline.h for what they show.
+// The parts of a timeline; timeline.h says what they show.
 #pragma once
 
 #include <map>
@@ -26,7 +26,7 @@ class BehaviorInks {
   std::map<std::string, Ink> by_path_;
 };
 
-/// Symbols of events: of each name its own, while there are enough.
+/// Symbols of events, one for each name as long as there are enough.
 class EventSymbols {
  public:
   EventSymbols(const traces::Trace& trace, const std::vector<std::size_t>& robots,
@@ -51,18 +51,18 @@ struct EventKind {
 /// Of a robot, in the order in which each kind first happened.
 std::vector<EventKind> event_kinds(const traces::TraceRobot& robot, const traces::TimeSpan& span);
 
-/// Of more kinds than this a row for each would push the panels out of sight.
+/// With more kinds than this, a row for each would push the panels out of sight.
 inline constexpr std::size_t kMostEventRows = 8;
 
 /// Around the whole picture, units.
 inline constexpr double kTimelineMargin = 18.0;
 
-/// Names and numbers left of a plot: how far from it, and how they are set.
+/// Names and numbers left of a plot: their distance and style.
 inline constexpr double kBesidePlot = 10.0;
 inline const TextStyle kBeside{
     .size = kTick, .ink = kFaintText, .across = Across::right, .down = Down::middle};
 
-/// At least between the name of a behaviour and its priority, units.
+/// The least distance between the name of a behaviour and its priority, units.
 inline constexpr double kNameToPriority = 12.0;
 
 /// Lanes are paler than the other panels, so that lines over them are seen.
@@ -91,8 +91,8 @@ void draw_time_grid(Canvas& canvas, const TimelineBlock& block, const Rect& area
 void draw_time_axis(Canvas& canvas, const TimelineBlock& block, double y);
 
 /// The events around the line `y` and, when `in_rows`, a row `row` lower for each further kind,
-/// with its name and how often it happened. In one row, what is rare stands in front of what is
-/// not. Lines go down to `bottom`, those of the rarest kinds first, while there are not too many.
+/// with its name and how often it happened. In one row, rare events are in front. Lines go down to
+/// `bottom`, those of the rarest kinds first, up to a number.
 void draw_events(Canvas& canvas, const TimelineBlock& block, const std::vector<EventKind>& kinds,
                  const EventSymbols& symbols, bool in_rows, double y, double row, double bottom);
 void draw_deciders(Canvas& canvas, const TimelineBlock& block, const Rect& area);

@@ -200,6 +200,14 @@ class CsvRecorder::Impl {
   base::CsvLine line_;
 };
 
+Format CsvRecorder::format() {
+  return {".csv", "a table", "time_s,robot,", false,
+          [](const std::filesystem::path& file,
+             const RecorderOptions& options) -> std::unique_ptr<simulation::Observer> {
+            return std::make_unique<CsvRecorder>(file, options.rate_hz, options.with_times);
+          }};
+}
+
 CsvRecorder::CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times)
     : impl_(std::make_unique<Impl>(file, rate_hz, with_times)) {}
 CsvRecorder::~CsvRecorder() = default;

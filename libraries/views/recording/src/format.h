@@ -16,6 +16,7 @@ constexpr const char* kRunMetadata = "elsie.run";
 constexpr const char* kResultMetadata = "elsie.result";
 constexpr const char* kMeasuresMetadata = "elsie.measures";
 constexpr const char* kStopped = "stopped";  // an outcome: a plugin failed, or the user ended it
+constexpr const char* kEndTime = "simulated_s";
 
 constexpr const char* kWorldTopic = "/world";
 constexpr const char* kSceneTopic = "/scene";
@@ -26,6 +27,12 @@ constexpr const char* kEventsTopic = "/events";
 inline std::string robot_topic(std::string_view robot, std::string_view kind) {
   return "/robots/" + std::string(robot) + "/" + std::string(kind);
 }
+
+// Metadata of a robot's channel "trace": the outermost coordinator's plugin, and what does not
+// change about the behaviours, as JSON.
+constexpr const char* kTraceKind = "trace";
+constexpr const char* kCoordinator = "coordinator";
+constexpr const char* kBehaviors = "behaviors";
 
 // Frames: the world, robots and what they pull, boxes that may move.
 constexpr const char* kWorldFrame = "world";

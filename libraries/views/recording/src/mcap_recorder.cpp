@@ -13,6 +13,7 @@
 #include "elsie/mcap/writer.h"
 #include "elsie/simulation/sampling.h"
 #include "elsie/simulation/simulation.h"
+#include "elsie/traces/trace_rows.h"
 #include "elsie/world/writer.h"
 
 #include "format.h"
@@ -41,7 +42,7 @@ bool sees_ranges(const Simulation& simulation, std::size_t robot) {
 
 class McapRecorder::Impl final : private base::EmergencyWriter {
  public:
-  Impl(const std::filesystem::path& file, McapOptions options)
+  Impl(const std::filesystem::path& file, RecorderOptions options)
       : options_(checked(std::move(options))), out_(file, {.library = options_.program}) {}
 
   ~Impl() override { retire(); }
@@ -51,6 +52,10 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     every_ = simulation::steps_in(1.0 / options_.rate_hz, physics.step);
     control_steps_ = static_cast<std::uint64_t>(physics.control_steps);
     write_head(simulation);
+    out_.set_last_words(
+        {kResultMetadata,
+         {{"outcome", kStopped}, {"reason", "the program was brought down in the step after it"}}},
+        kEndTime);
     add_channels(simulation);
     write_world(simulation);
     write_scene(simulation);
@@ -65,6 +70,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
       decided_ns_ = time_of(simulation, step);
       blind_ = empty_;
       new_pictures_ = true;
+      write_traces(simulation);
     }
     write_events(simulation);
     if (standing_boxes(simulation) != standing_) {
@@ -89,7 +95,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     out_.write(mcap::Metadata{kResultMetadata,
                               {{"outcome", stopped ? kStopped : to_string(result.outcome)},
                                {"reason", result.reason},
-                               {"simulated_s", base::number_text(result.simulated_s)},
+                               {kEndTime, base::number_text(result.simulated_s)},
                                {"steps", std::to_string(result.steps)},
                                {"state_hash", simulation::hash_text(result.state_hash)}}});
     write_measures(result);
@@ -109,11 +115,12 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     std::uint16_t pose, state, readings, command, trace;
     std::optional<std::uint16_t> beams;
     std::vector<CameraChannels> cameras;
+    traces::TraceRows rows{};
   };
 
   bool write_now() noexcept override { return out_.write_in_emergency(); }
 
-  static McapOptions checked(McapOptions options) {
+  static RecorderOptions checked(RecorderOptions options) {
     if (!(options.rate_hz > 0.0) || !std::isfinite(options.rate_hz)) {
       throw std::invalid_argument("a recording needs a positive number of samples a second");
     }
@@ -192,7 +199,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
           own("state", state),
           own("readings", schema("elsie.Readings." + robot.id, readings_schema(simulation, r))),
           own("command", command),
-          own("trace", trace),
+          channel(robot_topic(robot.id, kTraceKind), trace, trace_metadata(simulation.robot(r))),
           std::nullopt,
           {}};
       if (sees_ranges(simulation, r)) {
@@ -292,12 +299,22 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     new_pictures_ = new_pictures_ && !decided;
   }
 
+  /// What was decided, where it is not what was decided before.
+  void write_traces(const Simulation& simulation) {
+    for (std::size_t r = 0; r < robots_.size(); ++r) {
+      const RobotView robot = simulation.robot(r);
+      if (robots_[r].rows.changed(robot) || options_.with_times) {
+        write(robots_[r].trace, decided_ns_,
+              trace_message(decided_ns_, robot, options_.with_times));
+      }
+    }
+  }
+
   void write_decision(const Simulation& simulation, std::size_t r, const RobotView& robot,
                       std::uint64_t time_ns) {
     const RobotChannels& channels = robots_[r];
     write_readings(simulation, r, time_ns);
     write(channels.command, time_ns, command_message(decided_ns_, robot.command));
-    write(channels.trace, time_ns, trace_message(decided_ns_, robot, options_.with_times));
     if (channels.beams) {
       write(*channels.beams, time_ns, beams_message(time_ns, range_beams(simulation, r)));
     }
@@ -346,7 +363,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     }
   }
 
-  McapOptions options_;
+  RecorderOptions options_;
   mcap::Writer out_;
   std::uint64_t every_ = 1;          // steps from one sample to the next
   std::uint64_t control_steps_ = 1;  // from one decision to the next
@@ -362,7 +379,15 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
   std::vector<NamedValue> values_;
 };
 
-McapRecorder::McapRecorder(const std::filesystem::path& file, McapOptions options)
+Format McapRecorder::format() {
+  return {".mcap", "a recording for viewers, `elsie replay` and `elsie explain`", "\x89MCAP", true,
+          [](const std::filesystem::path& file,
+             const RecorderOptions& options) -> std::unique_ptr<simulation::Observer> {
+            return std::make_unique<McapRecorder>(file, options);
+          }};
+}
+
+McapRecorder::McapRecorder(const std::filesystem::path& file, RecorderOptions options)
     : impl_(std::make_unique<Impl>(file, std::move(options))) {}
 McapRecorder::~McapRecorder() = default;
 void McapRecorder::started(const Simulation& simulation) { impl_->start(simulation); }

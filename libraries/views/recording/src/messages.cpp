@@ -120,7 +120,25 @@ Json trace_message(std::uint64_t decided_ns, const simulation::RobotView& robot,
     }
     rows.push_back(std::move(row));
   }
-  return {{"timestamp", time_json(decided_ns)}, {"behaviors", std::move(rows)}};
+  return {{"timestamp", time_json(decided_ns)},
+          {"left_rad_s", robot.command.left},
+          {"right_rad_s", robot.command.right},
+          {"behaviors", std::move(rows)}};
+}
+
+std::map<std::string, std::string> trace_metadata(const simulation::RobotView& robot) {
+  Json behaviors = Json::array();
+  for (const simulation::TracedMember& member : robot.trace) {
+    behaviors.push_back({{"path", member.path},
+                         {"plugin", member.plugin},
+                         {"coordinator", member.coordinator},
+                         {"priority", member.member->priority()}});
+  }
+  const auto& coordinator = robot.description->coordinator;
+  return {{"robot", robot.description->id},
+          {"team", robot.description->team},
+          {kCoordinator, coordinator ? coordinator->plugin : ""},
+          {kBehaviors, text_of(behaviors)}};
 }
 
 Json image_message(std::uint64_t decided_ns, std::string_view robot, const Image& image) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +15,7 @@
 
 namespace elsie::recording {
 
-/// The text of a message, in UTF-8 whatever is in it.
+/// The text of a message; what is not UTF-8 is replaced.
 std::string text_of(const Json& message);
 
 Json time_json(std::uint64_t time_ns);
@@ -31,6 +32,8 @@ Json pose_message(std::uint64_t time_ns, const Pose& pose);
 Json state_message(std::uint64_t time_ns, const simulation::RobotView& robot);
 Json command_message(std::uint64_t decided_ns, const MotorCommand& command);
 Json trace_message(std::uint64_t decided_ns, const simulation::RobotView& robot, bool with_times);
+/// What does not change about a robot's behaviours: the metadata of its channel of traces.
+std::map<std::string, std::string> trace_metadata(const simulation::RobotView& robot);
 Json image_message(std::uint64_t decided_ns, std::string_view robot, const Image& image);
 /// `where`: the robot's pose, or null.
 Json event_message(std::uint64_t time_ns, const simulation::EventRecord& event, const Pose* where);

@@ -1,74 +1,29 @@
 #include "elsie/recording/recorded_run.h"
 
-#include <charconv>
 #include <cmath>
-#include <functional>
 #include <utility>
 
-#include "elsie/mcap/reader.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/reader.h"
 
 #include "format.h"
-#include "messages.h"
-#include "scene.h"
+#include "reading.h"
 
 namespace elsie::recording {
 namespace {
 
-constexpr double kNanosecond = 1e-9;
-
-/// A number in metadata; zero when it is none.
-template <class Number>
-Number number(const std::map<std::string, std::string>& values, const char* name) {
-  Number value{};
-  if (const auto at = values.find(name); at != values.end()) {
-    std::from_chars(at->second.data(), at->second.data() + at->second.size(), value);
-  }
-  return value;
-}
-
-std::string text(const std::map<std::string, std::string>& values, const char* name) {
-  const auto at = values.find(name);
-  return at == values.end() ? "" : at->second;
-}
-
 double number(const Json& object, const char* name) { return object.at(name).get<double>(); }
 
-/// Goes through the messages and notes what the picture needs.
-class Follower {
+/// Takes from the messages what the picture needs.
+class Follower final : public Visitor {
  public:
-  explicit Follower(RecordedRun& run) : run_(run) {}
+  Follower(RecordedRun& run, double until_s) : run_(run), until_s_(until_s) {}
 
-  /// Metadata is in front of what it is about.
-  void read(const mcap::Metadata& metadata) {
-    const auto& values = metadata.values;
-    if (metadata.name == kRunMetadata) {
-      run_.of_elsie = true;
-      run_.world = text(values, "world");
-      run_.world_file = text(values, "file");
-      run_.seed = number<std::uint64_t>(values, "seed");
-      run_.time_limit_s = number<double>(values, "time_limit_s");
-      run_.step_s = number<double>(values, "step_s");
-      sample_steps_ = number<std::uint64_t>(values, "sample_steps");
-      run_.period_s = run_.step_s * static_cast<double>(sample_steps_);
-    } else if (metadata.name == kResultMetadata) {
-      run_.result = RecordedResult{text(values, "outcome"),
-                                   text(values, "reason"),
-                                   number<double>(values, "simulated_s"),
-                                   number<std::uint64_t>(values, "steps"),
-                                   text(values, "state_hash"),
-                                   {}};
-    } else if (metadata.name == kMeasuresMetadata && run_.result) {
-      for (const auto& [name, value] : values) {
-        run_.result->measures[name] = number<double>(values, name.c_str());
-      }
+  void message(const mcap::Channel& channel, const mcap::Message& message) override {
+    if (static_cast<double>(message.log_time_ns) / kSecondNs > until_s_ + 0.5 / kSecondNs) {
+      return;
     }
-  }
-
-  /// A message until the time asked for. Throws Json::exception when it is not as expected.
-  void read(const mcap::Channel& channel, const mcap::Message& message) {
-    const auto [robot, kind] = parts_of(channel);
+    const auto [robot, kind] = robot_and_kind(channel);
     const auto json = [&] { return Json::parse(message.data); };
     if (kind == "state") {
       read_state(track_of(robot), json(), message.log_time_ns);
@@ -91,18 +46,6 @@ class Follower {
     std::uint64_t touched_ns = ~0ULL;  // when it last touched something
   };
 
-  /// Robot and kind of a channel "/robots/ROBOT/KIND"; empty for others.
-  static std::pair<std::string, std::string> parts_of(const mcap::Channel& channel) {
-    const auto robot = channel.metadata.find("robot");
-    if (robot == channel.metadata.end()) {
-      return {};
-    }
-    const std::string start = robot_topic(robot->second, "");
-    return channel.topic.starts_with(start)
-               ? std::pair(robot->second, channel.topic.substr(start.size()))
-               : std::pair<std::string, std::string>();
-  }
-
   picture::RobotTrack& track_of(const std::string& robot) {
     for (picture::RobotTrack& track : run_.robots) {
       if (track.id == robot) {
@@ -114,12 +57,12 @@ class Follower {
   }
 
   void read_state(picture::RobotTrack& track, const Json& state, std::uint64_t time_ns) {
-    const double time_s = static_cast<double>(time_ns) * kNanosecond;
+    const double time_s = static_cast<double>(time_ns) / kSecondNs;
     track.now = {number(state, "x_m"), number(state, "y_m"), number(state, "heading_rad")};
     run_.shown_s = time_s;
     // The last sample of a run may be between two periods.
     const double steps = std::round(time_s / run_.step_s);
-    if (sample_steps_ > 0 && std::fmod(steps, static_cast<double>(sample_steps_)) == 0.0) {
+    if (run_.sample_steps > 0 && std::fmod(steps, static_cast<double>(run_.sample_steps)) == 0.0) {
       if (std::exchange(memory_[track.id].placed, false)) {
         track.placed.push_back(track.path.size());
       }
@@ -191,7 +134,7 @@ class Follower {
   }
 
   RecordedRun& run_;
-  std::uint64_t sample_steps_ = 0;
+  double until_s_;
   std::map<std::string, Memory> memory_;  // of each robot
 };
 
@@ -199,41 +142,8 @@ class Follower {
 
 RecordedRun read_recorded_run(const std::filesystem::path& file, double until_s) {
   RecordedRun run;
-  mcap::Reader reader(file);
-  Follower follower(run);
-  std::map<std::uint16_t, std::uint64_t> counts;
-  std::size_t metadata = 0;
-  const auto read_metadata = [&] {
-    for (; metadata < reader.metadata().size(); ++metadata) {
-      follower.read(reader.metadata()[metadata]);
-    }
-  };
-  while (const auto message = reader.next()) {
-    read_metadata();
-    ++run.messages;
-    ++counts[message->channel];
-    const double time_s = static_cast<double>(message->log_time_ns) * kNanosecond;
-    run.end_s = std::max(run.end_s, time_s);
-    if (!run.of_elsie || time_s > until_s + 0.5 * kNanosecond) {
-      continue;
-    }
-    const mcap::Channel& channel = reader.channels().at(message->channel);
-    try {
-      follower.read(channel, *message);
-    } catch (const Json::exception& error) {
-      throw mcap::McapError("recording '" + file.string() + "': a message on " + channel.topic +
-                            " at " + std::to_string(time_s) +
-                            " s is not as Elsie writes it: " + error.what());
-    }
-  }
-  read_metadata();
-  run.library = reader.header().library;
-  for (const auto& [id, channel] : reader.channels()) {
-    const auto schema = reader.schemas().find(channel.schema);
-    run.channels.push_back(
-        {channel.topic, schema == reader.schemas().end() ? "" : schema->second.name, counts[id]});
-  }
-  run.missing_end = reader.missing_end();
+  Follower follower(run, until_s);
+  read_file(file, run, follower);
   return run;
 }
 

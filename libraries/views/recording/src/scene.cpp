@@ -14,9 +14,7 @@ using world::World;
 
 constexpr Colour kFloor{0xf2, 0xf2, 0xf0};
 constexpr Colour kWall{0x9a, 0x9f, 0xa6};
-constexpr Colour kFixedBox{0x8a, 0x8f, 0x98};
-constexpr Colour kDynamicBox{0xb0, 0x8d, 0x57};
-constexpr Colour kMovingBox{0x7a, 0x5c, 0xa8};
+constexpr world::BoxColours kBoxes{{0x8a, 0x8f, 0x98}, {0xb0, 0x8d, 0x57}, {0x7a, 0x5c, 0xa8}};
 constexpr Colour kTyre{0x20, 0x20, 0x20};
 constexpr Colour kInk{0x20, 0x24, 0x28};
 constexpr Colour kHit{0xd0, 0x30, 0x30};
@@ -92,27 +90,14 @@ Json charger(std::uint64_t time_ns, const world::Charger& charger) {
   return made;
 }
 
-Colour colour_of(const World& world, const world::Box& box) {
-  switch (box.kind) {
-    case world::BoxKind::fixed:
-      return box.colour.value_or(kFixedBox);
-    case world::BoxKind::dynamic:
-      return box.colour.value_or(kDynamicBox);
-    case world::BoxKind::moving:
-      return box.colour.value_or(kMovingBox);
-    case world::BoxKind::resource:
-      break;
-  }
-  return world::resource_colour(world, box);
-}
-
 Json box(std::uint64_t time_ns, const World& world, const world::Box& box) {
   const bool moves = may_move(box);
   Json made = entity(time_ns, box_frame(box.id), moves ? box_frame(box.id) : kWorldFrame);
   Frame middle =
       moves ? Frame{} : Frame::turned({box.x, box.y, box.z}, radians(box.heading_deg), 0);
   middle.origin.z += 0.5 * box.height;
-  made["cubes"].push_back(cube(middle, {box.length, box.width, box.height}, colour_of(world, box)));
+  made["cubes"].push_back(
+      cube(middle, {box.length, box.width, box.height}, world::box_colour(world, box, kBoxes)));
   return made;
 }
 

@@ -136,6 +136,8 @@ std::string trace() {
               {"reason", text("the coordinator's")},
               {"time_s", number("how long it took to answer, where that was measured"), false}});
   return object("elsie.Trace", {{"timestamp", time("time", kDecided)},
+                                {"left_rad_s", number("command to the left motor")},
+                                {"right_rad_s", number()},
                                 {"behaviors", list(behavior, "each before those inside it")}})
       .dump();
 }

@@ -1,7 +1,7 @@
 // The JSON schemas of the channels. Those whose names begin with "foxglove." have the members that
 // Foxglove's documentation gives for them (https://docs.foxglove.dev/docs/sdk/schemas), so that
-// viewers draw them; members that are Elsie's own stand beside these. Only such schemas are used as
-// viewers understand: objects with properties, arrays, and plain values.
+// viewers draw them; Elsie adds members of its own. The schemas keep to what viewers understand:
+// objects with properties, arrays, and plain values.
 #pragma once
 
 #include <string>
@@ -18,8 +18,8 @@ std::string log();
 
 std::string world();
 std::string state();
-/// Of a robot, `sensors` being the schemas of its sensors' numbers by their ids: viewers list for
-/// plots what a schema names.
+/// The readings of a robot. `sensors`: the schemas of its sensors' numbers, by their ids, which
+/// viewers offer for plots.
 std::string readings(const Json& sensors);
 std::string command();
 std::string trace();

@@ -1,4 +1,4 @@
-// From a scene and its cameras to what the graphics card is handed.
+// From a scene and its cameras to the input of the graphics card.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@ struct Instance {
   std::uint8_t colour[4];
 };
 
-/// What is to be drawn into an atlas, in this order.
+/// The instances to draw into an atlas, in this order.
 struct DrawList {
   std::vector<Instance> floors, marks, boxes, wheels;
 
   void clear();
 };
 
-/// Appends what the view sees of the scene; what is certainly out of its sight is left out.
+/// Appends the instances that the view may see.
 void add_view(const Scene& scene, const View& view, const Atlas& atlas, const Tile& tile,
               DrawList& list);
 

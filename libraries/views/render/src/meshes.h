@@ -1,4 +1,4 @@
-// The few shapes that everything is made of.
+// The shapes of all parts of a scene.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 
 namespace elsie::render {
 
-/// A corner of a mesh. A face is painted evenly with the light that its normal gets, and OpenGL
-/// takes that from the last corner of each triangle ("flat" shading). So a corner's normal is that
-/// of the one face that it speaks for, and corners can be shared: a box has 8 instead of 24.
+/// A corner of a mesh. A face has one shade, by its normal, which OpenGL takes from the last corner
+/// of each triangle ("flat" shading). So a corner has the normal of the one face of which it is the
+/// last corner, and faces share corners: a box has 8 instead of 24.
 struct Vertex {
   float position[3];
   float normal[3];

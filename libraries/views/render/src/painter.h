@@ -1,5 +1,5 @@
-// Everything that OpenGL does: into whatever framebuffer the current context has. The only place
-// that calls it, beside the renderer, which owns the framebuffer.
+// All drawing by OpenGL, into the framebuffer of the current context. Only this file and the
+// renderer, which owns the framebuffer, call OpenGL.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -13,8 +13,8 @@ namespace elsie::render {
 
 class Painter {
  public:
-  /// With an OpenGL 3.3 context current, which stays the one of all later calls and owns what is
-  /// made here. Throws RenderError.
+  /// Needs an OpenGL 3.3 context that is current, for this and all later calls; the context owns
+  /// what is made here. Throws RenderError.
   Painter();
 
   /// Draws what is in the list into the lower left part of the framebuffer, cleared to `sky`.

@@ -12,25 +12,9 @@ constexpr Colour grey(std::uint8_t brightness) { return {brightness, brightness,
 constexpr Colour kFloor = grey(80);
 constexpr Colour kSky = grey(140);
 constexpr Colour kWall = grey(130);
-constexpr Colour kFixedBox = grey(115);
-constexpr Colour kDynamicBox = grey(85);
-constexpr Colour kMovingBox = grey(70);
+constexpr world::BoxColours kBoxes{grey(115), grey(85), grey(70)};
 constexpr Colour kChassis = grey(120);
 constexpr Colour kTyre = grey(25);
-
-Colour colour_of(const world::World& world, const world::Box& box) {
-  switch (box.kind) {
-    case world::BoxKind::fixed:
-      return box.colour.value_or(kFixedBox);
-    case world::BoxKind::dynamic:
-      return box.colour.value_or(kDynamicBox);
-    case world::BoxKind::moving:
-      return box.colour.value_or(kMovingBox);
-    case world::BoxKind::resource:
-      break;
-  }
-  return world::resource_colour(world, box);
-}
 
 }  // namespace
 
@@ -53,7 +37,7 @@ WorldScene::WorldScene(const world::World& world, const Look& look) {
   for (const world::Box& box : world.boxes) {
     scene_.boxes.push_back({Frame::turned({box.x, box.y, box.z}, radians(box.heading_deg), 0.0),
                             {box.length, box.width, box.height},
-                            colour_of(world, box)});
+                            world::box_colour(world, box, kBoxes)});
   }
   for (const world::Robot& robot : world.robots) {
     add_robot(robot, look.team_coloured_robots ? world::team_colour(world, robot.team) : kChassis);

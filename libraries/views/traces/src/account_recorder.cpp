@@ -6,9 +6,8 @@
 
 #include "elsie/base/csv_line.h"
 #include "elsie/simulation/simulation.h"
+#include "elsie/traces/trace_rows.h"
 
-#include "trace_format.h"
-#include "trace_row.h"
 #include "trace_tally.h"
 
 namespace elsie::traces {
@@ -45,7 +44,7 @@ class AccountRecorder::Impl {
       }
     }
     for (std::size_t r = 0; r < watches_.size(); ++r) {
-      tell(robots_[r], watches_[r], end_s);
+      add_up(robots_[r], watches_[r], end_s);
       accounts_.push_back(watches_[r].tally.finish({first_s, end_s}));
     }
   }
@@ -101,11 +100,13 @@ class AccountRecorder::Impl {
         continue;
       }
       watch.rows[i] = row;
-      TraceNote note = note_of(row, view, i);
-      if (watch.begun && equal(note, watch.notes[i])) {
+      const simulation::TracedMember* by = simulation::inhibitor_of(view.trace[i], view.trace);
+      const TraceNote note = note_of(row, now_s, place_of(row.reason),
+                                     by ? static_cast<int>(by - view.trace.data()) : -1);
+      if (watch.begun && same(note, watch.notes[i])) {
         continue;
       }
-      tell(robot, watch, now_s);
+      add_up(robot, watch, now_s);
       watch.notes[i] = note;
     }
     if (!watch.begun) {
@@ -118,7 +119,7 @@ class AccountRecorder::Impl {
   }
 
   /// Adds up what has held until now.
-  static void tell(const TraceRobot& robot, Watch& watch, double until_s) {
+  static void add_up(const TraceRobot& robot, Watch& watch, double until_s) {
     if (watch.begun && watch.count() > 0 && until_s > watch.since_s) {
       find_shares(robot, watch.current, watch.shares);
       watch.tally.add({watch.since_s, until_s, watch.current, watch.shares});
@@ -126,33 +127,8 @@ class AccountRecorder::Impl {
     }
   }
 
-  TraceNote note_of(const TraceRow& row, const simulation::RobotView& view, std::size_t member) {
-    TraceNote note;
-    note.asked = row.asked;
-    if (row.asked) {
-      note.command = {base::rounded(row.command.left, kDecimals),
-                      base::rounded(row.command.right, kDecimals)};
-      note.activation = base::rounded(row.activation, kDecimals);
-      note.strength = base::rounded(row.strength, kDecimals);
-    }
-    note.weight = shortened(row.weight);
-    note.share = base::rounded(row.share, kDecimals);
-    note.reason = place_of(row.reason);
-    if (const simulation::TracedMember* by =
-            simulation::inhibitor_of(view.trace[member], view.trace)) {
-      note.inhibited_by = static_cast<int>(by - view.trace.data());
-    }
-    return note;
-  }
-
-  static bool equal(const TraceNote& a, const TraceNote& b) {
-    return a.asked == b.asked && a.command == b.command && a.activation == b.activation &&
-           a.strength == b.strength && a.weight == b.weight && a.share == b.share &&
-           a.reason == b.reason && a.inhibited_by == b.inhibited_by;
-  }
-
   std::uint32_t place_of(const char* reason) {
-    std::string text = trace_format::one_line(reason);
+    std::string text = one_line(reason);
     if (text.empty()) {
       return 0;
     }

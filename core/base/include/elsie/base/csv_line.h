@@ -17,23 +17,17 @@ class CsvLine {
   /// The shortest text that reads as this number, bit for bit.
   void number(double value) { cells(NumberText(value).view()); }
   void empty() { separate(); }
-  /// What was made with another line's take().
-  void cells(std::string_view made) {
-    separate();
-    line_ += made;
-  }
   /// The line without its end; the next one begins.
   std::string take() {
     first_ = true;
     return std::exchange(line_, {});
   }
-  /// The same, but cells at the end that are empty are left out.
-  std::string take_short() {
-    line_.erase(line_.find_last_not_of(',') + 1);
-    return take();
-  }
 
  private:
+  void cells(std::string_view made) {
+    separate();
+    line_ += made;
+  }
   void separate() {
     if (!first_) {
       line_ += ',';

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "elsie/base/emergency.h"
 #include "elsie/base/output_file.h"
@@ -30,14 +29,6 @@ class RecordFile final : private EmergencyWriter {
     }
   }
   void flush();
-  /// A line to be written after the others if the process is brought down, with the time until then
-  /// between its two parts. To be set before the first at(); both must not be long.
-  void set_last_words(std::string before, std::string after) {
-    before_time_ = std::move(before);
-    after_time_ = std::move(after);
-  }
-  /// How far what was given to line() goes, s.
-  void at(double time_s) { time_s_ = time_s; }
   /// Writes the rest and closes.
   void close();
 
@@ -48,8 +39,6 @@ class RecordFile final : private EmergencyWriter {
 
   OutputFile out_;
   std::string buffer_;
-  std::string before_time_, after_time_;
-  double time_s_ = 0.0;
 };
 
 }  // namespace elsie::base

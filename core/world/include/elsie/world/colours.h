@@ -35,4 +35,12 @@ Colour team_colour(const World& world, std::string_view team);
 /// The colour of a resource in full light: its own, else its team's, else kResourceOfNoTeam.
 Colour resource_colour(const World& world, const Box& resource);
 
+/// The colours of boxes that have none of their own, by kind.
+struct BoxColours {
+  Colour fixed, dynamic, moving;
+};
+/// The colour of a box in full light: its own, for a resource that of resource_colour(), else that
+/// of its kind.
+Colour box_colour(const World& world, const Box& box, const BoxColours& otherwise);
+
 }  // namespace elsie::world

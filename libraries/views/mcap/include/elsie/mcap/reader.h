@@ -7,9 +7,9 @@
 //   }
 //   if (!reader.missing_end().empty()) { ... }  // the writer was killed
 //
-// Checksums are verified as far as the file has them. A file that breaks off, because its writer
-// was killed or is still at work, is read to its last complete chunk. Anything else that is not as
-// the format has it is an error. Chunks compressed with zstd or not at all are read.
+// Checksums are verified where the file has them. A file that breaks off, because its writer was
+// killed or is still running, is read to its last complete chunk. Any other departure from the
+// format is an error. Chunks may be compressed with zstd or not at all.
 #pragma once
 
 #include <cstdint>
@@ -39,14 +39,14 @@ class Reader {
   const Header& header() const;
 
   /// The next message in the order of the file; none after the last one. Its data are valid until
-  /// the next call. Throws McapError when the file is damaged, and then at every call.
+  /// the next call. Throws McapError when the file is damaged, from then on at every call.
   std::optional<Message> next();
 
-  // What came before the message that was last read, or after the last one all that there is.
+  // What came before the message that was last read; after the last message, everything.
   const std::map<std::uint16_t, Schema>& schemas() const;
   const std::map<std::uint16_t, Channel>& channels() const;
   const std::vector<Metadata>& metadata() const;
-  /// Complete chunks.
+  /// The number of complete chunks.
   std::uint64_t chunks() const;
 
   /// After the last message: a sentence about an end that is missing; empty when the file is whole.

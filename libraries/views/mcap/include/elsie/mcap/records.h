@@ -1,14 +1,13 @@
-// What is in an MCAP file: a container of messages with times, in channels that say of what kind
-// their messages are.
+// What an MCAP file holds: messages with times, in channels that name the kind of their messages.
 //
-// The format is described at https://mcap.dev/spec; this module follows it, knows nothing of robots
-// and is usable on its own. A file that Writer writes:
+// https://mcap.dev/spec describes the format. This module knows nothing of robots and can be used
+// on its own. A file that Writer writes:
 //
 //   magic, header, metadata and chunks as they come, end of data, summary, footer, magic
 //
-// A chunk holds messages, and the schemas and channels that come up first in it, compressed as a
-// whole. Behind it stand the places of its messages. The summary repeats schemas and channels, and
-// says where chunks and metadata are, so that readers need not go through the file.
+// A chunk holds messages, and the schemas and channels that were added while it was open; it is
+// compressed as a whole. The places of its messages follow it. The summary repeats schemas and
+// channels, and says where chunks and metadata are, so that a reader can go to them directly.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +30,7 @@ struct Header {
   std::string library;  // which program wrote it
 };
 
-/// What messages are made of.
+/// The type of messages.
 struct Schema {
   std::uint16_t id = 0;  // from 1
   std::string name;
@@ -56,7 +55,7 @@ struct Message {
   std::string_view data;
 };
 
-/// Names and values that belong to the file as a whole, or to a place in it.
+/// Names and values about the whole file, or about a place in it.
 struct Metadata {
   std::string name;
   std::map<std::string, std::string> values;

@@ -6,9 +6,9 @@
 //   writer.write(channel, 500'000'000, R"({"x": 1.0})");
 //   writer.close();
 //
-// Each chunk goes to the file in one piece, when a message comes that it has no room for, or when
-// pass() says that its time is over: a process that is killed leaves all chunks that were complete,
-// and Reader reads them. The same calls give the same bytes.
+// Each chunk is written in one piece, when it is full or when pass() says that its time is over. A
+// process that is killed leaves all complete chunks, and Reader reads them. The same calls give the
+// same bytes.
 #pragma once
 
 #include <cstddef>
@@ -37,39 +37,43 @@ struct WriterOptions {
 
 class Writer {
  public:
-  /// Creates the file, or empties it. Like all that follows, throws McapError when the file cannot
-  /// be written (a full disk): then it is as it was after the last complete chunk.
+  /// Creates the file, or empties it. Like all calls below, throws McapError when the file cannot
+  /// be written (a full disk); the file then ends after the last complete chunk.
   explicit Writer(const std::filesystem::path& file, WriterOptions options = {});
   /// Without close(): writes the chunk that was begun and leaves the file without its end.
   ~Writer();
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  /// Both give the id, from 1. Throw std::length_error for more than 65535, and for a channel
-  /// std::invalid_argument when there is no such schema (0: none).
+  /// Both return the id, from 1. They throw std::length_error for more than 65535, and for a
+  /// channel std::invalid_argument when there is no such schema (0: none).
   std::uint16_t add_schema(std::string name, std::string encoding, std::string data);
   std::uint16_t add_channel(std::string topic, std::uint16_t schema, std::string encoding,
                             std::map<std::string, std::string> metadata = {});
 
-  /// A message, as far as the channel is there; else throws std::invalid_argument. Times are ns
-  /// since whatever all times of the file count from; `publish_time_ns`: by default the log time.
+  /// Writes a message. Throws std::invalid_argument when there is no such channel. Times are ns
+  /// since any instant that is the same for the whole file; `publish_time_ns`: by default the log
+  /// time.
   void write(std::uint16_t channel, std::uint64_t log_time_ns, std::string_view data,
              std::optional<std::uint64_t> publish_time_ns = std::nullopt);
-  /// Metadata, after the messages so far; what is in the chunk that was begun is written first.
+  /// Writes metadata, after the chunk that was begun.
   void write(const Metadata& metadata);
 
-  /// That this time (ns) has come, and no message is earlier from now on: writes the chunk that was
-  /// begun if a message of this time would begin the next one. Does not change what is in the file
-  /// in the end, but how soon it is there.
+  /// Says that this time (ns) has come, and that no message is earlier from now on: writes the
+  /// chunk that was begun if a message of this time would begin the next one. This changes how soon
+  /// messages are in the file, not what is in it in the end.
   void pass(std::uint64_t now_ns);
   /// Writes the chunk that was begun.
   void flush();
   /// Writes the rest, the summary and the footer. Nothing may be written after it.
   void close();
 
+  /// Metadata that write_in_emergency() adds after the last chunk. The value `time` is set then:
+  /// the time of the last pass(), s.
+  void set_last_words(Metadata metadata, const std::string& time);
   /// For the last moments of a process, also in a signal's handler: writes the chunk that was begun
-  /// as it is, uncompressed, without allocating memory. Nothing may be written after it. Whether
-  /// there was a file to write to.
+  /// without compression, and the last words, without allocating memory. Nothing may be written
+  /// after it. Returns whether there was a file to write to.
   bool write_in_emergency() noexcept;
 
  private:

@@ -1,4 +1,4 @@
-// Axes: which numbers to write beside one, and where a point lands.
+// Axes: their ticks, and where points are in the picture.
 #pragma once
 
 #include <string>
@@ -26,11 +26,11 @@ Ticks nice_ticks(double low, double high, int about);
 /// every locale.
 std::string tick_label(double value, double step);
 
-/// From the plane of two axes to the picture, whose x goes right and y down, in pixels.
+/// The map from the plane of two axes to the picture, in pixels; x goes right, y down.
 struct PlaneMap {
   double scale_x = 1.0;  // pixels per unit
   double scale_y = -1.0;
-  double origin_x = 0.0;  // where (0, 0) lands
+  double origin_x = 0.0;  // where (0, 0) is
   double origin_y = 0.0;
 
   Vector2 pixel(const Vector2& point) const {

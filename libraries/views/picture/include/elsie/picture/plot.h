@@ -1,7 +1,7 @@
 // Plots: line charts, heat maps and surfaces over two axes, in rows on a page.
 //
-// A page is plain data: fill it in and save it. Colours and dashes are chosen to be told apart by
-// colour-blind readers and in grey.
+// A page is plain data: fill it in and save it. Colour-blind readers can tell the colours and
+// dashes apart, also in grey.
 #pragma once
 
 #include <cstddef>
@@ -24,17 +24,17 @@ struct Axis {
   std::optional<double> high{};
 };
 
-/// One curve. A point that is not finite interrupts it.
+/// One curve. Points that are not finite interrupt it.
 struct Series {
   std::string name{};
   std::vector<Vector2> points{};  // x and y in the units of the axes
-  bool filled = false;            // tinted down to zero, or to the axis
+  bool filled = false;            // whether the area down to zero, or to the axis, is tinted
 };
 
 /// Where the names of the series stand.
 enum class Naming {
-  legend,   // in a line above the chart; a single series without a name has none
-  at_peak,  // above the highest place of each curve
+  legend,   // in a line above the chart; none for a single series without a name
+  at_peak,  // above the highest point of each curve
 };
 
 struct LineChart {
@@ -72,8 +72,8 @@ using Panel = std::variant<LineChart, HeatMap, Mesh>;
 struct Row {
   std::vector<Panel> panels{};  // side by side, equally wide
   std::string title{};          // above them all
-  /// Height of the row, less the titles and names above the plots, as a part of one panel's width;
-  /// 0: what suits the panels.
+  /// Height of the plots, without the titles and names above them, as a part of one panel's width;
+  /// 0: a height that suits the panels.
   double aspect = 0.0;
 };
 
@@ -83,13 +83,13 @@ struct Page {
   std::vector<Row> rows{};
 };
 
-/// Draws the page into a file whose suffix, .png or .svg, says of which type. The same page gives
-/// the same bytes. With a height of 0 it is as high as its rows need; otherwise the rows share what
-/// is there.
+/// Draws the page into a file of the type that its suffix, .png or .svg, names. The same page gives
+/// the same bytes. With a height of 0 the page is as high as its rows need; otherwise the rows
+/// share the height.
 ///
 /// Throws std::invalid_argument for any other suffix, a size out of range, an axis whose low is not
 /// below its high, or a field whose size is not that of its values; std::runtime_error when the
-/// file cannot be written; then a file that was there before is unchanged.
+/// file cannot be written. An existing file is unchanged then.
 void save_page(const Page& page, const std::filesystem::path& file, const Size& size = {});
 
 }  // namespace elsie::picture

@@ -1,4 +1,4 @@
-// What the range sensors of a robot see, for pictures.
+// The rays of range sensors, for pictures.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ struct RangeBeam {
   bool hit = false;
 };
 
-/// The rays of a robot's last readings, from where its sensors are now. In the order of its range
-/// sensors.
+/// The rays of a robot's last readings, from the present places of its sensors, in the order of its
+/// range sensors.
 std::vector<RangeBeam> range_beams(const simulation::Simulation& simulation, std::size_t robot);
 
 }  // namespace elsie::recording

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "elsie/recording/formats.h"
 #include "elsie/simulation/observer.h"
 
 namespace elsie::recording {
@@ -16,11 +17,11 @@ namespace elsie::recording {
 /// - behavior[ID].asked, .left, .right, .activation, .strength, .weight, .share, .inhibited_by,
 ///   .reason (and .time_s when time is measured): the coordinator's trace of its last decision.
 ///
-/// Poses are those at time_s; readings, commands and traces those of the decision that led there,
-/// and empty in the first row, before any. Columns of what a robot does not have stay empty.
-/// When plugins are replaced, numbers that sensors did not have at the start get no columns.
-/// Numbers are written so that reading them back gives the same number, bit for bit. The file is
-/// written as the run goes: what is there when a plugin fails is valid. A recorder serves one run.
+/// Poses are those at time_s; readings, commands and traces are those of the decision that led
+/// there, and empty in the first row, before any decision. Columns for what a robot does not have
+/// stay empty. When plugins are replaced, numbers that sensors did not have at the start get no
+/// columns. Numbers are written so that they read back the same, bit for bit. The file is written
+/// during the run: after a plugin has failed, it is valid. A recorder serves one run.
 class CsvRecorder final : public simulation::Observer {
  public:
   /// Creates the file at once; throws std::runtime_error with a sentence when that cannot be done.
@@ -28,6 +29,9 @@ class CsvRecorder final : public simulation::Observer {
   /// positive.
   CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times = false);
   ~CsvRecorder() override;
+
+  /// Its line in the table of formats.
+  static Format format();
 
   void started(const simulation::Simulation& simulation) override;
   void stepped(const simulation::Simulation& simulation) override;

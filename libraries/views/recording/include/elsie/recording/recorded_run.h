@@ -1,5 +1,5 @@
-// A run read back from an MCAP file that McapRecorder wrote: what it was, what is in the file, and
-// what the world looked like at any time of it.
+// A run read back from an MCAP file that McapRecorder wrote: what ran, what the file holds, what
+// the world looked like at any time, and who decided when.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,7 @@
 
 #include "elsie/picture/size.h"
 #include "elsie/picture/top_view.h"
+#include "elsie/traces/trace.h"
 
 namespace elsie::recording {
 
@@ -29,6 +30,7 @@ struct RecordedResult {
                         // by the user
   std::string reason;
   double simulated_s = 0.0;
+  // Not known, 0 and empty, when a plugin brought the program down.
   std::uint64_t steps = 0;
   std::string state_hash;  // 16 hexadecimal digits
   std::map<std::string, double>
@@ -36,13 +38,13 @@ struct RecordedResult {
 };
 
 struct RecordedRun {
-  std::string library;  // which program wrote the file
+  std::string library;  // the program that wrote the file
   std::vector<RecordedChannel> channels;
   std::uint64_t messages = 0;
   double end_s = 0.0;       // the last message's time
   std::string missing_end;  // a sentence, where the file breaks off; empty: it is whole
 
-  /// Whether Elsie recorded it. Otherwise there is none of what follows.
+  /// Whether Elsie recorded it. Otherwise the rest is empty.
   bool of_elsie = false;
   std::string world;  // its name
   std::string world_file;
@@ -50,23 +52,30 @@ struct RecordedRun {
   std::uint64_t seed = 0;
   double time_limit_s = 0.0;  // of the run, which may differ from the world's
   double step_s = 0.0;
-  double period_s = 0.0;                 // from one sample to the next
+  std::uint64_t control_steps = 0;       // from one decision to the next
+  std::uint64_t sample_steps = 0;        // from one sample to the next
+  double period_s = 0.0;                 // likewise, s
   std::optional<RecordedResult> result;  // none: the file has no end
 
-  // As things were at the time asked for.
+  // As things were at the requested time.
   double shown_s = 0.0;                     // of the last sample until then
-  std::vector<picture::RobotTrack> robots;  // their ways until then
+  std::vector<picture::RobotTrack> robots;  // their paths until then
   std::map<std::string, Pose> moved;        // boxes that may move, by their ids
   std::set<std::string> standing;           // ids of the boxes that were not yet collected
 };
 
-/// Reads a file to its end, whether it is whole or breaks off. `until_s`: the time for which the
-/// robots' ways and the boxes are wanted. Throws mcap::McapError for a file that cannot be read or
-/// is damaged, with a sentence.
+/// Reads a file to its end, whether it is whole or breaks off. `until_s`: the time for which robots
+/// and boxes are requested. Throws mcap::McapError with a sentence for a file that cannot be read
+/// or is damaged.
 RecordedRun read_recorded_run(const std::filesystem::path& file,
                               double until_s = std::numeric_limits<double>::infinity());
 
-/// Draws the world as it was, from what is in the file alone: no plugin, no world file is needed.
+/// Reads who decided when. A file that breaks off is read as far as it goes, see Trace::cut_off.
+/// Throws mcap::McapError like read_recorded_run(), and for a file that Elsie did not record or
+/// that breaks off before its first message.
+traces::Trace read_trace(const std::filesystem::path& file);
+
+/// Draws the world as it was. This needs neither plugins nor the world's file.
 /// Throws world::WorldError when the world's text cannot be read (a file of a later version), and
 /// as picture::save_top_view().
 void save_picture(const RecordedRun& run, const std::vector<std::string>& subtitles,

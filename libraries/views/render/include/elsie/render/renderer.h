@@ -1,14 +1,14 @@
-// Pictures of a scene, off screen: EGL without a surface, OpenGL 3.3. No display is needed; without
-// a graphics card Mesa draws in software.
+// Pictures of a scene, drawn off screen with EGL and OpenGL 3.3. No display is needed; without a
+// graphics card Mesa draws in software.
 //
-// All cameras of one instant are drawn in one go, side by side into one picture that is read back
+// All cameras of one instant are drawn together, side by side into one picture that is read back
 // once: a hundred small pictures cost little more than one large one.
 //
-// The pictures are those of pinhole cameras (see elsie::Camera), with hard edges: a pixel has the
-// colour of the nearest surface that the ray through its middle meets, no closer than kNearest. On
-// one machine, the same scene and views give the same bytes; between a graphics card and Mesa's
-// software (or another version of it) pixels at edges may differ. LIBGL_ALWAYS_SOFTWARE=1 in the
-// environment leaves graphics cards aside.
+// The cameras are pinhole cameras (see elsie::Camera). A pixel has the colour of the nearest
+// surface, at least kNearest away, that the ray through its middle meets; edges are not smoothed.
+// On one machine, the same scene and views give the same bytes. A graphics card and Mesa's
+// software, or two versions of Mesa, may differ in pixels at edges. LIBGL_ALWAYS_SOFTWARE=1 in the
+// environment selects Mesa's software.
 #pragma once
 
 #include <memory>
@@ -21,27 +21,27 @@
 
 namespace elsie::render {
 
-/// Surfaces nearer to the camera, along its axis, are not seen, m.
+/// The camera does not see surfaces that are nearer along its axis, m.
 inline constexpr double kNearest = 0.01;
 
-/// No pictures can be taken; what() is a sentence that says why, and what to install.
+/// No picture can be taken; what() is a sentence that says why, and what to install.
 class RenderError : public base::Error {
  public:
   using base::Error::Error;
 };
 
-/// One OpenGL context of its own; two renderers do not know of each other. May be used from any
-/// thread, by one at a time; a context that the caller has current is so again afterwards.
+/// Owns an OpenGL context; renderers are independent of each other. Any thread may use it, one at a
+/// time. Each call restores the context that was current before.
 class Renderer {
  public:
-  /// Throws RenderError where EGL or OpenGL 3.3 is not to be had.
+  /// Throws RenderError where EGL or OpenGL 3.3 is not available.
   Renderer();
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Takes a picture from each view; `pictures` has as many entries, which are given the size of
-  /// the camera and three channels. Memory that an image has is used again.
+  /// Takes a picture from each view. `pictures` has one entry for each, which gets the camera's
+  /// size and three channels. The memory of the images is reused.
   ///
   /// Throws std::invalid_argument for a camera whose size or field of view makes no picture (sizes
   /// from 1 to largest_size() pixels, angles in (0, pi)), RenderError when the driver fails.
@@ -49,7 +49,7 @@ class Renderer {
 
   /// The most pixels that a picture may have in width and height.
   int largest_size() const;
-  /// What draws, in the driver's words: "llvmpipe (LLVM 15.0.6, 256 bits)".
+  /// The device that draws, as the driver names it: "llvmpipe (LLVM 15.0.6, 256 bits)".
   const std::string& device() const;
 
  private:

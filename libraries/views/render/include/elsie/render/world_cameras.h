@@ -7,8 +7,7 @@
 
 namespace elsie::render {
 
-/// For simulation::Options::cameras: takes the pictures with a Renderer. Throws RenderError where
-/// there is none.
+/// For simulation::Options::cameras: takes the pictures with a Renderer. Throws RenderError.
 std::unique_ptr<simulation::CameraRenderer> world_cameras(const world::World& world);
 
 }  // namespace elsie::render

@@ -1,10 +1,10 @@
 // A world as cameras see it.
 //
 // Floor, sky, walls, obstacles without a colour of their own and robots are greys, none brighter
-// than 0.55 of full light, so that whatever has a colour stands out, and white does too. Resources
-// have their colour or their team's (world::resource_colour()); chargers are yellow: discs on the
-// floor as large as the area in which they charge, or boxes where range sensors are to see them.
-// All robots look alike, whatever their team: a robot is not mistaken for a resource.
+// than 0.55 of full light, so that colours stand out, and white does too. Resources have their own
+// colour or their team's (world::box_colour()). Chargers are yellow: discs on the floor as large as
+// the area in which they charge, or boxes if range sensors should see them. Robots of all teams
+// look alike, so that a robot is not mistaken for a resource.
 #pragma once
 
 #include <cstddef>
@@ -18,12 +18,11 @@
 namespace elsie::render {
 
 struct Look {
-  /// Chassis in their team's colour: for people who watch, not for cameras.
+  /// Whether chassis have their team's colour: for people who watch, not for cameras.
   bool team_coloured_robots = false;
 };
 
-/// The scene of a world. Robots are the carriers of their bodies, by their place in the world's
-/// list.
+/// The scene of a world. A robot's place in the world's list is the carrier of its parts.
 class WorldScene {
  public:
   /// Everything is where the world puts it.
@@ -34,8 +33,8 @@ class WorldScene {
   void place_robot(std::size_t robot, const Frame& frame);
   /// Moves one of the segments that a robot pulls; the origin as a robot's.
   void place_segment(std::size_t robot, std::size_t segment, const Frame& frame);
-  /// Moves a box of the world's list: the frame's origin is in the middle of its bottom. None: it
-  /// is gone.
+  /// Moves a box of the world's list; the frame's origin is in the middle of its bottom. Without a
+  /// frame, the box is hidden.
   void place_box(std::size_t box, const std::optional<Frame>& frame);
 
   const Scene& scene() const { return scene_; }

@@ -11,9 +11,8 @@
 
 namespace elsie::traces {
 
-/// Comes to what account() makes of the whole trace that a TraceRecorder would have written, to the
-/// last bit, without the file and without the memory that a long trace takes. A recorder serves one
-/// run.
+/// Gives the same sums as account() for the whole trace of the run, to the last bit, without a file
+/// and without the memory that a long trace takes. A recorder serves one run.
 class AccountRecorder final : public simulation::Observer {
  public:
   AccountRecorder();
@@ -23,12 +22,11 @@ class AccountRecorder final : public simulation::Observer {
   void stepped(const simulation::Simulation& simulation) override;
   void ended(const simulation::Simulation& simulation) override;
 
-  /// The robots and their members, as in Trace::robots but without what comes with time: notes,
-  /// commands, events.
+  /// The robots and their members, as in Trace::robots, but without notes and events.
   const std::vector<TraceRobot>& robots() const;
-  /// For each of the robots, once the run has ended.
+  /// One for each of the robots, once the run has ended.
   const std::vector<RobotAccount>& accounts() const;
-  /// That Episode::Part::reason counts in; the first one is empty.
+  /// The list in which Episode::Part::reason is a place; the first one is empty.
   const std::vector<std::string>& reasons() const;
 
  private:

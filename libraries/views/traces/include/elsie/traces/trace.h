@@ -1,20 +1,19 @@
-// The coordination trace of a run as data: what every coordinator made of its behaviours, from the
-// first decision to the last. TraceRecorder writes it, read_trace() reads it back;
-// docs/explaining-a-run.md describes the file.
+// The coordination trace of a run as data: what every coordinator decided about its behaviours,
+// from the first decision to the last. McapRecorder writes it, recording::read_trace() reads it;
+// docs/explaining-a-run.md describes it.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "elsie/api/motor_command.h"
-#include "elsie/base/error.h"
 
 namespace elsie::traces {
 
 /// What a coordinator noted about one of its behaviours. It holds from `time_s` until the next note
-/// about the same behaviour, or the end. The members are those of elsie::TraceRow.
+/// about the same behaviour, or the end. The members are those of elsie::TraceRow, rounded by
+/// kept() (trace_rows.h).
 struct TraceNote {
   double time_s = 0.0;  // of the decision
   MotorCommand command;
@@ -46,12 +45,6 @@ struct TraceMember {
   TraceTimes times;
 };
 
-/// A change of what a robot's motors are told.
-struct TraceCommand {
-  double time_s = 0.0;
-  MotorCommand command;
-};
-
 struct TraceEvent {
   double time_s = 0.0;
   std::string name;
@@ -63,7 +56,6 @@ struct TraceRobot {
   std::string team;
   std::string coordinator;           // its own, the outermost
   std::vector<TraceMember> members;  // each before those inside it, in file order
-  std::vector<TraceCommand> commands;
   std::vector<TraceEvent> events;
 };
 
@@ -75,32 +67,15 @@ struct Trace {
   double period_s = 0.0;  // between two decisions
   std::vector<TraceRobot> robots;
   std::vector<std::string> reasons;  // the first one is empty
-  /// How far the trace goes: the end of the run if that is in it, else the end of the last control
-  /// period of which there is something.
+  /// How far the trace goes: the end of the run if that is in it, else the last message or the end
+  /// of the last control period with a decision, whichever is later.
   double end_s = 0.0;
-  /// "success", "failure", "time_limit"; "stopped": the run was ended by a plugin that failed or by
-  /// the user; empty: the trace has no end, because the program was killed or is still at work.
+  /// "success", "failure", "time_limit"; "stopped": a plugin that failed or the user ended the run;
+  /// empty: the trace has no end, because the program was killed or is still running.
   std::string outcome;
   std::string outcome_reason;
-  /// A sentence about a last line that is cut off and was left out; empty: there is none.
+  /// A sentence about an end that is missing; empty: the trace has its end.
   std::string cut_off;
 };
-
-/// A file that is no trace or is damaged; what() is a sentence with file and line, with what was
-/// found and what was expected.
-class TraceError : public base::Error {
- public:
-  using base::Error::Error;
-};
-
-/// Reads a trace. A file without its end, even one that ends in the middle of a line, is read as
-/// far as it is whole; see Trace::outcome and Trace::cut_off. Anything else that is not as the
-/// recorder writes it throws TraceError; so does a file that cannot be opened or has no complete
-/// head.
-Trace read_trace(const std::filesystem::path& file);
-
-/// Whether the file begins as a trace does, of whatever version; an empty file counts, too. False
-/// for one that cannot be read.
-bool may_be_trace(const std::filesystem::path& file);
 
 }  // namespace elsie::traces

@@ -1,4 +1,4 @@
-// What a coordination trace comes to: who decided when, how often that changed, who silenced whom.
+// Sums over a coordination trace: who decided when, how often that changed, who silenced whom.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct TimeSpan {
 };
 
 /// The part of the span that is in the trace; may be empty (from_s == to_s). It begins with the
-/// first decision at the earliest: before, there is nothing to tell.
+/// first decision at the earliest.
 TimeSpan within(const TimeSpan& span, const Trace& trace);
 
 /// Who decides: a place among the members of a robot, or one of the following.
@@ -45,28 +45,28 @@ void walk(const TraceRobot& robot, const TimeSpan& span,
 /// The member inside `parent` (-1: of the robot itself) whose share is the largest at a moment.
 Decider decider(const TraceRobot& robot, int parent, const TraceMoment& moment);
 
-/// What a user has a member's priority be from some time on.
+/// A member's priority from some time on.
 struct PriorityFrom {
   double time_s = 0.0;
   double priority = 1.0;
 };
 
-/// The member's priority at the beginning of the span, then each change of it in the span that the
-/// robot's events tell of ("changed", see change.h). Never empty.
+/// The member's priority at the beginning of the span, then each change of it in the span, from the
+/// robot's events "changed" (see change.h). Never empty.
 std::vector<PriorityFrom> priorities(const TraceRobot& robot, const TraceMember& member,
                                      const TimeSpan& span);
 
-/// For how long one member silenced another.
+/// How long one member silenced another.
 struct Inhibition {
   int by = -1;
   int times = 0;        // how often it began
-  double time_s = 0.0;  // altogether
+  double time_s = 0.0;  // in total
 };
 
 /// One behaviour over a span. Means are over time.
 struct MemberAccount {
   double decided_s = 0.0;     // how long it was the decider among its neighbours
-  int periods = 0;            // how often it became that
+  int periods = 0;            // how often it became the decider
   double longest_s = 0.0;     // the longest of these
   double longest_at_s = 0.0;  // when that began
   double asked_s = 0.0;
@@ -104,10 +104,10 @@ struct Episode {
 struct CoordinatorAccount {
   int parent = -1;  // the behaviour that it is inside of, by its place; -1: the robot's own
   std::string coordinator;
-  double asked_s = 0.0;  // how long it was at work
+  double asked_s = 0.0;  // how long it ran
   double nobody_s = 0.0;
   double together_s = 0.0;
-  int switches = 0;               // how often the decider changed while it was at work
+  int switches = 0;               // how often the decider changed while it ran
   std::vector<Episode> episodes;  // all of them, without gaps: none has a switch within it
 };
 
@@ -117,13 +117,13 @@ struct RobotAccount {
   std::vector<CoordinatorAccount> coordinators;  // the robot's own first, then in order of members
 };
 
-/// Goes through a robot's part of the trace. `span` should be one that within() gave.
+/// The sums over a robot's part of the trace. `span` should be a result of within().
 RobotAccount account(const TraceRobot& robot, const TimeSpan& span);
 
-/// The episodes told in at most `most` (at least 1) of them. Where there are more, those shorter
-/// than some length count as flicker, and the length is chosen so that enough of them do: a run of
-/// such episodes becomes one of several parts; if that is still short, it is joined with its
-/// neighbours when these have the same decider, and else with the longer one.
+/// The episodes condensed to at most `most` (at least 1). Where there are more, episodes shorter
+/// than some length count as flicker; the length is chosen so that enough of them do. Successive
+/// flicker becomes one episode of several parts. If that is still short, it is joined with both
+/// neighbours when they have the same decider, else with the longer one.
 std::vector<Episode> condensed(std::vector<Episode> episodes, std::size_t most);
 
 }  // namespace elsie::traces

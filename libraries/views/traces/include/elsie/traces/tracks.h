@@ -1,4 +1,4 @@
-// Where the robots went: what pictures of a run are made of.
+// Where the robots went, for pictures of a run.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,16 @@
 
 namespace elsie::traces {
 
-/// The way of one robot.
+/// The path of one robot.
 struct Track {
   std::vector<Pose> path;        // a pose per period, the first at the start
   std::vector<Vector2> touches;  // where it was when it collided
-  /// The poses that it did not drive to: a user had put it elsewhere since the one before. Places
-  /// in `path`, ascending.
+  /// Poses that it did not drive to, because a user had moved it since the pose before. Places in
+  /// `path`, ascending.
   std::vector<std::size_t> placed{};
 };
 
-/// Keeps the way of every robot.
+/// Keeps the path of every robot.
 class TrackRecorder final : public simulation::Observer {
  public:
   /// `period_s`: simulated time from one pose to the next, rounded to whole steps.
@@ -43,7 +43,7 @@ class TrackRecorder final : public simulation::Observer {
   std::vector<Track> tracks_;
   std::vector<int> collisions_;
   std::vector<bool> was_placed_;  // since the last pose of its path
-  std::size_t events_ = 0;        // that were looked at
+  std::size_t events_ = 0;        // how many were looked at
 };
 
 }  // namespace elsie::traces

@@ -1,30 +1,18 @@
-#include <cstdlib>
-#include <fstream>
-
+// Decisions of real runs, from their recordings.
 #include <catch2/catch.hpp>
 
 #include "elsie/recording/csv_recorder.h"
-#include "elsie/traces/trace.h"
-#include "elsie/traces/trace_recorder.h"
 
-#include "trace_support.h"
-#include "world_builder.h"
+#include "recorded.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using recording::McapRecorder;
+using recording::read_trace;
 using simulation::Simulation;
 using traces::Trace;
-using traces::TraceRecorder;
 
 namespace {
-
-/// Runs and records; gives the result.
-simulation::RunResult record(Simulation& simulation, const std::filesystem::path& file,
-                             bool with_times = false) {
-  TraceRecorder recorder(file, with_times);
-  simulation::Observer* const observers[] = {&recorder};
-  return simulation.run(observers);
-}
 
 world::World two_robots() {
   world::World world;
@@ -61,13 +49,13 @@ world::World nested() {
 }  // namespace
 
 TEST_CASE("A trace tells of world, seed, periods, robots, coordinators and behaviours") {
-  const TraceFolder folder;
+  const McapFile file;
   world::World world = two_robots();
   world.file = "two.xml";
   world.physics.control_steps = 5;
   Simulation simulation(std::move(world), shipped(), {.seed = 18446744073709551615u});
-  record(simulation, folder / "run.trace");
-  const Trace trace = traces::read_trace(folder / "run.trace");
+  record(simulation, file.path);
+  const Trace trace = read_trace(file.path);
   CHECK(trace.world == "two, \"robots\"");
   CHECK(trace.world_file == "two.xml");
   CHECK(trace.seed == 18446744073709551615u);
@@ -89,10 +77,10 @@ TEST_CASE("A trace tells of world, seed, periods, robots, coordinators and behav
 }
 
 TEST_CASE("A trace tells what each coordinator made of each behaviour, and the command") {
-  const TraceFolder folder;
+  const McapFile file;
   Simulation simulation(two_robots(), shipped());
-  record(simulation, folder / "run.trace");
-  const Trace trace = traces::read_trace(folder / "run.trace");
+  record(simulation, file.path);
+  const Trace trace = read_trace(file.path);
   const auto& winner = trace.robots[0].members[0].notes.at(0);
   CHECK(winner.time_s == 0);
   CHECK(winner.asked);
@@ -105,11 +93,12 @@ TEST_CASE("A trace tells what each coordinator made of each behaviour, and the c
   CHECK(loser.share == 0);
   CHECK(loser.inhibited_by == 0);
   CHECK(trace.reasons[loser.reason] == "suppressed");
-  CHECK(trace.robots[0].commands.at(0).command == winner.command);
+  const auto message = recorded(file.path)["/robots/r1/trace"].at(0);
+  CHECK(message.content.at("left_rad_s") == message.content.at("behaviors")[0].at("left_rad_s"));
 }
 
 TEST_CASE("What has not changed since the last decision is not written") {
-  const TraceFolder folder;
+  const McapFile file;
   ScriptedHost scripted([](const Perception& now) {
     return MotorCommand{now.time_s() < 0.5 ? 3.0 : 4.0, 5.0};
   });
@@ -117,18 +106,25 @@ TEST_CASE("What has not changed since the last decision is not written") {
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   world.limits.time = 1;
   Simulation simulation(std::move(world), scripted.host);
-  record(simulation, folder / "run.trace");
-  const auto lines = lines_of(folder.read("run.trace"));
-  const std::vector<std::string> rows(lines.begin() + 5, lines.end());
-  CHECK(rows == std::vector<std::string>{"0,r1,scripted,1,3,5,1,1,1,1,highest priority",
-                                         "0,r1,,,3,5",
-                                         "0.5,r1,scripted,1,4,5,1,1,1,1,highest priority",
-                                         "0.5,r1,,,4,5", lines.back()});
+  record(simulation, file.path);
+  const auto decisions = recorded(file.path)["/robots/r1/trace"];
+  REQUIRE(decisions.size() == 2);
+  CHECK(decisions[0].time_s() == 0.0);
+  CHECK(decisions[0].content.at("left_rad_s") == 3);
+  CHECK(decisions[1].time_s() == 0.5);
+  CHECK(decisions[1].timestamp_s() == 0.5);
+  CHECK(decisions[1].content.at("left_rad_s") == 4);
+  const auto& row = decisions[1].content.at("behaviors").at(0);
+  CHECK(row.at("path") == "scripted");
+  CHECK(row.at("asked") == true);
+  CHECK(row.at("left_rad_s") == 4);
+  CHECK(row.at("reason") == "highest priority");
+  CHECK(read_trace(file.path).robots[0].members[0].notes.size() == 2);
 }
 
 TEST_CASE(
-    "Numbers are rounded: three decimals, weights four digits; what is smaller is no change") {
-  const TraceFolder folder;
+    "Decisions keep every digit; a trace rounds them, and what is smaller than that is no change") {
+  const McapFile file;
   ScriptedHost scripted([](const Perception& now) {
     Response response = MotorCommand{-0.0001, 1.0 / 3.0};
     response.activation = 0.66666 + 1e-5 * now.time_s();
@@ -140,24 +136,35 @@ TEST_CASE(
   world.robots[0].coordinator->parameters["weighted"] = true;
   world.limits.time = 1;
   Simulation simulation(std::move(world), scripted.host);
-  record(simulation, folder / "run.trace");
-  const auto lines = lines_of(folder.read("run.trace"));
-  REQUIRE(lines.size() == 5 + 3);
-  CHECK(lines[3].find("priority=\"1.23456789e-07\"") != std::string::npos);
-  CHECK(lines[5] == "0,r1,scripted,1,0,0.333,0.667,1,1.235e-07,1,summed");
-  CHECK(lines[6] == "0,r1,,,0,0");
+  record(simulation, file.path);
+  const auto decisions = recorded(file.path)["/robots/r1/trace"];
+  REQUIRE(decisions.size() == 1);
+  const auto& row = decisions[0].content.at("behaviors").at(0);
+  CHECK(row.at("right_rad_s") == 1.0 / 3.0);
+  CHECK(row.at("weight") == 1.23456789e-7);
+  const Trace trace = read_trace(file.path);
+  CHECK(trace.robots[0].members[0].priority == 1.23456789e-7);
+  REQUIRE(trace.robots[0].members[0].notes.size() == 1);
+  const auto& note = trace.robots[0].members[0].notes[0];
+  CHECK(note.command == MotorCommand{0, 0.333});
+  CHECK_FALSE(std::signbit(note.command.left));
+  CHECK(note.activation == 0.667);
+  CHECK(note.strength == 1);
+  CHECK(note.weight == 1.235e-07);
+  CHECK(note.share == 1);
+  CHECK(trace.reasons[note.reason] == "summed");
 }
 
 TEST_CASE("With a control period of several steps there is a decision in each period") {
-  const TraceFolder folder;
+  const McapFile file;
   ScriptedHost scripted([](const Perception& now) { return MotorCommand{now.time_s(), 0}; });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   world.physics.control_steps = 5;
   world.limits.time = 0.52;
   Simulation simulation(std::move(world), scripted.host);
-  record(simulation, folder / "run.trace");
-  const Trace trace = traces::read_trace(folder / "run.trace");
+  record(simulation, file.path);
+  const Trace trace = read_trace(file.path);
   const auto& notes = trace.robots[0].members[0].notes;
   REQUIRE(notes.size() == 11);
   CHECK(notes[10].time_s == 0.5);
@@ -166,13 +173,13 @@ TEST_CASE("With a control period of several steps there is a decision in each pe
 }
 
 TEST_CASE("Behaviours inside others are traced, also when they are not asked") {
-  const TraceFolder folder;
+  const McapFile file;
   ScriptedHost scripted([](const Perception&) { return MotorCommand{1, 2}; });
   scripted.host.add(declare<Holder>(PluginKind::behavior, "holder", "holds others",
                                     holds_behaviors(&Holder::inside)));
   Simulation simulation(nested(), scripted.host);
-  record(simulation, folder / "run.trace");
-  const Trace trace = traces::read_trace(folder / "run.trace");
+  record(simulation, file.path);
+  const Trace trace = read_trace(file.path);
   REQUIRE(trace.robots[0].members.size() == 2);
   const auto& inner = trace.robots[0].members[1];
   CHECK(inner.path == "outer/scripted");
@@ -189,7 +196,7 @@ TEST_CASE("Behaviours inside others are traced, also when they are not asked") {
 }
 
 TEST_CASE("Events are in the trace, at the end of the step in which they happened") {
-  const TraceFolder folder;
+  const McapFile file;
   ScriptedHost scripted([](const Perception& now) {
     Response response;
     if (now.time_s() == 0.0) {
@@ -204,8 +211,8 @@ TEST_CASE("Events are in the trace, at the end of the step in which they happene
   world.boxes.push_back(box("apple", world::BoxKind::resource, 2.5, 0));
   world.limits.time = 2;
   Simulation simulation(std::move(world), scripted.host);
-  const auto result = record(simulation, folder / "run.trace");
-  const Trace trace = traces::read_trace(folder / "run.trace");
+  const auto result = record(simulation, file.path);
+  const Trace trace = read_trace(file.path);
   REQUIRE(trace.robots[0].events.size() == 1);
   CHECK(trace.robots[0].events[0].name == "hello");
   CHECK(trace.robots[0].events[0].time_s == 0.01);
@@ -216,32 +223,32 @@ TEST_CASE("Events are in the trace, at the end of the step in which they happene
 }
 
 TEST_CASE("A run is the same, bit for bit, whether it is traced or not; two traces are, too") {
-  const TraceFolder folder;
+  const McapFile a, b;
   const auto hash = Simulation(two_robots(), shipped()).run().state_hash;
   Simulation simulation(two_robots(), shipped());
-  CHECK(record(simulation, folder / "a.trace").state_hash == hash);
+  CHECK(record(simulation, a.path).state_hash == hash);
   simulation.reset();
-  CHECK(record(simulation, folder / "b.trace").state_hash == hash);
-  CHECK(folder.read("a.trace") == folder.read("b.trace"));
+  CHECK(record(simulation, b.path).state_hash == hash);
+  CHECK(a.bytes() == b.bytes());
 }
 
 TEST_CASE("A robot without behaviours or coordinator has a trace, too") {
-  const TraceFolder folder;
+  const McapFile file;
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("wander")));
   world.robots[0].behaviors.clear();
   world.robots[0].coordinator.reset();
   world.limits.time = 0.1;
   Simulation simulation(std::move(world), shipped());
-  record(simulation, folder / "run.trace");
-  const Trace trace = traces::read_trace(folder / "run.trace");
+  record(simulation, file.path);
+  const Trace trace = read_trace(file.path);
   CHECK(trace.robots.at(0).coordinator.empty());
   CHECK(trace.robots[0].members.empty());
-  CHECK(trace.robots[0].commands.size() == 1);
+  CHECK(recorded(file.path)["/robots/r1/trace"].size() == 1);
 }
 
 TEST_CASE("A run that a plugin ended has a whole trace with the outcome 'stopped'") {
-  const TraceFolder folder;
+  const McapFile file;
   ScriptedHost scripted([](const Perception& now) -> Response {
     if (now.time_s() > 0.495) {
       throw std::runtime_error("enough");
@@ -251,84 +258,69 @@ TEST_CASE("A run that a plugin ended has a whole trace with the outcome 'stopped
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   Simulation simulation(std::move(world), scripted.host);
-  CHECK_THROWS_AS(record(simulation, folder / "run.trace"), simulation::PluginFault);
-  const Trace trace = traces::read_trace(folder / "run.trace");
+  CHECK_THROWS_AS(record(simulation, file.path), simulation::PluginFault);
+  const Trace trace = read_trace(file.path);
   CHECK(trace.outcome == "stopped");
   CHECK(trace.end_s == 0.5);
   CHECK(trace.robots[0].members[0].notes.size() == 50);
 }
 
-TEST_CASE("The file grows as the run goes, whole lines at a time") {
-  const TraceFolder folder;
+TEST_CASE("The file grows during the run, a second at a time") {
+  const McapFile file;
   ScriptedHost scripted([](const Perception& now) { return MotorCommand{now.time_s(), 0}; });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   Simulation simulation(std::move(world), scripted.host);
-  TraceRecorder recorder(folder / "run.trace");
+  McapRecorder recorder(file.path);
   recorder.started(simulation);
   for (int i = 0; i < 1500; ++i) {
     simulation.step();
     recorder.stepped(simulation);
   }
   // Nobody told the recorder that the run has ended: as if the program had been killed here.
-  CHECK(folder.read("run.trace").back() == '\n');
-  const Trace trace = traces::read_trace(folder / "run.trace");
+  const Trace trace = read_trace(file.path);
   CHECK(trace.outcome.empty());
-  CHECK(trace.cut_off.empty());
-  CHECK(trace.end_s > 14);
-  CHECK(trace.robots[0].members[0].notes.size() > 1400);
+  CHECK(!trace.cut_off.empty());
+  CHECK(trace.end_s > 13.9);
+  CHECK(trace.robots[0].members[0].notes.size() >= 1400);
 }
 
-TEST_CASE("A trace in which nothing changes says now and then that it goes on") {
-  const TraceFolder folder;
+TEST_CASE("A recording in which nothing changes still shows that the run goes on") {
+  const McapFile file;
   ScriptedHost scripted([](const Perception&) { return MotorCommand{0, 0}; });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   Simulation simulation(std::move(world), scripted.host);
-  TraceRecorder recorder(folder / "run.trace");
+  McapRecorder recorder(file.path);
   recorder.started(simulation);
   for (int i = 0; i < 3550; ++i) {
     simulation.step();
     recorder.stepped(simulation);
   }
-  const Trace trace = traces::read_trace(folder / "run.trace");
-  CHECK(trace.end_s == 30);
+  const Trace trace = read_trace(file.path);
+  CHECK(trace.end_s > 34);
   CHECK(trace.robots[0].members[0].notes.size() == 1);
 }
 
-TEST_CASE("Times that behaviours took are told at the end, when they are asked for") {
-  const TraceFolder folder;
+TEST_CASE("Times that behaviours took are added up, when they were recorded") {
+  const McapFile a, b;
   Simulation measured(two_robots(), shipped(), {.seed = 1, .measure_time = true});
-  record(measured, folder / "a.trace", true);
-  const Trace trace = traces::read_trace(folder / "a.trace");
+  record(measured, a.path, {.with_times = true});
+  const Trace trace = read_trace(a.path);
   const auto& times = trace.robots[0].members[0].times;
   CHECK(times.answers == 100);
   CHECK(times.mean_s > 0);
   CHECK(times.longest_s >= times.mean_s);
   CHECK(trace.robots[0].members[1].times.answers == 0);  // suppressed
   measured.reset();
-  record(measured, folder / "b.trace");
-  CHECK(folder.read("b.trace").find("took") == std::string::npos);
+  record(measured, b.path);
+  CHECK(read_trace(b.path).robots[0].members[0].times.answers == 0);
 }
 
-TEST_CASE("A file that is no trace is never overwritten; a trace is") {
-  const TraceFolder folder;
-  folder.write("mine.trace", "my notes\n");
-  CHECK_THROWS_WITH(TraceRecorder(folder / "mine.trace"),
-                    Catch::Contains("there is a file of that name that is no trace"));
-  CHECK(folder.read("mine.trace") == "my notes\n");
-  folder.write("old.trace", "# elsie trace 1\nold\n");
-  CHECK_NOTHROW(TraceRecorder(folder / "old.trace"));
-  CHECK(folder.read("old.trace").empty());
-  CHECK_NOTHROW(TraceRecorder(folder / "old.trace"));  // empty: of a run that was stopped at once
-}
-
-TEST_CASE("A trace that cannot be written says so") {
-  CHECK_THROWS_WITH(TraceRecorder("/nowhere/at/all.trace"),
-                    Catch::Contains("'/nowhere/at/all.trace' cannot be created: No such file"));
+TEST_CASE("A recording that cannot be written to its end says so") {
   if (std::filesystem::exists("/dev/full")) {
     Simulation simulation(two_robots(), shipped());
     CHECK_THROWS_WITH(record(simulation, "/dev/full"),
-                      "trace '/dev/full' could not be written: No space left on device");
+                      "recording '/dev/full' could not be written: No space left on device");
   }
 }

@@ -1,0 +1,45 @@
+// The formats in which a run can be recorded, by the suffix of the file's name. A new format is a
+// recorder of its own, see CONTRIBUTING.md, and a line in formats.cpp.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "elsie/simulation/observer.h"
+
+namespace elsie::recording {
+
+/// How to record; a format without a place for pictures ignores `images`.
+struct RecorderOptions {
+  /// Samples per simulated second, rounded to whole steps, at most one a step; must be positive.
+  double rate_hz = 10.0;
+  /// Whether to record the cameras' pictures: in each sample, those that are new.
+  bool images = false;
+  /// Whether to record how long each behaviour took to answer; the simulation must measure it.
+  bool with_times = false;
+  /// The program that records: "elsie 0.1.0".
+  std::string program = "elsie";
+};
+
+struct Format {
+  std::string_view suffix;       // ".csv"
+  std::string_view description;  // "a table"
+  std::string_view mark;         // how every such file begins
+  bool images = false;           // whether it has a place for pictures
+  /// Creates the file at once, and throws an exception with a sentence when it cannot.
+  std::unique_ptr<simulation::Observer> (*recorder)(const std::filesystem::path& file,
+                                                    const RecorderOptions& options) = nullptr;
+};
+
+/// All formats; a file without a suffix, such as a device, gets the first.
+std::span<const Format> formats();
+/// The format that a file's name asks for; null: none has this suffix.
+const Format* format_of(const std::filesystem::path& file);
+/// The suffixes for messages and help: ".csv or .mcap" with " or " between them. `with_images`: only
+/// of formats with a place for pictures.
+std::string suffixes(std::string_view between, bool with_images = false);
+
+}  // namespace elsie::recording

@@ -1,0 +1,42 @@
+// Reading a file that McapRecorder wrote, message by message.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "elsie/mcap/records.h"
+#include "elsie/recording/recorded_run.h"
+
+#include "format.h"
+
+namespace elsie::recording {
+
+constexpr double kSecondNs = 1e9;
+
+/// A channel or message that is not as the recorder writes it; what() says what is wrong with it.
+class Unexpected : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Robot and kind of a channel "/robots/ROBOT/KIND"; both empty for others.
+std::pair<std::string, std::string> robot_and_kind(const mcap::Channel& channel);
+
+/// Takes what it needs from a file. Json::exception and Unexpected become errors of the file.
+class Visitor {
+ public:
+  virtual void channel(const mcap::Channel&) {}  // before its messages
+  virtual void message(const mcap::Channel& channel, const mcap::Message& message) = 0;
+
+ protected:
+  ~Visitor() = default;
+};
+
+/// Reads a file to its end. Fills in what RecordedRun says about the whole file, and shows the rest
+/// to the visitor if Elsie recorded it. Throws mcap::McapError for a file that cannot be read or is
+/// damaged.
+void read_file(const std::filesystem::path& file, RecordedRun& run, Visitor& visitor);
+
+}  // namespace elsie::recording

@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "elsie/base/number_text.h"
+#include "elsie/recording/recorded_run.h"
+#include "elsie/traces/trace_rows.h"
+
+#include "reading.h"
+
+namespace elsie::recording {
+namespace {
+
+using traces::one_line;
+using traces::Trace;
+using traces::TraceMember;
+using traces::TraceNote;
+using traces::TraceRobot;
+
+int place_of(const TraceRobot& robot, std::string_view path) {
+  for (std::size_t i = 0; i < robot.members.size(); ++i) {
+    if (robot.members[i].path == path) {
+      return static_cast<int>(i);
+    }
+  }
+  throw Unexpected("robot '" + robot.id + "' has no behaviour '" + one_line(path) + "'");
+}
+
+double number(const Json& row, const char* name) { return row.value(name, 0.0); }
+
+double degree(const Json& row, const char* name) {
+  const double value = number(row, name);
+  if (!(value >= 0.0 && value <= 1.0)) {
+    throw Unexpected(std::string(name) + " is " + base::number_text(value) +
+                     "; expected a number from 0 to 1");
+  }
+  return value;
+}
+
+/// Puts the trace together. Behaviours are named in the metadata of a robot's channel, which comes
+/// before its decisions.
+class TraceBuilder final : public Visitor {
+ public:
+  explicit TraceBuilder(Trace& trace) : trace_(trace) { trace_.reasons = {""}; }
+
+  void channel(const mcap::Channel& channel) override {
+    const auto [id, kind] = robot_and_kind(channel);
+    if (kind != kTraceKind) {
+      return;
+    }
+    TraceRobot robot{id, text(channel, "team"), text(channel, kCoordinator), {}, {}};
+    for (const Json& behavior : Json::parse(text(channel, kBehaviors))) {
+      TraceMember member;
+      member.path = behavior.at("path").get<std::string>();
+      member.plugin = behavior.at("plugin").get<std::string>();
+      member.coordinator = behavior.at("coordinator").get<std::string>();
+      member.priority = behavior.at("priority").get<double>();
+      if (const std::size_t slash = member.path.rfind('/'); slash != std::string::npos) {
+        member.parent = place_of(robot, member.path.substr(0, slash));
+        member.depth = robot.members[static_cast<std::size_t>(member.parent)].depth + 1;
+      }
+      if (std::any_of(robot.members.begin(), robot.members.end(),
+                      [&](const TraceMember& other) { return other.path == member.path; })) {
+        throw Unexpected("the behaviour '" + one_line(member.path) + "' is there twice");
+      }
+      robot.members.push_back(std::move(member));
+    }
+    places_[channel.id] = trace_.robots.size();
+    trace_.robots.push_back(std::move(robot));
+  }
+
+  void message(const mcap::Channel& channel, const mcap::Message& message) override {
+    const double time_s = static_cast<double>(message.log_time_ns) / kSecondNs;
+    if (channel.topic == kEventsTopic) {
+      read_event(Json::parse(message.data), time_s);
+    } else if (const auto robot = places_.find(channel.id); robot != places_.end()) {
+      if (time_s < decided_s_) {
+        throw Unexpected("its time is before that of the decision before it");
+      }
+      decided_s_ = time_s;
+      read_decision(trace_.robots[robot->second], Json::parse(message.data), time_s);
+    }
+  }
+
+  /// The time of the last decision, s; below 0: there is none.
+  double decided_s() const { return decided_s_; }
+
+ private:
+  static const std::string& text(const mcap::Channel& channel, const char* name) {
+    const auto at = channel.metadata.find(name);
+    if (at == channel.metadata.end()) {
+      throw Unexpected("its metadata lack '" + std::string(name) +
+                       "'; an older Elsie may have written it");
+    }
+    return at->second;
+  }
+
+  void read_event(const Json& event, double time_s) {
+    const std::string id = event.at("name").get<std::string>();
+    const auto robot = std::find_if(trace_.robots.begin(), trace_.robots.end(),
+                                    [&](const TraceRobot& each) { return each.id == id; });
+    if (robot == trace_.robots.end()) {
+      throw Unexpected("the recording has no robot '" + one_line(id) + "'");
+    }
+    robot->events.push_back({time_s, one_line(event.at("event").get<std::string>()),
+                             one_line(event.at("detail").get<std::string>())});
+  }
+
+  void read_decision(TraceRobot& robot, const Json& decision, double time_s) {
+    for (const Json& row : decision.at("behaviors")) {
+      const int place = place_of(robot, row.at("path").get<std::string>());
+      TraceMember& member = robot.members[static_cast<std::size_t>(place)];
+      const TraceNote note = note_of(robot, member, row, time_s);
+      if (member.notes.empty() || !traces::same(note, member.notes.back())) {
+        member.notes.push_back(note);
+      }
+      if (note.asked && row.contains("time_s")) {
+        // The mean is a sum until the end of the file.
+        ++member.times.answers;
+        member.times.mean_s += number(row, "time_s");
+        member.times.longest_s = std::max(member.times.longest_s, number(row, "time_s"));
+      }
+    }
+  }
+
+  TraceNote note_of(const TraceRobot& robot, const TraceMember& member, const Json& row,
+                    double time_s) {
+    TraceRow read;
+    read.asked = row.at("asked").get<bool>();
+    read.command = {row.at("left_rad_s").get<double>(), row.at("right_rad_s").get<double>()};
+    read.activation = degree(row, "activation");
+    read.strength = degree(row, "strength");
+    read.weight = number(row, "weight");
+    read.share = degree(row, "share");
+    const auto inhibitor = row.at("inhibited_by").get<std::string>();
+    const int by = inhibitor.empty() ? -1 : place_of(robot, inhibitor);
+    if (by >= 0 && robot.members[static_cast<std::size_t>(by)].parent != member.parent) {
+      throw Unexpected("'" + member.path + "' is inhibited by '" + inhibitor +
+                       "', which is not under the same coordinator");
+    }
+    return traces::note_of(read, time_s, reason(one_line(row.at("reason").get<std::string>())), by);
+  }
+
+  std::uint32_t reason(const std::string& text) {
+    const auto [known, is_new] =
+        reasons_.try_emplace(text, static_cast<std::uint32_t>(trace_.reasons.size()));
+    if (is_new) {
+      trace_.reasons.push_back(text);
+    }
+    return known->second;
+  }
+
+  Trace& trace_;
+  double decided_s_ = -1.0;
+  std::map<std::uint16_t, std::size_t> places_;  // of robots, by the ids of their channels
+  std::map<std::string, std::uint32_t> reasons_{{"", 0}};
+};
+
+}  // namespace
+
+traces::Trace read_trace(const std::filesystem::path& file) {
+  Trace trace;
+  RecordedRun run;
+  TraceBuilder builder(trace);
+  read_file(file, run, builder);
+  const std::string what = "recording '" + file.string() + "' ";
+  if (!run.of_elsie) {
+    throw mcap::McapError(what + "was not made by Elsie but by '" + run.library + "'");
+  }
+  if (run.channels.empty()) {
+    throw mcap::McapError(what + "breaks off before its first second was written");
+  }
+  trace.period_s = base::rounded(run.step_s * static_cast<double>(run.control_steps), 9);
+  if (!(trace.period_s > 0.0)) {
+    throw mcap::McapError(what + "does not say how often robots decide");
+  }
+  trace.world = one_line(run.world);
+  trace.world_file = one_line(run.world_file);
+  trace.seed = run.seed;
+  trace.step_s = run.step_s;
+  if (run.result) {
+    trace.end_s = base::rounded(run.result->simulated_s, 9);
+    trace.outcome = run.result->outcome;
+    trace.outcome_reason = one_line(run.result->reason);
+  } else {
+    trace.end_s =
+        std::max(run.end_s, builder.decided_s() < 0.0 ? 0.0 : builder.decided_s() + trace.period_s);
+    trace.cut_off = run.missing_end;
+  }
+  for (TraceRobot& robot : trace.robots) {
+    for (TraceMember& member : robot.members) {
+      auto& times = member.times;
+      times.mean_s = times.answers > 0
+                         ? traces::shortened(times.mean_s / static_cast<double>(times.answers))
+                         : 0.0;
+      times.longest_s = traces::shortened(times.longest_s);
+    }
+  }
+  return trace;
+}
+
+}  // namespace elsie::recording

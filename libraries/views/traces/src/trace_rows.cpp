@@ -1,0 +1,91 @@
+#include "elsie/traces/trace_rows.h"
+
+#include <array>
+#include <charconv>
+#include <cstring>
+
+#include "elsie/base/number_text.h"
+
+namespace elsie::traces {
+namespace {
+
+constexpr int kDecimals = 3;
+constexpr int kWeightDigits = 4;
+
+MotorCommand kept(const MotorCommand& command) {
+  return {base::rounded(command.left, kDecimals), base::rounded(command.right, kDecimals)};
+}
+
+}  // namespace
+
+double shortened(double value) {
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                 std::chars_format::general, kWeightDigits)
+                       .ptr;
+  double result = 0.0;
+  std::from_chars(digits.data(), end, result);
+  return result + 0.0;
+}
+
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      c = ' ';
+    }
+  }
+  return line;
+}
+
+TraceRow kept(TraceRow row) {
+  row.command = row.asked ? kept(row.command) : MotorCommand{};
+  row.activation = row.asked ? base::rounded(row.activation, kDecimals) : 0.0;
+  row.strength = row.asked ? base::rounded(row.strength, kDecimals) : 0.0;
+  row.weight = shortened(row.weight);
+  row.share = base::rounded(row.share, kDecimals);
+  return row;
+}
+
+bool same(const TraceRow& a, const TraceRow& b) {
+  return a.asked == b.asked && a.command == b.command && a.activation == b.activation &&
+         a.strength == b.strength && a.weight == b.weight && a.share == b.share &&
+         a.inhibited_by == b.inhibited_by &&
+         (a.reason == b.reason || std::strcmp(a.reason, b.reason) == 0);
+}
+
+TraceNote note_of(const TraceRow& row, double time_s, std::uint32_t reason, int inhibited_by) {
+  const TraceRow rounded = kept(row);
+  return {time_s,           rounded.command, rounded.activation,
+          rounded.strength, rounded.weight,  rounded.share,
+          inhibited_by,     reason,          row.asked};
+}
+
+bool same(const TraceNote& a, const TraceNote& b) {
+  return a.asked == b.asked && a.command == b.command && a.activation == b.activation &&
+         a.strength == b.strength && a.weight == b.weight && a.share == b.share &&
+         a.reason == b.reason && a.inhibited_by == b.inhibited_by;
+}
+
+bool TraceRows::changed(const simulation::RobotView& robot) {
+  bool changed = !begun_;
+  begun_ = true;
+  rows_.resize(robot.trace.size());
+  kept_.resize(robot.trace.size());
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const TraceRow& row = robot.trace[i].member->trace;
+    if (same(row, rows_[i])) {
+      continue;  // most of the time, and cheaper than rounding it to find out
+    }
+    rows_[i] = row;
+    const TraceRow rounded = kept(row);
+    changed = changed || !same(rounded, kept_[i]);
+    kept_[i] = rounded;
+  }
+  const MotorCommand command = kept(robot.command);
+  changed = changed || command != command_;
+  command_ = command;
+  return changed;
+}
+
+}  // namespace elsie::traces
