@@ -104,7 +104,7 @@ TEST_CASE("A plugin that crashes is named with robot, step and stack, and the re
     CHECK_THAT(run.err, !Contains("libelsie.so") && !Contains("elsie-program+0x"));
     CHECK_THAT(run.err, Contains("what was recorded until then is kept\nthe stack"));
     CHECK(world.rows() == 51);
-    CHECK_THAT(world.here.read("run.mcap"), Contains(R"("left_rad_s":10.0,"right_rad_s":10.0)"));
+    CHECK_THAT(world.here.read("run.mcap"), Contains(R"("left_rad_s":10,"right_rad_s":10)"));
     const auto told = world.here.elsie("explain run.mcap");
     CHECK(told.exit_code == 0);
     CHECK_THAT(told.out, Contains("stopped after 0.5 s: the program was brought down in the step "

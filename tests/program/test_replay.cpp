@@ -67,11 +67,11 @@ TEST_CASE("A replay takes from the database what has changed on disk, and says s
   here.write("small.xml", "<world/>");
   auto run = here.elsie("replay small_experiment.sqlite 1 --quiet");
   CHECK(run.exit_code == 0);
-  CHECK_THAT(run.err, Contains(model + "' has changed since; the run takes what was in it"));
+  CHECK_THAT(run.err, Contains(model + "' has changed since; the run uses its stored content"));
   fs::remove_all(here.file("fuzzy_models"));
   run = here.elsie("replay small_experiment.sqlite 1 --quiet");
   CHECK(run.exit_code == 0);
-  CHECK_THAT(run.err, Contains(model + "' is not there any more"));
+  CHECK_THAT(run.err, Contains(model + "' is gone; the run uses its stored content"));
 
   here.write("mine/wander.so", here.read("mine/wander.so") + "more");
   run = here.elsie("replay small_experiment.sqlite 1 --quiet");

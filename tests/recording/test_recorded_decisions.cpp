@@ -123,7 +123,7 @@ TEST_CASE("What has not changed since the last decision is not written") {
 }
 
 TEST_CASE(
-    "Decisions keep every digit; a trace rounds them, and what is smaller than that is no change") {
+    "Numbers are rounded: three decimals, weights four digits; what is smaller is no change") {
   const McapFile file;
   ScriptedHost scripted([](const Perception& now) {
     Response response = MotorCommand{-0.0001, 1.0 / 3.0};
@@ -140,8 +140,11 @@ TEST_CASE(
   const auto decisions = recorded(file.path)["/robots/r1/trace"];
   REQUIRE(decisions.size() == 1);
   const auto& row = decisions[0].content.at("behaviors").at(0);
-  CHECK(row.at("right_rad_s") == 1.0 / 3.0);
-  CHECK(row.at("weight") == 1.23456789e-7);
+  CHECK(row.at("left_rad_s") == 0);
+  CHECK(row.at("right_rad_s") == 0.333);
+  CHECK(row.at("activation") == 0.667);
+  CHECK(row.at("weight") == 1.235e-07);
+  CHECK(decisions[0].content.at("right_rad_s") == 0);
   const Trace trace = read_trace(file.path);
   CHECK(trace.robots[0].members[0].priority == 1.23456789e-7);
   REQUIRE(trace.robots[0].members[0].notes.size() == 1);

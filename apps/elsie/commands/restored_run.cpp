@@ -128,7 +128,7 @@ void RestoredRun::restore_data(const StoredRun& run, std::map<std::string, std::
     if (folder_.empty()) {
       std::string name = (fs::temp_directory_path() / "elsie-replay-XXXXXX").string();
       if (!mkdtemp(name.data())) {
-        throw std::runtime_error("no folder can be made in '" + fs::temp_directory_path().string() +
+        throw std::runtime_error("cannot make a folder in '" + fs::temp_directory_path().string() +
                                  "' for the data files of the run");
       }
       folder_ = name;
@@ -143,9 +143,8 @@ void RestoredRun::restore_data(const StoredRun& run, std::map<std::string, std::
       throw std::runtime_error("the file '" + file.string() + "' cannot be written");
     }
     files[data.name] = file.string();
-    differences_.push_back("'" + data.path + "' " +
-                           (now ? "has changed since" : "is not there any more") +
-                           "; the run takes what was in it, from the database");
+    differences_.push_back("'" + data.path + "' " + (now ? "has changed since" : "is gone") +
+                           "; the run uses its stored content from the database");
   }
 }
 

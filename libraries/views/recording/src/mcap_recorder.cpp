@@ -115,6 +115,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     std::uint16_t pose, state, readings, command, trace;
     std::optional<std::uint16_t> beams;
     std::vector<CameraChannels> cameras;
+    TraceTexts texts;
     traces::TraceRows rows{};
   };
 
@@ -201,7 +202,8 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
           own("command", command),
           channel(robot_topic(robot.id, kTraceKind), trace, trace_metadata(simulation.robot(r))),
           std::nullopt,
-          {}};
+          {},
+          TraceTexts(simulation.robot(r))};
       if (sees_ranges(simulation, r)) {
         channels.beams = own("beams", scene);
       }
@@ -304,8 +306,8 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     for (std::size_t r = 0; r < robots_.size(); ++r) {
       const RobotView robot = simulation.robot(r);
       if (robots_[r].rows.changed(robot) || options_.with_times) {
-        write(robots_[r].trace, decided_ns_,
-              trace_message(decided_ns_, robot, options_.with_times));
+        out_.write(robots_[r].trace, decided_ns_,
+                   robots_[r].texts.message(decided_ns_, robot, options_.with_times));
       }
     }
   }

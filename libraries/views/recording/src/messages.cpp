@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "elsie/base/number_text.h"
 #include "elsie/picture/image_file.h"
+#include "elsie/traces/trace_rows.h"
 
 #include "base64.h"
 
@@ -14,13 +16,6 @@ constexpr std::uint64_t kSecond = 1'000'000'000;
 // foxglove.LogLevel
 constexpr int kInfo = 2;
 constexpr int kWarning = 3;
-
-/// Numbers that JSON has no word for are left out.
-void set(Json& object, const char* name, double value) {
-  if (std::isfinite(value)) {
-    object[name] = value;
-  }
-}
 
 }  // namespace
 
@@ -98,32 +93,49 @@ Json command_message(std::uint64_t decided_ns, const MotorCommand& command) {
           {"right_rad_s", command.right}};
 }
 
-Json trace_message(std::uint64_t decided_ns, const simulation::RobotView& robot, bool with_times) {
-  Json rows = Json::array();
+TraceTexts::TraceTexts(const simulation::RobotView& robot) {
   for (const simulation::TracedMember& member : robot.trace) {
-    const TraceRow& trace = member.member->trace;
-    Json row{{"path", member.path},
-             {"plugin", member.plugin},
-             {"coordinator", member.coordinator},
-             {"asked", trace.asked},
-             {"left_rad_s", trace.command.left},
-             {"right_rad_s", trace.command.right}};
-    set(row, "activation", trace.activation);
-    set(row, "strength", trace.strength);
-    set(row, "weight", trace.weight);
-    set(row, "share", trace.share);
-    const simulation::TracedMember* inhibitor = inhibitor_of(member, robot.trace);
-    row["inhibited_by"] = inhibitor ? inhibitor->path : "";
-    row["reason"] = trace.reason;
-    if (with_times) {
-      set(row, "time_s", trace.time_s);
-    }
-    rows.push_back(std::move(row));
+    std::string start = text_of(
+        {{"path", member.path}, {"plugin", member.plugin}, {"coordinator", member.coordinator}});
+    start.pop_back();
+    starts_.push_back(std::move(start));
   }
-  return {{"timestamp", time_json(decided_ns)},
-          {"left_rad_s", robot.command.left},
-          {"right_rad_s", robot.command.right},
-          {"behaviors", std::move(rows)}};
+}
+
+const std::string& TraceTexts::message(std::uint64_t decided_ns, const simulation::RobotView& robot,
+                                       bool with_times) {
+  text_ = "{\"timestamp\":{\"sec\":" + std::to_string(decided_ns / kSecond) +
+          ",\"nsec\":" + std::to_string(decided_ns % kSecond) + "}";
+  const MotorCommand command = traces::kept(robot.command);
+  add("left_rad_s", command.left);
+  add("right_rad_s", command.right);
+  text_ += ",\"behaviors\":[";
+  for (std::size_t i = 0; i < starts_.size(); ++i) {
+    const TraceRow row = traces::kept(robot.trace[i].member->trace);
+    text_ += (i > 0 ? "," : "") + starts_[i];
+    text_ += row.asked ? ",\"asked\":true" : ",\"asked\":false";
+    add("left_rad_s", row.command.left);
+    add("right_rad_s", row.command.right);
+    add("activation", row.activation);
+    add("strength", row.strength);
+    add("weight", row.weight);
+    add("share", row.share);
+    const simulation::TracedMember* inhibitor = inhibitor_of(robot.trace[i], robot.trace);
+    text_ += ",\"inhibited_by\":" + text_of(inhibitor ? inhibitor->path : "");
+    text_ += ",\"reason\":" + text_of(row.reason);
+    if (with_times) {
+      add("time_s", row.time_s);
+    }
+    text_ += '}';
+  }
+  return text_ += "]}";
+}
+
+void TraceTexts::add(const char* name, double value) {
+  if (std::isfinite(value)) {
+    ((text_ += ",\"") += name) += "\":";
+    text_ += base::NumberText(value).view();
+  }
 }
 
 std::map<std::string, std::string> trace_metadata(const simulation::RobotView& robot) {

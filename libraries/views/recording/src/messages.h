@@ -31,7 +31,23 @@ Frame frame_of(const Pose& pose, double z = 0.0);
 Json pose_message(std::uint64_t time_ns, const Pose& pose);
 Json state_message(std::uint64_t time_ns, const simulation::RobotView& robot);
 Json command_message(std::uint64_t decided_ns, const MotorCommand& command);
-Json trace_message(std::uint64_t decided_ns, const simulation::RobotView& robot, bool with_times);
+/// The messages on a robot's decisions. There may be one for each control period, so their text is
+/// put together by hand. Numbers are rounded by traces::kept(); those that are not finite are left
+/// out.
+class TraceTexts {
+ public:
+  explicit TraceTexts(const simulation::RobotView& robot);
+  /// Valid until the next call.
+  const std::string& message(std::uint64_t decided_ns, const simulation::RobotView& robot,
+                             bool with_times);
+
+ private:
+  void add(const char* name, double value);
+
+  std::vector<std::string> starts_;  // of the rows: what does not change
+  std::string text_;
+};
+
 /// What does not change about a robot's behaviours: the metadata of its channel of traces.
 std::map<std::string, std::string> trace_metadata(const simulation::RobotView& robot);
 Json image_message(std::uint64_t decided_ns, std::string_view robot, const Image& image);

@@ -12,11 +12,11 @@ namespace {
 constexpr int kDecimals = 3;
 constexpr int kWeightDigits = 4;
 
+}  // namespace
+
 MotorCommand kept(const MotorCommand& command) {
   return {base::rounded(command.left, kDecimals), base::rounded(command.right, kDecimals)};
 }
-
-}  // namespace
 
 double shortened(double value) {
   std::array<char, 32> digits;

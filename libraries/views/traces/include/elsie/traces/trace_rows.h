@@ -22,6 +22,7 @@ std::string one_line(std::string_view text);
 /// to four significant digits. The first three are zero if the behaviour was not asked. Smaller
 /// changes are none.
 TraceRow kept(TraceRow row);
+MotorCommand kept(const MotorCommand& command);
 
 /// Whether two rows are equal, to the last bit. The time that the behaviour took does not count.
 bool same(const TraceRow& a, const TraceRow& b);
