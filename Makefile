@@ -30,7 +30,7 @@ demo: configure-program
 test: all
 	ctest --preset $(PRESET)
 
-# Installs what was built: docs/installing.md.
+# Installs the build: docs/installing.md.
 PREFIX ?= /usr/local
 install: configure-program
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins elsie_help
@@ -54,7 +54,7 @@ fuzz: configure
 	cmake --build --preset fuzz --target elsie_fuzzers
 	scripts/fuzz $(FUZZ_SECONDS) build/fuzz $(BUILD)
 
-# The same for a short while, with the build of `make sanitize`.
+# The same for a few seconds, with the build of `make sanitize`.
 fuzz-check: configure
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	@cmake --preset asan --log-level=WARNING
@@ -65,7 +65,7 @@ fuzz-check: configure
 bench: all
 	scripts/benchmark $(BUILD)
 
-# What the shipped worlds come to over 20 seeds: docs/shipped-worlds.md.
+# Results of the shipped worlds over 20 seeds: docs/shipped-worlds.md.
 figures: all
 	scripts/world-figures $(BUILD)
 

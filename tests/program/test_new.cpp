@@ -30,11 +30,11 @@ TEST_CASE("What elsie new makes runs as it is, without a build system") {
                 ".cpp --quiet");
     CAPTURE(run.err);
     CHECK(run.exit_code == 0);
-    CHECK(run.err.empty());  // not a single warning of the compiler
+    CHECK(run.err.empty());  // no compiler warnings
   }
 }
 
-TEST_CASE("elsie new leaves what is there alone, and makes all or nothing") {
+TEST_CASE("elsie new leaves existing files alone, and makes all or nothing") {
   Workplace here;
   const auto refused = [&](const std::string& arguments) {
     const auto run = here.elsie("new " + arguments);
@@ -45,7 +45,7 @@ TEST_CASE("elsie new leaves what is there alone, and makes all or nothing") {
   };
   here.write("notes", "mine");
   CHECK(refused("behavior notes") ==
-        "elsie: 'notes' is there already; choose another name, or --folder");
+        "elsie: 'notes' exists already; choose another name, or --folder");
   CHECK(here.read("notes") == "mine");
   CHECK(refused("robot r1") ==
         "elsie: 'robot' is no kind of plugin; there are behavior, coordinator, sensor and measure");

@@ -1,4 +1,4 @@
-// `elsie replay DATABASE RUN`: what it compares, and how it tells of what does not come to its end.
+// `elsie replay DATABASE RUN`: what it compares, and its messages about runs that do not end.
 #include <catch2/catch.hpp>
 
 #include "laboratory.h"
@@ -66,7 +66,7 @@ TEST_CASE("A run that hangs is ended at the batch's wall limit, and compared") {
   CHECK_THAT(other.out, Contains("before in plugin 'looping' of robot 'r2' in step 50\n"));
 }
 
-TEST_CASE("A run that is merely slow is told from one that hangs") {
+TEST_CASE("A slow run is distinguished from one that hangs") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, "<limits time=\"2\" wall_time=\"2.5\"/>");
   REQUIRE(here.batch("faulty.xml --quiet").exit_code == 3);
@@ -81,16 +81,16 @@ TEST_CASE("A run that is merely slow is told from one that hangs") {
   CHECK_THAT(replay("20", "--wall-limit 0.5 --picture run.png --record run.mcap"),
              Contains("not the same: the run is slow, and does not hang: after 0.5 s on the clock "
                       "it was in step 50 and went on" +
-                      before + "20\nwith --wall-limit it gets longer\n"));
+                      before + "20\n--wall-limit gives it more time\n"));
   CHECK(here.read("run.png").starts_with("\x89PNG"));
   CHECK_THAT(here.elsie("replay run.mcap").out, Contains("complete"));
   CHECK_THAT(replay("150", "--wall-limit 0.5"),
-             Contains("not the same: the run has not come as far as before: after 0.5 s on the "
+             Contains("not the same: the run did not get as far as before: after 0.5 s on the "
                       "clock it was in step 50 and went on" +
                       before + "150\n"));
 }
 
-TEST_CASE("A replay can be limited whatever the run came to; most are not") {
+TEST_CASE("A replay can be limited whatever the result of the run was; most are not") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps);
   REQUIRE(here.batch("faulty.xml --quiet").exit_code == 0);
@@ -98,7 +98,7 @@ TEST_CASE("A replay can be limited whatever the run came to; most are not") {
   CHECK_THAT(here.elsie("replay faulty.sqlite 1 --quiet").out, Catch::StartsWith("the same: "));
   const auto run = here.elsie("replay faulty.sqlite 1 --quiet --wall-limit 0.5");
   CHECK(run.exit_code == 1);
-  CHECK_THAT(run.out, Contains("not the same: the run has not come to its end: after 0.5 s on the "
+  CHECK_THAT(run.out, Contains("not the same: the run has not ended: after 0.5 s on the "
                                "clock it was in step 50 and went on, before done: "));
   here.query("faulty.sqlite",
              "UPDATE runs SET state = 'hang', plugin = 'dawdling', robot = 'r1', "

@@ -1,4 +1,4 @@
-// elsie merge: the databases of an experiment's shards as one.
+// elsie merge: merges the databases of an experiment's shards.
 #include <iostream>
 #include <memory>
 #include <string>
@@ -33,13 +33,13 @@ Example:
   elsie merge beams.sqlite beams-1of2.sqlite beams-2of2.sqlite
 )";
 
-/// The file of the experiment that a database is of.
+/// The experiment file of a database.
 std::string experiment_of(const std::string& database) {
   return results::open_to_read(database).text("SELECT file FROM about");
 }
 
 int merge(const Options& options) {
-  require_database_name(options.into, "OUT");  // else no batch would go on with it
+  require_database_name(options.into, "OUT");  // otherwise no batch could resume it
   require_writable(options.into, "OUT");
   const batch::Merged merged =
       batch::merge(options.into, {options.databases.begin(), options.databases.end()});
@@ -50,8 +50,8 @@ int merge(const Options& options) {
           << " done\n";
     if (merged.duplicates > 0) {
       out() << base::counted(merged.duplicates, "run")
-            << (merged.duplicates == 1 ? " was there more than once, and counts once\n"
-                                       : " were there more than once, and count once\n");
+            << (merged.duplicates == 1 ? " was in several databases, and counts once\n"
+                                       : " were in several databases, and count once\n");
     }
     if (to_do > 0) {
       out() << to_do << ' ' << base::is_or_are(to_do) << " still to be done: elsie batch "
@@ -66,7 +66,7 @@ int merge(const Options& options) {
 
 void add_merge_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
-      "merge", "Make one database of those of an experiment's shards (elsie batch --shard)");
+      "merge", "Merge the databases of an experiment's shards (elsie batch --shard)");
   command->footer(kExamples);
   auto options = std::make_shared<Options>();
   command->add_option("OUT", options->into, "Database to make")->required();

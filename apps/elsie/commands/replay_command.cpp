@@ -1,5 +1,4 @@
-// elsie replay: a run that was, looked at again: from its recording, or done once more from a
-// database.
+// elsie replay: shows a recording of a run, or repeats a run of a database.
 #include <array>
 #include <cerrno>
 #include <filesystem>
@@ -38,13 +37,13 @@ Examples:
   elsie replay speed.sqlite 17 --picture run.png --record run.mcap
   elsie replay speed.sqlite 18 --wall-limit 60
 
-Exit codes for a run of a database: 0 it came to the same, or hangs in the same plugin, robot and
-step, 1 it did not, 2 bad input, 3 a plugin failed in another way than before, or brought the
-program down, as before or not, 4 anything else. For a recording:
-0, or 2 when it cannot be read or is damaged.
+Exit codes for a run of a database: 0 the same result, or it hangs in the same plugin, robot and
+step; 1 another result; 2 bad input; 3 a plugin failed in another way than before, or it ended the
+program, as before or not; 4 anything else. For a recording: 0, or 2 when it cannot be read or is
+damaged.
 )";
 
-// Help shows what is for one kind of file alone under these words.
+// Help groups the options for one kind of file under these words.
 constexpr const char* kForRecordings = "For recordings";
 constexpr const char* kForRuns = "For runs of databases";
 
@@ -66,11 +65,11 @@ bool may_be_database(const std::filesystem::path& file) {
          std::string_view(start.data(), start.size()) == kMark;
 }
 
-/// Throws BadInput for a file that is there, but cannot be read, or has nothing in it.
+/// Throws BadInput for an existing file that cannot be read or is empty.
 void require_content(const std::string& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
-    return;  // whoever opens it says more
+    return;  // opening it reports more
   }
   if (const std::string why = base::why_unreadable(file); !why.empty()) {
     throw BadInput("'" + file + "' " + why +
@@ -93,7 +92,7 @@ void require_content(const std::string& file) {
   }
 }
 
-/// Throws BadInput when one of this group's options was given.
+/// Throws BadInput when an option of this group was given.
 void refuse(const CLI::App& command, const std::string& group, const std::string& why) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_group() == group && option->count() > 0) {
@@ -134,8 +133,8 @@ int replay(const CLI::App& command, const ReplayOptions& options) {
 }  // namespace
 
 void add_replay_command(CLI::App& program, Job& job) {
-  CLI::App* command = program.add_subcommand(
-      "replay", "Look at a recording of a run, or do a run of a database again");
+  CLI::App* command =
+      program.add_subcommand("replay", "Show a recording of a run, or repeat a run of a database");
   command->footer(kExamples);
   auto options = std::make_shared<ReplayOptions>();
   command
@@ -145,22 +144,21 @@ void add_replay_command(CLI::App& program, Job& job) {
       ->required();
   command
       ->add_option("RUN", options->run,
-                   "Number of the run in the database: it is done again, and compared")
+                   "Number of the run in the database, which is repeated and compared")
       ->check(whole_number())
       ->group(kForRuns);
-  CLI::Option* picture =
-      command
-          ->add_option("--picture", options->picture,
-                       "Draw the world with the robots' trajectories at the end of the run; for a "
-                       "recording from what is in it alone")
-          ->type_name("FILE.png|FILE.svg");
+  CLI::Option* picture = command
+                             ->add_option("--picture", options->picture,
+                                          "Draw the world with the robots' trajectories at the end "
+                                          "of the run; for a recording, from its contents only")
+                             ->type_name("FILE.png|FILE.svg");
   command->add_option("--width", options->width, "Width of the picture in pixels")
       ->needs(picture)
       ->check(CLI::Range(200, 8000))
       ->capture_default_str();
   command
       ->add_option("--at", options->at,
-                   "Draw what was there at this simulated time (s), instead of at the end")
+                   "Draw the state at this simulated time (s) instead of the end")
       ->needs(picture)
       ->check(non_negative_number())
       ->group(kForRecordings);
@@ -170,13 +168,13 @@ void add_replay_command(CLI::App& program, Job& job) {
   again.views.record.add_to(*command);
   describe_formats(*command);
   command
-      ->add_option(
-          "--wall-limit", again.wall_limit_s,
-          "Seconds on the clock after which the run is ended; 0: never. Default: for a run "
-          "that met the batch's limit, that; else never")
+      ->add_option("--wall-limit", again.wall_limit_s,
+                   "Seconds on the clock after which the run is ended; 0: never. Default: the "
+                   "batch's limit for a run that met it, else never")
       ->check(non_negative_number())
       ->type_name("SECONDS");
-  command->add_flag("--quiet", again.quiet, "Print nothing but errors and whether it is the same");
+  command->add_flag("--quiet", again.quiet,
+                    "Print nothing but errors and whether the result is the same");
   const auto all = command->get_options();
   for (std::size_t i = before; i < all.size(); ++i) {
     all[i]->group(kForRuns);

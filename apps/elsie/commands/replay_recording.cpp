@@ -42,7 +42,7 @@ std::string ending(const RecordedRun& run) {
 
 std::string seed_of(const RecordedRun& run) { return "seed " + std::to_string(run.seed); }
 
-/// The content of the file, in words.
+/// The contents of the recording in words.
 std::string report(const RecordedRun& run) {
   std::string out;
   if (run.of_elsie) {

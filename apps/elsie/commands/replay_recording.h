@@ -1,4 +1,4 @@
-// Showing a recorded run.
+// Shows a recording of a run.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ struct RecordingOptions {
   int width = 1000;          // of the picture, pixels
 };
 
-/// Prints what the recording holds, draws it, and returns the exit code. Throws BadInput.
+/// Prints its contents, draws it, and returns the exit code. Throws BadInput.
 int replay_recording(const RecordingOptions& options);
 
 }  // namespace elsie::program

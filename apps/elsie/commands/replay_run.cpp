@@ -39,12 +39,12 @@ StoredRun stored_run(const RunAgainOptions& options) {
   }
   if (run->record.state == RunState::pending) {
     throw BadInput("run " + std::to_string(options.run) + " of '" + options.database +
-                   "' is still to be done; go on with `elsie batch --resume`");
+                   "' is still to be done; do it with `elsie batch --resume`");
   }
   return *std::move(run);
 }
 
-/// Everything that watches it.
+/// All observers of the run.
 class Watchers {
  public:
   Watchers(const RunAgainOptions& options, const RunViews& views, EndAgain* end)
@@ -75,10 +75,10 @@ void tell_of(const StoredRun& run, const RunAgainOptions& options) {
   out() << "run " << run.job.run << " of " << run.experiment << ": " << run.cell << ", seed "
         << run.job.seed << '\n'
         << "before: " << to_string(run.record.state) << ", " << run.record.message << '\n';
-  out().flush();  // a plugin may bring the program down
+  out().flush();  // a plugin may end the program
 }
 
-/// Whether it came to the same; says so.
+/// Prints and returns whether the result is the same.
 bool compare(const StoredRun& run, const RunResult& result, const RestoredRun& restored) {
   const std::string hash = "state hash " + simulation::hash_text(result.state_hash);
   constexpr const char* kNot = "not the same: ";
@@ -95,7 +95,7 @@ bool compare(const StoredRun& run, const RunResult& result, const RestoredRun& r
     out() << kNot << "it ended by itself, " << hash << '\n';
   }
   if (!restored.differences().empty()) {
-    out() << "what differs from what it was done with then may be why\n";
+    out() << "the differences from the original run, listed above, may be the reason\n";
   }
   return false;
 }
@@ -105,7 +105,7 @@ bool is_as_before(const StoredRun& run, const PluginFault& fault) {
          run.record.robot == fault.robot && run.record.step == fault.step;
 }
 
-/// For a run that may not come to its end; nothing watches the others.
+/// Prepares for a run that may not end; other runs are not observed.
 void expect_end(std::optional<EndAgain>& end, const StoredRun& run,
                 const RunAgainOptions& options) {
   const bool hung = run.record.state == RunState::hang;

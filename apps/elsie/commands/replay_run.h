@@ -1,4 +1,4 @@
-// A run of a database once more.
+// Repeats a run of a database.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct RunAgainOptions {
   bool quiet = false;
 };
 
-/// Does it again, says whether it comes to the same, and gives the exit code. Throws BadInput,
-/// PluginFault and what else may go wrong in a run.
+/// Repeats the run, prints whether the result is the same, and returns the exit code. Throws
+/// BadInput, PluginFault and other errors of runs.
 int replay_run(const RunAgainOptions& options);
 
 }  // namespace elsie::program

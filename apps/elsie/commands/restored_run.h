@@ -1,4 +1,4 @@
-// World, plugins and data of a stored run, restored as far as they still exist.
+// Restores a stored run as far as its files still exist.
 #pragma once
 
 #include <filesystem>
@@ -14,9 +14,9 @@
 
 namespace elsie::program {
 
-/// Data files that have changed on disk come from the database. Plugins come from the libraries
-/// that the run used, unless the user gives others; where these are gone, from the directories in
-/// which plugins are searched.
+/// Data files that have changed on disk are taken from the database. Plugins are taken from the
+/// libraries of the original run unless the user names others; if they no longer exist, from the
+/// search path.
 class RestoredRun {
  public:
   /// Throws BadInput, and world::WorldError when a plugin cannot be found.
@@ -27,7 +27,7 @@ class RestoredRun {
 
   const world::World& world() const { return world_; }
   const plugin::Host& host() const { return host_; }
-  /// Sentences about what has changed since the run.
+  /// Sentences on differences from the original run.
   const std::vector<std::string>& differences() const { return differences_; }
 
  private:
@@ -36,7 +36,7 @@ class RestoredRun {
   void compare_libraries(const batch::StoredRun& run);
 
   std::vector<std::string> differences_;
-  std::filesystem::path folder_;  // of restored data files; empty: there is none
+  std::filesystem::path folder_;  // of restored data files; empty: none
   plugin::Host host_;
   world::World world_;
 };

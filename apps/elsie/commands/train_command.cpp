@@ -1,4 +1,4 @@
-// elsie train: trains the network of a coordinator and keeps its weights.
+// elsie train: trains the network of a coordinator and writes its weights.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -53,11 +53,11 @@ Examples:
   elsie train worlds/learned_priorities.xml --hidden '4 4' --seed 3 --curve curve.png
   elsie run worlds/learned_priorities.xml --set 'robot[r1]/coordinator/@weights=r1.weights'
 
-The network is the one that `elsie run` trains with the same seed. Exit code 1: it is untrained, for
-it gives the same output whatever the input; the weights are written all the same.
+The network is the one that `elsie run` trains with the same seed. Exit code 1: it is untrained and
+gives the same output for every input; its weights are written nevertheless.
 )";
 
-/// What is given on the command line instead of what the world says.
+/// The options that replace parameters of the world.
 std::vector<LearnerOption> learner_options(const TrainOptions& options) {
   std::vector<LearnerOption> given;
   const auto take = [&](const char* option, const char* parameter, const auto& value) {
@@ -75,20 +75,20 @@ std::vector<LearnerOption> learner_options(const TrainOptions& options) {
   return given;
 }
 
-/// Weights may take the place of others, but not of a file that a slip of the hand has named.
+/// A weight file may be replaced, but no other file that was named by mistake.
 void require_weights(const std::string& file) {
   require_writable(file, "--weights");
   std::error_code error;
   if (std::filesystem::exists(file, error) &&
       (!std::filesystem::is_regular_file(file, error) || !neural::looks_like_weights(file))) {
     throw BadInput("--weights: '" + file +
-                   "' is there already and is no weight file; give another name, or remove it");
+                   "' exists already and is no weight file; give another name, or remove it");
   }
 }
 
 std::string rough(double value) { return base::number_text(value, 4); }
 
-/// Shows how far a training has come, and ends it when the user wants it to end.
+/// Shows the progress of a training, and stops it when the user interrupts.
 class TrainingWatcher {
  public:
   explicit TrainingWatcher(bool shown) : shown_(shown) {}
@@ -135,7 +135,7 @@ std::string header(const Report& report) {
          std::to_string(report.seed);
 }
 
-/// A row for each sample: its inputs, then for each output what is wanted and what is answered.
+/// A row for each sample: its inputs, then for each output the target and the answer.
 std::string answers(const neural::Lesson& lesson) {
   std::vector<std::vector<std::string>> rows(1);
   for (std::size_t i = 0; i < lesson.samples.inputs(); ++i) {
@@ -219,8 +219,8 @@ void print_json(const Report& report) {
   out() << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
-/// The stream that the network's first weights come from: that of a run with this seed, unless the
-/// coordinator has a seed of its own.
+/// The stream of the network's first weights: that of a run with this seed, unless the coordinator
+/// has its own seed.
 elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std::uint64_t& seed) {
   const std::int64_t fixed = learner.network->fixed_seed();
   if (fixed < 0) {
@@ -236,7 +236,7 @@ elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std
   return neural::stream_of_seed(seed);
 }
 
-/// Also when one of them is not there yet, or under two names.
+/// Also works if one of them does not exist yet, or has two names.
 bool same_file(const std::string& a, const std::string& b) {
   namespace fs = std::filesystem;
   return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
@@ -305,12 +305,12 @@ int train(const TrainOptions& options) {
 
 void add_train_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
-      "train", "Train the network of a robot's coordinator, keep its weights");
+      "train", "Train the network of a robot's coordinator and write its weights");
   command->footer(kExamples);
   auto options = std::make_shared<TrainOptions>();
   command->add_option("WORLD", options->world, "World file")->required();
   command->add_option("--robot", options->place.robot,
-                      "Whose coordinator; may be left out where the world has one robot only");
+                      "Robot of the coordinator; optional if the world has only one robot");
   command->add_option("--behavior", options->place.behavior,
                       "The coordinator inside this behaviour of the robot, such as blend/inner");
   command
@@ -329,11 +329,11 @@ void add_train_command(CLI::App& program, Job& job) {
   command->add_option("--threshold", options->threshold, "Mean error that is good enough");
   command
       ->add_option("--presentations", options->presentations,
-                   "How many times a sample is presented at most")
+                   "Largest number of presentations of samples")
       ->check(whole_number());
   command
       ->add_option("--attempts", options->attempts,
-                   "How often it may begin anew after a training that missed a sample")
+                   "How often training may restart after it missed a sample")
       ->check(whole_number());
   command->add_option("--training", options->training, "File of samples")->type_name("FILE");
   command

@@ -1,4 +1,4 @@
-// How far the members of a formation are from their places (Balch and Arkin 1998).
+// The distance of a formation's members from their places (Balch and Arkin 1998).
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -90,13 +90,13 @@ ELSIE_MEASURE(
     FormationError, "formation_error", "How far the members of a formation are from their places",
     elsie::parameter("leader", &FormationError::leader,
                      {.meaning = "the robot that the places are relative to", .required = true}),
-    elsie::parameter(
-        "from_s", &FormationError::from_s,
-        {.unit = "s", .min = 0, .meaning = "what was before is left out: the time to fall in"}),
+    elsie::parameter("from_s", &FormationError::from_s,
+                     {.unit = "s", .min = 0, .meaning = "time to fall in, which is left out"}),
     elsie::elements(
         &FormationError::members,
-        elsie::element(
-            "member", "A robot and its place in the leader's frame",
-            elsie::parameter("robot", &Place::robot, {.meaning = "which one", .required = true}),
-            elsie::parameter("x", &Place::x, {.unit = "m", .meaning = "ahead of the leader"}),
-            elsie::parameter("y", &Place::y, {.unit = "m", .meaning = "to its left"}))));
+        elsie::element("member", "A robot and its place in the leader's frame",
+                       elsie::parameter("robot", &Place::robot,
+                                        {.meaning = "id of the robot", .required = true}),
+                       elsie::parameter("x", &Place::x,
+                                        {.unit = "m", .meaning = "ahead of the leader"}),
+                       elsie::parameter("y", &Place::y, {.unit = "m", .meaning = "to its left"}))));

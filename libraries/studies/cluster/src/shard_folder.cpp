@@ -38,7 +38,7 @@ Json read_json(const fs::path& file) {
   return in ? Json::parse(in, nullptr, false) : Json(Json::value_t::discarded);
 }
 
-/// A number of an object, 0 when there is none.
+/// A number of an object, 0 if it is missing.
 std::int64_t number(const Json& object, const char* key) {
   return object.is_object() && object.contains(key) && object[key].is_number_integer()
              ? object[key].get<std::int64_t>()
@@ -49,7 +49,7 @@ std::string script_text(const ShardFolder& folder, const std::vector<std::string
   const std::string task = "\"$SLURM_ARRAY_TASK_ID\"";
   const std::string part = base::shell_word((folder.path() / "shard-").string()) + task;
   return "#!/bin/sh\n"
-         "# A task of a job array does one shard; put back into the queue, it goes on.\n"
+         "# A task of a job array does one shard, and continues when it is requeued.\n"
          "exec " +
          base::shell_line(command) + " --shard " + task + "/" + std::to_string(folder.shards()) +
          " \\\n  --database " + part + ".sqlite --progress " + part + ".json --resume --quiet\n";
@@ -63,7 +63,7 @@ void write_count(const fs::path& file, const Count& count) {
       Json{{"runs", count.runs}, {"ended", count.ended}, {"failed", count.failed}}.dump() + "\n");
 }
 
-fs::path ShardFolder::beside(const fs::path& database) {
+fs::path ShardFolder::path_for(const fs::path& database) {
   return fs::absolute(database).lexically_normal().string() + "-shards";
 }
 
@@ -77,15 +77,14 @@ ShardFolder::ShardFolder(fs::path path, std::string fingerprint, std::size_t sha
 
 ShardFolder ShardFolder::create(const fs::path& database, const batch::Plan& plan,
                                 std::size_t shards, const std::vector<std::string>& command) {
-  ShardFolder folder(beside(database), plan.fingerprint, shards, plan.all_runs);
+  ShardFolder folder(path_for(database), plan.fingerprint, shards, plan.all_runs);
   std::error_code error;
   if (!fs::create_directory(folder.path_, error)) {
     const std::string name = "'" + folder.path_.string() + "'";
-    throw DatabaseRefused(
-        error ? "the folder " + name + " cannot be made: " + error.message()
-              : "there is a folder " + name +
-                    " already, of a batch that is not complete; go on with it by --resume, or "
-                    "choose another --database");
+    throw DatabaseRefused(error ? "the folder " + name + " cannot be made: " + error.message()
+                                : "there is a folder " + name +
+                                      " already, of a batch that is not complete; continue it with "
+                                      "--resume, or choose another --database");
   }
   try {
     write_file(folder.script(), script_text(folder, command));
@@ -98,7 +97,7 @@ ShardFolder ShardFolder::create(const fs::path& database, const batch::Plan& pla
 }
 
 ShardFolder ShardFolder::open(const fs::path& database, const batch::Plan& plan) {
-  const fs::path path = beside(database);
+  const fs::path path = path_for(database);
   const Json stored = read_json(path / "cluster.json");
   const auto text = [&](const char* key) -> const std::string* {
     return stored.is_object() && stored.contains(key) ? stored[key].get_ptr<const std::string*>()
@@ -141,7 +140,7 @@ void ShardFolder::write() const {
 }
 
 std::int64_t ShardFolder::runs(std::size_t shard) const {
-  // Every shards_-th run, from the shard-th one on.
+  // Every shards_-th run, starting at the shard-th.
   const auto all = static_cast<std::size_t>(all_runs_);
   return static_cast<std::int64_t>((all + shards_ - shard) / shards_);
 }
@@ -185,7 +184,7 @@ void ShardFolder::merge_into(const fs::path& database) const {
 ShardFolder::Turn::Turn(const ShardFolder& folder)
     : descriptor_(::open((folder.path_ / "turn").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0 && !folder.exists()) {
-    return;  // nothing to take turns for
+    return;  // only one command at a time
   }
   while (descriptor_ < 0 || flock(descriptor_, LOCK_EX) != 0) {
     if (descriptor_ >= 0 && errno == EINTR) {

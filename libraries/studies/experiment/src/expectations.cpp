@@ -84,7 +84,7 @@ void check_bounds(const ExpectationDraft& draft, const Expectation& expectation)
     fail("<expect> says nothing; expected at_least, at_most, or about with a tolerance");
   }
   if (draft.about && (draft.at_least || draft.at_most)) {
-    fail("<expect> has about beside at_least or at_most; expected one or the other");
+    fail("<expect> has both about and at_least or at_most; expected one or the other");
   }
   if (draft.at_least && draft.at_most && *draft.at_least > *draft.at_most) {
     fail("at_least=\"" + number(*draft.at_least) + "\" is above at_most=\"" +
@@ -99,7 +99,7 @@ void check_bounds(const ExpectationDraft& draft, const Expectation& expectation)
   const double tolerance = draft.tolerance.value_or(0.0);
   if (draft.about && tolerance <= 0.0) {
     fail("about=\"" + number(*draft.about) +
-         "\" of <expect> has no tolerance: no figure is exactly so; expected a tolerance above 0");
+         "\" of <expect> has no tolerance: no figure is exact; expected a tolerance above 0");
   }
   if (expectation.statistic == Statistic::rate && expectation.relation == Relation::none) {
     if (draft.confidence && ((draft.at_least && *draft.at_least - tolerance >= 1.0) ||
@@ -116,7 +116,7 @@ void check_bounds(const ExpectationDraft& draft, const Expectation& expectation)
   }
 }
 
-// An attribute of the element that is at fault.
+// Parses an attribute; errors name it.
 template <class Parse>
 auto parsed(const char* attribute, const std::string& text, const Parse& parse) {
   try {
@@ -179,7 +179,7 @@ std::string in_words(const Expectation& expectation) {
   text += ":";
   const char* before = " ";
   const bool difference = expectation.relation == Relation::difference;
-  // A difference below 0 is so much less: at least -2 is at most 2 less.
+  // A difference below 0 is given as "less": at least -2 is at most 2 less.
   const auto bound = [&](const char* words, const char* if_less,
                          const std::optional<double>& value) {
     if (value) {

@@ -1,4 +1,4 @@
-// From a scene and its cameras to the input of the graphics card.
+// Turns a scene and its cameras into data for the graphics card.
 #pragma once
 
 #include <cstdint>
@@ -10,24 +10,25 @@
 
 namespace elsie::render {
 
-/// One mesh in one picture. The rows take a point of the mesh, with a fourth coordinate of 1, to
-/// the camera: x to the right and y down, both as parts of half the picture's width and height
-/// times the distance w along the camera's axis.
+/// One mesh in one picture. The rows map a point of the mesh, with a fourth coordinate of 1, to the
+/// camera: x to the right and y down, both relative to half the picture's width and height times
+/// the distance w along the camera's axis.
 struct Instance {
   float x[4], y[4], w[4];
-  float place[4];  // of the picture in the atlas: half size and middle, in OpenGL's -1 to 1
+  float
+      place[4];  // of the picture in the atlas: half size and middle, in OpenGL's range of -1 to 1
   float light[3];  // direction to the light, in the mesh's axes
   std::uint8_t colour[4];
 };
 
-/// The instances to draw into an atlas, in this order.
+/// What to draw into an atlas, in this order.
 struct DrawList {
   std::vector<Instance> floors, marks, boxes, wheels;
 
   void clear();
 };
 
-/// Appends the instances that the view may see.
+/// Appends what the view may see of the scene.
 void add_view(const Scene& scene, const View& view, const Atlas& atlas, const Tile& tile,
               DrawList& list);
 

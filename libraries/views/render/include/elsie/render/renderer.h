@@ -1,14 +1,14 @@
 // Pictures of a scene, drawn off screen with EGL and OpenGL 3.3. No display is needed; without a
 // graphics card Mesa draws in software.
 //
-// All cameras of one instant are drawn together, side by side into one picture that is read back
-// once: a hundred small pictures cost little more than one large one.
+// All cameras of one instant are drawn at once, side by side into one picture that is read back
+// once: a hundred small pictures cost little more than a large one.
 //
-// The cameras are pinhole cameras (see elsie::Camera). A pixel has the colour of the nearest
-// surface, at least kNearest away, that the ray through its middle meets; edges are not smoothed.
-// On one machine, the same scene and views give the same bytes. A graphics card and Mesa's
-// software, or two versions of Mesa, may differ in pixels at edges. LIBGL_ALWAYS_SOFTWARE=1 in the
-// environment selects Mesa's software.
+// The pictures are those of pinhole cameras (see elsie::Camera), with hard edges: a pixel has the
+// colour of the nearest surface, no closer than kNearest, on the ray through its middle. On one
+// machine, the same scene and views give the same bytes; between a graphics card and Mesa's
+// software (or another version of it) pixels at edges may differ. LIBGL_ALWAYS_SOFTWARE=1 in the
+// environment selects software.
 #pragma once
 
 #include <memory>
@@ -21,35 +21,35 @@
 
 namespace elsie::render {
 
-/// The camera does not see surfaces that are nearer along its axis, m.
+/// Surfaces nearer to the camera, along its axis, are invisible, m.
 inline constexpr double kNearest = 0.01;
 
-/// No picture can be taken; what() is a sentence that says why, and what to install.
+/// Pictures cannot be taken; what() is a sentence with the reason and the packages to install.
 class RenderError : public base::Error {
  public:
   using base::Error::Error;
 };
 
-/// Owns an OpenGL context; renderers are independent of each other. Any thread may use it, one at a
-/// time. Each call restores the context that was current before.
+/// A renderer with its own OpenGL context, independent of other renderers. May be used from any
+/// thread, by one at a time; the caller's current context is restored.
 class Renderer {
  public:
-  /// Throws RenderError where EGL or OpenGL 3.3 is not available.
+  /// Throws RenderError without EGL or OpenGL 3.3.
   Renderer();
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Takes a picture from each view. `pictures` has one entry for each, which gets the camera's
-  /// size and three channels. The memory of the images is reused.
+  /// Takes a picture of each view into `pictures`, which has as many entries; they get the size of
+  /// the camera and three channels. An image's memory is reused.
   ///
-  /// Throws std::invalid_argument for a camera whose size or field of view makes no picture (sizes
+  /// Throws std::invalid_argument for a camera whose size or field of view is out of range (sizes
   /// from 1 to largest_size() pixels, angles in (0, pi)), RenderError when the driver fails.
   void render(const Scene& scene, std::span<const View> views, std::span<Image* const> pictures);
 
-  /// The most pixels that a picture may have in width and height.
+  /// The largest width and height of a picture, in pixels.
   int largest_size() const;
-  /// The device that draws, as the driver names it: "llvmpipe (LLVM 15.0.6, 256 bits)".
+  /// The device that draws, in the driver's words: "llvmpipe (LLVM 15.0.6, 256 bits)".
   const std::string& device() const;
 
  private:

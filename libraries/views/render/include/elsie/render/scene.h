@@ -1,7 +1,7 @@
-// A scene for cameras as plain data: boxes, wheels and marks on a floor.
+// A scene as plain data: boxes, wheels and marks on a floor.
 //
-// Lengths are in m, frames in the world. Every colour is the one in full light; faces that are
-// turned away from the light are darker, down to kDarkestShade, with the same hue and saturation.
+// Lengths are in m, frames in the world. Colours are those in full light; faces turned away from it
+// are darker, down to kDarkestShade, with the same hue and saturation.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace elsie::render {
 
-/// The carrier of things and cameras that belong to no robot.
+/// The carrier of things without a carrier, and of cameras that nobody carries.
 inline constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
 
-/// The brightness of the darkest face, as a part of the colour in full light.
+/// The brightness of the darkest face of a surface, relative to its colour in full light.
 inline constexpr double kDarkestShade = 0.6;
 
 struct Box {
@@ -35,7 +35,7 @@ struct Wheel {
   std::size_t carrier = kNobody;
 };
 
-/// A disc on the floor. Later discs cover earlier ones.
+/// A disc on the floor; later marks cover earlier ones.
 struct Mark {
   Vector2 at;
   double radius = 0.0;
@@ -43,18 +43,18 @@ struct Mark {
 };
 
 struct Scene {
-  Colour floor{80, 80, 80};   // infinite, at z = 0; invisible from below
-  Colour sky{140, 140, 140};  // behind everything else
+  Colour floor{80, 80, 80};   // unlimited, at z = 0; invisible from below
+  Colour sky{140, 140, 140};  // everywhere else
   std::vector<Box> boxes;
   std::vector<Wheel> wheels;
   std::vector<Mark> marks;
 };
 
-/// A camera in its place.
+/// A camera with its pose.
 struct View {
   Frame frame;  // looks along forward; up is the top of the picture
   Camera camera;
-  std::size_t carrier = kNobody;  // its parts are not in the picture
+  std::size_t carrier = kNobody;  // its things are not in the picture
 };
 
 }  // namespace elsie::render
