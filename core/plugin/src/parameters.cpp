@@ -215,7 +215,7 @@ std::string allowed_values(const ParameterDeclaration& parameter) {
   const std::vector<std::string>& choices = parameter.facts.choices;
   if (parameter.type == ParameterType::text && !choices.empty()) {
     std::vector<std::string> names;
-    std::transform(choices.begin(), choices.end(), std::back_inserter(names), quoted);
+    std::transform(choices.begin(), choices.end(), std::back_inserter(names), in_quotes);
     return (names.size() == 1 ? "" : "one of ") + joined(names, ", ");
   }
   std::string text = type_text(parameter.type);
