@@ -196,7 +196,7 @@ TEST_CASE("Databases that do not fit together are refused, and nothing is left b
   for (const std::string& name : {a, folder.file("link.sqlite")}) {
     const std::string before = folder.read("a.sqlite");
     CHECK_THROWS_WITH(batch::merge(name, {a, twin}),
-                      Contains("'" + name + "' is to be made, and is one of the databases"));
+                      Contains("'" + name + "' is both the new database and one of the databases"));
     CHECK(folder.read("a.sqlite") == before);
   }
 

@@ -30,8 +30,9 @@ TEST_CASE("What cannot be merged is refused in a sentence, and nothing is made")
   refused("out.sqlite a.sqlite folder", "'folder' is a directory; expected a database");
   refused("out.sqlite a.sqlite ./a.sqlite", "'a.sqlite' and './a.sqlite' are the same database");
   refused("out.sqlite link.sqlite a.sqlite", "'link.sqlite' and 'a.sqlite' are the same database");
-  refused("a.sqlite a.sqlite", "'a.sqlite' is to be made, and is one of the databases");
-  refused("link.sqlite a.sqlite", "'link.sqlite' is to be made, and is one of the databases");
+  refused("a.sqlite a.sqlite", "'a.sqlite' is both the new database and one of the databases");
+  refused("link.sqlite a.sqlite",
+          "'link.sqlite' is both the new database and one of the databases");
   here.check_sound("a.sqlite");
 }
 

@@ -46,10 +46,11 @@ bool carry_out(const Plan& plan, ResultsDatabase& database, const BatchOptions& 
   };
   const auto require_unchanged = [&](const PlannedRun& run) {
     if (const auto changed = files.changed(run.cell)) {
-      throw FileChanged("'" + *changed +
-                        "' has changed since the batch began, and the runs would no longer be of "
-                        "one experiment; put it back and go on with --resume, or begin anew with "
-                        "another --database");
+      throw FileChanged(
+          "'" + *changed +
+          "' has changed since the batch began, and the runs would no longer belong to "
+          "one experiment; put it back and go on with --resume, or begin anew with "
+          "another --database");
     }
   };
   auto at = pending.begin();
@@ -64,7 +65,7 @@ bool carry_out(const Plan& plan, ResultsDatabase& database, const BatchOptions& 
     return job_of(plan, run);
   };
   const auto ended = [&](std::int64_t run, const RunRecord& record) {
-    require_unchanged(planned(run));  // a file may have changed before its worker has read it
+    require_unchanged(planned(run));  // a file may have changed before the worker read it
     database.write(run, record);
     ++progress.ended;
     progress.failed += record.state == RunState::done ? 0 : 1;

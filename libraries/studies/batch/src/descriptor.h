@@ -1,4 +1,4 @@
-// A file descriptor with an owner.
+// A file descriptor that is closed with its owner.
 #pragma once
 
 #include <utility>

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostNamed = 5;
 
-// What has changed, a few words each.
+// Changes in a few words each.
 using Changes = std::vector<std::string>;
 
 // "1a2b3c4d, now 5e6f7a8b"
@@ -24,7 +24,7 @@ std::string hashes(const std::string& before, const std::string& now) {
 
 std::string in_quotes(const std::string& name) { return "'" + name + "'"; }
 
-// The first column of a query to the second one.
+// Rows of a query: first column to second column.
 std::map<std::string, std::string> pairs(sqlite::Connection& connection, const std::string& query) {
   std::map<std::string, std::string> found;
   sqlite::Statement rows(connection, query);
@@ -34,7 +34,7 @@ std::map<std::string, std::string> pairs(sqlite::Connection& connection, const s
   return found;
 }
 
-// Data files and libraries; plugins in their places.
+// Compares data files and libraries, then the plugins' files.
 void compare_files(sqlite::Connection& connection, const Plan& plan, Changes& changes) {
   const auto known =
       pairs(connection, "SELECT path, sha256 FROM files WHERE kind <> 'world' ORDER BY id");
@@ -52,7 +52,7 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, Changes& ch
                       ")");
     named.insert(file.path);
   }
-  // What is found elsewhere now.
+  // Libraries that have another path now.
   const auto stem = [](const std::string& path) {
     const std::string name = std::filesystem::path(path).filename().string();
     return name.substr(0, name.find(".so"));
@@ -97,10 +97,11 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, Changes& ch
   }
 }
 
-// Worlds as the cells have them: with templates and settings.
+// Compares the cells' worlds, with templates merged and settings made.
 void compare_worlds(sqlite::Connection& connection, const Plan& plan, Changes& changes) {
   const auto cells = pairs(connection, "SELECT label, sha256 FROM cells");
-  std::map<std::string, std::pair<std::string, std::size_t>> changed;  // by file: hashes, cells
+  std::map<std::string, std::pair<std::string, std::size_t>>
+      changed;  // by file: hashes, number of cells
   std::size_t added = 0;
   for (const PlannedCell& cell : plan.cells) {
     const auto before = cells.find(cell.label);

@@ -1,4 +1,4 @@
-// Why a batch cannot go on with a database.
+// Why a database cannot be resumed.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@ namespace elsie::batch {
 
 namespace sqlite = results::sqlite;
 
-/// Which of a plan's inputs differ from those that the database was begun with: each with its name,
-/// and with the beginnings of both hashes where it is a file. Call it when the fingerprints differ:
-/// where none of these inputs does, it says that plugins, their versions or seeds do.
+/// The inputs of a plan that differ from those in the database, by name; files with the beginnings
+/// of both hashes. To be called when the fingerprints differ: if none of the inputs does, the text
+/// says that plugins, their versions or seeds differ.
 std::string difference(sqlite::Connection& connection, const Plan& plan);
 
 }  // namespace elsie::batch

@@ -28,7 +28,8 @@ std::optional<std::filesystem::path> name_of_open_file(const FileIdentity& file)
       continue;
     }
     const auto name = std::filesystem::read_symlink(entry.path(), error);
-    if (!error && FileIdentity::of(name) == file) {  // that of a removed file ends in "(deleted)"
+    if (!error &&
+        FileIdentity::of(name) == file) {  // the name of a removed file ends in " (deleted)"
       return name;
     }
   }

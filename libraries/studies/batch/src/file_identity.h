@@ -1,4 +1,4 @@
-// Whether the file of a name is still the one that it was.
+// Whether a name still leads to the same file.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace elsie::batch {
 
-/// What stays the same when a file is renamed or written to.
+/// Stays the same when a file is renamed or written.
 struct FileIdentity {
   dev_t device = 0;
   ino_t inode = 0;
@@ -20,8 +20,7 @@ struct FileIdentity {
   friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
 };
 
-/// The name by which a file that this process has open is found now; none: it was removed, or is
-/// not open.
+/// The current name of a file that this process has open; none: it was removed, or is not open.
 std::optional<std::filesystem::path> name_of_open_file(const FileIdentity& file);
 
 }  // namespace elsie::batch

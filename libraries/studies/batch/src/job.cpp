@@ -52,7 +52,7 @@ Json parsed(std::string_view json, const char* what) {
   return object;
 }
 
-/// One line; bytes that are no UTF-8 are replaced.
+/// JSON on one line; bytes that are not UTF-8 are replaced.
 std::string dumped(const Json& object) {
   return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

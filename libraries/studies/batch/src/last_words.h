@@ -1,9 +1,9 @@
-// What a worker says in the moment in which a plugin brings it down: one line, made within a
-// handler of a signal, so without allocating.
+// The report of a worker that a plugin is just ending: one line, written in a signal handler and so
+// without allocation.
 //
 //   !plugin<TAB>id<TAB>robot<TAB>step<TAB>signal
 //
-// Parts that are not known are empty; step counts from 0.
+// Unknown parts are empty; the step counts from 0.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct LastWords {
   std::string signal;
 };
 
-/// The last such line in what a worker answered.
+/// The last such line in a worker's answer.
 std::optional<LastWords> last_words_in(std::string_view answer);
 
 /// "SIGSEGV", or "signal 42".

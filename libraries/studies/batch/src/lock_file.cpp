@@ -22,7 +22,7 @@ std::string content_of(int descriptor) {
   return size > 0 ? std::string(text.data(), static_cast<std::size_t>(size)) : "another process";
 }
 
-/// Why a lock cannot be made.
+/// Why a lock file cannot be created.
 std::string why_not(const std::filesystem::path& locked, const std::filesystem::path& lock,
                     int error) {
   const std::filesystem::path folder = locked.has_parent_path() ? locked.parent_path() : ".";
@@ -47,7 +47,7 @@ std::string me() {
 }  // namespace
 
 std::filesystem::path LockFile::beside(const std::filesystem::path& file) {
-  // Through a link it is the same database, and so the same lock.
+  // A link leads to the same database, and so to the same lock.
   std::error_code error;
   const std::filesystem::path real = std::filesystem::weakly_canonical(file, error);
   return (error ? file : real).string() + "-lock";
@@ -71,7 +71,7 @@ LockFile::LockFile(const std::filesystem::path& locked) : file_(beside(locked)) 
     if (FileIdentity::of(descriptor_) == FileIdentity::of(file_)) {
       break;
     }
-    close(descriptor_);  // somebody has just removed it; the lock is on nothing
+    close(descriptor_);  // another process has just removed the file, so this lock is worthless
   }
   const std::string text = me();
   if (ftruncate(descriptor_, 0) == 0) {

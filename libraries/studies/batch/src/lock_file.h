@@ -1,4 +1,4 @@
-// A lock that goes with the process that holds it.
+// A lock that ends with the process that holds it.
 #pragma once
 
 #include <filesystem>
@@ -7,21 +7,21 @@
 
 namespace elsie::batch {
 
-/// A file beside another one, locked by flock(2). Removed in the end; one that a killed process has
-/// left behind does not count.
+/// A file next to the locked one, locked by flock(2) and removed by the destructor. A file that a
+/// killed process left behind holds no lock.
 class LockFile {
  public:
   /// "results.sqlite-lock" for "results.sqlite", and for a link to it.
   static std::filesystem::path beside(const std::filesystem::path& file);
 
-  /// Takes the lock. Throws DatabaseRefused when another process has it, or the lock file cannot be
-  /// made.
+  /// Takes the lock. Throws DatabaseRefused when another process holds it, or the lock file cannot
+  /// be created.
   explicit LockFile(const std::filesystem::path& locked);
   ~LockFile();
   LockFile(LockFile&& other) noexcept;
   LockFile& operator=(LockFile&&) = delete;
 
-  /// Who holds the lock of a file: "process 123 on host"; none: nobody.
+  /// The holder of a file's lock, "process 123 on host"; none: it is not locked.
   static std::optional<std::string> holder(const std::filesystem::path& locked);
 
  private:

@@ -24,10 +24,10 @@ constexpr const char* kOfExperiment[] = {"about", "factors",     "files",       
 constexpr const char* kOfRun[] = {"run_measures", "run_robots", "run_events", "trajectories",
                                   "curves",       "timelines",  "notes"};
 
-/// What a run's state may be, the one that tells least first.
+/// The states of a run; a later one wins over an earlier one.
 constexpr const char* kByWeight[] = {"pending", "error", "hang", "crash", "fault", "done"};
 
-/// Copies rows of a table, whatever its columns.
+/// Copies rows of a table with any columns.
 class Copier {
  public:
   Copier(Connection& from, Connection& to, const std::string& table, const std::string& where = "")
@@ -63,13 +63,13 @@ constexpr const char* kRuns =
     "SELECT id, state, state_hash, outcome, json_array(message, plugin, robot, step, signal, "
     "exit_code, steps, simulated_s, log, wall_s, ended) FROM runs";
 
-/// Of two databases' states of one run, the one that tells more counts.
+/// Of two databases' states of one run, the greater weight wins.
 int weight(const std::string& state) {
   const auto* const begin = std::begin(kByWeight);
   return static_cast<int>(std::find(begin, std::end(kByWeight), state) - begin);
 }
 
-/// The runs of one database, into the one that is being made.
+/// Copies the runs of one database into the merged one.
 class Merger {
  public:
   Merger(const fs::path& file, Connection& from, Connection& to)
@@ -84,7 +84,7 @@ class Merger {
     }
   }
 
-  /// Returns how many runs have ended here that had ended in a database before it already.
+  /// Returns how many runs have ended both here and in an earlier database.
   std::int64_t add() {
     std::int64_t duplicates = 0;
     add_measures();
@@ -107,7 +107,7 @@ class Merger {
     }
   }
 
-  /// Whether it had ended in a database before this one, and has here.
+  /// Returns whether the run has ended both here and in an earlier database.
   bool add(const Statement& run) {
     const std::int64_t id = run.integer(0);
     known_.bind(1, id);
@@ -115,21 +115,21 @@ class Merger {
     if (known_.next()) {
       const int before = weight(known_.text(1)), here = weight(run.text(1));
       const bool same_end = known_.text(2) == run.text(2) && known_.text(3) == run.text(3);
-      // Of two that tell as much the lesser text, so that the order of databases does not matter.
+      // Equal weights: the lesser text wins, so that the order of databases does not matter.
       const bool better = here > before || (here == before && run.text(4) < known_.text(4));
       while (known_.next()) {
       }
       if (here == before && !same_end) {
-        throw DatabaseRefused("run " + std::to_string(id) + " has another result in '" +
-                              file_.string() +
-                              "' than in a database before it; the same run must come to the same "
-                              "everywhere. Were they made on machines that compute differently?");
+        throw DatabaseRefused(
+            "run " + std::to_string(id) + " has another result in '" + file_.string() +
+            "' than in an earlier database; the same run must have the same result "
+            "everywhere. Were they made on machines that compute differently?");
       }
       twice = before > 0 && here > 0;
       if (!better) {
         return twice;
       }
-      forget_.bind(1, id).run();  // with all that belongs to it
+      forget_.bind(1, id).run();  // with all its rows in other tables
     }
     run_.copy(id);
     for (Copier& table : of_run_) {
@@ -147,14 +147,14 @@ class Merger {
   Statement forget_;
 };
 
-/// Names that cannot be right, before anything is locked or made.
+/// Refuses wrong names before anything is locked or created.
 void require_apart(const fs::path& into, const std::vector<fs::path>& databases) {
   std::error_code ignored;
   for (auto file = databases.begin(); file != databases.end(); ++file) {
     if (fs::equivalent(into, *file, ignored)) {
       throw DatabaseRefused("'" + into.string() +
-                            "' is to be made, and is one of the databases that it is to be made "
-                            "of; choose another name for what is to be made");
+                            "' is both the new database and one of the databases to merge; choose "
+                            "another name for the new one");
     }
     const auto same = std::find_if(databases.begin(), file, [&](const fs::path& other) {
       return fs::equivalent(other, *file, ignored);
@@ -176,7 +176,7 @@ Connection opened(const fs::path& file) {
   return results::open_to_read(file);
 }
 
-/// Adds what is in one database. Returns how many of its runs had ended in those before, too.
+/// Adds one database. Returns how many of its runs have ended in earlier ones too.
 std::int64_t add(const fs::path& file, const fs::path& first, Connection& to) {
   Connection from = opened(file);
   if (file == first) {
@@ -202,7 +202,7 @@ Merged merge_into(Connection& to, const std::vector<fs::path>& databases) {
     try {
       merged.duplicates += add(file, databases.front(), to);
     } catch (const sqlite::Error& error) {
-      if (error.is_damage()) {  // what is being made is new
+      if (error.is_damage()) {  // the merged file is new, so the source is damaged
         throw results::damaged(file, error.what());
       }
       throw;

@@ -28,7 +28,7 @@ class StepTeller final : public simulation::Observer {
   void stepped(const simulation::Simulation& run) override { current_step = run.steps(); }
 };
 
-/// All that watches the run.
+/// Everything that observes the run.
 struct Watchers {
   explicit Watchers(double trajectory_period_s) : tracks(trajectory_period_s) {}
 
@@ -57,7 +57,7 @@ bool is_finite(const simulation::RobotResult& robot) {
          std::isfinite(robot.pose.heading_rad);
 }
 
-/// What there is of a run, however it ended.
+/// Copies results from a run into its record, however it ended.
 void take(const simulation::Simulation& run, const Watchers& watchers, RunRecord& record) {
   record.steps = run.steps();
   record.simulated_s = run.time_s();
@@ -70,7 +70,7 @@ void take(const simulation::Simulation& run, const Watchers& watchers, RunRecord
     record.timelines.push_back(
         timeline_of(watchers.accounts.robots()[i], watchers.accounts.accounts()[i], kMostEpisodes));
   }
-  // Last, as a measure may fail in it.
+  // Last, because a measure may fail in it.
   const simulation::RunResult result = run.result();
   record.wall_s = result.wall_s;
   if (std::all_of(result.robots.begin(), result.robots.end(), is_finite)) {
@@ -102,7 +102,7 @@ void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) 
     try {
       take(run, watchers, record);
     } catch (...) {
-      // A measure that cannot report. What ended the run is what there is to be told.
+      // A measure cannot report; the error that ended the run is kept instead.
     }
     throw;
   }

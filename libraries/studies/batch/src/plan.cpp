@@ -28,12 +28,12 @@ std::string absolute(const std::string& file) {
   return error ? std::filesystem::absolute(file).string() : path.string();
 }
 
-/// The same without following links: a library is known by its name's ending.
+/// Absolute without following links: a library is recognized by the suffix of its name.
 std::string absolute_name(const std::filesystem::path& library) {
   return std::filesystem::absolute(library).lexically_normal().string();
 }
 
-/// Fills a plan, cell by cell.
+/// Makes a plan, cell by cell.
 class Planner {
  public:
   Planner(const experiment::Experiment& experiment, const plugin::Host& host,
@@ -111,17 +111,17 @@ class Planner {
   /// The data files of a world's text.
   struct Names {
     std::map<std::string, std::string> paths;   // by name
-    std::map<std::string, std::string> shared;  // by path: the name that another file has already
+    std::map<std::string, std::string> shared;  // by path: the name, if another file already has it
   };
 
-  /// What a cell has to say to the fingerprint.
+  /// What a cell adds to the fingerprint.
   struct CellIdentity {
     std::string sha256;                       // of the world's text
-    std::map<std::string, std::string> data;  // hashes by name
+    std::map<std::string, std::string> data;  // hashes, by name
   };
 
-  /// Files that are named by their paths, as another one has their name, get one from what is in
-  /// them: where they are does not count.
+  /// Files that are named by path, because another file has the same name, are renamed after their
+  /// content: paths do not count.
   CellIdentity identity_of(const PlannedCell& cell, world::World& world, const Names& names) {
     CellIdentity identity{cell.sha256, {}};
     std::map<std::string, std::string> renamed;  // by path
@@ -188,13 +188,13 @@ class Planner {
                              rank == ranks_.end() ? 0 : rank->second});
     } else if (PlannedFile& file = plan_.files[known->second];
                kind == FileKind::data && file.kind != kind) {
-      file.kind = kind;  // a world that is somebody's data, too
+      file.kind = kind;  // a world may also serve as a data file
       file.content = results::file_content(path);
     }
     return known->second;
   }
 
-  /// Sees to it that the world's text names every file, and no two by one name.
+  /// Makes the world's text name every file, and no two files alike.
   static void name_files(const std::vector<ParameterDeclaration>& declared,
                          const std::map<std::string, ParameterValue>& parameters,
                          std::map<std::string, world::FileName>& file_names, Names& names) {
@@ -242,7 +242,7 @@ class Planner {
   std::string fingerprint() const {
     std::string all;
     const auto add = [&](const std::string& text) {
-      all += std::to_string(text.size()) + ':' + text + '\n';  // no two lists give the same text
+      all += std::to_string(text.size()) + ':' + text + '\n';  // different for different lists
     };
     const auto end_list = [&] { all += ";\n"; };
     add(plan_.elsie_version);
@@ -289,7 +289,7 @@ class Planner {
   const plugin::Host& host_;
   const PlanOptions& options_;
   Plan plan_;
-  std::vector<CellIdentity> identities_;  // of Plan::cells
+  std::vector<CellIdentity> identities_;  // parallel to Plan::cells
   std::map<std::pair<PluginKind, std::string>, std::size_t> plugin_places_;
   std::map<std::string, std::size_t> file_places_;
   std::map<std::string, std::size_t> ranks_;  // of the host's files

@@ -1,4 +1,4 @@
-// The plugins that a world uses, at whatever depth.
+// The plugins that a world uses, nested ones too.
 #pragma once
 
 #include "elsie/api/declaration.h"
@@ -19,7 +19,7 @@ void for_each_use(world::Coordination& coordination, const See& see) {
   }
 }
 
-/// Calls see(PluginKind, world::PluginUse&) for each, in the order of the world.
+/// Calls see(PluginKind, world::PluginUse&) for each plugin, in the order of the world.
 template <class See>
 void for_each_use(world::World& world, const See& see) {
   for (world::Robot& robot : world.robots) {

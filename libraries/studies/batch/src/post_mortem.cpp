@@ -9,12 +9,12 @@ namespace {
 
 using base::seconds_text;
 
-/// " in step 50", or nothing when that is not known.
+/// " in step 50", or empty when the step is not known.
 std::string in_step(const LastWords& words) {
   return words.step ? " in step " + std::to_string(*words.step) : "";
 }
 
-/// "plugin 'wander' (id 'roam') of robot 'r1'", or a word for what is not known.
+/// "plugin 'wander' (id 'roam') of robot 'r1'", or "the process" when it is not known.
 std::string culprit(const LastWords& words) {
   if (words.plugin.empty()) {
     return "the process";
@@ -47,7 +47,7 @@ std::string crash_message(const LastWords& words, const std::optional<std::strin
                               : "");
 }
 
-/// The signal that ended it, or that it told of in its last words before it ended by itself.
+/// The signal that ended the worker, or the one that it reported before it ended.
 std::optional<std::string> signal_of(const WorkerEnd& end, const LastWords& words) {
   return WIFSIGNALED(end.status) ? std::optional(signal_name(WTERMSIG(end.status)))
          : !words.signal.empty() ? std::optional(words.signal)

@@ -1,4 +1,4 @@
-// What is to be said of a worker that ended without a result.
+// The record of a run whose worker ended without a result.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,20 @@
 
 namespace elsie::batch {
 
-/// At most so much does a worker answer, bytes.
+/// The longest answer of a worker in bytes.
 inline constexpr std::size_t kLongestAnswer = 256U << 20U;
 
 struct WorkerEnd {
-  int status = 0;                    // as of waitpid(2)
-  std::optional<LastWords> words{};  // none: it had no time for any
-  std::string problem{};             // what is wrong with its answer; empty: there is none
+  int status = 0;                    // as from waitpid(2)
+  std::optional<LastWords> words{};  // none: it could not report
+  std::string problem{};             // the error in its answer; empty: none
   bool said_nothing = true;
-  bool said_too_much = false;  // more than kLongestAnswer
-  bool overdue = false;        // it met the limit, and was ended
+  bool said_too_much = false;  // its answer exceeded kLongestAnswer
+  bool overdue = false;        // it was ended at its wall limit
   double wall_limit_s = 0.0;
 };
 
-/// State, message, signal, plugin, robot and step of its run.
+/// The run's state, message, signal, plugin, robot and step.
 RunRecord post_mortem(const WorkerEnd& end);
 
 }  // namespace elsie::batch

@@ -29,7 +29,7 @@ class ResultsDatabase::Impl {
   ~Impl() {
     writer_.reset();
     if (lock_) {
-      // In the end it is one plain file, which can be read where nothing can be written.
+      // The finished database is one plain file, readable in folders without write permission.
       connection_.try_to_run("PRAGMA journal_mode = DELETE");
     }
   }
@@ -50,13 +50,13 @@ class ResultsDatabase::Impl {
     return *writer_;
   }
 
-  /// Throws DatabaseError when the file is no longer where it was.
+  /// Throws DatabaseError when the file is no longer in its place.
   void require_in_place() {
     const auto now = FileIdentity::of(file_);
     if (now == identity_) {
       return;
     }
-    // What is in the log goes into the file, wherever that is, as long as it is open.
+    // The log's content goes into the file, wherever that is, while it is open.
     connection_.try_to_run("PRAGMA wal_checkpoint(TRUNCATE)");
     const std::int64_t ended = reading(
         [&] { return connection_.integer("SELECT count(*) FROM runs WHERE state <> 'pending'"); });
@@ -74,7 +74,7 @@ class ResultsDatabase::Impl {
   }
 
   fs::path file_;
-  std::optional<LockFile> lock_;  // given back when the connection is closed
+  std::optional<LockFile> lock_;  // released after the connection is closed
   sqlite::Connection connection_;
 
  private:
@@ -91,7 +91,7 @@ const fs::path& ResultsDatabase::file() const { return impl_->file_; }
 ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) {
   LockFile lock(file);
   if (!results::is_vacant(file)) {
-    results::open_to_read(file);  // if it is none, that is what the user wants to know
+    results::open_to_read(file);  // a file that is no database is reported as such
     throw DatabaseRefused("there is a database '" + file.string() +
                           "' already; go on with it by --resume, or choose another --database");
   }
@@ -132,7 +132,7 @@ ResultsDatabase ResultsDatabase::resume(const fs::path& file, const Plan& plan) 
     results::prepare_for_writing(connection);
     sqlite::Transaction transaction(connection);
     add_runs(connection, plan);
-    // What may change without any run becoming another one.
+    // These may change without changing any run.
     sqlite::Statement(connection,
                       "UPDATE about SET experiment = ?, description = ?, text = ?, "
                       "wall_limit_s = ?")

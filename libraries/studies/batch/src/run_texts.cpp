@@ -12,7 +12,7 @@ namespace {
 
 double thousandths(double value) { return base::rounded(value, 3); }
 
-/// To three decimals, as few characters as it takes; what is not finite is null.
+/// To three decimals, in as few characters as possible; non-finite values become null.
 void append(std::string& text, double value) {
   if (!std::isfinite(value)) {
     text += "null";

@@ -1,4 +1,4 @@
-// The parts of a run that are kept as JSON texts.
+// The parts of a run that are stored as JSON.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 namespace elsie::batch {
 
-/// Poses, thinned to at most `most`, and the first `most` touches.
+/// The robot's poses, thinned to at most `most`, and its first `most` touches.
 Trajectory trajectory_of(const std::string& robot, const traces::Track& track, double period_s,
                          std::size_t most);
 
-/// A curve, thinned to at most `most` points, which are 2 or more.
+/// A learning curve, thinned to at most `most` >= 2 points.
 Curve curve_of(const simulation::LearningCurve& curve, std::size_t most);
 
 /// Who decided when, in at most `most` episodes.

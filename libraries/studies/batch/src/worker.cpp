@@ -28,12 +28,12 @@ constexpr int kNoJob = 2;
 constexpr int kPluginFailed = 3;
 constexpr int kOtherFailure = 4;
 
-// Within a handler of a signal: write(2), and memory that is there already.
+// Used in signal handlers: only write(2), and memory that is allocated already.
 
-/// A line in the making that needs no memory of the heap.
+/// Builds a line without heap memory.
 class Line {
  public:
-  Line() { raw('\n').raw('!'); }  // an answer may be half written
+  Line() { raw('\n').raw('!'); }  // the answer before it may be incomplete
   Line& text(std::string_view text) {
     for (const char c : text) {
       if (size_ < text_.size()) {
@@ -77,7 +77,7 @@ class Line {
   std::size_t size_ = 0;
 };
 
-/// Writes last_words.h's line.
+/// Writes the line that last_words.h describes.
 void send_last_words() {
   const plugin::CallFacts known = process::facts_at_work();
   const auto text = [](const char* maybe) { return std::string_view(maybe ? maybe : ""); };
@@ -129,7 +129,7 @@ std::string standard_input() {
 }
 
 [[noreturn]] void end(int exit_code) {
-  // What was said is wanted; what the destructors of globals would do is not.
+  // Flush the output, but do not run the destructors of globals.
   std::cout.flush();
   std::cerr.flush();
   std::fflush(nullptr);
@@ -153,7 +153,7 @@ void send(std::string answer) {
 void work() {
   handle_signals();
   LastWordsWriter last_words;
-  fcntl(kResultDescriptor, F_SETFD, FD_CLOEXEC);  // not for what plugins start
+  fcntl(kResultDescriptor, F_SETFD, FD_CLOEXEC);  // children of plugins must not inherit it
   Job job;
   try {
     job = job_from(standard_input());

@@ -43,11 +43,11 @@ bool WorkerPool::run(const Next& next, const Ended& ended, const Tick& tick) {
       try {
         hand_over();
       } catch (...) {
-        // Results that cannot be kept. What went wrong before that is what there is to be told.
+        // The results cannot be stored; the first error is reported.
       }
       throw;
     }
-    hand_over();  // only now, so that the processors are at work meanwhile
+    hand_over();  // only now, so that the workers run meanwhile
     if (tick) {
       tick();
     }
@@ -62,7 +62,7 @@ bool WorkerPool::run(const Next& next, const Ended& ended, const Tick& tick) {
   }
 }
 
-/// Waits until something happens. False when the work is to stop.
+/// Waits for the next event. Returns false when the pool was stopped.
 bool WorkerPool::wait(std::vector<std::pair<std::int64_t, RunRecord>>& results) {
   using Clock = std::chrono::steady_clock;
   std::vector<pollfd> polled{{options_.stop_descriptor, POLLIN, 0}};

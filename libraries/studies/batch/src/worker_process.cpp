@@ -41,7 +41,7 @@ struct Pipe {
   Descriptor to;
 };
 
-/// The job as a file in memory, to be read from its start.
+/// The job as a file in memory, positioned at its start.
 Descriptor file_of(const Job& job) {
   Descriptor file(memfd_create("job", MFD_CLOEXEC));
   if (!file) {
@@ -59,7 +59,7 @@ Descriptor file_of(const Job& job) {
   return file;
 }
 
-/// All that is in a pipe now. False at its end.
+/// Takes everything that is in a pipe now. Returns false at its end.
 template <class Take>
 bool drain(const Descriptor& from, const Take& take) {
   std::array<char, 64 * 1024> buffer;
@@ -75,23 +75,23 @@ bool drain(const Descriptor& from, const Take& take) {
   }
 }
 
-/// What is in the child between vfork and exec: calls that are allowed there, nothing else. All
-/// signals are blocked, and the memory is the parent's.
+/// Runs in the child between vfork and exec, where only these calls are allowed. All signals are
+/// blocked, and the memory is the parent's.
 [[noreturn]] void become_worker(char* const* command, int job, int output, int answer,
                                 pid_t parent) {
-  setpgid(0,
-          0);  // it can be killed with all that it starts, and a terminal's Ctrl-C is not its own
+  // A group of its own, which is killed as a whole, and which a terminal's Ctrl-C does not reach.
+  setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) {
-    _exit(127);  // the parent is gone already
+    _exit(127);  // the parent has ended already
   }
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
     std::signal(number, SIG_DFL);
   }
   sigset_t none;
   sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);  // only now: no handler of the parent's runs here
-  // None of them is one of the numbers that they become: 0 to 2 are taken, and 3 is kept free.
+  sigprocmask(SIG_SETMASK, &none, nullptr);  // only now: the parent's handlers must not run here
+  // The sources never overlap the targets: 0 to 2 are in use, and 3 is kept free.
   dup2(job, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
@@ -100,7 +100,7 @@ bool drain(const Descriptor& from, const Take& take) {
   _exit(127);
 }
 
-/// No signal comes to this thread while one of these lives.
+/// Blocks all signals in this thread while it lives.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
@@ -132,7 +132,7 @@ void WorkerPool::Worker::start(const PoolOptions& options, const Job& job) {
     command.push_back(const_cast<char*>(word.c_str()));
   }
   command.push_back(nullptr);
-  // Copies above the numbers that the child gives them.
+  // Copies above the numbers that the child assigns.
   const Descriptor high_input(fcntl(input.get(), F_DUPFD_CLOEXEC, kResultDescriptor + 1));
   const Descriptor high_output(fcntl(output.to.get(), F_DUPFD_CLOEXEC, kResultDescriptor + 1));
   const Descriptor high_answer(fcntl(answer.to.get(), F_DUPFD_CLOEXEC, kResultDescriptor + 1));
@@ -146,8 +146,7 @@ void WorkerPool::Worker::start(const PoolOptions& options, const Job& job) {
   pid_t child = -1;
   {
     const SignalsBlocked blocked;
-    // A copy of this process' tables of pages, as fork() makes it, costs a twentieth of a short
-    // run.
+    // fork() copies the page tables of this process, which costs a twentieth of a short run.
     child = vfork();
     if (child == 0) {
       become_worker(command.data(), high_input.get(), high_output.get(), high_answer.get(), parent);
@@ -157,8 +156,8 @@ void WorkerPool::Worker::start(const PoolOptions& options, const Job& job) {
     fail("vfork");
   }
   process_ = child;
-  setpgid(child, child);  // whoever of the two is first
-  // By its number: the header of glibc 2.36 is not for C++.
+  setpgid(child, child);  // in the child too; the first call counts
+  // By number, because the header of glibc 2.36 does not work in C++.
   process_end_ = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
   if (!process_end_) {
     const int error = errno;
@@ -177,10 +176,10 @@ WorkerPool::Worker::~Worker() {
   }
 }
 
-/// Kills the process, if it is still there, and all that it has started.
+/// Kills the process, if it still runs, and its children.
 void WorkerPool::Worker::reap() {
   kill(-process_, SIGKILL);
-  kill(process_, SIGKILL);  // it may not be in a group of its own yet
+  kill(process_, SIGKILL);  // it may not have a group of its own yet
   while (waitpid(process_, &status_, 0) < 0 && errno == EINTR) {
   }
   process_ = -1;
@@ -220,8 +219,8 @@ void WorkerPool::Worker::read_answer() {
 
 void WorkerPool::Worker::read(const pollfd* polled) {
   if (polled[0].revents != 0) {
-    // It is dead, but its number is still its own: nobody else's group is killed. A process that
-    // it has started and left must not hold the pipes open.
+    // The process has ended, but its number is still reserved: no other group is killed. Children
+    // that it left behind must not keep the pipes open.
     siginfo_t info{};
     waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOWAIT);
     wall_s_ = std::chrono::duration<double>(Clock::now() - begun_).count();

@@ -19,25 +19,25 @@ class WorkerPool::Worker {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Starts it. Throws std::runtime_error.
+  /// Starts the process. Throws std::runtime_error.
   Worker(const PoolOptions& options, const Job& job);
-  /// Kills it if it is still there.
+  /// Kills the process if it still runs.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
   std::int64_t run() const { return run_; }
-  /// When something is to be done about it if it goes on.
+  /// When overdue() is to be called.
   Clock::time_point due() const { return due_; }
-  /// What poll(2) is to look at: kPolled entries.
+  /// The number of entries for poll(2).
   static constexpr std::size_t kPolled = 3;
   void list(std::vector<pollfd>& polled) const;
-  /// Reads what there is.
+  /// Reads what the pipes hold.
   void read(const pollfd* polled);
-  /// The wall limit, or the end of the grace, was met.
+  /// Called when the wall limit or the time of grace is over.
   void overdue(Clock::time_point now);
   bool has_ended() const { return ended_; }
-  /// Of one that has ended.
+  /// The record of a worker that has ended.
   RunRecord record();
 
  private:
@@ -52,16 +52,16 @@ class WorkerPool::Worker {
   Clock::time_point begun_;
   Clock::time_point due_;
   pid_t process_ = -1;
-  Descriptor process_end_;  // can be read when the process has ended
+  Descriptor process_end_;  // readable when the process has ended
   Descriptor output_;
   Descriptor answer_;
   std::string log_;
   bool log_is_cut_ = false;
   std::string answered_;
   bool hangs_ = false;
-  bool too_long_ = false;  // the answer
+  bool too_long_ = false;  // the answer is too long
   bool ended_ = false;
-  int status_ = 0;  // as wait(2) has it
+  int status_ = 0;  // as from waitpid(2)
   double wall_s_ = 0.0;
 };
 

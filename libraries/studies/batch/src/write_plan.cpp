@@ -8,7 +8,7 @@
 namespace elsie::batch {
 namespace {
 
-/// Numbers that stand for places in a list.
+/// Row numbers are indices into lists.
 std::int64_t id(std::size_t place) { return static_cast<std::int64_t>(place); }
 
 void write_about(sqlite::Connection& connection, const Plan& plan) {

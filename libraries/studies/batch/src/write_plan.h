@@ -1,4 +1,4 @@
-// A plan as rows of the database.
+// Writes a plan into the database.
 #pragma once
 
 #include "elsie/batch/plan.h"
@@ -8,13 +8,13 @@ namespace elsie::batch {
 
 namespace sqlite = results::sqlite;
 
-/// Makes the tables, and writes all but the runs. Within a transaction.
+/// Creates the tables and writes everything but the runs. To be called in a transaction.
 void write_plan(sqlite::Connection& connection, const Plan& plan);
 
-/// Adds the runs that are not there yet, as pending ones.
+/// Adds the missing runs as pending.
 void add_runs(sqlite::Connection& connection, const Plan& plan);
 
-/// "2026-01-31T12:00:00Z", now.
+/// The current time, as "2026-01-31T12:00:00Z".
 std::string utc_now();
 
 }  // namespace elsie::batch

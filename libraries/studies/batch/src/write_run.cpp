@@ -18,7 +18,7 @@ RunWriter::RunWriter(sqlite::Connection& connection)
            "state_hash = ?7, exit_code = ?8, signal = ?9, plugin = ?10, robot = ?11, step = ?12, "
            "log = ?13, wall_s = ?14, ended = ?15, solver_gave_up = ?16, solver_unsolved = ?17 "
            "WHERE id = ?1 AND state = 'pending'"),
-      // Which run is written first is chance: the same measure must come out of any order.
+      // Runs are written in any order, and must give the same measures.
       measure_(connection,
                "INSERT INTO measures (name, unit, meaning) VALUES (?, ?, ?) ON CONFLICT (name) DO "
                "UPDATE SET unit = min(unit, excluded.unit), meaning = min(meaning, "

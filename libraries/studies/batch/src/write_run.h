@@ -1,4 +1,4 @@
-// What became of a run, as rows of the database.
+// Writes the result of a run into the database.
 #pragma once
 
 #include "elsie/batch/job.h"
@@ -8,12 +8,13 @@ namespace elsie::batch {
 
 namespace sqlite = results::sqlite;
 
-/// The statements, prepared once.
+/// Holds the prepared statements.
 class RunWriter {
  public:
   explicit RunWriter(sqlite::Connection& connection);
 
-  /// In a transaction of its own. False when the run is not pending: nothing is written then.
+  /// Writes in a transaction of its own. Returns false, and writes nothing, when the run is not
+  /// pending.
   bool write(std::int64_t run, const RunRecord& record);
 
  private:

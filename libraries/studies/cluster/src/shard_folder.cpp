@@ -38,7 +38,7 @@ Json read_json(const fs::path& file) {
   return in ? Json::parse(in, nullptr, false) : Json(Json::value_t::discarded);
 }
 
-/// A number of an object, 0 when there is none.
+/// A number of an object, 0 if it is missing.
 std::int64_t number(const Json& object, const char* key) {
   return object.is_object() && object.contains(key) && object[key].is_number_integer()
              ? object[key].get<std::int64_t>()
@@ -141,7 +141,7 @@ void ShardFolder::write() const {
 }
 
 std::int64_t ShardFolder::runs(std::size_t shard) const {
-  // Every shards_-th run, from the shard-th one on.
+  // Every shards_-th run, starting at the shard-th.
   const auto all = static_cast<std::size_t>(all_runs_);
   return static_cast<std::int64_t>((all + shards_ - shard) / shards_);
 }
@@ -185,7 +185,7 @@ void ShardFolder::merge_into(const fs::path& database) const {
 ShardFolder::Turn::Turn(const ShardFolder& folder)
     : descriptor_(::open((folder.path_ / "turn").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0 && !folder.exists()) {
-    return;  // nothing to take turns for
+    return;  // only one command at a time
   }
   while (descriptor_ < 0 || flock(descriptor_, LOCK_EX) != 0) {
     if (descriptor_ >= 0 && errno == EINTR) {

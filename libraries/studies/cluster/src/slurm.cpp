@@ -9,7 +9,7 @@
 namespace elsie::cluster {
 namespace {
 
-/// The end of what a command has printed, on one line.
+/// The end of a command's output, on one line.
 std::string one_line(std::string text) {
   while (!text.empty() && text.back() == '\n') {
     text.pop_back();
@@ -21,7 +21,7 @@ std::string one_line(std::string text) {
 }
 
 process::ProcessResult answer_of(const std::vector<std::string>& command) {
-  // 127: posix_spawnp() may report a program that is not there in this way.
+  // posix_spawnp() may report a missing program in this way.
   const auto result = process::run_process(command);
   if (!result || result->exit_code == 127) {
     throw ClusterRefused("there is no program '" + command.front() +
@@ -30,7 +30,7 @@ process::ProcessResult answer_of(const std::vector<std::string>& command) {
   return *result;
 }
 
-/// The value after `key` in what scontrol prints: "JobId=17 JobState=FAILED Reason=..."
+/// The value after `key` in scontrol's output: "JobId=17 JobState=FAILED Reason=..."
 std::string value_of(const std::string& text, std::string_view key) {
   std::istringstream words(text);
   for (std::string word; words >> word;) {
@@ -73,12 +73,12 @@ std::string submit(const ArrayRequest& request) {
   command.insert(command.end(), request.options.begin(), request.options.end());
   command.push_back(request.script.string());
   const process::ProcessResult result = answer_of(command);
-  // The last line: sbatch may warn before. "17" or "17;cluster".
-  std::string said = result.output;
-  while (!said.empty() && said.back() == '\n') {
-    said.pop_back();
+  // The last line, because sbatch may warn before it: "17" or "17;cluster".
+  std::string output = result.output;
+  while (!output.empty() && output.back() == '\n') {
+    output.pop_back();
   }
-  const std::string last = said.substr(said.rfind('\n') + 1);
+  const std::string last = output.substr(output.rfind('\n') + 1);
   const std::string job = last.substr(0, last.find(';'));
   if (result.exit_code != 0 || job.empty() ||
       job.find_first_not_of("0123456789") != std::string::npos) {

@@ -34,12 +34,12 @@ world::World read(const Experiment& experiment, const Cell& cell, const std::str
   return world::read_world(file, host, reading);
 }
 
-// The same thing said of several cells.
+// A problem that several cells have.
 struct Complaint {
   Location where;
   std::string message;
-  bool is_setting = false;         // of this experiment, else of a world's file
-  std::vector<std::size_t> cells;  // of which it was said
+  bool is_setting = false;         // of this experiment; else of a world's file
+  std::vector<std::size_t> cells;  // the cells that have it
 };
 
 class CellCheck {
@@ -92,10 +92,10 @@ class CellCheck {
   }
 
  private:
-  // What a cell that is in order comes to.
+  // The result of a cell without problems.
   struct Found {
     std::vector<Quantity> measures;
-    std::string text;  // of its world
+    std::string text;  // of the cell's world
   };
 
   void check(const Cell& cell) {
@@ -105,8 +105,8 @@ class CellCheck {
   }
 
   Found look(const Cell& cell) const {
-    // Putting it together asks every plugin. To ask each before is twice the work, and finds all
-    // that is wrong instead of the first.
+    // Putting it together asks every plugin. Asking each before takes twice the time, but finds all
+    // mistakes instead of the first.
     try {
       return look(cell, false);
     } catch (const std::exception&) {
@@ -117,7 +117,7 @@ class CellCheck {
   Found look(const Cell& cell, bool plugins_before) const {
     const world::World world =
         read(experiment_, cell, files_[cell.world], host_, options_, plugins_before);
-    // Putting it together asks the plugins whether they fit their robots.
+    // This asks the plugins whether they fit their robots.
     const simulation::Simulation simulation(world, host_, {.cameras = render::world_cameras});
     return {simulation::measure_names(world, host_), world::write_world(world)};
   }
@@ -131,8 +131,8 @@ class CellCheck {
     }
   }
 
-  // Two cells that are the same world are a mistake: a level that changes nothing, or a setting
-  // that a later one undoes.
+  // Two cells with the same world are a mistake: a level changes nothing, or a later setting undoes
+  // it.
   void compare(const Cell& cell, const std::string& text) {
     const auto [known, is_new] = cells_by_text_.emplace(std::hash<std::string>()(text), cell.index);
     const Cell& other = grid_[known->second];
@@ -151,8 +151,8 @@ class CellCheck {
         of = factor.levels[other.levels[i]].label;
       }
     }
-    // Of each pair of levels, told once.
-    if (told_.insert(what + of).second) {
+    // Each pair of levels is reported once.
+    if (reported_.insert(what + of).second) {
       twins_.emplace_back(where, what + " is the same as '" + of + "': the cells '" + other.label +
                                      "' and '" + cell.label +
                                      "' do not differ in anything; a later setting may undo it");
@@ -182,8 +182,7 @@ class CellCheck {
     }
   }
 
-  // The cells of which it could have been said: those with a setting on that line, or all of the
-  // worlds that it was said of.
+  // The cells that could have this problem: those with a setting on that line, or all of the world.
   std::vector<std::size_t> could_be(const Complaint& complaint) const {
     std::set<std::size_t> worlds;
     for (const std::size_t index : complaint.cells) {
@@ -203,7 +202,8 @@ class CellCheck {
     return found;
   }
 
-  // What it takes for the mistake to show: " (with coordinator=fusion)", or "" when it always does.
+  // The level that a cell needs to have the problem, " (with coordinator=fusion)"; "" if all have
+  // it.
   std::string circumstances(const Complaint& complaint) const {
     const std::vector<std::size_t> all = could_be(complaint);
     if (all == complaint.cells) {
@@ -230,7 +230,7 @@ class CellCheck {
                             first.label + "')";
   }
 
-  // Where the time limit stands that makes a mistake of what a world says, or "".
+  // Where the time limit is set, if it alone makes the world wrong; else "".
   std::string limit_behind(const Complaint& complaint) const {
     if (complaint.is_setting || !experiment_.time_limit) {
       return "";
@@ -259,8 +259,8 @@ class CellCheck {
   const ReadOptions& options_;
   CellMeasures measures_;
   std::map<std::tuple<std::string, int, std::string>, Complaint> complaints_;
-  std::map<std::size_t, std::size_t> cells_by_text_;  // a hash, and the first cell that had it
-  std::set<std::string> told_;
+  std::map<std::size_t, std::size_t> cells_by_text_;  // hash of the text to its first cell
+  std::set<std::string> reported_;
   std::vector<std::pair<Location, std::string>> twins_;
 };
 

@@ -1,4 +1,4 @@
-// Making sure of every cell before the first run begins.
+// Checks every cell before the first run begins.
 #pragma once
 
 #include <cstddef>
@@ -12,23 +12,23 @@
 
 namespace elsie::experiment {
 
-/// What the runs of each cell are measured by.
+/// The measures of each cell's runs.
 struct CellMeasures {
-  std::vector<std::vector<Quantity>> lists;  // that differ
-  std::vector<std::size_t> of_cell;          // the place of its list
+  std::vector<std::vector<Quantity>> lists;  // the different lists
+  std::vector<std::size_t> of_cell;          // index of the list of each cell
 };
 
-/// Reads the world of every cell and puts it together. Mistakes in a setting become problems where
-/// it stands, with the levels that it takes to make them; so do cells between which there is no
-/// difference. `files` are the worlds' files as messages should call them, `lists` the factors
-/// whose levels stand in values="A; B". Complete only when there were no problems.
+/// Reads the world of every cell and puts it together. Mistakes in a setting become problems on its
+/// line, with the levels that cause them; so do equal cells. `files` are the worlds' files as
+/// messages name them; `lists` are the factors whose levels are in values="A; B". The result is
+/// complete only if there were no problems.
 CellMeasures check_cells(const Experiment& experiment, const std::vector<Cell>& grid,
                          const std::vector<std::string>& files, const std::set<std::size_t>& lists,
                          const plugin::Host& host, const ReadOptions& options,
                          base::Problems& problems);
 
-/// That a name means one quantity in all cells; that a measure to show is one of some cell, and one
-/// of an expectation that of every cell that it is about.
+/// Checks that a name means the same quantity in all cells, that some cell has each measure to
+/// show, and that every cell of an expectation has its measures.
 void check_measures(const Experiment& experiment, const std::vector<Cell>& grid,
                     const CellMeasures& measures, base::Problems& problems);
 

@@ -1,4 +1,4 @@
-// The grid: which cells there are.
+// The grid of cells.
 #include "elsie/experiment/experiment.h"
 #include "elsie/world/values.h"
 
@@ -8,7 +8,7 @@ namespace elsie::experiment {
 
 namespace {
 
-// The labels, without those that tell nothing because there is no other.
+// The labels of the factors that have several levels.
 std::string label_of(const Experiment& experiment, const Cell& cell) {
   const std::string& id = experiment.worlds[cell.world].id;
   std::string label = experiment.worlds.size() > 1 ? id : "";
@@ -73,7 +73,7 @@ std::vector<Cell> cells(const Experiment& experiment) {
       for (const Setting& setting : settings_of(experiment, cell)) {
         cell.overrides.push_back(override_of(setting));
       }
-      // The next one, as an odometer counts.
+      // The next cell, as an odometer counts.
       more = false;
       for (std::size_t i = levels.size(); i > 0 && !more; --i) {
         more = ++levels[i - 1] < experiment.factors[i - 1].levels.size();

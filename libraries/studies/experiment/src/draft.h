@@ -1,4 +1,4 @@
-// What an experiment file says, before anybody asked whether it makes sense.
+// The contents of an experiment file before they are checked.
 #pragma once
 
 #include <cstdint>

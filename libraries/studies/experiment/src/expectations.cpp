@@ -116,7 +116,7 @@ void check_bounds(const ExpectationDraft& draft, const Expectation& expectation)
   }
 }
 
-// An attribute of the element that is at fault.
+// Parses an attribute; errors name it.
 template <class Parse>
 auto parsed(const char* attribute, const std::string& text, const Parse& parse) {
   try {
@@ -179,7 +179,7 @@ std::string in_words(const Expectation& expectation) {
   text += ":";
   const char* before = " ";
   const bool difference = expectation.relation == Relation::difference;
-  // A difference below 0 is so much less: at least -2 is at most 2 less.
+  // A difference below 0 is given as "less": at least -2 is at most 2 less.
   const auto bound = [&](const char* words, const char* if_less,
                          const std::optional<double>& value) {
     if (value) {

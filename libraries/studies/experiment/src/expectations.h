@@ -1,4 +1,4 @@
-// Expectations: from what a file says to sentences about cells.
+// Expectations: from the file's elements to statements about cells.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@
 
 namespace elsie::experiment {
 
-/// The experiment has its worlds and factors. Expectations with problems are left out.
+/// The experiment must have its worlds and factors. Expectations with problems are left out.
 std::vector<Expectation> expectations_from(const std::vector<ExpectationDraft>& drafts,
                                            const Experiment& experiment, base::Problems& problems);
 
-/// What an expectation says, in words: "rate of success, coordinator=fusion: at least 1".
+/// An expectation in words: "rate of success, coordinator=fusion: at least 1".
 std::string in_words(const Expectation& expectation);
 
 }  // namespace elsie::experiment

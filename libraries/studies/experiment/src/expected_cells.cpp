@@ -1,4 +1,4 @@
-// Which cells an expectation is about.
+// Which cells an expectation covers.
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -36,7 +36,8 @@ std::vector<std::vector<std::string>> labels_of(const Experiment& experiment,
 }  // namespace
 
 bool matches(const std::string& pattern, const std::string& label) {
-  // After the last star that was met, and what it stood for until now.
+  // The position after the last star in the pattern, and the end of the text that it matches so
+  // far.
   std::size_t star = std::string::npos, stood_for = 0, at = 0, in = 0;
   while (in < label.size()) {
     if (at < pattern.size() && pattern[at] == '*') {

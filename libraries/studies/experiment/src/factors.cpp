@@ -24,7 +24,7 @@ bool is_name(const std::string& text) {
   });
 }
 
-// The end of a path: "max_speed" of "robot[r1]/@max_speed".
+// The last name of a path: "max_speed" of "robot[r1]/@max_speed".
 std::string end_of(const std::string& path) {
   std::string end = path.substr(path.rfind('/') + 1);
   end = end.substr(0, end.find('['));
@@ -36,7 +36,7 @@ std::string name_of_element(const std::string& markup) {
   return markup.substr(1, markup.find_first_of(" />", 1) - 1);
 }
 
-// Whether a value or an element fits what the path leads to, for the end of a sentence; "" when it
+// Why a value or an element does not fit the end of the path, as the end of a sentence; "" if it
 // does.
 std::string why_not_at(const std::string& path, bool is_element, const std::string& value) {
   const bool to_attribute = path.substr(path.rfind('/') + 1).starts_with('@');
@@ -48,7 +48,7 @@ std::string why_not_at(const std::string& path, bool is_element, const std::stri
              : "";
 }
 
-// One factor. Problems are told where its element stands, or that of the level.
+// Makes one factor. Problems have the line of its element, or of the level's.
 class FactorMaker {
  public:
   FactorMaker(const FactorDraft& draft, Problems& problems) : draft_(draft), problems_(problems) {}
@@ -168,7 +168,7 @@ class FactorMaker {
     for (const Level& level : factor.levels) {
       const std::string why = why_no_label(level.label);
       if (unnamed_.contains(&level - factor.levels.data())) {
-        continue;  // that was told
+        continue;  // reported already
       }
       if (!why.empty()) {
         problems_.add(
@@ -189,7 +189,7 @@ class FactorMaker {
   const FactorDraft& draft_;
   Problems& problems_;
   std::string name_;
-  std::set<std::ptrdiff_t> unnamed_;  // levels, by their places
+  std::set<std::ptrdiff_t> unnamed_;  // levels, by index
 };
 
 }  // namespace

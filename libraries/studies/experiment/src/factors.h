@@ -1,4 +1,4 @@
-// Factors, levels and settings: from what a file says to what is set.
+// Factors, levels and settings: from the file's elements to what is set.
 #pragma once
 
 #include <string>
@@ -11,29 +11,29 @@
 
 namespace elsie::experiment {
 
-/// The text without the blanks around it.
+/// The text without leading and trailing blanks.
 std::string trimmed(const std::string& text);
 
-/// Its parts, between the separators; blanks around them do not count.
+/// The parts between the separators, without blanks around them.
 std::vector<std::string> split(const std::string& text, char separator);
 
-/// Why a text cannot be a label, for the end of a sentence: "a label may not be empty"; "" when it
+/// Why a text cannot be a label, as the end of a sentence, "a label may not be empty"; "" if it
 /// can.
 std::string why_no_label(const std::string& text);
 
-/// For the end of a sentence about the only level of values="...", when it looks like several:
-/// "; the levels of values are separated by ';'"; otherwise "".
+/// The end of a sentence about the only level of values="..." if it looks like several: "; the
+/// levels of values are separated by ';'"; otherwise "".
 std::string how_to_separate(const Factor& factor);
 
-/// The settings that make sense; the others become problems.
+/// The valid settings; the others become problems.
 std::vector<Setting> settings_from(const std::vector<SettingDraft>& drafts,
                                    base::Problems& problems);
 
-/// The same for factors: those with problems have no levels.
+/// The same for factors; a factor with problems has no levels.
 std::vector<Factor> factors_from(const std::vector<FactorDraft>& drafts, base::Problems& problems);
 
-/// The numbers of a range as texts with as few digits as they take: 0.1 to 0.3 in steps of 0.1 are
-/// "0.1", "0.2", "0.3". Throws std::invalid_argument with a sentence.
+/// The numbers of a range in as few digits as possible: 0.1 to 0.3 in steps of 0.1 are "0.1",
+/// "0.2", "0.3". Throws std::invalid_argument with a sentence.
 std::vector<std::string> range(double from, double to, double step);
 
 }  // namespace elsie::experiment

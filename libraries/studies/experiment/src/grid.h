@@ -1,4 +1,4 @@
-// What the cells of an experiment set, and where that stands.
+// What the cells of an experiment set, and on which lines.
 #pragma once
 
 #include <string>
@@ -8,22 +8,22 @@
 
 namespace elsie::experiment {
 
-/// The factor that the worlds are.
+/// The name of the worlds' factor.
 inline constexpr const char* kWorldFactor = "world";
 
-/// Where the experiment's time limit is set in each world.
+/// The path of the experiment's time limit in each world.
 inline constexpr const char* kTimeLimitPath = "limits/@time";
 
-/// What is set in the worlds of a cell, in order.
+/// The settings of a cell, in order.
 std::vector<Setting> settings_of(const Experiment& experiment, const Cell& cell);
 
 /// "PATH=VALUE"
 std::string override_of(const Setting& setting);
 
-/// Whether a label is as a pattern says, in which a "*" stands for any text.
+/// Whether a label matches a pattern, in which "*" stands for any text.
 bool matches(const std::string& pattern, const std::string& label);
 
-/// All labels of a factor ("world": the ids), or an empty list when there is no such factor.
+/// All labels of a factor ("world": the ids); empty if there is no such factor.
 std::vector<std::string> labels_of(const Experiment& experiment, const std::string& factor);
 
 }  // namespace elsie::experiment

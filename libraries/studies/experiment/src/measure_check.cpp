@@ -1,4 +1,5 @@
-// That what is to be shown, and what is expected, is measured at all, and one quantity everywhere.
+// Checks that what is to be shown, and what is expected, is measured, and is the same quantity in
+// every cell.
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -26,11 +27,12 @@ std::vector<std::string> names_of(const std::vector<Quantity>& quantities) {
 }
 
 // "'simulated time until the run ended' in s"
-std::string told(const Quantity& quantity) {
+std::string in_words(const Quantity& quantity) {
   return "'" + quantity.meaning + "'" + (quantity.unit.empty() ? "" : " in " + quantity.unit);
 }
 
-// Where two cells differ: the world of the second, or its level of the last factor that differs.
+// The line on which two cells differ: the second one's world, or its level of the last factor that
+// differs.
 const Location& difference(const Experiment& experiment, const Cell& one, const Cell& other) {
   const Location* where = &experiment.worlds[other.world].location;
   for (std::size_t i = 0; one.world == other.world && i < experiment.factors.size(); ++i) {
@@ -41,7 +43,7 @@ const Location& difference(const Experiment& experiment, const Cell& one, const 
   return *where;
 }
 
-// Tables put the values of one name together, whatever cells they are of.
+// Tables put values of the same name together, whatever their cells.
 void check_quantities(const Experiment& experiment, const std::vector<Cell>& grid,
                       const CellMeasures& measures, base::Problems& problems) {
   struct Known {
@@ -59,15 +61,15 @@ void check_quantities(const Experiment& experiment, const std::vector<Cell>& gri
       if (!is_new && quantity != before.quantity && complained.insert(quantity.name).second) {
         problems.add(difference(experiment, grid[before.cell], grid[cell]),
                      "the measure '" + quantity.name + "' is two things: in the cell '" +
-                         grid[before.cell].label + "' it is " + told(before.quantity) +
-                         ", in the cell '" + grid[cell].label + "' " + told(quantity) +
+                         grid[before.cell].label + "' it is " + in_words(before.quantity) +
+                         ", in the cell '" + grid[cell].label + "' " + in_words(quantity) +
                          "; expected one: give one of them another id in <measures>");
       }
     }
   }
 }
 
-// Those of each cell that the expectation is about, and of what it is compared with.
+// Checks the cells that the expectation covers, and those that they are compared with.
 void check_expectation(const Expectation& expectation, const std::vector<Cell>& cells,
                        const Grid& grid, const CellMeasures& measures, base::Problems& problems) {
   const auto check = [&](std::size_t cell, const std::string& name) {

@@ -1,4 +1,4 @@
-// Ranges of decimal numbers, exact: no level is called 0.30000000000000004.
+// Exact ranges of decimal numbers: no level is called 0.30000000000000004.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -15,7 +15,7 @@ namespace elsie::experiment {
 
 namespace {
 
-// digits x 10^exponent: what the user wrote.
+// digits x 10^exponent, as the user wrote it.
 struct Decimal {
   std::int64_t digits = 0;
   int exponent = 0;
@@ -47,7 +47,7 @@ Decimal decimal(double value) {
 
 [[noreturn]] void fail(const std::string& message) { throw std::invalid_argument(message); }
 
-// The digits when the last of them counts 10^exponent, which is not above the number's own.
+// The digits in units of 10^exponent, which is not above the number's own.
 std::int64_t digits_at(Decimal number, int exponent) {
   while (number.digits != 0 && number.exponent > exponent) {
     if (__builtin_mul_overflow(number.digits, 10, &number.digits)) {

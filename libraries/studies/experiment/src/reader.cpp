@@ -27,8 +27,7 @@ using base::Problems;
 using world::Element;
 using world::ElementSpec;
 
-// Knows afterwards which elements have mistakes: what they describe has defaults where they are
-// wrong, and is not to be judged by those.
+// Notes which elements have mistakes: their attributes are defaults, which must not be judged.
 class DraftReader final : private world::ObjectReader {
  public:
   explicit DraftReader(Problems& problems) : ObjectReader(problems) {}
@@ -44,7 +43,7 @@ class DraftReader final : private world::ObjectReader {
     return draft;
   }
 
-  /// Whether what worlds, settings and factors there are could be read.
+  /// Whether worlds, settings and factors could all be read.
   bool grid_is_sound() const { return grid_is_sound_; }
   bool is_sound(const Location& where) const {
     return !unsound_.contains({where.file, where.line});
@@ -70,11 +69,11 @@ class DraftReader final : private world::ObjectReader {
 
 struct Worlds {
   std::vector<WorldUse> uses;
-  std::vector<std::string> files;  // as they were found, for messages
+  std::vector<std::string> files;  // paths as found, for messages
 };
 
-// The line on which an experiment begins in a file; 0: it holds something else, and whoever reads
-// it as a world tells what is wrong.
+// The line on which an experiment begins in a file; 0: it holds something else, and reading it as a
+// world finds the mistake.
 int line_of_experiment(const std::string& file) {
   try {
     const Element root = world::parse_markup(world::read_text(file), file);
@@ -84,7 +83,7 @@ int line_of_experiment(const std::string& file) {
   }
 }
 
-// Without `files` nobody looks whether they are there.
+// Without `files`, the worlds need not exist.
 Worlds worlds_from(const std::vector<WorldDraft>& drafts, const world::Files* files,
                    Problems& problems) {
   Worlds worlds;
@@ -120,8 +119,7 @@ Worlds worlds_from(const std::vector<WorldDraft>& drafts, const world::Files* fi
   return worlds;
 }
 
-// That the grid can be gone through in a lifetime. Products are taken of numbers that are known to
-// be in bounds.
+// Checks that the grid is not too large. Only numbers within bounds are multiplied.
 void check_size(const Experiment& experiment, const Location& root, Problems& problems) {
   std::string product = std::to_string(experiment.worlds.size()) +
                         (experiment.worlds.size() == 1 ? " world" : " worlds");
@@ -147,7 +145,7 @@ void check_size(const Experiment& experiment, const Location& root, Problems& pr
   }
 }
 
-// Labels are joined to those of cells, which must tell cells apart.
+// Labels of cells must differ; they are joined from those of levels.
 void check_labels(const std::vector<Cell>& grid, const Location& root, Problems& problems) {
   std::set<std::string> known;
   for (const Cell& cell : grid) {
@@ -171,12 +169,12 @@ std::vector<MeasureUse> measures_from(const std::vector<MeasureDraft>& drafts, P
   return uses;
 }
 
-// What stands around an experiment while it is read.
+// An experiment with what is known while it is read.
 struct Parsed {
   Experiment experiment;
-  std::vector<Cell> grid;          // none when it is not sound
-  std::vector<std::string> files;  // of the worlds, as they were found
-  std::set<std::size_t> lists;     // the factors whose levels stand in values="A; B"
+  std::vector<Cell> grid;          // empty if it has mistakes
+  std::vector<std::string> files;  // of the worlds, as found
+  std::set<std::size_t> lists;     // the factors whose levels are in values="A; B"
   Problems problems, grid_problems;
 };
 

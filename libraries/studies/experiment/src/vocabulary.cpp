@@ -22,21 +22,23 @@ constexpr double kLongest = 1e9;  // s, as in worlds
 ElementSpec setting() {
   return Describe<SettingDraft>("set",
                                 "Sets an attribute of a world, or replaces an element by "
-                                "that which it holds")
+                                "the one inside")
       .takes_element(&SettingDraft::element)
       .attribute("path", &SettingDraft::path,
-                 fact("where: robot[r1]/@max_speed, as with `elsie run --set`"), kRequired)
-      .attribute("value", &SettingDraft::value, fact("what, when the path ends with an attribute"));
+                 fact("path of what is set, as in `elsie run --set`: robot[r1]/@max_speed"),
+                 kRequired)
+      .attribute("value", &SettingDraft::value,
+                 fact("value of the attribute at the end of the path"));
 }
 
 ElementSpec level() {
   return Describe<LevelDraft>("level",
-                              "One of the values of a factor: what it holds or its value "
-                              "says, for the factor's path, and all that it sets")
+                              "A level of a factor: a value or an element for the factor's "
+                              "path, and further settings")
       .takes_element(&LevelDraft::element)
       .attribute("label", &LevelDraft::label,
-                 fact("what tables call it; by default its value, or the name of its element"))
-      .attribute("value", &LevelDraft::value, fact("for the factor's path"))
+                 fact("name in tables; by default its value, or the name of its element"))
+      .attribute("value", &LevelDraft::value, fact("value at the factor's path"))
       .each(setting(), &LevelDraft::settings);
 }
 
@@ -45,10 +47,10 @@ ElementSpec factor() {
   return Describe<FactorDraft>("vary",
                                "A factor: each of its levels meets each level of all others")
       .unique("level", "label")
-      .attribute("name", &FactorDraft::name,
-                 fact("what tables call it; by default the end of its path"), kId)
+      .attribute("name", &FactorDraft::name, fact("name in tables; by default the end of its path"),
+                 kId)
       .attribute("path", &FactorDraft::path,
-                 fact("what is varied: an attribute, or an element of which levels hold others"))
+                 fact("what is varied: an attribute, or an element that levels replace"))
       .attribute("values", &FactorDraft::values, fact("its levels, separated by \";\""))
       .attribute("from", &FactorDraft::from, bound("the first level of a range"))
       .attribute("to", &FactorDraft::to, bound("the last level of a range"))
@@ -59,27 +61,27 @@ ElementSpec factor() {
 
 ElementSpec worlds() {
   return Describe<ExperimentDraft>("worlds",
-                                   "What the robots live in: a factor of its own, called "
+                                   "The worlds to run, which are the levels of the factor "
                                    "\"world\"")
       .required()
       .members("world")
-      .each(Describe<WorldDraft>("world", "A world file")
-                .required()
-                .attribute("file", &WorldDraft::file,
-                           fact("looked for beside the experiment, then in the data directories"),
-                           kRequired)
-                .attribute("id", &WorldDraft::id,
-                           fact("what tables call it; by default the file's name without folder "
-                                "and suffix"),
-                           kId)
-                .each(setting(), &WorldDraft::settings),
-            &ExperimentDraft::worlds);
+      .each(
+          Describe<WorldDraft>("world", "A world file")
+              .required()
+              .attribute("file", &WorldDraft::file,
+                         fact("path, from the experiment's folder or a data directory"), kRequired)
+              .attribute("id", &WorldDraft::id,
+                         fact("name in tables; by default the file's name without folder "
+                              "and suffix"),
+                         kId)
+              .each(setting(), &WorldDraft::settings),
+          &ExperimentDraft::worlds);
 }
 
 ElementSpec seeds() {
   return Describe<SeedsDraft>("seeds",
-                              "With which seeds each cell is run: all from one number to "
-                              "another, or those of a list")
+                              "The seeds of each cell's runs: all from one number to "
+                              "another, or a list")
       .required()
       .attribute("from", &SeedsDraft::from, {.min = 0, .meaning = "the first seed"})
       .attribute("to", &SeedsDraft::to, {.min = 0, .meaning = "the last seed"})
@@ -87,52 +89,51 @@ ElementSpec seeds() {
       .attribute("repeats", &SeedsDraft::repeats,
                  {.min = 1,
                   .max = 1000,
-                  .meaning = "how often each seed is run: the same seed must give the same run, "
-                             "and more than once is for those who doubt it"});
+                  .meaning = "how often each seed is run: a check that the same seed gives "
+                             "the same run"});
 }
 
 ElementSpec expectation() {
   const auto number = [](const char* meaning) { return fact(meaning); };
   return Describe<ExpectationDraft>("expect",
-                                    "A sentence about the results, true or false for every cell "
-                                    "that it is about")
+                                    "An expected result, true or false for each cell that "
+                                    "it covers")
       .attribute("name", &ExpectationDraft::name,
-                 fact("what reports call it; by default what it says in words"))
-      .attribute("measure", &ExpectationDraft::measure, fact("of which measure"), kRequired)
+                 fact("name in reports; by default the expectation in words"))
+      .attribute("measure", &ExpectationDraft::measure, fact("the measure"), kRequired)
       .attribute("per", &ExpectationDraft::per,
-                 fact("another measure, by which each run's value is divided"))
+                 fact("another measure by which each run's value is divided"))
       .attribute(
           "statistic", &ExpectationDraft::statistic,
           {.choices = {"mean", "median", "standard_deviation", "minimum", "maximum", "rate"},
-           .meaning = "what of the values of a cell's runs; the rate is the share of runs in "
+           .meaning = "statistic of the values of a cell's runs; the rate is the share of runs in "
                       "which the value is not 0; by default the mean, of `success` the rate"})
       .attribute("runs", &ExpectationDraft::runs,
                  {.choices = {"all", "successes"}, .meaning = "which runs of a cell count"})
       .attribute("where", &ExpectationDraft::where,
-                 fact("which cells it is about: FACTOR=LEVEL|LEVEL; FACTOR=LEVEL, a \"*\" standing "
+                 fact("cells that it covers: FACTOR=LEVEL|LEVEL; FACTOR=LEVEL, with \"*\" "
                       "for any text; by default all"))
       .attribute("ratio_to", &ExpectationDraft::ratio_to,
-                 fact("compares each cell with that which differs in FACTOR=LEVEL; FACTOR=LEVEL: "
-                      "its statistic divided by that of the other"))
+                 fact("judges the ratio of each cell's statistic to that of the cell with "
+                      "FACTOR=LEVEL; FACTOR=LEVEL"))
       .attribute("difference_from", &ExpectationDraft::difference_from,
-                 fact("the same, with its statistic minus that of the other"))
-      .attribute("at_least", &ExpectationDraft::at_least, number("the least that is expected"))
-      .attribute("at_most", &ExpectationDraft::at_most, number("the most that is expected"))
-      .attribute("about", &ExpectationDraft::about,
-                 number("what is expected, give or take the tolerance"))
+                 fact("likewise the difference, cell minus other cell"))
+      .attribute("at_least", &ExpectationDraft::at_least, number("lower bound"))
+      .attribute("at_most", &ExpectationDraft::at_most, number("upper bound"))
+      .attribute("about", &ExpectationDraft::about, number("expected value, within the tolerance"))
       .attribute("tolerance", &ExpectationDraft::tolerance,
-                 {.min = 0, .meaning = "by how much it may be missed; by default not at all"})
+                 {.min = 0, .meaning = "how far a bound may be missed; by default 0"})
       .attribute("confidence", &ExpectationDraft::confidence,
                  {.above = 0,
                   .max = 0.999999,
-                  .meaning = "then not the statistic alone but its whole confidence interval must "
-                             "be as expected: 0.95, for example"});
+                  .meaning = "the whole interval at this confidence must keep to the bounds: "
+                             "0.95, for example"});
 }
 
 ElementSpec experiment() {
   return world::root<ExperimentDraft>("experiment",
-                                      "Runs of worlds over a grid of settings and seeds, what is "
-                                      "measured, and what is expected",
+                                      "Runs of worlds over a grid of settings and seeds, with "
+                                      "measures and expectations",
                                       kFormat)
       .unique("worlds/world", "id")
       .unique("vary", "name")
@@ -144,33 +145,35 @@ ElementSpec experiment() {
       .each(setting(), &ExperimentDraft::settings)
       .each(factor(), &ExperimentDraft::factors)
       .optional(seeds(), &ExperimentDraft::seeds)
-      .optional(Describe<LimitsDraft>("limits", "What ends a run that has not ended by itself")
-                    .attribute("time", &LimitsDraft::time,
-                               {.unit = "s",
-                                .above = 0,
-                                .max = kLongest,
-                                .meaning = "simulated time; by default that of the world"})
-                    .attribute("wall_time", &LimitsDraft::wall_time,
-                               {.unit = "s",
-                                .above = 0,
-                                .max = kLongest,
-                                .meaning = "time on the clock: what takes longer is given up"}),
-                &ExperimentDraft::limits)
-      .optional(Describe<TrajectoriesDraft>("trajectories", "What is kept of the robots' ways")
+      .optional(
+          Describe<LimitsDraft>("limits", "Limits of a run's time")
+              .attribute("time", &LimitsDraft::time,
+                         {.unit = "s",
+                          .above = 0,
+                          .max = kLongest,
+                          .meaning = "simulated time; by default that of the world"})
+              .attribute("wall_time", &LimitsDraft::wall_time,
+                         {.unit = "s",
+                          .above = 0,
+                          .max = kLongest,
+                          .meaning = "time on the clock; longer runs are ended and count as hung"}),
+          &ExperimentDraft::limits)
+      .optional(Describe<TrajectoriesDraft>("trajectories", "The recording of the robots' ways")
                     .attribute("period", &TrajectoriesDraft::period,
                                {.unit = "s",
                                 .above = 0,
                                 .max = kLongest,
-                                .meaning = "simulated time from one place to the next"}),
+                                .meaning = "simulated time between two recorded poses"}),
                 &ExperimentDraft::trajectories)
       .group(Describe<ExperimentDraft>("measures",
-                                       "What is shown, in this order; without it all "
+                                       "The measures to show, in this order; by default all "
                                        "that the runs have")
                  .members("measure")
                  .each(Describe<MeasureDraft>("measure", "A measure to show")
-                           .attribute("name", &MeasureDraft::name, fact("which one"), kRequired),
+                           .attribute("name", &MeasureDraft::name, fact("name of the measure"),
+                                      kRequired),
                        &ExperimentDraft::measures))
-      .group(Describe<ExperimentDraft>("expectations", "What is expected to come of it")
+      .group(Describe<ExperimentDraft>("expectations", "The expected results")
                  .members("expectation")
                  .each(expectation(), &ExperimentDraft::expectations));
 }

@@ -29,7 +29,7 @@ std::string optional_text(const std::optional<double>& value) {
   return value ? number_text(*value) : "";
 }
 
-// In a world without goals the time limit is where a run ends, not what it fails by.
+// In a world without goals, a run does not fail by ending at the time limit.
 std::string outcome_of(const Findings& findings, const Run& run) {
   if (run.outcome == Outcome::time_limit && !findings.cells[run.cell].goals) {
     return "no_goals";

@@ -10,7 +10,7 @@ namespace elsie::report {
 
 namespace {
 
-// From a point to the piece of line between two others.
+// The distance of a point from the line segment between two others.
 double distance(const Vector2& p, const Vector2& a, const Vector2& b) {
   const double dx = b.x - a.x, dy = b.y - a.y;
   const double squared = dx * dx + dy * dy;
@@ -80,7 +80,7 @@ std::string path_data(const std::vector<Vector2>& line) {
   std::string text;
   long x = 0, y = 0;
   for (const Vector2& point : line) {
-    // What is far outside of the picture stays out of it.
+    // Points far outside of the picture are moved to a limit outside of it.
     const long next_x = std::lround(std::clamp(point.x, -1e5, 1e5));
     const long next_y = std::lround(std::clamp(point.y, -1e5, 1e5));
     if (text.empty()) {

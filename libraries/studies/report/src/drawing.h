@@ -9,17 +9,17 @@
 
 namespace elsie::report {
 
-/// The line with fewer points, none of those left out farther than `tolerance` from it (Ramer 1972,
-/// Douglas and Peucker 1973). First and last point stay. All points are finite.
+/// The line with fewer points, which stays within `tolerance` of those left out (Ramer 1972,
+/// Douglas and Peucker 1973). First and last point stay. All points must be finite.
 std::vector<Vector2> simplified(const std::vector<Vector2>& line, double tolerance);
 
-/// The pieces of a line between points that are not finite; pieces of one point are left out.
+/// The parts of a line between points that are not finite; parts of one point are left out.
 std::vector<std::vector<Vector2>> pieces(const std::vector<Vector2>& line);
 
-/// "M10 20l3-4 5 6": coordinates rounded to whole numbers, steps of less than one left out.
+/// "M10 20l3-4 5 6": coordinates rounded to whole numbers; steps shorter than one are left out.
 std::string path_data(const std::vector<Vector2>& line);
 
-/// A part of a whole in percent, "34.52%".
+/// A share in percent, "34.52%".
 std::string percent(double part);
 
 }  // namespace elsie::report

@@ -21,14 +21,14 @@ constexpr double kAxis = 20.0;      // height of the labels of an axis
 constexpr double kMargin = 0.025;   // of the width, at both ends of an axis
 constexpr std::size_t kLabel = 46;  // characters of a label
 constexpr std::size_t kRowsInSight = 10;
-// More dots than these on a page have no text to be pointed at, or are left out.
+// With more dots than these on a page, dots have no tooltips, and some are left out.
 constexpr std::size_t kDotsWithText = 6000;
 constexpr std::size_t kDots = 30000;
 
 std::string y(double value) { return fixed_text(value, 1); }
 
-// Where the i-th of the dots of a row stands above or below its middle, in [-1, 1]: the sequence of
-// van der Corput (1935) spreads any number of them evenly.
+// The offset of the i-th dot of a row from its middle, in [-1, 1]: the sequence of van der Corput
+// (1935) spreads any number of dots evenly.
 double jitter(std::size_t i) {
   double part = 0.0, weight = 0.5;
   for (std::size_t rest = i + 1; rest > 0; rest /= 2, weight *= 0.5) {
@@ -58,18 +58,19 @@ std::string dots(const Findings& findings, const CellFindings& cell, std::size_t
     if (all > kDots && !findings.missed(run) && !outside) {
       continue;
     }
-    const std::string told = all > kDotsWithText
-                                 ? ""
-                                 : "<title>run " + std::to_string(run.id) + ", seed " +
-                                       std::to_string(run.seed) + ": " +
-                                       with_unit(value, results.measures[place].unit) + "</title>";
+    const std::string title = all > kDotsWithText
+                                  ? ""
+                                  : "<title>run " + std::to_string(run.id) + ", seed " +
+                                        std::to_string(run.seed) + ": " +
+                                        with_unit(value, results.measures[place].unit) + "</title>";
     if (!findings.missed(run)) {
       text += "<circle cx=\"" + span.at(value) + "\" cy=\"" + y(high) + "\" r=\"2.2\"" +
-              (outside ? " class=\"odd\"" : "") + (told.empty() ? "/>" : ">" + told + "</circle>");
+              (outside ? " class=\"odd\"" : "") +
+              (title.empty() ? "/>" : ">" + title + "</circle>");
     } else {
       text += "<svg x=\"" + span.at(value) + "\" y=\"" + y(high) + "\">" +
               (outside ? "<circle r=\"5.5\" class=\"ring\"/>" : "") +
-              "<path class=\"miss\" d=\"M-3-3 3 3M-3 3 3-3\">" + told + "</path></svg>";
+              "<path class=\"miss\" d=\"M-3-3 3 3M-3 3 3-3\">" + title + "</path></svg>";
     }
   }
   return text;
@@ -136,7 +137,7 @@ Span span_of(double low, double high) {
     low = 0.0;
   }
   const double room = 0.03 * (high - low);
-  // Values that are all the same have an axis around them.
+  // Equal values get an axis around them.
   const double least = std::max(1e-9, 0.05 * std::max(std::abs(low), std::abs(high)));
   if (low == 0.0 && high == 0.0) {
     return {0.0, 1.0};

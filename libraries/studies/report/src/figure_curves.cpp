@@ -1,4 +1,4 @@
-// Learning curves: what plugins told of their training.
+// Learning curves, from what plugins report of their training.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kWidth = 360.0, kHeight = 170.0;
 constexpr double kLeft = 46.0, kRight = 10.0, kTop = 8.0, kBottom = 32.0;
-constexpr double kFine = 10.0;    // path coordinates are tenths of the picture's units
-constexpr double kDecades = 2.0;  // a curve that spans more is drawn over a logarithmic axis
+constexpr double kFine = 10.0;    // path coordinates are tenths of a unit of the picture
+constexpr double kDecades = 2.0;  // curves that span more get a logarithmic axis
 
 struct Panel {
   double x_low = 0.0, x_high = 1.0, y_low = 0.0, y_high = 1.0;
@@ -151,7 +151,7 @@ std::string curve_figures(const Findings& findings, std::size_t cell,
   std::string text;
   for (const auto& [what, all] : panels) {
     const Panel panel = panel_for(all);
-    std::map<std::string, std::vector<const Curve*>> alike;  // by what is drawn of them
+    std::map<std::string, std::vector<const Curve*>> alike;  // by their path data
     for (const Curve* curve : all) {
       alike[curve_data(panel, *curve)].push_back(curve);
     }
@@ -168,9 +168,9 @@ std::string curve_figures(const Findings& findings, std::size_t cell,
             n(kWidth) + " " + n(kHeight) + "\">" + axes(panel, *all.front()) +
             "<g transform=\"scale(.1)\">";
     for (const auto& [data, same] : alike) {
-      std::string told = same.size() == 1 ? "run " + std::to_string(same.front()->run)
-                                          : counted(same.size(), "run");
-      text += "<path class=\"curve\" d=\"" + data + "\"><title>" + told + "</title></path>";
+      std::string title = same.size() == 1 ? "run " + std::to_string(same.front()->run)
+                                           : counted(same.size(), "run");
+      text += "<path class=\"curve\" d=\"" + data + "\"><title>" + title + "</title></path>";
     }
     text += "</g></svg><small>" +
             (alike.size() == 1 && all.size() > 1 ? counted(all.size(), "run") + ", all alike"

@@ -15,15 +15,15 @@ namespace elsie::report {
 
 namespace {
 
-constexpr int kRow = 12;  // height of a row, of which two are the gap to the next
+constexpr int kRow = 12;  // height of a row with a gap of two
 constexpr int kBar = kRow - 2;
-// Few rows are higher on the page, so that they can be seen.
+// Few rows are drawn higher.
 constexpr double kHighestRow = 24.0, kEnoughHeight = 240.0;
 constexpr const char* kNobody = "";
 
 using Times = std::map<std::string, double>;  // of deciders, s
 
-// What each column of a row's time was decided by, in seconds.
+// The deciders of each column of a row, with their seconds.
 std::vector<Times> columns_of(const Timeline& timeline, double end_s, int count) {
   std::vector<Times> columns(static_cast<std::size_t>(count));
   const double width = end_s / count;
@@ -53,9 +53,8 @@ std::vector<Times> columns_of(const Timeline& timeline, double end_s, int count)
   return columns;
 }
 
-// Where the bars of each decider are, as path data: lines as thick as a row, and rectangles in
-// columns in which several decided. Those are cut into as many parts, the one that decided longest
-// at the bottom.
+// The bars of each decider as path data: lines as thick as a row, and rectangles in columns with
+// several deciders. These are divided in proportion, the longest at the bottom.
 struct Bar {
   std::string whole, parts;
 };
@@ -129,7 +128,7 @@ const Run* run_of(const Findings& findings, std::int64_t id) {
   return found != runs.end() && found->id == id ? &*found : nullptr;
 }
 
-// One robot: a row for each run. Several: one for each robot in a typical run.
+// One robot: a row for each run. Several robots: a row for each in a typical run.
 std::vector<Row> rows_of(const Findings& findings, std::size_t cell,
                          const std::vector<Timeline>& timelines, std::size_t most,
                          std::string& about) {
@@ -174,11 +173,11 @@ std::vector<Row> rows_of(const Findings& findings, std::size_t cell,
 
 struct Mean {
   double share = 0.0;
-  double decided = 0.0;  // part of the time
+  double decided = 0.0;  // share of the time
   std::size_t count = 0;
 };
 
-// The behaviours of the rows: colour, name, how much of the command they had.
+// The legend of the behaviours: colour, name, mean share in the command.
 std::string key(const std::vector<Row>& rows, const Inks& inks) {
   std::map<std::string, Mean> means;
   for (const Row& row : rows) {

@@ -19,12 +19,12 @@ namespace elsie::report {
 
 namespace {
 
-// The longer side of the arena, in units of the picture. The page shows about ten to a pixel.
+// The longer side of the arena in units of the picture, about ten of which are a pixel on the page.
 constexpr double kSide = 3600.0;
 constexpr double kSmallestMark = 70.0;
 constexpr std::size_t kNamedRobots = 10;
 constexpr std::size_t kNamedOutliers = 3;
-constexpr double kNameRoom = 180.0;  // where the highest name stands: below the wall
+constexpr double kNameRoom = 180.0;  // room for the highest name, below the wall
 
 struct View {
   double scale = 1.0;  // units per metre
@@ -109,7 +109,7 @@ std::string boxes(const View& view, const world::World& world) {
   return text;
 }
 
-// What the robots are after: above their ways, however many lead there.
+// Resources are drawn above the ways of the robots.
 std::string resources(const View& view, const world::World& world) {
   const double least = 1.6 * kSmallestMark / view.scale;
   std::string text;
@@ -140,17 +140,17 @@ std::string robots(const View& view, const world::World& world) {
   return text;
 }
 
-// How a run's ways are drawn, from below to above.
+// Kinds of ways, drawn in this order.
 enum Kind { kPlain, kMissed, kOdd, kKinds };
 constexpr std::array<const char*, kKinds> kClasses = {"way", "way missed", "way odd"};
 
 struct Chosen {
-  std::map<std::int64_t, Kind> runs;  // by id
+  std::map<std::int64_t, Kind> runs;  // by id of the run
   std::size_t all = 0;
   std::array<std::size_t, kKinds> counts{};
 };
 
-// All runs of the sample, or as many as the budget has: what stands out first, the others evenly.
+// All runs of the sample, or as many as the budget allows: outliers first, the others evenly.
 Chosen choose(const Findings& findings, std::size_t place, std::size_t most) {
   const CellFindings& cell = findings.cells[place];
   std::set<std::size_t> odd;
@@ -206,7 +206,7 @@ std::vector<Line> lines_of(const View& view, const std::vector<Trajectory>& ways
   }
   std::stable_sort(lines.begin(), lines.end(),
                    [](const Line& a, const Line& b) { return a.kind < b.kind; });
-  // Coarser and coarser, until all of them together are few enough.
+  // Raises the tolerance until all lines together have few enough points.
   for (double tolerance = 4.0;; tolerance *= 1.6) {
     std::size_t points = 0;
     for (Line& line : lines) {
@@ -221,7 +221,7 @@ std::vector<Line> lines_of(const View& view, const std::vector<Trajectory>& ways
   }
 }
 
-std::string told(const Results& results, const Line& line, bool several) {
+std::string title_of(const Results& results, const Line& line, bool several) {
   const auto run = std::lower_bound(results.runs.begin(), results.runs.end(), line.way->run,
                                     [](const Run& a, std::int64_t id) { return a.id < id; });
   return "run " + std::to_string(run->id) + ", seed " + std::to_string(run->seed) +
@@ -234,7 +234,7 @@ std::string ways_of(const View& view, const Findings& findings, const std::vecto
   std::string text;
   std::string ends, names;
   std::set<std::int64_t> named;
-  std::vector<Vector2> taken;  // where names stand
+  std::vector<Vector2> taken;  // positions of names
   for (const Line& line : lines) {
     if (line.pieces.empty()) {
       continue;
@@ -244,7 +244,7 @@ std::string ways_of(const View& view, const Findings& findings, const std::vecto
       data += path_data(piece);
     }
     text += "<path class=\"" + std::string(kClasses[line.kind]) + "\" d=\"" + data + "\"><title>" +
-            escaped(told(findings.results, line, several)) + "</title></path>";
+            escaped(title_of(findings.results, line, several)) + "</title></path>";
     const Vector2 end = line.pieces.back().back();
     if (line.kind == kMissed) {
       ends += "<path class=\"stop\" d=\"M" + whole(end.x - 45) + " " + whole(end.y - 45) +
@@ -313,7 +313,7 @@ std::string map_figure(const Findings& findings, std::size_t cell,
   const View view(world.arena);
   const Chosen chosen = choose(findings, cell, budget.runs);
   const std::vector<Line> lines = lines_of(view, ways, chosen, budget.points);
-  // The more lines, the more light each of them lets through.
+  // The more lines, the more transparent each is.
   const double opacity =
       std::clamp(3.0 / std::sqrt(std::max(1.0, static_cast<double>(lines.size()))), 0.3, 1.0);
   return "<figure class=\"map " + inks.cell_class(cell) + "\"><svg viewBox=\"0 0 " +

@@ -1,5 +1,5 @@
-// Figures of the page, as SVG inside of HTML. Colours are classes of page.css, so that a figure is
-// readable in light and dark; what is wide is placed in parts of the width (percent), so that text
+// Figures of the page, as SVG in HTML. Colours are classes of page.css, so that figures are
+// readable in light and dark mode; horizontal positions are percentages of the width, so that text
 // and marks keep their size on a phone.
 #pragma once
 
@@ -14,38 +14,39 @@
 
 namespace elsie::report {
 
-/// The colours that page.css has for things to be told apart: classes c0 to c5.
+/// The number of colours in page.css: classes c0 to c5.
 inline constexpr std::size_t kColours = 6;
 
-/// Which colour means what, on the whole page.
+/// The meaning of colours on the whole page.
 struct Inks {
-  /// The factor whose levels have colours: the innermost one with several that are few enough.
+  /// The factor whose levels are coloured: the innermost one that has several, but few enough.
   std::optional<std::size_t> factor;
-  std::vector<std::string> levels;  // of that factor, in order; each has the colour of its place
-  std::vector<std::size_t> cells;   // the colour of each cell
-  /// The behaviours by their paths, those that decide most first; they begin where the levels end.
+  std::vector<std::string> levels;  // of that factor, in order; the index is the colour
+  std::vector<std::size_t> cells;   // colour of each cell
+  /// Paths of the behaviours, those that decide most first; their colours follow those of the
+  /// levels.
   std::vector<std::string> behaviors;
 
-  /// "c0"...; "more" for behaviours that there is no colour for.
+  /// "c0"...; "more" for behaviours without a colour.
   std::string cell_class(std::size_t cell) const;
   std::string behavior_class(const std::string& path) const;
 };
 
 Inks choose_inks(const Findings& findings);
-/// Completes the inks from the timelines of these cells.
+/// Adds the behaviours in the timelines of these cells.
 void add_behaviors(const ResultsFile& file, const Findings& findings,
                    const std::vector<std::size_t>& cells, Inks& inks);
 
-/// An axis from 0 to 1 of a figure's width, with a little room at both ends.
+/// An axis over a figure's width, 0 to 1, with a small margin at both ends.
 class Span {
  public:
   Span(double low, double high) : low_(low), high_(high) {}
 
   double low() const { return low_; }
   double high() const { return high_; }
-  /// "34.52%"
+  /// The position of a value, "34.52%".
   std::string at(double value) const;
-  /// How wide an interval of values is.
+  /// The width of an interval of values.
   std::string width(double from, double to) const;
 
  private:
@@ -54,43 +55,43 @@ class Span {
   double low_, high_;
 };
 
-/// The axis for values from `low` to `high`: a little wider, from zero where that is near.
+/// The axis for values from `low` to `high`: a little wider, and from zero if that is near.
 Span span_of(double low, double high);
 
-/// Lines from `top` to `bottom` at round values, and their labels below (and above, where asked).
+/// Lines from `top` to `bottom` at round values, with labels below (and above, if asked for).
 std::string grid(const Span& span, double top, double bottom, bool labels_above);
 
-/// The rates of success of all cells with their intervals.
+/// The success rates of all cells with their intervals.
 std::string rate_figure(const Findings& findings, const Inks& inks);
 
-/// The values of one measure (a place in Findings::measures) in all cells.
+/// Box plots of one measure (an index into Findings::measures) in all cells.
 std::string box_figure(const Findings& findings, std::size_t measure, const Inks& inks);
 
-/// How much may be drawn of each cell, so that pages with many cells do not become too large.
+/// Limits of what is drawn of each cell, so that pages with many cells do not become too large.
 struct Budget {
-  std::size_t points = 0;  // of ways
-  std::size_t runs = 60;   // whose ways are drawn
-  std::size_t rows = 30;   // of runs or robots, of who decided when
-  int columns = 600;       // of time
+  std::size_t points = 0;  // points of ways
+  std::size_t runs = 60;   // runs whose ways are drawn
+  std::size_t rows = 30;   // rows of decisions: runs or robots
+  int columns = 600;       // columns of decisions: parts of the time
 };
 Budget budget_for(std::size_t cells);
 
-/// Where the runs of a cell went, over its world.
+/// The ways of the runs of a cell over its world.
 std::string map_figure(const Findings& findings, std::size_t cell,
                        const std::vector<Trajectory>& ways, const Inks& inks, const Budget& budget);
 
-/// Who decided when, in the runs of a cell; "" when nobody noted that.
+/// Who decided when in the runs of a cell; "" if nothing was recorded.
 std::string decision_figure(const Findings& findings, std::size_t cell,
                             const std::vector<Timeline>& timelines, const Inks& inks,
                             const Budget& budget);
 
-/// What plugins learned before the runs of a cell; "" for nothing.
+/// What plugins learned before the runs of a cell; "" if nothing.
 std::string curve_figures(const Findings& findings, std::size_t cell,
                           const std::vector<Curve>& curves, const Inks& inks);
 
-/// Of a cell's runs with the commonest outcome (of two as common, success) the one whose first
-/// measure is nearest to their median; never an outlier in any measure. A place in Results::runs;
-/// none when no run ended by itself, or all of these are outliers.
+/// Index of a typical run in Results::runs: of the runs with the most frequent outcome (in a tie,
+/// success), the one whose first measure is nearest to their median. Never an outlier in any
+/// measure; none if no run is done, or all are outliers.
 std::optional<std::size_t> typical_run(const Findings& findings, std::size_t cell);
 
 }  // namespace elsie::report

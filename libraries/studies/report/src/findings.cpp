@@ -42,7 +42,7 @@ bool has(const Run& run, std::size_t measure) {
   return run.state == RunState::done && run.values[measure] && is_usable(*run.values[measure]);
 }
 
-// Bounds count as larger than all that is known.
+// Bounds count as larger than all known values.
 Censoring censoring_of(std::vector<double> known, const std::vector<double>& bounds) {
   Censoring result;
   result.count = bounds.size();
@@ -77,7 +77,7 @@ MeasureFindings look_at(const Findings& findings, const CellFindings& cell, std:
     return found;
   }
   found.all = summary(found.values);
-  // The same draws for all cells: where two have the same values, they have the same interval.
+  // The same draws for all cells, so that equal values give equal intervals.
   found.interval =
       mean_interval(found.values, kConfidence, results.seed(), results.measures[measure].name);
   if (found.values.size() >= kFewest) {
@@ -86,11 +86,12 @@ MeasureFindings look_at(const Findings& findings, const CellFindings& cell, std:
   return found;
 }
 
-// A world that cannot be read, in a damaged database, counts as one with goals: its cell keeps its
-// rate of success, and its runs without success are listed. Nothing is hidden that may matter.
+// A world that cannot be read, in a damaged database, counts as having goals: its cell keeps its
+// success rate, and its runs without success are listed.
 bool has_goals(const CellInfo& cell) {
   try {
-    // The text alone: reading it as a world would take the plugins, or leave out goals about time.
+    // Reads only the markup: reading the world would require the plugins, or ignore goals about
+    // time.
     const world::Element root = world::parse_markup(cell.world_text, cell.world_file);
     const world::Element* const goals = root.child("goals");
     return goals && !goals->children.empty();

@@ -75,7 +75,7 @@ Budget budget_for(std::size_t cells) {
 
 std::optional<std::size_t> typical_run(const Findings& findings, std::size_t cell) {
   const CellFindings& found = findings.cells[cell];
-  std::map<Outcome, std::vector<std::size_t>> outcomes;  // success is the first of them
+  std::map<Outcome, std::vector<std::size_t>> outcomes;  // success is the first key
   for (const std::size_t place : found.runs) {
     const Run& run = findings.results.runs[place];
     if (run.state == RunState::done) {

@@ -1,4 +1,4 @@
-// Intervals from resampling: how far off a number about a small sample may be.
+// Intervals by resampling: how far a statistic of a small sample may be from the true one.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,14 +16,14 @@ namespace elsie::report {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 1e-12;  // what spreads by less, relatively, does not spread
+constexpr double kRounding = 1e-12;  // relative; a smaller spread is rounding
 
 struct Estimate {
   double value = 0.0;
-  double error = 0.0;  // standard error; 0: nothing spreads
+  double error = 0.0;  // standard error; 0: no spread
 };
 
-// The standard error of a mean whose values lie `deviation(i)` from it.
+// The standard error of a mean whose values deviate from it by `deviation(i)`.
 template <class Deviation>
 double error_of_mean(std::size_t count, Deviation deviation) {
   double squares = 0.0, rest = 0.0;
@@ -47,7 +47,7 @@ Estimate estimate(std::span<const double> values) {
   return {mean, error > kRounding * largest ? error : 0.0};
 }
 
-// A difference of means, or a ratio of means with the error that the delta method gives it.
+// A difference of means, or a ratio of means with its error by the delta method.
 std::optional<Estimate> estimate(Relation relation, std::span<const Pair> pairs) {
   const auto value = boundless_relation(relation, Statistic::mean, pairs);
   if (!value || !std::isfinite(*value)) {
@@ -66,7 +66,7 @@ std::optional<Estimate> estimate(Relation relation, std::span<const Pair> pairs)
                   error > kRounding * largest ? error / (ratio ? std::abs(below) : 1.0) : 0.0};
 }
 
-// Samples of the same size, drawn with replacement, handed over one by one.
+// Draws samples of the same size with replacement, and passes each to the visitor.
 template <class Value, class Visitor>
 void resample(std::span<const Value> values, std::uint64_t seed, std::string_view path,
               Visitor visit) {
@@ -87,8 +87,8 @@ Interval student_interval(const Estimate& whole, std::size_t count, double tail)
   return {whole.value - reach, whole.value + reach};
 }
 
-// The bootstrap-t interval of an estimate. `unsure`: there may be resamples without an estimate; if
-// there are too many of them, there is no interval.
+// The bootstrap-t interval of an estimate. `unsure`: resamples may have no estimate; if too many
+// have none, there is no interval.
 template <class Value, class Estimator>
 std::optional<Interval> studentized(std::span<const Value> values, Estimator estimate, bool unsure,
                                     double confidence, std::uint64_t seed, std::string_view path) {
@@ -107,7 +107,7 @@ std::optional<Interval> studentized(std::span<const Value> values, Estimator est
   if (!unsure && few) {
     return student_interval(*whole, values.size(), tail);
   }
-  std::vector<double> found;  // how many standard errors resamples are off
+  std::vector<double> found;  // error of each resample in standard errors
   found.reserve(kResamples);
   resample(values, seed, path, [&](std::span<const Value> sample) {
     const std::optional<Estimate> one = estimate(sample);
@@ -145,7 +145,7 @@ std::optional<Interval> studentized(std::span<const Value> values, Estimator est
 
 std::optional<Interval> mean_interval(std::span<const double> values, double confidence,
                                       std::uint64_t seed, std::string_view path) {
-  const std::vector<double> sorted = ascending(values);  // the order of the runs does not count
+  const std::vector<double> sorted = ascending(values);  // the order of the runs must not matter
   return studentized<double>(
       sorted, [](std::span<const double> sample) { return std::optional(estimate(sample)); }, false,
       confidence, seed, path);
@@ -156,7 +156,8 @@ std::optional<Interval> median_interval(std::span<const double> values, double c
   if (sorted.empty()) {
     return std::nullopt;
   }
-  // So many values may be cut off at each end: that more lie on one side of the median is rarer.
+  // The number of values that may be cut off at each end: it is unlikely that more lie on one side
+  // of the median.
   const boost::math::binomial sides(static_cast<double>(sorted.size()), 0.5);
   std::size_t cut = 0;
   while (2 * cut < sorted.size() &&

@@ -36,7 +36,7 @@ Json json_of(const std::optional<Summary>& summary) {
           {"largest", summary->largest}};
 }
 
-// Of a sample with bounds: what is known of it.
+// What is known of a sample with bounds.
 Json json_of(const MeasureFindings& found) {
   const Censoring& censoring = *found.censoring;
   std::optional<Interval> interval = censoring.median_interval;

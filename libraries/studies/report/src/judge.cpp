@@ -36,7 +36,7 @@ std::string word_of(Statistic statistic) {
   return "";
 }
 
-// Which of Results::measures an expectation is about; kSuccess is none of them.
+// The measures of an expectation as indices into Results::measures; kSuccess has none.
 struct Subject {
   std::optional<std::size_t> measure, per;
   std::string words;
@@ -75,7 +75,7 @@ class Judge {
   }
 
  private:
-  // What the name does not say already: without one, an expectation is called what it says.
+  // The limits, unless the name states them: an expectation without a name is named after them.
   std::string expected() const {
     const bool difference = expectation_.relation == Relation::difference;
     const auto names = [&](const std::optional<double>& limit) {
@@ -94,7 +94,7 @@ class Judge {
                : "";
   }
 
-  // What is wrong with the names of measures; "" for nothing.
+  // Finds the measures. Returns what is wrong with their names; "" if nothing.
   std::string find_subject() {
     std::vector<std::string> names{kSuccess};
     for (const Measure& measure : results_.measures) {
@@ -126,8 +126,7 @@ class Judge {
     return trouble;
   }
 
-  // Measures become known by the runs that have them, and those that did not end by themselves have
-  // none.
+  // Only runs that are done have measures, so that a name may be unknown because runs failed.
   std::string unknown_measure(const std::string& name,
                               const std::vector<std::string>& names) const {
     const std::size_t broken = findings_.broken(), pending = findings_.pending();
@@ -153,8 +152,7 @@ class Judge {
     const bool difference = expectation_.relation == Relation::difference;
     const std::string unit = ratio || subject_.unit.empty() ? "" : " " + subject_.unit;
     const auto number = [&](double value) { return number_text(value) + unit; };
-    // A difference below 0 is so much less: what it is at least then, the other cell is ahead at
-    // most.
+    // A difference below 0 is given as "less", which turns "at least" into "at most".
     const auto amount = [&](const char* words, const char* if_less, double value) {
       if (!difference) {
         return words + number(value);
@@ -204,7 +202,7 @@ class Judge {
     return interval && keeps(interval->low) && keeps(interval->high);
   }
 
-  // So short that it can be read, but not so short that a value beside a limit looks like it.
+  // As few digits as are readable, but enough to tell the value from the limit.
   std::string shown(double value) const {
     const std::string text = brief(value, 5);
     for (const auto& limit : {expectation_.at_least, expectation_.at_most, expectation_.about}) {
@@ -219,12 +217,12 @@ class Judge {
     return shown(value) + (subject_.unit.empty() ? "" : " " + subject_.unit);
   }
 
-  // What one run says; none: nothing.
+  // The value of one run; none: it has none.
   std::optional<double> value_of(const Run& run) const {
     if (expectation_.runs == Runs::successes && !run.success()) {
       return std::nullopt;
     }
-    if (run.broken()) {  // it was not successful; of anything else nothing is known
+    if (run.broken()) {  // not successful; other values are unknown
       const bool success = !subject_.measure && expectation_.per.empty();
       return success ? std::optional(0.0) : std::nullopt;
     }
@@ -239,7 +237,7 @@ class Judge {
     return value && is_usable(*value) ? value : std::nullopt;
   }
 
-  // `infinite`: what is only known to be larger than a limit counts as infinite.
+  // `infinite`: values that are only known to be larger than a limit count as infinite.
   std::vector<double> values_of(std::size_t cell, bool infinite = false) const {
     std::vector<double> values;
     for (const std::size_t place : findings_.cells[cell].runs) {
@@ -267,7 +265,7 @@ class Judge {
     return std::to_string(hits) + " of " + std::to_string(values.size());
   }
 
-  // What there is to be said against the values of a cell: "; 2 runs did not end by themselves".
+  // Reservations about the values of a cell: "; 2 runs did not end by themselves".
   std::string reservations(std::size_t cell) const {
     if (findings_.cells[cell].one_run) {
       return ", all the same run";
@@ -300,7 +298,7 @@ class Judge {
     return (values.empty() ? "no " : "only one ") + who + " of " + label(cell) + " has a value";
   }
 
-  // "not all runs of fusion are done, 3 are still to be done"; "" when they are.
+  // "not all runs of fusion are done, 3 are still to be done"; "" if all are.
   std::string incomplete(std::size_t cell) const {
     const std::size_t pending = findings_.cells[cell].pending;
     return pending == 0 ? ""
@@ -316,7 +314,7 @@ class Judge {
     return claim;
   }
 
-  // A cell by itself.
+  // Judges a cell alone.
   Claim about(std::size_t cell) const {
     const std::string missing = incomplete(cell);
     if (!missing.empty()) {
@@ -353,13 +351,13 @@ class Judge {
                                results_.seed(), stream());
   }
 
-  // Whether it is about success, which a world without goals does not know.
+  // Whether it is about success, which has no meaning in a world without goals.
   bool asks_for_success() const {
     return !subject_.measure || expectation_.runs == Runs::successes ||
            (!expectation_.per.empty() && !subject_.per);
   }
 
-  // How many of the values are lower bounds only: of runs that the time limit stopped.
+  // The number of values that are only lower bounds, from runs that the time limit stopped.
   std::size_t censored(std::size_t cell) const {
     if (!subject_.measure || !expectation_.per.empty() || expectation_.runs == Runs::successes) {
       return 0;
@@ -376,8 +374,8 @@ class Judge {
     return counted(runs, "run was", "runs were") + " stopped by the time limit";
   }
 
-  // A cell some of whose values are lower bounds: their mean and maximum are one, too. A median or
-  // a minimum of what is known and of infinity for the rest is exact where it is finite.
+  // Judges a cell with lower bounds: its mean and maximum are bounds, too. A median or minimum,
+  // with infinity in place of the bounds, is exact if it is finite.
   Claim about_bounds(std::size_t cell, const std::vector<double>& bounds,
                      const std::vector<double>& infinite, std::size_t count) const {
     const Statistic statistic = expectation_.statistic;
@@ -398,7 +396,7 @@ class Judge {
       }
       amount = with_unit(value) + " (" + basis(bounds) + interval_in_words(claim.interval);
     } else {
-      // The mean of times cut off at the limit is no more than that of the times.
+      // The mean of times cut off at the limit is at most that of the true times.
       const double least = *statistic_of(statistic, bounds);
       const auto interval =
           expectation_.confidence ? interval_of(bounds) : std::optional(Interval{least, least});
@@ -412,7 +410,7 @@ class Judge {
     return claim;
   }
 
-  // A cell beside another one.
+  // Judges a cell relative to its reference.
   Claim about(std::size_t cell, std::optional<std::size_t> reference) const {
     if (!reference) {
       return not_known(cell, "there is no cell to compare it with");
@@ -470,8 +468,8 @@ class Judge {
     return claim;
   }
 
-  // What both cells have for each seed. Two of which only one has a value are not compared: those
-  // that one cell fails may be the hard ones.
+  // The values of both cells for each seed. Seeds with only one value are left out: those at which
+  // one cell fails may be the hard ones.
   std::vector<Pair> pairs_of(std::size_t cell, std::size_t reference) const {
     std::map<std::uint64_t, double> others;
     for (const std::size_t run : findings_.cells[reference].runs) {
@@ -504,7 +502,7 @@ class Judge {
            (expectation_.runs == Runs::successes ? " both succeeded" : " both have a value");
   }
 
-  // "; of the seeds with which both succeeded", or "" when that is all of them.
+  // "; of the seeds with which both succeeded", or "" if these are all seeds.
   std::string left_out(std::size_t cell, std::size_t reference, std::size_t pairs) const {
     const std::size_t most =
         std::max(findings_.cells[cell].runs.size(), findings_.cells[reference].runs.size());

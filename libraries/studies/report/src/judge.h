@@ -1,4 +1,4 @@
-// Expectations, held against the results.
+// Judges expectations by the results.
 #pragma once
 
 #include "elsie/experiment/grid.h"
@@ -6,7 +6,7 @@
 
 namespace elsie::report {
 
-/// `findings` has its results and cells already; `grid` is that of its cells.
+/// `findings` must have its results and cells; `grid` is that of these cells.
 Verdict judge(const experiment::Expectation& expectation, const Findings& findings,
               const experiment::Grid& grid);
 

@@ -13,9 +13,9 @@ namespace {
 
 struct TestCase {
   std::string name;
-  std::string failure;  // in one sentence; empty: passed
+  std::string failure;  // one sentence; empty: passed
   std::string details;  // a line for each cell or run
-  std::string kind;     // of the failure
+  std::string kind;     // kind of the failure
   bool of_expectation = false;
 };
 
@@ -95,7 +95,7 @@ std::string junit_report(const Findings& findings, const std::string& database) 
                              std::to_string(failures) + "\" errors=\"0\"";
   const std::string time = " time=\"" + fixed_text(wall_s, 3) + "\"";
   const std::string suite = escaped_attribute(results.experiment);
-  std::string stamp = results.created;  // ISO 8601 without a zone: what readers of this form expect
+  std::string stamp = results.created;  // ISO 8601 without a zone, as JUnit's readers expect
   if (!stamp.empty() && stamp.back() == 'Z') {
     stamp.pop_back();
   }
@@ -116,8 +116,8 @@ std::string junit_report(const Findings& findings, const std::string& database) 
   }
   xml += "    </properties>\n";
   for (const TestCase& test : tests) {
-    // What is asked of every experiment has a class of its own, as an expectation may have the
-    // name.
+    // Checks of every experiment have a class of their own, because an expectation may have the
+    // same name.
     xml += "    <testcase classname=\"" + suite + (test.of_expectation ? "" : " (runs)") +
            "\" name=\"" + escaped_attribute(test.name) + "\" time=\"0\"";
     if (test.failure.empty() && test.details.empty()) {

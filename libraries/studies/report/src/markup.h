@@ -1,4 +1,4 @@
-// Text inside of the report's XML and HTML: whatever users and plugins have written.
+// Text of users and plugins in the report's XML and HTML.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace elsie::report {
 
-/// base::clean(), fit to stand between tags, and between double quotes.
+/// base::clean(), escaped for text and for attributes in double quotes.
 inline std::string escaped(std::string_view text) { return world::escaped(base::clean(text)); }
 
 /// The same for attributes of XML, where line feeds and tabs would become blanks.

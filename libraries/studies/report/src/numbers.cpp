@@ -41,7 +41,7 @@ std::optional<int> decimals_for(double value, double spread) {
   if (size >= 1e9 || spread >= 1e9) {
     return std::nullopt;
   }
-  // What spreads by rounding only does not spread.
+  // A spread by rounding counts as none.
   if (spread > 1e-12 * size && spread > 0.0) {
     const int decimals = 1 - static_cast<int>(std::floor(std::log10(spread)));
     return decimals > kMost ? std::nullopt : std::optional(std::max(0, decimals));
@@ -49,7 +49,7 @@ std::optional<int> decimals_for(double value, double spread) {
   if (size == 0.0) {
     return 0;
   }
-  // Nothing spreads: no more decimals than the value has.
+  // Without a spread: no more decimals than the value has.
   const std::string text = brief(value);
   if (text.find('e') != std::string::npos) {
     return std::nullopt;

@@ -16,18 +16,18 @@ using base::counted;
 using base::fixed_text;
 using base::number_text;
 
-/// For reading: about so many significant digits, no exponent between 1e-4 and 1e7.
+/// For readers: about `digits` significant digits, without an exponent from 1e-4 to 1e7.
 std::string brief(double value, int digits = 4);
 
-/// How many decimals suit values that spread this much around `value`: two digits of the spread; of
-/// the value four digits when nothing spreads. None: better with an exponent.
+/// The number of decimals for values that spread this much around `value`: two digits of the
+/// spread; four digits of the value without a spread. None: the value needs an exponent.
 std::optional<int> decimals_for(double value, double spread);
 
-/// A sample's mean and standard deviation with as many decimals as these deserve.
+/// A sample's mean and standard deviation with suitable decimals.
 struct MeanText {
   std::string mean;
   std::string deviation;  // "" for a single value
-  std::string low, high;  // of the interval; "" when there is none
+  std::string low, high;  // of the interval; "" without one
 };
 MeanText mean_text(const Summary& summary, const std::optional<Interval>& interval,
                    std::optional<int> decimals);

@@ -36,7 +36,7 @@ std::string anchor(std::size_t cell) { return "cell-" + std::to_string(cell + 1)
 
 namespace {
 
-// "sha256-...", in base64: the policy's word for a script that may run.
+// "sha256-...", in base64: permits the script in the page's content security policy.
 std::string policy_hash(const std::string& script) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -58,7 +58,7 @@ std::string policy_hash(const std::string& script) {
   return text;
 }
 
-// So many make a megabyte or less, with everything that is drawn of them.
+// This many cells with all figures make at most a megabyte.
 constexpr std::size_t kMostInDetail = 100;
 
 }  // namespace
@@ -85,7 +85,7 @@ std::vector<std::size_t> cells_in_detail(const Findings& findings, const std::st
     std::sort(notable.begin(), notable.end());
     return notable;
   }
-  // At least half of the room is for those that stand out, as far as there are so many.
+  // At least half of the places go to cells with notable runs, if there are so many.
   const std::size_t even =
       std::min(others.size(), kMostInDetail - std::min(notable.size(), kMostInDetail / 2));
   std::vector<std::size_t> chosen;
@@ -108,8 +108,7 @@ std::string html_report(const Findings& findings, const ResultsFile& file,
   const PageContext page{findings, file, database, inks, detailed};
   const std::string title = escaped(findings.results.experiment);
   const std::string script = "\n" + std::string(kPageScript);
-  // The policy has the browser refuse whatever a label could try to slip in, and all of the
-  // network.
+  // Under this policy, the browser refuses anything that a label could inject, and all requests.
   return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
          "'unsafe-inline'; script-src '" +

@@ -1,4 +1,4 @@
-// The head of the page: what was asked, and the answer.
+// The head of the page: the question and the answer.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -66,8 +66,8 @@ std::string tiles(const Findings& findings) {
   return text + "</dl>\n";
 }
 
-// What there is to be said against an answer besides its expectations: "2 runs did not end by
-// themselves and 1 is still to be done"; "" for nothing.
+// Reservations about an answer besides its expectations: "2 runs did not end by themselves and 1 is
+// still to be done"; "" for none.
 std::string reservations(const Findings& findings) {
   std::vector<std::string> parts;
   if (const std::size_t broken = findings.broken(); broken > 0) {
@@ -129,7 +129,7 @@ std::string verdict_item(const Verdict& verdict) {
   if (!verdict.trouble.empty()) {
     text += "<p class=\"bad\">" + escaped(verdict.trouble) + "</p>";
   }
-  // What failed is told at once, the rest on request.
+  // Failures are shown, the others are folded.
   std::string others;
   std::size_t count = 0;
   for (const Claim& claim : verdict.claims) {
@@ -149,7 +149,7 @@ std::string verdict_item(const Verdict& verdict) {
   return text + "</div></li>\n";
 }
 
-// Runs that tell more about plugins or the machine than about the experiment.
+// Failed runs, which say more about plugins or the machine than about the experiment.
 std::string troubles(const PageContext& page) {
   const Findings& findings = page.findings;
   std::string rows;

@@ -1,4 +1,4 @@
-// Each cell by itself.
+// A section for each cell.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -14,13 +14,13 @@ namespace elsie::report {
 
 namespace {
 
-// With more cells than these they are folded.
+// More cells than these are folded.
 constexpr std::size_t kOpenCells = 12;
 constexpr std::size_t kHeadMeasures = 3;
-// Of runs that are worth a look; the others are told on request.
+// Notable runs that are shown; the others are folded.
 constexpr std::size_t kRunsAtOnce = 8;
 
-// Of a measure with bounds: what is known of it.
+// What is known of a measure with bounds.
 std::string censored_row(const MeasureFindings& found, bool some_missed) {
   constexpr const char* kUnknown = "<td class=\"n none\">\xe2\x80\x93</td>";
   const Censoring& censoring = *found.censoring;
@@ -99,7 +99,7 @@ std::string measure_table(const PageContext& page, const CellFindings& cell) {
   return text + "</tbody></table></div></details>\n";
 }
 
-// Why runs are worth a look: by place, in the order in which they are to be told.
+// Why runs are notable, by index, in the order in which they are shown.
 std::vector<std::pair<std::size_t, std::string>> notable_runs(const Findings& findings,
                                                               const CellFindings& cell) {
   std::vector<std::size_t> order = cell.broken;
@@ -148,11 +148,11 @@ std::string run_table(const PageContext& page, const CellFindings& cell) {
       "</thead><tbody>";
   const std::string foot = "</tbody></table></div>\n";
   std::string text = "<h4>Runs to look at</h4>" + head;
-  std::size_t told = 0;
+  std::size_t shown = 0;
   for (const auto& [place, why] : notable) {
     const Run& run = page.findings.results.runs[place];
-    // One more is told rather than folded away.
-    if (told++ == kRunsAtOnce && notable.size() > kRunsAtOnce + 1) {
+    // A single last run is shown rather than folded.
+    if (shown++ == kRunsAtOnce && notable.size() > kRunsAtOnce + 1) {
       text += foot + "<details class=\"fold\"><summary>" +
               counted(notable.size() - kRunsAtOnce, "more", "more") + "</summary>" + head;
     }
@@ -160,7 +160,7 @@ std::string run_table(const PageContext& page, const CellFindings& cell) {
             std::to_string(run.seed) + "</td><td>" + ending_tag(page.findings, run) + "</td><td>" +
             escaped(why) + "</td><td>" + command(page, run) + "</td></tr>";
   }
-  return text + foot + (told > kRunsAtOnce + 1 ? "</details>" : "");
+  return text + foot + (shown > kRunsAtOnce + 1 ? "</details>" : "");
 }
 
 std::string headline(const PageContext& page, std::size_t place) {
@@ -200,7 +200,7 @@ std::string headline(const PageContext& page, std::size_t place) {
   return text + "</p>";
 }
 
-// Which cells have no section, and how to see them.
+// The number of cells without a section, and how to see them.
 std::string left_out(const PageContext& page) {
   const std::size_t all = page.findings.cells.size(), shown = page.detailed.size();
   if (shown == all) {

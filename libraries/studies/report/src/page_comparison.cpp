@@ -1,4 +1,4 @@
-// Cells against each other.
+// The cells compared.
 #include <algorithm>
 #include <cctype>
 #include <optional>
@@ -20,9 +20,8 @@ constexpr const char* kNoGoalsLead =
     "No world of this experiment has goals, so a run can neither succeed nor fail.";
 constexpr const char* kTableLead =
     "Mean \xc2\xb1 standard deviation over the runs that ended by themselves; below, the "
-    "95\xc2\xa0% interval of the mean. n: over how many runs, where the others have "
-    "no "
-    "value. &gt;: stopped by the time limit, so that the time is at least that.";
+    "95\xc2\xa0% interval of the mean. n: number of runs with a value, where others "
+    "have none. &gt;: stopped by the time limit, so that the time is at least this.";
 constexpr const char* kNoValues =
     "No run that ended by itself has a value: there is nothing to compare but success.";
 constexpr const char* kBoxesLead =
@@ -32,13 +31,13 @@ constexpr const char* kBoxesLead =
     "beyond. The diamond is the mean, with its 95\xc2\xa0% interval. Where the time limit stopped "
     "runs, their times are at least where the dots stand, and there is no box and no mean.";
 
-// Box plots of more measures than these are shown on request.
+// Box plots of further measures are folded.
 constexpr std::size_t kFiguresAtOnce = 6;
-// Figures with rows for more cells than these, too: the table tells the same in less room.
+// So are figures with more rows: the table says the same in less room.
 constexpr std::size_t kRowsAtOnce = 40;
 constexpr std::size_t kHeadLength = 40;  // of a column, in characters
 
-// And with more than these they are left out.
+// With more rows than these, figures are left out.
 constexpr std::size_t kMostRows = 200;
 
 bool has_figures(const Findings& findings) { return findings.cells.size() <= kMostRows; }
@@ -66,7 +65,7 @@ std::string ink_key(const PageContext& page) {
   return text + "</ul>";
 }
 
-// What the labels of cells are made of: the factors that differ between them.
+// The head of the column of labels: the factors that differ between cells.
 std::string label_head(const Results& results) {
   std::string text;
   for (std::size_t i = 0; i < results.factors.size(); ++i) {
@@ -184,7 +183,7 @@ std::string table(const PageContext& page) {
   return text + "</tbody></table></div>\n";
 }
 
-// The value of a measure that is the same in all of several runs: there is nothing to be drawn.
+// The value of a measure that is the same in several runs, and so is not drawn.
 std::optional<double> only_value(const Findings& findings, std::size_t measure) {
   std::optional<double> value;
   std::size_t count = 0;

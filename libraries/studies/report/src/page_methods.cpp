@@ -1,4 +1,4 @@
-// How the numbers were made, and from what.
+// How the numbers were computed, and from what.
 #include <vector>
 
 #include "markup.h"

@@ -33,7 +33,7 @@ void read_about(sqlite::Connection& connection, Results& results) {
   results.all_runs = static_cast<std::size_t>(about.integer(column));
 }
 
-using Places = std::map<std::int64_t, std::size_t>;  // from ids
+using Places = std::map<std::int64_t, std::size_t>;  // ids to indices
 
 Places read_factors(sqlite::Connection& connection, Results& results) {
   Places places;
@@ -72,7 +72,7 @@ Places read_cells(sqlite::Connection& connection, Results& results) {
   return places;
 }
 
-// Those that tell most stand first, the others by name.
+// The most important measures come first, the others by name.
 std::map<std::string, std::size_t> read_measures(sqlite::Connection& connection, Results& results) {
   std::map<std::string, std::size_t> places;
   sqlite::Statement measures(
@@ -132,7 +132,7 @@ std::uint64_t Results::seed() const { return Random(0, fingerprint).bits(); }
 
 ResultsFile::ResultsFile(const std::filesystem::path& file)
     : state_(std::make_unique<State>(file)) {
-  // What others write from now on is not seen: a transaction begins when it reads.
+  // A transaction begins with its first read; it does not see later writes.
   state_->reading([&] { state_->connection.run("BEGIN; SELECT count(*) FROM about"); });
 }
 

@@ -1,4 +1,4 @@
-// What there is much of: read cell by cell, when it is drawn.
+// Large data, read cell by cell when it is drawn.
 #include <cmath>
 #include <utility>
 
@@ -19,7 +19,7 @@ std::string query(const std::string& columns, const std::string& table, const st
          " WHERE run_id IN (SELECT id FROM runs WHERE cell_id = ?) ORDER BY " + order;
 }
 
-// The numbers of one row of a list of lists; what is no number is not finite.
+// A number in a row of a list of lists; NaN if it is none.
 double number(const Json& row, std::size_t place) {
   return row.is_array() && place < row.size() && row[place].is_number() ? row[place].get<double>()
                                                                         : std::nan("");
@@ -35,7 +35,7 @@ double number_of(const Json& object, const char* member) {
   return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
 }
 
-// A list of JSON, each of its elements handed over.
+// Passes each element of a JSON list to the visitor.
 template <class Visitor>
 void each(const std::string& text, const std::filesystem::path& file, const char* table,
           Visitor visit) {
@@ -62,7 +62,7 @@ std::vector<Trajectory> ResultsFile::trajectories(std::int64_t cell) const {
       each(rows.text(3), file, "trajectories", [&](const Json& pose) {
         way.poses.push_back({number(pose, 0), number(pose, 1), number(pose, 2)});
       });
-      if (!rows.is_null(4)) {  // as of runs that did not end by themselves
+      if (!rows.is_null(4)) {  // null for failed runs
         way.poses.push_back({rows.number(4), rows.number(5), rows.number(6)});
       }
       all.push_back(std::move(way));
@@ -109,7 +109,7 @@ std::vector<Timeline> ResultsFile::timelines(std::int64_t cell) const {
                                       number_of(behavior, "decided_s")});
       });
       each(rows.text(3), file, "timelines", [&](const Json& episode) {
-        Timeline::Episode& told =
+        Timeline::Episode& last =
             timeline.episodes.emplace_back(Timeline::Episode{number_of(episode, "from_s"),
                                                              number_of(episode, "to_s"),
                                                              text_of(episode, "decider"),
@@ -118,7 +118,7 @@ std::vector<Timeline> ResultsFile::timelines(std::int64_t cell) const {
         const auto parts = episode.find("parts");
         if (parts == episode.end() || !parts->is_array()) return;
         for (const Json& part : *parts) {
-          told.parts.emplace_back(text_of(part, "decider"), number_of(part, "time_s"));
+          last.parts.emplace_back(text_of(part, "decider"), number_of(part, "time_s"));
         }
       });
       all.push_back(std::move(timeline));

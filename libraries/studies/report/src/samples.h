@@ -1,4 +1,4 @@
-// What statistics and their intervals share.
+// Shared by statistics and their intervals.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace elsie::report {
 
 std::vector<double> ascending(std::span<const double> values);
 
-/// As relation_of(), but infinite for a ratio of anything else to 0.
+/// As relation_of(), but infinite for the ratio of a nonzero value to 0.
 std::optional<double> boundless_relation(Relation relation, Statistic statistic,
                                          std::span<const Pair> pairs);
 

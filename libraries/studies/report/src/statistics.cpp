@@ -19,7 +19,7 @@ double mean_of(std::span<const double> values) {
     sum += value;
   }
   const double first = sum / count;
-  double rest = 0.0;  // what rounding has left over
+  double rest = 0.0;  // accumulated rounding error
   for (const double value : values) {
     rest += value - first;
   }
@@ -49,7 +49,7 @@ double quantile(std::span<const double> ascending, double part) {
   const auto below = std::min(static_cast<std::size_t>(at), ascending.size() - 1);
   const std::size_t above = std::min(below + 1, ascending.size() - 1);
   const double rest = at - static_cast<double>(below);
-  // Equal neighbours give exactly their value, infinite ones too.
+  // Equal neighbours give exactly their value, even infinite ones.
   if (rest == 0.0 || ascending[below] == ascending[above]) {
     return ascending[below];
   }
@@ -65,7 +65,7 @@ std::optional<Summary> summary(std::span<const double> values) {
   const std::vector<double> sorted = ascending(values);
   Summary result;
   result.count = sorted.size();
-  // In ascending order, so that a sample's numbers do not depend on the order of its values.
+  // Sorted, so that the result does not depend on the order of the values.
   result.mean = std::clamp(mean_of(sorted), sorted.front(), sorted.back());
   if (sorted.size() > 1) {
     result.standard_deviation = deviation_of(sorted, result.mean);
@@ -111,7 +111,7 @@ Interval wilson_interval(std::size_t successes, std::size_t trials, double confi
   const double shrink = 1.0 + z * z / n;
   const double middle = (p + z * z / (2.0 * n)) / shrink;
   const double half = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n)) / shrink;
-  // At the ends the formula gives 0 and 1 but for rounding.
+  // At the ends, the formula gives 0 and 1 up to rounding.
   return {successes == 0 ? 0.0 : std::max(0.0, middle - half),
           successes == trials ? 1.0 : std::min(1.0, middle + half)};
 }
@@ -152,7 +152,7 @@ std::optional<Interval> interval_of_rates(Relation relation, const Frequency& ce
     return Interval{p - q - std::hypot(p - own.low, other.high - q),
                     p - q + std::hypot(own.high - p, q - other.low)};
   }
-  // The ends r of the ratio are where p - r q is as far from 0 as the two intervals together allow.
+  // The ends r of the ratio are where p - r q is as far from 0 as both intervals together allow.
   const double above_low = own.low * (2.0 * p - own.low);
   const double above_high = own.high * (2.0 * p - own.high);
   const double below_high = other.high * (2.0 * q - other.high);

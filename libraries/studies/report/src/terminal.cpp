@@ -15,9 +15,9 @@ namespace elsie::report {
 
 namespace {
 
-constexpr std::size_t kMostRuns = 20;  // that did not end by themselves, told one by one
+constexpr std::size_t kMostRuns = 20;  // failed runs that are listed
 
-using Column = std::vector<std::string>;  // its head, then a text for each cell
+using Column = std::vector<std::string>;  // head, then a text for each cell
 
 constexpr std::size_t kGap = 3;  // between two columns
 
@@ -29,7 +29,7 @@ std::size_t width_of(const Column& column) {
   return width;
 }
 
-// The first column stands to the left, the others to the right.
+// The first column is aligned left, the others right.
 std::string table(const std::vector<const Column*>& columns) {
   std::vector<std::vector<std::string>> rows(columns.front()->size());
   for (const Column* column : columns) {
@@ -81,7 +81,7 @@ Column measure_column(const Findings& findings, std::size_t place) {
     const MeanText text = mean_text(*found.all, found.interval, decimals);
     column.push_back(text.deviation.empty() ? text.mean : text.mean + " +- " + text.deviation);
   }
-  // One below the other: the signs, and so the points.
+  // Aligns the signs, and so the decimal points.
   std::size_t after = 0;
   for (const std::string& text : column) {
     const std::size_t sign = text.find(" +- ");
@@ -140,7 +140,7 @@ std::string tables(const Findings& findings, std::size_t width) {
   return text;
 }
 
-// What is in the tables besides means, by the first example of it.
+// Explains what tables contain besides means, by its first example.
 std::string legend(const Findings& findings) {
   std::size_t fewer = 0;
   std::optional<double> limit;
@@ -185,19 +185,19 @@ std::string expectations(const Findings& findings) {
 
 std::string troubles(const Findings& findings, const std::string& database) {
   std::string text;
-  std::size_t told = 0;
+  std::size_t listed = 0;
   for (const Run& run : findings.results.runs) {
-    if (!run.broken() || ++told > kMostRuns) {
+    if (!run.broken() || ++listed > kMostRuns) {
       continue;
     }
     text += "  " + base::one_line(name_of(findings.results, run)) + ": " +
             base::one_line(ending_in_words(run)) + "\n    " +
             base::one_line(replay_command(database, run.id)) + '\n';
   }
-  if (told > kMostRuns) {
-    text += "  and " + counted(told - kMostRuns, "more", "more") + '\n';
+  if (listed > kMostRuns) {
+    text += "  and " + counted(listed - kMostRuns, "more", "more") + '\n';
   }
-  if (told > 0) {
+  if (listed > 0) {
     text = "\nRuns that did not end by themselves\n" + text;
   }
   if (!findings.disagreements.empty()) {

@@ -114,7 +114,7 @@ std::optional<int> decimals_of(const Findings& findings, std::size_t measure) {
   std::optional<int> least, most;
   for (const CellFindings& cell : findings.cells) {
     const MeasureFindings& found = cell.measures[measure];
-    // Of times that are not all known, those of the successful runs tell how fine they are.
+    // If not all times are known, those of the successful runs decide.
     const auto& all = found.censoring ? found.successes : found.all;
     if (!all) {
       continue;
@@ -146,8 +146,8 @@ const char* verb_of(RunState state) {
   }
 }
 
-// "step 50", but not in "step 501".
-bool tells_step(const std::string& message, std::int64_t step) {
+// Whether the message names the step: "step 50", but not by "step 501".
+bool names_step(const std::string& message, std::int64_t step) {
   const std::string words = "step " + std::to_string(step);
   for (std::size_t at = 0; (at = message.find(words, at)) != std::string::npos; ++at) {
     const std::size_t end = at + words.size();
@@ -161,21 +161,21 @@ bool tells_step(const std::string& message, std::int64_t step) {
 }  // namespace
 
 std::string circumstances(const Run& run) {
-  const auto told = [&](const std::string& words) {
+  const auto is_named = [&](const std::string& words) {
     return run.message.find(words) != std::string::npos;
   };
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : " ") + part; };
-  if (!run.signal.empty() && !told(run.signal)) {
+  if (!run.signal.empty() && !is_named(run.signal)) {
     add("by " + run.signal);
   }
-  if (!run.plugin.empty() && !told("'" + run.plugin + "'")) {
+  if (!run.plugin.empty() && !is_named("'" + run.plugin + "'")) {
     add("in plugin '" + run.plugin + "'");
   }
-  if (!run.robot.empty() && !told("robot '" + run.robot + "'")) {
+  if (!run.robot.empty() && !is_named("robot '" + run.robot + "'")) {
     add("of robot '" + run.robot + "'");
   }
-  if (run.step && !tells_step(run.message, *run.step)) {
+  if (run.step && !names_step(run.message, *run.step)) {
     add("at step " + std::to_string(*run.step));
   }
   if (!run.message.empty()) {

@@ -1,4 +1,4 @@
-// Sentences that several forms of the report have in common.
+// Sentences that several forms of the report share.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace elsie::report {
 
-/// "160 runs: 8 cells with 20 seeds each"; of a part of an experiment also which.
+/// "160 runs: 8 cells with 20 seeds each"; for a part of an experiment, with the shard.
 std::string size_in_words(const Findings& findings);
 
-/// "4 of 6 runs are not in this database"; of one that has a shard also which.
+/// "4 of 6 runs are not in this database"; for a shard, with its number.
 std::string missing_in_words(const Findings& findings);
 
 /// "in 2 of 6 cells all seeds gave one and the same run: nothing there is left to chance (a, b)";
-/// "" for none. Names three cells at most.
+/// "" for none. Names at most three cells.
 std::string one_run_in_words(const Findings& findings);
 
 /// "in 3 of 40 runs the solver of the physics gave up in some steps, most often in run 7 (a, seed
@@ -26,29 +26,28 @@ std::string give_ups_in_words(const Findings& findings);
 /// "3/4", or "no goals".
 std::string success_in_words(const CellFindings& cell);
 
-/// "37 of 40", of the runs that ended in cells with goals; "no goals" when there are none.
+/// "37 of 40" ended runs in cells with goals; "no goals" if no cell has any.
 std::string successes_in_words(const Findings& findings);
 
-/// A sample with bounds among its values: "> 40.00" when there are only bounds, "median 31.33, 1 of
-/// 4 > 40.00" when the median is known, "3 of 4 > 40.00" when it is not.
+/// A sample with bounds: "> 40.00" if all values are bounds, "median 31.33, 1 of 4 > 40.00" if the
+/// median is known, "3 of 4 > 40.00" if it is not.
 std::string censored_in_words(const MeasureFindings& found, std::optional<int> decimals);
 
-/// How many decimals a measure (a place in Findings::measures) has in a table of all cells: what
-/// the cell with the finest spread asks for, but at most three more than the coarsest one. None:
-/// its values are better written with exponents.
+/// The decimals of a measure (an index into Findings::measures) in a table of all cells: as many as
+/// the cell with the finest spread needs, but at most three more than the coarsest. None: its
+/// values need exponents.
 std::optional<int> decimals_of(const Findings& findings, std::size_t measure);
 
-/// How a run ended that did not end by itself: "crash: plugin 'x' of robot 'r1' crashed with
-/// SIGSEGV in step 812". That is its message; signal, plugin, robot and step stand before it where
-/// it does not tell them: "crash by SIGKILL in plugin 'x': ...". What is not known is left out.
+/// How a failed run ended: "crash: plugin 'x' of robot 'r1' crashed with SIGSEGV in step 812".
+/// Signal, plugin, robot and step come before the message if it does not name them: "crash by
+/// SIGKILL in plugin 'x': ...". Unknown parts are left out.
 std::string ending_in_words(const Run& run);
 
 /// "all 6 runs crashed, the first of them run 1 (fusion, seed 3)", "2 of 6 runs did not end by
-/// themselves (1 crashed, 1 hung), the first of them ..."; "" when every run that ended did so by
-/// itself.
+/// themselves (1 crashed, 1 hung), the first of them ..."; "" if no run failed.
 std::string broken_in_words(const Findings& findings);
 
-/// The same as ending_in_words() without the first word.
+/// As ending_in_words(), but without the first word.
 std::string circumstances(const Run& run);
 
 /// "run 17 (fusion, seed 3)"

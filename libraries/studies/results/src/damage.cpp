@@ -9,7 +9,7 @@
 namespace elsie::results {
 namespace {
 
-/// JSON of numbers only, or of anything.
+/// JSON with numbers only, or any.
 enum class Content { numbers, any };
 
 struct JsonColumn {
@@ -30,7 +30,7 @@ constexpr std::array<bool, 256> bytes_of(Content content) {
       allowed[static_cast<unsigned char>(c)] = true;
     }
   } else {
-    // JSON has no control characters, UTF-8 none of the last bytes.
+    // JSON has no control characters; UTF-8 never has the bytes from 0xf5.
     for (std::size_t c = 0x20; c < 0xf5; ++c) {
       allowed[c] = true;
     }
@@ -40,7 +40,7 @@ constexpr std::array<bool, 256> bytes_of(Content content) {
 constexpr std::array<bool, 256> kOfNumbers = bytes_of(Content::numbers);
 constexpr std::array<bool, 256> kOfAny = bytes_of(Content::any);
 
-/// Whether it can be a JSON list: a look at every byte, many times as fast as reading it.
+/// Whether the text may be a JSON list: checks each byte, many times as fast as parsing.
 bool may_be_list(std::string_view text, Content content) {
   const auto& allowed = content == Content::numbers ? kOfNumbers : kOfAny;
   return text.size() >= 2 && text.front() == '[' && text.back() == ']' &&

@@ -1,4 +1,4 @@
-// Whether what is in a database is what was written.
+// Whether a database still holds what was written.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace elsie::results {
 
-/// What shows first that the file was damaged, for those who repair it; none: nothing does. SQLite
-/// has no checksums: a number that was overwritten by another one is not found.
+/// The first sign of damage, for those who repair the file; none: no sign. SQLite has no checksums:
+/// a number that another one overwrote is not found.
 std::optional<std::string> damage(sqlite::Connection& connection);
 
 }  // namespace elsie::results

@@ -20,7 +20,7 @@ constexpr const char* kExpected = "expected a database that `elsie batch` has wr
 
 std::string name(const fs::path& file) { return "the database '" + file.string() + "' "; }
 
-/// Before SQLite has a look: it takes a file without a byte for a database without tables.
+/// Called before SQLite, which takes an empty file for a database without tables.
 void require_file(const fs::path& file) {
   const std::string quoted = "'" + file.string() + "'";
   std::error_code ignored;
@@ -38,7 +38,7 @@ void require_file(const fs::path& file) {
   }
 }
 
-/// Whose it is, as the first page says.
+/// Checks the program and the version in the first page.
 void require_ours(sqlite::Connection& connection, const fs::path& file) {
   const std::int64_t id = connection.integer("PRAGMA application_id");
   const std::int64_t version = connection.integer("PRAGMA user_version");
@@ -68,7 +68,7 @@ sqlite::Connection checked(sqlite::Connection connection, const fs::path& file) 
   try {
     require_sound(connection, file);
   } catch (const sqlite::Error& error) {
-    if (error.code == SQLITE_ERROR) {  // a table or a column is not there
+    if (error.code == SQLITE_ERROR) {  // a table or a column is missing
       throw damaged(file, error.what());
     }
     throw;
@@ -76,8 +76,8 @@ sqlite::Connection checked(sqlite::Connection connection, const fs::path& file) 
   return connection;
 }
 
-/// In WAL mode, in a folder that cannot be written to, a database can be read only by those who
-/// promise that nobody writes it meanwhile; and all of it only when nothing is left in its log.
+/// A database in WAL mode in a read-only folder can be opened only with the promise that nobody
+/// writes it, and is complete only if its log is empty.
 sqlite::Connection open_where_nothing_can_be_written(const fs::path& file) {
   for (const char* ending : {"-wal", "-journal"}) {
     const std::string log = file.string() + ending;
@@ -121,8 +121,7 @@ std::string reason(const fs::path& file, const sqlite::Error& error) {
   }
 }
 
-/// What is wrong with a file when it is opened is the user's affair; what the system cannot do is
-/// not.
+/// Errors in a file on opening are the user's; errors of the system are not.
 [[noreturn]] void refuse(const fs::path& file, const char* what, const sqlite::Error& error) {
   if (error.code == SQLITE_NOTADB) {
     throw DatabaseRefused("'" + file.string() + "' is no SQLite database; " + kExpected);
@@ -160,7 +159,7 @@ sqlite::Connection open_to_write(const fs::path& file) {
 
 sqlite::Connection open_to_read(const fs::path& file) {
   if (std::error_code ignored; fs::exists(file.string() + "-journal", ignored)) {
-    is_vacant(file);  // undoes what was half made
+    is_vacant(file);  // removes what an interrupted start left
   }
   require_file(file);
   try {
@@ -183,10 +182,10 @@ bool is_vacant(const fs::path& file) {
     return true;
   }
   if (!fs::is_regular_file(file, error)) {
-    return false;  // a device, say: it is not for us to write to, still less to remove
+    return false;  // for example a device, which must be neither written nor removed
   }
   try {
-    // For writing, so that what was half made when a process was killed can be undone.
+    // In write mode, so that an incomplete transaction of a killed process is undone.
     sqlite::Connection connection(file, Mode::write);
     return connection.integer("PRAGMA application_id") == 0 &&
            connection.integer("SELECT count(*) FROM sqlite_schema") == 0;
@@ -198,7 +197,7 @@ bool is_vacant(const fs::path& file) {
 sqlite::Connection make_database(const fs::path& file) {
   try {
     sqlite::Connection connection(file, Mode::create);
-    // One transaction with what follows would be better still; but this must be outside of one.
+    // This cannot be part of the following transaction.
     connection.run("PRAGMA foreign_keys = ON");
     return connection;
   } catch (const sqlite::Error& error) {

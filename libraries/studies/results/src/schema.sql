@@ -1,5 +1,5 @@
--- The results of one experiment. docs/results-database.md tells what is in it, for those who ask it questions of their own.
--- Everything about what to run is written before the first run begins; everything about a run in one transaction when it
+-- The results of one experiment; docs/results-database.md describes them for users who query the database.
+-- The plan is written before the first run begins; each run is written in one transaction when it
 -- has ended. So a row of `runs` is either pending and empty, or complete.
 -- PRAGMA application_id is 0x456C7369 ("Elsi"), PRAGMA user_version the version of this schema.
 

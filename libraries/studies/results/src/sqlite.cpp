@@ -5,7 +5,7 @@
 namespace elsie::results::sqlite {
 namespace {
 
-/// As a URI, in which '?', '#' and '%' mean something.
+/// As a URI, in which '?', '#' and '%' are special.
 std::string immutable_uri(const std::string& file) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string uri = "file:";
@@ -136,7 +136,7 @@ Connection::Connection(const std::filesystem::path& file, Mode mode) {
   if (code != SQLITE_OK) {
     fail(code);
   }
-  sqlite3_busy_timeout(handle, 10'000);  // somebody reads, or makes a copy
+  sqlite3_busy_timeout(handle, 10'000);  // for readers and backups
 }
 
 void Connection::run(const std::string& sql) {
@@ -168,7 +168,7 @@ void Connection::fail(int code) const {
 
 Transaction::~Transaction() {
   if (open_) {
-    connection_.try_to_run("ROLLBACK");  // a full disk may have ended it already
+    connection_.try_to_run("ROLLBACK");  // a full disk may have rolled it back already
   }
 }
 

@@ -1,4 +1,4 @@
-// A plan carried out: worker processes on one side, the database on the other.
+// Carries out a plan: worker processes do the runs, this process writes the database.
 #pragma once
 
 #include <cstddef>
@@ -14,35 +14,35 @@
 namespace elsie::batch {
 
 struct BatchOptions {
-  std::vector<std::string> worker{};  // the program of a worker with its arguments
+  std::vector<std::string> worker{};  // program of a worker with its arguments
   std::size_t workers = 1;
-  int stop_descriptor = -1;  // when it can be read, the batch stops in order
+  int stop_descriptor = -1;  // the batch stops in order when this can be read
 };
 
-/// How far it is.
+/// How far the batch is.
 struct Progress {
-  std::int64_t runs = 0;    // that were to be done when the batch began
-  std::int64_t ended = 0;   // of these
-  std::int64_t failed = 0;  // of these, other than done
+  std::int64_t runs = 0;    // runs that were pending when the batch began
+  std::int64_t ended = 0;   // runs of these that have ended
+  std::int64_t failed = 0;  // runs that ended in another state than "done"
   double elapsed_s = 0.0;
 
-  /// What the runs so far say of the rest, s; negative: nothing yet.
+  /// Estimate of the remaining time in s, from the runs so far; negative: not known yet.
   double left_s() const {
     return ended > 0 ? elapsed_s / static_cast<double>(ended) * static_cast<double>(runs - ended)
                      : -1.0;
   }
 };
 
-/// A file that a run uses is no longer what it was when the batch began; what() is a sentence.
+/// A file that a run uses has changed since the batch began; what() is a sentence.
 class FileChanged : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Does all runs of the plan that are pending in the database, each in a process of its own.
-/// `watch` is called after each run and about once a second. False when it was stopped: runs that
-/// were at work stay pending. Throws FileChanged, DatabaseError, and std::runtime_error when no
-/// worker can be started; what was written until then is valid.
+/// Does all pending runs of the plan, each in a process of its own. `watch` is called after each
+/// run and about once a second. Returns false when the batch was stopped: runs that were at work
+/// stay pending. Throws FileChanged, DatabaseError, and std::runtime_error when no worker can be
+/// started; what was written before stays valid.
 bool carry_out(const Plan& plan, ResultsDatabase& database, const BatchOptions& options,
                const std::function<void(const Progress&)>& watch = {});
 

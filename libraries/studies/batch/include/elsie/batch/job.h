@@ -1,4 +1,4 @@
-// What a worker process is told, and what it answers.
+// The job that a worker process gets, and the record that it answers with.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,28 @@
 
 namespace elsie::batch {
 
-/// One run, with all that it takes.
+/// One run with everything that it needs.
 struct Job {
-  std::int64_t run = 0;  // its number
+  std::int64_t run = 0;  // number of the run
   std::string world_text;
-  std::string world_file;                    // what the text is called in messages
-  std::map<std::string, std::string> files;  // data files: name in the text, path
-  std::vector<std::string> libraries;        // of its plugins
+  std::string world_file;                    // name of the world in messages
+  std::map<std::string, std::string> files;  // data files: name in the world's text, path
+  std::vector<std::string> libraries;        // libraries of the world's plugins
   std::uint64_t seed = 1;
   double trajectory_period_s = 0.5;
 };
 
 using results::RunState;
 
-/// A number that a run came to.
+/// A measured number.
 struct Measure {
-  std::string name;  // "path_length_m"
+  std::string name;  // for example "path_length_m"
   std::string unit;
   std::string meaning;
   std::optional<double> value;
 };
 
-/// Texts are JSON, as schema.sql says.
+/// Both texts are JSON, as schema.sql says.
 struct Trajectory {
   std::string robot;
   double period_s = 0.0;
@@ -55,15 +55,15 @@ struct Timeline {
   std::string episodes;
 };
 
-/// What a run came to, whatever became of it.
+/// The result of a run, however it ended.
 struct RunRecord {
   RunState state = RunState::error;
-  std::optional<std::string> outcome;  // of one that is done
+  std::optional<std::string> outcome;  // only of a run that is done
   std::string message;
   std::optional<std::uint64_t> steps;
   std::optional<double> simulated_s;
   std::optional<std::uint64_t> solver_gave_up;   // steps, as in simulation::SolverResult
-  std::optional<std::uint64_t> solver_unsolved;  // of them
+  std::optional<std::uint64_t> solver_unsolved;  // steps, as in simulation::SolverResult
   std::optional<std::string> state_hash;         // 16 hexadecimal digits
   std::optional<int> exit_code;
   std::optional<std::string> signal;
@@ -81,10 +81,10 @@ struct RunRecord {
   std::vector<simulation::Note> notes;
 };
 
-/// One line of JSON without its end.
+/// One line of JSON without a line feed.
 std::string to_json(const Job& job);
 std::string to_json(const RunRecord& record);
-/// Throw std::runtime_error with a sentence when the text is not what the functions above make.
+/// Throw std::runtime_error with a sentence when the text is not what to_json() writes.
 Job job_from(std::string_view json);
 RunRecord record_from(std::string_view json);
 

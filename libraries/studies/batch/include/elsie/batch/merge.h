@@ -1,4 +1,4 @@
-// Several databases of one experiment as one.
+// Merges several databases of one experiment.
 #pragma once
 
 #include <cstdint>
@@ -8,23 +8,23 @@
 namespace elsie::batch {
 
 struct Merged {
-  std::int64_t all_runs = 0;    // of the experiment
-  std::int64_t pending = 0;     // that are in the databases, but still to be done
-  std::int64_t missing = 0;     // that are in none of them
-  std::int64_t duplicates = 0;  // that had ended in more than one of them, and count once
+  std::int64_t all_runs = 0;    // runs of the experiment
+  std::int64_t pending = 0;     // runs in the databases that are still to be done
+  std::int64_t missing = 0;     // runs that are in none of the databases
+  std::int64_t duplicates = 0;  // runs that ended in several databases; each counts once
 };
 
-/// Writes a new database with the runs of all those given. `elsie batch --resume` goes on with it:
-/// it does what is pending or missing. The order of the given ones does not matter.
+/// Writes a new database with the runs of all given ones. `elsie batch --resume` continues it: it
+/// does the pending and the missing runs. The order of the given databases does not matter.
 ///
-/// Of a run that is in several of them, "done" counts before "fault", then "crash", "hang",
-/// "error", and "pending" last: what failed on one machine may have failed for its sake. Of two
-/// that failed in the same way, or are done and the same, one counts.
+/// When several databases have a run, "done" wins over "fault", then "crash", "hang", "error", and
+/// "pending": a failure may be due to one machine. Of two runs that failed in the same way, or are
+/// done with equal results, one is kept.
 ///
-/// Throws DatabaseRefused, and leaves nothing behind, when the new file is there already, one of
-/// the given is named twice, is no results database or a damaged one, is being written, is of
-/// another experiment than the first, or when a run is done in two of them with different outcomes
-/// or state hashes. DatabaseError when the new one cannot be written.
+/// Throws DatabaseRefused, and leaves nothing behind, when the new file exists already; when a
+/// given database is named twice, is no results database, is damaged, is being written, or is of
+/// another experiment than the first; or when a run is done in two of them with different outcomes
+/// or state hashes. Throws DatabaseError when the new file cannot be written.
 Merged merge(const std::filesystem::path& into,
              const std::vector<std::filesystem::path>& databases);
 

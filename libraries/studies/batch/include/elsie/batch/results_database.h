@@ -1,8 +1,8 @@
 // The results of one experiment in one SQLite file; docs/results-database.md describes it.
 //
-// One process writes it at a time: it holds a lock, beside the file, that goes when the process
-// does. Others may read while it writes. A run is written in one transaction: whatever is killed
-// when, a run is either pending or complete.
+// One process at a time writes it, and holds a lock file next to it; the lock ends with the
+// process. Others may read meanwhile. Each run is written in one transaction: whenever a process is
+// killed, a run is either pending or complete.
 #pragma once
 
 #include <cstddef>
@@ -23,16 +23,16 @@ namespace elsie::batch {
 using results::DatabaseError;
 using results::DatabaseRefused;
 
-/// How far a cell has come.
+/// Counts of a cell's runs by state.
 struct CellCount {
   std::string label;
   std::int64_t pending = 0;
-  std::int64_t done = 0;       // of these ended by themselves
-  std::int64_t successes = 0;  // of those that are done
-  std::int64_t failed = 0;     // fault, crash, hang, error
+  std::int64_t done = 0;       // runs that ended without a failure
+  std::int64_t successes = 0;  // runs of these with the outcome "success"
+  std::int64_t failed = 0;     // runs that ended as fault, crash, hang or error
 };
 
-/// A run that did not end by itself.
+/// A run that failed.
 struct FailedRun {
   std::int64_t id = 0;
   RunState state = RunState::error;
@@ -41,18 +41,18 @@ struct FailedRun {
   std::string message;
 };
 
-/// A seed that gave two different runs of one cell.
+/// A seed with two different results in one cell.
 struct Disagreement {
   std::string cell;
   std::uint64_t seed = 0;
   std::vector<std::int64_t> runs;
 };
 
-/// All that it takes to do a run again.
+/// Everything that is needed to repeat a run.
 struct StoredRun {
   Job job;  // without data files and libraries
   struct Data {
-    std::string name;  // what the world's text calls it
+    std::string name;  // name in the world's text
     std::string path;
     std::string sha256;
     std::string content;
@@ -63,26 +63,26 @@ struct StoredRun {
     std::string sha256;
     std::vector<std::string> plugins;  // "behavior wander 1.0"
   };
-  std::vector<Library> libraries;  // of plugins; in the order in which they are to be loaded
+  std::vector<Library> libraries;  // of plugins, in the order in which to load them
   std::vector<Library> program;    // plugin::deciding_libraries() when the batch began
   std::string elsie_version;
   std::string experiment;
   std::string cell;
   int repetition = 1;
   double wall_limit_s = 0.0;
-  RunRecord record;  // only what stands in `runs`, and the measures, by name
+  RunRecord record;  // only the columns of `runs`, and the measures, sorted by name
 };
 
 class ResultsDatabase {
  public:
-  /// Makes the file, and writes the plan. Throws DatabaseRefused when there is one already or it
-  /// cannot be made, DatabaseError when it cannot be written.
+  /// Creates the file and writes the plan. Throws DatabaseRefused when the file exists already or
+  /// cannot be created, DatabaseError when it cannot be written.
   static ResultsDatabase create(const std::filesystem::path& file, const Plan& plan);
-  /// Opens one to go on with it. Throws DatabaseRefused when it is no results database, is being
-  /// written by another process, is damaged, or is of another experiment or shard. Runs of the plan
-  /// that are not in it are added.
+  /// Opens a database to continue its batch. Throws DatabaseRefused when it is no results database,
+  /// is being written by another process, is damaged, or is of another experiment or shard. Adds
+  /// the runs of the plan that are missing in it.
   static ResultsDatabase resume(const std::filesystem::path& file, const Plan& plan);
-  /// Opens one to read it. Throws as results::open_to_read() does.
+  /// Opens a database to read it. Throws as results::open_to_read() does.
   static ResultsDatabase open(const std::filesystem::path& file);
 
   ResultsDatabase(ResultsDatabase&&) noexcept;
@@ -90,15 +90,15 @@ class ResultsDatabase {
 
   const std::filesystem::path& file() const;
 
-  /// The runs to be done, in order.
+  /// Numbers of the pending runs, ascending.
   std::vector<std::int64_t> pending();
   /// Throws DatabaseError when the file was removed, renamed or replaced since it was opened;
-  /// what() says where the results are, if they are anywhere.
+  /// what() says where the results are now, if they still exist.
   void require_in_place();
-  /// What became of a pending run, which is pending no more. Throws DatabaseError, also when the
-  /// file is not in its place any more.
+  /// Writes the result of a pending run, which is then no longer pending. Throws DatabaseError,
+  /// also when the file is no longer in its place.
   void write(std::int64_t run, const RunRecord& record);
-  /// Makes pending again what did not end by itself. Returns how many there were.
+  /// Makes failed runs pending again. Returns their number.
   std::int64_t redo_failed();
 
   std::vector<CellCount> cells();
@@ -106,8 +106,8 @@ class ResultsDatabase {
   std::vector<Disagreement> disagreements();
   /// None: there is no such run.
   std::optional<StoredRun> run(std::int64_t id);
-  /// Why run() gives none for a number, as a sentence: there is no such run, or another shard has
-  /// it.
+  /// Why run() finds no run of this number, as a sentence: it does not exist, or it belongs to
+  /// another shard.
   std::string why_no_run(std::int64_t id);
 
  private:

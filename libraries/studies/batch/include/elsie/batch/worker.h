@@ -3,10 +3,10 @@
 
 namespace elsie::batch {
 
-/// Does the job that is on standard input, answers on kResultDescriptor, and ends the process: with
-/// exit code 0 when the run ended by itself, 3 when a plugin failed, else 4; 2 when there was no
-/// job. To be all that the process does. When a plugin brings it down, or SIGTERM comes because the
-/// run takes too long, it still says who was at work.
+/// Reads the job from standard input, does it, answers on kResultDescriptor, and ends the process.
+/// Exit codes: 0 the run ended, 3 a plugin failed, 4 another failure, 2 there was no job. The
+/// process must do nothing else. When a plugin ends the process, or SIGTERM comes because the run
+/// takes too long, it still reports the plugin at work.
 [[noreturn]] void work();
 
 }  // namespace elsie::batch

@@ -1,15 +1,14 @@
-// A batch that many machines do: what they share on disk. Beside the database of results, in a
-// folder of the same name with "-shards" behind it:
+// The files that machines share in a batch on a cluster. They are in a folder next to the database
+// of results, of the same name followed by "-shards":
 //
-//   cluster.json       how many shards, and of which experiment
-//   job.sh             what a task of the job array does
-//   shard-K.sqlite     the results of a shard
-//   shard-K.json       how far it is
-//   shard-K.log        what its task has printed
+//   cluster.json       number of shards and fingerprint of the experiment
+//   job.sh             script of a task of the job array
+//   shard-K.sqlite     results of a shard
+//   shard-K.json       counts of its runs
+//   shard-K.log        output of its task
 //
-// A shard's database is opened by nobody else while its task is at work: on folders that several
-// machines share, SQLite's log of what is being written is for one machine only
-// (https://sqlite.org/wal.html).
+// Nobody else opens a shard's database while its task is at work: SQLite's write-ahead log does not
+// work across machines (https://sqlite.org/wal.html).
 #pragma once
 
 #include <cstddef>
@@ -22,22 +21,22 @@
 
 namespace elsie::cluster {
 
-/// How far the runs of a shard, or of all of them, are.
+/// Counts of the runs of a shard, or of all shards.
 struct Count {
   std::int64_t runs = 0;
   std::int64_t ended = 0;
-  std::int64_t failed = 0;  // of those ended
+  std::int64_t failed = 0;  // runs that ended with a failure
 };
 
-/// Writes how far a shard is; other processes see the file before or after it, nothing in between.
+/// Writes the counts of a shard in one piece: other processes see the old file or the new one.
 /// Throws std::runtime_error with a sentence.
 void write_count(const std::filesystem::path& file, const Count& count);
 
 class ShardFolder {
  public:
-  /// Of several commands that follow one batch, the one that hands over tasks or makes one database
-  /// of the parts: waits for the others. Held while it lives. Throws std::runtime_error with a
-  /// sentence when the folder's file system knows no locks.
+  /// A lock for commands that follow the same batch: only one of them submits tasks or merges the
+  /// databases, while the others wait. Held while it lives. Throws std::runtime_error with a
+  /// sentence when the folder's file system supports no locks.
   class Turn {
    public:
     explicit Turn(const ShardFolder& folder);
@@ -49,46 +48,46 @@ class ShardFolder {
     int descriptor_;
   };
 
-  /// Where the folder of a database is.
+  /// The path of a database's folder.
   static std::filesystem::path beside(const std::filesystem::path& database);
 
-  /// Makes the folder. `command`: elsie's batch command with the experiment and its plugins, to
-  /// which shard and files are added. Throws batch::DatabaseRefused when there is one already or it
-  /// cannot be made.
+  /// Creates the folder. `command`: elsie's batch command with the experiment and its plugins, to
+  /// which shard and files are added. Throws batch::DatabaseRefused when the folder exists already
+  /// or cannot be created.
   static ShardFolder create(const std::filesystem::path& database, const batch::Plan& plan,
                             std::size_t shards, const std::vector<std::string>& command);
-  /// Opens one to go on with it. Throws batch::DatabaseRefused when it is of another experiment, or
-  /// something else.
+  /// Opens a folder to continue its batch. Throws batch::DatabaseRefused when it is of another
+  /// experiment, or is no such folder.
   static ShardFolder open(const std::filesystem::path& database, const batch::Plan& plan);
 
   std::size_t shards() const { return shards_; }
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path script() const { return path_ / "job.sh"; }
   std::filesystem::path database(std::size_t shard) const;
-  /// `shard`: a number, or what a scheduler puts one in for.
+  /// `shard`: a number, or a scheduler's placeholder for one.
   std::filesystem::path log(const std::string& shard) const;
-  /// What the array is called: the same for the same folder and experiment, and for no other.
+  /// The name of the job array: it identifies folder and experiment.
   const std::string& name() const { return name_; }
 
-  /// The job number of the array submitted last; empty: none was.
+  /// The number of the job array submitted last; empty: none.
   const std::string& job() const { return job_; }
   void set_job(const std::string& job);
 
-  /// What the tasks say of themselves: for those at work. Shards that have not begun count with
-  /// their runs.
+  /// The counts that the tasks write, readable while they are at work. Shards that have not begun
+  /// count with their number of runs.
   Count count() const;
-  /// The shards that have runs to be done. Opens the databases: for shards that nobody is at work
-  /// on. `except`, ascending, are left out.
+  /// The shards with pending runs, without those in `except` (ascending). Opens the databases, so
+  /// no task may be at work on these shards.
   std::vector<std::size_t> unfinished(const std::vector<std::size_t>& except = {}) const;
-  /// How many runs of a shard are to be done; opens its database.
+  /// The number of pending runs of a shard; opens its database.
   std::int64_t pending(std::size_t shard) const;
-  /// How many runs it has.
+  /// The number of runs of a shard.
   std::int64_t runs(std::size_t shard) const;
 
-  /// Makes one database of all. Throws what batch::merge() does.
+  /// Merges the databases. Throws as batch::merge() does.
   void merge_into(const std::filesystem::path& database) const;
   bool exists() const;
-  /// Removes the folder with what is in it.
+  /// Removes the folder and its files.
   void remove() const;
 
  private:

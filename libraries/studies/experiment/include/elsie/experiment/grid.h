@@ -1,5 +1,5 @@
-// Which cells an expectation is about, and what each of them is compared with: one answer for those
-// who check an experiment before it is run, and for those who have its results only.
+// Which cells an expectation covers, and which cell each of them is compared with. Used to check an
+// experiment before it is run, and to judge results without its file.
 #pragma once
 
 #include <cstddef>
@@ -12,23 +12,23 @@
 
 namespace elsie::experiment {
 
-/// The cells of an experiment by the labels of their levels, in words of the experiment file.
+/// The cells of an experiment by the labels of their levels.
 class Grid {
  public:
-  /// `factors` by name, "world" for that of the worlds; of each cell a label for each of them.
+  /// `factors` are names, "world" for the worlds; `cells` has a label of each factor for each cell.
   /// Throws std::invalid_argument when a cell has more or fewer.
   Grid(std::vector<std::string> factors, std::vector<std::vector<std::string>> cells);
 
-  /// `cells` is all of cells(experiment).
+  /// `cells` must be all of cells(experiment).
   Grid(const Experiment& experiment, const std::vector<Cell>& cells);
 
-  /// The cells that an expectation is about, by place, in order: those that match its `where` and
-  /// are not their own reference. A factor that is not there matches nothing.
+  /// Indices of the cells that an expectation covers, in order: those that match its `where` and
+  /// are not their own reference. An unknown factor matches nothing.
   std::vector<std::size_t> cells_of(const Expectation& expectation) const;
 
-  /// The cell that this one is compared with, by place: the one that has the levels of the
-  /// expectation's `reference`, and this cell's in all other factors. None when the expectation
-  /// compares with none, and when there is no such cell.
+  /// Index of the cell that this one is compared with: it has the levels of the expectation's
+  /// `reference`, and this cell's levels of all other factors. None when the expectation compares
+  /// with none, or there is no such cell.
   std::optional<std::size_t> reference_of(const Expectation& expectation, std::size_t cell) const;
 
  private:
@@ -36,7 +36,7 @@ class Grid {
 
   std::vector<std::string> factors_;
   std::vector<std::vector<std::string>> cells_;
-  std::map<std::vector<std::string>, std::size_t> places_;  // of the cells
+  std::map<std::vector<std::string>, std::size_t> places_;  // indices of the cells
 };
 
 }  // namespace elsie::experiment

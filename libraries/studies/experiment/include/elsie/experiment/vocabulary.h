@@ -1,4 +1,4 @@
-// The vocabulary of experiment files, in the terms of that of worlds.
+// The vocabulary of experiment files, built like that of worlds.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@ class Host;
 
 namespace elsie::experiment {
 
-/// The version of the vocabulary: the attribute `format` of a file.
+/// The version of the vocabulary, the attribute `format` of a file.
 inline constexpr int kFormat = 1;
 
-/// <experiment> with all that it may hold. Its objects are the reader's own.
+/// <experiment> with everything in it. Its objects are private to the reader.
 const world::ElementSpec& vocabulary();
 
-/// XSD 1.0 for experiment files, made of the vocabularies of experiments and worlds and of the
-/// declarations of the plugins that the host has: an editor completes and checks the plugins'
-/// elements that are set, too.
+/// XSD 1.0 for experiment files, from the vocabularies of experiments and worlds and the
+/// declarations of the host's plugins: editors also complete and check the plugins' elements in
+/// settings.
 std::string experiment_schema(const plugin::Host& host);
 
-/// The vocabulary in Markdown: every element with its attributes, and what is measured.
+/// The vocabulary in Markdown: every element with its attributes, and the measures of every run.
 std::string experiment_reference();
 
 }  // namespace elsie::experiment

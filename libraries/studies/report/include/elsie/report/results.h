@@ -1,4 +1,4 @@
-// What a results database holds, as plain data: see libraries/studies/results/src/schema.sql.
+// The contents of a results database as plain data: see libraries/studies/results/src/schema.sql.
 #pragma once
 
 #include <cstddef>
@@ -29,29 +29,29 @@ struct Factor {
   std::string name;
 };
 
-/// What differs between two runs of a cell is their seeds.
+/// A cell, whose runs differ in their seeds only.
 struct CellInfo {
   std::int64_t id = 0;
   std::string label;  // unique
-  std::string world;  // the id in the experiment
+  std::string world;  // its id in the experiment
   std::string world_text;
   std::string world_file;
-  std::vector<std::string> levels;  // labels, in the order of Results::factors; "" for none
-  std::vector<int> places;          // of the levels among those of their factor
+  std::vector<std::string> levels;  // labels, parallel to Results::factors; "" for none
+  std::vector<int> places;          // index of each level in its factor
 };
 
 struct Run {
   std::int64_t id = 0;
-  std::size_t cell = 0;  // place in Results::cells
+  std::size_t cell = 0;  // index into Results::cells
   std::uint64_t seed = 0;
   int repetition = 1;
   RunState state = RunState::pending;
-  std::optional<Outcome> outcome;  // of those that are done
+  std::optional<Outcome> outcome;  // only of runs that are done
   std::string message;             // one sentence; may be empty
   std::optional<std::int64_t> steps;
   std::optional<double> simulated_s;
   std::optional<std::int64_t> solver_gave_up;   // steps, as in simulation::SolverResult
-  std::optional<std::int64_t> solver_unsolved;  // of them
+  std::optional<std::int64_t> solver_unsolved;  // steps, as in simulation::SolverResult
   std::string state_hash;
   std::optional<int> exit_code;
   std::string signal;
@@ -60,11 +60,12 @@ struct Run {
   std::optional<std::int64_t> step;
   std::string log;
   std::optional<double> wall_s;
-  /// In the order of Results::measures; those that it has none of are empty.
+  /// Parallel to Results::measures; empty where the run has no value.
   std::vector<std::optional<double>> values;
 
   bool ended() const { return state != RunState::pending; }
-  /// It did not end by itself: a plugin failed, the process crashed, hung or could not do its work.
+  /// Whether the run failed: a plugin failed, or the process crashed, hung or could not do its
+  /// work.
   bool broken() const { return ended() && state != RunState::done; }
   bool success() const { return outcome == Outcome::success; }
 };
@@ -74,18 +75,18 @@ struct Results {
   std::string elsie_version;
   std::string experiment;
   std::string description;
-  std::string file;  // the experiment's, as the user named it
-  std::string text;  // of that file
+  std::string file;  // the experiment file, as the user named it
+  std::string text;  // text of that file
   std::string fingerprint;
   std::string shard;         // "2/5": every fifth run from the second on; "1/1": all
-  std::size_t all_runs = 0;  // of the experiment, in all shards
+  std::size_t all_runs = 0;  // runs of the experiment, in all shards
   std::string created;       // UTC, ISO 8601
   std::vector<Factor> factors;
   std::vector<Measure> measures;
   std::vector<CellInfo> cells;
-  std::vector<Run> runs;  // by id
+  std::vector<Run> runs;  // sorted by id
 
-  /// What random numbers about these results are drawn from: follows from the fingerprint.
+  /// The seed of all random numbers for these results; follows from the fingerprint.
   std::uint64_t seed() const;
 };
 
@@ -93,7 +94,7 @@ struct Trajectory {
   std::int64_t run = 0;
   std::string robot;
   double period_s = 0.0;
-  /// The first at time 0; the last, less than a period later, where the run ended.
+  /// The first at time 0, the last at the end of the run, less than a period after its predecessor.
   std::vector<Pose> poses;
 };
 
@@ -112,15 +113,15 @@ struct Curve {
 struct Timeline {
   struct Behavior {
     std::string path;
-    double share = 0.0;  // mean, in the robot's command
+    double share = 0.0;  // mean share in the robot's command
     double decided_s = 0.0;
   };
   struct Episode {
     double from_s = 0.0;
     double to_s = 0.0;
-    std::string decider;  // a path; "": nobody; "*": several
+    std::string decider;  // a path; "": no behaviour; "*": several
     double share = 0.0;
-    /// Several in quick turns: the time of each, s.
+    /// If several took quick turns: the time of each, s.
     std::vector<std::pair<std::string, double>> parts;
   };
 
@@ -130,7 +131,7 @@ struct Timeline {
   std::vector<Episode> episodes;
 };
 
-/// A results database, open for reading as it was at one instant: a batch may go on writing it.
+/// A results database, opened for reading in one state: a batch may go on writing it.
 class ResultsFile {
  public:
   /// Throws as results::open_to_read() does.
@@ -139,11 +140,11 @@ class ResultsFile {
   ResultsFile(const ResultsFile&) = delete;
   ResultsFile& operator=(const ResultsFile&) = delete;
 
-  /// All but what follows. Throws results::DatabaseRefused when the file turns out to be damaged,
-  /// or results::DatabaseError when it cannot be read, as all below.
+  /// Everything but the details below. All of these throw results::DatabaseRefused when the file
+  /// turns out to be damaged, results::DatabaseError when it cannot be read.
   Results results() const;
 
-  // Of the runs of one cell, by run and robot; `cell` is CellInfo::id.
+  // Details of the runs of one cell, by run and robot; `cell` is CellInfo::id.
   std::vector<Trajectory> trajectories(std::int64_t cell) const;
   std::vector<Curve> curves(std::int64_t cell) const;
   std::vector<Timeline> timelines(std::int64_t cell) const;

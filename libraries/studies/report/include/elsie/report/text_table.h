@@ -7,8 +7,8 @@
 
 namespace elsie::report {
 
-/// Rows of cells in columns that are `gap` blanks apart. The first `text_columns` stand to the
-/// left, the others, numbers, to the right. Rows may have different lengths. Width counts
+/// Lays rows of cells out in columns that are `gap` blanks apart. The first `text_columns` are
+/// aligned left, the others, numbers, right. Rows may have different lengths. Width counts
 /// characters of UTF-8. No line ends in blanks.
 std::string laid_out(const std::vector<std::vector<std::string>>& rows, std::size_t text_columns,
                      std::size_t gap = 2);

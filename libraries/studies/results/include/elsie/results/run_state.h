@@ -1,11 +1,11 @@
-// What became of a run, in the words of the database.
+// The states of a run in the database.
 #pragma once
 
 #include <string_view>
 
 namespace elsie::results {
 
-/// `pending`: it is still to be done. For the others see `runs` in schema.sql.
+/// `pending`: the run is still to be done. For the others see `runs` in schema.sql.
 enum class RunState { pending, done, fault, crash, hang, error };
 
 const char* to_string(RunState state);

@@ -1,5 +1,4 @@
-// SQLite with owners: connections, prepared statements, transactions. As thin as it can be: the
-// tables and what they mean are others' affair.
+// A thin wrapper of SQLite: connections, prepared statements, transactions. It knows no tables.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +14,20 @@ struct sqlite3_stmt;
 
 namespace elsie::results::sqlite {
 
-/// what() is what SQLite says. Thrown by everything here that can fail.
+/// what() is SQLite's message. All functions here may throw it.
 class Error : public std::runtime_error {
  public:
   Error(int result_code, const std::string& text) : std::runtime_error(text), code(result_code) {}
 
-  /// Whether the file is not what it should be, rather than the disk or the system.
+  /// Whether the file's contents are wrong, rather than the disk or the system.
   bool is_damage() const;
 
-  int code;  // SQLITE_FULL, SQLITE_READONLY... without the extended part
+  int code;  // SQLITE_FULL, SQLITE_READONLY...; primary result code
 };
 
 class Connection;
 
-/// Values are bound from 1, columns counted from 0. To be used again and again.
+/// A reusable prepared statement. Values are bound from 1, columns counted from 0.
 class Statement {
  public:
   Statement(Connection& connection, std::string_view sql);
@@ -47,12 +46,12 @@ class Statement {
     return value ? bind(place, *value) : bind_null(place);
   }
 
-  /// What stands in a column of another statement's row.
+  /// Binds a column of another statement's row.
   Statement& bind_value(int place, const Statement& from, int column);
 
-  /// The next row; false after the last one, and then it may be bound anew.
+  /// Steps to the next row; false after the last one, then it may be bound again.
   bool next();
-  /// For statements that give no rows.
+  /// Runs a statement that gives no rows.
   void run();
 
   int columns() const;
@@ -60,7 +59,7 @@ class Statement {
   std::int64_t integer(int column) const;
   double number(int column) const;
   std::string text(int column) const;  // or bytes; "" for null
-  /// The same without a copy: valid until the next row.
+  /// The same without a copy; valid until the next row.
   std::string_view bytes(int column) const;
   std::optional<std::int64_t> optional_integer(int column) const;
   std::optional<double> optional_number(int column) const;
@@ -79,21 +78,21 @@ class Connection {
  public:
   enum class Mode {
     read,
-    immutable,  // read, and nobody writes meanwhile: without a lock, or a log of what is written
+    immutable,  // for reading without a lock or a log; nobody may write meanwhile
     write,
     create
   };
 
   Connection(const std::filesystem::path& file, Mode mode);
 
-  /// Statements without values, one after another.
+  /// Runs statements without parameters, one after another.
   void run(const std::string& sql);
-  /// The same; what goes wrong does not matter.
+  /// The same; errors are ignored.
   void try_to_run(const std::string& sql) noexcept;
   /// The first column of the first row.
   std::int64_t integer(std::string_view sql);
   std::string text(std::string_view sql);
-  /// How many rows the last statement changed.
+  /// The number of rows that the last statement changed.
   std::int64_t changes() const;
 
   sqlite3* handle() const { return handle_.get(); }
@@ -106,7 +105,7 @@ class Connection {
   std::unique_ptr<sqlite3, Close> handle_;
 };
 
-/// Writes; undone unless it is committed.
+/// A transaction, rolled back unless it is committed.
 class Transaction {
  public:
   explicit Transaction(Connection& connection) : connection_(connection) {
