@@ -1,4 +1,4 @@
-// What an FCL file says, statement by statement, before it is checked.
+// The statements of an FCL file before they are checked.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct RangeStatement {
   int line = 0;
 };
 
-/// A formula whose inputs are still names: a step of op input has its place among `variables`.
+/// A formula whose inputs are names: a step of op input is an index into `variables`.
 struct Formula {
   std::string text;
   std::vector<FormulaStep> steps;
@@ -31,10 +31,10 @@ struct Formula {
 
 struct Term {
   Name name;
-  std::vector<FuzzySet::Point> points;  // of a list of points
+  std::vector<FuzzySet::Point> points;  // only of a list of points
   std::optional<double> singleton;
   std::string shape;
-  std::vector<double> parameters;  // of a shape
+  std::vector<double> parameters;  // only of a shape
   std::optional<Formula> formula;
 };
 
@@ -54,7 +54,7 @@ struct VariableBlock {
   Name name;
   std::optional<RangeStatement> range;
   std::vector<Term> terms;
-  // DEFUZZIFY only:
+  // only in DEFUZZIFY:
   std::optional<Name> method;
   std::optional<Name> accumulation;
   std::optional<DefaultStatement> default_value;
@@ -62,16 +62,16 @@ struct VariableBlock {
 
 struct Condition {
   enum Kind { is, is_not, negation, conjunction, disjunction } kind = is;
-  Name variable;                    // of is and is_not
-  Name term;                        // of is and is_not
-  std::string hedges;               // of is and is_not: "very", "very very"...
-  std::vector<Condition> operands;  // of the others
+  Name variable;                    // only of is and is_not
+  Name term;                        // only of is and is_not
+  std::string hedges;               // only of is and is_not: "very", "very very"...
+  std::vector<Condition> operands;  // only of the others
 };
 
 struct Conclusion {
   Name variable;
   Name term;
-  std::string hedges;  // as of a condition
+  std::string hedges;  // as in a condition
 };
 
 struct Rule {

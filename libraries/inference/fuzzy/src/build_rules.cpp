@@ -1,4 +1,4 @@
-// Rules: their conditions and conclusions.
+// Builds rules: their conditions and conclusions.
 #include <algorithm>
 #include <set>
 
@@ -235,7 +235,7 @@ std::size_t ModelBuilder::leaf(std::size_t input, std::size_t term, const std::s
       leaves_.try_emplace(std::tuple(input, term, hedges, complement), model_->leaves.size());
   if (is_new) {
     const FuzzySet set = hedged(model_->inputs[input].terms[term].set, hedges);
-    // At a step a set takes its larger degree, and so its complement the smaller of its own two.
+    // At a step a set takes its larger degree, and so its complement the smaller one.
     Leaf made(input, complement ? complement_of(set) : set);
     if (complement) {
       for (Leaf::Knot& knot : made.knots) {

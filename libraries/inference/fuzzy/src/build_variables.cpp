@@ -1,4 +1,4 @@
-// Variables: their ranges, terms and algorithms.
+// Builds variables: their ranges, terms and algorithms.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -164,7 +164,7 @@ const char* tool_of(std::string_view word) {
   return has(kJFuzzyLogic) ? "jFuzzyLogic" : has(kFuzzylite) ? "fuzzylite" : nullptr;
 }
 
-/// Of points of one x, all but the first and the last say nothing unless they stand out.
+/// Of points with the same x, only the first, the last and those that stand out matter.
 std::vector<FuzzySet::Point> ModelBuilder::without_repetitions(const ast::Term& term) {
   std::vector<FuzzySet::Point> kept;
   bool repeats = false;
@@ -269,7 +269,7 @@ std::optional<FuzzySet> ModelBuilder::term_set(const ast::Term& term, const Vari
   }
 }
 
-/// a b c: a times the first input, b times the second, and c.
+/// a b c: a times the first input, plus b times the second, plus c.
 void ModelBuilder::linear_term(const ast::Term& term, Variable& variable) {
   if (term.parameters.size() != model_->inputs.size() + 1) {
     problems_.add(term.name.line, "Linear needs a number for each input and one more, " +
@@ -292,7 +292,7 @@ void ModelBuilder::linear_term(const ast::Term& term, Variable& variable) {
       {term.name.text, FuzzySet{{{x, 0.0}, {x, 1.0}, {x, 0.0}}}, x, term.parameters, ""});
 }
 
-/// Without a value in the middle of the inputs' ranges it is shown at 0.
+/// Shown at 0 if it has no value in the middle of the inputs' ranges.
 void ModelBuilder::formula_term(const ast::Term& term, std::size_t output) {
   Formula formula = term.formula->steps;
   for (FormulaStep& step : formula) {

@@ -44,7 +44,7 @@ std::shared_ptr<const ModelData> ModelBuilder::run() {
   return model_;
 }
 
-/// Some tools let an output have its terms in a FUZZIFY block, and the rest in DEFUZZIFY.
+/// Some tools write an output's terms in a FUZZIFY block, and the rest in DEFUZZIFY.
 void ModelBuilder::variable_blocks() {
   std::vector<ast::VariableBlock> defuzzify = block_.defuzzify;
   for (const ast::VariableBlock& block : block_.fuzzify) {
@@ -69,7 +69,7 @@ void ModelBuilder::variable_blocks() {
   }
 }
 
-/// An input that no rule asks for does no harm, nor does an output that always has its DEFAULT.
+/// An unused input is harmless, and so is an output that always has its DEFAULT.
 void ModelBuilder::check_use(const Declared& declared) {
   const ast::Name& written = declared.declaration->name;
   if (!declared.output && declared.block_line == 0) {

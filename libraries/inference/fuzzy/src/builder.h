@@ -1,4 +1,4 @@
-// From statements to a model: everything is checked here that is not grammar.
+// Builds a model from statements, and checks everything that is not grammar.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace elsie::fuzzy {
 
-/// Reports what does not fit together; the result is a model only when there are no problems.
+/// Reports contradictions; the result is a model only if there are no problems.
 std::shared_ptr<const ModelData> build(const ast::FunctionBlock& block, Problems& problems,
                                        Gaps gaps);
 

@@ -12,9 +12,9 @@ namespace elsie::fuzzy {
 
 namespace {
 
-/// Gives each conclusion the slot that it works on.
+/// Gives each conclusion its slot.
 void assign_slots(std::vector<Conclusion>& conclusions, ModelData& model) {
-  // Slots of one output lie together, and within it those of one term.
+  // Slots of one output are adjacent, and among them those of one term.
   std::stable_sort(
       conclusions.begin(), conclusions.end(), [](const Conclusion& a, const Conclusion& b) {
         return std::tuple(a.output, a.term, a.scales) < std::tuple(b.output, b.term, b.scales);
@@ -23,8 +23,8 @@ void assign_slots(std::vector<Conclusion>& conclusions, ModelData& model) {
   const Conclusion* last = nullptr;
   for (const Conclusion& conclusion : conclusions) {
     const Accumulation accumulation = model.outputs[conclusion.output].accumulation;
-    // Two cuts of one term: with the maximum the higher one counts, else both. Scaled terms may be
-    // added before they are scaled.
+    // Two cuts of one term: the maximum keeps only the higher one, other accumulations need both.
+    // Scaled terms may be added before they are scaled.
     const bool may_share = accumulation == Accumulation::max ||
                            (conclusion.scales && accumulation != Accumulation::algebraic_sum);
     const bool shares = may_share && last && last->output == conclusion.output &&
@@ -43,7 +43,7 @@ void assign_slots(std::vector<Conclusion>& conclusions, ModelData& model) {
   }
 }
 
-/// Cuts the range of an output into cells.
+/// Divides the range of an output into cells.
 void compile_output(std::size_t index, ModelData& model) {
   const OutputVariable& variable = model.outputs[index];
   CompiledOutput& output = model.compiled_outputs[index];

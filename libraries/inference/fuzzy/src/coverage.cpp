@@ -11,27 +11,27 @@ namespace elsie::fuzzy {
 
 namespace {
 
-/// What is known of a degree over a box of inputs.
+/// Bounds of a degree over a box of inputs.
 struct Bounds {
   double low = 0.0;
   double high = 0.0;
-  bool positive = false;  // above zero everywhere in the box, though perhaps not on its edge
+  bool positive = false;  // above zero in the whole interior of the box
 
   bool zero() const { return high <= 0.0; }
 };
 
 /// A piece of an input's axis: a single x, or the open interval between two neighbouring points of
-/// its terms. All terms are straight lines there, so that each is zero everywhere or nowhere in it.
+/// its terms. All terms are straight lines there, so each is zero everywhere or nowhere in it.
 struct Piece {
   double x0 = 0.0;
   double x1 = 0.0;
-  bool splits = false;         // an interval, not a point nor a flat end
+  bool splits = false;         // an interval, not a point or a flat end
   std::vector<double> y0;      // of each leaf of the input, at x0
-  std::vector<double> y1;      // and at x1
-  std::vector<char> positive;  // whether each leaf is above zero within
+  std::vector<double> y1;      // at x1
+  std::vector<char> positive;  // whether each leaf is above zero inside
 };
 
-/// What is looked at of an input now: a part of a piece, or all of the axis.
+/// The part of an input that is examined now: of a piece, or the whole axis.
 struct View {
   const Piece* piece = nullptr;
   double from = 0.0;  // fractions of the piece
@@ -84,7 +84,7 @@ class Search {
     }
   }
 
-  /// Cuts an input's axis into pieces, leaving out those that look like one before.
+  /// Divides an input's axis into pieces, without those that equal an earlier one.
   std::vector<Piece> cut(std::size_t input) {
     const Variable& variable = model_.inputs[input];
     const std::vector<std::size_t>& leaves = leaves_of_[input];
@@ -195,7 +195,7 @@ class Search {
     return !certain_;
   }
 
-  /// Goes through the pieces of the inputs from this one on; true when there is a gap.
+  /// Examines the pieces of the inputs from this one on; returns whether there is a gap.
   bool search(std::size_t input) {
     const Finding finding = look();
     if (finding != Finding::open || give_up()) {
@@ -214,8 +214,8 @@ class Search {
     return false;
   }
 
-  /// With the bounded difference it depends on the degrees themselves whether a rule fires: halves
-  /// the box until each part is decided.
+  /// With the bounded difference, a rule fires depending on the degrees themselves: halves the box
+  /// until each part is decided.
   bool divide(int depth) {
     const Finding finding = look();
     if (finding != Finding::open) {
@@ -259,7 +259,7 @@ class Search {
     std::string text;
     for (std::size_t i = 0; i < views_.size(); ++i) {
       if (leaves_of_[i].empty()) {
-        continue;  // has no say
+        continue;  // does not matter
       }
       const View view = views_[i].piece ? views_[i] : View{&pieces_[i].front(), 0.0, 1.0};
       const double t = 0.5 * (view.from + view.to);
@@ -269,12 +269,12 @@ class Search {
     return text.empty() ? "any input" : text;
   }
 
-  static constexpr std::size_t kMostEffort = 10'000'000;  // conditions looked at: about a second
+  static constexpr std::size_t kMostEffort = 10'000'000;  // conditions examined: about a second
   static constexpr int kDeepest = 40;
 
   const ModelData& model_;
-  std::vector<const CompiledRule*> rules_;           // that speak of the output
-  std::vector<std::vector<std::size_t>> leaves_of_;  // by input: those that the rules ask for
+  std::vector<const CompiledRule*> rules_;           // that decide the output
+  std::vector<std::vector<std::size_t>> leaves_of_;  // by input: those that the rules use
   std::vector<std::vector<Piece>> pieces_;           // by input
   std::vector<View> views_;                          // by input
   std::vector<Bounds> bounds_;                       // by leaf, for the views

@@ -1,4 +1,4 @@
-// From inputs to the degrees of rules.
+// Computes the degrees of rules from inputs.
 #include <algorithm>
 #include <limits>
 
@@ -11,13 +11,13 @@ namespace elsie::fuzzy {
 
 namespace {
 
-/// A product of positive degrees stays above zero: otherwise a rule that fires would be lost.
+/// A product of positive degrees stays above zero; otherwise a rule that fires would be lost.
 double positive_product(double a, double b) {
   const double product = a * b;
   return product > 0.0 || a == 0.0 || b == 0.0 ? product : std::numeric_limits<double>::min();
 }
 
-/// So do the squares of positive degrees.
+/// Powers of positive degrees stay above zero, too.
 double hedged_above_zero(double degree, const Target& target) {
   return std::max(hedged(degree, target.hedges), std::numeric_limits<double>::min());
 }

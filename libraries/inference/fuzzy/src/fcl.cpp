@@ -20,10 +20,10 @@
 namespace elsie::fuzzy {
 namespace {
 
-constexpr std::size_t kMostProblems = 200;  // more do not help anyone
+constexpr std::size_t kMostProblems = 200;  // more would help nobody
 
-/// What this thread has read last. The robots of a world share their models, and the thousands of
-/// cells of an experiment do; a model follows from its text alone, and does not change.
+/// The models that this thread read last. The robots of a world and the cells of an experiment
+/// share models; a model depends on its text only and never changes.
 class Recent {
  public:
   Model model(const std::string& text, const std::string& path, const std::string& block,
@@ -48,13 +48,13 @@ class Recent {
 
   struct Entry {
     std::string text;
-    std::string path;  // which notes name
+    std::string path;  // notes name it
     std::string block;
     Gaps gaps;
     Model model;
   };
   std::vector<Entry> entries_;
-  std::size_t next_ = 0;  // to be replaced
+  std::size_t next_ = 0;  // index of the next to be replaced
 };
 
 Recent& recent() {
@@ -62,8 +62,8 @@ Recent& recent() {
   return recent;
 }
 
-/// The block of this name; "": the only one. Throws FclError when that is not one block. What is
-/// wrong with the others is forgotten.
+/// The block of this name; "": the only one. Throws FclError unless that is exactly one block.
+/// Errors in other blocks are ignored.
 const ast::FunctionBlock& choose(const std::vector<ast::FunctionBlock>& blocks,
                                  const std::string& name, Problems& problems) {
   if (blocks.empty()) {
@@ -98,7 +98,7 @@ const ast::FunctionBlock& choose(const std::vector<ast::FunctionBlock>& blocks,
     }
     return *chosen;
   }
-  if (!name.empty() && blocks.back().last_line == 0) {  // it may stand in what was not read
+  if (!name.empty() && blocks.back().last_line == 0) {  // it may be in the part that was not read
     problems.raise<FclError>();
   }
   problems.forget(0, std::numeric_limits<int>::max());
@@ -134,8 +134,7 @@ Model parse_fcl(std::string_view text, const std::string& name, const std::strin
   }
   const std::vector<ast::FunctionBlock> blocks = parse(text, problems);
   const ast::FunctionBlock& chosen = choose(blocks, block, problems);
-  // What was not understood is missing from the block: checking that would find mistakes that are
-  // none.
+  // Statements with errors are missing in the block, so that checking it would report false errors.
   problems.raise<FclError>();
   std::shared_ptr<const ModelData> data = build(chosen, problems, gaps);
   problems.raise<FclError>();

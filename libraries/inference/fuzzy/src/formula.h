@@ -1,5 +1,5 @@
-// Formulas for the place of an output's term: FUNCTION (a * 2) + SIN(b), after Takagi and Sugeno
-// (1985).
+// Formulas for the position of an output's term, after Takagi and Sugeno (1985): FUNCTION (a * 2) +
+// SIN(b).
 #pragma once
 
 #include <cstddef>
@@ -28,20 +28,20 @@ enum class FormulaOp {
 
 struct FormulaStep {
   FormulaOp op = FormulaOp::number;
-  double number = 0.0;    // of op number
-  std::size_t input = 0;  // of op input: its place among the inputs
+  double number = 0.0;    // only of op number
+  std::size_t input = 0;  // only of op input: its index
 };
 
 /// In postfix order: numbers and inputs push a value, the others take one or two and push one.
 using Formula = std::vector<FormulaStep>;
 
-/// No formula pushes more values than this.
+/// The greatest number of values that a formula keeps on its stack.
 inline constexpr std::size_t kDeepestFormula = 32;
 
-/// No term may stand beyond this: sums and products could overflow.
+/// The farthest position of a term: beyond it, sums and products could overflow.
 inline constexpr double kFurthestPlace = 1e100;
 
-/// May be infinite or not a number, as in 1 / 0.
+/// The value may be infinite or not a number, as in 1 / 0.
 double value_of(const Formula& formula, std::span<const double> inputs);
 
 }  // namespace elsie::fuzzy

@@ -1,4 +1,4 @@
-// Formulas of terms, token by token.
+// Reads formulas of terms from tokens.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace elsie::fuzzy {
 
-/// What jFuzzyLogic and fuzzylite write after FUNCTION, as far as both mean the same by it:
-/// + - * / ^, parentheses, numbers, inputs and functions. Where they differ the formula is refused.
+/// Reads formulas after FUNCTION as in jFuzzyLogic and fuzzylite: + - * / ^, parentheses, numbers,
+/// inputs and functions. A formula that means different things to the two is refused.
 class FormulaReader : protected StatementReader {
  protected:
   using StatementReader::StatementReader;
@@ -25,7 +25,7 @@ class FormulaReader : protected StatementReader {
   void push(FormulaStep step);
 
   ast::Formula made_;
-  std::size_t height_ = 0;  // of the stack, when the steps so far are done
+  std::size_t height_ = 0;  // height of the stack after the steps so far
 };
 
 }  // namespace elsie::fuzzy

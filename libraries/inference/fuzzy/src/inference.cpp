@@ -1,4 +1,4 @@
-// From the degrees of rules to sets and numbers.
+// Computes sets and numbers from the degrees of rules.
 #include "inference.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace elsie::fuzzy {
 
 namespace {
 
-/// The degree that is accumulated from the slots of one singleton.
+/// The accumulated degree of the slots of one singleton.
 double singleton_degree(Accumulation accumulation, std::span<const double> slots) {
   double degree = 0.0;
   for (const double slot : slots) {
@@ -39,7 +39,7 @@ double singleton_degree(Accumulation accumulation, std::span<const double> slots
   return degree;
 }
 
-/// Where a singleton stands for these inputs.
+/// The position of a singleton for these inputs.
 double place_of(const ModelData& model, std::size_t output, std::size_t index,
                 std::span<const double> inputs) {
   const Term& term = model.outputs[output].terms[index];
@@ -109,7 +109,7 @@ double strongest(const CompiledOutput& output, const Workspace::Memory& memory) 
   return highest;
 }
 
-/// Degrees so small that areas would lose digits are raised alike: the shape stays.
+/// Scales up degrees so small that areas would lose digits; the shape stays.
 double strengthen(const CompiledOutput& output, Workspace::Memory& memory) {
   constexpr double kTiny = 1e-200;
   const double highest = strongest(output, memory);

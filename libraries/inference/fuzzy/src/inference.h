@@ -1,4 +1,4 @@
-// From inputs to degrees, and from degrees to sets and numbers.
+// Computes degrees from inputs, and sets and numbers from degrees.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace elsie::fuzzy {
 
-/// From memory.inputs to the degrees of rules and slots.
+/// Computes the degrees of rules and slots from memory.inputs.
 void fire_rules(const ModelData& model, Workspace::Memory& memory);
 
 /// The number for an output; none when no rule fires on it.

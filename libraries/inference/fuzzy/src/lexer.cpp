@@ -9,12 +9,12 @@ namespace elsie::fuzzy {
 
 namespace {
 
-/// Beyond this, sums and products in the inference could overflow.
+/// The greatest number: beyond it, sums and products in the inference could overflow.
 constexpr double kLargestNumber = 1e100;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Letters of other scripts (UTF-8) may stand in names.
+/// Names may contain letters of other scripts (UTF-8).
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
          static_cast<unsigned char>(c) >= 0x80;
@@ -88,7 +88,7 @@ class Lexer {
     advance_to(end.value_or(text_.size()));
   }
 
-  /// Comments nest. Where that finds no end, the file was written with ones that do not.
+  /// Finds the end of a nested comment; if there is none, the file's comments do not nest.
   std::optional<std::size_t> end_of_standard_comment() {
     if (!nesting_fails_) {
       int depth = 0;
@@ -103,7 +103,7 @@ class Lexer {
           }
         }
       }
-      nesting_fails_ = true;  // and would again: do not search to the end each time
+      nesting_fails_ = true;  // do not search to the end again
     }
     const std::size_t end = text_.find("*)", at_ + 2);
     return end == std::string_view::npos ? std::nullopt : std::optional(end + 2);
@@ -178,7 +178,7 @@ class Lexer {
                                   ? "'" + std::string(1, text_[at_]) + "'"
                                   : std::string("the byte 0x") + kHex[byte / 16] + kHex[byte % 16];
     problems_.add(line_, "Found " + shown + ", which has no meaning in FCL. Remove it.");
-    // One message for a run of such bytes: a file that is not text at all has many.
+    // One message for a sequence of such bytes: a file that is not text has many.
     const std::string_view meaning = ":;,()|+-*/^%. \t\r\n";
     while (at_ < text_.size() && !is_letter(text_[at_]) && !is_digit(text_[at_]) &&
            (meaning.find(text_[at_]) == std::string_view::npos ||

@@ -1,4 +1,4 @@
-// FCL text to tokens.
+// Divides FCL text into tokens.
 #pragma once
 
 #include <string_view>
@@ -12,14 +12,14 @@ enum class TokenKind { word, number, symbol, end };
 
 struct Token {
   TokenKind kind = TokenKind::end;
-  std::string_view text;       // in the file's text
-  double value = 0.0;          // of a number; without sign
+  std::string_view text;       // part of the file's text
+  double value = 0.0;          // of a number, without its sign
   int line = 0;                // from 1
-  bool first_on_line = false;  // comments do not count
+  bool first_on_line = false;  // ignoring comments
 };
 
-/// The tokens of the text, ended by one of kind `end`. Symbols: := : ; , ( ) .. | + - * / ^ %
-/// What is no token is reported and left out.
+/// The tokens of the text, and at the end one of kind `end`. Symbols: := : ; , ( ) .. | + - * / ^
+/// %. Other characters are reported and left out.
 std::vector<Token> tokenize(std::string_view text, Problems& problems);
 
 }  // namespace elsie::fuzzy

@@ -111,7 +111,7 @@ void Model::evaluate(std::span<const double> inputs, std::span<double> outputs,
     } else if (output.gap) {
       outputs[i] = std::numeric_limits<double>::quiet_NaN();
     } else if (!output.keeps_last) {
-      // Some rule fires, however little, but its degree was lost in rounding.
+      // Some rule fires, but rounding lost its degree.
       outputs[i] = 0.5 * (output.range.low + output.range.high);
     }
   }

@@ -1,4 +1,4 @@
-// How a model comes about, from statements to variables to rules: what the parts of build() share.
+// Builds a model from statements; shared by the parts of build().
 #pragma once
 
 #include <array>
@@ -37,11 +37,11 @@ class ModelBuilder {
     bool output;
     std::size_t index;
     const ast::VariableDeclaration* declaration;
-    int block_line = 0;  // of its FUZZIFY or DEFUZZIFY block
+    int block_line = 0;  // line of its FUZZIFY or DEFUZZIFY block
     int accumulation_line = 0;
     bool used = false;        // in a condition or conclusion
-    bool in_formula = false;  // of an output's term
-    bool usable = false;      // has a block with terms
+    bool in_formula = false;  // in that of an output's term
+    bool usable = false;      // it has a block with terms
   };
   /// AND and OR of a rule block.
   struct Operators {
@@ -64,12 +64,12 @@ class ModelBuilder {
   void check_output_terms(const ast::VariableBlock& block, const OutputVariable& output,
                           bool method_given);
 
-  /// What a word of the file stands for; none: it is not there, or no such word.
+  /// The meaning of a word in the file; none: it is missing or unknown.
   template <class Value, std::size_t count>
   std::optional<Value> word(const std::optional<ast::Name>& name,
                             const std::array<Word<Value>, count>& words, const char* keyword) {
     if (!name || same_name(name->text, "none")) {
-      return std::nullopt;  // some tools write NONE for what is not set
+      return std::nullopt;  // some tools write NONE for a missing value
     }
     std::vector<std::string> known;
     for (const Word<Value>& candidate : words) {

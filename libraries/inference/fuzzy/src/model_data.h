@@ -1,4 +1,4 @@
-// A model in the form that inference works on.
+// A model in the form that inference uses.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace elsie::fuzzy {
 
 /// The degree to which one input is (or is not) one of its terms.
 struct Leaf {
-  /// A point of the membership function, and the straight line from it to the next one. The line is
-  /// anchored at its lower end: a degree that is above zero is never rounded to zero.
+  /// A point of the membership function, and the straight line to the next point. The line is
+  /// anchored at its lower end, so that rounding never makes a positive degree zero.
   struct Knot {
     double x;
     double degree;  // at x itself
@@ -45,9 +45,8 @@ struct Leaf {
   std::vector<Knot> knots;
 };
 
-/// The operators of conditions. Negations are gone: they were moved into the leaves, by
-/// De Morgan's laws, for which each operator has its dual (min and max, product and algebraic sum,
-/// bounded difference and bounded sum).
+/// The operators of conditions. De Morgan's laws move negations into the leaves, so each operator
+/// has its dual (min and max, product and algebraic sum, bounded difference and bounded sum).
 enum class Operator : std::uint8_t {
   leaf,
   min,
@@ -68,8 +67,8 @@ struct Instruction {
   std::size_t argument = 0;  // index of the leaf, or number of operands
 };
 
-/// An output's term as conclusions act on it; the degrees that arrive here are put together. Which
-/// conclusions share a slot depends on the accumulation.
+/// An output's term as a target of conclusions, whose degrees are combined here. Which conclusions
+/// share a slot depends on the accumulation.
 struct Slot {
   std::size_t term = 0;
   bool scales = false;  // ACT: PROD; else cuts off
@@ -77,18 +76,18 @@ struct Slot {
 
 struct Target {
   std::size_t output = 0;
-  std::size_t slot = 0;  // among all slots of the model
-  std::string hedges;    // on the rule's degree
+  std::size_t slot = 0;  // index among all slots of the model
+  std::string hedges;    // applied to the rule's degree
 };
 
 struct CompiledRule {
   std::vector<Instruction> condition;
-  bool all_min = false;  // only leaves, joined by min
+  bool all_min = false;  // only leaves, combined by min
   double weight = 1.0;
   std::vector<Target> targets;
 };
 
-/// Between two neighbouring points of any of the terms, all terms of an output are straight lines.
+/// All terms of an output are straight lines between two neighbouring points of any of them.
 struct Cell {
   double x0 = 0.0;
   double x1 = 0.0;
@@ -96,7 +95,7 @@ struct Cell {
   std::size_t end_line = 0;
 };
 
-/// A term in a cell, where it is not zero throughout.
+/// A term in a cell in which it is not zero everywhere.
 struct Line {
   double y0 = 0.0;
   double y1 = 0.0;
@@ -118,7 +117,7 @@ struct ModelData {
   std::vector<OutputVariable> outputs;
   std::vector<Rule> rules;
   std::vector<Problem> notes;
-  /// Of terms that are formulas, by the places of output and term.
+  /// By output and index, for terms that are formulas.
   std::map<std::pair<std::size_t, std::size_t>, Formula> formulas;
 
   std::vector<Leaf> leaves;

@@ -14,12 +14,12 @@ namespace elsie::fuzzy {
 
 namespace {
 
-/// Parentheses nested deeper than this are taken for a mistake.
+/// Deeper nesting is an error.
 constexpr int kDeepest = 100;
 
-/// Words that fuzzylite lets stand before a term; see shapes.h.
+/// Hedges that fuzzylite allows before a term; see shapes.h.
 constexpr std::array kHedges = {"very", "extremely", "somewhat", "seldom"};
-/// What other tools let stand there.
+/// Hedges of other tools.
 constexpr std::array kOtherHedges = {"any", "slightly", "more", "indeed"};
 
 class Parser : private FormulaReader {
@@ -80,7 +80,7 @@ class Parser : private FormulaReader {
 
   ast::FunctionBlock& current() { return blocks_.back(); }
 
-  /// One word by the standard; some tools write several on the line.
+  /// One word in the standard; some tools write several on the line.
   ast::Name block_name() {
     const char* const begin = now().text.data();
     ast::Name result = name("the name of the function block");
@@ -127,7 +127,7 @@ class Parser : private FormulaReader {
     }
   }
 
-  /// a, b : REAL RANGE := (0 .. 1);   RANGE := (0 .. 1); of the declaration before it.
+  /// a, b : REAL RANGE := (0 .. 1); or RANGE := (0 .. 1); for the declaration before it.
   void declaration(std::vector<ast::VariableDeclaration>& into) {
     if (at_word("range") && next().text == ":=" && declared_) {
       const int line = take().line;
@@ -268,7 +268,7 @@ class Parser : private FormulaReader {
     return result;
   }
 
-  /// ENABLED : TRUE;   as fuzzylite writes of all that it has not switched off.
+  /// ENABLED : TRUE; which fuzzylite writes unless something is switched off.
   void enabled() {
     take();
     expect_symbol(":", "after ENABLED");
@@ -346,7 +346,7 @@ class Parser : private FormulaReader {
     if (accept_word("with")) {
       result.weight = number("the weight of the rule after WITH, a number");
     }
-    // fuzzylite ends its rules with the line.
+    // fuzzylite ends rules with the line.
     const bool line_ends_it = now().first_on_line && (at_word("rule") || at_word("end_ruleblock"));
     if (!line_ends_it) {
       expect_semicolon("RULE");
@@ -447,7 +447,7 @@ class Parser : private FormulaReader {
     return term;
   }
 
-  /// `range IS very near`: a word of some tool, and a term follows.
+  /// `range IS very near`: a hedge of some tool, followed by a term.
   bool is_hedge(const ast::Name& word) const {
     return (contains(kHedges, word.text) || contains(kOtherHedges, word.text)) &&
            now().kind == TokenKind::word && !now().first_on_line &&
@@ -455,8 +455,8 @@ class Parser : private FormulaReader {
   }
 
   std::vector<ast::FunctionBlock> blocks_;
-  /// How many variables the last declaration of this VAR block has, 0 when it was not understood;
-  /// none: there was no declaration yet.
+  /// The number of variables in the last declaration of this VAR block, 0 if it had errors; none:
+  /// there was no declaration yet.
   std::optional<std::size_t> declared_;
 };
 

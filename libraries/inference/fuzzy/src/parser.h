@@ -1,4 +1,4 @@
-// FCL tokens to statements.
+// Reads statements from FCL tokens.
 #pragma once
 
 #include <string_view>
@@ -10,9 +10,9 @@
 
 namespace elsie::fuzzy {
 
-/// Reads all function blocks. A statement that is not understood is reported and left out; the
-/// caller must not use the result as a model when there are problems. After too many of them
-/// reading ends: the last block then has the last line 0, and those after it are missing.
+/// Reads all function blocks. Statements with errors are reported and left out; with problems, the
+/// caller must not use the result as a model. Reading ends after too many problems: the last block
+/// then has the last line 0, and later ones are missing.
 std::vector<ast::FunctionBlock> parse(std::string_view text, Problems& problems);
 
 }  // namespace elsie::fuzzy

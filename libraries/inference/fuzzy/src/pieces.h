@@ -1,5 +1,5 @@
-// Consumers of a set that arrives line by line, from left to right: line(x0, x1, y0, y1) with
-// x0 < x1, degrees y0 at x0 and y1 at x1. Where nothing arrives the set is zero.
+// Consumers of a set that is passed line by line, from left to right: line(x0, x1, y0, y1) with x0
+// < x1, degree y0 at x0 and y1 at x1. The set is zero elsewhere.
 #pragma once
 
 #include <algorithm>
@@ -9,10 +9,10 @@
 
 namespace elsie::fuzzy {
 
-/// How far straight lines that stand for a polynomial may be from it.
+/// The largest distance of straight lines from the polynomial that they replace.
 inline constexpr double kSetTolerance = 2.5e-4;
 
-/// Area and centre of gravity; moments are taken about an origin near to it, for precision.
+/// Area and centre of gravity; moments are about a near origin, for precision.
 struct CentroidSink {
   explicit CentroidSink(double about) : origin(about) {}
 
@@ -29,7 +29,7 @@ struct CentroidSink {
   double moment = 0.0;
 };
 
-/// The x that halves an area that is known already.
+/// The x that halves a known area.
 struct BisectorSink {
   explicit BisectorSink(double total) : half(0.5 * total), tolerance(1e-12 * total) {}
 
@@ -43,7 +43,7 @@ struct BisectorSink {
     });
   }
 
-  /// A piece of that area; place(part) is the x up to which it has that part of it.
+  /// Adds a part of that area; place(part) is the x that limits it.
   template <class Place>
   void piece_ends(double x0, double x1, double piece, Place place) {
     if (piece <= 0.0) {
@@ -61,20 +61,19 @@ struct BisectorSink {
     left = left || (reached && sum > half + tolerance);
   }
 
-  /// Where the half is reached at the end of one island of the set, the middle of the gap to the
-  /// next one.
+  /// If half of the area ends with one island of the set, the middle of the gap to the next.
   double bisector() const { return 0.5 * (reached_x + left_x); }
 
   double half;
   double tolerance;
   double sum = 0.0;
   bool reached = false;  // half of the area lies left of reached_x
-  bool left = false;     // and the other half begins at left_x
+  bool left = false;     // the other half begins at left_x
   double reached_x = 0.0;
   double left_x = 0.0;
 };
 
-/// Where the set is highest. Degrees that differ by rounding only count as the same.
+/// The x at which the set is highest. Degrees that differ by rounding count as equal.
 struct MaximaSink {
   void line(double x0, double x1, double y0, double y1) {
     peak(x0, y0);
@@ -92,7 +91,7 @@ struct MaximaSink {
     }
     if (y > 0.0 && is_highest(y)) {
       first = peaks == 0 ? x : std::min(first, x);
-      // Two lines meet in their common peak.
+      // The common peak of two lines counts once.
       if (peaks == 0 || x != last) {
         ++peaks;
         peak_sum += x;
@@ -117,7 +116,7 @@ struct MaximaSink {
   int peaks = 0;
 };
 
-/// Points of a set in ascending order, without such as say nothing.
+/// Collects points of a set in ascending order without redundant ones.
 class SetBuilder {
  public:
   explicit SetBuilder(FuzzySet& set) : set_(set) { set_.points.clear(); }
@@ -146,7 +145,7 @@ class SetBuilder {
   FuzzySet& set_;
 };
 
-/// Draws the lines as a set over a range.
+/// Collects lines as a set over a range.
 struct SetSink {
   SetSink(FuzzySet& set, double low, double high) : builder(set), at_(low), high_(high) {}
 

@@ -1,5 +1,5 @@
-// Consumers of a set (pieces.h) that may also arrive as polynomials, which the algebraic sum makes:
-// 1 - (1 - a)(1 - b)... of several straight edges.
+// Consumers of a set (pieces.h) that also take polynomials, which the algebraic sum of several
+// straight edges makes: 1 - (1 - a)(1 - b)...
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ inline constexpr std::array<double, 5> kWeights = {0.29552422471475287, 0.269266
 /// With this many edges the integrand of a moment, x (1 - product of the edges), is of degree 19.
 inline constexpr std::size_t kMostEdges = 18;
 
-/// a + b - a b of all edges at a fraction of their length.
+/// The algebraic sum of all edges at a fraction of their length.
 inline double algebraic_sum(std::span<const Edge> edges, double t) {
   double none = 1.0;
   for (const Edge& edge : edges) {
@@ -34,8 +34,8 @@ inline double algebraic_sum(std::span<const Edge> edges, double t) {
 }
 
 /// Calls add(t, weight) for the nodes of the integral over t from t0 to t1, in fractions of a
-/// stretch. More edges than the quadrature is exact for: it goes in steps, whose error is far below
-/// rounding.
+/// stretch. With more edges than the quadrature is exact for, the stretch is divided, and the error
+/// is far below rounding.
 template <class Add>
 void each_node(std::size_t edges, double t0, double t1, Add add) {
   const std::size_t steps = (edges + kMostEdges - 1) / kMostEdges;
@@ -75,7 +75,7 @@ struct BisectorWalk : BisectorSink {
     piece_ends(x0, x1, polynomial_area(width, edges, 0.0, 1.0), [&](double part) {
       double low = 0.0;
       double high = 1.0;
-      while (true) {  // halves the interval until no number is left between
+      while (true) {  // halve the interval as far as numbers allow
         const double t = 0.5 * (low + high);
         if (t <= low || t >= high) {
           return x0 + t * width;
@@ -94,7 +94,7 @@ struct MaximaWalk : MaximaSink {
     const double y1 = algebraic_sum(edges, 1.0);
     const bool flat = std::all_of(edges.begin(), edges.end(),
                                   [](const Edge& edge) { return edge.y0 == edge.y1; });
-    // A sum with a full term is full, whatever is added.
+    // A sum with a full term is full.
     const bool full = std::any_of(edges.begin(), edges.end(), [](const Edge& edge) {
       return edge.y0 == 1.0 && edge.y1 == 1.0;
     });
@@ -110,8 +110,8 @@ struct MaximaWalk : MaximaSink {
 struct SetWalk : SetSink {
   using SetSink::SetSink;
   void polynomial(double x0, double x1, std::span<const Edge> edges) {
-    // Degrees bend by no more than (sum of the slopes)^2 in a stretch of length 1: a chord over a
-    // n-th part of it is off by at most an eighth of that, over n^2.
+    // In a stretch of length 1, degrees bend by at most (sum of the slopes)^2: a chord over an n-th
+    // part of it is off by at most an eighth of that, over n^2.
     double slopes = 0.0;
     for (const Edge& edge : edges) {
       slopes += std::abs(edge.y1 - edge.y0);

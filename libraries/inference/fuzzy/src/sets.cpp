@@ -10,7 +10,7 @@ namespace elsie::fuzzy {
 
 namespace {
 
-/// Feeds the lines of a set, from its first point to its last.
+/// Passes the lines of a set to a sink, from its first point to its last.
 template <class Sink>
 void each_line(const FuzzySet& set, Sink& sink) {
   for (std::size_t i = 0; i + 1 < set.points.size(); ++i) {
@@ -22,7 +22,7 @@ void each_line(const FuzzySet& set, Sink& sink) {
   }
 }
 
-/// The places of the points of both, ascending, each once.
+/// The x of the points of both sets, ascending, each once.
 std::vector<double> places(const FuzzySet& a, const FuzzySet& b) {
   std::vector<double> xs;
   for (const FuzzySet* set : {&a, &b}) {
@@ -35,8 +35,8 @@ std::vector<double> places(const FuzzySet& a, const FuzzySet& b) {
   return xs;
 }
 
-/// Goes through the stretches where both sets are straight lines: stretch(x0, x1, a0, a1, b0, b1)
-/// draws one, from x0 to x1. Spikes are of no width: they are drawn at their place.
+/// Calls stretch(x0, x1, a0, a1, b0, b1) for each stretch on which both sets are straight lines.
+/// Spikes have no width; they are drawn at their x.
 template <class Combine, class Stretch>
 FuzzySet combined(const FuzzySet& a, const FuzzySet& b, Combine combine, Stretch stretch) {
   FuzzySet result;
@@ -45,7 +45,7 @@ FuzzySet combined(const FuzzySet& a, const FuzzySet& b, Combine combine, Stretch
   for (std::size_t i = 0; i < xs.size(); ++i) {
     const double x = xs[i];
     builder.point(x, combine(degree_before(a, x), degree_before(b, x)));
-    // The highest at the place itself shows spikes; at a step it is one of the two sides.
+    // The highest degree at x itself shows spikes; at a step it is one of the two sides.
     const double at = combine(a.degree(x), b.degree(x));
     const double before = combine(degree_before(a, x), degree_before(b, x));
     const double after = combine(degree_after(a, x), degree_after(b, x));
@@ -61,15 +61,15 @@ FuzzySet combined(const FuzzySet& a, const FuzzySet& b, Combine combine, Stretch
   return result;
 }
 
-/// Where the lines from a0 to a1 and from b0 to b1 cross, as a fraction of the way; or no fraction
-/// between 0 and 1.
+/// Where the lines from a0 to a1 and from b0 to b1 cross, as a fraction of the stretch; else a
+/// number outside of (0, 1).
 double crossing(double a0, double a1, double b0, double b1) {
   const double d0 = a0 - b0;
   const double d1 = a1 - b1;
   return (d0 < 0.0) != (d1 < 0.0) && d0 != d1 ? d0 / (d0 - d1) : -1.0;
 }
 
-/// Stretches whose combination is as straight as its parts, but for where the parts cross.
+/// For combinations that are straight except where the sets cross.
 template <class Combine>
 FuzzySet combined_at_crossings(const FuzzySet& a, const FuzzySet& b, Combine combine) {
   return combined(
@@ -82,7 +82,7 @@ FuzzySet combined_at_crossings(const FuzzySet& a, const FuzzySet& b, Combine com
       });
 }
 
-/// Stretches whose combination is a parabola: straight lines of equal length within kSetTolerance.
+/// For combinations that are parabolas: draws straight lines of equal length within kSetTolerance.
 template <class Combine>
 FuzzySet combined_parabolas(const FuzzySet& a, const FuzzySet& b, Combine combine) {
   return combined(

@@ -17,7 +17,7 @@ namespace {
 
 using Points = std::vector<FuzzySet::Point>;
 
-/// A curve that comes this near to its limit has reached it.
+/// A curve ends when it is this near to its limit.
 constexpr double kTail = 1e-4;
 
 [[noreturn]] void refuse(const std::string& sentence) { throw std::invalid_argument(sentence); }
@@ -63,7 +63,7 @@ class Shape {
             "all must be finite");
   }
 
-  /// A corner, unless it lies at infinity.
+  /// Adds a corner, unless it is at infinity.
   void corner(double x, double degree) {
     if (std::isfinite(x)) {
       set_.points.push_back({x, degree});
@@ -73,8 +73,8 @@ class Shape {
   void trapezoid(double a, double b, double c, double d);
   void discrete();
 
-  /// A curve that has its bends at the knots and ends where the range does, or else at the first
-  /// and last knot.
+  /// Adds a curve that bends at the knots, and ends with the range, or else at the first and last
+  /// knot.
   void curve(const std::function<double(double)>& function, std::vector<double> knots);
 
   std::string name_;
@@ -140,7 +140,7 @@ struct Kind {
     spike,
     concave,
   } form;
-  /// Where each parameter of this name's own order stands in the order that the code below uses.
+  /// For each parameter in this name's order, its index in the order of the code below.
   std::vector<std::size_t> order;
   const char* parameters;
 };
@@ -199,7 +199,7 @@ FuzzySet Shape::make() {
     return same_name(candidate.name, name_);
   });
   if (named == kinds().end()) {
-    std::vector<std::string> full_names;  // the others are short for these
+    std::vector<std::string> full_names;  // the other names abbreviate these
     std::copy_if(shape_names().begin(), shape_names().end(), std::back_inserter(full_names),
                  [](const std::string& name) { return name[0] >= 'A' && name[0] <= 'Z'; });
     refuse("Found the shape '" + name_ + "', which is not known." +
@@ -368,9 +368,9 @@ FuzzySet make_shape(std::string_view name, std::span<const double> parameters,
 
 void draw_curve(const std::function<double(double)>& function, std::span<const double> knots,
                 std::vector<FuzzySet::Point>& points) {
-  // Where a function bends one way, its distance from a chord is a concave function: the largest
-  // is at most twice the one in the middle. Each stretch between knots is cut up beforehand, so
-  // that a point of inflection that is not among the knots falls into a short piece.
+  // Where a function bends one way, its distance from a chord is concave: its largest value is at
+  // most twice that in the middle. Stretches between knots are divided first, so that other points
+  // of inflection fall into short pieces.
   constexpr int kPieces = 8;
   constexpr int kDeepest = 40;
   struct Drawer {
@@ -450,7 +450,7 @@ FuzzySet hedged(const FuzzySet& set, std::string_view hedges) {
     const FuzzySet::Point& to = set.points[i];
     const FuzzySet::Point& from = set.points[i == 0 ? 0 : i - 1];
     if (from.x < to.x && from.degree != to.degree) {
-      result.points.pop_back();  // drawn anew
+      result.points.pop_back();  // drawn again
       const double knots[] = {from.x, to.x};
       draw_curve(
           [&](double x) {

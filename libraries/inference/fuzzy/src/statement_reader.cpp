@@ -4,7 +4,7 @@ namespace elsie::fuzzy {
 
 namespace {
 
-/// After so many mistakes the rest of the file tells nothing new.
+/// After so many mistakes, the rest of the file is not read.
 constexpr std::size_t kMostProblems = 100;
 
 }  // namespace

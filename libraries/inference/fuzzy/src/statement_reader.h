@@ -1,4 +1,4 @@
-// Tokens to the pieces that statements are made of, and how reading goes on after a mistake.
+// Reads the parts of statements from tokens, and recovers after mistakes.
 #pragma once
 
 #include <algorithm>
@@ -20,10 +20,10 @@ namespace elsie::fuzzy {
 
 /// Thrown when a statement cannot be read, after the problem was noted.
 struct StatementLost {};
-/// Thrown to give up on the file.
+/// Thrown to stop reading the file.
 struct FileLost {};
 
-/// Words that begin or end something; where a statement went wrong, reading goes on at one.
+/// Words that begin or end something; after a mistake, reading continues at one.
 inline constexpr std::array kLandmarks = {
     "function_block", "end_function_block", "var_input", "var_output", "end_var",
     "fuzzify",        "end_fuzzify",        "defuzzify", "ruleblock",  "end_defuzzify",
@@ -41,7 +41,7 @@ bool contains(const List& list, std::string_view text) {
   return std::any_of(list.begin(), list.end(), [&](const char* item) { return word == item; });
 }
 
-/// The file token by token. What is expected and not there is noted and thrown as StatementLost.
+/// Reads the file token by token. A missing token is reported, and thrown as StatementLost.
 class StatementReader {
  public:
   StatementReader(std::string_view text, Problems& problems)
@@ -52,7 +52,7 @@ class StatementReader {
 
   const Token& now() const { return tokens_[at_]; }
   const Token& next() const { return tokens_[std::min(at_ + 1, tokens_.size() - 1)]; }
-  /// The one that was taken last.
+  /// The token before the current one.
   const Token& last() const { return tokens_[at_ - 1]; }
   const Token& take();
   bool at_end() const { return now().kind == TokenKind::end; }
@@ -67,21 +67,21 @@ class StatementReader {
   }
   bool accept_word(std::string_view word) { return at_word(word) && (take(), true); }
   bool accept_symbol(std::string_view symbol) { return at_symbol(symbol) && (take(), true); }
-  /// What stands there, in words.
+  /// The current token, in words.
   std::string found() const;
 
   // --- mistakes ---
 
   Problems& problems() { return problems_; }
 
-  /// Throws FileLost after too many.
+  /// Reports a mistake. Throws FileLost after too many.
   void note(int line, const std::string& message);
   [[noreturn]] void lose(const std::string& message);
   [[noreturn]] void lose_expecting(const std::string& expected);
   void expect_symbol(std::string_view symbol, const std::string& where);
-  /// A line that ends, and a next one that begins another statement, will do: that is noted.
+  /// A line's end before a new statement is accepted, with a note.
   void expect_semicolon(const std::string& statement);
-  /// Goes on after the statement that was lost.
+  /// Skips the rest of a statement with a mistake.
   void recover();
 
   /// Reads statements until the end word of a block; `statement` must consume something or throw.
@@ -113,15 +113,15 @@ class StatementReader {
 
   // --- pieces ---
 
-  /// Some tools write names such as Check-Plus-Tip.
+  /// A name; some tools write names such as Check-Plus-Tip.
   ast::Name name(const std::string& what);
-  /// The name of what is declared here.
+  /// The name in a declaration.
   ast::Name new_name(const std::string& what);
   double number(const std::string& what);
   /// RANGE := (low .. high); after the word RANGE.
   ast::RangeStatement range();
 
-  /// Takes a statement's value unless the block has one already.
+  /// Takes a statement's value unless the block already has one.
   template <class Value>
   void set_once(std::optional<Value>& place, Value value, int line, const std::string& keyword) {
     if (place) {

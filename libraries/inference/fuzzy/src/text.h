@@ -1,4 +1,4 @@
-// Words and numbers in messages, and names compared without regard to letter case.
+// Words and numbers in messages, and names without letter case.
 #pragma once
 
 #include <span>
@@ -12,17 +12,17 @@ namespace elsie::fuzzy {
 
 using base::number_text;
 
-/// Names of a model are shown whole.
+/// A name in quotes, unabridged.
 inline std::string quoted(std::string_view name) {
   return base::quoted(name, std::string_view::npos);
 }
 
-/// ASCII letters in lower case, everything else unchanged.
+/// ASCII letters in lower case, other characters unchanged.
 std::string lower(std::string_view text);
 std::string upper(std::string_view text);
 bool same_name(std::string_view a, std::string_view b);
 
-/// " Did you mean 'x'?" for the candidate nearest to the name, or nothing when none is near.
+/// " Did you mean 'x'?" for the nearest candidate; empty if none is near.
 std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace elsie::fuzzy

@@ -1,4 +1,4 @@
-// The accumulated set of an output, line by line, from the degrees of its slots.
+// Computes the accumulated set of an output, line by line, from the degrees of its slots.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 
 namespace elsie::fuzzy {
 
-/// Walks along the cells of an output and hands the accumulated set to a sink, line by line.
+/// Walks through the cells of an output and passes the accumulated set to a sink, line by line.
 ///
-/// Within a cell every term is a straight line. A cut makes it two, at a place between; between all
-/// such places each conclusion is one straight line, and what is accumulated from them is made of
-/// few: the highest line at each x, or a sum.
+/// Within a cell every term is a straight line, and a cut divides it into two. Between the ends of
+/// all cuts each conclusion is one straight line, and the accumulation of these consists of few:
+/// the highest line at each x, or a sum.
 template <class Sink>
 class Walk {
  public:
@@ -52,7 +52,7 @@ class Walk {
           Active active{line.y0, line.y1, degree};
           const double t = split(active);
           if (t >= 1.0 && active.y1 < degree) {
-            active.y1 = degree;  // cut so low that only rounding keeps the end from being cut too
+            active.y1 = degree;  // only rounding keeps this end from being cut off, too
           } else if (t == 0.0 && active.y0 < degree) {
             active.y0 = degree;
           }
@@ -62,7 +62,8 @@ class Walk {
     }
   }
 
-  /// Where the conclusion's cut begins or ends, as a fraction of the cell; or nothing in (0, 1).
+  /// Where the conclusion's cut begins or ends, as a fraction of the cell; outside of (0, 1) if
+  /// nowhere.
   static double split(const Active& active) {
     return (active.y0 < active.cut) != (active.y1 < active.cut)
                ? (active.cut - active.y0) / (active.y1 - active.y0)
@@ -82,7 +83,7 @@ class Walk {
     }
   }
 
-  /// Two or more conclusions in one cell.
+  /// Accumulates several conclusions in one cell.
   void several(const Cell& cell) {
     auto& splits = memory_.splits;
     splits.clear();
@@ -113,7 +114,7 @@ class Walk {
     }
   }
 
-  /// The edges are straight from x0 to x1.
+  /// Accumulates straight edges from x0 to x1.
   void stretch(double x0, double x1) {
     switch (accumulation_) {
       case Accumulation::max:
@@ -176,7 +177,7 @@ class Walk {
     sink_.line(x, x1, y, now.y1);
   }
 
-  /// A line of the result; the bounded sum cuts it off at 1.
+  /// Passes a line of the result; the bounded sum cuts it off at 1.
   void line(double x0, double x1, double y0, double y1) {
     if (accumulation_ != Accumulation::bounded_sum || (y0 <= 1.0 && y1 <= 1.0)) {
       sink_.line(x0, x1, y0, y1);

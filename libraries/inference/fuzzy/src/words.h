@@ -1,4 +1,4 @@
-// The words of the language for operators and algorithms.
+// The language's words for operators and algorithms.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace elsie::fuzzy {
 
-/// A word of the language and what it stands for.
+/// A word of the language and its meaning.
 template <class Value>
 struct Word {
   const char* word;
@@ -39,10 +39,10 @@ inline constexpr std::array<Word<Defuzzification>, 8> kMethod = {
      {"MM", Defuzzification::mean_of_maxima},
      {"MOM", Defuzzification::mean_of_maxima}}};
 
-/// The tool whose extension of the language a word is, or none.
+/// The tool that extends the language by this word; or none.
 const char* tool_of(std::string_view word);
 
-/// The operator of the complements: NOT (a op b) = (NOT a) dual(op) (NOT b).
+/// The operator on the complements: NOT (a op b) = (NOT a) dual(op) (NOT b).
 constexpr Operator dual(Operator op) {
   switch (op) {
     case Operator::min:

@@ -9,17 +9,17 @@
 
 namespace elsie::fuzzy {
 
-/// A term's degrees in a stretch of x where the conclusion's set is one straight line.
+/// A term's degrees in a stretch of x in which the conclusion's set is one straight line.
 struct Edge {
   double y0 = 0.0;
   double y1 = 0.0;
 };
 
-/// A conclusion that reaches into a cell.
+/// A conclusion that is not zero in a cell.
 struct Active {
-  double y0 = 0.0;  // of the term, or of the scaled term
+  double y0 = 0.0;  // of the term, scaled if it scales
   double y1 = 0.0;
-  double cut = 0.0;  // the degree that it is cut off at; above both where it is not
+  double cut = 0.0;  // the degree at which it is cut off; without a cut, above both
 };
 
 struct Workspace::Memory {

@@ -11,21 +11,21 @@
 namespace elsie::neural {
 namespace {
 
-/// The rule, ready to be multiplied with.
+/// The rule, with its numbers as pairs.
 struct Rule {
   Pair learning_rate;
   Pair momentum;
 };
 
-/// What becomes of the deltas that a part of a layer passes on.
+/// How a part of a layer passes on deltas.
 enum class Passing {
-  nothing,  // to the inputs of the network: they have none
+  nothing,  // the network's inputs have no deltas
   whole,    // the part is the whole layer
-  added     // other parts add theirs; the caller completes the sum
+  added     // other parts add to it; the caller completes the sum
 };
 
-/// Changes one row of weights, those from one input, of which `rate` is learning rate x input.
-/// Returns the sum of delta x weight as it was before, in two halves.
+/// Changes one row of weights, those from one input; `rate` is learning rate x input. Returns the
+/// sum of delta x old weight, in two halves.
 template <std::size_t Pairs>
 ELSIE_INLINE Pair change_row(double* weights, double* changes, const Pair* deltas, Pair rate,
                              Pair momentum) {
@@ -36,13 +36,13 @@ ELSIE_INLINE Pair change_row(double* weights, double* changes, const Pair* delta
     const Pair learned = rate * deltas[k];
     sum = k == 0 ? weight * deltas[k] : sum + weight * deltas[k];
     store(changes + 2 * k, learned + kept);
-    // In this order what does not wait for the deltas is done before they come.
+    // In this order, work that does not need the deltas is done first.
     store(weights + 2 * k, (weight + kept) + learned);
   }
   return sum;
 }
 
-/// Changes the weights to `Pairs` pairs of neurons, from all inputs of their layer.
+/// Changes the weights of `Pairs` pairs of neurons, from all inputs of their layer.
 template <std::size_t Pairs, Passing passing>
 ELSIE_INLINE void change_part(double* weights, double* changes, std::size_t inputs,
                               std::size_t stride, const double* from, const double* deltas,
@@ -120,13 +120,13 @@ double BackPropagation::present(std::span<const double> inputs, std::span<const 
   return error;
 }
 
-/// The same for the commonest networks: what one layer hands to the next stays in a register. A sum
-/// is taken in the order of Network::propagate().
+/// The same for the most frequent networks: values between layers stay in registers. Sums are taken
+/// in the order of Network::propagate().
 double BackPropagation::present_two_wide(const double* inputs, const double* targets) {
   const std::size_t layers = network_.layers_.size();
   double* const weights = network_.weights_.data();
   double* const activations = workspace_.activations_.data();
-  constexpr std::size_t kLayer = 6;  // numbers in the matrix of a layer
+  constexpr std::size_t kLayer = 6;  // numbers in a layer's matrix
   Pair answer = load(inputs);
   store(activations, answer);
   for (std::size_t l = 0; l < layers; ++l) {

@@ -1,8 +1,8 @@
 // Two numbers side by side.
 //
-// Layers of two to eight neurons are the rule here. Two doubles are what every 64-bit processor
-// holds in one register, and a network of a few neurons gains nothing from more. The same
-// operations in the same order on any processor: the same bits.
+// Most layers have two to eight neurons. Two doubles fit a register of every 64-bit processor, and
+// a network of a few neurons gains nothing from more. The same operations in the same order give
+// the same bits on every processor.
 #pragma once
 
 #include <bit>
@@ -29,7 +29,7 @@ ELSIE_INLINE Pair second_twice(Pair pair) { return Pair{pair[1], pair[1]}; }
 /// The sum of the first pair, and that of the second.
 ELSIE_INLINE Pair sums(Pair a, Pair b) { return Pair{a[0], b[0]} + Pair{a[1], b[1]}; }
 
-/// How many numbers a layer takes up in memory.
+/// The padded size of a layer in memory.
 constexpr std::size_t padded(std::size_t size) { return (size + 1) / 2 * 2; }
 
 }  // namespace elsie::neural

@@ -1,10 +1,10 @@
 // The logistic sigmoid 1 / (1 + exp(-x)), two at a time.
 //
-// Online training is one long chain of dependent operations, and most of it is this function: what
-// counts is how long one call takes, not how many can run beside each other. So: x = g + u with g a
-// multiple of 1/256 and |u| <= 1/512; exp(-g) from two small tables; and for exp(-u) the Pade
-// approximant (12 - 6u + u^2) / (12 + 6u + u^2), whose relative error there, |u|^5 / 720, is below
-// 1e-16. Its denominator goes into the one division that is needed anyway:
+// Online training is one long chain of dependent operations, and most of it is this function: its
+// latency matters, not its throughput. So: x = g + u with g a multiple of 1/256 and |u| <= 1/512;
+// exp(-g) from two small tables; and for exp(-u) the Pade approximant
+// (12 - 6u + u^2) / (12 + 6u + u^2), whose relative error there, |u|^5 / 720, is below 1e-16. Its
+// denominator goes into the one division that is needed anyway:
 //
 //   1 / (1 + exp(-g) n/d) = d / (d + exp(-g) n)
 //
@@ -42,8 +42,8 @@ inline constexpr auto kFineTable = [] {
   return table;
 }();
 
-/// exp(-i / 2) for i from 0 to 127, then for i from -128 to -1: the order of the lower eight bits
-/// of i.
+/// exp(-i / 2) for i from 0 to 127, then for i from -128 to -1: in the order of the lower eight
+/// bits of i.
 inline constexpr auto kCoarseTable = [] {
   std::array<double, kCoarse> table{};
   const long double step = small_exponential(0.5L);
@@ -60,7 +60,7 @@ inline constexpr auto kCoarseTable = [] {
   return table;
 }();
 
-/// exp(-g) for the multiple g of 1/256 whose number stands in the lower bits.
+/// exp(-g) for the multiple g of 1/256 whose number is in the lower bits.
 ELSIE_INLINE double exponential(std::int64_t bits) {
   const auto number = static_cast<std::uint64_t>(bits);
   return kCoarseTable[(number >> kFineBits) % kCoarse] * kFineTable[number % kFine];
@@ -68,7 +68,7 @@ ELSIE_INLINE double exponential(std::int64_t bits) {
 
 /// For |x| <= 63.
 ELSIE_INLINE Pair within(Pair x) {
-  const Pair round = both(0x1.8p44);  // adding it leaves no digits below 1/256
+  const Pair round = both(0x1.8p44);  // adding it rounds to multiples of 1/256
   const Pair rounded = x + round;
   const PairBits number = std::bit_cast<PairBits>(rounded);
   const Pair u = x - (rounded - round);
@@ -93,7 +93,7 @@ namespace elsie::neural {
 ELSIE_INLINE Pair logistic(Pair x) {
   using logistic_detail::kLargest;
   constexpr std::int64_t kWithoutSign = 0x7fffffffffffffff;
-  // Compared as whole numbers, beside the chain of operations that the result waits for.
+  // Compared as integers, in parallel with the chain that the result depends on.
   const PairBits beyond =
       (std::bit_cast<PairBits>(x) & kWithoutSign) > std::bit_cast<std::int64_t>(kLargest);
   if ((beyond[0] | beyond[1]) != 0) [[unlikely]] {

@@ -41,7 +41,7 @@ ELSIE_INLINE void answer(const double* weights, std::size_t inputs, std::size_t 
   }
 }
 
-/// A whole layer, however wide.
+/// The answers of a whole layer of any width.
 ELSIE_INLINE void answer_all(const double* weights, std::size_t inputs, std::size_t stride,
                              const double* from, double* to) {
   switch (stride) {

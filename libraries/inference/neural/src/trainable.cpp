@@ -4,7 +4,7 @@ namespace elsie::neural {
 
 Random stream_of_seed(std::uint64_t seed) { return Random(seed, "network"); }
 
-// Here, so that the class has one place where it is known to all libraries.
+// Defined here, so that all libraries share the class's type information.
 Trainable::~Trainable() = default;
 
 }  // namespace elsie::neural

@@ -8,9 +8,9 @@
 namespace elsie::neural {
 namespace {
 
-constexpr std::uint64_t kBetweenLooks = 4096;  // presentations, at least
+constexpr std::uint64_t kBetweenLooks = 4096;  // least number of presentations
 
-/// Gathers the errors of epochs; when there are too many points, two become one.
+/// Collects the errors of epochs; if there are too many points, merges pairs of them.
 class Curve {
  public:
   explicit Curve(std::vector<CurvePoint>& points) : points_(points) {}
@@ -32,7 +32,7 @@ class Curve {
     }
   }
 
-  /// Makes a point of what is gathered.
+  /// Makes a point of the collected errors.
   void finish() {
     if (gathered_ > 0) {
       points_.push_back({presentations_, sum_ / static_cast<double>(gathered_)});
@@ -47,7 +47,7 @@ class Curve {
   std::vector<CurvePoint>& points_;
   std::uint64_t epochs_in_point_ = 1;
   std::uint64_t gathered_ = 0;
-  std::uint64_t presentations_ = 0;  // up to the last epoch
+  std::uint64_t presentations_ = 0;  // at the end of the last epoch
   double sum_ = 0.0;
 };
 
@@ -92,7 +92,7 @@ Training train(Network& network, const TrainingSet& samples, const TrainingOptio
       sum += learner.present(samples.inputs(s), samples.targets(s));
     }
     const double error = sum / static_cast<double>(s);
-    // A last epoch that is cut short says nothing about the set.
+    // An incomplete last epoch says nothing about the set.
     if (s == samples.size() || training.curve.empty()) {
       curve.add(done, error);
     }

@@ -18,13 +18,13 @@ std::string part(std::size_t count, const char* thing, const std::string& meanin
 
 bool is_target(double number) { return number >= 0.0 && number <= 1.0; }
 
-/// The numbers of one line; what is wrong with them is added to the problems.
+/// Reads the numbers of a line; adds mistakes to the problems.
 void read_line(std::string_view line, int place, const Columns& columns, TrainingSet& set,
                Problems& problems) {
   const std::vector<std::string_view> words = words_of(line);
   const std::size_t expected = columns.inputs + columns.outputs;
   if (words.size() != expected) {
-    // What is no number at all says more than how many words there are.
+    // A word that is no number is reported before a wrong count.
     for (const std::string_view word : words) {
       double ignored = 0.0;
       if (const std::string wrong = read_number(word, ignored); !wrong.empty()) {

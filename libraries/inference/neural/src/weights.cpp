@@ -29,8 +29,8 @@ std::string trimmed_after(std::string_view line, std::string_view word) {
   return std::string(line.substr(first, line.find_last_not_of(" \t") + 1 - first));
 }
 
-/// Reads the lines of one file, in order; stops at the first that it does not understand, because
-/// what follows has no meaning without it.
+/// Reads the lines of a file in order; stops at the first mistake, because the lines after it
+/// depend on it.
 class Reader {
  public:
   Reader(std::string_view text, const std::string& name) : name_(name), lines_(lines_of(text)) {}
@@ -63,7 +63,7 @@ class Reader {
     throw FileError({{name_, at_line ? static_cast<int>(line_) : 0, message}});
   }
 
-  /// To the next line that says something.
+  /// Moves to the next line with content.
   bool advance() {
     while (line_ < lines_.size()) {
       words_ = words_of(lines_[line_++]);
@@ -159,7 +159,7 @@ class Reader {
 
   std::string name_;
   std::vector<std::string_view> lines_;
-  std::size_t line_ = 0;  // how many were read
+  std::size_t line_ = 0;  // number of lines read
   std::vector<std::string_view> words_;
 };
 
@@ -239,7 +239,7 @@ bool looks_like_weights(const std::string& path) {
 }
 
 void write_weights(const Weights& weights, const std::string& path) {
-  // On the disk before it takes the place of another one.
+  // Stored on the disk before it replaces another file.
   if (const int error = base::write_whole(path, weights_text(weights), base::Durable::yes);
       error != 0) {
     refuse_writing(path, error);

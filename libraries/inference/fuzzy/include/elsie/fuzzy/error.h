@@ -1,4 +1,4 @@
-// What is wrong with a fuzzy model file.
+// The errors of a fuzzy model file.
 #pragma once
 
 #include "elsie/base/problems.h"
@@ -8,7 +8,7 @@ namespace elsie::fuzzy {
 using base::Problem;
 using base::Problems;
 
-/// Thrown by read_fcl() and parse_fcl(): everything that is wrong with the file.
+/// Thrown by read_fcl() and parse_fcl() with all errors of the file.
 class FclError : public base::FileError {
  public:
   using base::FileError::FileError;

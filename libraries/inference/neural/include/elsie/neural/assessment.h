@@ -1,4 +1,4 @@
-// How well a network does what its samples say.
+// How well a network fits its samples.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,22 @@
 
 namespace elsie::neural {
 
-/// An output whose answers range over less than this part of the range of its targets has not
-/// learned to tell its inputs apart.
+/// An output is flat when its answers range over less than this part of the range of its targets:
+/// it does not distinguish its inputs.
 inline constexpr double kFlat = 0.05;
 
-/// A sample is missed when an answer is further than this from its target.
+/// A sample is missed when an answer differs from its target by more than this.
 inline constexpr double kMissed = 0.25;
 
 struct Assessment {
   double error = 0.0;           // mean over the samples of half the sum of (t - o)^2
-  std::vector<double> answers;  // to each sample, one after the other
-  /// For each output, whether it answers the same whatever the sample, although it should not.
+  std::vector<double> answers;  // to all samples, one after the other
+  /// For each output: it answers the same to every sample, although its targets differ.
   std::vector<bool> flat;
 
   std::size_t missed = 0;  // samples
-  /// Whether no output that should tell its inputs apart does so: back-propagation sits on a
-  /// plateau, where the network answers the mean of its targets to everything.
+  /// Every output whose targets differ is flat: back-propagation is on a plateau, where the network
+  /// answers the mean of its targets to everything.
   bool untrained = false;
 
   std::span<const double> answer(std::size_t sample) const {
@@ -35,14 +35,14 @@ struct Assessment {
   }
 };
 
-/// Presents every sample once. The sizes of network and samples must be the same.
+/// Presents every sample once. Network and samples must have the same sizes.
 Assessment assess(const Network& network, const TrainingSet& samples);
 
 /// "mean error 8.7e-05 after 200000 presentations".
 std::string summary(const Training& training, const Assessment& assessment);
 
-/// What a user should know of a network that has not learned everything, in sentences; empty when
-/// there is nothing. `outputs`: names of the outputs, as many as there are.
+/// Sentences for the user about a network that has not learned everything; empty if it has.
+/// `outputs`: the names of all outputs.
 std::string warning(const Assessment& assessment, std::span<const std::string> outputs);
 
 }  // namespace elsie::neural

@@ -1,4 +1,4 @@
-// What is wrong with a training file or a weight file.
+// The errors of a training file or a weight file.
 #pragma once
 
 #include "elsie/base/problems.h"
@@ -8,7 +8,7 @@ namespace elsie::neural {
 using base::Problem;
 using base::Problems;
 
-/// Everything that is wrong with a file.
+/// All errors of a file.
 class FileError : public base::FileError {
  public:
   using base::FileError::FileError;

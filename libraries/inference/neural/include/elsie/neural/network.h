@@ -6,8 +6,8 @@
 //   neural::Workspace workspace(network);
 //   network.evaluate(inputs, outputs, workspace);
 //
-// A neuron answers 1 / (1 + exp(-(bias + sum of weight x input))), which is in (0, 1). Layers of
-// neurons are counted from 0, the first after the inputs.
+// A neuron answers 1 / (1 + exp(-(bias + sum of weight x input))), in (0, 1). Layers of neurons are
+// counted from 0, without the inputs.
 //
 // The same weights and inputs give the same bits on every machine with IEEE 754 arithmetic: the
 // exponential is our own (src/logistic.h), and sums are taken in a fixed order.
@@ -23,14 +23,14 @@
 
 namespace elsie::neural {
 
-/// The most layers of neurons, and the most weights and biases together, that a network may have.
+/// The greatest numbers of layers of neurons, and of weights and biases together.
 inline constexpr std::size_t kMostLayers = 64;
 inline constexpr std::size_t kMostWeights = 10'000'000;
 
 class Network;
 
-/// Memory for the answers of all neurons, so that an evaluation allocates nothing. For one network,
-/// or others of the same sizes.
+/// Memory for the answers of all neurons, so that evaluation does not allocate. For one network, or
+/// others of the same sizes.
 class Workspace {
  public:
   explicit Workspace(const Network& network);
@@ -43,13 +43,13 @@ class Workspace {
 
 class Network {
  public:
-  /// `sizes`: how many inputs, how many neurons in each hidden layer, how many outputs. All weights
+  /// `sizes`: the number of inputs, of neurons in each hidden layer, and of outputs. All weights
   /// are zero. Throws std::invalid_argument for fewer than two numbers, a number below 1, or a
-  /// network that is larger than the limits above.
+  /// network beyond the limits above.
   explicit Network(std::vector<int> sizes);
 
-  /// Weights and biases uniform in [-1, 1): layer by layer, neuron by neuron, the weights of its
-  /// inputs first and then its bias.
+  /// Draws weights and biases uniformly from [-1, 1): layer by layer, neuron by neuron, first the
+  /// weights of its inputs, then its bias.
   void randomize(Random& random);
 
   std::span<const int> sizes() const { return sizes_; }
@@ -76,7 +76,7 @@ class Network {
   /// Whether every weight and bias is a finite number.
   bool is_finite() const;
 
-  /// The answers to `inputs`, which must be finite; the spans have the sizes of the network.
+  /// The answers to `inputs`, which must be finite; the spans must have the sizes of the network.
   void evaluate(std::span<const double> inputs, std::span<double> outputs,
                 Workspace& workspace) const;
 
@@ -89,30 +89,30 @@ class Network {
   friend class Workspace;
   friend class BackPropagation;
 
-  /// How one layer lies in memory. Its weights are a matrix with a row for each input and one more
-  /// for the biases; a row has one number for each neuron, and a zero where their number is odd.
+  /// The memory of one layer. Its weights are a matrix with a row for each input and one for the
+  /// biases; a row has one number for each neuron, padded to an even count by a zero.
   struct Layer {
     std::size_t inputs;
     std::size_t outputs;
-    std::size_t stride;     // of a row; even
-    std::size_t weights;    // where its matrix begins
-    std::size_t inputs_at;  // where its inputs and its answers are among the activations
+    std::size_t stride;     // length of a row; even
+    std::size_t weights;    // index of its matrix
+    std::size_t inputs_at;  // indices of its inputs and answers among the activations
     std::size_t outputs_at;
   };
 
   std::size_t place(std::size_t layer, std::size_t neuron, std::size_t row) const {
     return layers_[layer].weights + row * layers_[layer].stride + neuron;
   }
-  /// From the first activations, which are the inputs, to the last.
+  /// Computes all activations from the first ones, which are the inputs.
   void propagate(double* activations) const;
 
   std::vector<int> sizes_;
   std::vector<Layer> layers_;
   std::vector<double> weights_;
-  std::size_t activations_ = 0;  // how many there are, those that pad a layer included
+  std::size_t activations_ = 0;  // their number, padding included
 };
 
-/// Hidden layers as a user writes them: "4 4" is two of four neurons, "0" or "" is none. Throws
+/// Hidden layers as a user writes them: "4 4" are two of four neurons, "0" or "" is none. Throws
 /// std::invalid_argument with a sentence.
 std::vector<int> parse_hidden_layers(std::string_view text);
 

@@ -1,4 +1,4 @@
-// What programs ask of a coordinator that learns.
+// The interface of coordinators that learn, for programs.
 #pragma once
 
 #include <cstdint>
@@ -13,39 +13,38 @@
 
 namespace elsie::neural {
 
-/// A training and everything that belongs to it.
+/// The result of a training.
 struct Lesson {
   TrainingSet samples;
-  std::vector<std::string> inputs;   // what they are called
-  std::vector<std::string> outputs;  // likewise
+  std::vector<std::string> inputs;   // their names
+  std::vector<std::string> outputs;  // their names
   Training training;
-  Weights weights;  // what was learned, and about it
+  Weights weights;  // what was learned, with remarks
   Assessment assessment;
-  int attempts = 1;  // how many trainings it took; this is the best of them
+  int attempts = 1;  // number of trainings, of which this is the best
 };
 
-/// The stream of first weights that a seed fixes, whatever the run and the robot.
+/// The stream of first weights that follows from a seed, in any run and on any robot.
 Random stream_of_seed(std::uint64_t seed);
 
-/// Coordinator plugins whose network is trained from a file derive from this class too. Programs
-/// find them by dynamic_cast, as neither the core nor the program knows a plugin by name:
+/// Coordinator plugins whose network is trained from a file also derive from this class. Programs
+/// find them by dynamic_cast, because neither the core nor the program knows a plugin by name:
 ///
 ///   if (auto* learner = dynamic_cast<neural::Trainable*>(coordinator)) ...
 ///
-/// Parameters that all of them have, with the same names and meanings: hidden, learning_rate,
-/// momentum, threshold, presentations, training, weights, seed,
-/// attempts.
+/// All of them have these parameters, with the same meanings: hidden, learning_rate, momentum,
+/// threshold, presentations, training, weights, seed, attempts.
 class Trainable {
  public:
   virtual ~Trainable();
 
-  /// Trains a fresh network as the parameters say, with first weights from `random`; the
-  /// coordinator itself stays as it is. To be called when the coordinator was equipped. Given
-  /// the stream that reset() is called with, it is the network that the coordinator trains there.
-  /// Throws FileError or std::invalid_argument when there is nothing to learn from.
+  /// Trains a fresh network by the parameters, with first weights from `random`; the coordinator
+  /// itself does not change. To be called after equipped(). With the stream that reset() gets, the
+  /// result is the network that the coordinator trains there. Throws FileError or
+  /// std::invalid_argument when there are no usable samples.
   virtual Lesson learn(Random& random, const TrainingWatch& watch) const = 0;
 
-  /// The seed of the first weights when a parameter fixes it; -1: each run has its own.
+  /// The seed of the first weights, if a parameter fixes it; -1: each run has its own.
   virtual std::int64_t fixed_seed() const = 0;
 };
 

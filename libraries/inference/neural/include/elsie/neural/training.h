@@ -1,4 +1,4 @@
-// Training a network on a set of samples.
+// Trains a network on a set of samples.
 #pragma once
 
 #include <cstdint>
@@ -13,29 +13,29 @@ namespace elsie::neural {
 
 struct TrainingOptions {
   LearningRule rule{};
-  /// Training stops when the mean error of a whole epoch is below this; at least 0.
+  /// Training stops when the mean error of an epoch is below this; at least 0.
   double threshold = 1e-11;
-  /// Or after so many presentations of a sample; at least 1.
+  /// Training also stops after so many presentations of samples; at least 1.
   std::uint64_t presentations = 200'000;
 };
 
-/// Throws std::invalid_argument, with a sentence, when a number is out of its range.
+/// Throws std::invalid_argument with a sentence when a number is out of range.
 void check(const TrainingOptions& options);
 
-/// How far a training has come.
+/// The progress of a training.
 struct TrainingProgress {
   std::uint64_t presentations = 0;
-  std::uint64_t of = 0;  // at most
-  double error = 0.0;    // mean of the last epoch; of what there is of the first one
+  std::uint64_t of = 0;  // the most presentations
+  double error = 0.0;    // mean of the last epoch; in the first one, mean so far
 };
 
-/// Called now and then during a training; it goes on as long as this returns true.
+/// Called regularly during a training, which stops when it returns false.
 using TrainingWatch = std::function<bool(const TrainingProgress&)>;
 
 enum class Ending {
-  threshold,      // the error came below the threshold
-  presentations,  // there were as many as were allowed
-  stopped         // the watch had it stopped
+  threshold,      // the error fell below the threshold
+  presentations,  // the allowed number was reached
+  stopped         // the watch stopped it
 };
 
 /// A point of the learning curve: the mean error of some epochs, at the end of the last of them.
@@ -49,16 +49,16 @@ struct CurvePoint {
 struct Training {
   Ending ending = Ending::presentations;
   std::uint64_t presentations = 0;
-  /// The learning curve: each epoch while there are few, means over as many as make it fit for a
-  /// picture when there are more.
+  /// The learning curve: each epoch if there are few, else means over several, few enough for a
+  /// picture.
   std::vector<CurvePoint> curve;
 };
 
-/// Trains `network` from the weights that it has: the samples one after another, in their order,
-/// over and over. An epoch is once through all of them; its error is the mean over its
-/// presentations of half the sum of (t - o)^2, each taken when the sample was presented. Throws
-/// std::invalid_argument for options out of range, for an empty set or one of other sizes, and for
-/// one with inputs so large that a weight is no longer finite.
+/// Trains `network` from its present weights on the samples in order, again and again. An epoch is
+/// one pass over all samples; its error is the mean over its presentations of half the sum of (t -
+/// o)^2, each before the weights changed. Throws std::invalid_argument for options out of range,
+/// for a set that is empty or of other sizes, and for inputs so large that a weight becomes
+/// infinite.
 Training train(Network& network, const TrainingSet& samples, const TrainingOptions& options,
                const TrainingWatch& watch = {});
 

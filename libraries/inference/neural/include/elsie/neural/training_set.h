@@ -1,9 +1,8 @@
 // Samples to learn from.
 //
-// A training file is plain text, one sample a line: the inputs, then the outputs that are wanted,
-// separated by tabs or spaces. Every line has the same, known count of numbers; nothing else may
-// stand in the file but empty lines at its end. All mistakes are reported at once, with their
-// lines.
+// A training file is plain text with one sample on each line: the inputs, then the wanted outputs,
+// separated by tabs or spaces. Every line has the same, known count of numbers; the file holds
+// nothing else but empty lines at its end. All mistakes are reported at once, with their lines.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +13,7 @@
 
 namespace elsie::neural {
 
-/// What stands on a line, and what to call it in messages.
+/// The numbers of a line, and their names in messages.
 struct Columns {
   std::size_t inputs = 0;
   std::size_t outputs = 0;
@@ -29,7 +28,7 @@ class TrainingSet {
  public:
   TrainingSet(std::size_t inputs, std::size_t outputs) : inputs_(inputs), outputs_(outputs) {}
 
-  /// Appends a sample. Throws std::invalid_argument for another count of numbers, a number that is
+  /// Appends a sample. Throws std::invalid_argument for a wrong count of numbers, a number that is
   /// not finite, or a target outside of [0, 1], which no logistic neuron can reach.
   void add(std::span<const double> inputs, std::span<const double> targets);
 
@@ -52,7 +51,7 @@ class TrainingSet {
 /// Reads a training file. Throws FileError.
 TrainingSet read_training_set(const std::string& path, const Columns& columns);
 
-/// Reads samples from text; `name` stands for the file in messages. Throws FileError.
+/// Reads samples from text; `name` is its name in messages. Throws FileError.
 TrainingSet parse_training_set(std::string_view text, const Columns& columns,
                                const std::string& name = "training set");
 

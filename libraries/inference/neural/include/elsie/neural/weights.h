@@ -8,10 +8,10 @@
 //   end
 //
 // The first line names the version of the format. `sizes`: inputs, neurons of each layer. `about`:
-// a word and a text, for whoever uses the network. `neuron`: its layer and its place there, both
+// a word and a text, for the user of the network. `neuron`: its layer and its place there, both
 // counted from 1, its bias, then the weight of each of its inputs; all neurons, in this order.
-// Numbers are the shortest decimals that read back as the same ones: writing and reading loses no
-// bit. Empty lines and lines that begin with # are passed over.
+// Numbers are the shortest decimals that read back as the same: writing and reading keeps every
+// bit. Empty lines and lines that begin with # are ignored.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ namespace elsie::neural {
 
 inline constexpr int kWeightsVersion = 1;
 
-/// What a weight file says about its network: `key` a word, `text` one line.
+/// A remark in a weight file about its network: `key` is a word, `text` one line.
 struct Remark {
   std::string key;
   std::string text;
@@ -42,22 +42,22 @@ struct Weights {
   friend bool operator==(const Weights&, const Weights&) = default;
 };
 
-/// The content of a weight file. Throws std::invalid_argument for a weight that is not finite, or a
-/// remark whose key is no word, stands twice, or whose text has several lines.
+/// The content of a weight file. Throws std::invalid_argument for a weight that is not finite, and
+/// for a remark whose key is no word or repeated, or whose text has several lines.
 std::string weights_text(const Weights& weights);
 
-/// Reads a weight file. Nothing that is not understood is passed over. Throws FileError.
+/// Reads a weight file. Lines that it does not understand are errors. Throws FileError.
 Weights read_weights(const std::string& path);
 
-/// Reads weights from text; `name` stands for the file in messages. Throws FileError.
+/// Reads weights from text; `name` is its name in messages. Throws FileError.
 Weights parse_weights(std::string_view text, const std::string& name = "weights");
 
-/// Whether the file can be a weight file, by how it begins.
+/// Whether the file begins like a weight file.
 bool looks_like_weights(const std::string& path);
 
-/// Writes a weight file, whole or not at all: first into a new file beside it. Throws as
-/// weights_text() does, and std::runtime_error with file and reason when it cannot be written; then
-/// a file that was there before is unchanged.
+/// Writes a weight file in one piece, through a new file next to it. Throws as weights_text() does,
+/// and std::runtime_error with file and reason when it cannot be written; an existing file is then
+/// unchanged.
 void write_weights(const Weights& weights, const std::string& path);
 
 }  // namespace elsie::neural
