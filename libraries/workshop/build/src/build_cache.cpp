@@ -17,10 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Scratch files are "new.", the process that writes them, and a suffix.
+/// The names of scratch files: "new.", the process that writes them, and a suffix.
 constexpr std::string_view kScratch = "new.";
 
-/// Whether the process that wrote a scratch file is gone.
+/// Whether the process that wrote a scratch file has ended.
 bool is_left_behind(const std::string& name) {
   pid_t process = 0;
   const char* const number = name.data() + std::min(kScratch.size(), name.size());
@@ -29,8 +29,8 @@ bool is_left_behind(const std::string& name) {
          kill(process, 0) != 0 && errno == ESRCH;
 }
 
-/// The files of a folder of the cache, the last used first. None when there is anything else in it:
-/// then it is not the cache's.
+/// The files of a folder of the cache, the last used first. None if it contains other files: then
+/// it does not belong to the cache.
 std::vector<fs::path> cached_files(const fs::path& folder) {
   std::vector<std::pair<fs::file_time_type, fs::path>> found;
   std::error_code error;
@@ -51,7 +51,7 @@ std::vector<fs::path> cached_files(const fs::path& folder) {
   return files;
 }
 
-/// Removes what nobody has asked for in a long time. What is in use elsewhere stays in memory.
+/// Removes what was not used for a long time. Processes that use it keep it in memory.
 void sweep(const fs::path& cache) {
   const auto limit = fs::file_time_type::clock::now() - std::chrono::hours(24 * kCacheDays);
   std::error_code error;
@@ -66,7 +66,7 @@ void sweep(const fs::path& cache) {
     for (const fs::path& file : cached_files(folder)) {
       fs::remove(file, error);
     }
-    fs::remove(folder, error);  // if nothing is left
+    fs::remove(folder, error);  // if it is empty
   }
 }
 
@@ -105,7 +105,7 @@ std::optional<SourceBuild> CacheEntry::find() const {
   if (!fs::exists(build.library)) {
     return std::nullopt;
   }
-  std::error_code ignored;  // in a cache that is only read
+  std::error_code ignored;  // the cache may be read-only
   const auto now = fs::file_time_type::clock::now();
   fs::last_write_time(folder_ / "inputs", now, ignored);
   return build;
@@ -144,7 +144,7 @@ SourceBuild CacheEntry::keep(const fs::path& library, std::vector<fs::path> inpu
   return {folder_ / name, std::move(inputs), false, {}};
 }
 
-/// Removes the libraries that are too many, and what compilers left that were killed.
+/// Removes surplus libraries, and files that killed compilers left behind.
 void CacheEntry::tidy(const fs::path& newest) const {
   std::size_t libraries = 1;
   std::error_code ignored;

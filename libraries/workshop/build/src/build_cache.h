@@ -1,4 +1,4 @@
-// What sources were compiled to, on disk: a folder for each source and compiler.
+// The cache of compiled sources on disk: a folder for each source and compiler.
 #pragma once
 
 #include <filesystem>
@@ -12,24 +12,24 @@
 
 namespace elsie::build {
 
-/// What one source was compiled to last, and from which contents.
+/// The last library of one source, with the hashes of the files that it was made from.
 class CacheEntry {
  public:
-  /// `compiler`: the same text for the same result from the same source. Throws plugin::PluginError
-  /// when the folder cannot be made.
+  /// `compiler`: a text that identifies the compiler and its flags. Throws plugin::PluginError when
+  /// the folder cannot be made.
   CacheEntry(const std::filesystem::path& source, const std::string& compiler,
              const std::filesystem::path& cache);
 
-  /// The library, if nothing changed since.
+  /// The library, if nothing has changed since.
   std::optional<SourceBuild> find() const;
 
-  /// Where the compiler may write; another one for each process.
+  /// A file for the compiler to write; each process has its own.
   std::filesystem::path scratch(const char* suffix) const;
 
-  /// The files that the library was made from last time; none when there was none.
+  /// The files that the last library was made from; empty without one.
   std::vector<std::filesystem::path> last_inputs() const;
 
-  /// Takes over the library that the compiler made of these files, as they were seen.
+  /// Stores the library that the compiler made of these files, with their hashes.
   SourceBuild keep(const std::filesystem::path& library, std::vector<std::filesystem::path> inputs,
                    const Sight& sight) const;
 

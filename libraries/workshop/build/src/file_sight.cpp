@@ -25,7 +25,7 @@ std::int64_t status_change_of(const fs::path& file) {
 
 Hash& Hash::add(std::string_view bytes) {
   hash_.add(bytes);
-  hash_.add_byte(0xff);  // "ab", "c" is not "a", "bc"
+  hash_.add_byte(0xff);  // so that "ab", "c" differs from "a", "bc"
   return *this;
 }
 
@@ -48,7 +48,8 @@ Sight look_at(const std::vector<fs::path>& files) {
   for (const fs::path& file : files) {
     Seen seen;
     seen.hash = Hash().add(content_of(file).value_or("")).text();
-    seen.status_changed_ns = status_change_of(file);  // last: it is no older than what was read
+    seen.status_changed_ns =
+        status_change_of(file);  // last, so that it is no older than the content
     sight.emplace(file, std::move(seen));
   }
   return sight;

@@ -24,10 +24,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How often a source is compiled that is saved each time meanwhile.
+/// The number of attempts when a source is saved during compilation.
 constexpr int kMostTries = 4;
 
-/// Of a program or library: enough to see that it was replaced.
+/// Identifies a program's or library's version.
 std::string stamp_of(const fs::path& file) {
   std::error_code error;
   const auto size = fs::file_size(file, error);
@@ -56,7 +56,7 @@ std::vector<std::string> words_of(const char* text) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
-/// The folder that has elsie/api/: beside the library when installed, or when in the build folder.
+/// The folder with elsie/api/, next to the library, installed or in the build folder.
 fs::path headers_of(const fs::path& library) {
   const fs::path folder = library.parent_path().parent_path() / "include";
   if (!fs::exists(folder / "elsie" / "api" / "behavior.h")) {
@@ -66,7 +66,7 @@ fs::path headers_of(const fs::path& library) {
   return folder;
 }
 
-/// The compiler and everything on its command line but the names of source and output.
+/// The compiler and its command line without the names of source and output.
 class Compiler {
  public:
   Compiler() : words_(words_of(std::getenv("CXX"))) {
@@ -96,7 +96,8 @@ class Compiler {
       add({"-Wl,--no-undefined"});
     }
     words_.push_back("-I" + headers_of(library_).string());
-    // The user's come last, so that they prevail; libraries after the source that asks for them.
+    // The user's flags come last and so override ours; libraries come after the source that needs
+    // them.
     for (const char* const variable : {"CXXFLAGS", "LDFLAGS", "LDLIBS"}) {
       for (const std::string& word : words_of(std::getenv(variable))) {
         const bool is_library = word.starts_with("-l") || word.ends_with(".a");
@@ -107,7 +108,7 @@ class Compiler {
              stamp_of(inference());
   }
 
-  /// The same text for the same result from the same source.
+  /// A text that identifies the compiler and its flags.
   std::string identity() const {
     std::string text = stamp_;
     for (const auto* words : {&words_, &flags_, &libraries_}) {
@@ -118,13 +119,13 @@ class Compiler {
     return text;
   }
 
-  /// Returns what the compiler warns of. Throws BuildError.
+  /// Returns the compiler's warnings. Throws BuildError.
   std::string compile(const fs::path& source, const fs::path& output, const fs::path& dependencies,
                       const std::stop_token& stop) const {
     std::vector<std::string> command = words_;
     const auto version = process::run_process({words_.front(), "--version"});
     if (version && version->output.find("clang") == std::string::npos) {
-      // An inline static of a template would keep the library in memory for ever.
+      // An inline static of a template would keep the library loaded for ever.
       command.push_back("-fno-gnu-unique");
       command.push_back("-Wsuggest-override");
     }
@@ -160,7 +161,7 @@ class Compiler {
   std::string stamp_;
 };
 
-/// The prerequisites of a rule in make's language, as compilers write it.
+/// The prerequisites of a rule of make, as compilers write it.
 std::vector<fs::path> prerequisites(const std::string& rule) {
   std::vector<fs::path> files;
   std::string word;
@@ -251,13 +252,13 @@ SourceBuild build_source(const fs::path& source, const fs::path& cache, const st
       std::optional<BuildError> refusal;
       std::string warnings;
       try {
-        // Under the name that the user gave, which is the one that the messages have.
+        // By the name that the user gave, so that messages have it.
         warnings = compiler.compile(source, library, dependencies, stop);
         inputs = prerequisites(content_of(dependencies).value_or(""));
         for (fs::path& input : inputs) {
           input = fs::absolute(input);
         }
-      } catch (const BuildError& error) {  // perhaps of a file that was half written
+      } catch (const BuildError& error) {  // the file may have been half written
         refusal = error;
       }
       const Sight after = look_at(inputs);

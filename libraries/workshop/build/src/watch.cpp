@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What was seen of files; those that are not there are not in it.
+/// The fingerprints of the files that exist.
 using Sight = std::map<fs::path, plugin::Fingerprint>;
 
 void look_at(const fs::path& file, Sight& sight) {
@@ -36,7 +36,7 @@ bool is_header(const fs::path& file) {
   return end.starts_with(".h") || end == ".inc" || end == ".ipp" || end == ".tpp";
 }
 
-/// The files of a folder that one is looking for; none when it cannot be read.
+/// The wanted files of a folder; empty when it cannot be read.
 template <class Wanted>
 std::vector<fs::path> files_in(const fs::path& folder, Wanted wanted) {
   std::vector<fs::path> files;
@@ -55,7 +55,7 @@ bool has_changed(const fs::path& file, const Sight& before, const Sight& now) {
          (old != before.end() && old->second != fresh->second);
 }
 
-/// Where plugins are looked for, sources being compiled.
+/// The places of plugins, with sources that are compiled.
 class Places {
  public:
   explicit Places(std::vector<plugin::SearchDirectory> places) {
@@ -67,7 +67,7 @@ class Places {
     }
   }
 
-  /// Compiles again what was saved since it was compiled first; for the rest the cache has it.
+  /// Compiles sources again that were saved since; the cache has the others.
   void refresh() {
     for (Place& place : places_) {
       if (!place.build.library.empty()) {
@@ -76,7 +76,7 @@ class Places {
     }
   }
 
-  /// For a host: libraries and directories.
+  /// Libraries and directories for a host.
   std::vector<plugin::SearchDirectory> directories() const {
     std::vector<plugin::SearchDirectory> directories;
     for (const Place& place : places_) {
@@ -89,7 +89,7 @@ class Places {
     return directories;
   }
 
-  /// What the files look like now.
+  /// The present state of the files.
   Sight look() const {
     Sight sight;
     for (const Place& place : places_) {
@@ -100,15 +100,16 @@ class Places {
     return sight;
   }
 
-  /// Compiles the sources of which something has changed; adds those that cannot be compiled to
-  /// what is kept, and what the compiler has to say of them to the problems.
+  /// Compiles changed sources; adds those that fail to the kept files, and the compiler's messages
+  /// to the problems.
   void rebuild(const Sight& before, const Sight& now, const std::stop_token& stop,
                Renewal& renewal) {
     for (Place& place : places_) {
       if (place.build.library.empty() || stop.stop_requested()) {
         continue;
       }
-      // What one that does not compile includes is not known: any header beside it may be at fault.
+      // The includes of a source that does not compile are unknown: any header next to it may be at
+      // fault.
       const auto inputs = place.is_refused ? files_of(place) : place.build.inputs;
       if (std::none_of(inputs.begin(), inputs.end(),
                        [&](const fs::path& input) { return has_changed(input, before, now); })) {
@@ -118,14 +119,14 @@ class Places {
       try {
         place.build = build_source(place.place.path, cache_directory(), stop);
         place.is_refused = false;
-      } catch (const std::exception& error) {  // also of the system's, for want of room
+      } catch (const std::exception& error) {  // also the system's errors, such as a full disk
         renewal.problems.push_back(error.what());
         renewal.kept.push_back(place.place.path);
       }
     }
   }
 
-  /// The file that the user knows of a library.
+  /// The file by which the user knows a library.
   fs::path known_as(const fs::path& library) const {
     for (const Place& place : places_) {
       if (place.build.library == library) {
@@ -135,7 +136,7 @@ class Places {
     return library;
   }
 
-  /// Adds the files, as the user knows them, in the place of which a host has older ones.
+  /// Adds the files, as the user names them, of which a host has older versions.
   void list_kept(const plugin::Report& report, const plugin::Report& before,
                  std::vector<fs::path>& kept) const {
     const auto former = [](const plugin::Report& of) {
@@ -160,8 +161,8 @@ class Places {
  private:
   struct Place {
     plugin::SearchDirectory place;
-    SourceBuild build;        // of a source; the last one that the compiler took
-    bool is_refused = false;  // by the compiler, as it is now
+    SourceBuild build;        // of a source: the last one that compiled
+    bool is_refused = false;  // the present source does not compile
   };
 
   static std::vector<fs::path> files_of(const Place& place) {
@@ -179,8 +180,8 @@ class Places {
   std::vector<Place> places_;
 };
 
-/// While it lives, this thread and those that it starts take no signals, but for those of errors
-/// of their own: a handler that asks who is at work should be run by the thread that knows.
+/// While it lives, this thread and threads that it starts take no signals but those of their own
+/// errors: a signal handler that reports the plugin at work must run in the thread that knows it.
 class NoSignals {
  public:
   NoSignals() {
@@ -199,7 +200,7 @@ class NoSignals {
   sigset_t before_;
 };
 
-/// Both, in order, each once.
+/// The items of both in order, without repetitions.
 template <class Items>
 void merge(Items& items, Items others) {
   for (auto& other : others) {
@@ -215,8 +216,8 @@ class Watch::Impl {
  public:
   Impl(std::vector<plugin::SearchDirectory> places, std::chrono::milliseconds period)
       : places_(std::move(places)), period_(period) {
-    seen_ = places_.look();  // first: what changes while it is loaded is noticed
-    places_.refresh();       // what changed before that look
+    seen_ = places_.look();  // first, so that changes while it is loaded are noticed
+    places_.refresh();       // changes before that look
     in_use_ = std::make_shared<const plugin::Host>(places_.directories(), plugin::Loading::copies);
     const NoSignals for_the_thread;
     thread_ = std::thread([this] { follow(); });
@@ -254,7 +255,7 @@ class Watch::Impl {
   void follow() {
     constexpr int kPause = 25;  // periods after a failure
     Sight last = seen_;
-    std::string told;
+    std::string reported;
     for (bool failed = false;;) {
       {
         std::unique_lock lock(mutex_);
@@ -264,18 +265,18 @@ class Watch::Impl {
       }
       Sight now = places_.look();
       failed = failed && now != seen_;
-      // Twice the same: whoever writes is done.
+      // Two equal looks: the writer has finished.
       if (now != seen_ && now == last) {
         try {
           renew(now);
           seen_ = now;
-          told.clear();
+          reported.clear();
           failed = false;
-        } catch (const std::exception& error) {  // of the system: tried again, and told once
+        } catch (const std::exception& error) {  // tried again, reported once
           failed = true;
-          if (told != error.what()) {
-            told = error.what();
-            post({nullptr, {}, {told}, {}});
+          if (reported != error.what()) {
+            reported = error.what();
+            post({nullptr, {}, {reported}, {}});
           }
         }
       }
@@ -317,8 +318,8 @@ class Watch::Impl {
     }
   }
 
-  /// Whoever takes it is told of what was not taken before, too. A new host has all that the one
-  /// before it had; where there is none, that one is still the best.
+  /// Adds what was not taken before. A new host has everything that the one before it had; without
+  /// a new one, that one remains the best.
   void post(Renewal renewal) {
     const std::lock_guard lock(mutex_);
     if (renewal_) {
@@ -335,7 +336,7 @@ class Watch::Impl {
     is_there_one_ = true;
   }
 
-  /// All is as it was: a host that was not taken is out of date.
+  /// All files are as before: a host that was not taken is out of date.
   void withdraw() {
     const std::lock_guard lock(mutex_);
     if (renewal_) {
@@ -344,13 +345,13 @@ class Watch::Impl {
     }
   }
 
-  Places places_;  // the thread's, once it runs
+  Places places_;  // used by the thread only, once it runs
   Sight seen_;     // likewise
   const std::chrono::milliseconds period_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   std::stop_source stop_;  // of the compiler
-  bool ends_ = false;      // under the lock, as the next two
+  bool ends_ = false;      // protected by the lock, as the next two
   std::shared_ptr<const plugin::Host> in_use_;
   std::optional<Renewal> renewal_;
   std::atomic<bool> is_there_one_{false};

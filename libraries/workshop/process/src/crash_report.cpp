@@ -33,7 +33,7 @@ using plugin::plugin_library_at;
 
 namespace {
 
-// All that a handler of signals can reach are globals, and so is what is told to all handlers.
+// Signal handlers can only reach globals.
 std::atomic<int> status_of_crash{0};
 std::atomic<pid_t> process{0};  // not that of its children
 std::atomic<int> crash_signal{0};
@@ -55,7 +55,7 @@ constexpr Crash kCrashes[] = {
      "ended the program with an abort (SIGABRT), as an exception that nobody catches does"},
 };
 
-/// What ends a process as well, but is nobody's fault: it is only cleaned up after.
+/// Signals that also end a process, but without a fault: only a clean-up follows.
 constexpr int kOtherEnds[] = {SIGPIPE, SIGQUIT, SIGXCPU, SIGXFSZ, SIGUSR1, SIGUSR2, SIGALRM};
 
 void write_number(std::uint64_t number) {
@@ -78,7 +78,7 @@ void write_quoted(const char* before, const char* text) {
   }
 }
 
-/// Whether the thread is in a plugin's code, and not only in that which is about to call it.
+/// Whether the thread is in a plugin's code, not only in code that is about to call it.
 bool is_plugin_at_work() {
   for (const Call* call = Call::innermost(); call; call = call->outer()) {
     if (call->facts().plugin || call->facts().library) {
@@ -119,7 +119,7 @@ void write_when(const CallFacts& facts) {
   }
 }
 
-/// Whether a library is being loaded, and nothing says yet that it does not come to an end.
+/// Whether a library is being loaded, and has not yet taken long.
 bool is_just_loading() {
   constexpr double kLong = 1.0;  // s
   const Call* const call = Call::innermost();
@@ -127,18 +127,18 @@ bool is_just_loading() {
   return since > 0.0 && since < kLong && !facts_at_work().plugin;
 }
 
-/// The plugin library whose code is on the stack of a thread that no call into a plugin has made:
-/// one that a plugin has started. Null: there is none.
+/// The plugin library on the stack of a thread without calls into plugins, which a plugin has
+/// started. Null: none.
 const char* library_on_stack(const Fault& place) {
   if (place.at) {
     const char* const library = plugin_library_at(place.at);
     Dl_info info{};
     if (library || dladdr(place.at, &info) == 0) {
-      return library;  // from where there is no code, the stack cannot be followed
+      return library;  // the stack cannot be followed from an address without code
     }
   }
-  // A thread that starts after its library was unloaded crashes in the C++ library, which looks
-  // for the thread's code where the plugin was.
+  // A thread that starts after its library was unloaded crashes in the C++ library, which looks for
+  // the thread's code at the plugin's former address.
   if (const char* const library = plugin_library_at(place.touched)) {
     return library;
   }
@@ -186,7 +186,7 @@ bool write_report(const char* what, const Fault& place) {
         "if a plugin has written over memory that is not its own, this is where it was noticed: "
         "try each with `elsie test-plugin`, or build them with -fsanitize=address\n");
   }
-  // First what matters: a stack that was written over may be the end of the trace.
+  // The important part first: an overwritten stack may end the trace.
   if (base::write_in_emergency()) {
     write_error("what was recorded until then is kept\n");
   }
@@ -221,7 +221,7 @@ void handle(int signal, void (*handler)(int, siginfo_t*, void*), int flags) {
 
 namespace {
 
-/// As it would have ended by itself.
+/// Ends as the process would have without the handler.
 [[noreturn]] void end_by(int signal) {
   struct sigaction action {};
   action.sa_handler = SIG_DFL;
@@ -237,7 +237,7 @@ namespace {
 
 void crashed(int signal, siginfo_t* info, void* context) {
   if (getpid() != process) {
-    end_by(signal);  // a child that a plugin has made with fork(): nothing here is its own
+    end_by(signal);  // a child that a plugin made with fork(): nothing here belongs to it
   }
   if (may_report()) {
     crash_signal = signal;
@@ -252,7 +252,7 @@ void crashed(int signal, siginfo_t* info, void* context) {
     }
     end_by(signal);
   }
-  // The report itself has crashed. Nothing that may be on the stack is looked at again.
+  // The report itself has crashed. The stack is not read again.
   write_error("  (no more of it can be read)\n");
   base::clean_up_in_emergency();
   if (Call::innermost()) {
@@ -281,8 +281,8 @@ void left_by_exit() {
   }
 }
 
-/// In a copy of the process, when the plugin that has made it returns: two processes would go on
-/// with one run, and write the same files.
+/// In a copy of the process, when the plugin that made it returns: two processes would continue one
+/// run and write the same files.
 void end_copy() noexcept { end_with(status_of_crash); }
 
 }  // namespace
@@ -300,7 +300,7 @@ void report_crashes(int exit_status) {
   second.ss_size = kStackSize;
   sigaltstack(&second, nullptr);
   for (const Crash& crash : kCrashes) {
-    // Not blocked while it is handled: a fault in the handler would end the process on the spot.
+    // Not blocked in the handler: a fault in it would end the process at once.
     handle(crash.signal, crashed, SA_ONSTACK | SA_NODEFER);
   }
   for (const int signal : kOtherEnds) {
@@ -327,7 +327,7 @@ void report_exit(const char* function, int exit_code, const void* caller) noexce
 }
 
 void end_process(const char* what, const char* else_say, int exit_status, Stack stack) {
-  // Outside of plugins a recorder may be in the middle of a line: what it holds is left alone.
+  // Outside of plugins, a recorder may be writing a line: its buffer is not touched.
   if (stack == Stack::left_out && is_just_loading() && may_report()) {
     write_error("elsie: interrupted while plugins were loaded\n");
   } else if (may_report() && is_plugin_at_work()) {
@@ -349,7 +349,7 @@ CallFacts facts_at_work() noexcept {
   CallFacts all;
   for (const Call* call = Call::innermost(); call; call = call->outer()) {
     const CallFacts& facts = call->facts();
-    // Of the library only what belongs to the plugin.
+    // The library only if the plugin comes from it.
     const bool other_plugin =
         all.plugin && facts.plugin && std::string_view(all.plugin) != facts.plugin;
     if (!other_plugin) {

@@ -11,7 +11,7 @@
 namespace elsie::process {
 namespace {
 
-// All that a handler of signals can reach are globals.
+// Signal handlers can only reach globals.
 std::atomic<Announcer> announcer{nullptr};
 std::atomic<pid_t> reporter{0};  // the thread that reports the end of the process
 
@@ -28,7 +28,7 @@ void wait_for_other_report() noexcept {
 bool may_report() noexcept {
   pid_t none = 0;
   if (reporter.compare_exchange_strong(none, this_thread())) {
-    std::signal(SIGPIPE, SIG_IGN);  // a report that nobody reads must not change how it ends
+    std::signal(SIGPIPE, SIG_IGN);  // a report that nobody reads must not change the exit
     return true;
   }
   wait_for_other_report();
@@ -46,7 +46,7 @@ void announce_end(int exit_code) noexcept {
 void end_with(int exit_code) noexcept {
   wait_for_other_report();
   announce_end(exit_code);
-  // Not _exit(): the program may have put one of its own before the C library's.
+  // Not _exit(): the program may define its own.
   for (;;) {
     syscall(SYS_exit_group, exit_code);
   }

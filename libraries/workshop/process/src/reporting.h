@@ -1,5 +1,5 @@
-// What crash_report.cpp and watchdog.cpp have in common: reporting the end of the process, within a
-// handler of a signal.
+// Shared by crash_report.cpp and watchdog.cpp: reports the end of the process from a signal
+// handler.
 #pragma once
 
 #include <csignal>
@@ -8,18 +8,18 @@
 
 namespace elsie::process {
 
-/// Whether this thread is the first one that reports; false when it has begun to before, so that
-/// its report itself has crashed. If another thread reports, this one waits for the end.
+/// Whether this thread is the first to report; false if it has begun before, so that its report
+/// itself has crashed. If another thread reports, this one waits for the end.
 bool may_report() noexcept;
 
-/// One line: who was at work, `what` it did, and when. `library`: of a thread that a plugin has
-/// started; null: it is looked for among the calls of this thread.
+/// Writes one line: the plugin at work, `what` it did, and when. `library`: of a thread that a
+/// plugin has started; null: it is found from the calls of this thread.
 void write_culprit_and(const char* what, const char* library);
 
-/// The same, what was recorded, and the stack. Returns whether it was a plugin's doing.
+/// Writes the same line, recorded data, and the stack. Returns whether a plugin caused it.
 bool write_report(const char* what, const Fault& place);
 
-/// `context`: the third argument of a handler of signals.
+/// `context`: the third argument of a signal handler.
 Fault place_of_fault(const void* context);
 
 /// Sets a handler.

@@ -29,7 +29,7 @@ std::string read_all(int from) {
   }
 }
 
-/// A process that leads a group of its own, which goes with this one.
+/// A process that leads its own group, which ends with this process.
 class Group final : private base::EmergencyWriter {
  public:
   explicit Group(pid_t leader) : leader_(leader) {}
@@ -63,8 +63,8 @@ std::optional<ProcessResult> run_process(const std::vector<std::string>& argumen
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, writes, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, writes, STDERR_FILENO);
-  // A group of its own, so that it is ended with all that it starts; and no signal is kept from it,
-  // whatever the thread that asks for it has blocked.
+  // A group of its own, so that it is ended with all its children; no signal is blocked in it, even
+  // if the calling thread blocks some.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none;

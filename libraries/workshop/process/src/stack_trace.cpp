@@ -20,10 +20,10 @@
 namespace elsie::process {
 namespace {
 
-constexpr int kMostFrames = 64;  // looked at
+constexpr int kMostFrames = 64;  // examined
 constexpr int kMostShown = 24;
 
-char addr2line[256];  // where it is; "": nowhere
+char addr2line[256];  // its path; "": not found
 
 struct Place {
   const char* file = nullptr;  // of the library or program
@@ -40,7 +40,7 @@ Place place_of(const void* address) {
   return {info.dli_fname, reinterpret_cast<std::uintptr_t>(address) - base, info.dli_fbase};
 }
 
-/// "0x1234", ended by a zero.
+/// "0x1234", zero-terminated.
 using Hex = std::array<char, 20>;
 Hex hex(std::uintptr_t number) {
   Hex text{};
@@ -56,7 +56,7 @@ Hex hex(std::uintptr_t number) {
   return text;
 }
 
-/// What addr2line says, in memory that is there when nothing can be allocated.
+/// The output of addr2line, in static memory, because nothing can be allocated.
 struct Lines {
   char text[32 * 1024];
   std::size_t size = 0;
@@ -65,7 +65,7 @@ struct Lines {
 };
 Lines lines;
 
-/// Adds what a process writes, but does not wait for long.
+/// Adds the output of a process, but does not wait for long.
 void read_lines(int pipe, pid_t process) {
   constexpr int kPatience_ms = 5000;
   pollfd ready{pipe, POLLIN, 0};
@@ -82,7 +82,7 @@ void read_lines(int pipe, pid_t process) {
   }
 }
 
-/// Has addr2line say what stands at these places of one file, and in what that was put inline.
+/// Asks addr2line for the lines of these places in one file, with inlined calls.
 void add_lines(const Place* places, int count) {
   std::array<Hex, kMostShown> addresses;
   std::array<char*, kMostShown + 5> words{};
@@ -99,7 +99,7 @@ void add_lines(const Place* places, int count) {
   if (pipe(ends) != 0) {
     return;
   }
-  // Not fork(): that takes the locks of malloc, which may have been at work when the fault came.
+  // Not fork(), which takes malloc's locks: the fault may have interrupted malloc.
   const pid_t child = _Fork();
   if (child == 0) {
     dup2(ends[1], STDOUT_FILENO);
@@ -116,8 +116,8 @@ void add_lines(const Place* places, int count) {
   close(ends[0]);
 }
 
-/// Whether a line of addr2line, "function at file:line", is in a source of the plugin's own: it is
-/// neither the system's nor Elsie's.
+/// Whether a line of addr2line, "function at file:line", is in the plugin's own source, neither the
+/// system's nor Elsie's.
 bool is_own_source(std::string_view line) {
   const std::size_t at = line.rfind(" at /");
   if (at == std::string_view::npos) {
@@ -127,7 +127,7 @@ bool is_own_source(std::string_view line) {
   return !file.starts_with("/usr/") && file.find("/include/elsie/") == std::string_view::npos;
 }
 
-/// The first line in a source of the plugin's own; "": none.
+/// The first line in the plugin's own source; "": none.
 std::string_view first_own_line(std::string_view text) {
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
@@ -154,7 +154,7 @@ void write_error(std::string_view text) noexcept {
 
 void prepare_stack_trace() {
   void* here[2];
-  backtrace(here, 2);  // loads the library that does it
+  backtrace(here, 2);  // loads the library that it needs
   for (const char* file : {"/usr/bin/addr2line", "/usr/local/bin/addr2line"}) {
     if (addr2line[0] == '\0' && access(file, X_OK) == 0) {
       std::strncpy(addr2line, file, sizeof(addr2line) - 1);
@@ -164,7 +164,7 @@ void prepare_stack_trace() {
 
 namespace {
 
-/// Writes them as they are in the libraries, and in the source if that can be found out.
+/// Writes the places in their libraries, and in the source if that is known.
 void write_places(const Place* places, int shown) {
   for (int i = 0; i < shown; ++i) {
     const char* const slash = std::strrchr(places[i].file, '/');
@@ -200,7 +200,7 @@ void write_places(const Place* places, int shown) {
 
 void write_stack_trace(const Fault& fault) noexcept {
   const void* const at = fault.at;
-  if (at && !place_of(at).file) {  // nothing could follow the stack from there
+  if (at && !place_of(at).file) {  // the stack cannot be followed from there
     write_error("  ");
     write_error(hex(reinterpret_cast<std::uintptr_t>(at)).data());
     write_error(", where there is no code\n");
@@ -213,17 +213,17 @@ void write_stack_trace(const Fault& fault) noexcept {
   }
   void* frames[kMostFrames];
   const int count = backtrace(frames, kMostFrames);
-  // The handler's own frames come first, and after them the signal's.
+  // The handler's own frames come first, then the signal's.
   const int found = static_cast<int>(std::find(frames, frames + count, at) - frames);
   const bool known = found < count;
-  // Elsie's own: this library, and the core, which calls the plugins.
+  // Elsie's own code: this library, and the core, which calls the plugins.
   const void* const here = place_of(reinterpret_cast<const void*>(&write_stack_trace)).base;
   const void* const core = place_of(plugin::place_in_this_library()).base;
   Place places[kMostShown];
   int shown = 0;
   bool left_own = known;
   for (int i = known ? found : 0; i < count && shown < kMostShown; ++i) {
-    // All but the first are where a call returns to: the call stands before.
+    // All but the first are return addresses: the call is before them.
     const bool exact = known && i == found && !fault.is_after;
     const Place place = place_of(static_cast<const char*>(frames[i]) - (exact ? 0 : 1));
     const bool is_own = place.base == here || place.base == core;

@@ -1,30 +1,30 @@
-// Stack traces from within handlers of signals.
+// Stack traces in signal handlers.
 #pragma once
 
 #include <string_view>
 
 namespace elsie::process {
 
-/// Loads what a trace needs; to be called before there is a fault.
+/// Loads what a trace needs; to be called before a fault.
 void prepare_stack_trace();
 
-/// Where a signal came upon a thread.
+/// Where a signal interrupted a thread.
 struct Fault {
-  const void* at = nullptr;            // the instruction; null: not known
+  const void* at = nullptr;            // the instruction; null: unknown
   const void* const* stack = nullptr;  // the innermost word of the stack, where return addresses
                                        // are; or else, where a register has them,
   const void* back = nullptr;          // the address to return to
-  bool is_after = false;               // `at` is where a call returns to: the call stands before
-  const void* touched = nullptr;       // the memory that could not be read or written; null: none
+  bool is_after = false;               // `at` is a return address: the call is before it
+  const void* touched = nullptr;       // the memory that could not be accessed; null: none
 };
 
-/// Writes to standard error where the calling thread is: the calls from the fault (that of no
-/// address: the nearest ones) outwards, as far as the code of libelsie, which called the plugin.
-/// With the lines of the source where addr2line(1) knows them. Of a fault where there is no code,
-/// as after a call through a wild pointer, the one place that made the call.
+/// Writes the calls of the calling thread to standard error, from the fault (without an address:
+/// from here) outwards to the code of libelsie that called the plugin. With lines of the source if
+/// addr2line(1) knows them. For a fault at an address without code, as after a call through a wild
+/// pointer, writes the place of that call.
 void write_stack_trace(const Fault& fault) noexcept;
 
-/// Writes to standard error, within handlers, too.
+/// Writes to standard error; also in signal handlers.
 void write_error(std::string_view text) noexcept;
 
 }  // namespace elsie::process

@@ -31,11 +31,11 @@ namespace {
 
 constexpr int kSignal = SIGVTALRM;
 
-// A handler can reach nothing but globals.
+// Signal handlers can only reach globals.
 std::atomic<std::int64_t> limit_ns{0};
 std::atomic<int> status{0};
 std::atomic<const char*> report{nullptr};
-std::atomic<std::uint64_t> looks{0};  // by the handler, in the watched thread
+std::atomic<std::uint64_t> looks{0};  // counted by the handler, in the watched thread
 
 void look(int, siginfo_t*, void* context) {
   ++looks;
@@ -46,13 +46,13 @@ void look(int, siginfo_t*, void* context) {
   }
 }
 
-/// How often it looks: soon after the limit, and not more often than that takes.
+/// The time between looks: soon after the limit, but not wastefully often.
 std::chrono::nanoseconds period() {
   return std::chrono::nanoseconds(std::clamp<std::int64_t>(limit_ns / 4, 1'000'000, 250'000'000));
 }
 
-/// In a thread of its own: ends the process when the watched thread is in one call for a second
-/// longer than it may, and its handler does not look.
+/// Runs in its own thread: ends the process when the watched thread exceeds its limit in one call
+/// by a second and its handler does not run.
 void look_from_outside(const std::stop_token& stop, Call* const* place) {
   constexpr double kGrace = 1.0;  // s
   std::mutex mutex;
@@ -61,7 +61,7 @@ void look_from_outside(const std::stop_token& stop, Call* const* place) {
   const Call* before = nullptr;
   std::int64_t begun_before = 0;
   std::uint64_t looks_before = 0;
-  int late = 0;  // looks in a row
+  int late = 0;  // in consecutive looks
   while (!pause.wait_for(
       lock, stop, std::max<std::chrono::nanoseconds>(period(), std::chrono::milliseconds(50)),
       [] { return false; })) {
@@ -70,13 +70,13 @@ void look_from_outside(const std::stop_token& stop, Call* const* place) {
     }
     Call* const call = *place;
     const std::uint64_t looks_now = looks;
-    // The same call, and not another one in the same place.
+    // The same call, not a later one at the same place.
     const std::int64_t begun = call ? call->begun_ns() : 0;
     const bool is_late = call && call == before && begun == begun_before &&
                          looks_now == looks_before &&
                          call->own_time_s() > 1e-9 * static_cast<double>(limit_ns.load()) + kGrace;
     late = is_late ? late + 1 : 0;
-    // Not at the first look: after a process was stopped, its threads begin in any order.
+    // Not at the first look: threads of a stopped process resume in any order.
     if (late > 2 && may_report()) {
       Call::adopt(call);
       char what[160] = "has blocked all signals, and ";
@@ -114,7 +114,7 @@ Watchdog::Watchdog(double limit_s, int exit_status, const char* what) {
                        static_cast<long>(period_ns % 1'000'000'000)};
   times.it_value = times.it_interval;
   timer_settime(timer, 0, &times, nullptr);
-  // Signals are for the thread that runs the plugins.
+  // Only the thread that runs plugins handles signals.
   sigset_t all;
   sigset_t before;
   sigfillset(&all);
@@ -125,7 +125,7 @@ Watchdog::Watchdog(double limit_s, int exit_status, const char* what) {
 
 Watchdog::~Watchdog() {
   timer_delete(timer_);
-  std::signal(kSignal, SIG_IGN);  // one may be on its way
+  std::signal(kSignal, SIG_IGN);  // one may be pending
 }
 
 }  // namespace elsie::process

@@ -1,4 +1,4 @@
-// What a plugin's declaration says, as a part of a page.
+// A plugin's declaration as part of a page.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -48,7 +48,7 @@ std::string range_in_words(const world::Field& field) {
   if (!facts.choices.empty()) {
     return choices_in_words(facts.choices);
   }
-  // What the member's type rules out goes without saying, but for a sign.
+  // A range that follows from the member's type is left out, except for the sign.
   const double min = field.lowest == 0.0 ? std::max(facts.min, 0.0) : facts.min;
   const bool open = std::isfinite(facts.above) && facts.above >= min;
   const bool low = open || std::isfinite(min), high = std::isfinite(facts.max);
@@ -77,7 +77,7 @@ std::string table_of(const std::vector<ParameterDeclaration>& parameters) {
   return text;
 }
 
-// What differs from an element that says nothing.
+// The attributes that differ from the defaults.
 std::string markup_of(const ElementValue& value, const ElementDeclaration& declared) {
   std::string text = "<" + value.element;
   for (const ParameterDeclaration& parameter : declared.parameters) {
@@ -91,7 +91,7 @@ std::string markup_of(const ElementValue& value, const ElementDeclaration& decla
   return text + "/>";
 }
 
-// The elements of one list: each, and what is there when a file gives none of them.
+// The elements of one list, and what replaces them when a file gives none.
 std::string list_of_elements(const Declaration& declaration, std::size_t list) {
   std::vector<const ElementDeclaration*> elements;
   for (const ElementDeclaration& element : declaration.elements) {

@@ -8,7 +8,7 @@
 
 namespace elsie::reference {
 
-/// The text as Markdown takes it literally in a cell.
+/// The text of a cell, with Markdown's characters escaped.
 std::string cell(const std::string& text);
 
 /// "| a | b |" and a line break.

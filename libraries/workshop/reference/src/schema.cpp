@@ -67,7 +67,7 @@ class Schema {
                        constraint("unique", "charger_id", "chargers/charger", "id") +
                        constraint("unique", "measure_id", "measures/*", "id") +
                        constraint("unique", "team_id", "teams/team", "id");
-    // References to robots. Teams and boxes may be there without being named in the file.
+    // References to robots. Teams and boxes may exist without being in the file.
     for (const world::ElementSpec& group : world::vocabulary().children) {
       for (const world::ElementSpec& member : group.children) {
         for (const world::AttributeSpec& field : member.attributes) {
@@ -101,13 +101,13 @@ class Schema {
     return text;
   }
 
-  // Defines the type of an element, and of all below it; returns its name.
+  // Defines the type of an element and of all elements inside; returns its name.
   std::string type_of(const world::ElementSpec& spec) {
     return define(own_ + spec.name, [&] { return content(spec); },
                   {spec.attributes.begin(), spec.attributes.end()});
   }
 
-  // A type may hold itself: its name is known before its content is.
+  // A type may contain itself: its name is known before its content.
   std::string define(const std::string& name, const std::function<std::string()>& content,
                      const std::vector<world::Field>& fields) {
     const std::string type = name + ".type";
@@ -147,8 +147,8 @@ class Schema {
     if (elements.empty()) {
       return "";
     }
-    // In a group, or where some may stand once and others often, any number in any order; otherwise
-    // each once in any order, or a plain list.
+    // In a group, or if some occur once and others often: any number in any order; otherwise each
+    // once in any order, or a plain list.
     const bool once = spec.group && !many;
     const std::string model = is_choice(spec) ? "choice" : many ? "sequence" : "all";
     const bool needed = spec.children.size() == 1 && spec.children[0].at_least > 0;
@@ -171,7 +171,7 @@ class Schema {
                    occurs);
   }
 
-  // Refers to a group of all elements of worlds, each of which may stand in the place of another.
+  // Refers to a group of all elements of worlds that may replace another.
   std::string world_elements() {
     const std::string group = "world_elements";
     if (!types_.contains(group)) {
@@ -192,7 +192,7 @@ class Schema {
     return group;
   }
 
-  // What may stand anywhere below, by name; of two things of one name nothing more is told.
+  // The types of all elements below, by name; two of the same name become xs:anyType.
   void collect(const world::ElementSpec& spec, std::map<std::string, std::string>& types) {
     const auto add = [&](const std::string& name, const std::string& type) {
       std::string& known = types[name];
@@ -213,7 +213,7 @@ class Schema {
     }
   }
 
-  // What stands in the place of another element has its id unless it brings one.
+  // An element that replaces another has its id unless it sets one.
   std::string replacement_type(const world::ElementSpec& spec) {
     const world::AttributeSpec* id = spec.attribute("id");
     if (!id || !id->required) {
@@ -254,8 +254,8 @@ class Schema {
         name, [&] { return inside(name, declaration); }, fields);
   }
 
-  // The content of a plugin's element: what it declares, any number in any order, and with that, if
-  // it holds others, <behaviors> and <coordinator>, each once.
+  // The content of a plugin's element: the elements that it declares, any number in any order, and,
+  // if it holds behaviours, <behaviors> and <coordinator>, each once.
   std::string inside(const std::string& name, const Declaration& declaration) {
     const std::string declared = declared_elements(name, declaration);
     if (!declaration.hold) {
@@ -265,7 +265,7 @@ class Schema {
     for (const world::ElementSpec& group : world::coordination_vocabulary().children) {
       groups.push_back(element(group.name, type_of(group), group.meaning, "", 3));
     }
-    // Written so that the next element alone always tells where in the model it stands.
+    // Written so that the next element alone decides its place in the model.
     const auto first = [&](const std::string& one, const std::string& other) {
       return sequence(one + declared + sequence(other + declared, " minOccurs=\"0\""));
     };
@@ -278,7 +278,7 @@ class Schema {
     return indented("<xs:sequence" + occurs + ">", 2) + content + indented("</xs:sequence>", 2);
   }
 
-  // Refers to a group of the elements that a plugin declares, which is defined here.
+  // Refers to a group of the elements that a plugin declares, and defines that.
   std::string declared_elements(const std::string& name, const Declaration& declaration) {
     if (declaration.elements.empty()) {
       return "";
@@ -301,8 +301,8 @@ class Schema {
   }
 
   const plugin::Host& host_;
-  std::string own_;  // what the names of types begin with that belong to another vocabulary
-  std::map<std::string, std::string> types_;  // and groups, by name
+  std::string own_;                           // prefix of the types' names in another vocabulary
+  std::map<std::string, std::string> types_;  // types and groups, by name
   std::vector<std::string> order_;
 };
 

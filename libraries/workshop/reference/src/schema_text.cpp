@@ -38,8 +38,8 @@ std::string range_facets(const world::Field& field) {
   return high < kInfinity ? range + facet("maxInclusive", number(high)) : range;
 }
 
-// The same for whole numbers, whose bounds must be whole: a bound between two of them says the same
-// as the next one inside. Beyond 9e18 lies what no number here can be.
+// The same for whole numbers, whose bounds must be whole: a bound between two of them equals the
+// next one inside. No number here exceeds 9e18.
 std::string whole_facets(const world::Field& field) {
   const auto whole = [](double bound) {
     return world::format_value(ParameterValue(static_cast<std::int64_t>(bound)));

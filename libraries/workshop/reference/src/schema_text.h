@@ -1,5 +1,4 @@
-// The parts of a schema that know nothing of vocabularies: markup, and what may stand in an
-// attribute.
+// Parts of a schema that do not depend on vocabularies: markup, and the values of attributes.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +11,8 @@ namespace elsie::reference {
 std::string indented(const std::string& text, std::size_t depth);
 std::string documentation(const std::string& text, std::size_t depth);
 
-/// The types that the facets of every attribute start from: stricter than XML Schema's own, which
-/// take NaN, INF, a leading "+", and 1 for true.
+/// The basic types of all attributes: stricter than XML Schema's own, which accept NaN, INF, a
+/// leading "+", and 1 for true.
 std::string basic_types();
 
 /// The declaration of an attribute.

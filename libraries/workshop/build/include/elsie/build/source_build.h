@@ -1,17 +1,16 @@
-// A plugin of one source file, compiled on the spot: no build system.
+// Compiles a plugin of one source file without a build system.
 //
 //   const build::SourceBuild built = build::build_source("my_behavior.cpp");
 //   plugin::Host host({{built.library, "my_behavior.cpp"}});
 //
-// The system's compiler does it ($CXX, else c++), against the headers and the library that this
-// program runs with: optimised, with line numbers for crash reports. The flags of $CXXFLAGS and
-// $LDFLAGS come after our own and so prevail; libraries (-lname, also those of $LDLIBS) come after
-// the source.
+// Uses the system's compiler ($CXX, else c++) with the headers and the library of this program:
+// optimised, with line numbers for crash reports. The flags of $CXXFLAGS and $LDFLAGS come after
+// our own and so override them; libraries (-lname, also those of $LDLIBS) come after the source.
 //
-// What was compiled is kept in a cache: as long as the source, the headers it includes, the
-// compiler and libelsie are the same, it is not compiled again. A library is kept only if no file
-// that it was made from changed while the compiler ran; if one did, it is compiled again. Of each
-// source the cache keeps the last kMostBuilds libraries, and nothing of what was not asked for in
+// A cache keeps compiled libraries while the source, the headers that it includes, the compiler and
+// libelsie are unchanged. A library is kept only if none of its files changed while the compiler
+// ran; otherwise it is compiled again. The cache keeps the last kMostBuilds libraries of each
+// source, and removes a source's libraries after kCacheDays days without use.
 // kCacheDays days.
 #pragma once
 
@@ -26,40 +25,39 @@
 namespace elsie::build {
 
 struct SourceBuild {
-  /// The library. Another content has another name, so that a new one can be loaded beside an old.
+  /// The library. Its name depends on its content, so that old and new ones can be loaded together.
   std::filesystem::path library;
-  /// The source and every header that it includes, but for the system's: what to watch.
+  /// The source and every header that it includes, except the system's: the files to watch.
   std::vector<std::filesystem::path> inputs;
   bool from_cache = false;
-  /// What the compiler warned of when it made the library; "" for one from the cache.
+  /// The compiler's warnings; "" for a library from the cache.
   std::string warnings;
 };
 
-/// The compiler refused the source. what() has its messages as they are, and a last line that says
-/// what was to be done.
+/// The compiler refused the source. what() has its messages unchanged, and a last line that says
+/// what to do.
 class BuildError : public plugin::PluginError {
  public:
   using plugin::PluginError::PluginError;
   std::string message() const override { return what(); }
 };
 
-/// Whether a file's name says that it is C++ source: .cpp, .cc, .cxx.
+/// Whether a file's name is one of C++ source: .cpp, .cc, .cxx.
 bool is_source(const std::filesystem::path& file);
 
 /// $ELSIE_CACHE, else elsie/ in $XDG_CACHE_HOME or ~/.cache, else in the folder for temporary
 /// files.
 std::filesystem::path cache_directory();
 
-/// How many libraries of one source are kept.
+/// The number of libraries kept of one source.
 inline constexpr std::size_t kMostBuilds = 16;
-/// After how many days without use a source's libraries are removed, when another one is compiled.
+/// Libraries of a source that was not used for so many days are removed when another is compiled.
 inline constexpr int kCacheDays = 60;
 
-/// Compiles the source unless the cache has it. `stop`: ends the compiler. `begins` is called
-/// before it starts, and not at all for what the cache has. Throws BuildError, also when it was
-/// stopped, and when its files were saved each of the few times that it was compiled;
-/// plugin::PluginError when there is no such file, no compiler, no headers, or no place to write
-/// to.
+/// Compiles the source unless the cache has it. `stop` ends the compiler. `begins` is called before
+/// it starts, and not for a library from the cache. Throws BuildError, also when it was stopped,
+/// and when its files were saved during every one of a few attempts; plugin::PluginError when there
+/// is no such file, no compiler, no headers, or no folder to write to.
 SourceBuild build_source(const std::filesystem::path& source,
                          const std::filesystem::path& cache = cache_directory(),
                          const std::stop_token& stop = {},

@@ -1,4 +1,4 @@
-// Running another program and reading what it says.
+// Runs another program and reads its output.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 namespace elsie::process {
 
 struct ProcessResult {
-  int exit_code = 0;   // 128 and the number of the signal, when one ended it
-  std::string output;  // both streams, as they came
+  int exit_code = 0;   // or 128 and the number of the signal that ended it
+  std::string output;  // both streams, interleaved
 };
 
-/// Runs the program, which is looked for in $PATH, with these arguments (the first is its name) and
-/// waits for its end. None when it cannot be started. `stop` asks it, and what it has started, to
-/// terminate; so does the end of this process if it is brought down (crash_report.h).
+/// Runs the program, searched for in $PATH, with these arguments (the first is its name) and waits
+/// for its end. None when it cannot be started. `stop` asks it and its children to terminate, and
+/// so does a crash of this process (crash_report.h).
 std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments,
                                          const std::stop_token& stop = {});
 

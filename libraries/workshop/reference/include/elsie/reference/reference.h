@@ -1,4 +1,4 @@
-// Reference pages made of the declarations.
+// Reference pages made from vocabularies and declarations.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@ namespace elsie::reference {
 /// The vocabulary of world files, in Markdown: every element with its attributes.
 std::string world_reference();
 
-/// The elements and attributes of a file of another kind, in Markdown, without a title.
+/// The elements and attributes of another kind of file, in Markdown, without a title.
 std::string vocabulary_reference(const world::ElementSpec& root);
 
-/// What a plugin's declaration says, in Markdown: what it does, its parameters, the elements that
-/// may stand in its own with what is there by default, whether it holds behaviours, its readings
-/// and events. Without headings, so that it can stand anywhere in a page.
+/// A plugin's declaration in Markdown: what it does, its parameters, the elements inside of its own
+/// with their defaults, whether it holds behaviours, its readings and events. Without headings, so
+/// that it fits anywhere in a page.
 std::string plugin_declaration(const Declaration& declaration);
 
 /// The same as a page with the plugin's name as its title.

@@ -11,14 +11,14 @@ class Host;
 
 namespace elsie::reference {
 
-/// XSD 1.0 for worlds and robot templates, made of the core's vocabulary and of the declarations of
-/// the plugins that the host has: any XML editor that is given it completes and checks names,
-/// types, ranges, choices and ids. What takes more than one attribute to tell (what stands in what,
-/// what a behaviour needs) is left to the reader.
+/// XSD 1.0 for worlds and robot templates, made from the core's vocabulary and the declarations of
+/// the host's plugins: XML editors use it to complete and check names, types, ranges, choices and
+/// ids. Conditions on several attributes (positions, what a behaviour needs) are left to the
+/// reader.
 std::string world_schema(const plugin::Host& host);
 
-/// The same for files of another kind, whose vocabulary has no plugins of its own. `about` is what
-/// the schema says of itself: "Experiment files of Elsie, format 1".
+/// The same for another kind of file, whose vocabulary has no plugins. `about` is the schema's
+/// description of itself: "Experiment files of Elsie, format 1".
 std::string schema_of(const world::ElementSpec& root, const std::string& about,
                       const plugin::Host& host);
 
