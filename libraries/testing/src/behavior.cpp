@@ -72,13 +72,13 @@ bool Behavior::take_over(Behavior& before) {
 }
 
 void Behavior::equip(const Situation& example) {
-  const Situation copy = example;  // it may be the one that is replaced
+  const Situation copy = example;  // `example` may be example_ itself
   object_->equipped(copy.perception());
   example_ = copy;
 }
 
 void Behavior::set(const Settings& settings) {
-  Settings given;  // what is not set here keeps the value that it has
+  Settings given;  // parameters that are not set here keep their values
   for (const auto& [name, value] : plugins_.completed(*declaration_, settings)) {
     if (settings.contains(name)) {
       given.emplace(name, value);

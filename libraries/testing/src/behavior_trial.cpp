@@ -1,4 +1,4 @@
-// Trials of behaviours, and what answers of behaviours and coordinators have in common.
+// Trials of behaviours, and the checks that behaviours and coordinators share.
 #include <algorithm>
 #include <array>
 #include <cmath>

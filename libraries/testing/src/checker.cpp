@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint64_t kRunSeed = 5;
 
-/// The first difference of two answers, or none.
+/// The first difference of two answers; or none.
 std::optional<std::string> difference(const Answer& one, const Answer& other) {
   for (std::size_t i = 0; i < std::min(one.numbers.size(), other.numbers.size()); ++i) {
     const auto& [name, a] = one.numbers[i];
@@ -48,8 +48,8 @@ std::string in_bytes(double bytes) {
                        : rounded(bytes / 1e6) + " MB";
 }
 
-/// The same as another robot of the team meets it: the first of the mates that others perceive,
-/// and its leader if the others have none.
+/// The same input for another robot of the team: the first mate that the others perceive, and their
+/// leader if they have none.
 Input as_a_mate(Input input) {
   for (Situation& now : input.instants) {
     now.self.id = "mate0";
@@ -59,7 +59,7 @@ Input as_a_mate(Input input) {
   return input;
 }
 
-/// A plugin took more than CheckOptions::memory_limit.
+/// Thrown when a plugin exceeds CheckOptions::memory_limit.
 class TooMuchMemory {};
 
 class Checker {
@@ -72,7 +72,7 @@ class Checker {
         inputs_(declaration, options, plugins) {}
 
   std::vector<std::string> findings() && {
-    // A plugin that brings the process down is named by those who report crashes.
+    // Crash reports name the plugin of this call.
     const plugin::Call call({.plugin = declaration_.name.c_str(), .doing = "while it was checked"});
     found_ = testing::check_declaration(declaration_);
     if (check_start() && make_inputs()) {
@@ -87,7 +87,7 @@ class Checker {
  private:
   using Answers = std::vector<Answer>;
 
-  /// After a call: what it did to the process and must not.
+  /// After a call: finds changes to the process that are not allowed.
   void look_at_process(plugin::Call& call) {
     if (const char* const changed = call.restore_arithmetic()) {
       find("arithmetic", std::string("it changes ") + changed + " for the whole program" + where_);
@@ -100,7 +100,7 @@ class Checker {
     }
   }
 
-  /// reset(), with a clock for a process::Watchdog.
+  /// reset(), with a time limit by process::Watchdog.
   void reset(Trial& trial, std::uint64_t seed) {
     plugin::Call call({.doing = doing_.c_str()});
     call.start_clock();
@@ -108,13 +108,13 @@ class Checker {
     look_at_process(call);
   }
 
-  /// Where findings from now on are made.
+  /// Sets the place that further findings name.
   void be_at(const Settings& settings, const Input& input) {
     where_ = " (" + in_words(settings) + "; " + input.robot + ")";
     doing_ = "while it was tried" + where_;
   }
 
-  /// Of each sort of finding the first one is told.
+  /// Reports the first finding of each sort.
   void find(const char* sort, const std::string& finding) {
     if (told_.insert(sort).second) {
       found_.push_back(std::string(plugin::kind_name(declaration_.kind)) + " '" +
@@ -122,7 +122,7 @@ class Checker {
     }
   }
 
-  /// Whether there is an object to go on with: made, with the defaults that it declares.
+  /// Checks that a new object can be made and has the declared defaults.
   bool check_start() {
     try {
       const auto object = plugins_.host().create<Component>(declaration_.kind, declaration_.name);
@@ -169,7 +169,7 @@ class Checker {
     return make_sensor_trial(setting);
   }
 
-  /// The trial, or none when the plugin refuses it, as it may.
+  /// The trial; none if the plugin refuses it, which is allowed.
   std::unique_ptr<Trial> try_to_make(const Settings& settings, const Input& input, bool as_given) {
     try {
       return make(settings, input);
@@ -194,7 +194,7 @@ class Checker {
     bool tried = false;
     for (std::size_t robot = 0; robot < input_.size(); ++robot) {
       if (!as_given && (tried || robot > 2)) {
-        break;  // one robot will do for each set of parameters
+        break;  // one robot for each set of parameters is enough
       }
       const Input& input = input_[(robot + static_cast<std::size_t>(variant)) % input_.size()];
       auto trial = try_to_make(settings, input, as_given);
@@ -219,7 +219,7 @@ class Checker {
     }
   }
 
-  /// The answers of a run from the start, or none when it went wrong, which is told.
+  /// The answers of a run from the start; none when it failed, which is reported.
   std::optional<Answers> run(Trial& trial, Trial* beside = nullptr) {
     Answers answers(trial.run_length());
     Answer ignored;
@@ -234,7 +234,7 @@ class Checker {
           beside->step(step, ignored);
         }
         plugin::Call call({.step = step, .doing = doing_.c_str()});
-        call.start_clock();  // for a process::Watchdog, if there is one
+        call.start_clock();  // for process::Watchdog, if it is in use
         trial.step(step, answers[step]);
         look_at_process(call);
       }
@@ -247,11 +247,11 @@ class Checker {
     return std::nullopt;
   }
 
-  /// Whether two runs are the same; told otherwise, after `finding`.
+  /// Whether two runs are equal; else reports the first difference after `finding`.
   bool same(const char* sort, const std::string& finding, const Answers& first,
             const std::optional<Answers>& second) {
     if (!second) {
-      return false;  // told already
+      return false;  // reported already
     }
     for (std::size_t step = 0; step < first.size(); ++step) {
       if (const auto differs = difference(first[step], (*second)[step])) {
@@ -268,7 +268,7 @@ class Checker {
     if (!first) {
       return;
     }
-    // While the first one is alive, so that they have different addresses.
+    // The first one still lives, so that their addresses differ.
     const auto two = try_to_make(settings, input, true);
     if (!two) {
       find("again",
@@ -314,8 +314,8 @@ class Checker {
     }
   }
 
-  /// Whether an object that is put in the place of another in the middle of a run goes on as that
-  /// would have.
+  /// Checks that an object that replaces another in the middle of a run continues as that would
+  /// have.
   void compare_successor(Trial& one, Trial& successor, const Answers& first) {
     const std::size_t middle = first.size() / 2;
     Answer answer;
@@ -325,7 +325,7 @@ class Checker {
         one.step(step, answer);
       }
       if (!successor.take_over(one)) {
-        return;  // it does not offer to
+        return;  // the class does not offer it
       }
       for (std::size_t step = middle; step < first.size(); ++step) {
         successor.step(step, answer);
@@ -343,7 +343,7 @@ class Checker {
     }
   }
 
-  /// Bytes that are in use after `action` and were not before.
+  /// The increase of used memory by `action`, in bytes.
   template <class Action>
   static double growth(Action action) {
     const std::size_t before = memory_in_use();
@@ -351,8 +351,8 @@ class Checker {
     return static_cast<double>(memory_in_use()) - static_cast<double>(before);
   }
 
-  /// Growth that is there each time, and not only because something is filled: the allocator's own
-  /// lists of free blocks may take a few rounds.
+  /// The lasting increase, which recurs each time: the allocator's lists of free blocks may take a
+  /// few rounds to fill.
   template <class Action>
   static double steady_growth(double least, Action action) {
     constexpr int kRounds = 8;
@@ -365,7 +365,7 @@ class Checker {
 
   void check_memory() {
     if (!typical_ || !told_.empty()) {
-      return;  // with wrong answers, the rest says little
+      return;  // with wrong answers, further checks say little
     }
     be_at(options_.settings, *typical_);
     try {
@@ -382,7 +382,7 @@ class Checker {
     const auto trial = make(options_.settings, *typical_);
     Answer answer;
     std::size_t step = 0;
-    // Pictures take long to look at.
+    // Pictures take a long time.
     const bool sees = declaration_.kind == PluginKind::sensor &&
                       declaration_.produces.front().kind == VisionReading::kind;
     const std::size_t steps = static_cast<std::size_t>(options_.steps) / (sees ? 50 : 1) / 4;
@@ -400,9 +400,9 @@ class Checker {
     };
     try {
       reset(*trial, kRunSeed);
-      walk();  // what is filled once is filled now
+      walk();  // fills what is filled once
       const double least = 512.0 + 0.5 * static_cast<double>(steps);
-      // A vector grows by leaps: twice as many steps each time are sure to see one.
+      // Vectors grow in leaps: doubling the number of steps is sure to see one.
       std::size_t before_growth = step;
       const double grown = steady_growth(least, [&] {
         before_growth = step;
@@ -448,10 +448,10 @@ class Checker {
   Random random_;
   InputMaker inputs_;
   std::vector<Input> input_, other_input_;  // for each robot
-  const Input* typical_ = nullptr;          // the first that the plugin takes
+  const Input* typical_ = nullptr;          // the first that the plugin accepts
   std::string refusal_;
   std::string where_;
-  std::string doing_ = "while it was tried";  // for reports of crashes
+  std::string doing_ = "while it was tried";  // for crash reports
   std::set<std::string> told_;
   std::vector<std::string> found_;
 };

@@ -1,4 +1,4 @@
-// What a declaration lacks beyond what makes it unusable.
+// Faults of a declaration that do not make it unusable.
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -66,7 +66,7 @@ class Findings {
     }
   }
 
-  /// A unit as names spell it: "deg/m" is deg_m or deg_per_m.
+  /// A unit as spelled in names: "deg/m" is deg_m or deg_per_m.
   static std::string in_a_name(const std::string& unit, const char* per) {
     std::string name;
     for (const char c : unit) {
@@ -75,9 +75,9 @@ class Findings {
     return name;
   }
 
-  /// A name may say the unit; then it must be the declared one.
+  /// A unit in a name must be the declared one.
   void check_ending(const std::string& name, const std::string& unit, const std::string& subject) {
-    // Longer endings first.
+    // Longer endings come first.
     static const std::array<std::pair<const char*, const char*>, 7> kEndings{{
         {"_rad_s", "rad/s"},
         {"_m_s", "m/s"},

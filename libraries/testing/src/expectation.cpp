@@ -8,13 +8,12 @@
 namespace elsie::testing {
 namespace {
 
-/// How fast it turns to the left, and how fast it drives: half the wheels' difference, and their
-/// mean.
+/// The rates of turning left and of driving forward: half the wheels' difference, and their mean.
 double turn(const Response& r) { return 0.5 * (r.command.right - r.command.left); }
 double drive(const Response& r) { return 0.5 * (r.command.right + r.command.left); }
 
 bool near(double value, double expected, double within) {
-  return std::abs(value - expected) <= within;  // false for a NaN
+  return std::abs(value - expected) <= within;  // false for NaN
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ std::string joined(const std::vector<Event>& events) {
   return text;
 }
 
-/// Numbers that differ only in the last bits of a sum are written alike.
+/// Numbers that differ by rounding have the same text.
 std::string short_text(double value) { return number_text(value, 10); }
 
 bool near(double value, double expected, double tolerance) {
@@ -36,7 +36,7 @@ bool near(double value, double expected, double tolerance) {
     return std::isnan(value) == std::isnan(expected);
   }
   if (value == expected) {
-    return true;  // two infinities, too
+    return true;  // also for equal infinities
   }
   // The file has ten digits.
   const double size = std::max(std::abs(value), std::abs(expected));
@@ -51,7 +51,7 @@ std::string events_text(const std::string& events) {
   return events.empty() ? "none" : "'" + events + "'";
 }
 
-/// All differences of a row, as sentences without an end.
+/// All differences of a row, as clauses.
 void compare_rows(const Trace& now, const Trace& then, std::size_t step, double tolerance,
                   std::vector<std::string>& differences) {
   const Trace::Row& is = now.rows[step];
@@ -142,7 +142,7 @@ Trace record(World& world, double seconds, double interval_s) {
   const double step_s = simulation.world().physics.step;
   const auto every = static_cast<int>(std::max(1L, std::lround(interval_s / step_s)));
   const auto rows = std::lround(seconds / (step_s * every));
-  std::size_t told = simulation.events().size();
+  std::size_t recorded = simulation.events().size();
   for (long row = 0; row <= rows; ++row) {
     if (row > 0) {
       world.step(every);
@@ -155,8 +155,8 @@ Trace record(World& world, double seconds, double interval_s) {
       now.values.insert(now.values.end(), {pose.x, pose.y, pose.heading_rad, robot.command.left,
                                            robot.command.right});
     }
-    for (; told < simulation.events().size(); ++told) {
-      const simulation::EventRecord& event = simulation.events()[told];
+    for (; recorded < simulation.events().size(); ++recorded) {
+      const simulation::EventRecord& event = simulation.events()[recorded];
       now.events += (now.events.empty() ? "" : ",") + event.robot + ":" + event.name;
     }
   }

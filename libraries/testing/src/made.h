@@ -1,4 +1,4 @@
-// A plugin's object, made and configured.
+// Makes and configures a plugin's object.
 #pragma once
 
 #include <string>
@@ -22,7 +22,8 @@ plugin::Object<Kind> make(const Plugins& plugins, const Declaration& declaration
   return object;
 }
 
-/// Hands what `before` remembers to `now`, if both classes derive from Remembers: whether they do.
+/// Passes what `before` remembers to `now` if both classes derive from Remembers; returns whether
+/// they do.
 inline bool hand_over(Component& before, Component& now) {
   auto* const from = dynamic_cast<Remembers*>(&before);
   auto* const to = dynamic_cast<Remembers*>(&now);

@@ -27,7 +27,7 @@ class MeasureTrial final : public Trial {
     measure_->curves();
     check_quantities();
     std::vector<std::optional<double>> values(quantities_.size());
-    measure_->report({}, values);  // it may be asked before anything was seen
+    measure_->report({}, values);  // allowed before the first instant
     measure_.observe(input_.watched.front());
   }
   bool take_over(Trial& /*before*/) override { return false; }  // measures are not replaced
@@ -48,9 +48,9 @@ class MeasureTrial final : public Trial {
     answer.clear();
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (values[i]) {
-        require_finite(said_[i].c_str(), *values[i]);
+        require_finite(titles_[i].c_str(), *values[i]);
       }
-      answer.add(said_[i].c_str(), values[i].value_or(0.0));
+      answer.add(titles_[i].c_str(), values[i].value_or(0.0));
       answer.add("whether there is a value", values[i].has_value());
     }
   }
@@ -58,14 +58,14 @@ class MeasureTrial final : public Trial {
  private:
   void check_quantities() {
     std::vector<Quantity> quantities = measure_.quantities();
-    if (!said_.empty() && quantities != quantities_) {
+    if (!titles_.empty() && quantities != quantities_) {
       throw Wrong("quantities() differs from run to run");
     }
     if (quantities.empty()) {
       throw Wrong("quantities() is empty: it has nothing to report");
     }
     std::set<std::string> names;
-    said_.clear();
+    titles_.clear();
     for (const Quantity& quantity : quantities) {
       const std::string title =
           quantity.name.empty() ? "its own value" : "its value '" + quantity.name + "'";
@@ -75,12 +75,12 @@ class MeasureTrial final : public Trial {
       if (quantity.meaning.find_first_not_of(' ') == std::string::npos) {
         throw Wrong(title + " has no meaning; say in a line what it is");
       }
-      said_.push_back(title);
+      titles_.push_back(title);
     }
     quantities_ = std::move(quantities);
   }
 
-  /// The instants go round; what is counted goes on, and what is gone stays away.
+  /// The instants repeat; counts continue, and removed boxes stay away.
   void show(std::size_t step) {
     const auto& instants = input_.watched;
     const std::size_t count = instants.size() - 1;  // the first is the start
@@ -108,7 +108,7 @@ class MeasureTrial final : public Trial {
   Measure measure_;
   Scene now_;
   std::vector<Quantity> quantities_;
-  std::vector<std::string> said_;  // what each of them is called in a finding
+  std::vector<std::string> titles_;  // names of the values in findings
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <malloc.h>
 
-// There under the address sanitizer, which has an allocator of its own.
+// Exists with the address sanitizer, which has its own allocator.
 extern "C" __attribute__((weak)) std::size_t __sanitizer_get_current_allocated_bytes();
 
 namespace elsie::testing {

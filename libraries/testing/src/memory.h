@@ -1,11 +1,11 @@
-// How much memory the process has asked for.
+// The memory that the process uses.
 #pragma once
 
 #include <cstddef>
 
 namespace elsie::testing {
 
-/// Bytes that were allocated and not freed yet, by all of the process.
+/// Bytes allocated by the whole process and not freed yet.
 std::size_t memory_in_use();
 
 }  // namespace elsie::testing

@@ -19,7 +19,7 @@ fs::path program_folder() {
   return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
-/// What was given by name must be of use.
+/// A place that the caller names must be usable.
 void require_loaded(const plugin::DirectoryReport& place) {
   if (!place.problem.empty()) {
     throw plugin::PluginError(place.directory.origin + ": " + place.problem);
@@ -38,7 +38,7 @@ plugin::Host load(const std::vector<fs::path>& given) {
     places.push_back({is_source ? build::build_source(place).library : place, place.string(),
                       is_source ? place : fs::path()});
   }
-  // The test's own plugins are built beside it, in general; they come before what is installed.
+  // The test's own plugins are usually next to it; they come before installed ones.
   bool has_own = false;
   for (plugin::SearchDirectory& directory : plugin::default_search_path()) {
     if (!has_own && directory.origin != plugin::kPluginPathVariable) {
@@ -153,7 +153,7 @@ Elements Plugins::completed(const Declaration& declaration, const Elements& elem
     const auto declared = std::find_if(
         declaration.elements.begin(), declaration.elements.end(),
         [&](const ElementDeclaration& other) { return other.name == element.element; });
-    if (declared != declaration.elements.end()) {  // else apply_parameters() says what is wrong
+    if (declared != declaration.elements.end()) {  // else apply_parameters() reports the mistake
       element.parameters = complete(title(declaration) + ", element '" + element.element + "'",
                                     declared->parameters, element.parameters, false);
     }

@@ -58,7 +58,7 @@ Response random_wish(Random& random) {
   return wish;
 }
 
-/// What changes from one instant to the next, kept within what a body can do.
+/// Changes a situation from one instant to the next, within what a body can do.
 void move(Situation& now, Random& random) {
   OwnState& self = now.self;
   const double speed = std::clamp(self.speed_m_s + random.uniform(-0.1, 0.1), -0.5, 0.5);
@@ -94,7 +94,7 @@ Surroundings random_surroundings(const Colour& colour, Random& random) {
     return Vector2{distance * std::cos(angle), distance * std::sin(angle)};
   };
   Surroundings around;
-  around.resource(100.0, 100.0, colour);  // out of sight: the colours are the same in all of them
+  around.resource(100.0, 100.0, colour);  // out of sight, so that all scenes have the same colours
   const int things = static_cast<int>(random.uniform(0, 8));
   for (int i = 0; i < things; ++i) {
     const Vector2 at = place();
@@ -116,7 +116,7 @@ Surroundings random_surroundings(const Colour& colour, Random& random) {
   return around;
 }
 
-/// A robot: what is the same all through a run.
+/// The parts of a robot that are constant in a run.
 struct InputMaker::Layout {
   struct Eye {
     double azimuth_deg;
@@ -164,7 +164,7 @@ InputMaker::Layout InputMaker::layout(int robot, Random& random) const {
       made.body.self.is_leader = true;
       break;
     case 3:
-      break;  // no sensor but those that it needs
+      break;  // only the sensors that it needs
     default:
       around(index(random, 9), random.uniform(0.1, 5.0), made.beams);
       around(index(random, 4), random.uniform(0.1, 1.0), made.switches);
@@ -212,7 +212,7 @@ void InputMaker::add_own_kinds(Situation& now, Random& random) const {
                                "tried; put the sensor's library into the plugin path, or give the "
                                "checker add_readings");
     }
-    // A sensor for each instant: its reading stays where it is.
+    // A sensor for each instant, so that its reading stays in place.
     const auto sensor = std::make_shared<Sensor>(plugins_, (*maker)->name);
     sensor->reset(random.bits());
     Surroundings around = random_surroundings(random_colour(random), random);
@@ -269,7 +269,7 @@ Input InputMaker::make(int robot, Random& random) const {
     Situation instant = now;
     for (std::size_t i = 0; i < made.beams.size(); ++i) {
       const Layout::Eye& beam = made.beams[i];
-      // Mostly it goes on as it was.
+      // Mostly, things continue as before.
       ranges[i] = random.chance(0.1)
                       ? random_distance(beam.value, random)
                       : std::clamp(ranges[i] + random.uniform(-0.02, 0.02), 0.0, beam.value);
@@ -282,7 +282,7 @@ Input InputMaker::make(int robot, Random& random) const {
       instant.view(random_view(radians(eye.value), looks, random), eye.azimuth_deg);
     }
     for (std::size_t i = 0; i < made.mates; ++i) {
-      if (random.chance(0.8)) {  // else it is out of reach
+      if (random.chance(0.8)) {  // else out of reach
         instant.mate("mate" + std::to_string(i), now.self.pose.x + random.uniform(-2, 2),
                      now.self.pose.y + random.uniform(-2, 2), made.has_leader && i == 0,
                      random.uniform(-180, 180), static_cast<int>(i));
@@ -291,7 +291,7 @@ Input InputMaker::make(int robot, Random& random) const {
     if (random.chance(0.2)) {
       instant.event(events[index(random, events.size())]);
     }
-    if (!given) {  // else it has the sensors that it has
+    if (!given) {  // a given robot keeps its sensors
       add_own_kinds(instant, random);
     }
     if (options_.add_readings) {
@@ -302,7 +302,7 @@ Input InputMaker::make(int robot, Random& random) const {
 
   input.members = options_.members;
   if (input.members.empty() && declaration_.kind == PluginKind::coordinator) {
-    // Two on the usual robot; none at all on one of the others.
+    // Two on the usual robot, none on one of the others.
     const std::size_t members = robot == 0 ? 2 : robot == 3 ? 0 : 1 + index(random, 5);
     for (std::size_t i = 0; i < members; ++i) {
       input.members.push_back("member" + std::to_string(i + 1));

@@ -12,20 +12,20 @@
 
 namespace elsie::testing {
 
-/// One robot and what it meets, instant by instant.
+/// A robot with its random input at each instant.
 struct Input {
   std::string robot;                // in words
   std::vector<Situation> instants;  // for behaviours and coordinators; none for a sensor
-  /// Behaviours for a coordinator, and what each wishes at each instant. The wishes of the first
-  /// one serve those inside a behaviour, too.
+  /// Behaviours for a coordinator, and their answers at each instant. Those of the first also serve
+  /// for behaviours inside of a behaviour.
   std::vector<std::string> members;
   std::vector<double> priorities;
   std::vector<std::vector<Response>> wishes;
-  /// For sensors: where the carrier is at each instant, and in which of the scenes.
+  /// For sensors: the carrier's pose at each instant, and its scene.
   std::vector<std::shared_ptr<Surroundings>> scenes;
   std::vector<Pose> poses;
   Mounting mounting;
-  /// For measures: the start and the instants after it, and the boxes that are gone at the end.
+  /// For measures: the start and the instants after it, and the boxes that are removed by the end.
   std::vector<Scene> watched;
   std::vector<std::string> gone;
 };
@@ -35,10 +35,10 @@ class InputMaker {
   InputMaker(const Declaration& declaration, const CheckOptions& options, const Plugins& plugins)
       : declaration_(declaration), options_(options), plugins_(plugins) {}
 
-  /// How many robots there are to try; for measures, worlds.
+  /// The number of robots to try; for measures, of worlds.
   int robots() const;
-  /// Something for the robot of this number to meet. The same random stream, the same input. Throws
-  /// std::runtime_error, with a sentence, when a reading that the plugin needs cannot be made.
+  /// Input for the robot of this number; it follows from the random stream. Throws
+  /// std::runtime_error with a sentence when a reading that the plugin needs cannot be made.
   Input make(int robot, Random& random) const;
 
  private:
@@ -54,7 +54,7 @@ class InputMaker {
 
 /// Walls, boxes, robots, and resources of this colour around the origin, within 3 m.
 Surroundings random_surroundings(const Colour& colour, Random& random);
-/// Blobs of colour before a grey background.
+/// Coloured blobs on a grey background.
 Image random_picture(int width, int height, Random& random);
 
 }  // namespace elsie::testing

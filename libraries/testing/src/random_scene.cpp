@@ -1,4 +1,4 @@
-// The part of InputMaker about what a measure watches.
+// The part of InputMaker for measures.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,7 +16,7 @@ std::size_t index(Random& random, std::size_t size) {
   return static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(size)));
 }
 
-/// Robots r1, r2... of which r1 leads, in general.
+/// Robots r1, r2...; usually r1 is the leader.
 Scene random_world(int number, Random& random) {
   Scene made;
   const std::size_t robots = number == 2 ? 1 : number == 1 ? 10 : 2 + index(random, 4);
@@ -53,7 +53,7 @@ void move(ObservedRobot& robot, double step_s, bool decides, Random& random) {
   robot.energy_used += 0.03;
   robot.energy = std::max(0.0, robot.energy - 0.03);
   robot.collisions += random.chance(0.05) ? 1 : 0;
-  if (random.chance(0.02)) {  // a user puts it elsewhere
+  if (random.chance(0.02)) {  // a user moves it
     robot.pose.x = random.uniform(-5, 5);
     robot.pose.y = random.uniform(-5, 5);
   }
@@ -62,14 +62,14 @@ void move(ObservedRobot& robot, double step_s, bool decides, Random& random) {
   }
 }
 
-/// A robot's behaviours, as a scene is asked for them.
+/// A robot's behaviours by their paths in the scene.
 struct Cast {
   std::string robot;
   std::vector<std::string> behaviors;
   std::vector<int> parents;
 };
 
-/// Among those beside each other some have a share, and all shares together are 1 or 0.
+/// Gives shares to some behaviours at each level; the shares add up to 1 or 0.
 void decide(Scene& scene, const Cast& cast, const MotorCommand& command, Random& random) {
   std::vector<double> shares;
   std::map<int, double> sums;
@@ -100,7 +100,7 @@ std::vector<Cast> casts_of(const Observation& now) {
   return casts;
 }
 
-/// The id of some resource; "" when a look at a random box found none.
+/// The id of some resource; "" if a randomly chosen box is none.
 std::string some_resource(const Observation& now, Random& random) {
   if (now.boxes.empty()) {
     return "";

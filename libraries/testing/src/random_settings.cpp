@@ -9,13 +9,13 @@
 namespace elsie::testing {
 namespace {
 
-/// A number that the parameter takes, for one whose default is `usual`.
+/// A number within the parameter's range; `usual` is its default.
 double random_number(const ParameterDeclaration& parameter, double usual, Random& random) {
   const ParameterFacts& facts = parameter.facts;
   const bool open = facts.above >= facts.min && std::isfinite(facts.above);
   double low = std::max(open ? facts.above : facts.min, parameter.lowest);
   double high = std::min(facts.max, parameter.highest);
-  // Numbers as large as anybody would write, where nothing bounds them.
+  // Without bounds, numbers as large as users would write.
   const double scale =
       (usual != 0.0 ? std::abs(usual) : 1.0) * std::pow(10.0, random.uniform(-2.0, 2.0));
   const bool bounded_below = low > -1e9, bounded_above = high < 1e9;
@@ -37,7 +37,8 @@ double random_number(const ParameterDeclaration& parameter, double usual, Random
       value += 1.0;
     }
   } else if (parameter.highest <= std::numeric_limits<float>::max() && open) {
-    value = std::max(value, low + 1e-6 * std::max(1.0, std::abs(low)));  // the member is a float
+    value =
+        std::max(value, low + 1e-6 * std::max(1.0, std::abs(low)));  // the member may be a float
   }
   return value;
 }

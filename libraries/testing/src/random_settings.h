@@ -6,8 +6,8 @@
 
 namespace elsie::testing {
 
-/// Values for about half of the parameters, anywhere within their declared ranges, at the bounds
-/// too; `fixed` is always part of it. Texts without choices, and files, keep their defaults.
+/// Values for about half of the parameters, within their declared ranges and at the bounds, too;
+/// `fixed` is always included. Files, and texts without choices, keep their defaults.
 Settings random_settings(const Declaration& declaration, const Settings& fixed, Random& random);
 
 /// "speed = 3 and side = left", or "its defaults".

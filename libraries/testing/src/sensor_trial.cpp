@@ -13,7 +13,7 @@
 namespace elsie::testing {
 namespace {
 
-/// Larger pictures take too long to draw by hand.
+/// Larger pictures take too long to draw.
 constexpr int kMostPixels = 200'000;
 
 /// FNV-1a.
@@ -98,7 +98,7 @@ class SensorTrial final : public Trial {
     if (pictures_.empty()) {
       return Trial::run_length();
     }
-    // Pictures take long to look at.
+    // Pictures take a long time.
     const auto pixels = static_cast<std::size_t>(camera_->width * camera_->height);
     return std::clamp<std::size_t>(400'000 / pixels, 10, Trial::run_length());
   }

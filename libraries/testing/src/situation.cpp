@@ -121,7 +121,7 @@ Perception Situation::perception() const {
   v.groups.clear();
   v.mates.clear();
   v.events.clear();
-  v.sensed.reserve(entries_.size());  // so that views of it stay good
+  v.sensed.reserve(entries_.size());  // so that views of it remain valid
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const ReadingKind& kind = entries_[i].kind;
     const auto is_of_kind = [&](const Entry& entry) { return entry.kind == kind; };

@@ -10,7 +10,7 @@
 
 namespace elsie::testing {
 
-/// The simulator's own bodies and rays.
+/// The simulator's bodies and rays.
 struct Surroundings::Engine {
   std::unique_ptr<physics::Engine> bodies;
 };

@@ -1,4 +1,4 @@
-// Pieces of sentences.
+// Parts of sentences.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace elsie::testing {
 
 using base::number_text;
 
-/// To be called in a catch block: what() of the exception, or that it is no std::exception.
+/// To be called in a catch block: what() of the exception, or a note that it is no std::exception.
 std::string caught_text();
 
 }  // namespace elsie::testing

@@ -1,4 +1,4 @@
-// One object of a plugin at work on random input, for the checker.
+// One object of a plugin that the checker runs on random input.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace elsie::testing {
 
-/// What came of one step, as numbers that can be compared.
+/// The result of one step, as numbers to be compared.
 struct Answer {
   struct Number {
     const char* name;
@@ -32,7 +32,7 @@ struct Answer {
   void add(const FuzzySet& set);
 };
 
-/// An answer that must not be; what() goes on after "in step 3 ".
+/// Thrown for a wrong answer; what() continues "in step 3 ".
 class Wrong : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -41,21 +41,21 @@ class Wrong : public std::runtime_error {
 class Trial {
  public:
   virtual ~Trial() = default;
-  /// As before a run.
+  /// Resets the object, as before a run.
   virtual void reset(std::uint64_t seed) = 0;
-  /// As when a user sets a parameter to the value that it has.
+  /// Configures it again with the same values, as a user may.
   virtual void configure_again() = 0;
-  /// As when it is put in the place of `before`, another trial of the same setting, by a hot
-  /// reload. Whether it remembers anything of what that did. Throws what the plugin throws.
+  /// Replaces `before`, another trial with the same setting, as a hot reload does. Returns whether
+  /// the class remembers anything. Throws what the plugin throws.
   virtual bool take_over(Trial& before) = 0;
-  /// The next instant; `step` counts from 0 and goes round the input. Throws Wrong, and what the
+  /// Runs the next instant; `step` counts from 0, and the input repeats. Throws Wrong, and what the
   /// plugin throws.
   virtual void step(std::size_t step, Answer& answer) = 0;
-  /// How many steps there are time for.
+  /// The number of steps in a run.
   virtual std::size_t run_length() const { return 150; }
 };
 
-/// What a trial is made of.
+/// The ingredients of a trial.
 struct TrialSetting {
   const Plugins& plugins;
   const Declaration& declaration;
@@ -64,8 +64,8 @@ struct TrialSetting {
   const Input& input;
 };
 
-/// A robot that the plugin refuses: what equipped() threw, or a sensor that cannot be tried. No
-/// fault of the plugin's.
+/// A robot that the plugin refuses in equipped(), or a sensor that cannot be tried. This is no
+/// fault of the plugin.
 class Refused : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -77,7 +77,7 @@ std::unique_ptr<Trial> make_coordinator_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_sensor_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_measure_trial(const TrialSetting& setting);
 
-/// Runs equipped(); a std::exception becomes Refused.
+/// Runs equipped(); turns a std::exception into Refused.
 template <class Action>
 void equipping(Action action) {
   try {
@@ -87,13 +87,13 @@ void equipping(Action action) {
   }
 }
 
-// What must be so of each answer; each throws Wrong.
+// Checks of answers; each throws Wrong.
 void require_finite(const char* what, double value);
 void require_degree(const char* what, double value);
 void require_rating(std::span<const double> desirability);
 void require_sets(const CommandSets& sets);
 
-/// Commands to be rated, in one place for all.
+/// Commands to be rated; the same for all trials.
 std::span<const MotorCommand> candidates();
 
 }  // namespace elsie::testing

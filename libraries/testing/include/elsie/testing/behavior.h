@@ -1,4 +1,4 @@
-// A behaviour, ready to be asked.
+// A behaviour under test.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace elsie::testing {
 
-/// Behaviours inside a behaviour that holds some, with one answer.
+/// The behaviours inside of a behaviour, with one answer.
 class Inside final : public Coordination {
  public:
   Response answer;
@@ -28,37 +28,35 @@ class Inside final : public Coordination {
 ///   Behavior shy("shy", {{"comfort", 0.4}});
 ///   shy.respond(Situation().beam(0, 0.1)).command
 ///
-/// Any behaviour by its name. On the first respond() it is told what the robot has (equipped()) and
-/// reset, as before a run.
+/// Any behaviour by its name. The first respond() calls equipped() and reset(), as before a run.
 class Behavior {
  public:
-  /// Throws plugin::PluginError, with a sentence: no such plugin, wrong names and values of
-  /// parameters, what configured() refuses.
+  /// Throws plugin::PluginError with a sentence for an unknown plugin, wrong names or values of
+  /// parameters, and what configured() refuses.
   explicit Behavior(const std::string& name, const Settings& settings = {},
                     const Elements& elements = {});
   Behavior(const Plugins& plugins, const std::string& name, const Settings& settings = {},
            const Elements& elements = {});
 
-  /// What it answers now. The names of events are the plugin's: valid as long as this object.
+  /// Its answer now. Names of events belong to the plugin: they are valid as long as this object.
   /// Throws what the plugin throws.
   Response respond(const Situation& now);
-  /// Its answers to one instant after the other.
+  /// Its answers to several instants in order.
   std::vector<Response> respond(const Sequence& sequence);
 
-  /// Back to the start of a run, with the random stream of this seed.
+  /// Returns to the start of a run, with the random stream of this seed.
   void reset(std::uint64_t seed = 1);
-  /// As when its library is replaced while a robot drives (docs/hot-reload.md): from the start of
-  /// the run in which `before` is, with what that remembers, its random stream going on. Whether
-  /// both classes derive from Remembers; otherwise nothing is remembered. Throws what the plugin
-  /// throws.
+  /// Acts as when its library is replaced while a robot drives (docs/hot-reload.md): continues the
+  /// run of `before`, with what that remembers and its random stream. Returns whether both classes
+  /// derive from Remembers; otherwise nothing is remembered. Throws what the plugin throws.
   bool take_over(Behavior& before);
-  /// What the robot has; else the first situation says it. Throws what the plugin refuses.
+  /// Sets what the robot has; by default the first situation sets it. Throws what the plugin
+  /// refuses.
   void equip(const Situation& example);
-  /// Changes parameters, as a user does while it runs: configured() is called again, and
-  /// equipped().
+  /// Changes parameters as a user does during a run: calls configured() and equipped() again.
   void set(const Settings& settings);
 
-  /// What a behaviour that holds others holds.
+  /// The behaviours inside of this one.
   Inside& inside() { return *inside_; }
   const Declaration& declaration() const { return *declaration_; }
   elsie::Behavior& operator*() { return *object_; }

@@ -1,5 +1,5 @@
-// The test library with Catch2 2.13: expectations are matchers as they are; here is how Catch2
-// prints what they are about.
+// The test library with Catch2 2.13: expectations are Catch2 matchers; this header lets Catch2
+// print what they check.
 //
 //   CHECK_THAT(shy.respond(now), turns_left());
 //   CHECK_THAT(trace, equals_golden("shy.golden"));
@@ -47,7 +47,7 @@ struct StringMaker<elsie::testing::Verdict> {
 
 namespace elsie::testing {
 
-/// That a trace is as in its file; see compare_with_golden().
+/// Matches a trace that equals its golden file; see compare_with_golden().
 class EqualsGolden {
  public:
   EqualsGolden(std::string file, double tolerance)
@@ -69,7 +69,7 @@ inline EqualsGolden equals_golden(std::string file, double tolerance = 1e-6) {
   return {std::move(file), tolerance};
 }
 
-/// That a checker has nothing to say.
+/// Matches a checker's result without findings.
 class FindsNothing {
  public:
   bool match(const std::vector<std::string>& findings) const { return findings.empty(); }

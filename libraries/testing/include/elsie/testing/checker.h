@@ -1,27 +1,24 @@
-// What every plugin must be: checked by trying.
+// Checks what every plugin must satisfy, by trying it.
 //
 //   for (const std::string& finding : check_plugin(PluginKind::behavior, "shy")) { ... }
 //
-// The declaration: meanings of the plugin, its parameters, elements and events; a unit for every
-// number, or a bound at least for a pure one; a unit that fits a
-// name's ending (speed_m_s is in m/s); sound ranges, defaults that are allowed and that objects
-// really start with.
+// The declaration: meanings of the plugin, its parameters, elements and events; for every number a
+// unit, or at least a bound; a unit that fits the end of a name (speed_m_s is in m/s); sound
+// ranges; defaults that are allowed and that new objects have.
 //
 // Its objects, on random but possible input, with the given parameters and with random ones within
-// their ranges (which configured() and equipped() may refuse, with a sentence):
-// - answers are finite and in their ranges, events declared, nothing is thrown; the values of a
-//   measure stay what it says that they are;
-// - two objects answer the same input alike, also while a third one works on something else, and
-//   the first again after reset() and after configured() was called once more: none shares state
-//   with others, and none depends on a clock, on an address, or on random numbers other than its
-//   own;
-// - an object that takes over in mid-run what another one remembers (elsie/api/remember.h) goes on
-// as
-//   that would have, where the class offers it;
-// - memory does not grow with the number of steps, and objects leave none behind.
+// their ranges (which configured() and equipped() may refuse with a sentence):
+// - answers are finite and within their ranges, events are declared, nothing is thrown; the values
+//   of a measure are always those that it names;
+// - two objects answer the same input alike, also while a third one works on other input, and the
+//   first again after reset() and after a second configured(): objects share no state, and depend
+//   on no clock, no address, and no random numbers but their own;
+// - an object that takes over in mid-run what another one remembers (elsie/api/remember.h)
+//   continues as the other would have, if the class offers it;
+// - memory does not grow with the number of steps, and destroyed objects leave none behind.
 //
-// What no trial finds: a plugin that looks at a clock of whole seconds, or goes wrong on one input
-// in a million.
+// No trial finds a plugin that reads a clock of whole seconds, or that fails on one input in a
+// million.
 #pragma once
 
 #include <cstdint>
@@ -36,37 +33,36 @@
 namespace elsie::testing {
 
 struct CheckOptions {
-  /// Parameters that are always set so: required ones, for example.
+  /// Parameters with fixed values: required ones, for example.
   Settings settings{};
   Elements elements{};
-  /// The behaviours of a coordinator that takes no others; else random ones.
+  /// The behaviours of a coordinator that accepts no others; by default random ones.
   std::vector<std::string> members{};
-  /// The robot to be tried: its sensors, body and team. Values are random all the same. Else
-  /// several, with beams, switches, cameras, and a sensor for each kind of reading that the plugin
-  /// needs.
+  /// The robots to try: their sensors, body and team; values remain random. By default several,
+  /// with beams, switches, cameras, and a sensor for each kind of reading that the plugin needs.
   std::vector<Situation> robots{};
-  /// The worlds to be tried, for a measure: their robots, behaviours and boxes. What happens there
-  /// is random all the same. Else several, with robots r1, r2... of the teams red and blue.
+  /// The worlds to try for a measure: their robots, behaviours and boxes; events in them remain
+  /// random. By default several, with robots r1, r2... of the teams red and blue.
   std::vector<Scene> scenes{};
-  /// Puts in readings of kinds that no sensor plugin makes.
+  /// Adds readings of kinds that no sensor plugin makes.
   std::function<void(Situation&, Random&)> add_readings{};
   std::uint64_t seed = 1;
-  /// How many sets of random parameters.
+  /// The number of sets of random parameters.
   int variants = 20;
-  /// Steps for the look at memory, which must not grow: a run goes on for a few times as many when
-  /// it seems to.
+  /// The number of steps in which memory must not grow; if it seems to, the run continues for
+  /// several times as many.
   int steps = 20000;
-  /// A plugin that comes to hold more than this is a finding, and is not tried any further; bytes.
+  /// The memory limit of a plugin in bytes. Beyond it, the trial ends with a finding.
   std::size_t memory_limit = 1'000'000'000;
 };
 
-/// What is wrong with a plugin, each a sentence that names it; empty when nothing was found. Throws
+/// The faults of a plugin as sentences that name it; empty if there are none. Throws
 /// plugin::PluginError when there is no such plugin.
 std::vector<std::string> check_plugin(PluginKind kind, const std::string& name,
                                       const CheckOptions& options = {},
                                       const Plugins& plugins = Plugins::found());
 
-/// The part about the declaration alone.
+/// The checks of the declaration alone.
 std::vector<std::string> check_declaration(const Declaration& declaration);
 
 }  // namespace elsie::testing

@@ -1,4 +1,4 @@
-// A coordinator, ready to decide.
+// A coordinator under test.
 #pragma once
 
 #include <cstdint>
@@ -16,36 +16,37 @@ namespace elsie::testing {
 ///   CHECK(vote.decide().left == 10);
 ///   CHECK(team.trace("avoid").share == 1);
 ///
-/// Any coordinator by its name, with its team, which must outlive it. On the first decision it is
-/// told what the robot has (equipped()) and reset, as before a run.
+/// Any coordinator by its name, with its team, which must outlive it. The first decision calls
+/// equipped() and reset(), as before a run.
 class Coordinator {
  public:
-  /// Throws plugin::PluginError, with a sentence: no such plugin, wrong names and values of
-  /// parameters, what configured() refuses.
+  /// Throws plugin::PluginError with a sentence for an unknown plugin, wrong names or values of
+  /// parameters, and what configured() refuses.
   Coordinator(const std::string& name, Team& team, const Settings& settings = {},
               const Elements& elements = {});
   Coordinator(const Plugins& plugins, const std::string& name, Team& team,
               const Settings& settings = {}, const Elements& elements = {});
 
-  /// One decision, on what is in `now`. Throws what the plugin throws.
+  /// One decision on the team's present answers. Throws what the plugin throws.
   MotorCommand decide();
   MotorCommand decide(const Situation& situation);
   MotorCommand decide_at(double time_s);
-  /// Its decisions at one instant after the other.
+  /// Its decisions at several instants in order.
   std::vector<MotorCommand> decide(const Sequence& sequence);
 
-  /// What an outer coordinator would hear after a decision, if this one were inside a behaviour.
+  /// Its ratings after a decision, as an outer coordinator would get them if this one were inside a
+  /// behaviour.
   std::vector<double> rate(const std::vector<MotorCommand>& candidates);
   CommandSets sets();
 
-  /// Back to the start of a run, with the random stream of this seed.
+  /// Returns to the start of a run, with the random stream of this seed.
   void reset(std::uint64_t seed = 1);
-  /// As when its library is replaced while a robot drives (docs/hot-reload.md): from the start of
-  /// the run in which `before` is, with what that remembers, its random stream going on. Whether
-  /// both classes derive from Remembers; otherwise nothing is remembered. Throws what the plugin
-  /// throws.
+  /// Acts as when its library is replaced while a robot drives (docs/hot-reload.md): continues the
+  /// run of `before`, with what that remembers and its random stream. Returns whether both classes
+  /// derive from Remembers; otherwise nothing is remembered. Throws what the plugin throws.
   bool take_over(Coordinator& before);
-  /// What the robot has; else the first situation says it. Throws what the plugin refuses.
+  /// Sets what the robot has; by default the first situation sets it. Throws what the plugin
+  /// refuses.
   void equip(const Situation& example);
 
   const Declaration& declaration() const { return *declaration_; }

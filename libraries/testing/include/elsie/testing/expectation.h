@@ -1,9 +1,9 @@
-// What to expect of an answer.
+// Expectations of an answer.
 //
 //   const Verdict verdict = turns_left().check(shy.respond(now));   // without a test framework
 //   CHECK_THAT(shy.respond(now), turns_left() && !raises("stuck"));  // Catch2, with catch.h
 //
-// Each takes a Response; a bare MotorCommand will do, too.
+// Each checks a Response or a bare MotorCommand.
 #pragma once
 
 #include <functional>
@@ -17,14 +17,14 @@ namespace elsie::testing {
 
 class Expectation {
  public:
-  /// `says` goes on after "the answer should ".
+  /// `says` continues "the answer should ".
   Expectation(std::string says, std::function<bool(const Response&)> test)
       : says_(std::move(says)), test_(std::move(test)) {}
 
   /// "the answer should turn left, but is command (left 3, right 2) rad/s, activation 1"
   Verdict check(const Response& response) const;
 
-  // The two by which Catch2 knows a matcher.
+  // Catch2 knows a matcher by these two functions.
   bool match(const Response& response) const { return test_(response); }
   std::string toString() const { return "should " + says_; }
 
@@ -41,17 +41,17 @@ class Expectation {
 std::string text(const Response& response);
 std::string text(const MotorCommand& command);
 
-// Directions. A difference of the wheels of less than `than` (rad/s) is none, and so is a mean.
+// Directions. Half the wheels' difference, or their mean, counts as zero below `than` (rad/s).
 inline constexpr double kNoRate = 1e-6;
 Expectation turns_left(double than = kNoRate);
 Expectation turns_right(double than = kNoRate);
-/// Forward, both wheels alike.
+/// Forward, with both wheels at the same rate.
 Expectation drives_straight_on(double than = kNoRate);
-/// Forward on the whole, straight or not.
+/// Forward in the mean of both wheels.
 Expectation drives_forward(double than = kNoRate);
-/// Backward on the whole.
+/// Backward in the mean of both wheels.
 Expectation backs_up(double than = kNoRate);
-/// On the spot: it turns, and the wheels' mean is zero.
+/// It turns, and the wheels' mean is zero.
 Expectation turns_on_the_spot(double than = kNoRate);
 Expectation stands(double than = kNoRate);
 

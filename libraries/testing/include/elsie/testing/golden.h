@@ -1,8 +1,7 @@
-// Golden traces: what came of it once, in a text file that is committed, against what comes of it
-// now.
+// Golden traces: earlier results in a committed text file, compared with those of today.
 //
-// A file is written when the environment variable ELSIE_UPDATE_GOLDEN is set to 1; look at what
-// changed before committing it.
+// Tests write the file when the environment variable ELSIE_UPDATE_GOLDEN is 1; check the changes
+// before committing it.
 #pragma once
 
 #include <string>
@@ -15,37 +14,36 @@
 
 namespace elsie::testing {
 
-/// Name of the environment variable that has golden files rewritten.
+/// The environment variable that makes tests rewrite golden files.
 inline constexpr const char* kUpdateVariable = "ELSIE_UPDATE_GOLDEN";
 
-/// A table: numbers by name, and the events, for each step.
+/// A table with a row for each step: numbers by name, and events.
 struct Trace {
   struct Row {
     double time_s = 0.0;
-    std::vector<double> values;  // as many as there are columns
-    std::string events;          // names with commas between; empty: none
+    std::vector<double> values;  // one for each column
+    std::string events;          // names, separated by commas
   };
   std::vector<std::string> columns;
   std::vector<Row> rows;
 };
 
-/// A behaviour's answers: left, right (rad/s), activation, strength; and its events.
+/// A behaviour's answers: left, right (rad/s), activation, strength, and events.
 Trace record(Behavior& behavior, const Sequence& sequence);
 /// A coordinator's decisions: left, right (rad/s), and the share of each of its members.
 Trace record(Coordinator& coordinator, Team& team, const Sequence& sequence);
-/// A world from where it is: for each robot x, y (m), heading (rad) and its command (rad/s), at
-/// every `interval_s`; with the events since the row before. Throws simulation::PluginFault.
+/// A world from its present state: every `interval_s`, for each robot x, y (m), heading (rad) and
+/// its command (rad/s), and the events since the row before. Throws simulation::PluginFault.
 Trace record(World& world, double seconds, double interval_s = 0.1);
 
-/// Whether the trace is the one in the file: the same columns, steps and events; numbers no further
-/// off than `tolerance`, or that part of the larger of the two. When not, the sentence tells the
-/// first difference, with step, value and what was expected, and how many there are. A file that is
-/// not there is a difference, too. Throws std::runtime_error when the file is to be written and
-/// cannot be.
+/// Whether the trace equals that of the file: the same columns, steps and events, and numbers
+/// within `tolerance`, absolute or relative to the larger one. If not, the sentence gives the first
+/// difference, with step, value and expected value, and the number of differences. A missing file
+/// is a difference, too. Throws std::runtime_error when the file should be written and cannot be.
 Verdict compare_with_golden(const Trace& trace, const std::string& file, double tolerance = 1e-6);
 
-/// The text of a golden file. read_trace() throws std::runtime_error, with file and line, for text
-/// that is none.
+/// The text of a golden file. read_trace() throws std::runtime_error with file and line when the
+/// text is no golden trace.
 std::string write_trace(const Trace& trace);
 Trace read_trace(const std::string& text, const std::string& file);
 

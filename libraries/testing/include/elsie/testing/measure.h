@@ -1,4 +1,4 @@
-// A measure, ready to watch.
+// A measure under test.
 #pragma once
 
 #include <cstdint>
@@ -20,29 +20,28 @@ namespace elsie::testing {
 ///   length.observe(now.step());
 ///   CHECK(length.value() == 0.5);
 ///
-/// Any measure by its name. On the first observe() it is told what is in the world (equipped()) and
-/// reset, as before a run.
+/// Any measure by its name. The first observe() calls equipped() and reset(), as before a run.
 class Measure {
  public:
-  /// Throws plugin::PluginError, with a sentence: no such plugin, wrong names and values of
-  /// parameters, what configured() refuses.
+  /// Throws plugin::PluginError with a sentence for an unknown plugin, wrong names or values of
+  /// parameters, and what configured() refuses.
   explicit Measure(const std::string& name, const Settings& settings = {},
                    const Elements& elements = {});
   Measure(const Plugins& plugins, const std::string& name, const Settings& settings = {},
           const Elements& elements = {});
 
-  /// Shows it an instant. Throws what the plugin throws.
+  /// Shows the measure an instant. Throws what the plugin throws.
   void observe(const Scene& now);
 
-  /// What it has to report so far. Throws std::invalid_argument for a name that is none of its
-  /// quantities(), and std::logic_error when it was not equipped.
+  /// A value that it reports so far. Throws std::invalid_argument for a name that is not in its
+  /// quantities(), and std::logic_error before it was equipped.
   std::optional<double> value(const std::string& name = "",
                               RunEnd::Outcome outcome = RunEnd::Outcome::time_limit) const;
   std::vector<Quantity> quantities() const;
 
-  /// Back to the start of a run.
+  /// Returns to the start of a run.
   void reset();
-  /// What the world has; else the first scene says it. Throws what the plugin refuses.
+  /// Sets what the world has; by default the first scene sets it. Throws what the plugin refuses.
   void equip(const Scene& start);
 
   const Declaration& declaration() const { return *declaration_; }

@@ -1,4 +1,4 @@
-// Pictures drawn by hand, for what looks at pictures.
+// Pictures drawn by hand, for sensors with cameras.
 #pragma once
 
 #include "elsie/api/image.h"
@@ -10,16 +10,16 @@ inline constexpr Colour kGreen{30, 200, 30};
 inline constexpr Colour kBlue{30, 30, 220};
 inline constexpr Colour kGrey{128, 128, 128};
 
-/// A picture of three channels (red, green, blue). Columns and rows are counted from the upper left
-/// corner, in pixels; a pixel is painted when its middle is inside. What is outside of the picture
-/// is left out.
+/// A picture with three channels (red, green, blue). Columns and rows are counted from the upper
+/// left corner, in pixels; a pixel is painted when its middle is inside of the shape. Shapes may
+/// extend beyond the picture.
 class Picture {
  public:
   explicit Picture(int width = 100, int height = 100, const Colour& background = kGrey);
 
   /// A disc with its middle at (column, row).
   Picture& disc(double column, double row, double radius, const Colour& colour = kRed);
-  /// From one corner up to the other.
+  /// Paints a rectangle from one corner to the opposite one.
   Picture& rectangle(double left, double top, double right, double bottom,
                      const Colour& colour = kRed);
 
@@ -33,7 +33,7 @@ class Picture {
   Image image_;
 };
 
-/// The mask of the pixels of exactly this colour: one channel, 255 where they are.
+/// The mask of the pixels of exactly this colour: one channel, 255 for these pixels.
 Image mask_of(const Image& picture, const Colour& colour);
 
 }  // namespace elsie::testing

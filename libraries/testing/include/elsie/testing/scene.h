@@ -1,4 +1,4 @@
-// A world as a measure sees it, put together by hand.
+// A world made up by hand, as a measure sees it.
 #pragma once
 
 #include <deque>
@@ -16,47 +16,48 @@ namespace elsie::testing {
 ///   now["r1"].distance_m = 0.5;
 ///   now.step();
 ///
-/// An arena of 10 m x 10 m with the teams "red" and "blue", at time zero, in steps of 0.01 s, until
-/// it is said otherwise. What a robot has no word for here is set where it stands: now["r1"]. A
-/// copy is a scene of its own.
+/// By default an arena of 10 m x 10 m with the teams "red" and "blue", at time zero, in steps of
+/// 0.01 s. Members of a robot that have no function here are set directly: now["r1"]. Copies are
+/// independent.
 class Scene {
  public:
   Scene();
 
   Scene& arena(double length_m, double width_m);
-  /// A step's length, and how many of them make a control period.
+  /// Sets the length of a step and the number of steps in a control period.
   Scene& steps_of(double step_s, int control_steps = 1);
   Scene& team(const std::string& id);
 
-  /// Another robot, with a full battery; the words below are about the one added last.
+  /// Adds a robot with a full battery; the functions below change the last one.
   Scene& robot(const std::string& id, double x = 0.0, double y = 0.0,
                const std::string& team = "red", double heading_deg = 0.0);
   Scene& leads(bool is_leader = true);
-  /// Another behaviour, by its path: "explore", then "explore/wander" inside it. Throws
-  /// std::invalid_argument when there is nothing that it could be inside of.
+  /// Adds a behaviour by its path: "explore", then "explore/wander" inside of it. Throws
+  /// std::invalid_argument when the outer one does not exist.
   Scene& behaves(const std::string& path, const std::string& plugin = "");
 
   Scene& box(const std::string& id, ObservedBox::Kind kind, double x, double y,
              const std::string& team = "");
   Scene& resource(const std::string& id, double x, double y, const std::string& team = "");
-  /// It is not there any more: a resource was collected.
+  /// Removes a box, as when a resource was collected.
   Scene& remove_box(const std::string& id);
 
-  /// A robot, to be changed. Throws std::invalid_argument, with those there are, for another id.
+  /// A robot, to be changed. For another id, throws std::invalid_argument with the existing ones.
   ObservedRobot& operator[](const std::string& id);
-  /// Likewise one of its behaviours, by its path. Its share in the robot's command is seen to.
+  /// One of its behaviours by its path, to be changed. Its share in the robot's command is
+  /// computed.
   ObservedBehavior& behavior(const std::string& robot, const std::string& path);
 
-  /// The instant after the next step: later by its length; robots decided in it when it begins a
-  /// control period.
+  /// Moves to the instant after the next step. Robots decide in it when it begins a control period.
   Scene& step();
-  /// The instant after so many steps; 0: the start.
+  /// Moves to the instant after so many steps; 0: the start.
   Scene& at_step(int steps);
-  /// Back to the start, with everything as it is.
+  /// Moves to the start without other changes.
   Scene& restart() { return at_step(0); }
   double time_s() const { return now_.time_s; }
 
-  /// For calling a measure's object directly. Refers to this scene, and is good until that changes.
+  /// For calling a measure's object directly. Refers to this scene, and is valid until that
+  /// changes.
   const Observation& observation() const;
 
  private:
@@ -65,12 +66,12 @@ class Scene {
 
   std::shared_ptr<std::deque<std::string>> texts_;  // ids; copies share them
   std::vector<ObservedRobot> robots_;
-  std::vector<std::vector<ObservedBehavior>> behaviors_;  // of each robot
+  std::vector<std::vector<ObservedBehavior>> behaviors_;  // for each robot
   std::vector<ObservedBox> boxes_;
   std::vector<std::string_view> teams_;
   int steps_ = 0;
   int control_steps_ = 1;
-  // What observation() refers to, made anew by each call.
+  // What observation() refers to, renewed by each call.
   Observation now_;
   mutable Observation view_;
   mutable std::vector<ObservedRobot> seen_;

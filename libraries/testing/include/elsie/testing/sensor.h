@@ -1,4 +1,4 @@
-// A sensor, ready to look.
+// A sensor under test.
 #pragma once
 
 #include <cstdint>
@@ -16,51 +16,50 @@ namespace elsie::testing {
 ///   Sensor beam("beam_range", {{"max_range", 2.0}});
 ///   CHECK(beam.sense<RangeReading>(Surroundings().wall(1, -1, 1, 1)).hit);
 ///
-/// Any sensor by its name, at the front edge and on top of a robot of the usual size, as in a world
-/// that says nothing else, looking ahead.
+/// Any sensor by its name, at the front edge and on top of a robot of the default size, looking
+/// ahead, as by default in a world.
 class Sensor {
  public:
-  /// Throws plugin::PluginError, with a sentence: no such plugin, wrong names and values of
-  /// parameters, what configured() refuses.
+  /// Throws plugin::PluginError with a sentence for an unknown plugin, wrong names or values of
+  /// parameters, and what configured() refuses.
   explicit Sensor(const std::string& name, const Settings& settings = {},
                   const Elements& elements = {});
   Sensor(const Plugins& plugins, const std::string& name, const Settings& settings = {},
          const Elements& elements = {});
 
-  /// Where it is on the robot.
+  /// Sets its place on the robot.
   Sensor& mounted(const Mounting& mounting);
   Sensor& turned(double yaw_deg, double pitch_deg = 0.0);
 
-  /// A new reading; one control period after the last. A sensor with a camera is given the picture
-  /// of these surroundings. Throws std::invalid_argument when its readings are of another kind.
+  /// A new reading, one control period after the last. A sensor with a camera gets a picture of
+  /// these surroundings. Throws std::invalid_argument when its readings are of another kind.
   template <class Reading>
   const Reading& sense(const elsie::testing::Surroundings& surroundings) {
     require(ReadingKind::of<Reading>());
     update(surroundings, nullptr);
     return *static_cast<const Reading*>(object_->reading());
   }
-  /// The same for a sensor with a camera that sees this picture.
+  /// The same for a sensor with a camera, which gets this picture.
   template <class Reading>
   const Reading& sense(const Image& picture, const elsie::Surroundings& around = Surroundings()) {
     require(ReadingKind::of<Reading>());
     update(around, &picture);
     return *static_cast<const Reading*>(object_->reading());
   }
-  /// A new reading, whatever its kind; values() tells its numbers.
+  /// Makes a new reading of any kind; values() gives its numbers.
   void update(const elsie::testing::Surroundings& surroundings, const Image* picture);
   void update(const elsie::Surroundings& surroundings, const Image* picture);
   /// The numbers of the current reading, by name.
   std::vector<NamedValue> values() const;
 
-  /// What its robot is like; else the first surroundings say it, and others whose resources have
-  /// other colours. Throws what the plugin refuses.
+  /// Sets what its robot is like; by default the first surroundings do, and others whose resources
+  /// have other colours. Throws what the plugin refuses.
   void equip(const elsie::Surroundings& surroundings);
-  /// Back to the start of a run, with the random stream (the noise) of this seed.
+  /// Returns to the start of a run, with the random stream (the noise) of this seed.
   void reset(std::uint64_t seed = 1);
-  /// As when its library is replaced while a robot drives (docs/hot-reload.md): from the start of
-  /// the run in which `before` is, with what that remembers, its random stream going on. Whether
-  /// both classes derive from Remembers; otherwise nothing is remembered. Throws what the plugin
-  /// throws.
+  /// Acts as when its library is replaced while a robot drives (docs/hot-reload.md): continues the
+  /// run of `before`, with what that remembers and its random stream. Returns whether both classes
+  /// derive from Remembers; otherwise nothing is remembered. Throws what the plugin throws.
   bool take_over(Sensor& before);
 
   const Declaration& declaration() const { return *declaration_; }
@@ -79,7 +78,7 @@ class Sensor {
   Random random_;
   plugin::Object<elsie::Sensor> object_;
   Image picture_;
-  std::optional<std::vector<Colour>> colours_;  // that it was told of
+  std::optional<std::vector<Colour>> colours_;  // the resources' colours that the sensor knows
   double time_s_ = 0.0;
   bool reset_ = false;
 };

@@ -1,4 +1,4 @@
-// What a robot perceives over time.
+// A robot's perception over time.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace elsie::testing {
 
-/// One instant after the other, a control period apart, from time zero:
+/// Instants from time zero, a control period apart:
 ///
 ///   Sequence way;
 ///   way.hold(0.5, Situation().beam(0, 1.0))                      // half a second of nothing
@@ -17,13 +17,13 @@ class Sequence {
  public:
   explicit Sequence(double period_s = 0.01) : period_s_(period_s) {}
 
-  /// The same for so long.
+  /// Adds a constant part of this duration.
   Sequence& hold(double seconds, const Situation& now);
-  /// Something that changes: `at` is asked for each instant, with the time since this part began.
+  /// Adds a changing part: `at` is called for each instant with the time since the part began.
   Sequence& change(double seconds, const std::function<Situation(double elapsed_s)>& at);
 
   double period_s() const { return period_s_; }
-  /// Each with its time and period.
+  /// The instants with their times and periods.
   const std::vector<Situation>& instants() const { return instants_; }
 
  private:

@@ -1,4 +1,4 @@
-// What a robot perceives at an instant, put together by hand.
+// A robot's perception at an instant, made up by hand.
 #pragma once
 
 #include <deque>
@@ -17,25 +17,24 @@ namespace elsie::testing {
 ///   Situation now;
 ///   now.beam(15, 0.2).beam(-15, 1.0).blob(70).at(1, 2, 90).battery(0.1).charger(3, 0);
 ///
-/// A robot that stands at the origin, looks east, is alone, and has no sensors, until it is said
-/// otherwise. Angles are in degrees, azimuths counter-clockwise from straight ahead. A copy is a
-/// situation of its own.
+/// By default a robot at the origin that looks east, is alone, and has no sensors. Angles are in
+/// degrees, azimuths counter-clockwise from straight ahead. Copies are independent.
 class Situation {
  public:
-  // Sensors, each with what it reads now. Readings of one kind keep their order.
+  // Sensors with their readings. Readings of one kind keep their order.
 
-  /// A range sensor that looks this way and reads this distance; nothing is hit at max_range_m.
+  /// Adds a range sensor that looks this way and reads this distance; max_range_m is no hit.
   Situation& beam(double azimuth_deg, double distance_m, double max_range_m = 1.0);
   Situation& proximity(double azimuth_deg, bool detected, double max_range_m = 0.5);
-  /// A camera that sees a blob with its middle at this column, of 100, with pictures to go with it:
+  /// Adds a camera that sees a blob with its middle at this column, of 100, with matching pictures:
   /// a disc of that colour and area.
   Situation& blob(double column, double horizontal_fov_deg = 30.0, double area_px = 100.0,
                   double azimuth_deg = 0.0, const Colour& colour = kRed);
-  /// A camera that finds nothing.
+  /// Adds a camera that sees nothing.
   Situation& camera(double horizontal_fov_deg = 30.0, double azimuth_deg = 0.0);
-  /// Any reading of a camera.
+  /// Adds a camera with any reading.
   Situation& view(const VisionReading& reading, double azimuth_deg = 0.0);
-  /// A reading of any kind, also of one that a plugin brings in a header of its own.
+  /// Adds a reading of any kind, also of one that a plugin defines in its own header.
   template <class Reading>
   Situation& reading(Reading value, double azimuth_deg = 0.0) {
     return reading(std::move(value), Mounting{{}, radians(azimuth_deg), 0.0});
@@ -45,42 +44,43 @@ class Situation {
     return sensed(ReadingKind::of<Reading>(), std::make_shared<const Reading>(std::move(value)),
                   mounting, std::move(sensor));
   }
-  /// Likewise with its type left out. `kind.name` must stay where it is.
+  /// The same without its type. `kind.name` must remain valid.
   Situation& sensed(const ReadingKind& kind, std::shared_ptr<const void> value,
                     const Mounting& mounting, std::string sensor = "");
-  /// Takes all sensors away, so that those of the next instant can be put there.
+  /// Removes all sensors, so that those of the next instant can be added.
   Situation& clear_readings();
 
-  // The robot itself. Whatever has no word here is set in `self`.
+  // The robot itself. Members without a function here are set in `self`.
 
   Situation& at(double x, double y, double heading_deg);
-  /// Measured: along the heading, and turning counter-clockwise; the wheel rates go with it.
+  /// Sets measured speeds, along the heading and counter-clockwise, and the wheel rates that belong
+  /// to them.
   Situation& moving(double speed_m_s, double turn_rate_rad_s = 0.0);
-  /// What is left in the battery, as a part of its capacity.
+  /// Sets the charge of the battery as a share of its capacity.
   Situation& battery(double part);
   Situation& charging(bool is_charging = true);
 
   // Its team.
 
-  /// Another robot of the team, whose coverage reaches this one.
+  /// Adds a robot of the team whose coverage reaches this one.
   Situation& mate(const std::string& id, double x, double y, bool is_leader = false,
                   double heading_deg = 0.0, int team_index = 0);
-  /// The same for the team's leader.
+  /// Adds the team's leader in the same way.
   Situation& leader(double x, double y, double heading_deg = 0.0);
   Situation& charger(double x, double y);
 
   // The instant.
 
-  /// Something that was raised on this robot in the last step.
+  /// Adds an event that was raised on this robot in the last step.
   Situation& event(const std::string& name);
   Situation& time(double time_s);
-  /// From one decision to the next.
+  /// Sets the time between decisions.
   Situation& period(double period_s);
-  /// Of the stream that perception() hands out. Objects of this library draw from streams of their
-  /// own.
+  /// Sets the seed of the stream in perception(). Objects of this library draw from their own
+  /// streams.
   Situation& seed(std::uint64_t seed);
 
-  /// For calling a plugin's object directly. Refers to this situation, and is good until that
+  /// For calling a plugin's object directly. Refers to this situation, and is valid until that
   /// changes.
   Perception perception() const;
   double time_s() const { return data_.time_s; }
@@ -108,7 +108,7 @@ class Situation {
   std::deque<Mate> mates_;
   std::deque<std::string> events_;
   Perception::Data data_;
-  // What perception() refers to, made anew by each call.
+  // What perception() refers to, renewed by each call.
   struct Views {
     Views() = default;
     Views(const Views&) {}  // a copy of the situation makes its own

@@ -1,4 +1,4 @@
-// A made-up world for a sensor to look at.
+// A made-up world for sensors.
 #pragma once
 
 #include <memory>
@@ -14,9 +14,9 @@ namespace elsie::testing {
 ///   Surroundings room;
 ///   room.wall(1.0, -2, 1.0, 2).box(0.5, 0.3).robot("mate", 2, 0).at(0, 0, 90);
 ///
-/// Boxes, walls and robots on an endless floor, seen by rays and volumes as in a simulation, and by
-/// cameras. Lengths in m, angles in degrees; nothing moves. The robot that carries the sensor
-/// stands at the origin and looks east until at() says otherwise, and is not to be seen.
+/// Boxes, walls and robots on an endless floor, seen by cameras, and by rays and volumes as in a
+/// simulation. Lengths are in m, angles in degrees; nothing moves. The robot that carries the
+/// sensor is at the origin and looks east unless at() changes that; it is invisible.
 class Surroundings final : public elsie::Surroundings {
  public:
   Surroundings();
@@ -24,16 +24,16 @@ class Surroundings final : public elsie::Surroundings {
   Surroundings(Surroundings&&) noexcept;
   Surroundings& operator=(Surroundings&&) noexcept;
 
-  /// The carrier's own pose.
+  /// Sets the carrier's pose.
   Surroundings& at(double x, double y, double heading_deg = 0.0);
-  /// A box that stands on the floor with its middle there.
+  /// Adds a box that stands on the floor with its middle there.
   Surroundings& box(double x, double y, double length = 0.2, double width = 0.2,
                     double height = 0.2, double heading_deg = 0.0);
-  /// A thin wall (1 cm, 0.3 m high) from one point to the other; its middle is on the line.
+  /// Adds a thin wall (1 cm, 0.3 m high) from one point to the other; its middle is on the line.
   Surroundings& wall(double x1, double y1, double x2, double y2);
-  /// A resource that the carrier may collect: a box of 0.2 m in this colour.
+  /// Adds a resource that the carrier may collect: a box of 0.2 m in this colour.
   Surroundings& resource(double x, double y, const Colour& colour = kRed);
-  /// Another robot.
+  /// Adds another robot.
   Surroundings& robot(const std::string& id, double x, double y, double heading_deg = 0.0,
                       bool is_leader = false);
 
@@ -45,10 +45,10 @@ class Surroundings final : public elsie::Surroundings {
   void robots_within(double radius_m, std::vector<TeamMate>& robots) const override;
   std::span<const Colour> resource_colours() const override { return colours_; }
 
-  /// What a camera sees that looks along the frame's forward axis. Needs EGL on the machine; throws
-  /// render::RenderError, with a sentence, where there is none.
+  /// The picture of a camera that looks along the frame's forward axis. Needs EGL; throws
+  /// render::RenderError with a sentence if the machine has none.
   Image photograph(const Frame& frame, const Camera& camera) const;
-  /// The same as plain data.
+  /// The surroundings as plain data.
   const world::World& world() const { return world_; }
 
  private:

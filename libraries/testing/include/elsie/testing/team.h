@@ -1,4 +1,4 @@
-// Made-up behaviours, as a coordinator gets them.
+// Made-up behaviours for a coordinator.
 #pragma once
 
 #include <deque>
@@ -13,10 +13,10 @@
 
 namespace elsie::testing {
 
-/// An answer of a behaviour that is active so far.
+/// The answer of an active behaviour.
 Response active(double activation, const MotorCommand& command);
 
-/// A behaviour that answers as it is told.
+/// A behaviour with made-up answers.
 struct MadeUp final : elsie::Behavior {
   Response respond(const Perception& now) override;
   void rate(const Response& given, std::span<const MotorCommand> candidates,
@@ -24,8 +24,8 @@ struct MadeUp final : elsie::Behavior {
   CommandSets command_sets(const Response& given) const override;
 
   Response answer;
-  std::function<Response(const Perception&)> script;  // instead of it
-  std::function<double(const MotorCommand&)> rating;  // instead of the default of elsie::Behavior
+  std::function<Response(const Perception&)> script;  // replaces `answer`
+  std::function<double(const MotorCommand&)> rating;  // replaces the default of elsie::Behavior
   std::optional<CommandSets> sets;                    // likewise
   int asked = 0;
 };
@@ -33,7 +33,7 @@ struct MadeUp final : elsie::Behavior {
 ///   Team team;
 ///   team.member("avoid", 2, active(0.5, {10, -10})).member("seek", 1, MotorCommand{20, 20});
 ///
-/// Members stay where they are once a coordinator has been given the team: add them all first.
+/// Members stay in place once a coordinator has the team: add all of them first.
 class Team final : private Member::Runner {
  public:
   using Script = std::function<Response(const Perception&)>;
@@ -42,32 +42,32 @@ class Team final : private Member::Runner {
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  /// A behaviour that always answers the same.
+  /// Adds a behaviour with a constant answer.
   Team& member(const std::string& name, double priority, Response answer);
-  /// One that answers what the function says.
+  /// Adds a behaviour that answers by the function.
   Team& member(const std::string& name, double priority, Script script);
 
-  // What the member added last says when it is asked further; else the defaults of elsie::Behavior.
+  // Further answers of the last member; by default those of elsie::Behavior.
 
-  /// How good each command is to it, in [0, 1].
+  /// How desirable each command is to it, in [0, 1].
   Team& rating(std::function<double(const MotorCommand&)> rating);
   Team& sets(CommandSets sets);
 
-  /// From one step to the next. Each member is asked again; what the coordinator noted is gone.
+  /// Begins the next step: each member is asked again, and the coordinator's notes are cleared.
   Team& next_step();
-  /// What members perceive when they are asked, until the next step. Must stay where it is.
+  /// Sets what members perceive until the next step. `now` must stay in place.
   Team& perceive(const Situation& now);
 
   std::size_t size() const { return members_.size(); }
   std::span<Member> members() { return members_; }
-  /// To be changed between steps.
+  /// May be changed between steps.
   Response& answer(std::size_t i) { return slots_[i].behavior.answer; }
-  /// What the coordinator noted about a member in this step. Throws std::invalid_argument for a
-  /// name that nobody has.
+  /// The coordinator's notes about a member in this step. Throws std::invalid_argument for an
+  /// unknown name.
   const TraceRow& trace(std::size_t i) const { return members_[i].trace; }
   const TraceRow& trace(const std::string& name) const { return members_[index_of(name)].trace; }
   std::string reason(std::size_t i) const { return members_[i].trace.reason; }
-  /// How often it has been asked since it was made.
+  /// How often the member has been asked so far.
   int asked(std::size_t i) const { return slots_[i].behavior.asked; }
   int asked(const std::string& name) const { return slots_[index_of(name)].behavior.asked; }
 

@@ -1,4 +1,4 @@
-// Everything for testing plugins, without a test framework; see docs/testing-a-plugin.md. With
+// All headers for testing plugins without a test framework; see docs/testing-a-plugin.md. For
 // Catch2: catch.h.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Whether something is as it should be, and if not, what is wrong.
+// The result of a check.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct Verdict {
   explicit operator bool() const { return holds; }
 
   bool holds = true;
-  std::string sentence;  // empty when it holds
+  std::string sentence;  // empty if it holds
 
  private:
   Verdict(bool is_so, std::string why) : holds(is_so), sentence(std::move(why)) {}

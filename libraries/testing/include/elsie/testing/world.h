@@ -1,4 +1,4 @@
-// A small world that runs.
+// A small world in a test.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +24,13 @@ struct WorldOptions {
 ///   world.run_for(2.0);
 ///   CHECK(world.pose("r1").x > 0.5);
 ///
-/// Robots are called by their ids; std::invalid_argument, with the nearest right one, for an id
-/// that nobody has.
+/// Robots are named by their ids. An unknown id throws std::invalid_argument with the nearest one.
 class World {
  public:
-  /// Throws world::WorldError with all that is wrong with the world.
+  /// Throws world::WorldError with all mistakes of the world.
   static World from_file(const std::string& file, const WorldOptions& options = {},
                          const Plugins& plugins = Plugins::found());
-  /// The same for text; files that it names are looked for in the working directory.
+  /// The same for text; files that it names are in the working directory.
   static World from_text(std::string_view xml, const WorldOptions& options = {},
                          const Plugins& plugins = Plugins::found());
 
@@ -39,17 +38,17 @@ class World {
 
   World& step(int steps = 1);
   World& run_for(double seconds);
-  /// Until this is so, no longer than the given time. Whether it came to that.
+  /// Steps until `reached` is true or the time is up; returns whether it was reached.
   bool run_until(const std::function<bool(const World&)>& reached, double seconds);
-  /// From the start until a goal or a limit ends the run.
+  /// Runs from the start until a goal or a limit ends the run.
   simulation::RunResult run();
-  /// Back to the start, with this seed.
+  /// Returns to the start, with this seed.
   World& reset(std::uint64_t seed);
 
   double time_s() const { return simulation_->time_s(); }
   Pose pose(const std::string& robot) const { return this->robot(robot).state->pose; }
   simulation::RobotView robot(const std::string& id) const;
-  /// What the robot's coordinator noted about one of its behaviours in the last decision.
+  /// The coordinator's notes about one of the robot's behaviours in the last decision.
   const TraceRow& trace(const std::string& robot, const std::string& behavior) const;
   /// The current reading of a robot's sensor, by the sensor's id. Throws std::invalid_argument when
   /// it is of another kind.
@@ -57,11 +56,10 @@ class World {
   const Reading& reading(const std::string& robot, const std::string& sensor) const {
     return *static_cast<const Reading*>(reading(robot, sensor, ReadingKind::of<Reading>()));
   }
-  /// How often an event was raised so far, on this robot or ("") on any.
+  /// How often an event was raised so far on this robot, or ("") on any.
   int count(std::string_view event, std::string_view robot = "") const;
-  /// A figure of the run so far, by its name in RunResult::measures: "path_length_m", or what a
-  /// measure of the world reports. None when it has no value. Throws std::invalid_argument for
-  /// another name.
+  /// A measure of the run so far by its name in RunResult::measures: "path_length_m", or one of a
+  /// measure plugin. None when it has no value. Throws std::invalid_argument for an unknown name.
   std::optional<double> measured(const std::string& name) const;
   const simulation::Simulation& simulation() const { return *simulation_; }
 
