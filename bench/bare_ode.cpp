@@ -14,9 +14,9 @@ namespace {
 
 constexpr int kMostContacts = 8;
 constexpr double kTyreGrip = 3.0;
-constexpr double kSensorDeck = 0.02;  // m: beams at the top of a chassis see the others' chassis
+constexpr double kSensorDeck = 0.02;  // m: beams on top of a chassis see other chassis
 
-/// What a geometry is, for the choice of its contacts; kept in the geometry's data pointer.
+/// The kind of a geometry, which selects its contacts; stored in the geometry's data pointer.
 enum class Part : std::uintptr_t { box, chassis, wheel, caster, deck };
 
 Part part_of(dGeomID geom) {
@@ -178,7 +178,7 @@ class BareOde::Impl {
     Beam& beam = *static_cast<Beam*>(data);
     const dGeomID other = a == beam.ray ? b : a;
     if (dGeomIsSpace(other)) {
-      // Not the robot's own parts.
+      // A robot's beam ignores its own parts.
       if (static_cast<dSpaceID>(static_cast<void*>(other)) != beam.own) {
         dSpaceCollide2(a, b, data, &on_beam);
       }
@@ -192,7 +192,7 @@ class BareOde::Impl {
 
   static void on_near(void* data, dGeomID a, dGeomID b) {
     if (dGeomIsSpace(a) || dGeomIsSpace(b)) {
-      dSpaceCollide2(a, b, data, &on_near);  // parts of one robot are never tried
+      dSpaceCollide2(a, b, data, &on_near);  // parts of one robot are never tested
       return;
     }
     static_cast<Impl*>(data)->meet(a, b);
@@ -209,8 +209,8 @@ class BareOde::Impl {
     std::array<dContact, kMostContacts> found;
     int count = dCollide(a, b, kMostContacts, &found[0].geom, sizeof(dContact));
     if (on_floor && part == Part::wheel && count > 1) {
-      // ODE finds both ends of the line on which a wheel stands. One contact in the middle is less
-      // work, and what Elsie does too.
+      // ODE finds both ends of the line of contact under a wheel. One contact in the middle is less
+      // work, and is what Elsie does.
       dContactGeom& middle = found[0].geom;
       for (int i = 1; i < count; ++i) {
         const dContactGeom& other = found[static_cast<std::size_t>(i)].geom;

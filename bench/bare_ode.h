@@ -1,5 +1,5 @@
-// The same simulation written directly on ODE, as someone who knows ODE would: what Elsie's engine
-// is compared with.
+// The same simulation directly on ODE, as an expert in ODE would write it, to compare Elsie's
+// engine with.
 #pragma once
 
 #include <cstddef>
@@ -14,18 +14,18 @@
 namespace elsie::bench {
 
 /// Robots with eight range beams of 1 m each in a walled arena with fixed boxes. One hash space
-/// holds the boxes, the walls and one simple space for each robot. Beams are ray geometries that
-/// are collided with that space before every step.
+/// holds the boxes, the walls and a simple space for each robot. Beams are ray geometries that are
+/// tested against that space before every step.
 class BareOde {
  public:
   static constexpr std::size_t kBeams = 8;
   static constexpr double kBeamRange = 1.0;  // m
 
-  /// From the distances of the eight beams, `kBeamRange` where nothing is hit, to wheel rates.
+  /// Wheel rates from the distances of the eight beams; `kBeamRange` means no hit.
   using Rule = std::function<MotorCommand(const double ranges[kBeams])>;
 
-  /// As many robots of the default body as there are poses. A beam of each robot points in each
-  /// azimuth (rad, from its heading) and starts at the front edge of the chassis, on its top.
+  /// One robot with the default body for each pose. Each robot has a beam in each azimuth (rad,
+  /// from its heading), which starts on top of the chassis at its front edge.
   BareOde(std::span<const Pose> poses, std::span<const world::Box> boxes,
           std::span<const double> azimuths, const world::Physics& physics,
           const world::Arena& arena, Rule rule);

@@ -1,10 +1,11 @@
-// What a second worker brings: whole batches by the program, with one worker and with two, in turn.
+// The gain from a second worker: whole batches of the program with one worker and with two, in
+// turn.
 //
 //   batch_throughput PROGRAM
 //
-// Runs of several lengths: the shorter a run, the more of it is starting a process and writing
-// results. Every batch lasts seconds, so that reading the experiment has little part in it. Median
-// of 9 pairs of batches. Prints Markdown.
+// Runs have several lengths: in short runs, starting processes and writing results take a larger
+// share. Every batch lasts seconds, so that reading the experiment matters little. Median of 9
+// pairs of batches. Prints Markdown.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -25,7 +26,7 @@ constexpr int kPairs = 9;
 struct Work {
   const char* name;
   const char* world;
-  int endure;  // which of the world's goals, from 1, says how long a run lasts
+  int endure;  // the world's goal, from 1, that sets the length of a run
   int simulated_s;
   int runs;
 };
@@ -33,7 +34,7 @@ constexpr Work kWork[] = {{"clutter, 10 s", "clutter.xml", 3, 10, 200},
                           {"clutter, 100 s", "clutter.xml", 3, 100, 50},
                           {"ten robots, 60 s", "ten_robots.xml", 2, 60, 16}};
 
-/// A folder that is gone at the end.
+/// A folder that is removed at the end.
 class Folder {
  public:
   Folder() : path_((fs::temp_directory_path() / "elsie-bench-XXXXXX").string()) {
@@ -61,7 +62,7 @@ void write_experiment(const fs::path& file, const Work& work) {
                       << "\"/></experiment>\n";
 }
 
-/// Seconds that a batch takes from its command to its end.
+/// Seconds from a batch's command to its end.
 double seconds_of(const std::string& program, const Folder& folder, int workers) {
   const fs::path database = folder / "results.sqlite";
   fs::remove(database);

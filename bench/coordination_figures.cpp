@@ -1,11 +1,11 @@
-// What coordinators make of one world: the same seeds with each.
+// One world with several coordinators, over the same seeds.
 //
 //   coordination_figures WORLD.xml [--seeds N] --variant LABEL [PATH=VALUE...] [--variant ...]
 //
-// Seeds 1 to N (20). A variant is the world with these overrides, as `elsie run --set` takes them.
-// Prints rows of a table in Markdown: variant, in how many runs the goals were reached, what was
-// collected, distance (m) and time (s) as mean and standard deviation over all runs, the same over
-// those that reached the goals, and contacts.
+// Seeds 1 to N (20). A variant is the world with these overrides, as in `elsie run --set`. Prints
+// rows of a table in Markdown: variant, number of runs that reached the goals, resources collected,
+// distance (m) and time (s) as mean and standard deviation over all runs, the same over successful
+// runs, and contacts.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

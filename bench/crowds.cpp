@@ -1,6 +1,6 @@
-// What a simulated second of robots costs that all drive to one point and press against each other,
-// for more and more of them: in processor time, and for each robot against the smallest crowd. One
-// run of one program; one core. Prints a table in Markdown.
+// The cost of a simulated second of robots that all drive to one point and press against each
+// other, for growing crowds: in processor time, and per robot relative to the smallest crowd. One
+// process, one core. Prints a table in Markdown.
 //
 //   crowds [--repeats N]
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace {
 
 constexpr double kApart = 0.15;    // m, at the start
-constexpr double kGather = 3.0;    // s, until they press
+constexpr double kGather = 3.0;    // s, until they press against each other
 constexpr double kMeasured = 3.0;  // s, simulated
 
 elsie::world::World world(int robots) {

@@ -1,10 +1,9 @@
-// How many of N worlds at the ends of the allowed ranges go wrong, and how many of them without a
-// word.
+// How many of N worlds at the ends of the allowed ranges fail, and how many of these fail silently.
 //
 //   extreme_worlds [N [FIRST]]
 //
-// N is 2000 and FIRST, the number of the first world, 1. The same numbers give the same worlds.
-// Exit code 1 if a world went wrong in silence; it is printed then.
+// N is 2000 by default, and FIRST, the number of the first world, 1. The same numbers give the same
+// worlds. Exit code 1 if a world failed silently; it is printed then.
 #include "extreme_worlds.h"
 
 #include <cstdio>

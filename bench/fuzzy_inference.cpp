@@ -1,7 +1,7 @@
-// Fuzzy inference against fuzzylite: the same model, the same inputs, the same run. Ends with the
-// ratios; agreement of the results is checked before anything is timed.
+// Fuzzy inference compared with fuzzylite: the same model, the same inputs, one process. Checks
+// that the results agree before it measures, and prints the ratios at the end.
 //
-// fuzzylite samples the output set, at 100 places unless told otherwise; ours is exact.
+// fuzzylite samples the output set, at 100 points by default; ours is exact.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -50,7 +50,7 @@ std::unique_ptr<fl::Engine> oracle(int resolution) {
   const auto add_terms = [](fl::Variable& into, const elsie::fuzzy::Variable& from) {
     for (const elsie::fuzzy::Term& term : from.terms) {
       const auto& p = term.set.points;
-      // The shapes that a user of fuzzylite would take: its discrete one is slower.
+      // Shapes that a user of fuzzylite would use: its discrete shape is slower.
       if (p.size() == 3 && p[0].degree == 0 && p[1].degree == 1 && p[2].degree == 0) {
         into.addTerm(new fl::Triangle(term.name, p[0].x, p[1].x, p[2].x));
       } else if (p.size() == 2 && p[0].degree == 0) {
@@ -85,7 +85,7 @@ std::unique_ptr<fl::Engine> oracle(int resolution) {
   rules->setActivation(new fl::General);
   for (const elsie::fuzzy::Rule& rule : model().rules()) {
     std::string text;
-    for (const char c : rule.text) {  // parentheses stand free there, keywords are in lower case
+    for (const char c : rule.text) {  // blanks around parentheses, keywords in lower case
       text += c == '(' ? std::string("( ") : c == ')' ? std::string(" )") : std::string(1, c);
     }
     for (const auto& [upper, lower] :
@@ -130,7 +130,7 @@ void BM_fuzzylite(benchmark::State& state) {
 }
 BENCHMARK(BM_fuzzylite)->Arg(100)->Arg(1000);
 
-/// The largest difference between both, over all inputs.
+/// The largest difference between the two over all inputs.
 double disagreement(int resolution) {
   const auto engine = oracle(resolution);
   Workspace workspace;
@@ -147,7 +147,7 @@ double disagreement(int resolution) {
   return largest;
 }
 
-/// Keeps the times for the ratios, and shows them as usual.
+/// Stores the times for the ratios, and prints them as usual.
 class RatioReporter : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {

@@ -1,6 +1,6 @@
-// Online training against FANN: the same networks with the same first weights, the same samples in
-// the same order, the same number of presentations, in one run. Prints a table in Markdown with the
-// ratios. That both learn the same is checked before anything is timed.
+// Online training compared with FANN: the same networks with the same first weights, the same
+// samples in the same order, the same number of presentations, in one process. Checks that both
+// learn the same before it measures. Prints a table with the ratios in Markdown.
 //
 // FANN: fann_train(), its incremental training, in single precision, as Debian's libfann has it.
 #include <algorithm>
@@ -25,7 +25,7 @@ constexpr int kPairs = 15;
 constexpr std::size_t kPresentations = 20'000;  // of each of the two in a pair
 constexpr float kRate = 0.8F, kMomentum = 0.3F;
 
-/// Both forms of the samples, and room for one presentation.
+/// The samples in both forms, with memory for one presentation.
 struct Samples {
   neural::TrainingSet set;
   std::vector<std::vector<fann_type>> inputs, targets;
@@ -40,7 +40,7 @@ struct Samples {
 
 using Fann = std::unique_ptr<fann, void (*)(fann*)>;
 
-/// The same network there. A layer's neurons are followed by one that stands for the biases.
+/// The same network in FANN. A bias neuron follows each layer's neurons.
 Fann copy(const neural::Network& network) {
   const std::vector<unsigned> sizes(network.sizes().begin(), network.sizes().end());
   Fann ann(fann_create_standard_array(static_cast<unsigned>(sizes.size()), sizes.data()),
@@ -114,7 +114,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// One line of the table. False when the two do not learn the same.
+/// Prints one line of the table. Returns false when the two do not learn the same.
 bool compare(const std::string& hidden, Samples& samples) {
   std::vector<int> sizes{static_cast<int>(samples.set.inputs())};
   for (const int layer : neural::parse_hidden_layers(hidden)) {
@@ -124,7 +124,7 @@ bool compare(const std::string& hidden, Samples& samples) {
   neural::Network first(sizes);
   elsie::Random random(1);
   first.randomize(random);
-  // Early on: later, rounding in single precision makes them part.
+  // Checked early: later, single precision makes them diverge.
   if (const double apart = disagreement(first, samples, 10 * samples.set.size()); apart > 1e-3) {
     std::printf("%s: the two do not learn the same (%g apart): no comparison.\n",
                 neural::sizes_text(sizes).c_str(), apart);

@@ -1,13 +1,12 @@
-// What the border between simulator and plugins costs.
+// The cost of the boundary between simulator and plugins.
 //
 //   plugin_boundary FOLDER_OF_NUMBERED_PLUGIN
 //
-// 1. One behaviour asked through the simulator (Member::respond(): the host's object, the checks of
-//    what it answers, the trace) against the same behaviour called directly, in turn, from within
-//    the decision of a running robot: same perception, one core. Median of 201 rounds of 1000
-//    calls.
-// 2. Finding, checking and loading 100 plugin libraries: 100 copies of one small library, each with
-//    a name of its own. Median of 15. Prints Markdown.
+// 1. One behaviour called through the simulator (Member::respond(): the host's object, the checks
+// of its answer, the trace) compared with the same behaviour called directly, in turn, in the
+// decision of a running robot: same perception, one core. Median of 201 rounds of 1000 calls.
+// 2. Finding, checking and loading 100 plugin libraries: 100 copies of one small library with
+// different plugin names. Median of 15. Prints Markdown.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -46,7 +45,7 @@ double nanoseconds_since(Clock::time_point start) {
 elsie::Behavior* direct = nullptr;  // the behaviour that is called directly
 std::vector<double> through_ns, directly_ns;
 
-/// Does nothing but measure.
+/// A coordinator that only measures.
 class Stopwatch final : public elsie::Coordinator {
  public:
   elsie::MotorCommand coordinate(std::span<elsie::Member> members,

@@ -1,6 +1,6 @@
-// Robot-steps per second of a whole simulation (sensors, behaviours, coordinator, physics) against
-// a bare ODE loop that does the same work, in one run; memory; the time to load a world of 100
-// robots.
+// Robot-steps per second of a whole simulation (sensors, behaviours, coordinator, physics) compared
+// with a bare ODE loop that does the same work, in one process; memory; the time to load a world of
+// 100 robots.
 //
 //   robot_steps [--repeats N]
 //
@@ -41,9 +41,9 @@ constexpr double kAzimuthsDeg[8] = {12, -12, 40, -40, 80, -80, 130, -130};
 constexpr double kBase = 10.0;      // rad/s
 constexpr double kWeight = 12.0;    // rad/s
 constexpr double kMaxRange = 1.0;   // m
-constexpr int kStepsInAll = 40000;  // robot-steps of one measurement
+constexpr int kStepsInAll = 40000;  // robot-steps in one measurement
 
-/// Left and right weight of a beam: the wiring of the braitenberg behaviour.
+/// The weights of a beam for the left and right wheel, as in the braitenberg behaviour.
 MotorCommand weights(double azimuth_deg) {
   const double ahead = std::max(0.0, std::cos(elsie::radians(azimuth_deg)));
   const double own = 0.5 * kWeight * ahead;
@@ -66,7 +66,7 @@ MotorCommand rule(const double ranges[8]) {
   return command;
 }
 
-/// Robots on a grid, boxes between them.
+/// Robots on a grid with boxes between them.
 elsie::world::World world(int robots) {
   elsie::world::World world;
   world.name = "benchmark";
@@ -118,7 +118,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Memory of the process now, MiB.
+/// The memory of the process in MiB.
 double memory_mib() {
   std::ifstream statm("/proc/self/statm");
   double total_pages = 0.0, resident_pages = 0.0;
@@ -126,8 +126,8 @@ double memory_mib() {
   return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
 }
 
-/// What a simulation with so many robots adds to a process, MiB; measured in a process of its own,
-/// which has no memory left over from another.
+/// The memory that a simulation with so many robots adds to a process, MiB; measured in a new
+/// process, which has no freed memory to reuse.
 double memory_of_simulation(const elsie::plugin::Host& host, int robots) {
   int ends[2];
   if (pipe(ends) != 0) {
@@ -145,11 +145,11 @@ double memory_of_simulation(const elsie::plugin::Host& host, int robots) {
     _exit(write(ends[1], &added, sizeof(added)) == sizeof(added) ? 0 : 1);
   }
   double added = 0.0;
-  const bool told = child > 0 && read(ends[0], &added, sizeof(added)) == sizeof(added);
+  const bool was_measured = child > 0 && read(ends[0], &added, sizeof(added)) == sizeof(added);
   close(ends[0]);
   close(ends[1]);
   waitpid(child, nullptr, 0);
-  if (!told) {
+  if (!was_measured) {
     throw std::runtime_error("the memory of a simulation could not be measured");
   }
   return added;
@@ -176,7 +176,7 @@ void compare(const elsie::plugin::Host& host, int robots, int repeats, double me
   const int steps = kStepsInAll / robots;
   const auto rate = [&](auto& side) {
     for (int i = 0; i < steps / 4; ++i) {
-      side.step();  // warm up: let the robots spread
+      side.step();  // warm up: the robots spread
     }
     const auto start = Clock::now();
     for (int i = 0; i < steps; ++i) {
@@ -186,8 +186,7 @@ void compare(const elsie::plugin::Host& host, int robots, int repeats, double me
   };
   std::vector<double> ours, theirs, ratios;
   for (int i = 0; i < repeats; ++i) {
-    // Both start afresh: left running, the bare loop becomes unstable after some minutes of
-    // simulated time.
+    // Both start anew: after some minutes of simulated time, the bare loop becomes unstable.
     simulation.reset();
     elsie::bench::BareOde bare(poses, description.boxes, azimuths, description.physics,
                                description.arena, bounded_rule);
@@ -236,7 +235,8 @@ int main(int argc, char** argv) try {
   constexpr int kRobots[] = {1, 10, 100};
   double memory[std::size(kRobots)];
   for (std::size_t i = 0; i < std::size(kRobots); ++i) {
-    memory[i] = memory_of_simulation(host, kRobots[i]);  // before anything else has used any
+    memory[i] =
+        memory_of_simulation(host, kRobots[i]);  // first, before other simulations use memory
   }
   for (std::size_t i = 0; i < std::size(kRobots); ++i) {
     compare(host, kRobots[i], repeats, memory[i]);

@@ -13,7 +13,7 @@ inline double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// The sample standard deviation; 0 of a single value.
+/// The sample standard deviation; 0 for a single value.
 inline double deviation(const std::vector<double>& values) {
   const double middle = mean(values);
   double squares = 0.0;
@@ -23,7 +23,7 @@ inline double deviation(const std::vector<double>& values) {
   return values.size() < 2 ? 0.0 : std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-/// "12.3 +- 0.4"; "-" of nothing.
+/// "12.3 +- 0.4"; "-" without values.
 inline std::string mean_and_deviation(const std::vector<double>& values, int decimals) {
   if (values.empty()) {
     return "-";

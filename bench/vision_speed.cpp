@@ -1,13 +1,13 @@
-// How much faster than real time robots with cameras are simulated, on one core: sensing (pictures
-// and what is found in them), behaviours, coordinators and physics.
+// The speed of robots with cameras relative to real time, on one core: sensing (pictures and what
+// is found in them), behaviours, coordinators and physics.
 //
 //   vision_speed [--repeats N]
 //
-// World: 10 m x 10 m with walls, 20 boxes and 8 resources of no team; robots with one camera of
-// 100 x 100 pixels and 30 degrees each, which takes a picture 100 times a second of simulated time
-// and looks for resources in it; they wander, so that the same run without cameras can be set
-// beside it. The two are run in turn. The process keeps to one processor; Mesa's software
-// rasteriser draws unless there is a graphics card. Prints a table in Markdown.
+// World: 10 m x 10 m with walls, 20 boxes and 8 resources without a team. Each robot has a camera
+// of 100 x 100 pixels and 30 degrees, which takes a picture 100 times a simulated second and looks
+// for resources. The robots wander, so that the same run without cameras can be compared; the two
+// are run in turn. The process keeps to one processor; without a graphics card, Mesa's software
+// rasteriser draws. Prints a table in Markdown.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -28,7 +28,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kRobotSteps = 4000;  // of one measurement
+constexpr int kRobotSteps = 4000;  // in one measurement
 
 elsie::world::World world(int robots, bool cameras) {
   elsie::world::World world;
@@ -78,7 +78,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Simulated time over time on the clock.
+/// Simulated time divided by time on the clock.
 double speed(elsie::simulation::Simulation& simulation, int steps) {
   simulation.reset();
   for (int i = 0; i < steps / 10; ++i) {

@@ -1,10 +1,10 @@
-// What the shipped worlds come to over a number of seeds: success rate, distance, contacts a
-// minute, time.
+// Results of the shipped worlds over several seeds: success rate, distance, contacts a minute,
+// time.
 //
 //   world_figures WORLD.xml... [--seeds N]
 //
-// Seeds 1 to N (20); prints a table in Markdown, mean and standard deviation over the seeds; of
-// several robots the mean of all.
+// Seeds 1 to N (20). Prints a table in Markdown with mean and standard deviation over the seeds;
+// for several robots, their mean.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // A small plugin whose name plugin_boundary replaces in copies of its library.
 #include <elsie/api/behavior.h>
 
-// Visible, so that the compiler cannot take it for known.
+// Visible, so that the compiler cannot assume its value.
 __attribute__((visibility("default"))) char name_of_numbered[] = "numbered_???";
 
 namespace {
