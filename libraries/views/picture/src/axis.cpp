@@ -11,7 +11,7 @@ double nice_step(double span, int about) {
   if (!(span > 0.0) || !std::isfinite(span) || about < 1) return 1.0;
   const double wanted = span / about;
   const double power = std::pow(10.0, std::floor(std::log10(wanted)));
-  // Nearest by ratio: the borders are the geometric means of neighbours.
+  // Nearest by ratio: the limits are the geometric means of neighbours.
   const double ratio = wanted / power;
   if (ratio < std::sqrt(2.0)) return power;
   if (ratio < std::sqrt(10.0)) return 2.0 * power;
@@ -24,11 +24,11 @@ Ticks nice_ticks(double low, double high, int about) {
   if (!std::isfinite(low) || !std::isfinite(high) || !(low < high)) return ticks;
   if (!std::isfinite(high - low)) return ticks;
   ticks.step = nice_step(high - low, about);
-  // A tick may stand on a border that rounding has moved by a hair.
+  // Rounding may put a tick slightly beyond the interval.
   constexpr double kHair = 1e-9;
   const double first = std::ceil(low / ticks.step - kHair);
   const double last = std::floor(high / ticks.step + kHair);
-  // Where the step is below the resolution of the numbers, counting would not end.
+  // If the step is below the resolution of the numbers, counting would not end.
   if (!(last - first < 1000.0)) return ticks;
   for (double i = first; i <= last; i += 1.0) {
     ticks.at.push_back(std::clamp(i == 0.0 ? 0.0 : i * ticks.step, low, high));

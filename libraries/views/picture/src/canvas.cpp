@@ -27,13 +27,13 @@ void check(cairo_status_t status) {
                            cairo_status_to_string(status) + ".");
 }
 
-// Within what cairo's 24.8 fixed-point numbers hold after zooming.
+// Within the range of cairo's 24.8 fixed-point numbers after zooming.
 double near(double coordinate) { return std::clamp(coordinate, -1e5, 1e5); }
 
 bool finite(const Vector2& point) { return std::isfinite(point.x) && std::isfinite(point.y); }
 
-// cairo names the sheet after a counter of the process. Nothing refers to it, and without the
-// number the same drawing is the same file.
+// cairo names the sheet by a counter of the process. Nothing refers to it; without the number, the
+// same drawing gives the same file.
 void forget_number(std::string& svg) {
   const std::string name = "id=\"surface";
   const std::size_t found = svg.find(name);
@@ -48,7 +48,7 @@ void forget_number(std::string& svg) {
 struct Canvas::Impl {
   FileType type = FileType::png;
   std::string svg;
-  SvgTexts texts;  // of an SVG
+  SvgTexts texts;  // only in an SVG
   cairo_surface_t* surface = nullptr;
   cairo_t* cr = nullptr;
 
@@ -157,7 +157,7 @@ void Canvas::stroke(const Ink& ink, const Pen& pen) {
 }
 
 void Canvas::clip() {
-  // The clip is kept on cairo's stack of states; the path is not part of a state.
+  // The clip is part of cairo's saved state; the path is not.
   cairo_save(impl_->cr);
   cairo_clip(impl_->cr);
 }
@@ -180,7 +180,7 @@ void Canvas::text(const std::string& text, const Vector2& at, const TextStyle& s
   Vector2 offset;
   if (style.across == Across::centre) offset.x = -extents.x_advance / 2;
   if (style.across == Across::right) offset.x = -extents.x_advance;
-  // By the height of capitals rather than of this text, so that neighbours share a baseline.
+  // Uses the height of capitals, not of this text, so that neighbours share a baseline.
   constexpr double kCapital = 0.73;
   if (style.down == Down::middle) offset.y = kCapital * style.size / 2;
   if (style.down == Down::top) offset.y = kCapital * style.size;

@@ -1,9 +1,9 @@
-// A drawing surface over cairo, in the few strokes that the pictures need.
+// A drawing surface over cairo, with the few operations that the pictures need.
 //
-// Coordinates are in units of which the zoom makes pixels; x goes right, y down. Points that are
-// not finite are skipped and far ones pulled near, since cairo would answer them with a broken
-// surface. Groups and image patterns are left out on purpose: cairo numbers them throughout the
-// process, and an SVG would change with what was drawn before.
+// Coordinates are in units that the zoom scales to pixels; x goes right, y down. Points that are
+// not finite are skipped and far ones clamped, because they would break cairo's surface. Groups and
+// image patterns are not used: cairo numbers them in the process, so that an SVG would depend on
+// earlier drawings.
 #pragma once
 
 #include <memory>
@@ -40,9 +40,9 @@ struct TextStyle {
   double size = 13.0;
   bool bold = false;
   Ink ink = kText;
-  Across across = Across::left;  // which part of the text lies on the given point
+  Across across = Across::left;  // the part of the text at the given point
   Down down = Down::baseline;
-  double halo = 0.0;   // width of a white rim
+  double halo = 0.0;   // width of a white outline
   double angle = 0.0;  // clockwise, rad
 };
 
@@ -58,7 +58,7 @@ class Canvas {
   /// The nearest coordinate at which a line of one pixel is sharp.
   double crisp(double coordinate) const;
 
-  // The path under construction. fill() and stroke() use it up.
+  // The current path. fill() and stroke() consume it.
   Canvas& move_to(const Vector2& to);
   Canvas& line_to(const Vector2& to);
   Canvas& close();
@@ -72,16 +72,16 @@ class Canvas {
   void fill_keep(const Ink& ink);
   void stroke(const Ink& ink, const Pen& pen);
 
-  /// From now on nothing is drawn outside of the path, which is used up; until unclip().
+  /// Limits drawing to the inside of the path, which is consumed, until unclip().
   void clip();
   void unclip();
 
   double text_width(const std::string& text, const TextStyle& style) const;
   void text(const std::string& text, const Vector2& at, const TextStyle& style);
-  /// The text, shortened with an ellipsis until it is no wider.
+  /// The text, shortened with an ellipsis to the width.
   std::string fitted(const std::string& text, const TextStyle& style, double width) const;
 
-  /// Ends the drawing: the bytes of the file.
+  /// Ends the drawing; returns the bytes of the file.
   std::string finish();
 
  private:
@@ -90,7 +90,7 @@ class Canvas {
   double zoom_;
 };
 
-/// A clip to the current path for the time of a scope.
+/// Clips to the current path while it lives.
 class Clip {
  public:
   explicit Clip(Canvas& canvas) : canvas_(canvas) { canvas_.clip(); }
@@ -102,8 +102,8 @@ class Clip {
   Canvas& canvas_;
 };
 
-/// How large a unit of the drawing is: at 1000 pixels, one pixel. Below 700 pixels text stays at
-/// the size that it has there.
+/// Pixels per unit of the drawing: one at a width of 1000 pixels. Below 700 pixels text keeps its
+/// size.
 double zoom_for_width(int width);
 
 }  // namespace elsie::picture

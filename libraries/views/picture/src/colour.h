@@ -1,4 +1,4 @@
-// Colours of the pictures: safe for colour-blind readers where the choice is ours.
+// Colours of the pictures: safe for colour-blind readers unless users choose them.
 #pragma once
 
 #include <cstddef>
@@ -27,15 +27,15 @@ inline constexpr Ink kGrid = hex(0xe7e9ec);
 inline constexpr Ink kFrame = hex(0x4a5058);
 
 Ink ink(const world::Colour& colour);
-/// `part` of b in a, in [0, 1].
+/// A mixture of a and b with this part of b, in [0, 1].
 Ink mix(const Ink& a, const Ink& b, double part);
-/// The colour turned and lightened in the OKLCH space (Ottosson, 2020), so that equal steps look
+/// The colour turned and lightened in the OKLCH space (Ottosson, 2020), in which equal steps look
 /// equal.
 Ink shifted(const Ink& base, double lightness, double hue_rad);
-/// Darkened, if need be, until it reads as text on white.
+/// Darkened, if necessary, until it is readable as text on white.
 Ink readable(const Ink& base);
 
-/// The nth of a set of colours for curves (Okabe and Ito, 2008); they repeat after seven.
+/// The nth colour for curves (Okabe and Ito, 2008); they repeat after seven.
 Ink series_ink(std::size_t index);
 inline constexpr std::size_t kSeriesInks = 7;
 

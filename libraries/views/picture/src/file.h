@@ -1,4 +1,4 @@
-// Picture files: their type by suffix, their size, and writing them whole or not at all.
+// Picture files: their type by suffix, their size, and writing them in one piece.
 #pragma once
 
 #include <filesystem>

@@ -20,7 +20,7 @@ void check_range(const std::string& variable, double low, double high) {
                               ": both must be finite and the first below the second.");
 }
 
-// The set's corners inside of the range, and its degrees at the borders.
+// The set's corners within the range, and its degrees at the limits.
 std::vector<Vector2> curve_of(const FuzzySet& set, double low, double high) {
   std::vector<Vector2> points;
   const bool starts_inside = !set.points.empty() && set.points.front().x == low;
@@ -102,7 +102,7 @@ Row surface_row(const ControlSurface& surface) {
   return row;
 }
 
-// Up to three side by side, in rows as even as they can be.
+// Up to three side by side, in rows of nearly equal numbers.
 void add_membership_rows(const std::vector<MembershipPanel>& variables, Page& page) {
   constexpr std::size_t kMostInRow = 3;
   const std::size_t rows = (variables.size() + kMostInRow - 1) / kMostInRow;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kShades = 36;
 
-// Where nothing is known: grey with hatching.
+// Unknown values: grey with hatching.
 void draw_unknown(Canvas& canvas, const Rect& plot) {
   canvas.rectangle(plot).fill(hex(0xf0f1f2));
   canvas.rectangle(plot);
@@ -30,7 +30,7 @@ void draw_field(Canvas& canvas, const Field& field, const Interval& range, const
   const auto place = [&](const Vector2& p) {
     return Vector2{plot.x + cell_x * p.x, plot.bottom() - cell_y * p.y};
   };
-  // From the lowest shade upwards, each over the ones below: no gaps between them.
+  // From the lowest shade upwards, each over the ones below, without gaps.
   for (int shade = 0; shade < kShades; ++shade) {
     const double level = shade == 0 ? -std::numeric_limits<double>::max()
                                     : range.low + range.span() * shade / kShades;
@@ -42,7 +42,7 @@ void draw_field(Canvas& canvas, const Field& field, const Interval& range, const
   }
   const Ticks levels = nice_ticks(range.low, range.high, 8);
   for (const double level : levels.at) {
-    // A hair above, so that a plateau on the level itself has one border and not a ragged one.
+    // Slightly above the level, so that a plateau at the level has one smooth border.
     for (const auto& [from, to] : contour(grid, level + 1e-6 * range.span())) {
       canvas.line(place(from), place(to));
     }
@@ -54,7 +54,7 @@ void draw_field(Canvas& canvas, const Field& field, const Interval& range, const
 
 void draw_colour_bar(Canvas& canvas, const Axis& axis, const Interval& range, const Rect& bar) {
   for (int shade = 0; shade < kShades; ++shade) {
-    // Each reaches down to the bottom and the next covers it up to its own part.
+    // Each reaches down to the bottom; the next one covers it up to its own part.
     const double height = bar.height * (kShades - shade) / kShades;
     canvas.rectangle({bar.x, bar.y, bar.width, height}).fill(viridis((shade + 0.5) / kShades));
   }

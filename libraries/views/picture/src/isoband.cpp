@@ -26,7 +26,7 @@ Cell cell_at(const Grid& grid, std::size_t column, std::size_t row, double level
   return cell;
 }
 
-// Where the level lies between two corners on different sides of it.
+// The point of the level between two corners on different sides of it.
 Vector2 crossing(const Cell& cell, std::size_t i, std::size_t j, double level) {
   const double part = (level - cell.values[i]) / (cell.values[j] - cell.values[i]);
   const Vector2& a = cell.corners[i];
@@ -42,7 +42,7 @@ std::vector<std::vector<Vector2>> region_above(const Grid& grid, double level) {
   std::vector<std::vector<Vector2>> polygons;
   for (std::size_t row = 0; row + 1 < grid.rows; ++row) {
     const double low = static_cast<double>(row), high = low + 1;
-    // Cells that lie inside as a whole are joined to one rectangle: the file stays small.
+    // Cells that are wholly inside are joined to one rectangle, which keeps the file small.
     std::size_t run_start = 0;
     bool in_run = false;
     const auto end_run = [&](std::size_t column) {
@@ -81,7 +81,7 @@ std::vector<std::pair<Vector2, Vector2>> contour(const Grid& grid, double level)
     for (std::size_t column = 0; column + 1 < grid.columns; ++column) {
       const Cell cell = cell_at(grid, column, row, level);
       if (!cell.known || cell.inside == 0 || cell.inside == 4) continue;
-      // Each way out of the region goes with the next way in, as region_above() joins them.
+      // Each exit from the region is joined with the next entry, as in region_above().
       for (std::size_t i = 0; i < 4; ++i) {
         if (!is_in(cell, i, level) || is_in(cell, (i + 1) % 4, level)) continue;
         std::size_t k = (i + 1) % 4;

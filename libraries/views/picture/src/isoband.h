@@ -10,7 +10,7 @@
 
 namespace elsie::picture {
 
-/// Values over the grid points (column, row), row by row. NaN: the four cells around are left out.
+/// Values at the grid points (column, row), row by row. NaN: the four cells around it are left out.
 struct Grid {
   std::size_t columns = 0;
   std::size_t rows = 0;
@@ -19,8 +19,8 @@ struct Grid {
   double at(std::size_t column, std::size_t row) const { return values[row * columns + column]; }
 };
 
-/// Polygons in grid coordinates that cover where the field is at least `level`; neighbours share
-/// their edges, so that one fill of them all has no seams.
+/// Polygons in grid coordinates that cover the region where the field is at least `level`;
+/// neighbours share edges, so that filling all of them leaves no seams.
 std::vector<std::vector<Vector2>> region_above(const Grid& grid, double level);
 
 /// The border of that region inside of the grid, in pieces of one cell each.

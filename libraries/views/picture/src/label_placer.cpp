@@ -10,9 +10,9 @@ namespace elsie::picture {
 namespace {
 
 constexpr double kCell = 4.0;
-constexpr double kSpotWeight = 3.0;  // against units of area of an obstacle of weight 1
+constexpr double kSpotWeight = 3.0;  // relative to units of area of an obstacle of weight 1
 constexpr double kOutsideWeight = 20.0;
-constexpr double kFarWeight = 1.5;  // for each unit of distance
+constexpr double kFarWeight = 1.5;  // per unit of distance
 
 double overlap(const Rect& a, const Rect& b) {
   const double width = std::min(a.right(), b.right()) - std::max(a.x, b.x);
@@ -24,7 +24,7 @@ Vector2 nearest(const Rect& rect, const Vector2& to) {
   return {std::clamp(to.x, rect.x, rect.right()), std::clamp(to.y, rect.y, rect.bottom())};
 }
 
-// Whether a line comes through a rectangle; looked at every few units.
+// Whether a line crosses a rectangle; tested every few units.
 bool crosses(const Vector2& from, const Vector2& to, const Rect& rect) {
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   const int steps = static_cast<int>(length / 3.0) + 1;
@@ -52,14 +52,14 @@ void LabelPlacer::avoid_spot(const Vector2& spot) {
   if (!(column >= 0 && row >= 0)) return;
   if (column >= static_cast<double>(columns_) || row >= static_cast<double>(rows_)) return;
   int& count = spots_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
-  count = std::min(count + 1, 3);  // more ink on ink hides no more
+  count = std::min(count + 1, 3);  // more ink on ink hides nothing more
 }
 
 double LabelPlacer::cost(const Rect& rect, const Vector2& mark) const {
   double cost = kOutsideWeight * (rect.width * rect.height - overlap(rect, frame_));
   for (const Obstacle& obstacle : obstacles_) {
     const Vector2 middle = obstacle.rect.centre();
-    // A label may come close to its own mark.
+    // A label may be close to its own mark.
     const bool own = std::hypot(middle.x - mark.x, middle.y - mark.y) < 0.5;
     if (own && obstacle.weight < 1.0) continue;
     cost += obstacle.weight * overlap(rect, obstacle.rect);
@@ -83,7 +83,7 @@ std::optional<LabelPlacer::Place> LabelPlacer::place(const Vector2& mark, double
   constexpr std::array<double, 8> kGaps = {3.0, 9.0, 18.0, 30.0, 45.0, 65.0, 90.0, 120.0};
   constexpr double kApartFrom = 15.0;
   constexpr int kDirections = 24;
-  constexpr double kBetween = 5.0;  // room that labels keep from each other
+  constexpr double kBetween = 5.0;  // distance between labels
   std::optional<Place> best;
   double best_cost = std::numeric_limits<double>::infinity();
   for (const double gap : kGaps) {

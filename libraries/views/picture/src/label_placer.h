@@ -1,4 +1,4 @@
-// Finds room for labels beside marks, without covering more than needed.
+// Finds places for labels next to marks that cover as little as possible.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,17 @@ class LabelPlacer {
  public:
   explicit LabelPlacer(const Rect& frame);
 
-  /// What labels should keep off; the larger the weight, the more.
+  /// An area that labels should avoid; the larger the weight, the more.
   void avoid(const Rect& rect, double weight);
-  /// A spot of a line, which a label may cover if need be.
+  /// A point of a line, which a label may cover if necessary.
   void avoid_spot(const Vector2& spot);
 
   struct Place {
     Rect rect;
-    bool apart = false;  // so far off that a line should lead to its mark
+    bool apart = false;  // so far away that a line should connect it with its mark
   };
-  /// The best place for a label of this size beside a mark of this radius. The place is taken
-  /// afterwards.
-  /// None when every place is on another label: then the label is left out, and counted.
+  /// The best place for a label of this size next to a mark of this radius; it is then occupied.
+  /// None when every place would cover another label: the label is left out, and counted.
   std::optional<Place> place(const Vector2& mark, double radius, double width, double height);
   std::size_t left_out() const { return left_out_; }
 
@@ -44,7 +43,7 @@ class LabelPlacer {
   std::vector<Leader> leaders_;
   std::size_t left_out_ = 0;
   std::size_t columns_, rows_;
-  std::vector<int> spots_;  // counts over cells of kCell units
+  std::vector<int> spots_;  // counts per cell of kCell units
 };
 
 }  // namespace elsie::picture

@@ -31,7 +31,7 @@ Interval data_range(const LineChart& chart, double Vector2::*coordinate, bool ma
   return {range.low - extra, range.high + extra};
 }
 
-// The second round through the colours is dashed, the third dotted.
+// After all colours, they repeat with dashed and then dotted lines.
 Pen pen_of(std::size_t index) {
   Pen pen{.width = 2.0, .dash = {}, .round = true};
   const std::size_t round = index / kSeriesInks;
@@ -40,8 +40,7 @@ Pen pen_of(std::size_t index) {
   return pen;
 }
 
-// A name and where it stands: x is its left edge, row counts upwards for peaks, downwards in the
-// legend.
+// A name and its place: x is its left edge; rows count upwards for peaks, downwards in the legend.
 struct Name {
   std::string text;
   std::size_t series = 0;
@@ -69,7 +68,7 @@ std::vector<Name> legend(const Canvas& canvas, const LineChart& chart, double wi
   return names;
 }
 
-// The middle of the highest part of a curve inside of the range; false for a flat or empty one.
+// The middle of the highest part of a curve in the range; false for a flat or empty one.
 bool peak(const Series& series, const Interval& x_range, Vector2& result) {
   double first = 0.0, last = 0.0, top = 0.0;
   bool any = false;
@@ -102,7 +101,7 @@ std::vector<Name> peak_names(const Canvas& canvas, const LineChart& chart, const
   }
   std::stable_sort(names.begin(), names.end(),
                    [](const Name& a, const Name& b) { return a.x < b.x; });
-  // Each on the lowest row where it does not run into its neighbour.
+  // Each on the lowest row on which it does not overlap its neighbour.
   std::vector<double> ends;
   for (Name& name : names) {
     const auto free =
@@ -120,7 +119,7 @@ int rows_of(const std::vector<Name>& names) {
   return rows;
 }
 
-// Runs of finite points, in units of the drawing.
+// Sequences of finite points, in units of the drawing.
 std::vector<std::vector<Vector2>> pieces(const Series& series, const PlaneMap& map) {
   std::vector<std::vector<Vector2>> result(1);
   for (const Vector2& point : series.points) {
@@ -156,7 +155,7 @@ void draw_series(Canvas& canvas, const LineChart& chart, const PlaneMap& map, co
   }
 }
 
-// What stands around the plot.
+// The space around the plot.
 struct Surroundings {
   Interval x_range, y_range;
   double left = 0.0, width = 0.0;  // of the plot

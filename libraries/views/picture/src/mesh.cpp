@@ -8,9 +8,9 @@
 namespace elsie::picture {
 namespace {
 
-// An isometric view on the unit cube: x goes to the lower right, y to the upper right, z up.
+// An isometric view of the unit cube: x goes to the lower right, y to the upper right, z up.
 struct View {
-  Vector2 origin;     // where (0, 0, 0) lands
+  Vector2 origin;     // the position of (0, 0, 0)
   double side = 1.0;  // of the floor, in units of the drawing
   double rise = 1.0;  // of the height
 
@@ -56,7 +56,7 @@ void draw_walls(Canvas& canvas, const View& view, const Ticks& x, const Interval
 }
 
 void draw_surface(Canvas& canvas, const View& view, const Field& field, const Interval& range) {
-  // A coarse net reads better than a fine one; the borders always belong to it.
+  // A coarse net is more readable than a fine one; it always includes the border.
   constexpr std::size_t kLines = 31;
   const auto pick = [](std::size_t i, std::size_t count, std::size_t of) {
     return i * (count - 1) / (of - 1);
@@ -75,7 +75,7 @@ void draw_surface(Canvas& canvas, const View& view, const Field& field, const In
     const double y = static_cast<double>(row) / static_cast<double>(field.rows - 1);
     return Corner{view(x, y, part), part};
   };
-  // From the back, which is at high y and low x, to the front.
+  // From the back (high y, low x) to the front.
   for (std::size_t j = rows - 1; j-- > 0;) {
     for (std::size_t i = 0; i + 1 < columns; ++i) {
       const std::array<Corner, 4> quad{corner(i, j), corner(i + 1, j), corner(i + 1, j + 1),
@@ -91,7 +91,7 @@ void draw_surface(Canvas& canvas, const View& view, const Field& field, const In
   }
 }
 
-// Ticks and label of an edge from a to b; the labels lie on the side of `out`.
+// Ticks and label of an edge from a to b, with the labels on the side of `out`.
 void draw_edge(Canvas& canvas, const Vector2& a, const Vector2& b, const Vector2& out,
                Across across, const Ticks& ticks, const Interval& range, const std::string& label,
                double label_offset) {

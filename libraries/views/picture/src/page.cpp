@@ -28,7 +28,7 @@ double panel_width(const Row& row, double width) {
   return (width - 2 * kMargin - kGap * (count - 1)) / count;
 }
 
-// The largest head among the panels, so that plots side by side line up.
+// The largest head among the panels, so that neighbouring plots line up.
 double row_head(const Canvas& canvas, const Row& row, double width) {
   double head = 0.0;
   for (const Panel& panel : row.panels) {
@@ -41,7 +41,7 @@ double row_head(const Canvas& canvas, const Row& row, double width) {
   return head;
 }
 
-// Below the heads.
+// Height without the heads.
 double row_height(const Row& row, double width) {
   if (row.panels.empty()) return 0.0;
   double aspect = row.aspect;
@@ -110,7 +110,7 @@ double natural_aspect(const Panel& panel) {
 Interval interval_of(const Axis& axis, const Interval& otherwise) {
   Interval result{axis.low.value_or(otherwise.low), axis.high.value_or(otherwise.high)};
   if (result.low < result.high) return result;
-  // Only one border was given, and the data lie beyond it.
+  // Only one limit was given, and the data are beyond it.
   const double span = std::max(1.0, std::abs(result.low) * 0.1);
   if (axis.low) return {result.low, result.low + span};
   return {result.high - span, result.high};
@@ -203,14 +203,14 @@ void save_page(const Page& page, const std::filesystem::path& file, const Size& 
   const double width = size.width / zoom;
   const double header = header_height(page);
   const Canvas ruler(FileType::png, 1, 1, zoom);
-  double rows = 0.0, gaps = 0.0;  // what stretches with the height and what does not
+  double rows = 0.0, gaps = 0.0;  // the parts that stretch with the height, and those that do not
   for (const Row& row : page.rows) {
     if (row.panels.empty()) continue;
     rows += row_height(row, width);
     gaps += kGap + row_head(ruler, row, width) + (row.title.empty() ? 0.0 : kRowTitle);
   }
   const double wanted = header + rows + gaps - (gaps > 0 ? kGap : 0) + kMargin;
-  // A page of very many rows is pressed into the largest picture there can be.
+  // A page with very many rows is compressed into the highest possible picture.
   const int height = size.height > 0
                          ? size.height
                          : static_cast<int>(std::clamp(std::ceil(wanted * zoom), 100.0, 16000.0));

@@ -1,4 +1,4 @@
-// The parts of which a page of plots is made; see plot.h for what they show.
+// The parts of a page of plots; plot.h says what they show.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ namespace elsie::picture {
 
 /// Throws std::invalid_argument for an axis or a field that cannot be drawn.
 void check_panel(const Panel& panel);
-/// Height as a part of the width that suits the panel without its head.
+/// The ratio of height to width that suits the panel without its head.
 double natural_aspect(const Panel& panel);
-/// The height that title and names above the plot itself need in a panel of this width.
+/// The height that title and names above the plot need in a panel of this width.
 double head_height(const Canvas& canvas, const LineChart& chart, double width);
 double head_height(const Canvas& canvas, const HeatMap& map, double width);
 double head_height(const Canvas& canvas, const Mesh& mesh, double width);
 
-/// `head` is at least what head_height() says: the largest in the row, so that plots line up.
+/// `head` is at least head_height(): the largest in the row, so that plots line up.
 void draw(Canvas& canvas, const LineChart& chart, const Rect& area, double head);
 void draw(Canvas& canvas, const HeatMap& map, const Rect& area, double head);
 void draw(Canvas& canvas, const Mesh& mesh, const Rect& area, double head);
@@ -34,16 +34,16 @@ struct Interval {
   double part(double value) const { return (value - low) / span(); }
 };
 
-/// The axis' own borders, and where it has none the interval's.
+/// The axis' own limits, or else those of the interval.
 Interval interval_of(const Axis& axis, const Interval& otherwise);
-/// Around all values of the field that are finite; widened when they are all the same.
+/// The interval of all finite values of the field; widened if they are equal.
 Interval interval_of(const Field& field);
 
-/// The map of the intervals to the rectangle.
+/// The map from the intervals to the rectangle.
 PlaneMap map_to(const Rect& plot, const Interval& x, const Interval& y);
 
-/// Grid, ticks, tick labels and axis labels around a plot. `tick_every` is the room in units that a
-/// tick should have along x and y.
+/// Grid, ticks, tick labels and axis labels around a plot. `tick_every` is the distance between
+/// ticks along x and y, in units.
 struct AxesStyle {
   bool grid = true;
   double x_room = 80.0;
@@ -52,7 +52,7 @@ struct AxesStyle {
 void draw_axes(Canvas& canvas, const Rect& plot, const Axis& x, const Interval& x_range,
                const Axis& y, const Interval& y_range, const AxesStyle& style = {});
 
-/// The room that tick labels need left of a y axis.
+/// The width of tick labels left of a y axis.
 double y_labels_width(const Canvas& canvas, const Interval& range, double height);
 
 // Text sizes.

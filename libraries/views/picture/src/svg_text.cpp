@@ -14,10 +14,10 @@
 namespace elsie::picture {
 namespace {
 
-// cairo's font first; then those that are about as wide, where it is not installed.
+// cairo's font first, then fonts of about the same width.
 constexpr const char* kFamily = "DejaVu Sans, Verdana, Bitstream Vera Sans, Arial, sans-serif";
 
-// Six decimals at most, the same in every locale, as cairo itself writes numbers.
+// At most six decimals, the same in every locale, as cairo writes numbers.
 std::string number(double value) {
   const long long millionths = std::llround(value * 1e6);
   const long long size = std::llabs(millionths);
@@ -35,8 +35,8 @@ std::string hexadecimal(const Ink& ink) {
   return text;
 }
 
-// Whether an element is a marker: a shape that is filled with the markers' opacity. Up to
-// cairo 1.16 that is part of the attribute `style`, later it is an attribute.
+// Whether an element is a marker: a shape filled with the markers' opacity. Up to cairo 1.16 that
+// is in the attribute `style`, later it is an attribute.
 bool is_marker(const std::string& element) {
   static const std::string in_style = ";fill-opacity:" + number(SvgTexts::kMarkerAlpha) + ";";
   static const std::string attribute = " fill-opacity=\"" + number(SvgTexts::kMarkerAlpha) + "\"";
@@ -45,7 +45,7 @@ bool is_marker(const std::string& element) {
                       element.find(attribute) != std::string::npos);
 }
 
-// The number of a marker, from its colour in percent: "fill:rgb(0%,0.392157%,100%)".
+// The number of a marker, encoded in its colour: "fill:rgb(0%,0.392157%,100%)".
 std::optional<std::size_t> number_of(const std::string& element) {
   std::size_t at = element.find("fill:rgb(");
   if (at == std::string::npos) at = element.find("fill=\"rgb(");

@@ -23,8 +23,8 @@ constexpr double kMargin = kTimelineMargin;
 constexpr double kColumn = 1.5;        // width, units
 constexpr double kBesideRight = 50.0;  // for the shares in per cent
 constexpr double kHeadline = 28.0;     // of a robot
-constexpr double kEventsRow = 20.0;    // of all events
-constexpr double kKindRow = 15.0;      // of those of one name
+constexpr double kEventsRow = 20.0;    // all events
+constexpr double kKindRow = 15.0;      // events of one name
 constexpr double kLaneHead = 10.0;
 constexpr double kBand = 28.0;
 constexpr double kGap = 9.0;
@@ -33,11 +33,11 @@ constexpr double kAxis = 30.0;
 constexpr double kBetweenRobots = 22.0;
 constexpr double kLegendRow = 22.0;
 
-/// What stretches with the height of the picture.
+/// The heights that stretch with the picture.
 struct Heights {
   double shares = 0.0;
   double weights = 0.0;  // 0: not shown
-  double lane = 0.0;     // likewise
+  double lane = 0.0;     // 0: not shown
 
   Heights times(double stretch) const {
     return {shares * stretch, weights * stretch, lane * stretch};
@@ -47,7 +47,7 @@ struct Heights {
   }
 };
 
-/// One entry of the legend.
+/// An entry of the legend.
 struct Entry {
   std::string name;
   std::function<void(Canvas&, const Vector2&)> symbol;  // around the point, 24 units wide
@@ -73,7 +73,7 @@ class Sheet {
     natural_ = in_full_ ? Heights{104.0, 74.0, 30.0} : Heights{56.0, 0.0, 0.0};
   }
 
-  /// Heights of what does not stretch and of what does.
+  /// The height of the parts that do not stretch.
   double fixed_height(const Canvas& ruler) {
     legend_rows_ = lay_out_legend(ruler);
     double height = 2 * kMargin + header_height() + 12.0 + kLegendRow * legend_rows_;
@@ -124,7 +124,7 @@ class Sheet {
     return kinds_.at(&robot);
   }
 
-  /// Whether each kind of event has a row of its own.
+  /// Whether each kind of event has its own row.
   bool in_rows(const TraceRobot& robot) const {
     return in_full_ && kinds_of(robot).size() <= kMostEventRows;
   }
@@ -154,7 +154,7 @@ class Sheet {
     return y + 8;
   }
 
-  /// Where all plots begin: right of the longest name, on a whole pixel.
+  /// The left edge of all plots: right of the longest name, on a whole pixel.
   double left_of_plots(const Canvas& canvas) const {
     double widest = 60.0;
     for (const std::size_t r : robots_) {
@@ -251,7 +251,7 @@ class Sheet {
                            canvas.rectangle(area).stroke(kFrame, {.width = 0.8});
                          }});
     }
-    // Rows have the names of their events beside them.
+    // Rows have the names of their events next to them.
     std::set<std::string> unnamed;
     for (const auto& [robot, kinds] : kinds_) {
       if (in_rows(*robot)) continue;
@@ -321,7 +321,7 @@ class Sheet {
   std::vector<std::size_t> robots_;
   bool in_full_;
   TimeSpan span_;
-  std::vector<RobotAccount> accounts_;  // of the robots, in their order
+  std::vector<RobotAccount> accounts_;  // parallel to the robots
   std::map<const TraceRobot*, std::vector<EventKind>> kinds_;
   BehaviorInks inks_;
   EventSymbols symbols_;

@@ -57,7 +57,7 @@ std::vector<Column> columns_of(const TraceRobot& robot, const traces::TimeSpan& 
   for (Column& column : columns) column.members.resize(robot.members.size());
   const double length = (span.to_s - span.from_s) / static_cast<double>(count);
   const auto border = [&](std::size_t i) { return span.from_s + length * static_cast<double>(i); };
-  std::size_t first = 0;  // column in which the next moment begins
+  std::size_t first = 0;  // the column in which the next moment begins
   traces::walk(robot, span, [&](const TraceMoment& moment) {
     while (first + 1 < count && border(first + 1) <= moment.from_s) ++first;
     for (std::size_t i = first; i < count && (i == first || border(i) < moment.to_s); ++i) {
@@ -76,7 +76,7 @@ std::vector<DeciderTime> heights_of(const Column& column, double least) {
             [](const DeciderTime& a, const DeciderTime& b) { return a.decider < b.decider; });
   const double floor =
       std::min(least, 1.0 / static_cast<double>(std::max<std::size_t>(1, heights.size())));
-  // What the short ones are given goes off the long ones, in proportion to what these have above.
+  // Long parts give their surplus to short ones, in proportion.
   double missing = 0.0, spare = 0.0, all = 0.0;
   for (const DeciderTime& entry : heights) all += entry.part;
   for (DeciderTime& entry : heights) {

@@ -1,4 +1,4 @@
-// A trace cut into the columns of a picture.
+// A trace divided into the columns of a picture.
 #pragma once
 
 #include <vector>
@@ -7,41 +7,41 @@
 
 namespace elsie::picture {
 
-/// A number over the time of a column.
+/// A number in a column.
 struct Extent {
   double mean = 0.0;
   double low = 0.0;
   double high = 0.0;
-  double time_s = 0.0;  // over which it was there; 0: the others mean nothing
+  double time_s = 0.0;  // time during which it existed; 0: the others have no meaning
 
   void add(double value, double length_s);
 };
 
 struct MemberColumn {
-  double robot_share = 0.0;  // mean part in the robot's command
-  double inhibited = 0.0;    // part of the column's time
+  double robot_share = 0.0;  // mean share in the robot's command
+  double inhibited = 0.0;    // share of the column's time
   Extent weight;
   Extent activation;  // while it was asked
 };
 
-/// How long somebody decided.
+/// The time during which somebody decided.
 struct DeciderTime {
   traces::Decider decider = traces::kNobody;
-  double part = 0.0;  // of the column's time
+  double part = 0.0;  // share of the column's time
 };
 
 struct Column {
-  std::vector<MemberColumn> members;  // in the order of the robot's members
-  std::vector<DeciderTime> deciders;  // at the robot's own coordinator; none twice
-  double known = 0.0;                 // part of the column's time of which the trace tells
+  std::vector<MemberColumn> members;  // parallel to the robot's members
+  std::vector<DeciderTime> deciders;  // at the robot's own coordinator; without repetitions
+  double known = 0.0;                 // share of the column's time that the trace covers
 };
 
 /// `count` columns of equal length over the span, which must not be empty.
 std::vector<Column> columns_of(const traces::TraceRobot& robot, const traces::TimeSpan& span,
                                std::size_t count);
 
-/// How much of a column's height each of its deciders has: as much as of its time, but for short
-/// ones at least `least` or, where several share a column, an equal part.
+/// The share of each decider in a column's height: its share of the time, but at least `least` or,
+/// if several share a column, an equal part.
 std::vector<DeciderTime> heights_of(const Column& column, double least);
 
 }  // namespace elsie::picture

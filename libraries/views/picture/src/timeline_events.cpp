@@ -7,7 +7,7 @@
 namespace elsie::picture {
 namespace {
 
-constexpr std::size_t kMostLines = 80;  // more of them would hide the panels
+constexpr std::size_t kMostLines = 80;  // more would hide the panels
 
 std::vector<Vector2> corners(const Vector2& at, int count, double radius, double first_angle) {
   std::vector<Vector2> points;
@@ -18,7 +18,7 @@ std::vector<Vector2> corners(const Vector2& at, int count, double radius, double
   return points;
 }
 
-/// Adds the nth shape to the path; after five they begin anew.
+/// Adds the nth shape to the path; they repeat after five.
 void trace_shape(Canvas& canvas, std::size_t place, const Vector2& at) {
   constexpr double kUp = -std::numbers::pi / 2, kRadius = 5.2;
   switch (place % 5) {
@@ -60,7 +60,7 @@ std::size_t EventSymbols::place_of(const std::string& name) const {
 void EventSymbols::draw(Canvas& canvas, const std::string& name, const Vector2& at) const {
   const std::size_t place = place_of(name);
   trace_shape(canvas, place, at);
-  // The second round through the shapes is hollow.
+  // After all shapes, they repeat hollow.
   canvas.fill_keep(place / 5 % 2 == 0 ? kText : kPaper);
   canvas.stroke(kText, {.width = 1.2});
 }
@@ -116,7 +116,7 @@ void draw_events(Canvas& canvas, const TimelineBlock& block, const std::vector<E
     if (lines > kMostLines) break;
     for (const double time_s : placed.kind->times_s) {
       const double x = canvas.crisp(block.x_of(time_s));
-      // From below, so that the dashes of lines that lie on each other do, too.
+      // From below, so that the dashes of coinciding lines coincide, too.
       canvas.line({x, bottom}, {x, placed.y})
           .stroke(kText.with_alpha(0.45), {.width = 0.8, .dash = {3, 3}});
     }

@@ -8,14 +8,14 @@ namespace {
 
 constexpr Ink kTogetherInk = hex(0xb4bac1);
 
-/// The nth colour; past the palette, the same ones lighter and turned a little.
+/// The nth colour; after the palette, the same colours lighter and slightly turned.
 Ink nth_ink(std::size_t index) {
   const auto round = static_cast<double>(index / kSeriesInks);
   const Ink base = series_ink(index);
   return round == 0.0 ? base : shifted(base, 0.13 * round, 0.3 * round);
 }
 
-/// The nth shade of a behaviour's colour, to either side of it in turn.
+/// The nth shade of a behaviour's colour, alternating between its two sides.
 Ink shade(const Ink& base, std::size_t index) {
   const double step = 0.42 * static_cast<double>(index / 2 + 1);
   return shifted(base, index % 2 == 0 ? 0.10 : -0.04, index % 2 == 0 ? step : -step);
@@ -25,7 +25,7 @@ Ink shade(const Ink& base, std::size_t index) {
 
 BehaviorInks::BehaviorInks(const traces::Trace& trace) {
   std::size_t outermost = 0;
-  std::map<std::string, std::size_t> shades;  // how many a path has given
+  std::map<std::string, std::size_t> shades;  // number of shades given by path
   for (const traces::TraceRobot& robot : trace.robots) {
     for (const traces::TraceMember& member : robot.members) {
       if (by_path_.contains(member.path)) continue;

@@ -10,8 +10,8 @@
 namespace elsie::picture {
 namespace {
 
-constexpr double kLeastOfBand = 0.3;  // of a column's height for whoever decided in it
-constexpr double kIndent = 14.0;      // of a behaviour inside another
+constexpr double kLeastOfBand = 0.3;  // of a column's height, for each decider in it
+constexpr double kIndent = 14.0;      // of a behaviour inside of another
 
 Ticks time_ticks(const TimelineBlock& block) {
   return nice_ticks(block.span.from_s, block.span.to_s,
@@ -25,7 +25,7 @@ void draw_frame(Canvas& canvas, const Rect& area) {
   canvas.stroke(kFrame.with_alpha(0.55), {.width = 0.8});
 }
 
-/// Numbers beside a panel, and what they are.
+/// Numbers next to a panel, and their name.
 void draw_scale(Canvas& canvas, const Rect& area, const Interval& range, const std::string& name) {
   const int about = std::max(2, static_cast<int>(area.height / 40));
   const Ticks ticks = nice_ticks(range.low, range.high, about);
@@ -43,7 +43,7 @@ void draw_scale(Canvas& canvas, const Rect& area, const Interval& range, const s
   canvas.text(name, {area.x - kBesidePlot - widest - 6, area.centre().y}, style);
 }
 
-/// The mean of a number over time, and its least and largest value as a band.
+/// The mean of a number over time, with its least and largest value as a band.
 template <class Get>
 void draw_extents(Canvas& canvas, const TimelineBlock& block, const PlaneMap& map, const Ink& ink,
                   const Pen& pen, Get get) {
@@ -62,7 +62,7 @@ void draw_extents(Canvas& canvas, const TimelineBlock& block, const PlaneMap& ma
     varies = false;
   };
   const auto extend = [](std::vector<Vector2>& points, double from, double to, double y) {
-    // Where nothing changes, a point at either end will do.
+    // Constant parts need a point at each end only.
     if (points.size() >= 2 && points.back().y == y) {
       points.back().x = to;
       return;
@@ -85,7 +85,7 @@ void draw_extents(Canvas& canvas, const TimelineBlock& block, const PlaneMap& ma
   if (!line.empty()) draw();
 }
 
-/// The area from the bottom of a panel up to a value in [0, 1] for each column.
+/// The area from the bottom of a panel up to a value in [0, 1] in each column.
 template <class Get>
 void fill_area(Canvas& canvas, const TimelineBlock& block, const Rect& area, const Ink& ink,
                Get get) {
@@ -120,12 +120,12 @@ Interval weights_of(const TimelineBlock& block, const std::vector<std::size_t>& 
       range.high = std::max(range.high, column.members[i].weight.high);
     }
   }
-  // Lines at the border of the panel are seen whole.
+  // Lines at the panel's border are drawn in full.
   const double margin = 0.06 * range.span();
   return {range.low < 0.0 ? range.low - margin : -margin, range.high + margin};
 }
 
-/// Where a user changed the priority of a behaviour while it ran, and to what.
+/// Where a user changed the priority of a behaviour in the run, and the new values.
 void draw_changes(Canvas& canvas, const TimelineBlock& block, const Rect& area,
                   const std::vector<traces::PriorityFrom>& priorities) {
   const TextStyle style{.size = kTick, .bold = true, .down = Down::top};
@@ -136,7 +136,7 @@ void draw_changes(Canvas& canvas, const TimelineBlock& block, const Rect& area,
     const std::string text = number_text(priorities[i].priority);
     const double width = canvas.text_width(text, style);
     const double left = x + 4 + width > area.right() ? x - 4 - width : x + 4;
-    if (left < taken) continue;  // the number would lie on the one before
+    if (left < taken) continue;  // the number would overlap the one before
     canvas.text(text, {left, area.y + 3}, style);
     taken = left + width + 4;
   }
@@ -164,7 +164,7 @@ void draw_time_axis(Canvas& canvas, const TimelineBlock& block, double y) {
 }
 
 void draw_deciders(Canvas& canvas, const TimelineBlock& block, const Rect& area) {
-  std::size_t begun = 0;  // first of the columns that look alike
+  std::size_t begun = 0;  // first of the equal columns
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
     const auto& here = block.columns[i].deciders;
     const bool same = i + 1 < block.columns.size() && here.size() == 1 &&
@@ -190,7 +190,8 @@ void draw_deciders(Canvas& canvas, const TimelineBlock& block, const Rect& area)
 void draw_shares(Canvas& canvas, const TimelineBlock& block, const Rect& area) {
   draw_time_grid(canvas, block, area);
   const std::vector<std::size_t> members = outermost(block.robot);
-  // Each area reaches down to the bottom, the whole first: no paper shows between neighbours.
+  // Each area reaches down to the bottom, the largest first, so that no paper shows between
+  // neighbours.
   for (std::size_t shown = 0; shown < members.size(); ++shown) {
     fill_area(canvas, block, area, block.inks.of(block.robot, static_cast<int>(members[shown])),
               [&](const Column& column) {
@@ -210,7 +211,7 @@ void draw_weights(Canvas& canvas, const TimelineBlock& block, const Rect& area) 
   const std::vector<std::size_t> members = outermost(block.robot);
   const Interval range = weights_of(block, members);
   const PlaneMap map = map_to(area, {0, 1}, range);
-  // Lines that lie on each other are all seen: the later ones are thinner.
+  // Later lines are thinner, so that coinciding lines are all visible.
   for (std::size_t i = 0; i < members.size(); ++i) {
     const double thinner =
         members.size() > 1 ? static_cast<double>(i) / static_cast<double>(members.size() - 1) : 1.0;
@@ -237,7 +238,7 @@ void draw_lane(Canvas& canvas, const TimelineBlock& block, std::size_t member, d
     canvas.rectangle({block.x_of_column(i), area.y, block.column_width, height});
   }
   hatch(canvas, area);
-  // Inside of the frame, so that an activation of 1 or 0 is told from it.
+  // Inside of the frame, so that activations of 0 and 1 are visible.
   const Rect inner{area.x, area.y + 2, area.width, area.height - 4};
   draw_extents(
       canvas, block, map_to(inner, {0, 1}, {0, 1}), kText, {.width = 1.3},

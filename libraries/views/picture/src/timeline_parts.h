@@ -1,4 +1,4 @@
-// The parts of which a timeline is made; see timeline.h for what they show.
+// The parts of a timeline; timeline.h says what they show.
 #pragma once
 
 #include <map>
@@ -13,27 +13,27 @@
 
 namespace elsie::picture {
 
-/// Colours of behaviours: the same for behaviours of the same path, whatever the robot; those
-/// inside another are shades of its colour.
+/// Colours of behaviours: equal for equal paths on all robots; inner behaviours have shades of the
+/// outer one's colour.
 class BehaviorInks {
  public:
   explicit BehaviorInks(const traces::Trace& trace);
   Ink of(const traces::TraceRobot& robot, int member) const;
-  /// The member's, or grey for several at once, or the paper's for nobody.
+  /// The member's colour; grey for several deciders, white for none.
   Ink of_decider(const traces::TraceRobot& robot, traces::Decider decider) const;
 
  private:
   std::map<std::string, Ink> by_path_;
 };
 
-/// Symbols of events: of each name its own, while there are enough.
+/// Symbols of events: a different one for each name, while there are enough.
 class EventSymbols {
  public:
   EventSymbols(const traces::Trace& trace, const std::vector<std::size_t>& robots,
                const traces::TimeSpan& span);
   const std::vector<std::string>& names() const { return names_; }
   void draw(Canvas& canvas, const std::string& name, const Vector2& at) const;
-  /// A rim of paper around the symbol, which tells it from those that were drawn before.
+  /// Draws a white outline around the symbol, which separates it from earlier ones.
   void draw_rim(Canvas& canvas, const std::string& name, const Vector2& at) const;
 
  private:
@@ -42,33 +42,33 @@ class EventSymbols {
   std::vector<std::string> names_;
 };
 
-/// The events of one name within a span of time.
+/// The events of one name in a span of time.
 struct EventKind {
   std::string name;
   std::vector<double> times_s;  // ascending
 };
 
-/// Of a robot, in the order in which each kind first happened.
+/// The events of a robot, ordered by the first of each kind.
 std::vector<EventKind> event_kinds(const traces::TraceRobot& robot, const traces::TimeSpan& span);
 
-/// Of more kinds than this a row for each would push the panels out of sight.
+/// With more kinds, the rows of events would take too much room.
 inline constexpr std::size_t kMostEventRows = 8;
 
 /// Around the whole picture, units.
 inline constexpr double kTimelineMargin = 18.0;
 
-/// Names and numbers left of a plot: how far from it, and how they are set.
+/// Names and numbers left of a plot: their distance and style.
 inline constexpr double kBesidePlot = 10.0;
 inline const TextStyle kBeside{
     .size = kTick, .ink = kFaintText, .across = Across::right, .down = Down::middle};
 
-/// At least between the name of a behaviour and its priority, units.
+/// The least distance between a behaviour's name and its priority, units.
 inline constexpr double kNameToPriority = 12.0;
 
-/// Lanes are paler than the other panels, so that lines over them are seen.
+/// Lanes are paler than other panels, so that lines on them are visible.
 inline constexpr double kLaneAlpha = 0.55;
 
-/// What all panels of a robot share.
+/// Shared by all panels of a robot.
 struct TimelineBlock {
   const traces::TraceRobot& robot;
   const BehaviorInks& inks;
@@ -85,25 +85,25 @@ struct TimelineBlock {
   double x_of_column(std::size_t i) const { return left + column_width * static_cast<double>(i); }
 };
 
-/// Ticks of the times, up and down through the rectangle.
+/// Vertical lines at the ticks of the times.
 void draw_time_grid(Canvas& canvas, const TimelineBlock& block, const Rect& area);
-/// Their labels, and what the axis is, below `y`.
+/// Tick labels and name of the time axis, below `y`.
 void draw_time_axis(Canvas& canvas, const TimelineBlock& block, double y);
 
-/// The events around the line `y` and, when `in_rows`, a row `row` lower for each further kind,
-/// with its name and how often it happened. In one row, what is rare stands in front of what is
-/// not. Lines go down to `bottom`, those of the rarest kinds first, while there are not too many.
+/// Draws the events around the line `y` or, when `in_rows`, in a row for each kind, `row` apart,
+/// with its name and count. In a single row, rare events are drawn over frequent ones. Lines go
+/// down to `bottom`, those of the rarest kinds first, up to a limit.
 void draw_events(Canvas& canvas, const TimelineBlock& block, const std::vector<EventKind>& kinds,
                  const EventSymbols& symbols, bool in_rows, double y, double row, double bottom);
 void draw_deciders(Canvas& canvas, const TimelineBlock& block, const Rect& area);
 void draw_shares(Canvas& canvas, const TimelineBlock& block, const Rect& area);
 void draw_weights(Canvas& canvas, const TimelineBlock& block, const Rect& area);
-/// `mean_share`: the member's part in the robot's command over the whole span.
+/// `mean_share`: the member's mean share in the robot's command over the whole span.
 void draw_lane(Canvas& canvas, const TimelineBlock& block, std::size_t member, double mean_share,
                const Rect& area);
-/// What the numbers left of the lanes are, on the line `y`.
+/// The meaning of the numbers left of the lanes, on the line `y`.
 void draw_lane_head(Canvas& canvas, const TimelineBlock& block, double y);
-/// Diagonals over the path, which is used up.
+/// Hatches the path, which is consumed.
 void hatch(Canvas& canvas, const Rect& around);
 
 }  // namespace elsie::picture

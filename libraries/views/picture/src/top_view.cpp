@@ -20,7 +20,7 @@ const world::Robot* find_robot(const world::World& world, const std::string& id)
   return found == world.robots.end() ? nullptr : &*found;
 }
 
-// Members of a team differ in lightness and a little in hue: still one team, yet told apart.
+// Members of a team differ in lightness and slightly in hue.
 Ink member_ink(const Ink& team, std::size_t index, std::size_t members) {
   if (members < 2) return team;
   constexpr std::array<double, 4> kLightness = {0.0, 0.13, -0.12, 0.06};
@@ -39,7 +39,7 @@ void give_colours(const world::World& world, std::vector<DrawnRobot>& robots) {
   }
 }
 
-// What it pulls, at least where it would stand in line behind it.
+// Adds segments that the track does not have, in line behind the robot.
 void add_segments(const world::Robot& known, DrawnRobot& robot) {
   robot.segments = known.segments;
   robot.couplings = world::couplings(known.body, known.segments);
@@ -52,7 +52,7 @@ void add_segments(const world::Robot& known, DrawnRobot& robot) {
   }
 }
 
-// Leaves of a path what is asked for. Touches have no times: those stay that are where it passes.
+// Reduces a path to the chosen part. Touches have no times: those on that part stay.
 void choose_path(const TopView& view, RobotTrack& track) {
   const PathChoice& choice = view.paths;
   if (!choice.robots.empty() &&
@@ -89,7 +89,7 @@ void choose_path(const TopView& view, RobotTrack& track) {
   });
 }
 
-// A round time that gives the longest path about as many marks as one can still see apart.
+// A round time that gives the longest path about as many marks as are readable.
 double mark_interval(const Scene& scene) {
   std::size_t longest = 0;
   for (const DrawnRobot& robot : scene.robots) {

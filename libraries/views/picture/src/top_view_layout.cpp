@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kMargin = 18.0;
 constexpr double kLeft = 62.0;   // tick labels and name of the y axis
-constexpr double kBelow = 46.0;  // of the x axis
+constexpr double kBelow = 46.0;  // the same of the x axis
 constexpr double kTitle = 21.0;
 constexpr double kSubtitle = 14.0;
 constexpr double kSubtitleLine = 20.0;
 constexpr double kBesideLegend = 36.0;
-constexpr double kTallest = 1.5;  // height as a part of the width, when it is free
+constexpr double kTallest = 1.5;  // ratio of height to width when the height is free
 
 struct Bounds {
   double left, right, bottom, top;
@@ -35,14 +35,13 @@ struct Bounds {
   }
 };
 
-// Thick walls around a small arena would be most of the picture; past a part of the arena the rest
-// of them is left out.
+// Thick walls around a small arena would fill the picture; beyond a part of the arena they are cut
+// off.
 double shown_wall(const world::Arena& arena) {
   return std::min(arena.wall_thickness, 0.015 * std::max(arena.length, arena.width));
 }
 
-// The arena with its walls; where there are none, also the robots that drove out, unless they are
-// so far off that nothing else could be seen.
+// The arena with its walls; without walls, also robots outside, unless they are too far away.
 Bounds shown(const Scene& scene) {
   const world::Arena& arena = scene.world.arena;
   const double half_x = arena.length / 2, half_y = arena.width / 2;
@@ -76,14 +75,14 @@ double header_height(const Scene& scene) {
          kSubtitleLine * static_cast<double>(std::max<std::size_t>(1, scene.subtitles.size())) + 6;
 }
 
-// Metres between two lines of the grid, of which a tick label stands at every one or two.
+// Metres between grid lines; each or every other one has a label.
 double grid_step(double scale) {
   constexpr double kClosest = 14.0, kWidest = 170.0;
   if (scale >= kClosest && scale <= kWidest) return 1.0;
   return nice_step(1000.0, static_cast<int>(std::clamp(1000.0 * scale / 60.0, 1.0, 1e8)));
 }
 
-// A bar of a round length at the right border, level with the last line of the header.
+// A bar of round length at the right edge, level with the last line of the header.
 void draw_scale_bar(Canvas& canvas, const Layout& layout) {
   const double metres = nice_step(100.0 / layout.map.scale_x, 1);
   const double width = metres * layout.map.scale_x;
@@ -100,7 +99,7 @@ void draw_ticks(Canvas& canvas, const Layout& layout) {
   const Vector2 low = layout.map.point({plot.x, plot.bottom()});
   const Vector2 high = layout.map.point({plot.right(), plot.y});
   const double grid = grid_step(layout.map.scale_x);
-  // Labels stand on lines of the grid, as closely as there is room for them.
+  // Labels are on grid lines, as close to each other as they fit.
   double step = grid;
   for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
     step = grid * factor;
@@ -139,7 +138,7 @@ Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, cons
   layout.width = size.width;
   const double width = size.width / layout.zoom;
   const double room = width - kLeft - kMargin;
-  // Text needs a surface to be measured on.
+  // Measuring text needs a surface.
   const Canvas ruler(FileType::png, 1, 1, layout.zoom);
   layout.legend = lay_out_legend(ruler, entries, room);
 
@@ -152,7 +151,7 @@ Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, cons
     return std::min(room / wide, std::max(whole - around - legend, 40.0) / high);
   };
   double scale = scale_with(layout.legend.height);
-  // Beside a narrow arena is room enough for the legend.
+  // The legend fits next to a narrow arena.
   const bool beside = scale * wide < 0.6 * room;
   if (beside) {
     scale = std::min(scale_with(0.0), 0.6 * room / wide);
@@ -185,7 +184,7 @@ void draw_frame(Canvas& canvas, const Scene& scene, const Layout& layout) {
   const TextStyle style{.size = kSubtitle, .ink = kFaintText, .down = Down::top};
   double y = kMargin + kTitle + 6;
   for (const std::string& line : scene.subtitles) {
-    // The scale bar stands to the right.
+    // The scale bar is on the right.
     canvas.text(canvas.fitted(line, style, width - kLeft - kMargin - 240), {kLeft, y}, style);
     y += kSubtitleLine;
   }
@@ -194,7 +193,7 @@ void draw_frame(Canvas& canvas, const Scene& scene, const Layout& layout) {
 }
 
 void draw_floor(Canvas& canvas, const Scene& scene, const Layout& layout) {
-  // Without walls the floor goes on.
+  // Without walls, the floor fills the plot.
   const Rect& floor = scene.world.arena.walls ? layout.arena : layout.plot;
   canvas.rectangle(floor).fill(kFloor);
   const double step = grid_step(layout.map.scale_x);
@@ -220,7 +219,7 @@ void draw_walls(Canvas& canvas, const Scene& scene, const Layout& layout) {
     canvas.rectangle(in).stroke(kWall.with_alpha(0.6), {.width = 1.2, .dash = {8, 5}});
     return;
   }
-  // As thick as they are, and never too thin to be seen.
+  // To scale, but never too thin to be seen.
   const double t = std::max(2.5, shown_wall(scene.world.arena) * layout.map.scale_x);
   canvas.rectangle({in.x - t, in.y - t, in.width + 2 * t, t});
   canvas.rectangle({in.x - t, in.bottom(), in.width + 2 * t, t});

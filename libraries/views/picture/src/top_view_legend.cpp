@@ -16,7 +16,7 @@ constexpr TextStyle kStyle{.size = 12.5, .down = Down::middle};
 
 Rect box_symbol(const Vector2& at) { return {at.x - 8, at.y - 6, 16, 12}; }
 
-// Of this kind, and still there.
+// Boxes of this kind that were not removed.
 template <class Predicate>
 bool any_box(const Scene& scene, world::BoxKind kind, Predicate predicate) {
   for (std::size_t i = 0; i < scene.world.boxes.size(); ++i) {

@@ -1,4 +1,4 @@
-// The parts of the top view: where things land, and who draws what.
+// The parts of the top view: its layout and the functions that draw it.
 //
 // Drawing runs from the floor upwards: grid, floor marks (goals, chargers), boxes, paths, beams,
 // robots, touches, walls, labels.
@@ -18,14 +18,14 @@
 
 namespace elsie::picture {
 
-/// A robot with all that drawing it needs.
+/// A robot with everything that drawing it needs.
 struct DrawnRobot {
   RobotTrack track;
   world::RobotBody body;
-  std::vector<world::Segment> segments;  // as many as there are poses in the track
+  std::vector<world::Segment> segments;  // one for each pose of a segment in the track
   std::vector<world::Coupling> couplings;
-  Ink ink;   // its team's colour, varied from one member to the next
-  Ink team;  // the team's colour itself
+  Ink ink;   // its team's colour, varied by member
+  Ink team;  // its team's colour
   std::string team_id;
 };
 
@@ -37,7 +37,7 @@ struct Scene {
   std::string title;
   std::vector<std::string> subtitles;
   double path_period_s = 0.0;
-  /// Time between two marks on the paths, s; 0: none.
+  /// Time between marks on the paths, s; 0: none.
   double mark_every_s = 0.0;
   PathChoice paths{};
 };
@@ -45,17 +45,17 @@ Scene complete(const TopView& view);
 
 /// The colour of a team; see world::team_colour().
 Ink team_ink(const world::World& world, const std::string& team);
-/// The colour of a resource, the same as cameras see.
+/// The colour of a resource, as cameras see it.
 Ink resource_ink(const world::World& world, const world::Box& resource);
 
-/// An entry of the legend: `draw` paints its symbol around the given middle.
+/// An entry of the legend: `draw` draws its symbol around the given point.
 struct LegendEntry {
   std::string text;
   double width = 20.0;  // of the symbol
   std::function<void(Canvas&, const Vector2&)> draw;
 };
 std::vector<LegendEntry> legend_of(const Scene& scene);
-/// Where each entry begins, in units from the legend's upper left corner.
+/// The position of each entry, in units from the legend's upper left corner.
 struct LegendLayout {
   std::vector<Vector2> places;
   double height = 0.0;
@@ -65,11 +65,11 @@ LegendLayout lay_out_legend(const Canvas& canvas, const std::vector<LegendEntry>
 void draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries,
                  const LegendLayout& layout, const Vector2& corner);
 
-/// Where everything lies, in units of the drawing.
+/// The layout in units of the drawing.
 struct Layout {
   double zoom = 1.0;
   int width = 0, height = 0;  // of the picture, pixels
-  Rect plot;                  // what is shown of the world
+  Rect plot;                  // the part with the world
   Rect arena;                 // inside of the walls
   PlaneMap map;               // from m to units
   LegendLayout legend;
@@ -80,7 +80,7 @@ Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, cons
 /// The corners of an upright box of this size, seen from above.
 std::vector<Vector2> outline(const PlaneMap& map, const Pose& pose, double length, double width);
 
-// The drawers. All take the labels that they need room for, or give what labels should keep off.
+// The parts of the picture. Each takes the labels to place, or adds areas that labels should avoid.
 void draw_floor(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_walls(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_frame(Canvas& canvas, const Scene& scene, const Layout& layout);
@@ -96,21 +96,21 @@ void draw_robot_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
 void draw_goal_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
                       LabelPlacer& labels);
 
-/// A line from the rim of a mark to its label, which stands apart.
+/// A line from the edge of a mark to its distant label.
 void draw_leader(Canvas& canvas, const Vector2& middle, double radius, const Rect& label,
                  const Ink& ink);
-/// How many labels had no room, in the lower right corner of the arena.
+/// The number of labels without a place, in the lower right corner of the arena.
 void draw_left_out(Canvas& canvas, const Layout& layout, const LabelPlacer& labels);
 
-// Symbols that legend and drawing share.
+// Symbols in both the legend and the drawing.
 void draw_resource_mark(Canvas& canvas, const Vector2& at, double radius, const Ink& ink);
 void draw_bolt(Canvas& canvas, const Vector2& at, double radius, const Ink& ink);
 void draw_touch(Canvas& canvas, const Vector2& at);
 void draw_robot_symbol(Canvas& canvas, const Vector2& at, double heading_rad, const Ink& ink);
-/// A filled arrow head whose tip is at `tip`; angle of its direction in the picture.
+/// A filled arrow head with its tip at `tip`; `angle` is its direction in the picture.
 void draw_arrow_head(Canvas& canvas, const Vector2& tip, double angle, double length,
                      const Ink& ink);
-/// Fills the path under construction and hatches it within `box`.
+/// Fills the current path and hatches it within `box`.
 void fill_hatched(Canvas& canvas, const Rect& box, const Ink& ground, const Ink& lines);
 
 inline constexpr Ink kFloor = hex(0xfafaf8);
@@ -125,10 +125,10 @@ inline constexpr Ink kGoal = hex(0x00805c);
 inline constexpr Ink kBeam = hex(0xb07500);
 inline constexpr Ink kTouch = hex(0xc4002f);
 
-/// The half width from which a chassis shows its own shape; smaller ones get a ring.
+/// Half the width from which a chassis shows its shape; smaller ones get a ring.
 inline constexpr double kLegibleChassis = 11.0;
 inline constexpr double kRing = 10.0;
-/// Room around a robot that labels keep off.
+/// The radius around a robot that labels avoid.
 double robot_radius(const DrawnRobot& robot, const Layout& layout);
 
 }  // namespace elsie::picture

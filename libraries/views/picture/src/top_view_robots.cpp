@@ -16,15 +16,15 @@ Vector2 at(const Layout& layout, const Pose& pose) { return layout.map.pixel({po
 
 double length(const Vector2& a, const Vector2& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-// A point of a path in the picture, with the part of the path's time at which it was passed.
+// A point of a path in the picture, with the fraction of the path's time.
 struct Step {
   Vector2 at;
   double part = 0.0;
-  bool driven = true;  // to here from the step before; else the robot was put here
+  bool driven = true;  // from the step before; else the robot was placed here
 };
 
-// The path without the points that would change nothing to be seen: a run of ten minutes has tens
-// of thousands.
+// The path without points that make no visible difference: a run of ten minutes has tens of
+// thousands.
 std::vector<Step> visible_steps(const Layout& layout, const RobotTrack& track) {
   constexpr double kApart = 1.2;
   std::vector<Step> steps;
@@ -58,7 +58,7 @@ double path_length(const std::vector<Step>& steps) {
   return sum;
 }
 
-// Old parts are pale. Drawn in pieces, each with a rim that sets it off from what it crosses.
+// Draws old parts paler, in pieces, each with an outline that separates it from what it crosses.
 void draw_line(Canvas& canvas, const std::vector<Step>& steps, const Ink& ink, double width,
                double palest) {
   constexpr int kPieces = 40;
@@ -126,7 +126,7 @@ void draw_body(Canvas& canvas, const DrawnRobot& robot, const Layout& layout) {
   canvas.stroke(mix(robot.ink, kText, 0.45), {.width = 1});
 }
 
-// The segments and the bars that link them, from joint to joint.
+// The segments, and the bars between them from joint to joint.
 void draw_segments(Canvas& canvas, const DrawnRobot& robot, const Layout& layout,
                    LabelPlacer& labels) {
   const auto ahead_of = [&](const Pose& pose, double ahead) {
@@ -150,7 +150,7 @@ void draw_segments(Canvas& canvas, const DrawnRobot& robot, const Layout& layout
   }
 }
 
-// The nose of a robot that is large enough: a wedge in the front half of the chassis.
+// The nose of a large enough robot: a wedge in the front half of the chassis.
 void draw_nose(Canvas& canvas, const DrawnRobot& robot, const Layout& layout) {
   const Pose& pose = robot.track.now;
   const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
@@ -162,7 +162,7 @@ void draw_nose(Canvas& canvas, const DrawnRobot& robot, const Layout& layout) {
   canvas.polygon(wedge).fill(kPaper.with_alpha(0.92));
 }
 
-// Around a robot that is too small to be seen: a ring with a tip that points ahead.
+// A ring around a robot that is too small to be seen, with a tip that points ahead.
 void draw_ring(Canvas& canvas, const Vector2& middle, double heading_rad, const Ink& ink) {
   const double angle = -heading_rad;  // y points down in the picture
   const Vector2 tip{middle.x + (kRing + 9) * std::cos(angle),
@@ -211,7 +211,7 @@ void draw_paths(Canvas& canvas, const Scene& scene, const Layout& layout, LabelP
     paths.push_back(visible_steps(layout, robot.track));
     total += path_length(paths.back());
   }
-  // The fuller the floor, the thinner the lines and the fewer the arrows.
+  // The more paths on the floor, the thinner the lines and the fewer the arrows.
   const double area = layout.plot.width * layout.plot.height;
   const double fullness = total / std::max(area, 1.0);
   const double width = std::clamp(2.4 - 60.0 * fullness, 1.1, 2.2);
@@ -228,7 +228,7 @@ void draw_paths(Canvas& canvas, const Scene& scene, const Layout& layout, LabelP
     if (paths[i].size() < 2) continue;
     draw_directions(canvas, paths[i], robot.ink, apart, size);
     if (scene.mark_every_s > 0.0) draw_time_marks(canvas, scene, layout, robot);
-    if (scene.paths.fade_s > 0.0) continue;  // it comes out of nothing
+    if (scene.paths.fade_s > 0.0) continue;  // the path fades in
     const Vector2& start = paths[i].front().at;
     canvas.rectangle({start.x - 3.8, start.y - 3.8, 7.6, 7.6}).fill_keep(kPaper);
     canvas.stroke(robot.ink, {.width = 2});
@@ -268,12 +268,12 @@ void draw_robots(Canvas& canvas, const Scene& scene, const Layout& layout, Label
     if (small) draw_ring(canvas, middle, robot.track.now.heading_rad, robot.ink);
     draw_segments(canvas, robot, layout, labels);
     draw_body(canvas, robot, layout);
-    // In a very large arena the chassis is less than a pixel or two.
+    // In a very large arena the chassis is smaller than a pixel or two.
     if (chassis_size(robot, layout) < 3.0) canvas.circle(middle, 3.0).fill(robot.ink);
     if (!small) draw_nose(canvas, robot, layout);
     const double r = robot_radius(robot, layout) + (small ? 4.0 : 0.0);
     labels.avoid({middle.x - r, middle.y - r, 2 * r, 2 * r}, 6.0);
-    // A name close to another robot would be taken for that one's.
+    // A name close to another robot would be taken for its name.
     const double wide = r + 9.0;
     labels.avoid({middle.x - wide, middle.y - wide, 2 * wide, 2 * wide}, 0.7);
   }

@@ -9,7 +9,7 @@ namespace elsie::picture {
 namespace {
 
 constexpr double kSmallestBox = 4.0;        // edge in the picture
-constexpr double kSmallestResource = 13.0;  // so that its mark can be seen
+constexpr double kSmallestResource = 13.0;  // so that its mark is visible
 
 Pose start_of(const world::Box& box) { return {box.x, box.y, radians(box.heading_deg)}; }
 
@@ -24,7 +24,7 @@ Rect bounds_of(const std::vector<Vector2>& corners) {
   return {left, top, right - left, bottom - top};
 }
 
-// The box from above, enlarged to the least size that can be seen.
+// The box from above, enlarged to the smallest visible size.
 std::vector<Vector2> box_outline(const Layout& layout, const world::Box& box, const Pose& pose) {
   const double least = box.kind == world::BoxKind::resource ? kSmallestResource : kSmallestBox;
   const double scale = layout.map.scale_x;
@@ -105,7 +105,7 @@ void draw_box(Canvas& canvas, const Scene& scene, const Layout& layout, const wo
   }
 }
 
-// Calls with each goal that is a place: its middle, radius in the picture, and what it is for.
+// Calls `show` for each goal that is a place with its middle, radius in the picture, and text.
 template <class Visitor>
 void each_place(const Scene& scene, const Layout& layout, Visitor visit) {
   constexpr double kSmallest = 9.0;
@@ -127,14 +127,14 @@ void each_place(const Scene& scene, const Layout& layout, Visitor visit) {
   }
 }
 
-// A place, and what it is the goal of.
+// A place, and the texts of its goals.
 struct MarkedPlace {
   Vector2 at;
   double radius = 0.0;
   std::vector<std::string> texts;
 };
 
-// Goals in one place are drawn once, and have one label.
+// Goals in one place are drawn once, with one label.
 std::vector<MarkedPlace> marked_places(const Scene& scene, const Layout& layout) {
   std::vector<MarkedPlace> marks;
   each_place(scene, layout, [&](const Vector2& at, double radius, const std::string& text) {
@@ -256,7 +256,7 @@ void draw_chargers(Canvas& canvas, const Scene& scene, const Layout& layout) {
 
 void draw_boxes(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels) {
   const auto& boxes = scene.world.boxes;
-  // What is flat on the floor lies below all that stands on it.
+  // Objects flat on the floor are below all others.
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const std::optional<Pose>& now = scene.boxes[i];
     if (boxes[i].kind == world::BoxKind::moving) draw_way(canvas, layout, boxes[i]);

@@ -5,7 +5,7 @@
 namespace elsie::render {
 namespace {
 
-// An atlas is no larger than this in either direction, unless its first picture is.
+// The largest width and height of an atlas, unless its first picture is larger.
 constexpr int kReasonable = 2048;  // px
 
 }  // namespace

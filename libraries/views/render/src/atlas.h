@@ -1,4 +1,4 @@
-// Where the pictures of many cameras lie in a larger one.
+// Arranges the pictures of many cameras in a larger one.
 #pragma once
 
 #include <cstddef>
@@ -9,21 +9,20 @@
 
 namespace elsie::render {
 
-/// A picture's place in an atlas: columns and rows of its first pixel.
+/// A picture's place in an atlas: column and row of its first pixel.
 struct Tile {
   int x = 0, y = 0;           // px
   int width = 0, height = 0;  // px
 };
 
-/// The tiles of as many views as fit, from the first one on.
+/// The tiles of the views that fit, from the first one on.
 struct Atlas {
-  int width = 0, height = 0;  // px, of the part that is in use
+  int width = 0, height = 0;  // px, of the part in use
   std::vector<Tile> tiles;
 };
 
-/// Lays the views' pictures in rows, one beside the other: the first one, and as many of the next
-/// as fit into an atlas of reasonable size. No picture may be wider or higher than `largest`
-/// pixels.
+/// Arranges the views' pictures in rows: the first one, and as many of the next as fit into an
+/// atlas of reasonable size. No picture may be wider or higher than `largest` pixels.
 Atlas pack(std::span<const View> views, int largest);
 
 }  // namespace elsie::render

@@ -19,9 +19,9 @@ namespace {
                     "libgl1-mesa-dri; worlds without cameras run without them");
 }
 
-// libepoxy ends the process when a library that it needs is missing.
+// Checked first, because libepoxy ends the process when one of its libraries is missing.
 void require_library(const char* name) {
-  // Never closed: libepoxy keeps it, too.
+  // Never closed: libepoxy keeps it open, too.
   if (!dlopen(name, RTLD_LAZY | RTLD_LOCAL)) {
     const char* problem = dlerror();
     refuse("the library " + std::string(name) + " cannot be loaded (" +
@@ -29,7 +29,7 @@ void require_library(const char* name) {
   }
 }
 
-/// Whether a list of extensions, separated by spaces, has this one.
+/// Whether a list of extensions, separated by spaces, contains this one.
 bool lists(const char* extensions, std::string_view wanted) {
   const std::string_view all = extensions ? extensions : "";
   for (std::size_t at = all.find(wanted); at != all.npos; at = all.find(wanted, at + 1)) {
@@ -52,8 +52,8 @@ bool software_wanted() {
   return !(value.empty() || value == "0" || value == "false" || value == "no");
 }
 
-/// Displays that need no screen, the best first: graphics cards, then whatever the platform
-/// without a surface gives (with Mesa, its software rasteriser at least).
+/// Displays that need no screen, the best first: graphics cards, then those of the platform without
+/// a surface (with Mesa, at least its software rasteriser).
 std::vector<EGLDisplay> candidates() {
   std::vector<EGLDisplay> displays;
   const auto get_display = extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
@@ -102,8 +102,7 @@ EglContext::EglContext() {
   }
 }
 
-// The display stays initialised: it is the same for all of the process, and somebody else may be
-// using it.
+// The display stays initialised: the process has only one, and other code may be using it.
 bool EglContext::open(EGLDisplay display) {
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) {
     return false;

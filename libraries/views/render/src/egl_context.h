@@ -5,8 +5,7 @@
 
 namespace elsie::render {
 
-/// An OpenGL 3.3 core context of a graphics card where there is one, else of Mesa's software
-/// rasteriser.
+/// An OpenGL 3.3 core context of a graphics card, or else of Mesa's software rasteriser.
 class EglContext {
  public:
   /// Throws RenderError.
@@ -15,7 +14,7 @@ class EglContext {
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
-  /// Makes the context the calling thread's for the life of this object, then restores what was.
+  /// Makes the context current in the calling thread while it lives, then restores the one before.
   class Current {
    public:
     /// Throws RenderError.

@@ -8,17 +8,17 @@
 namespace elsie::render {
 namespace {
 
-// Where the light comes from: it lies between the axes, so that neighbouring faces of an upright
-// box differ.
+// The direction of the light: between the axes, so that neighbouring faces of an upright box
+// differ.
 const Vector3 kLight = [] {
   const Vector3 direction{0.3, 0.5, 0.81};
   return (1.0 / std::sqrt(dot(direction, direction))) * direction;
 }();
 
-// Half the edge of the floor, which has no end: from there on it is less than a pixel high.
+// Half the edge of the drawn floor: beyond, it is less than a pixel high.
 constexpr double kFloorReach = 1000.0;  // m
 
-/// A mesh in the world: where its origin is, and its axes with their lengths.
+/// A mesh in the world: its origin, and its axes with their lengths.
 struct Body {
   Vector3 origin, x, y, z;
 };
@@ -37,7 +37,7 @@ class Eye {
                static_cast<float>(2 * tile.y + tile.height) / static_cast<float>(atlas.height) -
                    1.0F} {}
 
-  /// Whether some of a ball may be in the picture.
+  /// Whether part of a ball may be in the picture.
   bool may_see(const Vector3& middle, double radius) const {
     const Vector3 d = middle - frame_.origin;
     const double w = dot(frame_.forward, d);
@@ -82,7 +82,7 @@ Vector3 light_in(const Frame& frame) {
   return {dot(kLight, frame.forward), dot(kLight, frame.left), dot(kLight, frame.up)};
 }
 
-// What lies on the floor is in full light.
+// Things flat on the floor are in full light.
 constexpr Vector3 kFullLight{0.0, 0.0, 1.0};
 
 Body flat(double x, double y, double reach) {

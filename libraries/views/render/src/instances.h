@@ -1,4 +1,4 @@
-// From a scene and its cameras to what the graphics card is handed.
+// Turns a scene and its cameras into data for the graphics card.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace elsie::render {
 
-/// One mesh in one picture. The rows take a point of the mesh, with a fourth coordinate of 1, to
-/// the camera: x to the right and y down, both as parts of half the picture's width and height
-/// times the distance w along the camera's axis.
+/// One mesh in one picture. The rows map a point of the mesh, with a fourth coordinate of 1, to the
+/// camera: x to the right and y down, both relative to half the picture's width and height times
+/// the distance w along the camera's axis.
 struct Instance {
   float x[4], y[4], w[4];
   float place[4];  // of the picture in the atlas: half size and middle, in OpenGL's -1 to 1
@@ -20,14 +20,14 @@ struct Instance {
   std::uint8_t colour[4];
 };
 
-/// What is to be drawn into an atlas, in this order.
+/// What to draw into an atlas, in this order.
 struct DrawList {
   std::vector<Instance> floors, marks, boxes, wheels;
 
   void clear();
 };
 
-/// Appends what the view sees of the scene; what is certainly out of its sight is left out.
+/// Appends what the view may see of the scene.
 void add_view(const Scene& scene, const View& view, const Atlas& atlas, const Tile& tile,
               DrawList& list);
 

@@ -14,7 +14,7 @@ Vertex vertex(double x, double y, double z) {
   return {{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)}, {0, 0, 0}};
 }
 
-/// Adds a flat face with corners in counter-clockwise order; the first one speaks for it.
+/// Adds a flat face with its corners in counter-clockwise order; the first one has its normal.
 void add_face(Mesh& mesh, const std::vector<int>& corners, double nx, double ny, double nz) {
   const auto speaker = static_cast<std::uint16_t>(corners[0]);
   float* normal = mesh.vertices[speaker].normal;
@@ -37,7 +37,7 @@ Mesh box_mesh() {
   for (int i = 0; i < 8; ++i) {  // bits of i: x, y, z
     mesh.vertices.push_back(vertex(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 1.0 : 0.0));
   }
-  // Each face begins with another corner.
+  // Each face begins with a different corner.
   add_face(mesh, {0, 4, 6, 2}, -1, 0, 0);
   add_face(mesh, {1, 3, 7, 5}, 1, 0, 0);
   add_face(mesh, {4, 0, 1, 5}, 0, -1, 0);
@@ -64,7 +64,7 @@ Mesh wheel_mesh() {
     right.push_back(i);
   }
   add_face(mesh, left, 0, 1, 0);
-  // The corners of this side all speak for faces of the rim.
+  // The corners of this side all have normals of the rim.
   mesh.vertices.push_back(mesh.vertices[0]);
   right[0] = 2 * n;
   add_face(mesh, right, 0, -1, 0);

@@ -1,4 +1,4 @@
-// The few shapes that everything is made of.
+// The few shapes of which everything consists.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 
 namespace elsie::render {
 
-/// A corner of a mesh. A face is painted evenly with the light that its normal gets, and OpenGL
-/// takes that from the last corner of each triangle ("flat" shading). So a corner's normal is that
-/// of the one face that it speaks for, and corners can be shared: a box has 8 instead of 24.
+/// A corner of a mesh. A face has the light of one normal, which OpenGL takes from the last corner
+/// of each triangle ("flat" shading). So a corner has the normal of one face, and other faces can
+/// share it: a box has 8 corners instead of 24.
 struct Vertex {
   float position[3];
   float normal[3];

@@ -8,9 +8,9 @@
 namespace elsie::render {
 namespace {
 
-// Depth runs from the nearest distance to infinity. Each picture is cut off at the edges of its own
-// part of the atlas. The brightness goes from the darkest shade, away from the light, to 1: half of
-// it is light from everywhere (so that faces in the shade differ, too).
+// Depth ranges from the nearest distance to infinity. Each picture is clipped to its part of the
+// atlas. The brightness ranges from the darkest shade, away from the light, to 1; half of it is
+// ambient (so that faces in the shade differ, too).
 constexpr const char* kVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -71,7 +71,7 @@ GLuint link() {
   for (const GLuint shader :
        {compile(GL_VERTEX_SHADER, kVertexShader), compile(GL_FRAGMENT_SHADER, kFragmentShader)}) {
     glAttachShader(program, shader);
-    glDeleteShader(shader);  // once the program goes
+    glDeleteShader(shader);  // deleted with the program
   }
   glLinkProgram(program);
   GLint linked = GL_FALSE;
@@ -147,7 +147,7 @@ void Painter::draw(const Shape& shape, std::size_t first, std::size_t count) {
 }
 
 void Painter::paint(const DrawList& list, const Colour& sky, int width, int height) {
-  // All state is set anew: a context may be shared with other painters.
+  // Sets all state anew, because painters may share a context.
   glUseProgram(program_);
   glViewport(0, 0, width, height);
   glScissor(0, 0, width, height);
@@ -156,7 +156,7 @@ void Painter::paint(const DrawList& list, const Colour& sky, int width, int heig
   glDisable(GL_DITHER);
   glDisable(GL_MULTISAMPLE);
   glEnable(GL_CULL_FACE);
-  glFrontFace(GL_CW);  // pictures have their first row at the bottom of the framebuffer
+  glFrontFace(GL_CW);  // the framebuffer's bottom row is the first row of a picture
   for (GLenum i = 0; i < kClipDistances; ++i) {
     glEnable(GL_CLIP_DISTANCE0 + i);
   }
@@ -184,8 +184,8 @@ void Painter::paint(const DrawList& list, const Colour& sky, int width, int heig
     at += bytes(*some);
   }
 
-  // Everything else stands on the floor, and marks lie flat on it: painted over it, not compared
-  // with it in depth, where the two would flicker.
+  // Everything else stands on the floor, and marks lie flat on it: they are painted over it without
+  // a depth test, in which the two would flicker.
   std::size_t first = 0;
   glDisable(GL_DEPTH_TEST);
   draw(square_, first, list.floors.size());

@@ -1,5 +1,5 @@
-// Everything that OpenGL does: into whatever framebuffer the current context has. The only place
-// that calls it, beside the renderer, which owns the framebuffer.
+// All drawing by OpenGL, into the framebuffer of the current context. Only the renderer, which owns
+// the framebuffer, also calls OpenGL.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -13,15 +13,15 @@ namespace elsie::render {
 
 class Painter {
  public:
-  /// With an OpenGL 3.3 context current, which stays the one of all later calls and owns what is
-  /// made here. Throws RenderError.
+  /// Needs a current OpenGL 3.3 context, which must also be current in all later calls and owns the
+  /// objects made here. Throws RenderError.
   Painter();
 
-  /// Draws what is in the list into the lower left part of the framebuffer, cleared to `sky`.
+  /// Draws the list into the lower left part of the framebuffer, cleared to `sky`.
   void paint(const DrawList& list, const Colour& sky, int width, int height);
 
  private:
-  /// A mesh on the card.
+  /// A mesh on the graphics card.
   struct Shape {
     GLuint array = 0;
     GLsizei indices = 0;

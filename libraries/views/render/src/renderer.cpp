@@ -17,7 +17,7 @@
 namespace elsie::render {
 namespace {
 
-/// Copies `count` pixels, four bytes each, without the fourth.
+/// Copies `count` pixels of four bytes each without the fourth byte.
 void drop_alpha(const std::uint8_t* from, std::uint8_t* to, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     to[3 * i] = from[4 * i];
@@ -88,7 +88,7 @@ class Renderer::Impl {
     }
   }
 
-  /// Makes the framebuffer at least so large.
+  /// Makes the framebuffer at least this large.
   void make_room(int width, int height) {
     if (width <= width_ && height <= height_) {
       return;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Colour grey(std::uint8_t brightness) { return {brightness, brightness, brightness}; }
 
-// Without a hue, and darker than a white thing in the shade (kDarkestShade).
+// Without a hue, and darker than white in the shade (kDarkestShade).
 constexpr Colour kFloor = grey(80);
 constexpr Colour kSky = grey(140);
 constexpr Colour kWall = grey(130);
@@ -61,7 +61,7 @@ WorldScene::WorldScene(const world::World& world, const Look& look) {
 }
 
 void WorldScene::add_walls(const world::Arena& arena) {
-  // Outside of the area, the ones along x long enough to close the corners.
+  // Outside of the arena; those along x are long enough to close the corners.
   const double t = arena.wall_thickness, h = arena.wall_height;
   const double x = 0.5 * (arena.length + t), y = 0.5 * (arena.width + t);
   const auto add = [&](double at_x, double at_y, double length, double width) {

@@ -1,4 +1,4 @@
-// Axes: which numbers to write beside one, and where a point lands.
+// Axes: round numbers for the ticks, and the map from values to pixels.
 #pragma once
 
 #include <string>
@@ -8,29 +8,29 @@
 
 namespace elsie::picture {
 
-/// Places on an axis for marks and their labels, ascending.
+/// Positions of ticks and labels on an axis, ascending.
 struct Ticks {
   std::vector<double> at;
   double step = 0.0;
 };
 
-/// The step nearest to span / about among 1, 2 and 5 times the powers of ten; 1 for a span that is
-/// not positive and finite.
+/// The step nearest to span / about among 1, 2 and 5 times powers of ten; 1 for a span that is not
+/// positive and finite.
 double nice_step(double span, int about);
 
-/// The multiples of a nice step within [low, high], about `about` of them. None for an interval
-/// that is empty or not finite.
+/// The multiples of a nice step in [low, high], about `about` of them. None for an interval that is
+/// empty or not finite.
 Ticks nice_ticks(double low, double high, int about);
 
-/// A tick as text, with as many decimals as the step asks for and a true minus sign; the same in
-/// every locale.
+/// A tick as text, with as many decimals as the step needs and a true minus sign; the same in every
+/// locale.
 std::string tick_label(double value, double step);
 
-/// From the plane of two axes to the picture, whose x goes right and y down, in pixels.
+/// The map from the plane of two axes to the picture, in pixels, with x to the right and y down.
 struct PlaneMap {
   double scale_x = 1.0;  // pixels per unit
   double scale_y = -1.0;
-  double origin_x = 0.0;  // where (0, 0) lands
+  double origin_x = 0.0;  // the pixel of (0, 0)
   double origin_y = 0.0;
 
   Vector2 pixel(const Vector2& point) const {

@@ -1,7 +1,6 @@
 // Pictures of fuzzy models: membership functions and control surfaces.
 //
-// The model is handed over as plain data and a function, so that any source of fuzzy sets can be
-// drawn.
+// The model is passed as plain data and a function, so that any source of fuzzy sets can be drawn.
 #pragma once
 
 #include <filesystem>
@@ -34,7 +33,7 @@ struct SurfaceVariable {
   double high = 1.0;
 };
 
-/// An input that is not drawn, and the value at which it is held meanwhile.
+/// An input that is not drawn, and its constant value.
 struct HeldInput {
   std::string name{};
   std::string unit{};
@@ -51,7 +50,7 @@ struct ControlSurface {
   std::function<double(double x, double y)> value;
 };
 
-/// A whole model on one page: the variables, then each surface as heat map and mesh.
+/// A whole model on one page: the variables, then each surface as a heat map and a mesh.
 struct FuzzyPicture {
   std::string title{};
   std::vector<std::string> subtitles{};
@@ -59,11 +58,11 @@ struct FuzzyPicture {
   std::vector<ControlSurface> surfaces{};
 };
 
-/// The page that shows the picture's content, for use among other pages and panels. The surfaces
-/// are evaluated here. Throws std::invalid_argument when a variable's low is not below its high.
+/// The page of the picture, for use with other pages and panels. Evaluates the surfaces. Throws
+/// std::invalid_argument when a variable's low is not below its high.
 Page fuzzy_page(const FuzzyPicture& picture);
 
-// Each draws one file; errors as save_page().
+// Each writes one file; errors as in save_page().
 void save_fuzzy_picture(const FuzzyPicture& picture, const std::filesystem::path& file,
                         const Size& size = {});
 void save_membership_functions(const std::vector<MembershipPanel>& variables,

@@ -1,4 +1,4 @@
-// Pictures of cameras as files.
+// Camera pictures as files.
 #pragma once
 
 #include <filesystem>
@@ -8,15 +8,15 @@
 
 namespace elsie::picture {
 
-/// Writes an image of one channel (grey) or three (red, green, blue) as a PNG file, pixel by pixel.
-/// The same image gives the same bytes.
+/// Writes an image with one channel (grey) or three (red, green, blue) as a PNG file, pixel by
+/// pixel. The same image gives the same bytes.
 ///
-/// Throws std::invalid_argument for an image that is empty, has another number of channels, or
-/// whose bytes are not as many as its size says; std::runtime_error when the file cannot be
-/// written; then a file that was there before is unchanged.
+/// Throws std::invalid_argument for an image that is empty, has another number of channels, or the
+/// wrong number of bytes for its size; std::runtime_error when the file cannot be written; an
+/// existing file is then unchanged.
 void write_png(const Image& image, const std::filesystem::path& file);
 
-/// The bytes of the same file. Throws std::invalid_argument likewise.
+/// The bytes of this file. Throws std::invalid_argument likewise.
 std::string png(const Image& image);
 
 }  // namespace elsie::picture

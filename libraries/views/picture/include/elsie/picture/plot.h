@@ -1,7 +1,7 @@
 // Plots: line charts, heat maps and surfaces over two axes, in rows on a page.
 //
-// A page is plain data: fill it in and save it. Colours and dashes are chosen to be told apart by
-// colour-blind readers and in grey.
+// A page is plain data: fill it in and save it. Colour-blind readers can distinguish the colours
+// and dashes, also in grey.
 #pragma once
 
 #include <cstddef>
@@ -24,17 +24,17 @@ struct Axis {
   std::optional<double> high{};
 };
 
-/// One curve. A point that is not finite interrupts it.
+/// A curve. Points that are not finite interrupt it.
 struct Series {
   std::string name{};
   std::vector<Vector2> points{};  // x and y in the units of the axes
   bool filled = false;            // tinted down to zero, or to the axis
 };
 
-/// Where the names of the series stand.
+/// The position of the series' names.
 enum class Naming {
-  legend,   // in a line above the chart; a single series without a name has none
-  at_peak,  // above the highest place of each curve
+  legend,   // in a line above the chart; a single unnamed series has none
+  at_peak,  // above the highest point of each curve
 };
 
 struct LineChart {
@@ -45,9 +45,9 @@ struct LineChart {
   Naming naming = Naming::legend;
 };
 
-/// A number over a regular grid of two axes.
+/// Numbers over a regular grid of two axes.
 struct Field {
-  Axis x{};  // low and high must be given
+  Axis x{};  // low and high are required
   Axis y{};
   Axis z{};
   std::size_t columns = 0;       // along x, at least 2
@@ -55,13 +55,13 @@ struct Field {
   std::vector<double> values{};  // rows * columns, row by row from the lowest y; NaN: unknown
 };
 
-/// A field in colours with contour lines and a colour bar.
+/// A field as colours, with contour lines and a colour bar.
 struct HeatMap {
   std::string title{};
   Field field{};
 };
 
-/// A field as a surface in space, seen from above at an angle.
+/// A field as a surface in space, seen at an angle from above.
 struct Mesh {
   std::string title{};
   Field field{};
@@ -70,10 +70,10 @@ struct Mesh {
 using Panel = std::variant<LineChart, HeatMap, Mesh>;
 
 struct Row {
-  std::vector<Panel> panels{};  // side by side, equally wide
-  std::string title{};          // above them all
-  /// Height of the row, less the titles and names above the plots, as a part of one panel's width;
-  /// 0: what suits the panels.
+  std::vector<Panel> panels{};  // side by side, with equal widths
+  std::string title{};          // above all panels
+  /// Height of the row without the titles and names above the plots, relative to the width of a
+  /// panel; 0: suitable for the panels.
   double aspect = 0.0;
 };
 
@@ -83,13 +83,13 @@ struct Page {
   std::vector<Row> rows{};
 };
 
-/// Draws the page into a file whose suffix, .png or .svg, says of which type. The same page gives
-/// the same bytes. With a height of 0 it is as high as its rows need; otherwise the rows share what
-/// is there.
+/// Draws the page into a file of the type that the suffix names, .png or .svg. The same page gives
+/// the same bytes. With a height of 0 the picture is as high as its rows need; otherwise the rows
+/// share the height.
 ///
-/// Throws std::invalid_argument for any other suffix, a size out of range, an axis whose low is not
-/// below its high, or a field whose size is not that of its values; std::runtime_error when the
-/// file cannot be written; then a file that was there before is unchanged.
+/// Throws std::invalid_argument for another suffix, a size out of range, an axis whose low is not
+/// below its high, or a field with the wrong number of values; std::runtime_error when the file
+/// cannot be written; an existing file is then unchanged.
 void save_page(const Page& page, const std::filesystem::path& file, const Size& size = {});
 
 }  // namespace elsie::picture

@@ -1,10 +1,10 @@
 // A coordination trace as a picture: who decided when, over the time of a run.
 //
-// For each robot, from above to below: its events, a row for each kind; a band that shows whose
-// command counted most; the shares of its behaviours in the command, stacked; their weights; and a
-// lane for each behaviour, those inside another below it, with the priority that the user gave it
-// (and, where that was changed in the run, from where on it was which), its part in the robot's
-// command, its activation, and when it was silenced.
+// Each robot has, from above to below: its events, a row for each kind; a band with the behaviour
+// whose command counted most; the shares of its behaviours in the command, stacked; their weights;
+// and a lane for each behaviour, with inner ones below the outer one. A lane shows the priority
+// that the user gave (and from when on, if it changed in the run), the share in the robot's
+// command, the activation, and when the behaviour was silenced.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +17,13 @@
 
 namespace elsie::picture {
 
-/// Robots of which everything can be shown in one picture; with more, lanes and weights are left
-/// out.
+/// The most robots that are shown in full; with more, lanes and weights are left out.
 inline constexpr std::size_t kTimelineRobotsInFull = 3;
 
-/// What to draw. The trace must live as long as the timeline.
+/// What to draw. The trace must outlive the timeline.
 struct Timeline {
   const traces::Trace& trace;
-  std::vector<std::size_t> robots{};  // by their places in the trace; empty: all
+  std::vector<std::size_t> robots{};  // indices into the trace; empty: all
   traces::TimeSpan span{};            // s
   /// Empty: the world's name.
   std::string title{};
@@ -32,18 +31,17 @@ struct Timeline {
   std::vector<std::string> subtitles{};
 };
 
-/// Draws the timeline into a file whose suffix, .png or .svg, says of which type. The same timeline
-/// gives the same bytes.
+/// Draws the timeline into a file of the type that the suffix names, .png or .svg. The same
+/// timeline gives the same bytes.
 ///
-/// Time is cut into columns 1.5 units wide, a unit being a thousandth of the picture's width. Areas
-/// show means over a column, lines the mean with its least and largest value as a band. A behaviour
-/// that decided for a part of a column only, however short, has at least 0.3 of the column in the
-/// band of deciders, less where there are more than three.
+/// Time is divided into columns 1.5 units wide; a unit is a thousandth of the picture's width.
+/// Areas show means over a column, lines the mean, with the least and largest value as a band. A
+/// behaviour that decided in part of a column, however short, gets at least 0.3 of the column in
+/// the band of deciders, or less if there are more than three.
 ///
-/// Throws std::invalid_argument for any other suffix, a size out of range, a robot that is not in
-/// the trace, or so many robots that the picture would be higher than 16000 pixels;
-/// std::runtime_error when the file cannot be written; then a file that was there before is
-/// unchanged.
+/// Throws std::invalid_argument for another suffix, a size out of range, a robot that is not in the
+/// trace, or so many robots that the picture would exceed 16000 pixels in height;
+/// std::runtime_error when the file cannot be written; an existing file is then unchanged.
 void save_timeline(const Timeline& timeline, const std::filesystem::path& file,
                    const Size& size = {});
 

@@ -1,14 +1,14 @@
 // Pictures of a scene, off screen: EGL without a surface, OpenGL 3.3. No display is needed; without
 // a graphics card Mesa draws in software.
 //
-// All cameras of one instant are drawn in one go, side by side into one picture that is read back
-// once: a hundred small pictures cost little more than one large one.
+// All cameras of one instant are drawn at once, side by side into one picture that is read back
+// once: a hundred small pictures cost little more than a large one.
 //
 // The pictures are those of pinhole cameras (see elsie::Camera), with hard edges: a pixel has the
-// colour of the nearest surface that the ray through its middle meets, no closer than kNearest. On
-// one machine, the same scene and views give the same bytes; between a graphics card and Mesa's
+// colour of the nearest surface, no closer than kNearest, on the ray through its middle. On one
+// machine, the same scene and views give the same bytes; between a graphics card and Mesa's
 // software (or another version of it) pixels at edges may differ. LIBGL_ALWAYS_SOFTWARE=1 in the
-// environment leaves graphics cards aside.
+// environment selects software.
 #pragma once
 
 #include <memory>
@@ -21,35 +21,35 @@
 
 namespace elsie::render {
 
-/// Surfaces nearer to the camera, along its axis, are not seen, m.
+/// Surfaces nearer to the camera, along its axis, are invisible, m.
 inline constexpr double kNearest = 0.01;
 
-/// No pictures can be taken; what() is a sentence that says why, and what to install.
+/// Pictures cannot be taken; what() is a sentence with the reason and the packages to install.
 class RenderError : public base::Error {
  public:
   using base::Error::Error;
 };
 
-/// One OpenGL context of its own; two renderers do not know of each other. May be used from any
-/// thread, by one at a time; a context that the caller has current is so again afterwards.
+/// A renderer with its own OpenGL context, independent of other renderers. May be used from any
+/// thread, by one at a time; the caller's current context is restored.
 class Renderer {
  public:
-  /// Throws RenderError where EGL or OpenGL 3.3 is not to be had.
+  /// Throws RenderError without EGL or OpenGL 3.3.
   Renderer();
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Takes a picture from each view; `pictures` has as many entries, which are given the size of
-  /// the camera and three channels. Memory that an image has is used again.
+  /// Takes a picture of each view into `pictures`, which has as many entries; they get the size of
+  /// the camera and three channels. An image's memory is reused.
   ///
-  /// Throws std::invalid_argument for a camera whose size or field of view makes no picture (sizes
+  /// Throws std::invalid_argument for a camera whose size or field of view is out of range (sizes
   /// from 1 to largest_size() pixels, angles in (0, pi)), RenderError when the driver fails.
   void render(const Scene& scene, std::span<const View> views, std::span<Image* const> pictures);
 
-  /// The most pixels that a picture may have in width and height.
+  /// The largest width and height of a picture, in pixels.
   int largest_size() const;
-  /// What draws, in the driver's words: "llvmpipe (LLVM 15.0.6, 256 bits)".
+  /// The device that draws, in the driver's words: "llvmpipe (LLVM 15.0.6, 256 bits)".
   const std::string& device() const;
 
  private:

@@ -1,7 +1,7 @@
-// What there is to be seen, as plain data: boxes, wheels and marks on a floor.
+// A scene as plain data: boxes, wheels and marks on a floor.
 //
-// Lengths in m, frames in the world. Every colour is the one in full light; faces that are turned
-// away from it are darker, down to kDarkestShade, with the same hue and saturation.
+// Lengths are in m, frames in the world. Colours are those in full light; faces turned away from it
+// are darker, down to kDarkestShade, with the same hue and saturation.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@
 
 namespace elsie::render {
 
-/// The carrier of things that belong to nobody, and of cameras that nobody carries.
+/// The carrier of things without a carrier, and of cameras that nobody carries.
 inline constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
 
-/// How bright the darkest face of a surface is, as a part of its colour in full light.
+/// The brightness of the darkest face of a surface, relative to its colour in full light.
 inline constexpr double kDarkestShade = 0.6;
 
 struct Box {
   Frame frame;   // origin in the middle of its bottom
   Vector3 size;  // along forward, left and up
   Colour colour;
-  std::size_t carrier = kNobody;  // whose cameras do not see it
+  std::size_t carrier = kNobody;  // its cameras do not see the box
   bool visible = true;
 };
 
@@ -35,7 +35,7 @@ struct Wheel {
   std::size_t carrier = kNobody;
 };
 
-/// A disc on the floor; of two that overlap the later one is on top.
+/// A disc on the floor; later marks cover earlier ones.
 struct Mark {
   Vector2 at;
   double radius = 0.0;
@@ -43,18 +43,18 @@ struct Mark {
 };
 
 struct Scene {
-  Colour floor{80, 80, 80};   // without end, at z = 0; not to be seen from below
-  Colour sky{140, 140, 140};  // where there is nothing else
+  Colour floor{80, 80, 80};   // unlimited, at z = 0; invisible from below
+  Colour sky{140, 140, 140};  // everywhere else
   std::vector<Box> boxes;
   std::vector<Wheel> wheels;
   std::vector<Mark> marks;
 };
 
-/// A camera in its place.
+/// A camera with its pose.
 struct View {
   Frame frame;  // looks along forward; up is the top of the picture
   Camera camera;
-  std::size_t carrier = kNobody;  // what belongs to it is not in the picture
+  std::size_t carrier = kNobody;  // its things are not in the picture
 };
 
 }  // namespace elsie::render

@@ -7,8 +7,8 @@
 
 namespace elsie::render {
 
-/// For simulation::Options::cameras: takes the pictures with a Renderer. Throws RenderError where
-/// there is none.
+/// For simulation::Options::cameras: takes pictures with a Renderer. Throws RenderError if there is
+/// none.
 std::unique_ptr<simulation::CameraRenderer> world_cameras(const world::World& world);
 
 }  // namespace elsie::render

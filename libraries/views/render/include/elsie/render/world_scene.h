@@ -1,10 +1,10 @@
 // A world as cameras see it.
 //
-// Floor, sky, walls, obstacles without a colour of their own and robots are greys, none brighter
-// than 0.55 of full light, so that whatever has a colour stands out, and white does too. Resources
-// have their colour or their team's (world::resource_colour()); chargers are yellow: discs on the
-// floor as large as the area in which they charge, or boxes where range sensors are to see them.
-// All robots look alike, whatever their team: a robot is not mistaken for a resource.
+// Floor, sky, walls, robots and obstacles without a colour are grey, no brighter than 0.55 of full
+// light, so that coloured and white things stand out. Resources have their colour or their team's
+// (world::resource_colour()). Chargers are yellow: discs on the floor as large as the area in which
+// they charge, or boxes if range sensors see them. All robots look alike, whatever their team, so
+// that none is mistaken for a resource.
 #pragma once
 
 #include <cstddef>
@@ -18,30 +18,29 @@
 namespace elsie::render {
 
 struct Look {
-  /// Chassis in their team's colour: for people who watch, not for cameras.
+  /// Chassis in their team's colour, for viewers rather than cameras.
   bool team_coloured_robots = false;
 };
 
-/// The scene of a world. Robots are the carriers of their bodies, by their place in the world's
-/// list.
+/// The scene of a world. Robots are the carriers of their bodies, by their index in the world.
 class WorldScene {
  public:
-  /// Everything is where the world puts it.
+  /// Everything is at its start.
   explicit WorldScene(const world::World& world, const Look& look = {});
 
-  /// Moves a robot: the frame's origin is on the floor below the middle of its axle. What it pulls
-  /// stays where it is.
+  /// Moves a robot: the frame's origin is on the floor below the middle of its axle. Its segments
+  /// stay in place.
   void place_robot(std::size_t robot, const Frame& frame);
-  /// Moves one of the segments that a robot pulls; the origin as a robot's.
+  /// Moves a segment of a robot; the origin is as for a robot.
   void place_segment(std::size_t robot, std::size_t segment, const Frame& frame);
-  /// Moves a box of the world's list: the frame's origin is in the middle of its bottom. None: it
-  /// is gone.
+  /// Moves a box by its index in the world: the frame's origin is in the middle of its bottom.
+  /// None: removed.
   void place_box(std::size_t box, const std::optional<Frame>& frame);
 
   const Scene& scene() const { return scene_; }
 
  private:
-  /// Where the parts of a robot or a segment are in the scene's lists, and in its own frame.
+  /// Indices of a robot's or segment's parts in the scene's lists, and their frames relative to it.
   struct Body {
     std::size_t chassis, first_wheel;
     double clearance, half_axle, wheel_radius;
@@ -49,13 +48,13 @@ class WorldScene {
 
   void add_walls(const world::Arena& arena);
   void add_robot(const world::Robot& robot, const Colour& colour);
-  /// Anything with a chassis and two wheels.
+  /// Adds anything with a chassis and two wheels.
   template <class Part>
   Body add_body(const Part& part, const Colour& colour, std::size_t carrier);
   void place(const Body& body, const Frame& frame);
 
   Scene scene_;
-  std::size_t first_box_ = 0;  // of the world's
+  std::size_t first_box_ = 0;  // index of the world's first box
   std::vector<Body> robots_;
   std::vector<std::vector<Body>> segments_;  // of each robot
 };
