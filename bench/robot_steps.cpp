@@ -235,8 +235,7 @@ int main(int argc, char** argv) try {
   constexpr int kRobots[] = {1, 10, 100};
   double memory[std::size(kRobots)];
   for (std::size_t i = 0; i < std::size(kRobots); ++i) {
-    memory[i] =
-        memory_of_simulation(host, kRobots[i]);  // first, before other simulations use memory
+    memory[i] = memory_of_simulation(host, kRobots[i]);  // first: no memory is in use yet
   }
   for (std::size_t i = 0; i < std::size(kRobots); ++i) {
     compare(host, kRobots[i], repeats, memory[i]);

@@ -1,5 +1,5 @@
-// Slows down near obstacles and turns away from the nearer side. For every beam a pair of fuzzy
-// controllers, one for each wheel; the pair of the nearest beam counts twice, and the sum is
+// Slows down near obstacles and turns away from the nearer side. Each beam has a pair of fuzzy
+// controllers, one for each wheel; the outputs for the nearest beam count twice, and the sum is
 // divided by the number of beams plus one.
 #include "beam_steering.h"
 
@@ -23,8 +23,6 @@ ELSIE_BEHAVIOR(
     elsie::parameter("right_model", &AvoidObstacle::right_model,
                      {.meaning = "fuzzy model (FCL) of the right wheel"}),
     elsie::parameter("left_block", &AvoidObstacle::left_block,
-                     {.meaning = "the function block of left_model that is meant, if the file has "
-                                 "several"}),
+                     {.meaning = "function block of left_model, if the file has several"}),
     elsie::parameter("right_block", &AvoidObstacle::right_block,
-                     {.meaning = "the function block of right_model that is meant, if the file "
-                                 "has several"}));
+                     {.meaning = "function block of right_model, if the file has several"}));

@@ -1,4 +1,4 @@
-// A behaviour made of behaviours: what is inside it decides, and to the outside it is one.
+// A behaviour that consists of behaviours with a coordinator of their own.
 #include <elsie/api/behavior.h>
 
 namespace {
@@ -9,8 +9,8 @@ class Blend final : public elsie::Behavior {
 
   elsie::Response respond(const elsie::Perception& now) override { return inside->respond(now); }
 
-  // What is desirable to those inside is handed outwards as it is, before anything was settled: an
-  // outer fusion is not to work on a command that an inner one has made of many wishes.
+  // The inner behaviours' ratings are passed outwards before any decision: an outer fusion should
+  // not work on a command that an inner one has made of many wishes.
   void rate(const elsie::Response& /*given*/, std::span<const elsie::MotorCommand> candidates,
             std::span<double> desirability) const override {
     inside->rate(candidates, desirability);

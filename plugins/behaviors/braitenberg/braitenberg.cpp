@@ -63,8 +63,8 @@ class Braitenberg final : public elsie::Behavior {
   }
 
  private:
-  /// Vehicle 2a, "fear": a sensor excites the wheel on its own side and slows the other one down,
-  /// so that the vehicle turns away. Those that look back do nothing.
+  /// Vehicle 2a, "fear": a sensor speeds up the wheel on its own side and slows down the other one,
+  /// so that the vehicle turns away. Sensors that look back have no effect.
   void wire(double azimuth_rad) {
     const double ahead = std::max(0.0, std::cos(azimuth_rad));
     const bool on_left = azimuth_rad > 0.0;
@@ -77,15 +77,14 @@ class Braitenberg final : public elsie::Behavior {
 
 }  // namespace
 
-ELSIE_BEHAVIOR(Braitenberg, "braitenberg", "Sensors wired to motors through a matrix of weights",
-               elsie::parameter("base", &Braitenberg::base,
-                                {.unit = "rad/s",
-                                 .meaning = "rate of both wheels when no sensor is excited"}),
-               elsie::parameter(
-                   "weights", &Braitenberg::weights,
-                   {.unit = "rad/s",
-                    .meaning = "left and right weight of each sensor in turn, range sensors first; "
-                               "empty: each sensor makes the robot turn away from its side"}),
-               elsie::parameter("default_weight", &Braitenberg::default_weight,
-                                {.unit = "rad/s",
-                                 .meaning = "scale of the wiring that serves without weights"}));
+ELSIE_BEHAVIOR(
+    Braitenberg, "braitenberg", "Sensors wired to motors through a matrix of weights",
+    elsie::parameter("base", &Braitenberg::base,
+                     {.unit = "rad/s", .meaning = "rate of both wheels when no sensor is excited"}),
+    elsie::parameter(
+        "weights", &Braitenberg::weights,
+        {.unit = "rad/s",
+         .meaning = "left and right weight of each sensor in turn, range sensors first; "
+                    "empty: each sensor makes the robot turn away from its side"}),
+    elsie::parameter("default_weight", &Braitenberg::default_weight,
+                     {.unit = "rad/s", .meaning = "scale of the default wiring, without weights"}));

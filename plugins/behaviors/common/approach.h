@@ -1,4 +1,4 @@
-// Driving up to a point by turns and straights: what follow_the_leader and recharge have in common.
+// Approaching a point by turns and straights; shared by follow_the_leader and recharge.
 #pragma once
 
 #include <cmath>

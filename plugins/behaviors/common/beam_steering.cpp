@@ -79,7 +79,7 @@ elsie::Response BeamSteering::respond(const elsie::Perception& now) {
     beams_.push_back(seen);
   }
   elsie::Response response;
-  response.activation = std::clamp(activation, 0.0, 1.0);  // noise may read less than nothing
+  response.activation = std::clamp(activation, 0.0, 1.0);  // noise may give negative readings
   if (!beams_.empty()) {
     const double beams = static_cast<double>(beams_.size());
     response.command = nearest_counts_twice_ ? (sum + nearest) / (beams + 1.0) : sum / beams;

@@ -1,5 +1,5 @@
-// A pair of fuzzy controllers, one for each wheel, that are asked about every beam of a robot: what
-// avoid_obstacle, turn_left and turn_right have in common.
+// A pair of fuzzy controllers, one for each wheel, that are evaluated for every beam of a robot;
+// shared by avoid_obstacle, turn_left and turn_right.
 #pragma once
 
 #include <array>
@@ -15,15 +15,15 @@
 /// output `speed` (rad/s).
 class BeamController {
  public:
-  /// `block`: of the file's function blocks, see fuzzy::read_fcl(). Throws fuzzy::FclError, or
-  /// std::invalid_argument when the inputs and the output are not these.
+  /// `block`: a function block of the file, see fuzzy::read_fcl(). Throws fuzzy::FclError, or
+  /// std::invalid_argument when the model has other inputs and outputs.
   explicit BeamController(const std::string& file, const std::string& block = "");
 
-  /// What is untidy in the file, a sentence each.
+  /// Irregularities of the file, a sentence each.
   void list_notes(std::vector<std::string>& notes) const;
 
   double speed(double range_m, double azimuth_deg) const;
-  /// The wish before defuzzification.
+  /// The output set before defuzzification.
   elsie::FuzzySet wish(double range_m, double azimuth_deg) const;
 
  private:
@@ -35,8 +35,8 @@ class BeamController {
   std::size_t azimuth_;
 };
 
-/// A behaviour that sums what both controllers answer to each beam. Its activation says how near
-/// the nearest thing is that concerns it: 0 at a beam's maximum range and beyond, 1 at contact.
+/// A behaviour that sums the outputs of both controllers over all beams. Its activation is the
+/// nearness of the nearest relevant object: 0 at a beam's maximum range and beyond, 1 at contact.
 class BeamSteering : public elsie::Behavior {
  public:
   elsie::FilePath left_model;
@@ -47,15 +47,14 @@ class BeamSteering : public elsie::Behavior {
   void configured() override;
   std::vector<std::string> notes() const override;
   elsie::Response respond(const elsie::Perception& now) override;
-  /// For each wheel the union of its controller's sets for every beam.
+  /// For each wheel, the union of its controller's output sets over all beams.
   elsie::CommandSets command_sets(const elsie::Response& given) const override;
 
  protected:
   BeamSteering(const char* left, const char* right, bool nearest_counts_twice)
       : left_model{left}, right_model{right}, nearest_counts_twice_(nearest_counts_twice) {}
 
-  /// Whether what is seen in this direction is a reason to act: what is not leaves the activation
-  /// alone.
+  /// Whether obstacles in this direction are relevant; others do not change the activation.
   virtual bool concerns(double /*azimuth_rad*/) const { return true; }
 
  private:

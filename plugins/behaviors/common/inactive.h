@@ -1,10 +1,10 @@
-// The answer of a behaviour that has nothing to say.
+// The response of an inactive behaviour.
 #pragma once
 
 #include <elsie/api/behavior.h>
 
-/// Not active and without strength, so that coordinators that select or resolve pass it over. Those
-/// that add up commands still get `command`.
+/// Not active and without strength, so that coordinators that select or resolve ignore it. Those
+/// that add commands still use `command`.
 inline elsie::Response inactive(const elsie::MotorCommand& command = {}) {
   elsie::Response response(command);
   response.activation = 0.0;

@@ -1,5 +1,5 @@
-// Frees a robot that is stuck: notices that it does not move as it was commanded to, backs up,
-// turns to one side or the other by chance, and hands over again.
+// Frees a robot that is stuck: detects that it does not move as commanded, backs up, turns to a
+// random side, and becomes inactive again.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -65,7 +65,7 @@ class Escape final : public elsie::Behavior, public elsie::Remembers {
   elsie::Response respond(const elsie::Perception& now) override {
     const bool was_away = now.time_s() - asked_s_ > std::max(kAway, 2.0 * now.period_s());
     asked_s_ = now.time_s();
-    if (was_away) {  // others drove meanwhile: what was noticed before means nothing any more
+    if (was_away) {  // others drove meanwhile: earlier observations are obsolete
       watch_.reset();
       phase_ = Phase::none;
     }
@@ -85,13 +85,13 @@ class Escape final : public elsie::Behavior, public elsie::Remembers {
 
   static constexpr double kLong = 1e9;      // s
   static constexpr double kAway = 0.5;      // s without being asked
-  static constexpr double kSameTrap = 3.0;  // s after which getting stuck again is a new matter
-  static constexpr double kSlowness = 2.0;  // times as long as planned: this phase is blocked, too
+  static constexpr double kSameTrap = 3.0;  // s; getting stuck later counts as a new trap
+  static constexpr double kSlowness = 2.0;  // times the planned duration; then it is blocked
 
   void begin(const elsie::Perception& now) {
     attempts_ = now.time_s() - ended_s_ < kSameTrap ? attempts_ + 1 : 0;
     const elsie::MotorCommand& commanded = now.self().commanded;
-    // Back to where it came from; the other way when that has just failed.
+    // Back to where it came from, or the other way if that has just failed.
     way_ = commanded.left + commanded.right < 0.0 ? 1.0 : -1.0;
     way_ = attempts_ % 2 == 0 ? way_ : -way_;
     const double distance = back_distance * now.random().uniform(0.5, 1.5);
@@ -110,7 +110,7 @@ class Escape final : public elsie::Behavior, public elsie::Remembers {
     turned_rad_ = 0.0;
   }
 
-  /// Goes on to the next phase once this one is done, or takes too long.
+  /// Begins the next phase when this one is finished or takes too long.
   void proceed(const elsie::Perception& now, std::vector<elsie::Event>& events) {
     const double spent = now.time_s() - phase_start_s_;
     if (phase_ == Phase::back) {
@@ -143,16 +143,16 @@ class Escape final : public elsie::Behavior, public elsie::Remembers {
   StuckWatch watch_;
   Phase phase_ = Phase::none;
   double asked_s_ = -kLong;
-  double ended_s_ = -kLong;  // the last manoeuvre
+  double ended_s_ = -kLong;  // end of the last manoeuvre
   int attempts_ = 0;         // in the same trap, before this one
-  // The manoeuvre.
+  // The present manoeuvre:
   double way_ = -1.0;        // -1: backwards, 1: forwards
   double side_ = 1.0;        // 1: turns left, -1: right
   double distance_m_ = 0.0;  // to back up
   double angle_rad_ = 0.0;   // to turn
   bool as_planned_ = true;
   double phase_start_s_ = 0.0;
-  elsie::Pose from_;  // where the phase began; its heading is that of the last step
+  elsie::Pose from_;  // pose at the start of the phase; its heading is that of the last step
   double turned_rad_ = 0.0;
 };
 
@@ -170,12 +170,14 @@ ELSIE_BEHAVIOR(
         {.unit = "s", .min = 0, .meaning = "the same within a second after a collision"}),
     elsie::parameter(
         "moving", &Escape::moving,
-        {.min = 0, .max = 1, .meaning = "less than this part of the commanded speed is no motion"}),
+        {.min = 0,
+         .max = 1,
+         .meaning = "below this fraction of the commanded speed, the robot counts as not moving"}),
     elsie::parameter("least_speed", &Escape::least_speed,
                      {.unit = "m/s",
                       .above = 0,
-                      .meaning = "a command slower than this is none to move; in a turn on the "
-                                 "spot it is the speed of the wheels"}),
+                      .meaning = "slower commands are not expected to move the robot; in a turn on "
+                                 "the spot, the speed of the wheels"}),
     elsie::parameter("progress_distance", &Escape::progress_distance,
                      {.unit = "m", .above = 0, .meaning = "see progress_time"}),
     elsie::parameter("progress_time", &Escape::progress_time,
@@ -184,10 +186,11 @@ ELSIE_BEHAVIOR(
                       .meaning = "a robot that is commanded to move for this long and comes no "
                                  "farther than progress_distance is stuck, too; 0: progress is not "
                                  "watched"}),
-    elsie::parameter("back_distance", &Escape::back_distance,
-                     {.unit = "m",
-                      .above = 0,
-                      .meaning = "how far it backs up: half of this to one and a half, by chance"}),
+    elsie::parameter(
+        "back_distance", &Escape::back_distance,
+        {.unit = "m",
+         .above = 0,
+         .meaning = "distance of backing up: random, from half of this to one and a half"}),
     elsie::parameter("back_speed", &Escape::back_speed,
                      {.unit = "m/s", .above = 0, .max = 50, .meaning = "speed of backing up"}),
     elsie::parameter("turn_min", &Escape::turn_min,

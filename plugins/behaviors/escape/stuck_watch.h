@@ -1,4 +1,4 @@
-// Notices that a robot does not move as it was commanded to.
+// Detects that a robot does not move as commanded.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ class StuckWatch {
     double patience_s = 1.0;
     double collision_patience_s = 0.2;
     double moving = 0.2;        // part of the commanded speed that counts as motion
-    double least_speed = 0.02;  // m/s; slower commands are none to move
+    double least_speed = 0.02;  // m/s; slower commands are not expected to move it
     double progress_m = 0.1;
     double progress_time_s = 0.0;  // 0: progress is not watched
   };
@@ -36,7 +36,7 @@ class StuckWatch {
     memory("anchored_s", anchored_s_);
   }
 
-  /// To be asked once in every control period.
+  /// To be called once in every control period.
   bool is_stuck(const elsie::Perception& now) {
     const double passed = last_s_ < 0.0 ? 0.0 : now.time_s() - last_s_;
     last_s_ = now.time_s();
@@ -45,8 +45,8 @@ class StuckWatch {
         collided_s_ = now.time_s();
       }
     }
-    // A bucket that fills while the robot is held and empties while it moves: a jerk against the
-    // wall does not start the count anew.
+    // The time grows while the robot is held and shrinks while it moves: a jerk against the wall
+    // does not reset it.
     held_s_ = is_held(now.self()) ? held_s_ + passed : std::max(0.0, held_s_ - passed);
     const bool collided = now.time_s() - collided_s_ <= kMemory;
     const double patience = collided
@@ -61,7 +61,7 @@ class StuckWatch {
 
   struct Motion {
     double forward = 0.0;  // m/s
-    double turning = 0.0;  // m/s, of the wheels on their way round
+    double turning = 0.0;  // m/s, of the wheels along their circle
   };
 
   static Motion commanded(const elsie::OwnState& self) {
@@ -74,8 +74,8 @@ class StuckWatch {
     return std::max(std::abs(wish.forward), std::abs(wish.turning)) >= settings_.least_speed;
   }
 
-  /// Whether the robot moves by less than it should: along its way, or round when it is to turn on
-  /// the spot.
+  /// Whether the robot moves less than it should: along its way, or around when it turns on the
+  /// spot.
   bool is_held(const elsie::OwnState& self) const {
     const Motion wish = commanded(self);
     if (std::abs(wish.forward) >= settings_.least_speed) {

@@ -1,7 +1,7 @@
 // Drives to the resource that the camera sees, and turns in place to find one when it sees none.
 //
-// Columns count from the middle of the picture, in hundredths of its width, to the right: -50 is
-// the left edge. That is pixels for the camera of 100 x 100 that the law was made for.
+// Columns are counted from the middle of the picture to the right, in hundredths of its width: -50
+// is the left edge. For the original camera of 100 x 100 pixels these are pixels.
 #include <algorithm>
 #include <cmath>
 
@@ -43,8 +43,8 @@ class FindResource final : public elsie::Behavior, public elsie::Remembers {
   }
 
  private:
-  /// Raises events. A blob at the edge of the picture comes and goes from one picture to the next:
-  /// only what was not seen for a while is lost.
+  /// Raises events. A blob at the edge of the picture may disappear and reappear: only one that was
+  /// not seen for a while is lost.
   void watch(bool seen, double time_s, elsie::Response& response) {
     if (seen) {
       last_seen_s_ = time_s;
@@ -61,15 +61,15 @@ class FindResource final : public elsie::Behavior, public elsie::Remembers {
   struct Target {
     double column = 0.0;
     double fov_deg = 0.0;
-    double size = 0.0;  // edge of the blob as a part of the picture's, in [0, 1]
+    double size = 0.0;  // edge of the blob relative to the picture's, in [0, 1]
   };
 
   static double fov_of(const elsie::Sensed<elsie::VisionReading>& view) {
     return elsie::degrees(view->horizontal_fov_rad);
   }
 
-  /// The blob of one camera. A camera that looks to the side counts as a part of one wide picture:
-  /// its columns follow those of the cameras beside it, 100 for each field of view.
+  /// The blob of one camera. A camera that looks to the side is a part of one wide picture: its
+  /// columns follow those of the neighbouring cameras, 100 for each field of view.
   static Target look(const elsie::Sensed<elsie::VisionReading>& view) {
     const double fov_deg = fov_of(view);
     const double width = view->width;
@@ -91,7 +91,7 @@ class FindResource final : public elsie::Behavior, public elsie::Remembers {
     return {speed, speed};
   }
 
-  bool in_view_ = false;  // as the events have told it
+  bool in_view_ = false;  // as reported by events
   double last_seen_s_ = 0.0;
 };
 
@@ -101,12 +101,13 @@ ELSIE_BEHAVIOR(
     FindResource, "find_resource",
     "Drives to the resource that a camera sees; turns in place while none is seen",
     elsie::needs<elsie::VisionReading>(),
-    elsie::parameter("turn_above", &FindResource::turn_above,
-                     {.unit = "1/100 width",
-                      .min = 0,
-                      .max = 50,
-                      .meaning = "a resource farther from the picture's middle than this is turned "
-                                 "to, in place"}),
+    elsie::parameter(
+        "turn_above", &FindResource::turn_above,
+        {.unit = "1/100 width",
+         .min = 0,
+         .max = 50,
+         .meaning =
+             "beyond this distance from the picture's middle, it turns to the resource in place"}),
     elsie::parameter("gain", &FindResource::gain,
                      {.unit = "rad/s",
                       .min = 0,
@@ -121,16 +122,16 @@ ELSIE_BEHAVIOR(
                       .max = 50,
                       .meaning = "while nothing is seen it acts as if a resource were here; -50 is "
                                  "the left edge"}),
-    elsie::parameter("search_activation", &FindResource::search_activation,
-                     {.min = 0,
-                      .max = 1,
-                      .meaning = "how much it has to say while nothing is seen; 0.5 to 1 is how "
-                                 "much it has when something is"}),
+    elsie::parameter(
+        "search_activation", &FindResource::search_activation,
+        {.min = 0,
+         .max = 1,
+         .meaning = "activation while nothing is seen; it is 0.5 to 1 while something is"}),
     elsie::parameter("lost_after", &FindResource::lost_after,
                      {.unit = "s",
                       .min = 0,
-                      .meaning = "resource_out_of_view is raised when nothing was seen for so "
-                                 "long; the commands do not wait"}),
+                      .meaning = "time without a resource after which resource_out_of_view is "
+                                 "raised; commands do not wait"}),
     elsie::raises("resource_in_view", "a resource has come into view"),
     elsie::raises("resource_out_of_view",
                   "no resource was in view for a while (lost_after): lost, hidden or collected"));

@@ -1,5 +1,5 @@
-// Turns and drives away from what is near: the repulsion of motor schemas (Arkin 1989), summed over
-// the range and proximity readings.
+// Turns and drives away from near obstacles: the repulsion of motor schemas (Arkin 1989), summed
+// over the range and proximity readings.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -68,7 +68,7 @@ class Flee final : public elsie::Behavior, public elsie::Remembers {
     elsie::Vector2 push;    // sum of the repulsions, forward and left
     double pushes = 0.0;    // sum of their magnitudes
     double nearness = 0.0;  // the largest of them, in [0, 1]
-    double open_rad = 0.0;  // the direction of the weakest; of equals the one most nearly ahead
+    double open_rad = 0.0;  // direction of the weakest; in a tie, the nearest to straight ahead
   };
 
   Threat perceive(const elsie::Perception& now) const {
@@ -100,15 +100,15 @@ class Flee final : public elsie::Behavior, public elsie::Remembers {
   }
 
   elsie::MotorCommand run_from(const Threat& threat, const elsie::OwnState& self) {
-    // What the pushes cancel out of each other goes into the most open direction: between two
-    // threats it runs out sideways instead of standing there.
+    // Pushes that cancel each other add to the most open direction: between two threats the robot
+    // runs out sideways instead of standing still.
     const double left_over =
         std::max(0.0, threat.pushes - std::hypot(threat.push.x, threat.push.y));
     const double x = threat.push.x + left_over * std::cos(threat.open_rad);
     const double y = threat.push.y + left_over * std::sin(threat.open_rad);
     double off = std::atan2(y, x);
-    // Once it has begun to turn round it keeps to that side: straight behind, noise would make it
-    // turn to and fro.
+    // Once it turns around it keeps to that side: with a threat straight behind, noise would make
+    // it turn to and fro.
     if (std::abs(off) <= 0.5 * std::numbers::pi) {
       turns_left_ = 0;
     } else if (turns_left_ == 0) {
@@ -121,7 +121,7 @@ class Flee final : public elsie::Behavior, public elsie::Remembers {
   }
 
   bool alarmed_ = false;
-  int turns_left_ = 0;  // 1: is turning round to the left, -1: to the right
+  int turns_left_ = 0;  // 1: turns around to the left, -1: to the right
 };
 
 }  // namespace
@@ -132,10 +132,10 @@ ELSIE_BEHAVIOR(
         "sphere", &Flee::sphere,
         {.unit = "m", .above = 0, .meaning = "nearer than this, what a range sensor sees repels"}),
     elsie::parameter("margin", &Flee::margin,
-                     {.unit = "m", .min = 0, .meaning = "from here inwards it repels fully"}),
+                     {.unit = "m", .min = 0, .meaning = "nearer than this, it repels fully"}),
     elsie::parameter(
         "proximity_weight", &Flee::proximity_weight,
-        {.min = 0, .max = 1, .meaning = "how much that repels which a proximity sensor detects"}),
+        {.min = 0, .max = 1, .meaning = "repulsion of what a proximity sensor detects"}),
     elsie::parameter(
         "speed", &Flee::speed,
         {.unit = "m/s", .min = 0, .max = 50, .meaning = "speed away from what repels fully"}),

@@ -1,4 +1,4 @@
-// Follows the leader of its team, as long as one is within communication range.
+// Follows the leader of its team while one is within communication range.
 #include <algorithm>
 
 #include <elsie/api/remember.h>
@@ -43,9 +43,10 @@ ELSIE_BEHAVIOR(
         {.unit = "deg",
          .min = 0,
          .max = 180,
-         .meaning = "a leader farther off the heading than this is turned to, in place"}),
-    elsie::parameter("far_distance", &FollowTheLeader::far_distance,
-                     {.unit = "m", .above = 0, .meaning = "from here on the leader is far"}),
+         .meaning = "beyond this angle from the heading, it turns to the leader in place"}),
+    elsie::parameter(
+        "far_distance", &FollowTheLeader::far_distance,
+        {.unit = "m", .above = 0, .meaning = "from this distance on, the leader is far"}),
     elsie::parameter("far_gain", &FollowTheLeader::far_gain,
                      {.unit = "rad/s/deg",
                       .min = 0,
@@ -68,6 +69,6 @@ ELSIE_BEHAVIOR(
                       .meaning = "wheel rate straight on, when the leader is near"}),
     elsie::parameter(
         "stop_distance", &FollowTheLeader::stop_distance,
-        {.unit = "m", .min = 0, .meaning = "nearer than this to the leader it stands"}),
+        {.unit = "m", .min = 0, .meaning = "nearer than this to the leader, it stands still"}),
     elsie::raises("leader_in_reach", "a leader of the team is within coverage now"),
     elsie::raises("leader_out_of_reach", "no leader is within coverage any more"));

@@ -29,8 +29,8 @@ class GoToPoint final : public elsie::Behavior, public elsie::Remembers {
       return response;
     }
     arrived_ = false;
-    // Turn towards the place, and drive the faster the better it lies ahead: in place when it lies
-    // behind.
+    // Turns towards the place, and drives faster the better it is ahead; if it is behind, the robot
+    // turns in place.
     const double off = elsie::bearing(self.pose, x, y);
     const double forward = speed * std::max(0.0, std::cos(off)) * std::min(1.0, away / slow_down);
     response.command = self.command_for(forward, gain * off);
@@ -46,21 +46,19 @@ class GoToPoint final : public elsie::Behavior, public elsie::Remembers {
 
 }  // namespace
 
-ELSIE_BEHAVIOR(GoToPoint, "go_to_point",
-               "Drives to a place and stops there; not active once it is there",
-               elsie::parameter("x", &GoToPoint::x, {.unit = "m", .meaning = "the place, east"}),
-               elsie::parameter("y", &GoToPoint::y, {.unit = "m", .meaning = "the place, north"}),
-               elsie::parameter("speed", &GoToPoint::speed,
-                                {.unit = "m/s",
-                                 .min = 0,
-                                 .meaning = "speed when the place lies straight ahead"}),
-               elsie::parameter("gain", &GoToPoint::gain,
-                                {.unit = "1/s",
-                                 .min = 0,
-                                 .meaning = "turn rate for each radian off the direction"}),
-               elsie::parameter(
-                   "slow_down", &GoToPoint::slow_down,
-                   {.unit = "m", .above = 0, .meaning = "nearer than this it drives more slowly"}),
-               elsie::parameter("tolerance", &GoToPoint::tolerance,
-                                {.unit = "m", .above = 0, .meaning = "this near, it has arrived"}),
-               elsie::raises("arrived", "the robot has come within the tolerance of the place"));
+ELSIE_BEHAVIOR(
+    GoToPoint, "go_to_point", "Drives to a place and stops there; not active once it is there",
+    elsie::parameter("x", &GoToPoint::x, {.unit = "m", .meaning = "the place, east"}),
+    elsie::parameter("y", &GoToPoint::y, {.unit = "m", .meaning = "the place, north"}),
+    elsie::parameter(
+        "speed", &GoToPoint::speed,
+        {.unit = "m/s", .min = 0, .meaning = "speed when the place lies straight ahead"}),
+    elsie::parameter(
+        "gain", &GoToPoint::gain,
+        {.unit = "1/s", .min = 0, .meaning = "turn rate for each radian off the direction"}),
+    elsie::parameter(
+        "slow_down", &GoToPoint::slow_down,
+        {.unit = "m", .above = 0, .meaning = "nearer than this it drives more slowly"}),
+    elsie::parameter("tolerance", &GoToPoint::tolerance,
+                     {.unit = "m", .above = 0, .meaning = "nearer than this, it has arrived"}),
+    elsie::raises("arrived", "the robot has come within the tolerance of the place"));

@@ -77,7 +77,7 @@ class KeepFormation final : public elsie::Behavior, public elsie::Remembers {
  private:
   static constexpr double kSmoothing = 0.1;        // s, of the measured velocity
   static constexpr double kStanding = 0.02;        // m/s; a place slower than this stands still
-  static constexpr double kLeastActivation = 0.2;  // in position it still has a place to keep
+  static constexpr double kLeastActivation = 0.2;  // even in position it must keep its place
 
   elsie::Response keep(const elsie::TeamMate& leader, const elsie::Perception& now,
                        std::vector<elsie::Event>& events) {
@@ -87,8 +87,8 @@ class KeepFormation final : public elsie::Behavior, public elsie::Remembers {
     const elsie::Vector2 off{place.x - self.pose.x, place.y - self.pose.y};
     const double error = std::hypot(off.x, off.y);
     tell(error, events);
-    // Speed towards the place in proportion to the distance from it, up to the edge of the
-    // controlled zone; in the dead zone none.
+    // The speed towards the place grows with the distance up to the edge of the controlled zone; in
+    // the dead zone it is zero.
     const double zone = error <= dead_zone ? 0.0 : std::min(1.0, error / controlled_zone);
     const double pull = error > 0.0 ? speed * zone / error : 0.0;
     const elsie::Vector2 wanted{velocity_->x + pull * off.x, velocity_->y + pull * off.y};
@@ -103,14 +103,14 @@ class KeepFormation final : public elsie::Behavior, public elsie::Remembers {
     return response;
   }
 
-  /// The own place in the world. Without a slot of its own, a robot counts as the followers of its
-  /// team are listed in the world file.
+  /// The robot's place in the world. Without a slot of its own, a robot's slot is its index among
+  /// the followers of its team in the world file.
   elsie::Vector2 place_of(const elsie::TeamMate& leader, const elsie::OwnState& self) const {
     const int number = self.team_index + (leader.team_index > self.team_index ? 1 : 0);
     return elsie::point_of(leader.pose, station(formation, slot > 0 ? slot : number, spacing));
   }
 
-  /// Measures how fast the place moves.
+  /// Measures the velocity of the place.
   void follow(const elsie::Vector2& place, int leader_index, const elsie::Perception& now) {
     const double passed = now.time_s() - seen_s_;
     const bool knows = velocity_ && leader_index == leader_index_ && passed > 0.0 &&
@@ -135,8 +135,8 @@ class KeepFormation final : public elsie::Behavior, public elsie::Remembers {
     }
   }
 
-  /// Drives in the direction of a wanted velocity. Near its place it backs up to what lies behind
-  /// instead of turning round.
+  /// Drives with a wanted velocity. Near its place the robot backs up to points behind it instead
+  /// of turning around.
   elsie::MotorCommand drive(const elsie::Vector2& wanted, bool is_far,
                             const elsie::OwnState& self) const {
     double off = elsie::wrap_angle(std::atan2(wanted.y, wanted.x) - self.pose.heading_rad);
@@ -177,19 +177,22 @@ ELSIE_BEHAVIOR(
     elsie::parameter(
         "dead_zone", &KeepFormation::dead_zone,
         {.unit = "m", .min = 0, .meaning = "as near as this to its place it is in position"}),
-    elsie::parameter("controlled_zone", &KeepFormation::controlled_zone,
-                     {.unit = "m",
-                      .above = 0,
-                      .meaning = "up to here the speed towards the place grows with the distance"}),
-    elsie::parameter("speed", &KeepFormation::speed,
-                     {.unit = "m/s",
-                      .above = 0,
-                      .max = 50,
-                      .meaning = "towards its place beyond that, on top of the formation's own"}),
+    elsie::parameter(
+        "controlled_zone", &KeepFormation::controlled_zone,
+        {.unit = "m",
+         .above = 0,
+         .meaning =
+             "up to this distance from its place, the speed towards it grows with the distance"}),
+    elsie::parameter(
+        "speed", &KeepFormation::speed,
+        {.unit = "m/s",
+         .above = 0,
+         .max = 50,
+         .meaning = "speed towards its place beyond that, added to the formation's own"}),
     elsie::parameter(
         "gain", &KeepFormation::gain,
         {.unit = "1/s", .min = 0, .max = 100, .meaning = "turn rate for each radian off"}),
     elsie::raises("leader_in_reach", "a leader of the team is within coverage now"),
     elsie::raises("leader_out_of_reach", "no leader is within coverage any more"),
     elsie::raises("in_position", "it has come to its place"),
-    elsie::raises("out_of_position", "it has fallen out of the controlled zone around its place"));
+    elsie::raises("out_of_position", "it has left the controlled zone around its place"));

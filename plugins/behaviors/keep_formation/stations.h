@@ -1,4 +1,4 @@
-// Where in a formation the followers of a leader stand (Balch and Arkin 1998).
+// The places of a leader's followers in a formation (Balch and Arkin 1998).
 #pragma once
 
 #include <string>

@@ -65,7 +65,7 @@ class Recharge final : public Approach, public elsie::Remembers {
  private:
   enum class Status { idle, seeking, charging };
 
-  /// Time after which a robot that stands at the charger and gets nothing says so.
+  /// Time after which a robot that stands at the charger without being charged reports it.
   static constexpr double kPatience = 1.0;  // s
 
   void decide_status(const elsie::Perception& now, std::vector<elsie::Event>& events) {
@@ -117,7 +117,7 @@ class Recharge final : public Approach, public elsie::Remembers {
     }
   }
 
-  /// From 0.5 when the battery is just low to 1 when it is empty.
+  /// From 0.5 when the battery is just low, to 1 when it is empty.
   double urgency(const elsie::OwnState& self) const {
     return std::clamp(1.0 - 0.5 * self.energy / (start_level * self.capacity), 0.5, 1.0);
   }
@@ -125,8 +125,8 @@ class Recharge final : public Approach, public elsie::Remembers {
   Status status_ = Status::idle;
   bool has_charger_ = true;
   bool said_no_charger_ = false;
-  double waiting_since_s_ = -1.0;  // -1: not waiting, or has complained
-  double distance_m_ = 0.0;        // of the charger
+  double waiting_since_s_ = -1.0;  // -1: not waiting, or has reported
+  double distance_m_ = 0.0;        // to the charger
   double bearing_rad_ = 0.0;
 };
 
@@ -135,10 +135,9 @@ class Recharge final : public Approach, public elsie::Remembers {
 ELSIE_BEHAVIOR(
     Recharge, "recharge",
     "Drives to the team's charger when the battery runs low, and stays there until it is full",
-    elsie::parameter("start_level", &Recharge::start_level,
-                     {.above = 0,
-                      .max = 0.95,
-                      .meaning = "it starts when this part of the capacity is left, or less"}),
+    elsie::parameter(
+        "start_level", &Recharge::start_level,
+        {.above = 0, .max = 0.95, .meaning = "it starts at this fraction of the capacity"}),
     elsie::parameter("idle_speed", &Recharge::idle_speed,
                      {.unit = "rad/s",
                       .min = -500,
@@ -149,9 +148,10 @@ ELSIE_BEHAVIOR(
         {.unit = "deg",
          .min = 0,
          .max = 180,
-         .meaning = "a charger farther off the heading than this is turned to, in place"}),
-    elsie::parameter("far_distance", &Recharge::far_distance,
-                     {.unit = "m", .above = 0, .meaning = "from here on the charger is far"}),
+         .meaning = "beyond this angle from the heading, it turns to the charger in place"}),
+    elsie::parameter(
+        "far_distance", &Recharge::far_distance,
+        {.unit = "m", .above = 0, .meaning = "from this distance on, the charger is far"}),
     elsie::parameter("far_gain", &Recharge::far_gain,
                      {.unit = "rad/s/deg",
                       .min = 0,
@@ -172,12 +172,11 @@ ELSIE_BEHAVIOR(
                       .min = 0,
                       .max = 500,
                       .meaning = "wheel rate straight on, when the charger is near"}),
-    elsie::parameter(
-        "stop_distance", &Recharge::stop_distance,
-        {.unit = "m",
-         .above = 0,
-         .meaning = "nearer than this to the charger it stands and asks to be charged; "
-                    "to be within the charger's radius"}),
+    elsie::parameter("stop_distance", &Recharge::stop_distance,
+                     {.unit = "m",
+                      .above = 0,
+                      .meaning = "nearer than this to the charger, it stands still and asks to be "
+                                 "charged; must be within the charger's radius"}),
     elsie::raises("battery_low", "the battery is low: it drives to the charger"),
     elsie::raises("at_charger", "it stands at the charger and asks to be charged"),
     elsie::raises("recharged", "the battery is full again"),

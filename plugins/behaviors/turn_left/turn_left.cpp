@@ -1,5 +1,5 @@
-// Turns left, away from obstacles on the right. Fuzzy controllers for each wheel, averaged over the
-// beams.
+// Turns left, away from obstacles on the right, by fuzzy controllers for each wheel, averaged over
+// the beams.
 #include "beam_steering.h"
 
 namespace {
@@ -25,8 +25,6 @@ ELSIE_BEHAVIOR(
     elsie::parameter("right_model", &TurnLeft::right_model,
                      {.meaning = "fuzzy model (FCL) of the right wheel"}),
     elsie::parameter("left_block", &TurnLeft::left_block,
-                     {.meaning = "the function block of left_model that is meant, if the file has "
-                                 "several"}),
+                     {.meaning = "function block of left_model, if the file has several"}),
     elsie::parameter("right_block", &TurnLeft::right_block,
-                     {.meaning = "the function block of right_model that is meant, if the file "
-                                 "has several"}));
+                     {.meaning = "function block of right_model, if the file has several"}));

@@ -24,8 +24,6 @@ ELSIE_BEHAVIOR(
     elsie::parameter("right_model", &TurnRight::right_model,
                      {.meaning = "fuzzy model (FCL) of the right wheel"}),
     elsie::parameter("left_block", &TurnRight::left_block,
-                     {.meaning = "the function block of left_model that is meant, if the file has "
-                                 "several"}),
+                     {.meaning = "function block of left_model, if the file has several"}),
     elsie::parameter("right_block", &TurnRight::right_block,
-                     {.meaning = "the function block of right_model that is meant, if the file "
-                                 "has several"}));
+                     {.meaning = "function block of right_model, if the file has several"}));

@@ -1,10 +1,10 @@
-// Follows a wall on one side at a distance, round inner and outer corners.
+// Follows a wall on one side at a distance, around inner and outer corners.
 //
 //   searching  no wall: straight on
 //   following  a wall on the side: pure pursuit (Coulter 1992) of the line at the distance from it
-//   turning    something ahead: away from the wall's side on the spot, until the way is clear
-//   rounding   the wall has ended: an arc towards its side, until it is seen again; after three
-//              quarters of a circle it is lost, and so is one that it was still on its way to
+//   turning    an obstacle ahead: away from the wall's side on the spot, until the way is clear
+//   rounding   the wall has ended: an arc towards its side until it is seen again. After three
+//              quarters of a circle it is lost; so is a wall that the robot was still approaching
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -100,7 +100,7 @@ class WallFollow final : public elsie::Behavior, public elsie::Remembers {
 
   static constexpr double kAway = 0.5;   // s without being asked
   static constexpr double kClear = 1.2;  // distances ahead that end a turn
-  static constexpr double kHold = 1.2;   // reaches within which a wall is held that has been found
+  static constexpr double kHold = 1.2;   // reaches within which a wall that was found is kept
   static constexpr double kLost = 1.5 * std::numbers::pi;
 
   State next(State before, bool has_wall, const elsie::OwnState& self) {
@@ -137,8 +137,8 @@ class WallFollow final : public elsie::Behavior, public elsie::Remembers {
     return inactive(self.command_for(speed, 0.0));
   }
 
-  /// Steers to the point on the wanted line that lies `lookahead` ahead of the robot's own place
-  /// along it.
+  /// Steers to the point on the wanted line that is `lookahead` ahead of the robot's position along
+  /// it.
   elsie::Response pursue(const WallSight::Wall& wall, const elsie::OwnState& self) {
     const double error = wall.distance - distance;
     is_beside_ = wall.distance <= 0.5 * (distance + reach);
@@ -154,8 +154,8 @@ class WallFollow final : public elsie::Behavior, public elsie::Remembers {
     return response;
   }
 
-  /// Ahead, turning at this rate towards the wall's side (rad/s); slower where the turn would be
-  /// faster than it may.
+  /// Drives ahead and turns towards the wall's side at this rate (rad/s); slower if the turn would
+  /// be too fast.
   elsie::MotorCommand drive(double turn, const elsie::OwnState& self) const {
     const double scale = std::min(1.0, turn_rate / std::max(1e-9, std::abs(turn)));
     return self.command_for(scale * speed, scale * towards_wall() * turn);
@@ -166,8 +166,8 @@ class WallFollow final : public elsie::Behavior, public elsie::Remembers {
   WallSight sight_;
   State state_ = State::searching;
   double asked_s_ = -1e9;
-  bool is_beside_ = false;    // while following: has come near the wall, is not on its way to it
-  double heading_rad_ = 0.0;  // while rounding: of the last step
+  bool is_beside_ = false;    // while following: is near the wall, no longer approaching it
+  double heading_rad_ = 0.0;  // while rounding: in the last step
   double rounded_rad_ = 0.0;  // while rounding: turned so far
 };
 
@@ -179,16 +179,16 @@ ELSIE_BEHAVIOR(
     elsie::needs<elsie::RangeReading>(),
     elsie::parameter("side", &WallFollow::side,
                      {.choices = {"left", "right"}, .meaning = "where the wall is"}),
-    elsie::parameter("distance", &WallFollow::distance,
-                     {.unit = "m",
-                      .above = 0,
-                      .meaning = "from the robot's middle to the wall; what is nearer than this "
-                                 "ahead is turned away from"}),
     elsie::parameter(
-        "reach", &WallFollow::reach,
+        "distance", &WallFollow::distance,
         {.unit = "m",
          .above = 0,
-         .meaning = "what is farther from the robot's middle on that side is no wall"}),
+         .meaning =
+             "from the robot's middle to the wall; it turns away from anything nearer ahead"}),
+    elsie::parameter("reach", &WallFollow::reach,
+                     {.unit = "m",
+                      .above = 0,
+                      .meaning = "beyond this distance from the robot's middle, there is no wall"}),
     elsie::parameter("front_angle", &WallFollow::front_angle,
                      {.unit = "deg",
                       .min = 0,
@@ -205,4 +205,4 @@ ELSIE_BEHAVIOR(
                      {.unit = "rad/s", .above = 0, .max = 100, .meaning = "fastest turn"}),
     elsie::raises("wall_found", "it has a wall to follow"),
     elsie::raises("wall_lost",
-                  "it has gone round where the wall ended and does not find it again"));
+                  "it has driven around the end of the wall and does not find it again"));

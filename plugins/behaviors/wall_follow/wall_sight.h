@@ -1,4 +1,4 @@
-// What the beams of a robot tell about the wall on one side of it.
+// Finds the wall on one side of a robot in its beams.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 #include <elsie/api/perception.h>
 
-/// Everything here is mirrored where the wall is to be on the right, so that it is always on the
+/// If the wall should be on the right, everything here is mirrored, so that it is always on the
 /// left.
 class WallSight {
  public:
   struct Settings {
     bool on_left = false;
-    double front_angle_rad = 0.0;  // beams up to here look ahead, those farther out to the side
+    double front_angle_rad = 0.0;  // beams up to here look ahead, others to the side
   };
 
   /// The wall on the side, as a straight line.
@@ -29,14 +29,14 @@ class WallSight {
   bool looks_ahead(double azimuth_rad) const {
     return std::abs(azimuth_rad) <= settings_.front_angle_rad + kRounding;
   }
-  /// Beams that look far back say nothing about the wall to come.
+  /// Beams that look far back do not see the wall ahead.
   bool looks_aside(double azimuth_rad) const {
     const double azimuth = mirrored(azimuth_rad);
     return azimuth > settings_.front_angle_rad + kRounding && azimuth <= kRearmost + kRounding;
   }
 
-  /// Sorts the readings. Must come before the others, once in a step. What is farther than
-  /// `reach_m` from the robot's middle is not the wall.
+  /// Sorts the readings. Must be called first, once in a step. Points farther than `reach_m` from
+  /// the robot's middle are not part of the wall.
   void look(const elsie::Perception& now, double reach_m) {
     reach_m_ = reach_m;
     ahead_.reset();
@@ -60,11 +60,11 @@ class WallSight {
               [](const Point& a, const Point& b) { return a.azimuth_rad < b.azimuth_rad; });
   }
 
-  /// How far ahead of the robot's middle something stands, m.
+  /// The distance of the nearest obstacle ahead from the robot's middle, m.
   std::optional<double> ahead() const { return ahead_; }
 
-  /// The line through the nearest point on the side and the next one towards the front, or else the
-  /// next one towards the rear. A single point stands for a wall across the line of sight.
+  /// The line through the nearest point on the side and the next one towards the front, or else
+  /// towards the rear. A single point is taken for a wall across the line of sight.
   std::optional<Wall> wall() const {
     std::size_t nearest = side_.size();
     for (std::size_t i = 0; i < side_.size(); ++i) {
@@ -87,7 +87,7 @@ class WallSight {
       }
     }
     const Point& only = side_[nearest];
-    if (only.away == 0.0) {  // it touches a sensor in the robot's very middle
+    if (only.away == 0.0) {  // it touches a sensor exactly in the robot's middle
       return Wall{{std::sin(only.azimuth_rad), -std::cos(only.azimuth_rad)}, 0.0};
     }
     return Wall{{only.point.y / only.away, -only.point.x / only.away}, only.away};
@@ -112,8 +112,8 @@ class WallSight {
             mirrored(beam.mounting().position.y + level * std::sin(beam.azimuth_rad()))};
   }
 
-  /// The line from a point to one farther ahead; none when something is missing, or when they are
-  /// farther apart than the reach and so hardly of one wall.
+  /// The line from a point to one farther ahead; none if one of them is missing, or if they are
+  /// farther apart than the reach and so hardly part of one wall.
   std::optional<Wall> through(const Point& rear, const Point& front) const {
     const elsie::Vector2 step{front.point.x - rear.point.x, front.point.y - rear.point.y};
     const double length = std::hypot(step.x, step.y);

@@ -1,4 +1,4 @@
-// Drives on, and changes its mind about the direction now and then.
+// Drives on and changes its direction now and then.
 #include <elsie/api/behavior.h>
 #include <elsie/api/remember.h>
 

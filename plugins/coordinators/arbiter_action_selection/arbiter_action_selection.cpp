@@ -1,5 +1,5 @@
-// Action selection: the behaviour that is most active decides, and may keep deciding for a while
-// when others come close to it.
+// Action selection: the most active behaviour decides, and may keep deciding for a while when
+// others become nearly as active.
 #include <cstddef>
 #include <optional>
 
@@ -62,7 +62,7 @@ class ArbiterActionSelection final : public WinnerTakesAll, public elsie::Rememb
   }
 
  private:
-  /// How much it has to say. One whose priority rules it out is not even asked.
+  /// The level by which a behaviour competes. One that its priority excludes is not asked.
   double level_of(elsie::Member& member) const {
     if (!by_priority) {
       return member.respond().activation;
@@ -93,16 +93,14 @@ ELSIE_COORDINATOR(
     ArbiterActionSelection, "arbiter_action_selection",
     "The behaviour with the highest activation decides; the first in the file wins a tie",
     elsie::parameter("threshold", &ArbiterActionSelection::threshold,
-                     {.min = 0, .meaning = "what is not more active than this does not take part"}),
-    elsie::parameter(
-        "margin", &ArbiterActionSelection::margin,
-        {.min = 0,
-         .meaning = "by how much another must be more active than the one that decides, to take "
-                    "over"}),
+                     {.min = 0, .meaning = "only behaviours more active than this take part"}),
+    elsie::parameter("margin", &ArbiterActionSelection::margin,
+                     {.min = 0,
+                      .meaning = "how much more active another behaviour must be to take over"}),
     elsie::parameter(
         "hold", &ArbiterActionSelection::hold,
         {.unit = "s",
          .min = 0,
-         .meaning = "how long one that took over decides at least, as long as it is active"}),
+         .meaning = "the least time for which a behaviour decides, if it stays active"}),
     elsie::parameter("by_priority", &ArbiterActionSelection::by_priority,
-                     {.meaning = "whether activation counts times priority"}));
+                     {.meaning = "whether activations are multiplied by priorities"}));

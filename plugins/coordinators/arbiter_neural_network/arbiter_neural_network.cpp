@@ -1,5 +1,5 @@
-// Arbitration with learned priorities: the behaviour for which the network's output is largest
-// runs, and no other.
+// Arbitration with learned priorities: only the behaviour with the largest output of the network
+// runs.
 #include <algorithm>
 
 #include "priority_network.h"
@@ -15,7 +15,7 @@ class ArbiterNeuralNetwork final : public WithPriorityNetwork<WinnerTakesAll> {
       return nobody(members, "");
     }
     const std::span<const double> priority = priorities(now);
-    // The first of the largest ones.
+    // The first of equally large ones.
     const auto winner = std::max_element(priority.begin(), priority.end()) - priority.begin();
     const elsie::MotorCommand command = let_decide(members, static_cast<std::size_t>(winner),
                                                    "largest priority", "smaller priority");

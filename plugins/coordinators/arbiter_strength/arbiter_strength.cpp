@@ -1,6 +1,6 @@
-// Resolution by strength, after the priority resolver of ARIA: every behaviour says what it wants
-// and how strongly, for speed and turn apart. The strength of a channel is filled up to one, from
-// the highest priority downwards.
+// Resolution by strength, after the priority resolver of ARIA: every behaviour gives its command
+// and its strength, for speed and turn separately. The strength of a channel is filled up to one,
+// from the highest priority downwards.
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
@@ -47,12 +47,12 @@ class ArbiterStrength final : public elsie::Coordinator {
   struct Channel {
     double taken = 0.0;  // strength so far, up to 1
     double sum = 0.0;    // of value x strength
-    int filled_by = -1;  // whoever took the last of it
+    int filled_by = -1;  // the last behaviour that contributed
 
     bool full() const { return taken >= 1.0 - 1e-12; }
     double value() const { return taken > 0.0 ? sum / taken : 0.0; }
   };
-  /// What one member says in this step, and what it got.
+  /// One member's response in this step, and the strength that it got.
   struct Bid {
     double speed = 0.0;  // strengths
     double turn = 0.0;
@@ -67,8 +67,8 @@ class ArbiterStrength final : public elsie::Coordinator {
 
   ActivationRule rule_ = ActivationRule::scale;
   std::vector<std::string> names_;
-  std::vector<Strength> factors_;   // of each member
-  std::vector<std::size_t> order_;  // of the members, by priority
+  std::vector<Strength> factors_;   // for each member
+  std::vector<std::size_t> order_;  // indices of the members, by priority
   std::vector<Bid> bids_;
   Channel speed_;
   Channel turn_;
@@ -137,7 +137,7 @@ elsie::MotorCommand ArbiterStrength::coordinate(std::span<elsie::Member> members
   return {speed - turn, speed + turn};
 }
 
-/// Lets the members of one priority have what is left.
+/// Distributes the remaining strength to the members of one priority.
 void ArbiterStrength::resolve(std::span<elsie::Member> members,
                               std::span<const std::size_t> group) {
   double speed = 0.0;
@@ -147,7 +147,7 @@ void ArbiterStrength::resolve(std::span<elsie::Member> members,
     speed += bids_[i].speed;
     turn += bids_[i].turn;
   }
-  // Each gets its part of what is left, or all that it asks for where there is enough.
+  // Each gets its part of the remaining strength, or all that it asks for if there is enough.
   const double speed_part = speed > 0.0 ? std::min(1.0, (1.0 - speed_.taken) / speed) : 0.0;
   const double turn_part = turn > 0.0 ? std::min(1.0, (1.0 - turn_.taken) / turn) : 0.0;
   const auto take = [](Channel& channel, double strength, double value, std::size_t i) {
@@ -207,7 +207,7 @@ ELSIE_COORDINATOR(
                                  "'ignore' does nothing"}),
     elsie::elements(&ArbiterStrength::strengths,
                     elsie::element<Strength>(
-                        "strength", "factors of what one behaviour says of its strength",
+                        "strength", "factors of one behaviour's strength",
                         elsie::parameter("of", &Strength::of,
                                          {.meaning = "the behaviour's id", .required = true}),
                         elsie::parameter("speed", &Strength::speed,

@@ -1,14 +1,14 @@
-// The subsumption architecture (Brooks, 1986): layers of behaviours, of which higher ones suppress
+// The subsumption architecture (Brooks, 1986): layers of behaviours, in which higher ones suppress
 // or inhibit the signals of lower ones.
 //
-// Every layer has a line that carries its signal, its command while it is active. The line of the
+// Every layer has a line that carries its signal: its command while it is active. The line of the
 // lowest layer leads to the motors. Links are nodes on the line of the layer that they act on:
 //
-//   suppress:  while the other layer's line carries a signal, that signal goes on instead
-//   inhibit:   while the other layer's line carries a signal, nothing goes on
+//   suppress:  while the other layer's line carries a signal, that signal replaces this one
+//   inhibit:   while the other layer's line carries a signal, this one is removed
 //
-// Several nodes on one line stand in the order of the layers, that of the highest one last, nearest
-// to the motors.
+// Several nodes on one line are in the order of the layers, with that of the highest one nearest to
+// the motors.
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -52,8 +52,8 @@ class ArbiterSubsumption final : public WinnerTakesAll, public elsie::Remembers 
   }
 
   std::vector<std::string> notes() const override {
-    // Links lead downwards: whether a layer's line leads to the motors is known once it is for all
-    // below it.
+    // Links lead downwards: whether a layer's line leads to the motors is decided after all lines
+    // below.
     std::vector<bool> leads(layers_.size(), false);
     std::vector<std::string> notes;
     for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
@@ -96,18 +96,18 @@ class ArbiterSubsumption final : public WinnerTakesAll, public elsie::Remembers 
   }
 
  private:
-  /// What a line carries: a command and the layer that it comes from.
+  /// A signal on a line: a command and the layer that it comes from.
   struct Signal {
     elsie::MotorCommand command;
     std::size_t source;
-    bool held;  // it is the last one of a source that is silent now
+    bool held;  // the last signal of a source that is silent now
   };
   struct Node {
     std::size_t by;
     std::size_t of;
     bool suppresses;
     double hold;
-    std::optional<Signal> last = {};  // what came from `by` last, and when
+    std::optional<Signal> last = {};  // the last signal of `by`, and its time
     double last_s = 0.0;
   };
 
@@ -115,7 +115,7 @@ class ArbiterSubsumption final : public WinnerTakesAll, public elsie::Remembers 
                        std::vector<std::string>& problems) const;
   void add(const char* element, const std::vector<Link>& links, std::vector<std::string>& problems);
   void wire();
-  /// What the node takes from the line of `by` now: its signal, or the last one for a while.
+  /// The signal that the node takes from the line of `by` now, or for a while the last one.
   std::optional<Signal> tapped(Node& node, double now_s);
   void trace(std::span<elsie::Member> members) const;
 
@@ -123,14 +123,14 @@ class ArbiterSubsumption final : public WinnerTakesAll, public elsie::Remembers 
   std::vector<Node>
       nodes_;  // by line from the highest, on each from the lowest to the highest `by`
 
-  // Of the last decision:
+  // From the last decision:
   std::vector<std::optional<Signal>> lines_;
-  std::vector<int> stopped_by_;  // the layer that kept each layer's own signal from going on, or -1
-  std::vector<bool> inhibited_;  // whether that was by inhibition
-  bool held_ = false;            // the command is of a layer that is no longer active
+  std::vector<int> stopped_by_;  // the layer that stopped each layer's own signal, or -1
+  std::vector<bool> inhibited_;  // whether it did so by inhibition
+  bool held_ = false;            // the command is from a layer that is no longer active
 };
 
-/// The links that hold a signal; they are the same for both objects unless the world was changed.
+/// The links that hold a signal; both objects have the same links unless the world was changed.
 void ArbiterSubsumption::remember(elsie::Memory& memory) {
   for (Node& node : nodes_) {
     const std::string name =
@@ -158,7 +158,7 @@ std::optional<ArbiterSubsumption::Signal> ArbiterSubsumption::tapped(Node& node,
     node.last_s = now_s;
   }
   if (line) {
-    return line;  // one that is held further up does not begin a time of its own here
+    return line;  // a signal that is held further up is not held again here
   }
   if (node.last && node.hold > 0.0 && now_s - node.last_s <= node.hold + 1e-9) {
     std::optional<Signal> held = node.last;
@@ -183,7 +183,7 @@ elsie::MotorCommand ArbiterSubsumption::coordinate(std::span<elsie::Member> memb
   inhibited_.assign(members.size(), false);
   std::size_t next = 0;
   for (std::size_t layer = members.size(); layer-- > 0;) {
-    // Brooks' layers do not know of those above them: all of them run, whoever decides.
+    // Brooks' layers do not know those above them: all of them run, whoever decides.
     const elsie::Response& response = members[layer].respond();
     std::optional<Signal>& line = lines_[layer];
     line.reset();
@@ -290,7 +290,7 @@ void ArbiterSubsumption::wire() {
     }
     throw std::invalid_argument(all);
   }
-  // A layer of which no link says what it does suppresses all layers below it.
+  // A layer without links suppresses all layers below it.
   const std::size_t links = nodes_.size();
   for (std::size_t by = 1; by < layers_.size(); ++by) {
     const bool linked = std::any_of(nodes_.begin(), nodes_.begin() + static_cast<long>(links),
@@ -314,8 +314,8 @@ ELSIE_COORDINATOR(
     elsie::parameter("hold", &ArbiterSubsumption::hold,
                      {.unit = "s",
                       .min = 0,
-                      .meaning = "time constant of layers without links: how long they go on "
-                                 "suppressing, with their last signal, once they are not active"}),
+                      .meaning = "time constant of layers without links: how long their last "
+                                 "signal goes on suppressing"}),
     elsie::elements(
         &ArbiterSubsumption::suppressions,
         elsie::element<Link>(
@@ -324,11 +324,11 @@ ELSIE_COORDINATOR(
                              {.meaning = "the id of the higher layer", .required = true}),
             elsie::parameter("of", &Link::of,
                              {.meaning = "the id of the lower layer", .required = true}),
-            elsie::parameter("hold", &Link::hold,
-                             {.unit = "s",
-                              .min = 0,
-                              .meaning = "time constant: how long it goes on, with the last "
-                                         "signal, once there is none"}))),
+            elsie::parameter(
+                "hold", &Link::hold,
+                {.unit = "s",
+                 .min = 0,
+                 .meaning = "time constant: how long the last signal stays in effect"}))),
     elsie::elements(
         &ArbiterSubsumption::inhibitions,
         elsie::element<Link>(

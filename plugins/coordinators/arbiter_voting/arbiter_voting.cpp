@@ -1,5 +1,5 @@
 // Voting after DAMN, the distributed architecture for mobile navigation (Rosenblatt, 1997): every
-// behaviour votes on all of a set of commands, and the command with the most votes is done.
+// behaviour votes on each of a set of commands, and the command with the most votes is executed.
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -116,15 +116,15 @@ class ArbiterVoting final : public elsie::Coordinator, public elsie::Remembers {
   }
 
   std::size_t elect(double most) const {
-    // Who was elected last stays as long as nobody else has clearly more votes - or rather the best
-    // one near it does: what suits changes a little with every step.
+    // The last winner stays unless another candidate has clearly more votes; or rather, the best
+    // candidate near it stays, because votes change a little with every step.
     if (elected_ && margin > 0.0) {
       const std::size_t near = summit_near(*elected_);
       if (votes_[near] >= most - margin) {
         return near;
       }
     }
-    // Of equal ones the nearest to the last command, then the first.
+    // In a tie, the one nearest to the last command, then the first.
     std::size_t best = votes_.size();
     for (std::size_t i = 0; i < votes_.size(); ++i) {
       if (votes_[i] >= most * (1.0 - kEqual) &&
@@ -136,7 +136,7 @@ class ArbiterVoting final : public elsie::Coordinator, public elsie::Remembers {
     return best;
   }
 
-  /// Uphill from one candidate to the next until there is none with more votes.
+  /// Moves uphill from candidate to candidate until no neighbour has more votes.
   std::size_t summit_near(std::size_t at) const {
     for (;;) {
       std::size_t best = at;
@@ -158,8 +158,8 @@ class ArbiterVoting final : public elsie::Coordinator, public elsie::Remembers {
   Desirability desirability_;
   Desirability outside_;  // without a limit
   std::optional<double> built_for_;
-  std::vector<double> votes_;           // mean of all, in [0, 1]
-  std::optional<std::size_t> elected_;  // last
+  std::vector<double> votes_;           // mean over all members, in [0, 1]
+  std::optional<std::size_t> elected_;  // the last winner
   elsie::MotorCommand last_;
 };
 
@@ -187,20 +187,21 @@ ELSIE_COORDINATOR(
     elsie::parameter("smoothing", &ArbiterVoting::smoothing,
                      {.unit = "rad/s",
                       .min = 0,
-                      .meaning = "votes are spread over near candidates: standard deviation of the "
-                                 "Gaussian; 0: they are not"}),
+                      .meaning = "standard deviation of the Gaussian that spreads votes over near "
+                                 "candidates; 0: none"}),
     elsie::parameter("interpolate", &ArbiterVoting::interpolate,
                      {.meaning = "whether the command may lie between candidates, at the top of "
                                  "parabolas through the votes"}),
-    elsie::parameter("margin", &ArbiterVoting::margin,
-                     {.min = 0,
-                      .max = 1,
-                      .meaning = "how many more votes, as a fraction of all, another one needs to "
-                                 "win over what was done last"}),
+    elsie::parameter(
+        "margin", &ArbiterVoting::margin,
+        {.min = 0,
+         .max = 1,
+         .meaning =
+             "how many more votes than the last command another one needs, as a fraction of all"}),
     elsie::parameter("activation", &ArbiterVoting::activation, activation_facts()),
     elsie::elements(&ArbiterVoting::listed,
                     elsie::element<Candidate>(
-                        "candidate", "a command to vote on; given any, these are all there are",
+                        "candidate", "a command to vote on; if any is given, there are no others",
                         elsie::parameter("left", &Candidate::left,
                                          {.unit = "rad/s", .meaning = "rate of the left wheel"}),
                         elsie::parameter("right", &Candidate::right,

@@ -76,7 +76,7 @@ void Smoothing::prepare(std::span<const elsie::MotorCommand> commands, double wi
   if (width <= 0.0) {
     return;
   }
-  // Beyond three standard deviations a Gaussian is next to nothing.
+  // Beyond three standard deviations, a Gaussian is almost zero.
   const double reach_squared = 9.0 * width * width;
   raw_.resize(commands.size());
   for (const elsie::MotorCommand& command : commands) {

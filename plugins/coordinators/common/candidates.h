@@ -7,17 +7,17 @@
 
 #include <elsie/api/motor_command.h>
 
-/// Candidate commands in rows and columns, so that "the next one" means something; and further ones
-/// that have no neighbours.
+/// Candidate commands in rows and columns, which have neighbours; and further ones without
+/// neighbours.
 class Candidates {
  public:
-  /// Every pair of wheel rates from -limit to limit, `steps` values each: rows are those of the
-  /// left wheel, columns of the right.
+  /// All pairs of wheel rates from -limit to limit, `steps` values each: rows are rates of the left
+  /// wheel, columns of the right.
   static Candidates wheel_rates(double limit, int steps);
 
-  /// Arcs: a row for each of `speeds` speeds, evenly up to the limit, and in it `arcs` arcs from a
-  /// turn to the right in place over straight ahead to one to the left. The outer wheel turns at
-  /// the speed, the inner one slower. After them, standing still.
+  /// Arcs: a row for each of `speeds` speeds, in equal steps up to the limit, with `arcs` arcs
+  /// each, from a turn to the right in place through straight ahead to a turn to the left in place.
+  /// The outer wheel has the speed, the inner one is slower. Standing still is the last candidate.
   static Candidates arcs(double limit, int speeds, int arcs);
 
   /// Commands without neighbours.
@@ -26,7 +26,7 @@ class Candidates {
   std::span<const elsie::MotorCommand> commands() const { return commands_; }
   std::size_t size() const { return commands_.size(); }
 
-  /// The candidates next to one in its row and column, diagonals included, through `visit(index)`.
+  /// Calls `visit(index)` for the neighbours of a candidate in rows, columns and diagonals.
   template <class Visit>
   void each_neighbour(std::size_t index, Visit visit) const {
     if (index >= rows_ * columns_) {
@@ -43,9 +43,9 @@ class Candidates {
     }
   }
 
-  /// The command where parabolas through the values of a candidate and its neighbours, one along
-  /// the row and one along the column, have their tops: at most half a step away. The candidate
-  /// itself where it has no two neighbours or is not higher than these.
+  /// The command at the tops of parabolas through the values of a candidate and its neighbours, one
+  /// along the row and one along the column: at most half a step away. The candidate itself if it
+  /// lacks two neighbours or is not higher than these.
   elsie::MotorCommand interpolated(std::size_t index, std::span<const double> values) const;
 
  private:
@@ -54,11 +54,11 @@ class Candidates {
   std::size_t columns_ = 0;
 };
 
-/// Values of candidates spread over their neighbourhood: each becomes the mean of all, weighted
-/// with a Gaussian of their distance in the plane of wheel rates.
+/// Smooths values over neighbouring candidates: each becomes the mean of all, weighted with a
+/// Gaussian of their distance in the plane of wheel rates.
 class Smoothing {
  public:
-  /// `width`: one standard deviation, rad/s; 0: no smoothing.
+  /// `width`: the standard deviation, rad/s; 0: no smoothing.
   void prepare(std::span<const elsie::MotorCommand> commands, double width);
   void apply(std::span<double> values);
 
@@ -67,7 +67,7 @@ class Smoothing {
     std::size_t index;
     double weight;
   };
-  std::vector<Neighbour> neighbours_;  // of one candidate after the other
-  std::vector<std::size_t> ends_;      // where each candidate's end
+  std::vector<Neighbour> neighbours_;  // of all candidates, one after the other
+  std::vector<std::size_t> ends_;      // end of each candidate's neighbours
   std::vector<double> raw_;
 };

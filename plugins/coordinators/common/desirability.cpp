@@ -29,7 +29,7 @@ void Desirability::rate_one(elsie::Member& member, std::span<const elsie::MotorC
   for (elsie::MotorCommand& candidate : stretched_) {
     const double fastest = fastest_wheel(candidate);
     if (fastest > 0.0 && fastest >= limit_ * (1.0 - kEqual)) {
-      // The point of the ray that is nearest to the wish.
+      // The point of the ray nearest to the wish.
       const double along = (candidate.left * wish.left + candidate.right * wish.right) /
                            distance_squared(candidate, {});
       candidate = std::max(along, limit_ / fastest) * candidate;
@@ -56,7 +56,7 @@ void Desirability::rate(std::span<elsie::Member> members,
     }
   }
   for (double& value : mean) {
-    value = std::min(value, 1.0);  // the parts may add up to a rounding more than one
+    value = std::min(value, 1.0);  // rounding may make the sum exceed one
   }
 }
 

@@ -1,4 +1,4 @@
-// How good commands are to several behaviours together.
+// The desirability of commands to several behaviours together.
 #pragma once
 
 #include <algorithm>
@@ -10,26 +10,24 @@
 #include <elsie/api/coordinator.h>
 
 /// The mean of the members' ratings, weighted with the weights in their traces. Members without a
-/// weight are not asked. Memory is kept: once it has grown to the largest number of candidates,
-/// nothing is allocated.
+/// weight are not asked. Does not allocate once its memory has grown to the largest number of
+/// candidates.
 class Desirability {
  public:
-  /// The largest wheel rate that makes a difference, rad/s. A command beyond it is cut down by one
-  /// factor for both wheels, so that at the limit one command stands for all those on the ray from
-  /// it outwards: to a behaviour that wishes for more it is as good as the one of these that is
-  /// nearest to its wish. Infinite by default: for the ratings that go outwards, which the
-  /// outermost coordinator cuts down.
+  /// The largest effective wheel rate, rad/s. A faster command is scaled down for both wheels, so
+  /// that a command at the limit stands for all those beyond it on its ray: a behaviour that wishes
+  /// for more rates it like the one of these nearest to its wish. Infinite by default: for ratings
+  /// that are passed outwards, the outermost coordinator scales commands.
   void set_limit(double limit) { limit_ = limit; }
 
-  /// Writes the mean for each candidate, in [0, 1]; zero where there is no weight at all.
+  /// Writes the mean for each candidate, in [0, 1]; zero without any weight.
   void rate(std::span<elsie::Member> members, std::span<const elsie::MotorCommand> candidates,
             std::span<double> mean);
 
-  /// Notes in the traces how much of the desirability of `command` comes from each member: its
-  /// share.
+  /// Writes each member's share in the desirability of `command` to its trace.
   void trace_shares(std::span<elsie::Member> members, const elsie::MotorCommand& command);
 
-  /// The mean of the members' fuzzy sets, weighted likewise.
+  /// The mean of the members' fuzzy sets, with the same weights.
   static elsie::CommandSets sets(std::span<elsie::Member> members);
 
  private:
@@ -38,14 +36,14 @@ class Desirability {
 
   double limit_ = std::numeric_limits<double>::infinity();
   std::vector<double> ratings_;                 // of one member
-  std::vector<elsie::MotorCommand> stretched_;  // candidates, as far out as one member wishes
+  std::vector<elsie::MotorCommand> stretched_;  // candidates, scaled up to a member's wish
 };
 
-/// Two commands are equally good when they differ by no more than this part: far above rounding,
-/// and far below what anyone could mean.
+/// Values closer than this, relatively, count as equal: far above rounding, far below relevant
+/// differences.
 inline constexpr double kEqual = 1e-9;
 
-/// The larger of the wheels' rates, without sign.
+/// The larger wheel rate without its sign.
 inline double fastest_wheel(const elsie::MotorCommand& command) {
   return std::max(std::abs(command.left), std::abs(command.right));
 }

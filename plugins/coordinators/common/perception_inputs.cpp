@@ -14,7 +14,7 @@ namespace {
 using elsie::Perception;
 using Sector = bool (*)(double azimuth_rad);
 
-// Sectors overlap: a beam half left ahead looks ahead and to the left.
+// Sectors overlap: a beam at half left is both ahead and to the left.
 constexpr double kFront = elsie::radians(45.0);
 constexpr double kRear = elsie::radians(135.0);
 bool anywhere(double) { return true; }
@@ -63,7 +63,8 @@ bool has_camera(const Perception& example) {
   return !example.readings<elsie::VisionReading>().empty();
 }
 
-// With several cameras all three are about one resource, which is also find_resource's.
+// With several cameras, all three inputs are about the same resource, which find_resource also
+// takes.
 double resource_seen(const Perception& now) { return elsie::most_nearly_ahead(now) ? 1.0 : 0.0; }
 
 double resource_bearing(const Perception& now) {

@@ -1,4 +1,4 @@
-// Words for what a robot perceives: the inputs that a fuzzy model of contexts may have.
+// Names of a robot's perceptions: the inputs of fuzzy models of contexts.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 
 #include <elsie/api/perception.h>
 
-/// One of the words. docs/coordinators/fusion_context_blending.md has the table for users.
+/// One of the inputs. docs/coordinators/fusion_context_blending.md has the table for users.
 struct PerceptionInput {
   const char* name;
-  /// Its value now; finite wherever the robot has what it takes. Angles in degrees.
+  /// Its present value; finite if the robot has what it needs. Angles in degrees.
   double (*value)(const elsie::Perception& now);
-  /// What a robot needs for it, if it needs anything: "a beam-range sensor that looks to the left".
+  /// What a robot needs for it: "a beam-range sensor that looks to the left"; empty if nothing.
   const char* needs;
   /// Whether the robot has that.
   bool (*available)(const elsie::Perception& example);
@@ -21,8 +21,8 @@ struct PerceptionInput {
 
 std::span<const PerceptionInput> perception_inputs();
 
-/// The word of that name, in any letter case, or none.
+/// The input of this name, in any letter case; or none.
 const PerceptionInput* find_perception_input(std::string_view name);
 
-/// "; did you mean 'front_range'?" or nothing, to end a sentence about a name that is none.
+/// "; did you mean 'front_range'?" or "", to end a sentence about an unknown name.
 std::string perception_input_hint(std::string_view name);

@@ -41,7 +41,7 @@ Columns PriorityNetwork::columns() const {
           "one for each behaviour: " + joined(behaviors_, ", ")};
 }
 
-/// Of a network that is trained. Throws std::invalid_argument.
+/// Of a network to be trained. Throws std::invalid_argument.
 std::vector<int> PriorityNetwork::hidden_layers() const {
   return parse_hidden_layers(hidden == kOwnHidden ? kTrainedHidden : hidden);
 }
@@ -94,16 +94,16 @@ void PriorityNetwork::equip(std::span<const elsie::Member> members,
   equipped_ = true;
 }
 
-/// Reads what the parameters name, and sees whether it fits the robot. What the last run has
-/// learned stays in use until the next one begins, unless weights take its place.
+/// Reads the files that the parameters name, and checks that they fit the robot. A network trained
+/// in the last run stays in use until the next one begins, unless weights replace it.
 void PriorityNetwork::prepare() {
   samples_.reset();
   fixed_ = false;
   if (behaviors_.empty()) {
-    return;  // there is nothing to decide
+    return;  // nothing to decide
   }
   if (weights.path.empty()) {
-    const Network network(sizes());  // it can be made
+    const Network network(sizes());  // throws if it cannot be made
     samples_ = read_samples();
   } else {
     load_weights();

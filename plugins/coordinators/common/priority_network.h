@@ -1,4 +1,4 @@
-// A neural network that sets the priorities of behaviours, for the coordinators that have one.
+// A neural network that sets the priorities of behaviours; shared by coordinators.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,12 @@
 #include <elsie/neural/network.h>
 #include <elsie/neural/trainable.h>
 
-/// Inputs: the readings of the range sensors, in file order, in metres. Outputs: the priorities of
-/// the behaviours, in file order, each in (0, 1). The first weights come from the run's own random
-/// stream, so that each run trains a network of its own, unless a seed or a file of weights fixes
-/// them.
+/// Inputs: the readings of the range sensors in file order, in metres. Outputs: the priorities of
+/// the behaviours in file order, each in (0, 1). The first weights come from the run's random
+/// stream, so that each run trains its own network, unless a seed or a file of weights fixes them.
 class PriorityNetwork : public elsie::neural::Trainable {
  public:
-  /// What `hidden` is when the user asks for no layers in particular: those of the weights or, in a
-  /// network that is trained, "2 2".
+  /// The value of `hidden` for the layers of the weights or, in a network to be trained, "2 2".
   static constexpr const char* kOwnHidden = "auto";
 
   std::string hidden = kOwnHidden;
@@ -48,7 +46,7 @@ class PriorityNetwork : public elsie::neural::Trainable {
   std::vector<std::string> tell() const;
   std::vector<elsie::Curve> show() const;
 
-  /// The priorities now, one for each member. Valid until the next call. Allocates nothing.
+  /// The present priorities of all members. Valid until the next call. Does not allocate.
   std::span<const double> priorities(const elsie::Perception& now);
 
  private:
@@ -67,14 +65,14 @@ class PriorityNetwork : public elsie::neural::Trainable {
   std::optional<elsie::neural::TrainingSet> samples_;  // unless weights are given
   std::optional<elsie::neural::Weights> learned_;
   std::optional<elsie::neural::Workspace> workspace_;
-  bool fixed_ = false;  // whether what was learned is what every run needs
+  bool fixed_ = false;  // whether every run uses the same network
   std::vector<std::string> notes_;
-  std::vector<elsie::Curve> curves_;  // of the training that the network in use had
+  std::vector<elsie::Curve> curves_;  // of the training of the network in use
   std::vector<double> readings_;
   std::vector<double> priorities_;
 };
 
-/// A coordinator of the kind `Base` with such a network.
+/// A coordinator of the kind `Base` with this network.
 template <class Base>
 class WithPriorityNetwork : public Base, public PriorityNetwork {
  public:
@@ -87,7 +85,7 @@ class WithPriorityNetwork : public Base, public PriorityNetwork {
   std::vector<elsie::Curve> curves() const override { return show(); }
 };
 
-/// The parameters of such a coordinator: items of its declaration.
+/// The parameters of such a coordinator, for its declaration.
 #define PRIORITY_NETWORK_PARAMETERS                                                               \
   elsie::parameter(                                                                               \
       "hidden", &PriorityNetwork::hidden,                                                         \

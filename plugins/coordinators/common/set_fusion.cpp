@@ -14,7 +14,7 @@ using elsie::MotorCommand;
 
 namespace {
 
-/// The stretches of a set between which it is zero.
+/// The stretches of a set between zeros.
 std::vector<FuzzySet> regions_of(const FuzzySet& set) {
   constexpr double kNothing = 1e-9;
   std::vector<FuzzySet> regions;
@@ -60,12 +60,12 @@ elsie::ParameterFacts weighting_facts() {
 
 elsie::ParameterFacts defuzzification_facts() {
   return {.choices = {"centre_of_gravity", "mean_of_maximum", "bisector", "centre_of_largest_area"},
-          .meaning = "how the command is made from what comes out"};
+          .meaning = "how the command is computed from the combined set"};
 }
 
 elsie::ParameterFacts conflict_facts() {
   return {.choices = {"stop", "unite"},
-          .meaning = "what to do when no command suits all (AND): zero, or the union after all"};
+          .meaning = "the command when none suits all (AND): zero, or that of the union"};
 }
 
 void SetFusion::configured() {
@@ -118,7 +118,7 @@ void SetFusion::collect(std::span<Member> members) {
 
 void SetFusion::combine(std::span<const Member> members, SetOperator by) {
   used_ = by;
-  // A set without points says nothing of its wheel: with AND it must not forbid everything.
+  // A set without points means no wish for its wheel: with AND it must not forbid everything.
   const auto add = [&](FuzzySet& sum, const FuzzySet& wish, FuzzySet& weighted_wish,
                        double weight) {
     weighted_wish.points.clear();
@@ -164,8 +164,8 @@ std::optional<MotorCommand> SetFusion::settle() const {
 }
 
 std::optional<MotorCommand> SetFusion::centre_of_largest_area() const {
-  // Each wheel by itself would pair one behaviour's left wheel with another one's right. So a pair
-  // of regions counts as much as there are wishes for both of them.
+  // Computed separately, the wheels could pair one behaviour's left with another one's right. So
+  // pairs of regions are weighted by the wishes for both.
   constexpr double kEqualAreas = 1e-9;
   std::optional<MotorCommand> best;
   double most = 0.0;
@@ -179,7 +179,7 @@ std::optional<MotorCommand> SetFusion::centre_of_largest_area() const {
         support[i] = area_below(weighted_[i].left, left) * area_below(weighted_[i].right, right);
         sum += support[i];
       }
-      // Of equal ones that of the first in the file.
+      // In a tie, that of the first behaviour in the file.
       const bool equal = best && std::abs(sum - most) <= kEqualAreas * most;
       if (!best || (equal ? support > best_support : sum > most)) {
         most = sum;

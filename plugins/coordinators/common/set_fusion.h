@@ -1,5 +1,5 @@
-// Command fusion on fuzzy sets: the behaviours hand over their wishes for each wheel as sets, the
-// sets are put together, and only what comes out of that is made a number.
+// Command fusion on fuzzy sets: the behaviours give their wishes for each wheel as sets, the sets
+// are combined, and the result is defuzzified last.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,13 @@
 #include "set_operations.h"
 #include "weighing.h"
 
-// The facts of the parameters that both plugins declare.
+// Facts of the parameters that both plugins declare.
 elsie::ParameterFacts combination_facts();
 elsie::ParameterFacts weighting_facts();
 elsie::ParameterFacts defuzzification_facts();
 elsie::ParameterFacts conflict_facts();
 
-/// What fusion_fuzzy and fusion_context_blending have in common, once the weights are known.
+/// The common base of fusion_fuzzy and fusion_context_blending, which compute the weights.
 class SetFusion : public elsie::Coordinator {
  public:
   // Parameters.
@@ -29,11 +29,11 @@ class SetFusion : public elsie::Coordinator {
   std::string activation = "scale";
 
   void configured() override;
-  /// The members' ratings, put together by the same operator as their sets.
+  /// The members' ratings, combined by the same operator as their sets.
   void rate(std::span<elsie::Member> members, const elsie::MotorCommand& given,
             std::span<const elsie::MotorCommand> candidates,
             std::span<double> desirability) override;
-  /// What the command was made from.
+  /// The sets from which the command was computed.
   elsie::CommandSets command_sets(std::span<elsie::Member> members,
                                   const elsie::MotorCommand& given) override;
 
@@ -41,9 +41,9 @@ class SetFusion : public elsie::Coordinator {
   SetFusion(const char* default_weighting, const char* default_activation)
       : weighting(default_weighting), activation(default_activation) {}
 
-  /// The command of the members whose weights, in [0, 1], are in their traces.
+  /// The command of members with weights, in [0, 1], in their traces.
   elsie::MotorCommand fuse(std::span<elsie::Member> members);
-  /// What the parameter `activation` says.
+  /// The rule that the parameter `activation` names.
   ActivationRule activation_rule() const { return activation_rule_; }
 
  private:
@@ -60,8 +60,8 @@ class SetFusion : public elsie::Coordinator {
   bool clip_ = false;
   ActivationRule activation_rule_ = ActivationRule::scale;
 
-  // Of the last decision:
-  std::vector<elsie::CommandSets> wishes_;    // of each member; empty sets where it does not count
+  // From the last decision:
+  std::vector<elsie::CommandSets> wishes_;    // of each member; empty sets if it does not count
   std::vector<elsie::CommandSets> weighted_;  // the same, weighted
   elsie::CommandSets together_;
   SetOperator used_ = SetOperator::maximum;

@@ -1,4 +1,4 @@
-// How much each behaviour counts where several decide together.
+// The weights of behaviours that decide together.
 #pragma once
 
 #include <span>
@@ -6,28 +6,28 @@
 
 #include <elsie/api/coordinator.h>
 
-/// What a behaviour's activation does to its weight.
+/// The effect of a behaviour's activation on its weight.
 enum class ActivationRule {
-  scale,   // the weight counts as many times as the behaviour is active
-  gate,    // a behaviour that is not active counts nothing, all others their full weight
-  ignore,  // nothing
+  scale,   // the weight is multiplied by the activation
+  gate,    // inactive behaviours have no weight, others their full weight
+  ignore,  // no effect
 };
 
-/// The parameter `activation` of such a coordinator: its facts, and what a value of it means.
+/// The parameter `activation` of such a coordinator: its facts, and the rule of a value.
 elsie::ParameterFacts activation_facts();
 ActivationRule activation_rule_of(const std::string& name);
 
-/// What the rule makes of an activation: the factor of the weight.
+/// The factor of the weight for an activation.
 double factor_of(ActivationRule rule, double activation);
 
-/// Asks every member of positive priority and notes its weight in its trace, in [0, 1]: its
-/// priority as a fraction of the highest one, times what the rule makes of its activation. A member
-/// of priority zero or less does not count and is not asked. Those that count get `reason`, the
-/// others one of their own. `contexts`, if given, has a further factor for each member, in [0, 1]:
-/// how far it applies now; at zero it is not asked. Returns the sum of the weights.
+/// Asks every member of positive priority and writes its weight in [0, 1] to its trace: its
+/// priority relative to the highest one, times the factor for its activation. Members of priority
+/// zero or less do not count and are not asked. Members that count get `reason`, the others a
+/// reason of their own. `contexts`, if given, has a further factor in [0, 1] for each member; at
+/// zero it is not asked. Returns the sum of the weights.
 double weigh(std::span<elsie::Member> members, ActivationRule rule, const char* reason,
              std::span<const double> contexts = {});
 
-/// Makes each member's share its part in the sum of all shares; where that sum is zero, its part in
-/// the sum of the weights (without signs).
+/// Divides each member's share by the sum of all shares; if that is zero, uses the weights (without
+/// signs) instead.
 void normalize_shares(std::span<elsie::Member> members);

@@ -1,4 +1,4 @@
-// What arbiters that let one behaviour decide have in common.
+// Shared by arbiters in which one behaviour decides.
 #pragma once
 
 #include <algorithm>
@@ -6,9 +6,9 @@
 
 #include <elsie/api/coordinator.h>
 
-/// To the outside - when the arbiter is nested in a behaviour - one that decides alone wishes what
-/// its winner wishes: not a bump around the command, but the winner's own ratings and sets. Without
-/// a winner nothing is wished: ratings of zero, empty sets.
+/// Inside of a behaviour, such an arbiter passes on the wishes of its winner: not a bump around the
+/// command, but the winner's own ratings and sets. Without a winner there is no wish: ratings of
+/// zero, empty sets.
 class WinnerTakesAll : public elsie::Coordinator {
  public:
   void rate(std::span<elsie::Member> members, const elsie::MotorCommand& /*given*/,
@@ -27,7 +27,7 @@ class WinnerTakesAll : public elsie::Coordinator {
   }
 
  protected:
-  /// Nobody decides in this step, for this reason; the command is zero.
+  /// Nobody decides in this step, for this reason; returns the zero command.
   elsie::MotorCommand nobody(std::span<elsie::Member> members, const char* reason) {
     winner_.reset();
     for (elsie::Member& member : members) {
@@ -36,7 +36,7 @@ class WinnerTakesAll : public elsie::Coordinator {
     return {};
   }
 
-  /// Lets one member decide: notes it in all traces, and answers its command.
+  /// Lets one member decide: writes all traces, and returns its command.
   elsie::MotorCommand let_decide(std::span<elsie::Member> members, std::size_t winner,
                                  const char* won, const char* lost) {
     winner_ = winner;

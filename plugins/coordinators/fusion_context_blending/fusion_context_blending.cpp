@@ -1,6 +1,6 @@
-// Context-dependent blending (Saffiotti, 1997): fuzzy rules say how far each behaviour applies now,
-// and these degrees weight the behaviours' fuzzy sets before they are put together and made a
-// command.
+// Context-dependent blending (Saffiotti, 1997): fuzzy rules give the degree to which each behaviour
+// applies now, and these degrees weight the behaviours' fuzzy sets before they are combined and
+// defuzzified.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,7 +56,7 @@ class FusionContextBlending final : public SetFusion, public elsie::Remembers {
   }
 
   void reset(elsie::Random&) override {
-    // Not a number: no last value yet, for outputs that keep theirs.
+    // NaN: outputs that keep their last value have none yet.
     std::fill(outputs_.begin(), outputs_.end(), std::numeric_limits<double>::quiet_NaN());
   }
   void remember(elsie::Memory& memory) override {
@@ -94,19 +94,19 @@ class FusionContextBlending final : public SetFusion, public elsie::Remembers {
   void connect();
 
   std::optional<fuzzy::Model> rules_;
-  /// Of each output: where it may have to keep a last value that it does not have.
+  /// For each output: inputs at which it may need a last value that it does not have.
   std::vector<std::optional<std::string>> undecided_;
   fuzzy::Workspace workspace_;
   std::vector<std::string> members_;
-  std::vector<const PerceptionInput*> lacking_;       // what this robot cannot perceive
-  std::vector<const PerceptionInput*> sources_;       // of each input
-  std::vector<std::optional<std::size_t>> contexts_;  // of each member: which output
+  std::vector<const PerceptionInput*> lacking_;       // inputs that this robot cannot perceive
+  std::vector<const PerceptionInput*> sources_;       // for each input
+  std::vector<std::optional<std::size_t>> contexts_;  // for each member: its output
   std::vector<double> inputs_;
   std::vector<double> outputs_;
-  std::vector<double> degrees_;  // of each member, in [0, 1]
+  std::vector<double> degrees_;  // for each member, in [0, 1]
 };
 
-/// Finds out what each input and output of the model means.
+/// Finds the meaning of each input and output of the model.
 void FusionContextBlending::connect() {
   std::vector<std::string> problems;
   sources_.clear();
@@ -184,9 +184,8 @@ ELSIE_COORDINATOR(
         {.meaning = "fuzzy model (FCL) of the context rules: inputs are what the robot "
                     "perceives, outputs, in 0 to 1, are ids of behaviours",
          .required = true}),
-    elsie::parameter(
-        "block", &FusionContextBlending::block,
-        {.meaning = "the function block of the model that is meant, if the file has several"}),
+    elsie::parameter("block", &FusionContextBlending::block,
+                     {.meaning = "function block of the model, if the file has several"}),
     elsie::parameter("combination", &FusionContextBlending::combination, combination_facts()),
     elsie::parameter("weighting", &FusionContextBlending::weighting, weighting_facts()),
     elsie::parameter("defuzzification", &FusionContextBlending::defuzzification,

@@ -1,5 +1,4 @@
-// Fuzzy command fusion: the behaviours' wishes are put together as fuzzy sets, and made a command
-// last.
+// Fuzzy command fusion: the behaviours' wishes are combined as fuzzy sets and defuzzified last.
 #include "set_fusion.h"
 
 namespace {

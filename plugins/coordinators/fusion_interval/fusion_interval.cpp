@@ -1,9 +1,9 @@
-// Multi-objective command fusion: of all commands the one that is best for all behaviours together.
+// Multi-objective command fusion: the command that is best for all behaviours together.
 //
 // Every behaviour is an objective function over the plane of wheel rates; the command maximises
 // their sum, weighted with the priorities. After the helm of MOOS-IvP, which solves this by
-// interval programming (Benjamin, 2002); here a grid finds the regions worth looking at, and a
-// pattern search (Hooke and Jeeves, 1961) the summits in them.
+// interval programming (Benjamin, 2002); here a grid finds promising regions, and a pattern search
+// (Hooke and Jeeves, 1961) finds their summits.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -68,7 +68,7 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
       }
     }
     if (last_) {
-      // What was done last goes on as long as nothing else is clearly better.
+      // The last command stays unless another is clearly better.
       const Point summit = climb(members, {*last_, value_of(members, *last_)});
       if (summit.value >= best->value - std::max(margin, kEqual * best->value)) {
         best = summit;
@@ -88,7 +88,7 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
     return best->command;
   }
 
-  /// The objective itself.
+  /// The objective function.
   void rate(std::span<elsie::Member> members, const MotorCommand& /*given*/,
             std::span<const MotorCommand> candidates, std::span<double> desirability) override {
     outside_.rate(members, candidates, desirability);
@@ -99,7 +99,7 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
   }
 
  private:
-  /// A smaller part more than this is no step uphill.
+  /// Smaller relative increases are rounding.
   static constexpr double kRounding = 1e-13;
 
   struct Point {
@@ -118,7 +118,7 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
     }
   }
 
-  /// Within what the wheels can do: both scaled by one factor, as the simulator does.
+  /// Within the wheels' limit: scales both by one factor, as the simulator does.
   MotorCommand limited(const MotorCommand& command) const {
     const double fastest = fastest_wheel(command);
     return fastest > *built_for_ ? *built_for_ / fastest * command : command;
@@ -130,8 +130,8 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
     return value;
   }
 
-  /// Rates the grid and what each behaviour wants, and lists what to climb from: the highest of
-  /// those that no neighbour is higher than.
+  /// Rates the grid and each behaviour's wish, and lists the starting points: the highest points
+  /// without a higher neighbour.
   void look_everywhere(std::span<elsie::Member> members) {
     points_.assign(candidates_.commands().begin(), candidates_.commands().end());
     for (elsie::Member& member : members) {
@@ -158,7 +158,7 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
     starts_.resize(kept);
   }
 
-  /// To the best of eight points around, while one is better; then with half the step.
+  /// Moves to the best of eight points around while one is better, then halves the step.
   Point climb(std::span<elsie::Member> members, Point at) {
     std::array<MotorCommand, 8> around;
     std::array<double, 8> values;
@@ -185,7 +185,7 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
     return at;
   }
 
-  /// Of equal ones the nearest to the last command, or to standing still, then the first.
+  /// In a tie, the nearest to the last command, or to standing still, then the first.
   bool is_better(const Point& a, const Point& b) const {
     if (std::abs(a.value - b.value) > kEqual * std::max(a.value, b.value)) {
       return a.value > b.value;
@@ -210,25 +210,23 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
 ELSIE_COORDINATOR(
     FusionInterval, "fusion_interval",
     "Does what is best for all together: the highest sum of desirability over all commands",
-    elsie::parameter("steps", &FusionInterval::steps,
-                     {.min = 3,
-                      .max = 101,
-                      .meaning = "rates of each wheel on the grid that is looked at first"}),
+    elsie::parameter(
+        "steps", &FusionInterval::steps,
+        {.min = 3, .max = 101, .meaning = "number of rates of each wheel on the first grid"}),
     elsie::parameter(
         "max_rate", &FusionInterval::max_rate,
         {.unit = "rad/s",
          .min = 0,
          .meaning = "the largest wheel rate; 0: what the robot's maximum speed allows"}),
-    elsie::parameter(
-        "tolerance", &FusionInterval::tolerance,
-        {.unit = "rad/s", .above = 0, .meaning = "how near to the best command the search goes"}),
+    elsie::parameter("tolerance", &FusionInterval::tolerance,
+                     {.unit = "rad/s", .above = 0, .meaning = "precision of the search"}),
     elsie::parameter("summits", &FusionInterval::summits,
                      {.min = 1,
                       .max = 100,
-                      .meaning = "from how many points of the grid the search goes uphill"}),
+                      .meaning = "number of grid points from which the search goes uphill"}),
     elsie::parameter("margin", &FusionInterval::margin,
                      {.min = 0,
                       .max = 1,
-                      .meaning = "by how much, as a fraction of all that can be reached, another "
-                                 "command must be better than one like the last"}),
+                      .meaning = "how much better than the last command another must be, as a "
+                                 "fraction of the maximum"}),
     elsie::parameter("activation", &FusionInterval::activation, activation_facts()));

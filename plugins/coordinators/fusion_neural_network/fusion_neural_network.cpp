@@ -1,5 +1,5 @@
 // Fusion with learned priorities: the commands, each times the network's output for its behaviour,
-// are added, and divided by the number of behaviours.
+// are added and divided by the number of behaviours.
 #include <cmath>
 
 #include "priority_network.h"
@@ -17,7 +17,7 @@ class FusionNeuralNetwork final : public WithPriorityNetwork<elsie::Coordinator>
       const elsie::MotorCommand wish = priority[i] * members[i].respond().command;
       sum += wish;
       members[i].trace.weight = priority[i];
-      // Its part in the effort of all; where nobody makes an effort, in the priorities.
+      // Its part in the sum of all commands; if that is zero, in the priorities.
       members[i].trace.share = std::hypot(wish.left, wish.right);
       members[i].trace.reason = "priority from the network";
     }

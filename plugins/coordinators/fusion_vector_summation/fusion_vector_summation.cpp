@@ -19,7 +19,7 @@ class FusionVectorSummation final : public elsie::Coordinator {
       const elsie::MotorCommand wish = weight * member.respond().command;
       sum += wish;
       member.trace.weight = weight;
-      // Its part in the effort of all; where nobody makes an effort, in the weights.
+      // Its part in the sum of all commands; if that is zero, in the weights.
       member.trace.share = std::hypot(wish.left, wish.right);
       member.trace.reason = weight != 0.0 ? "summed" : "priority zero";
     }
@@ -33,6 +33,5 @@ class FusionVectorSummation final : public elsie::Coordinator {
 ELSIE_COORDINATOR(
     FusionVectorSummation, "fusion_vector_summation",
     "Adds the commands of all behaviours and divides by their number",
-    elsie::parameter(
-        "weighted", &FusionVectorSummation::weighted,
-        {.meaning = "whether each command counts as many times as its priority says"}));
+    elsie::parameter("weighted", &FusionVectorSummation::weighted,
+                     {.meaning = "whether each command is multiplied by its priority"}));

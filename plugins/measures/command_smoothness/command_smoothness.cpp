@@ -1,4 +1,4 @@
-// How smooth the wheel commands are: their total variation a second (Skogestad 2003), and the root
+// The smoothness of wheel commands: their total variation per second (Skogestad 2003), and the root
 // mean square of their second derivative, the jerk of a wheel (Hogan and Sternad 2009).
 #include <cmath>
 
@@ -49,14 +49,14 @@ class CommandSmoothness final : public elsie::Measure, public ChosenRobots {
   }
 
  private:
-  /// Of the last decision; a robot comes from a stand.
+  /// From the last decision; robots start at rest.
   struct Last {
     elsie::MotorCommand command;
     elsie::MotorCommand change;
   };
 
   std::vector<Last> last_;
-  double variation_ = 0.0;  // rad/s, of all robots, mean of the wheels
+  double variation_ = 0.0;  // rad/s, over all robots, mean of the wheels
   double jerk_ = 0.0;       // squares, likewise
   double time_s_ = 0.0;
   std::uint64_t decisions_ = 0;

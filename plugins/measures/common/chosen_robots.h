@@ -1,4 +1,4 @@
-// Which robots a measure is about: one, those of a team, or all.
+// The robots of a measure: one, those of a team, or all.
 #pragma once
 
 #include <cstddef>
@@ -42,10 +42,10 @@ class ChosenRobots {
     }
   }
 
-  /// Their places among the robots of the world.
+  /// Indices of the robots in the world.
   const std::vector<std::size_t>& chosen() const { return chosen_; }
 
-  /// The sum of something over them.
+  /// The sum of a value over the robots.
   template <class Value>
   Value sum(const elsie::Observation& now, Value elsie::ObservedRobot::*member) const {
     Value all{};
@@ -59,7 +59,7 @@ class ChosenRobots {
   std::vector<std::size_t> chosen_;
 };
 
-/// Items of the declaration of such a measure.
+/// Parameters for the declaration of such a measure.
 #define CHOSEN_ROBOTS_PARAMETERS                                                  \
   elsie::parameter("robot", &ChosenRobots::robot,                                 \
                    {.meaning = "only this one; by default all robots together"}), \

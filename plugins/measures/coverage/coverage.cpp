@@ -1,4 +1,4 @@
-// How much of the arena robots have been in: visited cells of a grid.
+// How much of the arena robots visited, in cells of a grid.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -46,13 +46,13 @@ class Coverage final : public elsie::Measure, public ChosenRobots {
  private:
   static constexpr double kMostCells = 1e6;
 
-  /// The last one may be cut off by the wall; one that would be a sliver is none.
+  /// The wall may cut off the last cell; slivers do not count.
   double cells_in(double side) const { return std::max(1.0, std::ceil(side / cell - 1e-6)); }
 
   void visit(const elsie::Pose& pose) {
     const double x = pose.x + 0.5 * length_, y = pose.y + 0.5 * width_;
     if (x < 0.0 || x >= length_ || y < 0.0 || y >= width_) {
-      return;  // there may be no walls
+      return;  // outside of an arena without walls
     }
     const std::size_t rows = visited_.size() / columns_;
     const std::size_t column = std::min(columns_ - 1, static_cast<std::size_t>(x / cell));

@@ -1,4 +1,4 @@
-// What robots took from their batteries, and what is left in them.
+// The energy that robots took from their batteries, and what is left.
 #include "chosen_robots.h"
 
 namespace {

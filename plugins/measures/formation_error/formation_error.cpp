@@ -1,4 +1,4 @@
-// How far the members of a formation are from their places (Balch and Arkin 1998).
+// The distance of a formation's members from their places (Balch and Arkin 1998).
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -90,9 +90,8 @@ ELSIE_MEASURE(
     FormationError, "formation_error", "How far the members of a formation are from their places",
     elsie::parameter("leader", &FormationError::leader,
                      {.meaning = "the robot that the places are relative to", .required = true}),
-    elsie::parameter(
-        "from_s", &FormationError::from_s,
-        {.unit = "s", .min = 0, .meaning = "what was before is left out: the time to fall in"}),
+    elsie::parameter("from_s", &FormationError::from_s,
+                     {.unit = "s", .min = 0, .meaning = "time to fall in, which is left out"}),
     elsie::elements(
         &FormationError::members,
         elsie::element(

@@ -1,4 +1,4 @@
-// When a team had gathered around its leader, and how far apart it is at the end.
+// When a team had gathered around its leader, and its extent at the end.
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -42,7 +42,7 @@ class GroupGathered final : public elsie::Measure {
   void observe(const elsie::Observation& now) override {
     const auto leaders = static_cast<std::size_t>(std::count_if(
         group_.begin(), group_.end(), [&](std::size_t i) { return now.robots[i].is_leader; }));
-    // Leaders that nobody follows are a group as any other.
+    // Leaders without followers are an ordinary group.
     const bool led = leaders > 0 && leaders < group_.size();
     double farthest = 0.0;
     int near = 0;
@@ -69,7 +69,8 @@ class GroupGathered final : public elsie::Measure {
   }
 
  private:
-  /// From a robot to the nearest leader, or to its nearest mate in a group that is not led.
+  /// The distance from a robot to the nearest leader, or to its nearest mate in a group without
+  /// one.
   double to_its_nearest(std::size_t robot, const elsie::Observation& now, bool led) const {
     double nearest = std::numeric_limits<double>::infinity();
     for (const std::size_t i : group_) {
@@ -88,12 +89,13 @@ class GroupGathered final : public elsie::Measure {
 
 }  // namespace
 
-ELSIE_MEASURE(GroupGathered, "group_gathered",
-              "When a team had gathered around its leader, and how far apart it is at the end",
-              elsie::parameter("team", &GroupGathered::team,
-                               {.meaning = "whose robots; by default all are one group"}),
-              elsie::parameter("distance", &GroupGathered::distance,
-                               {.unit = "m",
-                                .above = 0,
-                                .meaning = "how near a leader is near; in a group without one, "
-                                           "or of leaders only, another robot"}));
+ELSIE_MEASURE(
+    GroupGathered, "group_gathered",
+    "When a team had gathered around its leader, and how far apart it is at the end",
+    elsie::parameter("team", &GroupGathered::team,
+                     {.meaning = "team of the robots; by default all robots are one group"}),
+    elsie::parameter("distance", &GroupGathered::distance,
+                     {.unit = "m",
+                      .above = 0,
+                      .meaning = "distance that counts as near: from a leader or, in a group "
+                                 "without one or of leaders only, from another robot"}));

@@ -1,4 +1,4 @@
-// When a robot came to a place, and how near it ever was.
+// When a robot reached a place, and its least distance from it.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -75,8 +75,9 @@ ELSIE_MEASURE(
     elsie::parameter("robot", &PlaceReached::robot, {.meaning = "which one", .required = true}),
     elsie::parameter("x", &PlaceReached::x, {.unit = "m", .meaning = "the place, east"}),
     elsie::parameter("y", &PlaceReached::y, {.unit = "m", .meaning = "the place, north"}),
-    elsie::parameter("radius", &PlaceReached::radius,
-                     {.unit = "m", .above = 0, .meaning = "how near is at the place"}),
+    elsie::parameter(
+        "radius", &PlaceReached::radius,
+        {.unit = "m", .above = 0, .meaning = "distance at which the robot is at the place"}),
     elsie::parameter("of", &PlaceReached::of,
                      {.meaning = "the place is relative to this robot: x ahead of it, y to its "
                                  "left; by default it is one of the arena"}));

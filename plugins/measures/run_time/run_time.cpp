@@ -20,7 +20,7 @@ class RunTime final : public elsie::Measure {
 
 }  // namespace
 
-ELSIE_MEASURE(RunTime, "run_time", "How long the run took, in simulated time",
-              elsie::parameter("only_success", &RunTime::only_success,
-                               {.meaning = "whether a run that does not reach its goals has no "
-                                           "value, so that it does not spoil a mean"}));
+ELSIE_MEASURE(
+    RunTime, "run_time", "How long the run took, in simulated time",
+    elsie::parameter("only_success", &RunTime::only_success,
+                     {.meaning = "whether only runs that reach their goals have a value"}));

@@ -1,4 +1,4 @@
-// Which behaviours had the say: for how long each decided, and its mean share in the command.
+// Which behaviours decided, for how long, and their mean shares in the command.
 #include <algorithm>
 #include <cmath>
 
@@ -81,15 +81,15 @@ class TimeShare final : public elsie::Measure, public ChosenRobots {
       std::size_t behavior;
     };
     std::string path;
-    std::vector<At> places;  // where there is one of this path
+    std::vector<At> places;  // of the behaviours with this path
     double decided_s = 0.0;
     double share_s = 0.0;
   };
 
-  /// To three decimals, as traces keep it.
+  /// Rounded to three decimals, as in traces.
   static double rounded(double share) { return std::round(1000.0 * share); }
 
-  /// Whether its share is larger than those of all beside it.
+  /// Whether its share is larger than those of all behaviours next to it.
   static bool decides(std::span<const elsie::ObservedBehavior> behaviors, std::size_t which) {
     const double share = rounded(behaviors[which].share);
     if (!(share > 0.0)) {
@@ -111,7 +111,7 @@ class TimeShare final : public elsie::Measure, public ChosenRobots {
 }  // namespace
 
 ELSIE_MEASURE(TimeShare, "time_share",
-              "Which behaviours had the say: for how long, and with which share in the command",
+              "Which behaviours decided, for how long, and with which share in the command",
               elsie::parameter("behavior", &TimeShare::behavior,
                                {.meaning = "only this one, by its id or, inside others, its path: "
                                            "'explore/wander'; by default each"}),

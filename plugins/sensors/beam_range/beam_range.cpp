@@ -1,4 +1,4 @@
-// A single beam: a laser, or a sonar so narrow that it counts as one.
+// A single beam: a laser, or a very narrow sonar.
 #include <algorithm>
 
 #include <elsie/api/sensor.h>
@@ -31,8 +31,9 @@ class BeamRange final : public elsie::SensorOf<elsie::RangeReading> {
 
 ELSIE_SENSOR(
     BeamRange, "beam_range", "Measures the distance to the nearest surface along a ray",
-    elsie::parameter("max_range", &BeamRange::max_range,
-                     {.unit = "m", .above = 0, .meaning = "reads this when nothing is nearer"}),
+    elsie::parameter(
+        "max_range", &BeamRange::max_range,
+        {.unit = "m", .above = 0, .meaning = "range; also the reading when nothing is nearer"}),
     elsie::parameter("error", &BeamRange::error,
                      {.min = 0,
                       .max = 1,

@@ -1,4 +1,4 @@
-// A proximity switch: is anything inside a rectangular pyramid in front of it?
+// A proximity switch: detects whether anything is inside a rectangular pyramid in front of it.
 #include <elsie/api/sensor.h>
 
 namespace {
@@ -23,13 +23,13 @@ class Proximity final : public elsie::SensorOf<elsie::ProximityReading> {
 }  // namespace
 
 ELSIE_SENSOR(
-    Proximity, "proximity", "Tells whether anything is inside a rectangular pyramid before it",
+    Proximity, "proximity",
+    "Detects whether anything is inside a rectangular pyramid in front of it",
     elsie::parameter("horizontal_fov_deg", &Proximity::horizontal_fov_deg,
                      {.unit = "deg", .above = 0, .max = 170, .meaning = "full horizontal angle"}),
     elsie::parameter("vertical_fov_deg", &Proximity::vertical_fov_deg,
                      {.unit = "deg", .above = 0, .max = 170, .meaning = "full vertical angle"}),
     elsie::parameter("max_range", &Proximity::max_range,
                      {.unit = "m", .above = 0, .meaning = "height of the pyramid, along its axis"}),
-    elsie::parameter(
-        "error", &Proximity::error,
-        {.min = 0, .max = 1, .meaning = "probability that a reading is the wrong way round"}));
+    elsie::parameter("error", &Proximity::error,
+                     {.min = 0, .max = 1, .meaning = "probability that a reading is inverted"}));

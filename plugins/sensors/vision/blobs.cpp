@@ -7,7 +7,7 @@
 namespace vision {
 namespace {
 
-/// The first column from `from` on that holds `value`, or `width`.
+/// The first column from `from` with this value, or `width`.
 int next(const std::uint8_t* row, int from, int width, int value) {
   const void* found = std::memchr(row + from, value, static_cast<std::size_t>(width - from));
   return found ? static_cast<int>(static_cast<const std::uint8_t*>(found) - row) : width;
@@ -22,7 +22,7 @@ std::size_t BlobFinder::root(std::size_t run) {
   return run;
 }
 
-// `above` is the first run of the row above that may still touch this one or those to its right.
+// `above` is the first run of the row above that may touch this one or later ones.
 void BlobFinder::link_to_row_above(std::size_t run, std::size_t& above, std::size_t first_of_row) {
   const int begin = runs_[run].begin, end = runs_[run].end;
   while (above < first_of_row && runs_[above].end < begin) {
@@ -37,7 +37,7 @@ void BlobFinder::link_to_row_above(std::size_t run, std::size_t& above, std::siz
 std::span<const FoundBlob> BlobFinder::find(std::span<const std::uint8_t> mask, int width,
                                             int height) {
   runs_.clear();
-  std::size_t first_above = 0;  // run of the row above
+  std::size_t first_above = 0;  // a run of the row above
   for (int y = 0; y < height; ++y) {
     const std::uint8_t* row = mask.data() + static_cast<std::ptrdiff_t>(y) * width;
     const std::size_t first = runs_.size();

@@ -1,4 +1,4 @@
-// Blobs in a mask: pixels that hang together, corners included.
+// Blobs in a mask: connected pixels, corners included.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ struct FoundBlob {
   double row = 0.0;     // likewise from the top
 };
 
-/// Finds the blobs of masks; keeps its memory from one to the next.
+/// Finds the blobs of masks; reuses its memory.
 class BlobFinder {
  public:
-  /// All blobs of a mask of bytes 0 and 255, row by row without gaps; in the order in which their
-  /// first pixels are met, row by row. Valid until the next call.
+  /// All blobs of a mask of bytes 0 and 255, row by row without gaps, in the order of their first
+  /// pixels. Valid until the next call.
   std::span<const FoundBlob> find(std::span<const std::uint8_t> mask, int width, int height);
 
  private:
@@ -40,8 +40,7 @@ class BlobFinder {
   std::vector<FoundBlob> blobs_;
 };
 
-/// The blob that the step asks for; of several equally good ones the first. None when no blob is of
-/// an allowed size.
+/// The blob that the step selects; in a tie, the first. None if no blob has an allowed size.
 std::optional<FoundBlob> choose(std::span<const FoundBlob> blobs, const Blob& wanted, int width,
                                 int height);
 

@@ -10,14 +10,14 @@
 namespace vision {
 namespace {
 
-// Below this difference between its channels, rounding turns the hue of a colour in the shade by
-// more than a few degrees.
+// If the channels differ by less than this, rounding turns the hue of a colour in the shade by more
+// than a few degrees.
 constexpr int kLeastChroma = 24;
 
-// The greys of floor, walls and sky are no brighter.
+// The brightest grey of floor, walls and sky.
 constexpr double kBrightestSurroundings = 140.0;
 
-// Rounding of a channel moves saturation and value by so much.
+// The error of saturation and value by rounding of a channel.
 constexpr double kRounding = 2.0;
 
 struct Hsv {
@@ -73,14 +73,14 @@ std::vector<HsvRange> ranges_of(std::span<const elsie::Colour> colours, const Ma
           "hue, or white (the resource, or its team), or give the sensor a pipeline of its own");
     }
     if (!grey) {
-      // Without it, a pale red would take in the greys, whose hue OpenCV says is red's.
+      // Otherwise a pale red would include greys, to which OpenCV gives the hue of red.
       low[1] = std::max(low[1], 0.5 * hsv.saturation);
     }
-    // In half degrees, and round and round.
+    // In half degrees, modulo 180.
     const auto wrapped = [](double hue) { return hue - 180.0 * std::floor(hue / 180.0); };
     const double from = std::floor(0.5 * (hsv.hue_deg - step.hue_tolerance_deg));
     const double to = std::ceil(0.5 * (hsv.hue_deg + step.hue_tolerance_deg));
-    if (grey || to - from >= 180.0) {  // all the way round, and perhaps over itself
+    if (grey || to - from >= 180.0) {  // the full circle or more
       all.push_back({low, high});
       continue;
     }

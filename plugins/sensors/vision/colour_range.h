@@ -1,4 +1,4 @@
-// Where the surfaces of a colour lie in OpenCV's HSV space, in any light.
+// The range of a surface's colour in OpenCV's HSV space, in any light.
 #pragma once
 
 #include <span>
@@ -18,14 +18,14 @@ struct HsvRange {
   cv::Scalar low, high;
 };
 
-/// A range through hue 0 is cut in two.
+/// A range through hue 0 is divided in two.
 std::vector<HsvRange> hsv_ranges(double hue_low, double hue_high, const cv::Scalar& low,
                                  const cv::Scalar& high);
 
-/// What surfaces of these colours look like. White light leaves hue and saturation as they are, so
-/// a colour with a hue is recognised by both. A grey has none: it is told by its brightness, which
-/// works for white only, because floor, walls and sky are greys. Throws std::invalid_argument, with
-/// a sentence, for a colour that cannot be told from them.
+/// The ranges of surfaces of these colours. White light keeps hue and saturation, so a colour with
+/// a hue is recognised by both. A grey has no hue and is recognised by its brightness, which works
+/// for white only, because floor, walls and sky are grey. Throws std::invalid_argument with a
+/// sentence for a colour that cannot be distinguished from them.
 std::vector<HsvRange> ranges_of(std::span<const elsie::Colour> colours, const MatchColour& step);
 
 /// Colours like "#d03030 #3060d0". Throws std::invalid_argument.

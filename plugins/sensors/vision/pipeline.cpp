@@ -14,7 +14,7 @@ namespace {
 
 using Stage = std::function<void(const cv::Mat&, cv::Mat&)>;
 
-/// A colour space, and the way there from RGB and back.
+/// A colour space with its conversions from and to RGB.
 struct Space {
   std::string_view name;
   int from_rgb, to_rgb;  // cv::ColorConversionCodes, or kNone
@@ -41,7 +41,7 @@ const Space& space(std::string_view name) {
   throw std::invalid_argument("there is no colour space '" + std::string(name) + "'");
 }
 
-/// What a picture is between two steps: in a colour space, or a mask.
+/// The state of a picture between two steps: in a colour space, or a mask.
 struct Kind {
   const Space* space = &kRgb;  // none: a mask
 
@@ -63,7 +63,7 @@ std::string numbers(const std::vector<double>& values) {
   return text;
 }
 
-/// Puts the stages together, one step after the other, and keeps track of what they make.
+/// Assembles the stages, step by step, and tracks the kind of picture that they make.
 class Assembler {
  public:
   explicit Assembler(std::span<const elsie::Colour> colours) : resource_colours_(colours) {}
@@ -112,7 +112,7 @@ class Assembler {
     }
   }
 
-  /// From the space that the picture is in.
+  /// Converts from the picture's present space.
   void convert(const Space& to) {
     if (kind_.space == &to) {
       return;
@@ -126,7 +126,7 @@ class Assembler {
     kind_.space = &to;
   }
 
-  /// Keeps what lies in any of the ranges.
+  /// Keeps pixels in any of the ranges.
   void keep(std::vector<HsvRange> ranges) {
     stages.emplace_back(
         [ranges = std::move(ranges), more = cv::Mat()](const cv::Mat& from, cv::Mat& made) mutable {
@@ -171,7 +171,7 @@ class Assembler {
   void check_limits(const Threshold& step, std::size_t channel) const {
     const double low = step.low[channel], high = step.high[channel];
     const bool hue = kind_.space->has_hue && channel == 0;
-    // The default's 255 says: no limit.
+    // The default of 255 means no limit.
     for (const double value : {low, high}) {
       if (!(value >= 0.0 && value <= 255.0) || (hue && value > 180.0 && value < 255.0)) {
         fail("threshold", numbers({value}) + " is no value of channel " +
@@ -272,7 +272,7 @@ std::optional<FoundBlob> Pipeline::run(const elsie::Image& picture, elsie::Image
   mask.channels = 1;
   mask.bytes.resize(static_cast<std::size_t>(picture.width) *
                     static_cast<std::size_t>(picture.height));
-  // OpenCV has no matrices of bytes that are only read; the stages do not write to the first one.
+  // cv::Mat has no read-only form; the stages do not write to the first one.
   cv::Mat from(picture.height, picture.width, CV_8UC3,
                const_cast<std::uint8_t*>(picture.bytes.data()));
   for (std::size_t i = 0; i < stages_.size(); ++i) {

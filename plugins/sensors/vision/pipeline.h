@@ -1,4 +1,4 @@
-// A pipeline put together: checked once, run for every picture.
+// An assembled pipeline: checked once, run for every picture.
 #pragma once
 
 #include <functional>
@@ -18,11 +18,11 @@ namespace vision {
 class Pipeline {
  public:
   Pipeline() = default;
-  /// `resource_colours`: what <match_colour> looks for where it names no colours. Throws
-  /// std::invalid_argument, with a sentence, for steps that do not fit together.
+  /// `resource_colours`: the default of <match_colour>. Throws std::invalid_argument with a
+  /// sentence for steps that do not fit together.
   Pipeline(const std::vector<Step>& steps, std::span<const elsie::Colour> resource_colours);
 
-  /// Makes the mask of a picture of three channels, and finds the blob in it.
+  /// Makes the mask of a picture with three channels, and finds the blob in it.
   std::optional<FoundBlob> run(const elsie::Image& picture, elsie::Image& mask);
 
  private:

@@ -1,5 +1,5 @@
-// The steps of a pipeline, as a world file gives them: from a camera's picture to a mask of what is
-// looked for, and to one blob in it.
+// The steps of a pipeline, as in a world file: from a camera's picture to a mask, and to one blob
+// in it.
 //
 // Numbers are OpenCV's for pictures of 8 bits: every channel from 0 to 255, but hue (of hsv and
 // hls) from 0 to 180, half a degree each.
@@ -11,24 +11,24 @@
 
 namespace vision {
 
-/// To another colour space.
+/// Converts to another colour space.
 struct Convert {
   std::string to = "hsv";
 };
 
-/// Keeps what lies between two limits in every channel, both included. Where the lower hue is above
-/// the higher one, the range goes through red (0).
+/// Keeps pixels between two limits in every channel, both included. If the lower hue is above the
+/// higher one, the range goes through red (0).
 struct Threshold {
   std::vector<double> low{0.0, 0.0, 0.0};
   std::vector<double> high{255.0, 255.0, 255.0};
 };
 
-/// Keeps what looks like surfaces of given colours in any light.
+/// Keeps pixels of surfaces with given colours in any light.
 struct MatchColour {
   std::string colours;                 // "#d03030 #3060d0"; empty: those of the robot's resources
   double hue_tolerance_deg = 10.0;     // to either side
-  double saturation_tolerance = 0.25;  // likewise, as a part of full saturation
-  double darkest = 0.58;  // brightness of a face in the shade, as a part of that in light
+  double saturation_tolerance = 0.25;  // likewise, relative to full saturation
+  double darkest = 0.58;  // brightness of a face in the shade, relative to that in light
 };
 
 struct Blur {
@@ -47,7 +47,7 @@ struct Dilate : Morphology {};
 struct Open : Morphology {};
 struct Close : Morphology {};
 
-/// Which blob of the mask the reading is about.
+/// The blob of the mask for the reading.
 struct Blob {
   std::string choose = "largest";
   double min_area = 1.0;  // px; smaller blobs do not count

@@ -51,8 +51,9 @@ class Vision final : public elsie::SensorOf<elsie::VisionReading> {
   }
 
  private:
-  /// Normal noise for every channel of every pixel. A tenth of a million numbers for ten cameras:
-  /// so the number of ones among 64 random bits, whose mean is 32 and whose standard deviation 4.
+  /// Normal noise for every channel of every pixel. Ten cameras need a tenth of a million numbers:
+  /// so the noise is the number of ones among 64 random bits, with mean 32 and standard deviation
+  /// 4.
   void add_noise(std::vector<std::uint8_t>& bytes, elsie::Random& random) const {
     const double scale = 255.0 * error / 4.0;
     for (std::uint8_t& byte : bytes) {
@@ -62,7 +63,7 @@ class Vision final : public elsie::SensorOf<elsie::VisionReading> {
   }
 
   vision::Pipeline pipeline_;
-  std::vector<elsie::Colour> resource_colours_;  // none before it is equipped
+  std::vector<elsie::Colour> resource_colours_;  // empty before it is equipped
 };
 
 using elsie::element;
@@ -117,7 +118,7 @@ ELSIE_SENSOR(
                       {.min = 0, .max = 255, .meaning = "largest value of each channel"})),
         element<vision::MatchColour>(
             "match_colour",
-            "Makes a mask of the pixels that show a surface of a colour, lit or not",
+            "Makes a mask of the pixels that show a surface of a colour in any light",
             parameter("colours", &vision::MatchColour::colours,
                       {.meaning = "like '#d03030 #ffd000'; empty: those of the resources that the "
                                   "robot may collect"}),
@@ -140,19 +141,18 @@ ELSIE_SENSOR(
             parameter(
                 "size", &vision::Blur::size,
                 {.unit = "px", .min = 1, .max = 99, .meaning = "edge of the neighbourhood, odd"})),
-        morphology<vision::Erode>("erode", "Takes the rim off (the least of a neighbourhood)"),
-        morphology<vision::Dilate>("dilate", "Adds a rim (the largest of a neighbourhood)"),
+        morphology<vision::Erode>("erode", "Removes the rim (minimum of a neighbourhood)"),
+        morphology<vision::Dilate>("dilate", "Adds a rim (maximum of a neighbourhood)"),
         morphology<vision::Open>("open", "Erodes, then dilates: removes specks"),
         morphology<vision::Close>("close", "Dilates, then erodes: fills holes"),
         element<vision::Blob>(
-            "blob", "Says which blob of the mask the reading is about; the last step",
+            "blob", "Selects the blob of the mask for the reading; the last step",
             parameter("choose", &vision::Blob::choose,
                       {.choices = {"largest", "nearest_centre", "leftmost", "rightmost", "highest",
                                    "lowest"},
-                       .meaning = "of several blobs"}),
+                       .meaning = "which of several blobs it selects"}),
             parameter("min_area", &vision::Blob::min_area,
                       {.unit = "px", .min = 0, .meaning = "smaller blobs do not count"}),
-            parameter("max_area", &vision::Blob::max_area,
-                      {.unit = "px",
-                       .min = 0,
-                       .meaning = "nor do larger ones; 0: there is no such limit"}))));
+            parameter(
+                "max_area", &vision::Blob::max_area,
+                {.unit = "px", .min = 0, .meaning = "larger blobs do not count; 0: no limit"}))));
