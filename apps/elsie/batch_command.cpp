@@ -1,4 +1,4 @@
-// elsie batch: all runs of an experiment, into a database.
+// elsie batch: does all runs of an experiment and writes a database.
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -41,7 +41,7 @@ Exit codes: 0 all runs ended by themselves, 2 bad input (nothing was begun), 3 a
 some run, 4 interrupted, or an error.
 )";
 
-/// As many as this process may use.
+/// The number of processors that this process may use.
 std::size_t processors() {
   cpu_set_t set;
   CPU_ZERO(&set);
@@ -65,7 +65,7 @@ ResultsDatabase opened(const BatchOptions& options, const fs::path& file, const 
   return database;
 }
 
-/// How far the batch is, in a file for other programs.
+/// Writes the progress of the batch to a file for other programs.
 class ProgressFile {
  public:
   ProgressFile(const BatchOptions& options, ResultsDatabase& database) : file_(options.progress) {
@@ -88,7 +88,7 @@ class ProgressFile {
       cluster::write_count(*file_, {.runs = before_.runs,
                                     .ended = before_.ended + progress.ended,
                                     .failed = before_.failed + progress.failed});
-    } catch (const std::exception&) {  // results are what counts: they have a word of their own
+    } catch (const std::exception&) {  // errors of the results matter, and are reported
     }
   }
 
@@ -131,7 +131,7 @@ int run(BatchOptions options) {
                    "' already; go on with it by --resume, or choose another --database");
   }
   const Plan plan = plan_of(options, shard);
-  const StopSignals signals;  // before anything is made
+  const StopSignals signals;  // before anything is created
   const bool is_new = results::is_vacant(file);
   std::optional<ResultsDatabase> made(opened(options, file, plan));
   if (is_new && signals.is_waiting()) {

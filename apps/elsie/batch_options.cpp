@@ -47,7 +47,6 @@ Plan plan_of(const BatchOptions& options, const batch::Shard& shard) {
                            .shard = shard});
 }
 
-/// The command line that goes on with it.
 std::string resume_command(const BatchOptions& options, const fs::path& database) {
   std::string line = "elsie batch " + shell_word(options.experiment);
   for (const std::string& directory : options.plugins.directories) {

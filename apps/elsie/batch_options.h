@@ -30,19 +30,19 @@ struct BatchOptions {
   bool quiet = false;
 };
 
-/// Throws BadInput when it is no part of an experiment.
+/// Throws BadInput for a text that is no shard.
 batch::Shard shard_of(const BatchOptions& options);
 
-/// Where the results go.
+/// The path of the database.
 std::filesystem::path database_of(const BatchOptions& options, const batch::Shard& shard);
 
-/// Reads the experiment, with the plugins, and what all of its runs take.
+/// Reads the experiment with its plugins, and everything that its runs need.
 batch::Plan plan_of(const BatchOptions& options, const batch::Shard& shard);
 
-/// The command line that goes on with a batch.
+/// The command line that resumes a batch.
 std::string resume_command(const BatchOptions& options, const std::filesystem::path& database);
 
-/// The batch as a job array of a cluster, followed to its end; returns the exit code.
+/// Does the batch as a job array of a cluster and follows it to its end; returns the exit code.
 int run_on_cluster(const BatchOptions& options);
 
 }  // namespace elsie::program

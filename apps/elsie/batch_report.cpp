@@ -33,7 +33,7 @@ struct Total {
   std::int64_t done = 0;
   std::int64_t failed = 0;
   std::int64_t successes = 0;
-  std::int64_t with_goals = 0;  // of the runs that ended
+  std::int64_t with_goals = 0;  // runs of these that ended
 };
 
 Total total(const std::vector<CellCount>& cells, const std::set<std::string>& without_goals) {
@@ -49,8 +49,8 @@ Total total(const std::vector<CellCount>& cells, const std::set<std::string>& wi
   return sum;
 }
 
-/// Of the runs that were made, whatever became of them: one that crashed is no success.
-/// In a world without goals a run can neither succeed nor fail.
+/// The success rate of the runs that ended; a failed run is no success. In a world without goals a
+/// run can neither succeed nor fail.
 std::string rate(const Total& of) {
   if (of.with_goals > 0) {
     return base::fixed_text(
@@ -69,7 +69,7 @@ std::vector<std::string> row(const std::string& label, const Total& of) {
           rate(of)};
 }
 
-/// The first line of a message, as far as it fits.
+/// The first line of a message, cut to fit.
 std::string shortened(const std::string& message) {
   constexpr std::size_t kMost = 160;
   std::string line = message.substr(0, message.find('\n'));
@@ -99,7 +99,7 @@ std::string duration_text(double seconds) {
 }
 
 std::string progress_line(const batch::Progress& progress) {
-  // On a cluster there may be none: what is left of the batch is the end of its tasks.
+  // On a cluster there may be no runs left, while tasks have yet to end.
   const double part = progress.runs > 0
                           ? static_cast<double>(progress.ended) / static_cast<double>(progress.runs)
                           : 1.0;

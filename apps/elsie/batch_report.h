@@ -1,4 +1,4 @@
-// What `elsie batch` tells: while it is at work, and in the end.
+// What `elsie batch` prints during its work and at the end.
 #pragma once
 
 #include <set>
@@ -10,28 +10,28 @@ namespace elsie::program {
 
 class BatchReport {
  public:
-  /// Both must stay where they are. `resume`: the command line that goes on with the database.
+  /// Plan and database must stay in place. `resume`: the command line that resumes the batch.
   BatchReport(const batch::Plan& plan, batch::ResultsDatabase& database, std::string resume);
 
-  /// There was nothing to do.
+  /// Called when there is nothing to do.
   void all_done_already() { done_already_ = true; }
-  /// The runs begin; `bar`: show how far they are, on standard error.
+  /// Called when the runs begin; `bar`: show their progress on standard error.
   void begin(bool bar);
   void progress(const batch::Progress& progress);
-  /// The runs have ended, all of them or not; the bar is wiped.
+  /// Called when all runs have ended, or the batch was stopped; removes the bar.
   void end(bool interrupted);
 
   bool interrupted() const { return interrupted_; }
-  /// A table with a row for each cell, what failed, and how to look at it.
+  /// A table with a row for each cell, the failed runs, and the command to replay one.
   std::string table();
-  /// One JSON object on one line; docs/running-many.md tells its members.
+  /// One JSON object on one line; docs/running-many.md lists its members.
   std::string json();
-  /// A sentence with the command that goes on.
+  /// A sentence with the command that resumes the batch.
   std::string interruption();
   int exit_code();
 
  private:
-  /// The labels of the cells whose worlds have none.
+  /// The labels of cells whose worlds have no goals.
   std::set<std::string> without_goals() const;
 
   const batch::Plan& plan_;
@@ -43,7 +43,7 @@ class BatchReport {
   batch::Progress last_;
 };
 
-/// A bar, how many runs have ended, how long the rest will take.
+/// A bar, the number of ended runs, and the estimated remaining time.
 std::string progress_line(const batch::Progress& progress);
 
 /// "1 h 5 min", "2 min 10 s", "8 s".

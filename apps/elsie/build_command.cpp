@@ -27,7 +27,7 @@ struct Options {
   std::string output;
 };
 
-/// Whole or not at all.
+/// Copies a file in one piece.
 void copy_whole(const fs::path& from, const fs::path& file) {
   const fs::path to = base::end_of_links(file);
   const fs::path scratch = to.string() + ".new";
@@ -52,7 +52,7 @@ int build(const Options& options) {
   }
   require_writable(output, "--output");
   const auto built = compiled(options.source);
-  // What could not be used is not kept.
+  // A library that cannot be loaded is not kept.
   const LoadingLimit limit;
   const plugin::Host host({{built.library, "built", options.source}});
   const auto& file = host.report().directories.front().files.front();

@@ -1,4 +1,4 @@
-// elsie check: reads world and experiment files, says what is wrong with them, runs nothing.
+// elsie check: reads world and experiment files and reports their mistakes, without running them.
 #include <iostream>
 #include <memory>
 
@@ -30,11 +30,11 @@ struct CheckOptions {
   bool quiet = false;
 };
 
-/// What there is to say of a world that is in order.
+/// The line about a world without mistakes.
 std::string check_world(const std::string& file, const plugin::Host& host,
                         const CheckOptions& options) {
   const world::World world = world::read_world(file, host, read_options(options.overrides));
-  // Putting it together asks the plugins whether they fit their robots.
+  // This asks the plugins whether they fit their robots.
   const simulation::Simulation simulation(world, host, {.cameras = render::world_cameras});
   for (const world::Warning& warning : world::warnings(world)) {
     std::cerr << warning.text() << '\n';

@@ -1,4 +1,5 @@
-// A batch as a job array of Slurm: handed over, followed, gone on with, made one database.
+// A batch as a job array of Slurm: submitting, following and resuming it, and merging its
+// databases.
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -33,11 +34,11 @@ using cluster::Task;
 namespace {
 
 constexpr std::size_t kDefaultShards = 16;
-// A cluster's scheduler is everybody's: it is asked often in the beginning only.
+// The scheduler is shared with others: it is asked often only in the beginning.
 constexpr double kFirstPause_s = 0.5;
 constexpr double kLongestPause_s = 15.0;
 constexpr double kPauseGrowth = 1.2;
-// A scheduler may be away for as long: it is started anew, the network is down.
+// A scheduler may be unavailable for this long, because it restarts or the network is down.
 constexpr double kSilenceLimit_s = 600.0;
 
 void require_sound(const BatchOptions& options) {
@@ -61,7 +62,7 @@ void require_sound(const BatchOptions& options) {
   }
 }
 
-/// What each task does, but for its shard.
+/// The command of each task, without its shard.
 std::vector<std::string> task_command(const BatchOptions& options) {
   const auto absolute = [](const std::string& name) {
     return fs::absolute(name).lexically_normal().string();
@@ -90,17 +91,17 @@ std::vector<std::size_t> numbers(const std::vector<Task>& tasks) {
   return found;
 }
 
-/// One batch on the cluster, from the folder of its shards to one database.
+/// A batch on the cluster, from the folder of its shards to one database.
 class ClusterBatch {
  public:
   ClusterBatch(const BatchOptions& options, fs::path file, const Plan& plan, ShardFolder folder)
       : options_(options), file_(std::move(file)), plan_(plan), folder_(std::move(folder)) {}
 
-  /// Hands over what is to be done and in nobody's hands.
+  /// Submits the shards with pending runs that no task has.
   void submit() {
     const ShardFolder::Turn turn(folder_);
     if (!folder_.exists()) {
-      return;  // somebody else who followed it has made one database of it
+      return;  // another command that follows it has merged the databases
     }
     const std::vector<Task> at_work = cluster::unfinished(folder_.name());
     const std::vector<std::size_t> to_do = folder_.unfinished(numbers(at_work));
@@ -122,7 +123,7 @@ class ClusterBatch {
         base::counted(plan_.all_runs, "run") + " in all");
   }
 
-  /// Whether submit(), which has failed, has left no task behind for sure.
+  /// Whether it is certain that submit(), which has failed, has left no task behind.
   bool nothing_begun() const {
     if (!asked_) {
       return true;
@@ -134,10 +135,10 @@ class ClusterBatch {
     }
   }
 
-  /// Whether submit() came so far as to ask Slurm to take tasks.
+  /// Whether submit() has asked Slurm to take tasks.
   bool has_asked() const { return asked_; }
 
-  /// Until no task is left. False: this command was stopped before, the tasks go on.
+  /// Waits until no task is left. False: this command was stopped before; the tasks continue.
   bool follow() {
     using Clock = std::chrono::steady_clock;
     const StopSignals signals;
@@ -171,14 +172,14 @@ class ClusterBatch {
     }
   }
 
-  /// What remains to be said when this command leaves before the tasks.
+  /// The message when this command leaves before the tasks end.
   std::string goes_on() const {
     return "job array " + folder_.job() + " goes on; follow it by\n  " +
            resume_command(options_, file_) + "\nand end it by\n  scancel --name=" + folder_.name() +
            '\n';
   }
 
-  /// Which shards did not come to their end, and why; empty: all did.
+  /// The unfinished shards with reasons; empty: none.
   std::string left_over() const {
     std::string text;
     for (const std::size_t shard : folder_.unfinished()) {
@@ -193,7 +194,7 @@ class ClusterBatch {
     return text;
   }
 
-  /// One database of all, and what is in it.
+  /// Merges the databases and reports the results.
   int conclude() {
     folder_.merge_into(file_);
     folder_.remove();
@@ -255,11 +256,11 @@ class ClusterBatch {
   const fs::path file_;
   const Plan& plan_;
   ShardFolder folder_;
-  bool asked_ = false;  // Slurm, to take tasks
+  bool asked_ = false;  // Slurm was asked to take tasks
   double elapsed_s_ = 0.0;
 };
 
-/// The folder of the shards, a new one or, to go on, the one that is there.
+/// The folder of the shards: a new one or, with --resume, the existing one.
 ShardFolder folder_of(const BatchOptions& options, const fs::path& file, const Plan& plan,
                       bool& made) {
   made = !(options.resume && fs::exists(ShardFolder::beside(file)));
@@ -276,7 +277,7 @@ ShardFolder folder_of(const BatchOptions& options, const fs::path& file, const P
   return folder;
 }
 
-/// A batch that was made one database already; its folder may have been left when it was killed.
+/// Handles a batch whose databases were merged already; its folder may have been left by a kill.
 int already_there(const BatchOptions& options, const fs::path& file, const Plan& plan) {
   ResultsDatabase database = ResultsDatabase::resume(file, plan);
   if (!database.pending().empty()) {
@@ -341,12 +342,12 @@ int run_on_cluster(const BatchOptions& options) {
       std::cerr << "elsie: interrupted; " << batch.goes_on();
       return kOtherFailure;
     }
-  } catch (const std::runtime_error& error) {  // Slurm is silent, or gone
+  } catch (const std::runtime_error& error) {  // Slurm does not answer
     std::cerr << "elsie: " << error.what() << ";\n" << batch.goes_on();
     return kOtherFailure;
   }
   const ShardFolder::Turn turn(folder);
-  // Somebody else who followed it may have been first.
+  // Another command that follows it may have been first.
   if (!folder.exists() && !results::is_vacant(file)) {
     return already_there(options, file, plan);
   }

@@ -1,4 +1,4 @@
-// What the subcommands of the program have in common.
+// Shared by the subcommands of the program.
 #pragma once
 
 #include <functional>
@@ -18,13 +18,13 @@ using base::kOtherFailure;
 using base::kPluginFailed;
 using base::kSuccess;
 
-/// The one word on the command line of a worker, which `elsie batch` starts; for no user.
+/// The hidden subcommand of workers, which `elsie batch` starts.
 inline constexpr const char* kWorkerCommand = "batch-worker";
 
 /// The work of the chosen subcommand; returns the exit code.
 using Job = std::function<int()>;
 
-// Each adds its subcommand to the program; when that is chosen, `job` becomes its work.
+// Each adds its subcommand to the program, which sets `job` when it is chosen.
 void add_run_command(CLI::App& program, Job& job);
 void add_check_command(CLI::App& program, Job& job);
 void add_plugins_command(CLI::App& program, Job& job);

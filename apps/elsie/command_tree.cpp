@@ -8,7 +8,8 @@ namespace elsie::program {
 
 namespace {
 
-/// "FILE.png|FILE.svg" of "FILE.png|FILE.svg"; "{a,b}" and the words of checks are for the help.
+/// "FILE.png|FILE.svg" from the option's type; "{a,b}" and the words of checks are for the help
+/// only.
 std::string value_of(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) {
     return "";

@@ -1,5 +1,5 @@
-// The program's subcommands and options, as its own declaration of them has it: what the manual
-// page and the shells' completion are written from.
+// The program's subcommands and options from their declarations, for the manual page and the
+// shells' completion.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ namespace elsie::program {
 
 /// An option, or a positional argument.
 struct OptionFacts {
-  std::vector<std::string> names;  // "--seed", "-s"; a positional argument's name alone
-  std::string value;               // what it takes, "" when it is a switch
+  std::vector<std::string> names;  // "--seed", "-s"; for a positional argument its name
+  std::string value;               // name of its value; "" for a flag
   std::string meaning;
   bool positional = false;
   bool takes_file = false;  // or a directory
@@ -28,7 +28,7 @@ struct CommandFacts {
   std::vector<OptionFacts> options;
 };
 
-/// All subcommands that help lists, in its order.
+/// All subcommands in the help, in its order.
 std::vector<CommandFacts> commands_of(const CLI::App& program);
 
 }  // namespace elsie::program

@@ -1,4 +1,4 @@
-// elsie completion: what a shell needs to complete the program's words.
+// elsie completion: the script with which a shell completes the program's words.
 #include <iostream>
 #include <memory>
 #include <string>
@@ -17,7 +17,7 @@ namespace elsie::program {
 
 namespace {
 
-/// In single quotes, for both shells.
+/// The text in single quotes, for both shells.
 std::string in_quotes(std::string_view text) {
   std::string out = "'";
   for (const char c : text) {
@@ -82,7 +82,7 @@ void write_bash(std::ostream& out, const std::vector<CommandFacts>& commands) {
          "complete -o filenames -F _elsie elsie\n";
 }
 
-/// A description inside of _arguments' square brackets.
+/// A description in the square brackets of zsh's _arguments.
 std::string bracketed(std::string_view text) {
   std::string out;
   for (const char c : text) {

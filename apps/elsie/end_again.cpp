@@ -27,10 +27,10 @@ using plugin::CallFacts;
 
 namespace {
 
-constexpr double kGrace = 2.0;  // s, for the step that is under way
+constexpr double kGrace = 2.0;  // s, for the present step
 constexpr int kLimitSignal = SIGALRM;
 
-// A handler can reach nothing but a global.
+// A signal handler can only reach a global.
 std::atomic<EndAgain*> the_one{nullptr};
 
 void say(std::string_view text) noexcept {
@@ -86,7 +86,7 @@ std::string place_of(const RunRecord& record) {
          (record.step ? " in step " + std::to_string(*record.step) : "");
 }
 
-/// Behind "not the same" and what it is now.
+/// The end of the sentence after "not the same" and the present state.
 std::string before_text(const RunRecord& record) {
   return record.state == RunState::hang
              ? ", before in " + place_of(record)
@@ -117,7 +117,7 @@ EndAgain::EndAgain(const RunRecord& before, double wall_limit_s)
   event._sigev_un._tid = static_cast<pid_t>(syscall(SYS_gettid));
   if (timer_create(CLOCK_MONOTONIC, &event, &timer_) != 0) {
     retire();
-    throw std::runtime_error("no timer is to be had for the wall limit of the run");
+    throw std::runtime_error("cannot create the timer for the wall limit of the run");
   }
   set_timer(wall_limit_s_);
 }
@@ -125,7 +125,7 @@ EndAgain::EndAgain(const RunRecord& before, double wall_limit_s)
 EndAgain::~EndAgain() {
   if (wall_limit_s_ > 0.0) {
     timer_delete(timer_);
-    std::signal(kLimitSignal, SIG_IGN);  // one may be on its way
+    std::signal(kLimitSignal, SIG_IGN);  // one may be pending
   }
   the_one = nullptr;
   retire();
@@ -209,7 +209,7 @@ bool EndAgain::write_now() noexcept {
                                 : !before_.signal;
   if (before_.state == RunState::crash && same_signal && is_same_place()) {
     say(same_);
-  } else if (name) {  // else it may be that somebody interrupts it
+  } else if (name) {  // otherwise a user may be interrupting it
     say("not the same");
     say(not_same_);
   }

@@ -1,4 +1,4 @@
-// A run that brought its process down, or did not come to its end, done once more.
+// Repeats a run that ended its process or met its wall limit.
 #pragma once
 
 #include <atomic>
@@ -14,22 +14,22 @@
 
 namespace elsie::program {
 
-/// The run had not ended at its wall limit, but goes on by itself: it is slow.
+/// Thrown when a run has met its wall limit, but completes its step: it is slow and does not hang.
 class WallLimitMet {};
 
-/// Says on standard output whether the run ends as it did before, where nothing else can any more:
+/// Reports on standard output whether the run ends as before, where no other code can:
 ///
-/// - A crash: "the same" when it is the same signal in the same plugin, robot and step. The report
-///   on the crash and exit code 3 are as always.
-/// - The wall limit, when the plugin at work then is the one that was before, of the same robot in
-///   the same step: "the same", a report, and exit code 0.
-/// - Otherwise the run is left two seconds to come to the end of its step. If it does, WallLimitMet
-///   is thrown. If not: what differs, a report, and exit code 1.
+/// - A crash: "the same" when it is the same signal in the same plugin, robot and step. The crash
+///   report and exit code 3 are as usual.
+/// - The wall limit, when the same plugin is at work, of the same robot in the same step: "the
+///   same", a report, and exit code 0.
+/// - Otherwise the run has two seconds to complete its step. If it does, WallLimitMet is thrown. If
+///   not: the difference, a report, and exit code 1.
 ///
-/// In the thread that makes it, which must be the one that runs; one at a time.
+/// To be made in the thread that runs; only one at a time.
 class EndAgain final : public simulation::Observer, private base::EmergencyWriter {
  public:
-  /// `before`: must outlive this. `wall_limit_s`: from now on; 0: none.
+  /// `before` must outlive this. `wall_limit_s`: from now on; 0: none.
   EndAgain(const batch::RunRecord& before, double wall_limit_s);
   ~EndAgain() override;
 
@@ -37,7 +37,7 @@ class EndAgain final : public simulation::Observer, private base::EmergencyWrite
   void stepped(const simulation::Simulation& simulation) override;
   void ended(const simulation::Simulation& simulation) override;
 
-  /// After WallLimitMet: the sentence about it.
+  /// After WallLimitMet: the message about it.
   std::string slow() const;
 
  private:
@@ -48,7 +48,7 @@ class EndAgain final : public simulation::Observer, private base::EmergencyWrite
 
   const batch::RunRecord& before_;
   const double wall_limit_s_;
-  // For the handlers, which cannot put texts together.
+  // For the signal handlers, which cannot build texts.
   const std::string same_, not_same_;
   timer_t timer_{};
   std::atomic<std::uint64_t> step_{0};

@@ -1,8 +1,9 @@
-// Functions that end a process, put before those of the C library: a plugin that calls one ends the
-// program, and is named as one that crashes is. Plugins find them here because symbols are looked
-// for in the program first; CMakeLists.txt has them exported.
+// Functions that end a process, defined before those of the C library: a plugin that calls one ends
+// the program, and is named like one that crashes. Plugins find them here because symbols are
+// searched for in the program first; CMakeLists.txt exports them.
 //
-// exit() is not among them: it runs what was registered with atexit(), where crash_report.h is.
+// exit() is not among them: it runs functions registered with atexit(), and crash_report.h
+// registers one.
 #include "elsie/process/crash_report.h"
 
 extern "C" {

@@ -52,7 +52,7 @@ std::string names_of(std::span<const Variable> variables) {
 
 double middle(const Variable& variable) { return 0.5 * (variable.range.low + variable.range.high); }
 
-/// The inputs in the model's order; every one must be given.
+/// The inputs in the model's order; all must be given.
 std::vector<double> parse_inputs(const Model& model, const std::vector<std::string>& given) {
   std::map<std::size_t, double> values;
   for (const std::string& text : given) {
@@ -88,7 +88,7 @@ Evaluation evaluate(const Model& model, const std::vector<double>& inputs) {
                         std::vector<double>(model.rules().size())};
   try {
     model.evaluate(inputs, evaluation.outputs, workspace);
-  } catch (const std::invalid_argument& error) {  // a formula without a value there
+  } catch (const std::invalid_argument& error) {  // a formula without a value for these inputs
     throw BadInput(error.what());
   }
   model.rule_degrees(inputs, evaluation.degrees, workspace);
@@ -203,8 +203,8 @@ picture::SurfaceVariable axis(const Variable& variable) {
   return {variable.name, "", variable.range.low, variable.range.high};
 }
 
-/// The surface of one output over the first two inputs; further inputs stay at the middle of their
-/// range.
+/// The surface of one output over the first two inputs; other inputs stay in the middle of their
+/// ranges.
 picture::ControlSurface surface(const Model& model, std::size_t output) {
   picture::ControlSurface surface;
   surface.x = axis(model.inputs()[0]);

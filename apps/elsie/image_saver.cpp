@@ -70,7 +70,7 @@ void ImageSaver::stepped(const Simulation& simulation) {
   const std::uint64_t step = simulation.steps() - 1;
   const auto& physics = simulation.world().physics;
   if (step % static_cast<std::uint64_t>(physics.control_steps) == 0) {
-    // Counted, not added up; a hair early, so that rounding does not shift a picture by a step.
+    // Counted, not added up; slightly early, so that rounding does not delay a picture by a step.
     const double due_s = static_cast<double>(times_) * every_s_;
     if (static_cast<double>(step) * physics.step >= due_s - 0.001 * physics.step) {
       save(simulation, step);
@@ -96,7 +96,7 @@ void ImageSaver::save(const Simulation& simulation, std::uint64_t step) const {
       if (!sensor.picture) {
         continue;
       }
-      // No id has a '+' in it.
+      // Ids contain no '+'.
       const std::string name = std::string(number) + "_" + simulation.robot(robot).description->id +
                                "+" + std::string(sensor.id);
       using elsie::VisionReading;
@@ -104,7 +104,7 @@ void ImageSaver::save(const Simulation& simulation, std::uint64_t step) const {
         picture::write_png(*sensor.picture, folder_ / (name + "_raw.png"));
         continue;
       }
-      // The sensor's own noise is in the reading.
+      // The reading includes the sensor's noise.
       const auto& reading = *static_cast<const VisionReading*>(sensor.sensor->reading());
       if (!reading.raw.empty()) {
         picture::write_png(reading.raw, folder_ / (name + "_raw.png"));

@@ -25,7 +25,7 @@ std::string list_of(const std::vector<std::string>& names) {
   return list;
 }
 
-/// The one of these whose id is `id`.
+/// The element of the list with this id.
 template <class Things>
 auto& find(Things& things, const std::string& id, const std::string& what,
            const std::string& where) {
@@ -56,8 +56,8 @@ const world::Robot& robot_of(const world::World& world, const std::optional<std:
                                    list_of(ids));
 }
 
-/// The robot's coordinator at this place, to be changed. `owner` and `stream` become what it is
-/// called in messages, and the path of its random stream.
+/// The robot's coordinator at this place, to be changed. Sets `owner` to its name in messages and
+/// `stream` to the path of its random stream.
 world::PluginUse& coordinator_at(world::Robot& robot, const std::string& behavior,
                                  std::string& owner, std::string& stream) {
   owner = "robot '" + robot.id + "'";
@@ -91,13 +91,13 @@ std::string learners(const plugin::Host& host) {
       if (dynamic_cast<const neural::Trainable*>(object.get())) {
         names.push_back(declaration->name);
       }
-    } catch (const std::exception&) {  // a plugin that cannot be made does not learn, either
+    } catch (const std::exception&) {  // a plugin that cannot be made does not learn
     }
   }
   return names.empty() ? "none was found that does" : "those that do: " + list_of(names);
 }
 
-/// What a plugin says of itself, without its name before it.
+/// A plugin's message without the plugin's name at its beginning.
 std::string without_name(const std::string& message, const std::string& plugin) {
   for (const std::string kind : {"coordinator '", "plugin '"}) {
     const std::string name = kind + plugin + "': ";
@@ -108,7 +108,7 @@ std::string without_name(const std::string& message, const std::string& plugin) 
   return message;
 }
 
-/// The making of a learner: the world that it is in, once for each set of options.
+/// Makes learners; it reads the world once for each set of options.
 class Maker {
  public:
   Maker(const world::World& world, const plugin::Host& host, const LearnerPlace& place)
@@ -136,7 +136,7 @@ class Maker {
  private:
   Learner attempt(const std::vector<LearnerOption>& options) {
     use_->parameters = described_;
-    use_->parameters["weights"] = std::string();  // whatever they were, new ones are made
+    use_->parameters["weights"] = std::string();  // new weights are made in any case
     for (const LearnerOption& option : options) {
       use_->parameters[option.parameter] = option.value;
     }
@@ -153,7 +153,7 @@ class Maker {
     return learner;
   }
 
-  /// What is wrong with these options; nothing when the robot can be made.
+  /// The problems with these options; empty when the robot can be made.
   std::vector<base::Problem> problems_with(const std::vector<LearnerOption>& options) {
     try {
       attempt(options);
@@ -163,7 +163,7 @@ class Maker {
     }
   }
 
-  /// Throws BadInput when an option is at fault: when what is wrong is not wrong without it.
+  /// Throws BadInput when an option is at fault: when the problem disappears without it.
   void blame_options(const world::WorldError& error, const std::vector<LearnerOption>& options) {
     const auto told_by = [](const base::Problem& problem,
                             const std::vector<base::Problem>& problems) {
@@ -173,7 +173,7 @@ class Maker {
     std::string text;
     for (const base::Problem& problem : error.problems()) {
       if (told_by(problem, without_all)) {
-        continue;  // the world's own
+        continue;  // a problem of the world itself
       }
       std::vector<std::string> all, guilty;
       for (std::size_t i = 0; i < options.size(); ++i) {

@@ -1,4 +1,4 @@
-// A robot's coordinator, to be trained.
+// Finds a robot's coordinator and prepares it for training.
 #pragma once
 
 #include <memory>
@@ -14,35 +14,34 @@
 
 namespace elsie::program {
 
-/// Which coordinator of a world is meant.
+/// Names a coordinator of a world.
 struct LearnerPlace {
-  std::optional<std::string> robot;  // its id; may be left out where there is only one
-  /// The way from the robot to a behaviour that holds others, by ids: "explore/avoid". Empty: the
-  /// robot's own coordinator.
+  std::optional<std::string> robot;  // its id; optional if there is only one robot
+  /// The ids from the robot to a behaviour that holds others: "explore/avoid". Empty: the robot's
+  /// own coordinator.
   std::string behavior;
 };
 
-/// An option of the command line that takes the place of a parameter.
+/// An option of the command line that replaces a parameter.
 struct LearnerOption {
   std::string option;  // "--learning-rate"
   std::string parameter;
   elsie::ParameterValue value;
 };
 
-/// A coordinator that can be trained: one of a robot that is equipped as it would be in a run.
+/// A coordinator that can be trained, on a robot that is equipped as in a run.
 struct Learner {
-  std::unique_ptr<const world::World> world;  // with the options in it
+  std::unique_ptr<const world::World> world;  // with the options
   std::optional<simulation::EquippedRobot> equipped;
   const neural::Trainable* network = nullptr;  // the robot's
   std::string plugin;
   std::string robot;
-  std::string stream;  // the path in the world that names its random stream in a run
+  std::string stream;  // path of its random stream in a run
 };
 
-/// Makes the coordinator at this place, with `options` instead of what the world says, and without
-/// the weights that the world gives it. Throws BadInput when there is none, it is of a kind that
-/// does not learn, or one of the options is refused; and world::WorldError when the world does not
-/// fit the robot.
+/// Makes the coordinator at this place, with `options` in place of the world's parameters and
+/// without the world's weights. Throws BadInput when there is none, it does not learn, or an option
+/// is refused; world::WorldError when the world does not fit the robot.
 Learner make_learner(const world::World& world, const plugin::Host& host, const LearnerPlace& place,
                      const std::vector<LearnerOption>& options);
 

@@ -1,4 +1,4 @@
-// The learning curve of a training as a picture.
+// Draws the learning curve of a training.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace elsie::program {
 
-/// The mean error over the presentations, on a plain axis and on one of powers of ten. Throws as
+/// The mean error over the presentations, on a linear and on a logarithmic axis. Throws as
 /// picture::save_page().
 void draw_learning_curve(const neural::Training& training, const std::string& title,
                          const std::vector<std::string>& subtitles,

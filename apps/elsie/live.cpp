@@ -24,7 +24,7 @@ void Pacer::started(const Simulation&) { start_ = std::chrono::steady_clock::now
 
 void Pacer::stepped(const Simulation& simulation) {
   using Seconds = std::chrono::duration<double>;
-  constexpr Seconds kNap{0.05};  // so that an interrupt is soon heard of
+  constexpr Seconds kNap{0.05};  // short, so that an interrupt is noticed soon
   const Seconds due(simulation.time_s() / speed_);
   for (;;) {
     const Seconds left = due - (std::chrono::steady_clock::now() - start_);
@@ -45,7 +45,7 @@ std::string joined(const std::vector<std::filesystem::path>& files) {
   return text;
 }
 
-/// "wander of r1, r2 (with what it remembers)" for every plugin.
+/// "wander of r1, r2, with what it remembers" for each plugin.
 std::string replaced_text(const Replacement& replacement) {
   std::string text;
   std::vector<std::string> plugins;

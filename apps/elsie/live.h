@@ -1,5 +1,5 @@
-// A run that somebody watches and works on: at the pace of the clock, with plugins that are
-// replaced when they change on disk.
+// Runs that a user watches and works on: at the pace of the clock, with plugins that are replaced
+// when they change on disk.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,7 @@ class Simulation;
 
 namespace elsie::program {
 
-/// Makes the run wait for the clock: so many simulated seconds a second, at most.
+/// Slows the run down to a number of simulated seconds per second.
 class Pacer final : public simulation::Observer {
  public:
   explicit Pacer(double speed) : speed_(speed) {}
@@ -26,9 +26,9 @@ class Pacer final : public simulation::Observer {
   std::chrono::steady_clock::time_point start_;
 };
 
-/// Puts what has changed on disk into the simulation, and tells the user of it on standard error:
-/// of what is new unless `quiet`, of what cannot be used in any case. In that case the old plugins
-/// go on. Costs nothing while nothing has changed.
+/// Replaces changed plugins in the simulation and reports it on standard error: new ones unless
+/// `quiet`, and always those that cannot be used, whose old versions stay in use. Costs nothing
+/// while nothing has changed.
 void replace_what_changed(build::Watch& watch, simulation::Simulation& simulation, bool quiet);
 
 }  // namespace elsie::program

@@ -1,4 +1,4 @@
-// elsie manual: the manual page, written from the program's own help.
+// elsie manual: the manual page, made from the program's own help.
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -14,7 +14,7 @@ namespace elsie::program {
 
 namespace {
 
-/// Text in roff: what roff would take for its own is escaped.
+/// Text in roff, with its special characters escaped.
 std::string roff(std::string_view text) {
   std::string out;
   bool line_begins = true;
@@ -52,7 +52,7 @@ void write_command(std::ostream& out, const CommandFacts& command) {
   for (const OptionFacts& option : command.options) {
     out << ".TP\n" << names_of(option) << '\n' << roff(option.meaning) << ".\n";
   }
-  // Examples and remarks stand as they are in the help.
+  // Examples and remarks are unchanged from the help.
   out << ".PP\n.nf\n" << roff(command.footer) << "\n.fi\n";
 }
 
@@ -84,7 +84,7 @@ void write_manual(std::ostream& out, const CLI::App& program) {
          ".TP\n.B ELSIE_DATA_PATH\nDirectories in which worlds, robot templates, fuzzy models and "
          "other "
          "data are looked for, separated by colons.\n"
-         ".TP\n.B ELSIE_LOG\nHow much is told on the standard error stream: debug, info, warn (the "
+         ".TP\n.B ELSIE_LOG\nThe level of messages on standard error: debug, info, warn (the "
          "default), err, off.\n";
 }
 

@@ -1,4 +1,4 @@
-// elsie merge: the databases of an experiment's shards as one.
+// elsie merge: merges the databases of an experiment's shards.
 #include <iostream>
 #include <memory>
 #include <string>
@@ -32,13 +32,13 @@ Example:
   elsie merge beams.sqlite beams-1of2.sqlite beams-2of2.sqlite
 )";
 
-/// The file of the experiment that a database is of.
+/// The experiment file of a database.
 std::string experiment_of(const std::string& database) {
   return results::open_to_read(database).text("SELECT file FROM about");
 }
 
 int merge(const Options& options) {
-  require_database_name(options.into, "OUT");  // else no batch would go on with it
+  require_database_name(options.into, "OUT");  // otherwise no batch could resume it
   require_writable(options.into, "OUT");
   const batch::Merged merged =
       batch::merge(options.into, {options.databases.begin(), options.databases.end()});

@@ -1,4 +1,4 @@
-// elsie new: a folder with a new plugin, its test, a world that uses it.
+// elsie new: makes a folder with a new plugin, its test, and a world that uses it.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -33,11 +33,11 @@ struct Options {
   PluginOptions plugins;
 };
 
-/// What CMake has as targets already.
+/// Names that are targets of CMake.
 constexpr std::array<std::string_view, 9> kTaken = {
     "all", "clean", "edit_cache", "help", "install", "package", "rebuild_cache", "test", "world"};
 
-/// What C++ keeps for itself or, like main, has a use for, and what the generated files use.
+/// Names that C++ reserves or, like main, uses, and names that the generated files use.
 constexpr std::string_view kWords[] = {"active",       "alignas",
                                        "alignof",      "and",
                                        "and_eq",       "asm",
@@ -148,7 +148,7 @@ std::string filled_in(std::string text, const Options& options) {
   return text;
 }
 
-/// What plugins of a kind begin with; "any": of every kind.
+/// The templates of a kind of plugin; "any": those of all kinds.
 fs::path template_folder(const std::string& kind) {
   std::string searched;
   for (const std::string& directory : data_directories()) {
@@ -169,7 +169,7 @@ void write_file(const fs::path& file, const std::string& text) {
   }
 }
 
-/// All files or none.
+/// Writes all files or none.
 void write_project(const Options& options, const fs::path& folder) {
   fs::path scratch = folder;
   scratch += ".new";

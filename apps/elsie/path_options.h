@@ -1,4 +1,4 @@
-// Which parts of the robots' ways a picture of a run has.
+// Options that select parts of the robots' ways in a picture.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ class PathOptions {
  public:
   /// Adds the options, which need `--picture`.
   void add_to(CLI::App& command);
-  /// Throws BadInput for a window of time that is empty, and for a robot that is not in the world.
+  /// Throws BadInput for an empty interval of time, and for an unknown robot.
   void check(const world::World& world) const;
 
   const picture::PathChoice& choice() const { return choice_; }

@@ -1,4 +1,4 @@
-// elsie picture: a world file as a picture, at the start of a run.
+// elsie picture: draws a world file at the start of a run.
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -21,7 +21,7 @@ namespace {
 struct PictureOptions {
   PluginOptions plugins;
   std::string world;
-  std::optional<std::string> picture;  // the same as the next one
+  std::optional<std::string> picture;  // PICTURE, equivalent to --output
   std::optional<std::string> output;
   std::vector<std::string> overrides;
   int width = 1000;
@@ -35,7 +35,7 @@ int picture(const PictureOptions& options) {
   simulation::Simulation simulation(
       world::read_world(options.world, host, read_options(options.overrides)), host,
       {.cameras = render::world_cameras});
-  simulation.step();  // so that the sensors have looked once
+  simulation.step();  // lets the sensors look once
   draw(simulation, nullptr, {}, file, options.width);
   out() << "wrote " << file.string() << '\n';
   return kSuccess;

@@ -23,18 +23,18 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto kRedraw = std::chrono::milliseconds(100);
 constexpr int kBarWidth = 32;
-constexpr std::uint64_t kStepsBetweenLooks = 64;  // at the clock
+constexpr std::uint64_t kStepsBetweenLooks = 64;  // between looks at the clock
 
-// A signal handler can reach nothing but a global of this kind.
+// A signal handler can only reach a global of this kind.
 volatile std::sig_atomic_t interrupted = 0;
 RepeatedRequest request;
-sigset_t blocked_at_start;  // by whoever has started the program
+sigset_t blocked_at_start;  // blocked by the parent process
 
 void interrupt(int) {
   const RepeatedRequest::Kind kind = request.come();
   interrupted = 1;
   if (kind == RepeatedRequest::Kind::second) {
-    // Whatever is at work does not come to an end.
+    // The present work never ends.
     process::end_process(
         "was at work when the run was interrupted",
         "something outside of all plugins was at work when the run was interrupted", kOtherFailure);
@@ -129,8 +129,7 @@ InterruptGuard::InterruptGuard() {
   request.forget();
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     before_[i] = std::signal(kSignals[i], interrupt);
-    // Ignored hang-ups (nohup) stay ignored; Ctrl-C ends runs that a script has in the background,
-    // too.
+    // Ignored hang-ups (nohup) stay ignored; Ctrl-C also ends runs in the background of a script.
     if (before_[i] == SIG_IGN && kSignals[i] == SIGHUP) {
       std::signal(SIGHUP, SIG_IGN);
     }

@@ -10,11 +10,11 @@
 
 namespace elsie::program {
 
-/// "[=====>    ]  42 %": how much of something is done, from 0 to 1.
+/// "[=====>    ]  42 %": the part that is done, from 0 to 1.
 std::string bar_text(double part);
 
-/// Draws "[=====>    ]  42 %  252.0 s  31 x real time" on standard error while a run goes on, and
-/// wipes it at the end.
+/// Draws "[=====>    ]  42 %  252.0 s  31 x real time" on standard error during a run, and removes
+/// it at the end.
 class ProgressBar final : public simulation::Observer {
  public:
   void started(const simulation::Simulation& simulation) override;
@@ -27,10 +27,10 @@ class ProgressBar final : public simulation::Observer {
 };
 
 /// Draws "[=====>    ]  42 %  of 40000 cells checked" on standard error while an experiment is
-/// read, if that is a terminal and takes a while; wipes it at the end.
+/// read, if that is a terminal and reading takes a while; removes it at the end.
 class CheckProgress {
  public:
-  /// `shown`: false: nothing is drawn at all.
+  /// `shown`: false draws nothing.
   explicit CheckProgress(bool shown);
   ~CheckProgress();
   CheckProgress(const CheckProgress&) = delete;
@@ -44,31 +44,31 @@ class CheckProgress {
 };
 
 /// From now on Ctrl-C (SIGINT), a request to terminate (SIGTERM) and a closed terminal (SIGHUP) end
-/// the program with exit code 4 and a word on the plugin that was at work, if one was: while worlds
-/// are read and plugins made, and when a run is over, there is nothing to be kept. Signals that are
-/// ignored stay so.
+/// the program with exit code 4 and the name of the plugin at work, if there is one: there is
+/// nothing to save while worlds are read and plugins made, or after a run. Ignored signals stay
+/// ignored.
 void end_at_once_when_interrupted();
 
 /// Ends the run in order on these signals: throws Interrupted from the next step. While it lives,
-/// the first of them does not end the process; one that comes half a second later or more does at
-/// once, with a report of what was at work.
+/// the first signal does not end the process; one that comes at least half a second later ends it
+/// at once, with a report of the plugin at work.
 class InterruptGuard final : public simulation::Observer {
  public:
   InterruptGuard();
   ~InterruptGuard() override;
   void stepped(const simulation::Simulation& simulation) override;
-  /// Whether the work is to end.
+  /// Whether a signal has come.
   static bool is_interrupted();
 
  private:
-  /// A plugin may have blocked them.
+  /// Unblocks the signals, because a plugin may have blocked them.
   void let_signals_in();
 
   std::array<void (*)(int), 3> before_;
   bool has_warned_ = false;
 };
 
-/// The user ended the run.
+/// Thrown when the user ended the run.
 class Interrupted {};
 
 }  // namespace elsie::program

@@ -1,4 +1,4 @@
-// A user who asks for the end of something twice.
+// Recognizes a second request to end.
 #pragma once
 
 #include <atomic>
@@ -7,8 +7,8 @@
 
 namespace elsie::program {
 
-/// Tells a second request to end from an echo of the first: timeout(1), schedulers and shells send
-/// a signal to a process and to its group, which is one request. For handlers of signals.
+/// Distinguishes a second request to end from an echo of the first: timeout(1), schedulers and
+/// shells send a signal to a process and to its group, which is one request. For signal handlers.
 class RepeatedRequest {
  public:
   enum class Kind { first, echo, second };

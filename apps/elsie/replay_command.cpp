@@ -1,5 +1,4 @@
-// elsie replay: a run that was, looked at again: from its recording, or done once more from a
-// database.
+// elsie replay: shows a recording of a run, or repeats a run of a database.
 #include <array>
 #include <cerrno>
 #include <filesystem>
@@ -43,7 +42,7 @@ program down, as before or not, 4 anything else. For a recording:
 0, or 2 when it cannot be read or is damaged.
 )";
 
-// Help shows what is for one kind of file alone under these words.
+// Help groups the options for one kind of file under these words.
 constexpr const char* kForRecordings = "For recordings";
 constexpr const char* kForRuns = "For runs of databases";
 
@@ -65,11 +64,11 @@ bool may_be_database(const std::filesystem::path& file) {
          std::string_view(start.data(), start.size()) == kMark;
 }
 
-/// Throws BadInput for a file that is there, but cannot be read, or has nothing in it.
+/// Throws BadInput for an existing file that cannot be read or is empty.
 void require_content(const std::string& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
-    return;  // whoever opens it says more
+    return;  // opening it reports more
   }
   if (const std::string why = base::why_unreadable(file); !why.empty()) {
     throw BadInput("'" + file + "' " + why +
@@ -92,7 +91,7 @@ void require_content(const std::string& file) {
   }
 }
 
-/// Throws BadInput when one of this group's options was given.
+/// Throws BadInput when an option of this group was given.
 void refuse(const CLI::App& command, const std::string& group, const std::string& why) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_group() == group && option->count() > 0) {

@@ -41,7 +41,7 @@ std::string ending(const RecordedRun& run) {
 
 std::string seed_of(const RecordedRun& run) { return "seed " + std::to_string(run.seed); }
 
-/// What is in the file.
+/// The contents of the recording in words.
 std::string report(const RecordedRun& run) {
   std::string out;
   if (run.of_elsie) {

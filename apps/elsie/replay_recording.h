@@ -1,4 +1,4 @@
-// What was recorded of a run, looked at again.
+// Shows a recording of a run.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ struct RecordingOptions {
   int width = 1000;          // of the picture, pixels
 };
 
-/// Prints what is in it, draws it, and gives the exit code. Throws BadInput.
+/// Prints its contents, draws it, and returns the exit code. Throws BadInput.
 int replay_recording(const RecordingOptions& options);
 
 }  // namespace elsie::program

@@ -46,7 +46,7 @@ StoredRun stored_run(const RunAgainOptions& options) {
   return *std::move(run);
 }
 
-/// Everything that watches it.
+/// All observers of the run.
 class Watchers {
  public:
   Watchers(const RunAgainOptions& options, EndAgain* end) : recorder_(options.record.recorder()) {
@@ -89,10 +89,10 @@ void tell_of(const StoredRun& run, const RunAgainOptions& options) {
   out() << "run " << run.job.run << " of " << run.experiment << ": " << run.cell << ", seed "
         << run.job.seed << '\n'
         << "before: " << to_string(run.record.state) << ", " << run.record.message << '\n';
-  out().flush();  // a plugin may bring the program down
+  out().flush();  // a plugin may end the program
 }
 
-/// Whether it came to the same; says so.
+/// Prints and returns whether the result is the same.
 bool compare(const StoredRun& run, const RunResult& result, const RestoredRun& restored) {
   const std::string hash = "state hash " + simulation::hash_text(result.state_hash);
   constexpr const char* kNot = "not the same: ";
@@ -119,7 +119,7 @@ bool is_as_before(const StoredRun& run, const PluginFault& fault) {
          run.record.robot == fault.robot && run.record.step == fault.step;
 }
 
-/// For a run that may not come to its end; nothing watches the others.
+/// Prepares for a run that may not end; other runs are not observed.
 void expect_end(std::optional<EndAgain>& end, const StoredRun& run,
                 const RunAgainOptions& options) {
   const bool hung = run.record.state == RunState::hang;

@@ -1,4 +1,4 @@
-// A run of a database once more.
+// Repeats a run of a database.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@ struct RunAgainOptions {
   std::optional<std::string> explain;
   std::optional<std::string> picture;
   int width = 1000;                    // of the picture, pixels
-  std::optional<double> wall_limit_s;  // 0: none; by default that of the batch, if it was met
+  std::optional<double> wall_limit_s;  // 0: none; by default the batch's limit, if the run met it
   bool quiet = false;
 };
 
-/// Does it again, says whether it comes to the same, and gives the exit code. Throws BadInput,
-/// PluginFault and what else may go wrong in a run.
+/// Repeats the run, prints whether the result is the same, and returns the exit code. Throws
+/// BadInput, PluginFault and other errors of runs.
 int replay_run(const RunAgainOptions& options);
 
 }  // namespace elsie::program

@@ -1,4 +1,4 @@
-// elsie report: what the runs of an experiment come to.
+// elsie report: reports the results of an experiment.
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -49,8 +49,8 @@ Exit codes: 0 everything is as expected; 1 an expectation is not met, a run did 
 is still to be done, or equal seeds gave different runs; 2 bad input; 4 anything else: a full disk.
 )";
 
-/// A folder may take no new files although its permissions say so: it is on a medium that can only
-/// be read, for example. That is found out by making the file, before any work is done.
+/// Checks that the file's folder takes new files, by creating the file before any work is done:
+/// permissions alone do not say so, for example on a read-only medium.
 void require_room(const std::string& file, const char* option) {
   std::error_code ignored;
   if (fs::exists(fs::symlink_status(file, ignored))) {
@@ -85,8 +85,8 @@ void require_output(const std::optional<std::string>& file, const char* option, 
   require_room(*file, option);
 }
 
-/// The file as a whole, or as it was before. What is no regular file, a device or a link, is
-/// written to as it is, and so is one in a folder that takes no new files.
+/// Writes the file in one piece. Devices, links, and files in a folder that takes no new files are
+/// written directly.
 void write(const std::string& file, const std::string& text, const char* option) {
   std::error_code error;
   const fs::path folder = fs::path(file).has_parent_path() ? fs::path(file).parent_path() : ".";
@@ -109,7 +109,7 @@ void write(const std::string& file, const std::string& text, const char* option)
   }
 }
 
-/// How wide the terminal is, in characters; a table for a file is not wrapped for one.
+/// The width of the terminal in characters; tables for a file are not wrapped.
 std::size_t width() { return terminal_columns(out_descriptor(), 120); }
 
 Findings found(const ResultsFile& file) {
@@ -162,7 +162,7 @@ int report(const Options& options) {
 
 void add_report_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
-      "report", "Tell what the runs of an experiment come to: tables, a page, tests for CI");
+      "report", "Report the results of an experiment: tables, a page, tests for CI");
   command->footer(kExamples);
   auto options = std::make_shared<Options>();
   command->add_option("DATABASE", options->database, "Results, written by `elsie batch`")

@@ -23,7 +23,7 @@ using plugin::Host;
 
 namespace {
 
-/// None when it cannot be read.
+/// None when the file cannot be read.
 std::optional<std::string> hash_of(const fs::path& file) {
   try {
     return results::sha256(results::file_content(file.string()));
@@ -34,7 +34,7 @@ std::optional<std::string> hash_of(const fs::path& file) {
 
 Host host_of(const StoredRun& run, const PluginOptions& plugins) {
   std::vector<plugin::SearchDirectory> places = search_path(plugins);
-  // Before all directories but those that the user has given.
+  // Before all directories except those that the user named.
   const auto own = std::find_if(places.begin(), places.end(), [](const auto& place) {
     return place.origin != "--plugin" && place.origin != "given";
   });
@@ -48,7 +48,7 @@ Host host_of(const StoredRun& run, const PluginOptions& plugins) {
   return Host(std::move(places));
 }
 
-/// "behavior wander 1.0": its kind and name.
+/// The library of "behavior wander 1.0".
 fs::path file_of(const Host& host, const std::string& plugin) {
   const std::string kind = plugin.substr(0, plugin.find(' '));
   const std::string rest = plugin.substr(kind.size() + 1);
@@ -105,7 +105,7 @@ void RestoredRun::compare_libraries(const StoredRun& run) {
     for (const std::string& plugin : library.plugins) {
       const fs::path file = file_of(host_, plugin);
       if (file.empty()) {
-        continue;  // reading the world says so, and more
+        continue;  // reading the world reports it in more detail
       }
       if (hash_of(file) != library.sha256) {
         differences_.push_back("the plugin '" + plugin + "' comes from another library, '" +
@@ -133,7 +133,7 @@ void RestoredRun::restore_data(const StoredRun& run, std::map<std::string, std::
       }
       folder_ = name;
     }
-    // By its own name, which plugins may mention, in a folder of its own.
+    // With its own name, which plugins may mention, in a separate folder.
     const fs::path folder = folder_ / std::to_string(place++);
     const fs::path file = folder / fs::path(data.path).filename();
     fs::create_directory(folder);

@@ -1,4 +1,4 @@
-// What it takes to do a stored run again, as far as it is still to be had.
+// Restores a stored run as far as its files still exist.
 #pragma once
 
 #include <filesystem>
@@ -15,11 +15,11 @@
 namespace elsie::program {
 
 /// Data files that have changed on disk are taken from the database. Plugins are taken from the
-/// libraries that the run was done with, unless the user gives others; where they are gone, from
-/// where plugins are looked for.
+/// libraries of the original run unless the user names others; if they no longer exist, from the
+/// search path.
 class RestoredRun {
  public:
-  /// Throws BadInput, and world::WorldError when a plugin is not to be had at all.
+  /// Throws BadInput, and world::WorldError when a plugin cannot be found.
   RestoredRun(const batch::StoredRun& run, const PluginOptions& plugins);
   ~RestoredRun();
   RestoredRun(const RestoredRun&) = delete;
@@ -27,7 +27,7 @@ class RestoredRun {
 
   const world::World& world() const { return world_; }
   const plugin::Host& host() const { return host_; }
-  /// Sentences on what is not as it was.
+  /// Sentences on differences from the original run.
   const std::vector<std::string>& differences() const { return differences_; }
 
  private:
@@ -36,7 +36,7 @@ class RestoredRun {
   void compare_libraries(const batch::StoredRun& run);
 
   std::vector<std::string> differences_;
-  std::filesystem::path folder_;  // of data files that were restored; empty: there is none
+  std::filesystem::path folder_;  // of restored data files; empty: none
   plugin::Host host_;
   world::World world_;
 };

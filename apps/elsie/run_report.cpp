@@ -32,7 +32,7 @@ std::vector<std::string> row(const RobotResult& robot) {
               base::fixed_text(elsie::degrees(robot.pose.heading_rad), 0)};
 }
 
-/// What the world measures; what every run has is said elsewhere in the table.
+/// The measures of the world; those of every run are elsewhere in the table.
 std::string measures(const RunResult& result) {
   if (result.measures.size() <= simulation::kMeasuresOfEveryRun) {
     return "";
@@ -47,7 +47,7 @@ std::string measures(const RunResult& result) {
   return '\n' + report::laid_out(rows, kMeasureTextColumns);
 }
 
-/// JSON text must be UTF-8; ids come from XML, which is.
+/// JSON must be UTF-8; ids come from XML, which is UTF-8.
 std::string dumped(const nlohmann::ordered_json& object) {
   return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }

@@ -1,4 +1,4 @@
-// The result of a run, for people and for programs.
+// The result of a run, for users and for programs.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ std::string json(const simulation::RunResult& result);
 
 /// "success after 12.3 s: all goals are reached".
 std::string headline(const simulation::RunResult& result);
-/// The same line for a run of which only this is known.
+/// The same line from its parts.
 std::string headline(const std::string& outcome, double simulated_s, const std::string& reason);
 
 }  // namespace elsie::program

@@ -19,7 +19,7 @@ std::string value_text(const std::optional<double>& value, const std::string& un
   return value ? base::number_text(*value) + (unit.empty() ? "" : " " + unit) : "none";
 }
 
-/// Databases have no numbers but finite ones.
+/// Databases hold only finite numbers.
 std::optional<double> as_stored(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }

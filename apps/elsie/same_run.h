@@ -1,4 +1,4 @@
-// Whether a run that was done again came to the same.
+// Compares a repeated run with the original.
 #pragma once
 
 #include <string>
@@ -9,9 +9,8 @@
 
 namespace elsie::program {
 
-/// What a run came to that was done before, as far as it differs from what it came to now: state
-/// hash, outcome, steps, and every measure. One line each, with the value of now and that of
-/// before. Times on the clock do not count.
+/// Differences between a stored run and its replay: state hash, outcome, steps, and every measure.
+/// A line for each, with the new and the old value. Times on the clock do not count.
 std::vector<std::string> differences(const batch::RunRecord& before,
                                      const simulation::RunResult& now);
 

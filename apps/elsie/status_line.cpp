@@ -19,7 +19,7 @@ std::string cut_to(const std::string& line, std::size_t columns) {
 }
 
 void draw_status(const std::string& line) {
-  // The last column stays free: some terminals go on to the next line when it is taken.
+  // The last column stays free, because some terminals then wrap the line.
   const std::size_t columns = terminal_columns(STDERR_FILENO, 80) - 1;
   std::fprintf(stderr, "\r%s\033[K", cut_to(line, columns).c_str());
   std::fflush(stderr);

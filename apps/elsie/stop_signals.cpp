@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 
-// A handler can reach nothing but globals.
+// A signal handler can only reach globals.
 std::atomic<int> to_write{-1};
 RepeatedRequest request;
 
@@ -30,7 +30,7 @@ void stop(int number) {
     }
     case RepeatedRequest::Kind::echo:
       break;
-    case RepeatedRequest::Kind::second:  // asked twice: whatever is at work does not come to an end
+    case RepeatedRequest::Kind::second:  // the present work never ends
       signal(number, SIG_DFL);
       raise(number);
       break;
@@ -49,8 +49,8 @@ StopSignals::StopSignals() {
   to_write = ends_[1];
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     sigaction(kSignals[i], nullptr, &before_[i]);
-    // Ignored hang-ups (nohup) stay ignored; Ctrl-C ends batches that a script has in the
-    // background, too.
+    // Ignored hang-ups (nohup) stay ignored; Ctrl-C also ends batches in the background of a
+    // script.
     if (kSignals[i] != SIGHUP || before_[i].sa_handler != SIG_IGN) {
       struct sigaction action {};
       action.sa_handler = stop;
@@ -70,7 +70,7 @@ StopSignals::~StopSignals() {
   close(ends_[0]);
   close(ends_[1]);
   if (request.has_come()) {
-    return;  // its echoes may come yet, and what was asked for is under way
+    return;  // its echoes may follow, and the work is already stopping
   }
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     sigaction(kSignals[i], &before_[i], nullptr);

@@ -26,16 +26,16 @@ namespace {
 
 using elsie::supervisor::Message;
 
-// A handler of signals can reach nothing but globals.
+// A signal handler can only reach globals.
 int channel = -1;
 Message message;
 int kept_output = STDOUT_FILENO;
 
-/// Of descriptors that plugins do not expect: above those that a program usually has.
+/// The first number for descriptors that plugins should not find.
 constexpr int kHigh = 200;
 
 void announce(int exit_code) noexcept {
-  message.process = getpid();  // in a copy of the process another one
+  message.process = getpid();  // different in a copy of the process
   message.exit_code = exit_code;
   while (write(channel, &message, sizeof(message)) < 0 && errno == EINTR) {
   }
@@ -66,13 +66,13 @@ void meet_supervisor() {
   char* const variable = std::getenv(elsie::supervisor::kVariable);
   if (variable && read_variable(variable)) {
     process::set_announcer(announce);
-    std::fill_n(variable, std::strlen(variable), ' ');  // /proc/self/environ shows it for ever
+    std::fill_n(variable, std::strlen(variable), ' ');  // /proc/self/environ would show it for ever
   }
   unsetenv(elsie::supervisor::kVariable);
 }
 
 std::ostream& out() {
-  // Never destroyed: it is written to until the process ends, and flushed before.
+  // Never destroyed: it is used until the process ends, and flushed before.
   static auto* const buffer =
       new __gnu_cxx::stdio_filebuf<char>(kept_output, std::ios::out | std::ios::binary);
   static auto* const stream = new std::ostream(buffer);
@@ -87,11 +87,11 @@ void keep_output(int count, char** arguments) {
     kept = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   }
   if (kept < 0) {
-    return;  // it is closed: writing will fail and say so
+    return;  // closed: writing will fail and report it
   }
   kept_output = kept;
   dup2(STDERR_FILENO, STDOUT_FILENO);
-  // Kept for as long as the program runs, as arguments are.
+  // Kept until the program ends, like arguments.
   static std::vector<std::string> changed;
   changed.reserve(static_cast<std::size_t>(count));
   for (int i = 1; i < count; ++i) {
@@ -113,7 +113,7 @@ const std::string& program_path() { return path(); }
 
 void set_program_path(const char* first_argument) {
   std::error_code error;
-  // Started by hand and not by the supervisor: it is as good as the program itself.
+  // Without the supervisor, the path of the program itself.
   path() = std::string_view(first_argument).starts_with('/')
                ? first_argument
                : std::filesystem::read_symlink("/proc/self/exe", error).string();

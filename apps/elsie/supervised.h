@@ -1,5 +1,5 @@
-// The program under its supervisor (apps/supervisor): how it tells its exit code, and where its
-// answers go.
+// The program under its supervisor (apps/supervisor): announces its exit code, and keeps plugins'
+// output apart from its answers.
 #pragma once
 
 #include <iosfwd>
@@ -7,25 +7,25 @@
 
 namespace elsie::program {
 
-/// Finds the supervisor's pipe, if there is one, and has the exit codes of this process announced
-/// on it. First of all, before anything is loaded.
+/// Finds the supervisor's pipe, if there is one, and announces the exit codes of this process on
+/// it. To be called first, before anything is loaded.
 void meet_supervisor();
 
-/// Where the program's answers go: standard output as it was when the program began. Plugins that
-/// print write to standard error instead, so that a table or a JSON object that another program
-/// reads is not mixed with what they print. See keep_output().
+/// The stream for the program's answers: the original standard output. Plugins that print write to
+/// standard error instead, so that their output does not mix with a table or JSON object. See
+/// keep_output().
 std::ostream& out();
-/// The descriptor of out(), for handlers of signals and questions about the terminal.
+/// The descriptor of out(), for signal handlers and terminal queries.
 int out_descriptor();
 
-/// Keeps standard output for out(), and gives its number to standard error. `arguments` that name
-/// standard output as a file (/dev/stdout) are changed to name what was kept. Once, before plugins
+/// Keeps standard output for out(), and redirects its number to standard error. Changes `arguments`
+/// that name standard output as a file (/dev/stdout) accordingly. To be called once, before plugins
 /// are loaded.
 void keep_output(int count, char** arguments);
 
-/// The path of the program that a user starts, which is the supervisor's.
+/// The path of the program that the user started, which is the supervisor's.
 const std::string& program_path();
-/// Before plugins are loaded: argv[0].
+/// To be called with argv[0] before plugins are loaded.
 void set_program_path(const char* first_argument);
 
 }  // namespace elsie::program

@@ -1,4 +1,4 @@
-// elsie test-plugin: tries plugins on random input, says what is wrong with them.
+// elsie test-plugin: tries plugins on random input and reports their faults.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -52,8 +52,8 @@ struct TestPluginOptions {
   double memory_limit_mb = 1000.0;
 };
 
-/// Plugins get no more memory than this above what the program has now; what asks for more gets
-/// std::bad_alloc. Of the address space, because a plugin's large blocks are mapped.
+/// Limits the memory that plugins may add; larger requests throw std::bad_alloc. Limits the address
+/// space, because large blocks are mapped.
 void limit_memory(double megabytes) {
   std::ifstream statistics("/proc/self/statm");
   std::uint64_t pages = 0;
@@ -67,7 +67,7 @@ void limit_memory(double megabytes) {
   }
 }
 
-/// A library or a source, not a plugin's name.
+/// Whether the name is that of a library or source rather than a plugin.
 bool is_file(const std::string& name) {
   return name.find('.') != std::string::npos || name.find('/') != std::string::npos;
 }
@@ -112,7 +112,7 @@ elsie::ParameterValue value_of(const ParameterDeclaration& parameter, const std:
   return text;
 }
 
-/// The settings, as far as they are parameters of this plugin; `used` counts which were of any use.
+/// The settings that are parameters of this plugin; `used` counts them.
 testing::Settings settings_for(const Declaration& declaration, const TestPluginOptions& options,
                                std::map<std::string, bool>& used) {
   testing::Settings settings;
@@ -133,7 +133,7 @@ testing::Settings settings_for(const Declaration& declaration, const TestPluginO
   return settings;
 }
 
-/// The plugins that an argument means: those of a library, or those of a name.
+/// The plugins that an argument names: those of a library, or those with a name.
 std::vector<const Declaration*> chosen(const Plugins& plugins, const std::string& name) {
   std::vector<const Declaration*> all;
   std::vector<std::string> names;
@@ -166,7 +166,7 @@ int test_plugins(TestPluginOptions options) {
   }
   std::size_t wrong = 0;
   try {
-    const LoadingLimit limit(options.time_limit_s);  // of all calls, until the libraries are gone
+    const LoadingLimit limit(options.time_limit_s);  // of all calls, and of unloading
     const Plugins plugins(load_plugins(options.plugins, std::nullopt));
     limit_memory(options.memory_limit_mb);
     std::vector<std::pair<const Declaration*, CheckOptions>> jobs;

@@ -1,4 +1,4 @@
-// A simulation as a picture from above.
+// Draws a simulation from above.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 
 namespace elsie::program {
 
-/// Draws the world as it is now, the robots with the beams of their range sensors, and the way they
-/// went so far when `tracks` is given. Throws as picture::save_top_view().
+/// Draws the world in its present state, the robots with the beams of their range sensors and, with
+/// `tracks`, their ways so far. Throws as picture::save_top_view().
 void draw(const simulation::Simulation& simulation, const traces::TrackRecorder* tracks,
           const std::vector<std::string>& subtitles, const std::filesystem::path& file, int width,
           const picture::PathChoice& paths = {});

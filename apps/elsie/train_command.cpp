@@ -1,4 +1,4 @@
-// elsie train: trains the network of a coordinator and keeps its weights.
+// elsie train: trains the network of a coordinator and writes its weights.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -56,7 +56,7 @@ The network is the one that `elsie run` trains with the same seed. Exit code 1: 
 it gives the same output whatever the input; the weights are written all the same.
 )";
 
-/// What is given on the command line instead of what the world says.
+/// The options that replace parameters of the world.
 std::vector<LearnerOption> learner_options(const TrainOptions& options) {
   std::vector<LearnerOption> given;
   const auto take = [&](const char* option, const char* parameter, const auto& value) {
@@ -74,7 +74,7 @@ std::vector<LearnerOption> learner_options(const TrainOptions& options) {
   return given;
 }
 
-/// Weights may take the place of others, but not of a file that a slip of the hand has named.
+/// A weight file may be replaced, but no other file that was named by mistake.
 void require_weights(const std::string& file) {
   require_writable(file, "--weights");
   std::error_code error;
@@ -87,7 +87,7 @@ void require_weights(const std::string& file) {
 
 std::string rough(double value) { return base::number_text(value, 4); }
 
-/// Shows how far a training has come, and ends it when the user wants it to end.
+/// Shows the progress of a training, and stops it when the user interrupts.
 class TrainingWatcher {
  public:
   explicit TrainingWatcher(bool shown) : shown_(shown) {}
@@ -134,7 +134,7 @@ std::string header(const Report& report) {
          std::to_string(report.seed);
 }
 
-/// A row for each sample: its inputs, then for each output what is wanted and what is answered.
+/// A row for each sample: its inputs, then for each output the target and the answer.
 std::string answers(const neural::Lesson& lesson) {
   std::vector<std::vector<std::string>> rows(1);
   for (std::size_t i = 0; i < lesson.samples.inputs(); ++i) {
@@ -218,8 +218,8 @@ void print_json(const Report& report) {
   out() << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
-/// The stream that the network's first weights come from: that of a run with this seed, unless the
-/// coordinator has a seed of its own.
+/// The stream of the network's first weights: that of a run with this seed, unless the coordinator
+/// has its own seed.
 elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std::uint64_t& seed) {
   const std::int64_t fixed = learner.network->fixed_seed();
   if (fixed < 0) {
@@ -235,7 +235,7 @@ elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std
   return neural::stream_of_seed(seed);
 }
 
-/// Also when one of them is not there yet, or under two names.
+/// Also works if one of them does not exist yet, or has two names.
 bool same_file(const std::string& a, const std::string& b) {
   namespace fs = std::filesystem;
   return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));

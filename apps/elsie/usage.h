@@ -1,4 +1,4 @@
-// Messages for command lines that cannot be understood.
+// Messages for wrong command lines.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ class Error;
 
 namespace elsie::program {
 
-/// The first argument must be a subcommand or an option, and what looks like an option must be one
-/// of the subcommand. Throws BadInput, which says which one was meant.
+/// Checks that the first argument is a subcommand or an option, and that options exist. Throws
+/// BadInput with the nearest word.
 void check_words(const CLI::App& program, int argc, char** argv);
 
-/// A sentence for what the command line's parser found.
+/// A sentence for an error of the command line's parser.
 std::string usage_message(const CLI::App* command, const CLI::Error& error);
 
 }  // namespace elsie::program

@@ -10,7 +10,7 @@ namespace {
 constexpr const char* kVariable = "GLIBC_TUNABLES";
 
 #if defined(__x86_64__) && defined(__GLIBC__)
-/// What the C library's mathematical functions look at when they choose a version.
+/// The C library chooses versions of its mathematical functions by this setting.
 constexpr std::string_view kFeatures = "glibc.cpu.hwcaps=";
 constexpr std::string_view kSetting = "glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-FMA4";
 

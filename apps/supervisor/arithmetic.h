@@ -3,13 +3,13 @@
 
 namespace elsie::supervisor {
 
-/// The GNU C library has several versions of sin(), exp(), pow() and their like, which differ in
-/// the last bit, and takes the one that suits the processor: with or without fused multiply-add.
-/// From now on the programs that this process starts take those that every x86-64 processor has. It
-/// covers the program, its libraries and all plugins, because it is the C library that chooses.
+/// The GNU C library has several versions of sin(), exp(), pow() and others, which differ in the
+/// last bit, and chooses one for the processor: with or without fused multiply-add. After this
+/// call, programs that this process starts use the versions that every x86-64 processor supports.
+/// This covers the program, its libraries and all plugins, because the C library chooses.
 ///
-/// Sets GLIBC_TUNABLES in the environment; what it says already about other things stays.
-/// Does nothing for other processors, which have one version each, nor for another C library.
+/// Sets GLIBC_TUNABLES in the environment and keeps its other settings. Has no effect on other
+/// processors, which have one version each, or with other C libraries.
 void fix_arithmetic();
 
 }  // namespace elsie::supervisor

@@ -1,19 +1,20 @@
-// What the program says to its supervisor when it ends: on a pipe whose number plugins do not know.
+// The message of the program to its supervisor at its end, on a pipe whose number plugins do not
+// know.
 #pragma once
 
 #include <cstdint>
 
 namespace elsie::supervisor {
 
-/// The environment variable by which the program finds the pipe: "DESCRIPTOR:TOKEN", both decimal.
-/// The program removes it before it loads anything.
+/// The environment variable with the pipe: "DESCRIPTOR:TOKEN", both decimal. The program removes it
+/// before it loads anything.
 inline constexpr const char* kVariable = "ELSIE_SUPERVISOR";
 
-/// The one argument that only the supervisor understands, before all others: no child is made, and
-/// the program takes the supervisor's place. For debuggers.
+/// The supervisor's only argument, before all others: instead of starting a child, the program
+/// replaces the supervisor. For debuggers.
 inline constexpr const char* kOneProcess = "--one-process";
 
-/// Short enough that a pipe takes it whole or not at all.
+/// Short enough for a pipe to take it whole or not at all.
 struct Message {
   std::uint64_t token = 0;
   std::int32_t process = 0;

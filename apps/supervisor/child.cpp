@@ -20,12 +20,12 @@
 namespace elsie::supervisor {
 namespace {
 
-// A handler can reach nothing but globals.
+// A signal handler can only reach globals.
 std::atomic<pid_t> child{0};
 std::atomic<int> requests{0};  // to end, since the last look
 
-/// Signals that a user or a scheduler sends to a process. The program gets them all; what they do
-/// is its decision.
+/// Signals that users or schedulers send to a process. The program gets all of them and decides
+/// what to do.
 constexpr std::array kHandedOn{SIGINT,  SIGTERM, SIGHUP,  SIGQUIT, SIGUSR1, SIGUSR2,
                                SIGPIPE, SIGALRM, SIGXCPU, SIGTSTP, SIGCONT};
 
@@ -38,7 +38,7 @@ bool asks_to_end(int signal) { return signal == SIGINT || signal == SIGTERM || s
 
 void hand_on(int signal, siginfo_t* info, void*) {
   const int error = errno;
-  // What a terminal sends, it sends to the child as well.
+  // A terminal sends its signals to the child, too.
   const bool from_terminal = info && info->si_code == SI_KERNEL && is_sent_by_terminals(signal);
   if (child > 0 && !from_terminal) {
     kill(child, signal);
@@ -52,9 +52,8 @@ void hand_on(int signal, siginfo_t* info, void*) {
   errno = error;
 }
 
-/// From now on. Those that are ignored stay so, for both processes; but requests to end are handed
-/// on in any case: shells ignore Ctrl-C for what they start in the background, and the program
-/// heeds it all the same.
+/// Forwards signals from now on. Ignored ones stay ignored for both processes, except for requests
+/// to end: shells ignore Ctrl-C for background jobs, but the program obeys it.
 void hand_signals_on() {
   for (const int signal : kHandedOn) {
     struct sigaction action {};
@@ -75,10 +74,10 @@ void hand_signals_on() {
                            std::generic_category().message(errno));
 }
 
-/// Kills a child that does not end although it was asked twice.
+/// Kills a child that does not end after two requests.
 class Patience {
  public:
-  /// Whether it is over. To be asked at least ten times a second.
+  /// Whether it is over. To be called at least ten times a second.
   bool is_over() {
     using Clock = std::chrono::steady_clock;
     const auto now = Clock::now();
@@ -106,8 +105,8 @@ std::uint64_t random_number() {
   return number;
 }
 
-/// Reads what has come. The copies that a plugin makes of the process have the pipe as well: their
-/// messages are those of another process.
+/// Reads the messages. Copies that a plugin makes of the process also have the pipe: their messages
+/// come from another process.
 void read_messages(int from, std::uint64_t token, pid_t process, End& end, int& exit_code) {
   Message message;
   while (read(from, &message, sizeof(message)) == sizeof(message)) {
@@ -118,12 +117,12 @@ void read_messages(int from, std::uint64_t token, pid_t process, End& end, int& 
   }
 }
 
-/// Waits until the child is gone. Signals are blocked, and come with this mask while it waits.
+/// Waits until the child has ended. Signals are blocked except with this mask while it waits.
 void wait_for_end(int process_end, const sigset_t& mask, End& end) {
   Patience patience;
   for (;;) {
     pollfd ended{process_end, POLLIN, 0};
-    // Without a second request nothing wakes this process but the end, or a signal.
+    // Without a second request, only the end or a signal wakes this process.
     constexpr timespec kPause{0, 100'000'000};
     if (ppoll(&ended, 1, patience.has_begun() ? &kPause : nullptr, &mask) > 0) {
       break;
@@ -147,7 +146,7 @@ End run_child(const std::string& program, char** arguments) {
   if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
     fail("pipe");
   }
-  // A high number, if there may be one: plugins that close "their" descriptors begin with 3.
+  // A high number if possible: plugins that close "their" descriptors begin with 3.
   constexpr int kHigh = 200;
   int channel = fcntl(ends[1], F_DUPFD, kHigh);
   if (channel < 0) {
@@ -160,7 +159,7 @@ End run_child(const std::string& program, char** arguments) {
   const std::uint64_t token = random_number();
   setenv(kVariable, (std::to_string(channel) + ":" + std::to_string(token)).c_str(), 1);
 
-  // None comes between the making of the child and the knowledge of it.
+  // No signal may come between the start of the child and the assignment of its number.
   sigset_t all;
   sigset_t before;
   sigfillset(&all);
@@ -168,7 +167,7 @@ End run_child(const std::string& program, char** arguments) {
   const pid_t self = getpid();
   const pid_t made = fork();
   if (made == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // whoever kills this process has killed the program
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // killing this process kills the program
     if (getppid() == self) {
       sigprocmask(SIG_SETMASK, &before, nullptr);
       become(program, arguments);
