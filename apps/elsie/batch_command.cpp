@@ -103,7 +103,7 @@ int run(BatchOptions options) {
   }
   options.experiment = world::find_document(options.experiment, data_directories());
   if (options.again && !options.resume) {
-    throw BadInput("--again is for a batch that is there already; it needs --resume");
+    throw BadInput("--again needs --resume and an existing database");
   }
   if (options.cluster) {
     return run_on_cluster(options);
@@ -128,7 +128,7 @@ int run(BatchOptions options) {
   }
   if (!options.resume && !results::is_vacant(file)) {
     throw BadInput("there is a file '" + file.string() +
-                   "' already; go on with it by --resume, or choose another --database");
+                   "' already; continue it with --resume, or choose another --database");
   }
   const Plan plan = plan_of(options, shard);
   const StopSignals signals;  // before anything is created
@@ -160,7 +160,7 @@ int run(BatchOptions options) {
       report.end(!complete);
     } catch (...) {
       report.end(true);
-      std::cerr << "elsie: the batch ended before its end; go on with\n  "
+      std::cerr << "elsie: the batch stopped early; continue it with\n  "
                 << resume_command(options, file) << '\n';
       throw;
     }
@@ -180,8 +180,8 @@ int run(BatchOptions options) {
 }  // namespace
 
 void add_batch_command(CLI::App& program, Job& job) {
-  CLI::App* command =
-      program.add_subcommand("batch", "Do all runs of an experiment, into a database of results");
+  CLI::App* command = program.add_subcommand(
+      "batch", "Do all runs of an experiment and write a database of results");
   command->footer(kExamples);
   auto options = std::make_shared<BatchOptions>();
   command->add_option("EXPERIMENT", options->experiment, "Experiment file")->required();
@@ -196,29 +196,28 @@ void add_batch_command(CLI::App& program, Job& job) {
                    "current folder")
       ->type_name("FILE.sqlite");
   command->add_flag("--resume", options->resume,
-                    "Go on with a database that is there: only what is not done yet is done; "
-                    "without one, begin");
-  command->add_flag("--again", options->again,
-                    "With --resume: do the runs again in which a plugin failed or that were ended");
+                    "Continue with an existing database: do only pending runs; without one, begin");
+  command->add_flag("--again", options->again, "With --resume: repeat the runs that failed, too");
   command
       ->add_option("--shard", options->shard,
                    "Do only a part of the runs, for several machines: 2/5 is the second of five "
-                   "parts; `elsie merge` makes one database of theirs")
+                   "parts; `elsie merge` merges their databases")
       ->type_name("K/N")
       ->capture_default_str();
   command
-      ->add_option("--progress", options->progress,
-                   "Keep in this file how far the batch is, as a JSON object: runs, ended, failed")
+      ->add_option(
+          "--progress", options->progress,
+          "Keep the progress of the batch in this file, as a JSON object: runs, ended, failed")
       ->type_name("FILE.json");
   command
       ->add_option("--cluster", options->cluster,
-                   "Hand the runs to a cluster, as a job array of shards, follow it, and make one "
-                   "database of theirs; with --resume: follow it again, hand over what is left")
+                   "Submit the runs to a cluster as a job array of shards, follow it, and merge "
+                   "their databases; with --resume: follow it again, and submit what is left")
       ->check(CLI::IsMember({"slurm"}));
   command
       ->add_option("--shards", options->shards,
-                   "With --cluster: tasks of the job array; default: 16. --workers are those of "
-                   "each task then; default: 1")
+                   "With --cluster: number of tasks in the job array; default: 16. --workers then "
+                   "applies to each task; default: 1")
       ->check(CLI::Range(1, 1'000'000));
   command
       ->add_option("--sbatch", options->sbatch,
@@ -227,7 +226,7 @@ void add_batch_command(CLI::App& program, Job& job) {
       ->type_name("OPTION")
       ->allow_extra_args(false);
   command->add_flag("--detach", options->detach,
-                    "With --cluster: hand over, and do not wait; --resume follows later");
+                    "With --cluster: submit without waiting; --resume follows it later");
   options->plugins.add_to(*command);
   command->add_flag("--json", options->json,
                     "Print a summary as one JSON object, and nothing else");

@@ -191,7 +191,7 @@ std::string BatchReport::table() {
     for (const std::int64_t run : found.runs) {
       out += " " + std::to_string(run);
     }
-    out += "; a plugin of this cell takes something else for chance than its random stream\n";
+    out += "; a plugin of this cell depends on more than its random stream\n";
   }
   out += "\nresults: " + name + '\n';
   return out;
@@ -243,7 +243,7 @@ std::string BatchReport::interruption() {
   const Total sum = total(database_.cells(), {});
   return "elsie: interrupted; " + std::to_string(sum.pending) + " of " +
          base::counted(sum.runs, "run") + ' ' + base::is_or_are(sum.runs) +
-         " still to be done. Go on with\n  " + resume_ + '\n';
+         " still to be done. Continue with\n  " + resume_ + '\n';
 }
 
 int BatchReport::exit_code() {

@@ -100,7 +100,7 @@ void add_check_command(CLI::App& program, Job& job) {
                    "be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
-  command->add_flag("--quiet", options->quiet, "Say nothing of files that are in order");
+  command->add_flag("--quiet", options->quiet, "Print nothing about files that are in order");
   options->plugins.add_to(*command);
   command->callback([&job, options] { job = [options] { return check(*options); }; });
 }

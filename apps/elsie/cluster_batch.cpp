@@ -174,9 +174,9 @@ class ClusterBatch {
 
   /// The message when this command leaves before the tasks end.
   std::string goes_on() const {
-    return "job array " + folder_.job() + " goes on; follow it by\n  " +
-           resume_command(options_, file_) + "\nand end it by\n  scancel --name=" + folder_.name() +
-           '\n';
+    return "job array " + folder_.job() + " continues; follow it with\n  " +
+           resume_command(options_, file_) +
+           "\nand end it with\n  scancel --name=" + folder_.name() + '\n';
   }
 
   /// The unfinished shards with reasons; empty: none.
@@ -282,7 +282,7 @@ int already_there(const BatchOptions& options, const fs::path& file, const Plan&
   ResultsDatabase database = ResultsDatabase::resume(file, plan);
   if (!database.pending().empty()) {
     throw BadInput("'" + file.string() +
-                   "' has runs to be done, and is of no cluster; go on with it without --cluster");
+                   "' has runs to be done, and is of no cluster; continue it without --cluster");
   }
   std::error_code error;
   if (fs::exists(ShardFolder::beside(file), error)) {
@@ -305,7 +305,7 @@ int run_on_cluster(const BatchOptions& options) {
   const fs::path file = database_of(options, {});
   if (!options.resume && !results::is_vacant(file)) {
     throw BadInput("there is a file '" + file.string() +
-                   "' already; go on with it by --resume, or choose another --database");
+                   "' already; continue it with --resume, or choose another --database");
   }
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
@@ -322,13 +322,13 @@ int run_on_cluster(const BatchOptions& options) {
   } catch (const std::exception& error) {
     if (made && batch.nothing_begun()) {
       folder.remove();
-      throw BadInput(std::string(error.what()) + "; nothing was handed over");
+      throw BadInput(std::string(error.what()) + "; nothing was submitted");
     }
     std::cerr << "elsie: " << error.what()
-              << (batch.has_asked()
-                      ? "; it may be that the job array was handed over all the same; "
-                      : "; nothing was handed over now; ")
-              << "what was begun is kept, go on with\n  " << resume_command(options, file) << '\n';
+              << (batch.has_asked() ? "; the job array may have been submitted nevertheless; "
+                                    : "; nothing was submitted now; ")
+              << "what was begun is kept; continue with\n  " << resume_command(options, file)
+              << '\n';
     return kOtherFailure;
   }
   if (options.detach) {

@@ -156,14 +156,14 @@ std::string EndAgain::slow() const {
   const std::string now = "after " + base::number_text(wall_limit_s_, 6) +
                           " s on the clock it was in step " + std::to_string(step) + " and went on";
   if (before_.state != RunState::hang) {
-    return "the run has not come to its end: " + now + not_same_;
+    return "the run has not ended: " + now + not_same_;
   }
   if (before_.step && step < *before_.step) {
-    return "the run has not come as far as before: " + now + not_same_ +
-           "with --wall-limit it gets longer\n";
+    return "the run did not get as far as before: " + now + not_same_ +
+           "--wall-limit gives it more time\n";
   }
   return "the run is slow, and does not hang: " + now + not_same_ +
-         "with --wall-limit it gets longer\n";
+         "--wall-limit gives it more time\n";
 }
 
 bool EndAgain::is_same_place() const noexcept {

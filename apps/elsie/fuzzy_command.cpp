@@ -291,7 +291,7 @@ void add_fuzzy_command(CLI::App& program, Job& job) {
       ->required();
   command
       ->add_option("--block", options->block,
-                   "The function block that is meant, if the file has several")
+                   "Function block of the model, if the file has several")
       ->type_name("NAME");
   command
       ->add_option("--input", options->inputs,

@@ -82,7 +82,7 @@ void replace_what_changed(build::Watch& watch, Simulation& simulation, bool quie
     std::cerr << problem << '\n';
   }
   if (!renewal->kept.empty()) {
-    std::cerr << at << joined(renewal->kept) << ": what was there before goes on\n";
+    std::cerr << at << joined(renewal->kept) << ": the old version stays in use\n";
   }
   if (!renewal->host) {
     return;
@@ -99,7 +99,7 @@ void replace_what_changed(build::Watch& watch, Simulation& simulation, bool quie
     }
   } catch (const simulation::ReplacementRefused& refused) {
     std::cerr << at << files << " cannot be used: " << refused.what()
-              << "\nwhat was there before goes on\n";
+              << "\nthe old version stays in use\n";
   }
 }
 

@@ -49,8 +49,8 @@ int merge(const Options& options) {
           << " done\n";
     if (merged.duplicates > 0) {
       out() << base::counted(merged.duplicates, "run")
-            << (merged.duplicates == 1 ? " was there more than once, and counts once\n"
-                                       : " were there more than once, and count once\n");
+            << (merged.duplicates == 1 ? " was in several databases, and counts once\n"
+                                       : " were in several databases, and count once\n");
     }
     if (to_do > 0) {
       out() << to_do << ' ' << base::is_or_are(to_do) << " still to be done: elsie batch "
@@ -65,7 +65,7 @@ int merge(const Options& options) {
 
 void add_merge_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
-      "merge", "Make one database of those of an experiment's shards (elsie batch --shard)");
+      "merge", "Merge the databases of an experiment's shards (elsie batch --shard)");
   command->footer(kExamples);
   auto options = std::make_shared<Options>();
   command->add_option("OUT", options->into, "Database to make")->required();

@@ -199,7 +199,7 @@ int make_project(const Options& options) {
   const fs::path folder = options.folder.empty() ? options.name : options.folder;
   std::error_code error;
   if (fs::exists(folder, error)) {
-    throw BadInput("'" + folder.string() + "' is there already; choose another name, or --folder");
+    throw BadInput("'" + folder.string() + "' exists already; choose another name, or --folder");
   }
   check_free(options);
   write_project(options, folder);

@@ -31,7 +31,7 @@ void PathOptions::add_to(CLI::App& command) {
       ->type_name("SECONDS");
   command
       .add_option("--picture-fade", choice_.fade_s,
-                  "Have the ways fade: what is this much older than their end is gone")
+                  "Let the ways fade: parts older than their end by this time are left out")
       ->needs("--picture")
       ->check(positive_number())
       ->type_name("SECONDS");

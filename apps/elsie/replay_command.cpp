@@ -36,10 +36,10 @@ Examples:
   elsie replay speed.sqlite 17 --picture run.png --explain run.trace --record run.mcap
   elsie replay speed.sqlite 18 --wall-limit 60
 
-Exit codes for a run of a database: 0 it came to the same, or hangs in the same plugin, robot and
-step, 1 it did not, 2 bad input, 3 a plugin failed in another way than before, or brought the
-program down, as before or not, 4 anything else. For a recording:
-0, or 2 when it cannot be read or is damaged.
+Exit codes for a run of a database: 0 the same result, or it hangs in the same plugin, robot and
+step; 1 another result; 2 bad input; 3 a plugin failed in another way than before, or it ended the
+program, as before or not; 4 anything else. For a recording: 0, or 2 when it cannot be read or is
+damaged.
 )";
 
 // Help groups the options for one kind of file under these words.
@@ -132,8 +132,8 @@ int replay(const CLI::App& command, const ReplayOptions& options) {
 }  // namespace
 
 void add_replay_command(CLI::App& program, Job& job) {
-  CLI::App* command = program.add_subcommand(
-      "replay", "Look at a recording of a run, or do a run of a database again");
+  CLI::App* command =
+      program.add_subcommand("replay", "Show a recording of a run, or repeat a run of a database");
   command->footer(kExamples);
   auto options = std::make_shared<ReplayOptions>();
   command
@@ -143,22 +143,21 @@ void add_replay_command(CLI::App& program, Job& job) {
       ->required();
   command
       ->add_option("RUN", options->run,
-                   "Number of the run in the database: it is done again, and compared")
+                   "Number of the run in the database, which is repeated and compared")
       ->check(whole_number())
       ->group(kForRuns);
-  CLI::Option* picture =
-      command
-          ->add_option("--picture", options->picture,
-                       "Draw the world with the robots' trajectories at the end of the run; for a "
-                       "recording from what is in it alone")
-          ->type_name("FILE.png|FILE.svg");
+  CLI::Option* picture = command
+                             ->add_option("--picture", options->picture,
+                                          "Draw the world with the robots' trajectories at the end "
+                                          "of the run; for a recording, from its contents only")
+                             ->type_name("FILE.png|FILE.svg");
   command->add_option("--width", options->width, "Width of the picture in pixels")
       ->needs(picture)
       ->check(CLI::Range(200, 8000))
       ->capture_default_str();
   command
       ->add_option("--at", options->at,
-                   "Draw what was there at this simulated time (s), instead of at the end")
+                   "Draw the state at this simulated time (s) instead of the end")
       ->needs(picture)
       ->check(non_negative_number())
       ->group(kForRecordings);
@@ -171,13 +170,13 @@ void add_replay_command(CLI::App& program, Job& job) {
                    "Write every coordinator's decisions, for `elsie explain`")
       ->type_name("FILE.trace");
   command
-      ->add_option(
-          "--wall-limit", again.wall_limit_s,
-          "Seconds on the clock after which the run is ended; 0: never. Default: for a run "
-          "that met the batch's limit, that; else never")
+      ->add_option("--wall-limit", again.wall_limit_s,
+                   "Seconds on the clock after which the run is ended; 0: never. Default: the "
+                   "batch's limit for a run that met it, else never")
       ->check(non_negative_number())
       ->type_name("SECONDS");
-  command->add_flag("--quiet", again.quiet, "Print nothing but errors and whether it is the same");
+  command->add_flag("--quiet", again.quiet,
+                    "Print nothing but errors and whether the result is the same");
   const auto all = command->get_options();
   for (std::size_t i = before; i < all.size(); ++i) {
     all[i]->group(kForRuns);

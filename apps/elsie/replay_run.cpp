@@ -41,7 +41,7 @@ StoredRun stored_run(const RunAgainOptions& options) {
   }
   if (run->record.state == RunState::pending) {
     throw BadInput("run " + std::to_string(options.run) + " of '" + options.database +
-                   "' is still to be done; go on with `elsie batch --resume`");
+                   "' is still to be done; do it with `elsie batch --resume`");
   }
   return *std::move(run);
 }

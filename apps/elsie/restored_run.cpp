@@ -144,7 +144,7 @@ void RestoredRun::restore_data(const StoredRun& run, std::map<std::string, std::
     }
     files[data.name] = file.string();
     differences_.push_back("'" + data.path + "' " +
-                           (now ? "has changed since" : "is not there any more") +
+                           (now ? "has changed since" : "no longer exists") +
                            "; the run takes what was in it, from the database");
   }
 }

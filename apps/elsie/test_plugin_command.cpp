@@ -222,13 +222,11 @@ void add_test_plugin_command(CLI::App& program, Job& job) {
       ->add_option("PLUGIN", options->names,
                    "Names of plugins, library files, or sources of one file")
       ->required();
-  command
-      ->add_option("--set", options->settings,
-                   "A parameter that is always set so, NAME=VALUE; may be repeated")
+  command->add_option("--set", options->settings, "Fix a parameter, NAME=VALUE; may be repeated")
       ->allow_extra_args(false);
   command
       ->add_option("--members", options->members,
-                   "The behaviours of a coordinator that takes no others, by their ids")
+                   "Ids of the behaviours of a coordinator that accepts no others")
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--seed", options->seed, "Of the random input")->capture_default_str();

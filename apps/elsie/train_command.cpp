@@ -52,8 +52,8 @@ Examples:
   elsie train worlds/learned_priorities.xml --hidden '4 4' --seed 3 --curve curve.png
   elsie run worlds/learned_priorities.xml --set 'robot[r1]/coordinator/@weights=r1.weights'
 
-The network is the one that `elsie run` trains with the same seed. Exit code 1: it is untrained, for
-it gives the same output whatever the input; the weights are written all the same.
+The network is the one that `elsie run` trains with the same seed. Exit code 1: it is untrained and
+gives the same output for every input; its weights are written nevertheless.
 )";
 
 /// The options that replace parameters of the world.
@@ -81,7 +81,7 @@ void require_weights(const std::string& file) {
   if (std::filesystem::exists(file, error) &&
       (!std::filesystem::is_regular_file(file, error) || !neural::looks_like_weights(file))) {
     throw BadInput("--weights: '" + file +
-                   "' is there already and is no weight file; give another name, or remove it");
+                   "' exists already and is no weight file; give another name, or remove it");
   }
 }
 
@@ -304,12 +304,12 @@ int train(const TrainOptions& options) {
 
 void add_train_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
-      "train", "Train the network of a robot's coordinator, keep its weights");
+      "train", "Train the network of a robot's coordinator and write its weights");
   command->footer(kExamples);
   auto options = std::make_shared<TrainOptions>();
   command->add_option("WORLD", options->world, "World file")->required();
   command->add_option("--robot", options->place.robot,
-                      "Whose coordinator; may be left out where the world has one robot only");
+                      "Robot of the coordinator; optional if the world has only one robot");
   command->add_option("--behavior", options->place.behavior,
                       "The coordinator inside this behaviour of the robot, such as blend/inner");
   command
@@ -328,11 +328,11 @@ void add_train_command(CLI::App& program, Job& job) {
   command->add_option("--threshold", options->threshold, "Mean error that is good enough");
   command
       ->add_option("--presentations", options->presentations,
-                   "How many times a sample is presented at most")
+                   "Largest number of presentations of samples")
       ->check(whole_number());
   command
       ->add_option("--attempts", options->attempts,
-                   "How often it may begin anew after a training that missed a sample")
+                   "How often training may restart after it missed a sample")
       ->check(whole_number());
   command->add_option("--training", options->training, "File of samples")->type_name("FILE");
   command

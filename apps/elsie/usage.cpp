@@ -62,7 +62,7 @@ std::string usage_message(const CLI::App* command, const CLI::Error& error) {
                        std::regex("(.*): At Most (\\d+) required but received (\\d+)"))) {
     message = found.str(1) + " is given " + found.str(3) + " times; it may be given once";
   } else if (std::regex_match(message, found, std::regex("(.*): 1 required (.*) missing"))) {
-    message = found.str(1) + " takes a value, and there is none after it";
+    message = found.str(1) + " takes a value, which is missing";
   } else if (std::regex_match(message, found, std::regex("Could not convert: (\\S+) = (.*)"))) {
     message = found.str(1) + ": '" + found.str(2) + "' is not a number of the kind that it takes";
   } else if (std::regex_match(message, found, std::regex("(\\S+) is required"))) {
@@ -76,7 +76,7 @@ std::string usage_message(const CLI::App* command, const CLI::Error& error) {
   } else if (std::regex_match(
                  message, found,
                  std::regex("The following arguments? (was|were) not expected: (.*)"))) {
-    message = "what is '" + found.str(2) + "' for? Nothing was expected there";
+    message = "nothing is expected where '" + found.str(2) + "' is";
   }
   std::string name = command->get_name();
   for (const CLI::App* chosen : command->get_subcommands()) {

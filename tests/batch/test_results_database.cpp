@@ -177,7 +177,7 @@ TEST_CASE("A batch goes on only with its own database") {
   }
   CHECK_THROWS_WITH(
       ResultsDatabase::create(file, plan),
-      Contains("there is a database '" + file + "' already; go on with it by --resume"));
+      Contains("there is a database '" + file + "' already; continue it with --resume"));
   CHECK(ResultsDatabase::resume(file, plan).pending().size() == 5);
 
   auto other = test::small_experiment(folder);
@@ -305,7 +305,7 @@ TEST_CASE("A number without a run is told: there is no such run, or where it is"
   const std::string merged = folder.file("merged.sqlite");
   batch::merge(merged, {file});
   CHECK_THAT(ResultsDatabase::open(merged).why_no_run(3),
-             Contains("it was made of databases that do not have it; go on with it by `elsie"));
+             Contains("it was merged from databases that do not have it; do it with `elsie"));
 }
 
 TEST_CASE("A database that is not where it was is not written; what is in it is told") {

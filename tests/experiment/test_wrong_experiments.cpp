@@ -51,7 +51,7 @@ TEST_CASE("All mistakes are told at once, in the order of their lines") {
         "experiment.xml:6: <set> lacks what to set; expected value=\"...\", or an element in it\n"
         "experiment.xml:7: the range of the factor 'y': there is nothing from 2 to 1; give the "
         "smaller number first\n"
-        "experiment.xml:8: the seed 1 stands there twice: the same seed gives the same run\n"
+        "experiment.xml:8: the seed 1 is listed twice: the same seed gives the same run\n"
         "experiment.xml:9: <limits> has no attribute 'tyme'; did you mean 'time'?\n"
         "experiment.xml:10: the measure 'success' is named twice");
 }

@@ -106,10 +106,10 @@ const std::vector<Mistake>& mistakes() {
         "41: Found the end of the file, but the DEFUZZIFY that begins in line 24 is not closed. "
         "Write END_DEFUZZIFY before it.",
         "41: The file ends before END_FUNCTION_BLOCK. Is it complete?"}},
-      {"an empty file", {{"", ""}}, {"1: The file says nothing. Expected FUNCTION_BLOCK."}},
+      {"an empty file", {{"", ""}}, {"1: The file has no statements. Expected FUNCTION_BLOCK."}},
       {"only a comment",
        {{"", "(* nothing *)\n"}},
-       {"2: The file says nothing. Expected FUNCTION_BLOCK."}},
+       {"2: The file has no statements. Expected FUNCTION_BLOCK."}},
       {"another language",
        {{"", "<world format=\"1\"/>\n"}},
        {"1: Found '<', which has no meaning in FCL. Remove it.",
@@ -206,7 +206,7 @@ const std::vector<Mistake>& mistakes() {
         "the order of x."}},
       {"three points of one x",
        {{"(0.2, 0) (1, 1)", "(0.2, 0) (0.2, 1) (0.2, 0.5) (1, 1)"}},
-       {"15: The points of the term 'far' do not ascend: x = 0.2 comes too often. A step has two "
+       {"15: The points of the term 'far' do not ascend: x = 0.2 occurs too often. A step has two "
         "points of one x, with different degrees."}},
       {"a degree above 1",
        {{"(0.2, 0) (1, 1)", "(0.2, 0) (1, 1.5)"}},
@@ -248,7 +248,7 @@ const std::vector<Mistake>& mistakes() {
         "concluded from it. Correct the term or the RANGE."}},
       {"a singleton beside areas",
        {{"(10, 0) (20, 1) (30, 0)", "20"}},
-       {"24: The output 'speed' has singletons beside terms with an area. Make all its terms of "
+       {"24: The output 'speed' has both singletons and terms with an area. Make all its terms of "
         "one kind."}},
       {"a singleton outside of the range",
        {{"TERM far := (0.2, 0) (1, 1)", "TERM far := 2"}},

@@ -188,7 +188,7 @@ TEST_CASE("A weight file is known by how it begins") {
 
 TEST_CASE("A remark that could not be written again is refused") {
   CHECK_THAT(complaint(with("about inputs metres", "about inp\ruts metres")),
-             Catch::Contains("holds a carriage return; take it out"));
+             Catch::Contains("contains a carriage return; remove it"));
   CHECK_THAT(complaint(with("about inputs metres", "about inputs met\rres")),
-             Catch::Contains("holds a carriage return; take it out"));
+             Catch::Contains("contains a carriage return; remove it"));
 }

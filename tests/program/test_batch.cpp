@@ -51,7 +51,7 @@ TEST_CASE("The default database is named after the experiment, and is not overwr
   const auto again = here.batch("small_experiment.xml");
   CHECK(again.exit_code == 2);
   CHECK(again.out.empty());
-  CHECK_THAT(again.err, Contains("'small_experiment.sqlite' already; go on with it by --resume"));
+  CHECK_THAT(again.err, Contains("'small_experiment.sqlite' already; continue it with --resume"));
   const auto resumed = here.batch("small_experiment.xml --resume");
   CHECK(resumed.exit_code == 0);
   CHECK_THAT(resumed.out, Contains("all 24 runs are done already"));
@@ -135,7 +135,7 @@ TEST_CASE("Nothing is begun, and no database left behind, when the input is wron
   here.write("other.json", "[1, 2]");
   refused("batch small_experiment.xml --progress other.json", "is no progress of a batch");
   CHECK(here.read("other.json") == "[1, 2]");
-  refused("batch small_experiment.xml --again", "it needs --resume");
+  refused("batch small_experiment.xml --again", "--again needs --resume");
   refused("merge out.sqlite none.db", "there is no database 'none.db'");
   refused("replay none.db 1", "there is no database 'none.db'");
   refused("replay none.db", "'none.db' cannot be read");
@@ -157,7 +157,7 @@ TEST_CASE("A batch of one run tells of one run") {
   CHECK(here.elsie("merge all.sqlite one.sqlite").out == "all.sqlite: 1 of 1 run is done\n");
   fs::copy(here.file("one.sqlite"), here.file("two.sqlite"));
   CHECK_THAT(here.elsie("merge again.sqlite one.sqlite two.sqlite").out,
-             Contains("\n1 run was there more than once, and counts once\n"));
+             Contains("\n1 run was in several databases, and counts once\n"));
 }
 
 TEST_CASE("The same seed that gives another run is reported") {

@@ -187,7 +187,7 @@ TEST_CASE("Ctrl-C stops a batch in order: what is done is kept, the rest stays t
     CHECK(run.exit_code == 4);
     CHECK_THAT(run.out, Contains("results: " + name));
     CHECK_THAT(run.err,
-               Contains("interrupted; 2 of 4 runs are still to be done. Go on with\n  elsie "
+               Contains("interrupted; 2 of 4 runs are still to be done. Continue with\n  elsie "
                         "batch faulty.xml --plugin-path " +
                         Laboratory::plugins() + " --database " + name + " --resume\n"));
     CHECK(here.query(name, "SELECT state FROM runs ORDER BY id") ==

@@ -117,8 +117,10 @@ TEST_CASE("A follower that is killed or leaves can be followed by another") {
   CAPTURE(run.out, run.err);
   CHECK(run.exit_code == 0);
   CHECK_THAT(run.out, Contains("code 4") && Contains("job array 1 is at work: ") &&
-                          Contains("job array 1 goes on; follow it by") && !Contains("array 2"));
-  CHECK_THAT(run.err, Contains("interrupted; job array 1 goes on") && Contains("scancel --name="));
+                          Contains("job array 1 continues; follow it with") &&
+                          !Contains("array 2"));
+  CHECK_THAT(run.err,
+             Contains("interrupted; job array 1 continues") && Contains("scancel --name="));
   CHECK(nlohmann::json::parse(here.read("summary.json"))["done"] == 4);
   CHECK(here.table("all.sqlite") == here.alone("faulty.xml"));
 }
@@ -211,8 +213,7 @@ TEST_CASE("What a cluster does not take leaves nothing behind") {
   CHECK_THAT(run.err, Contains("--shards is for a cluster; it needs --cluster slurm"));
   CHECK_THAT(run.err, Contains("--sbatch is for a cluster; it needs --cluster slurm"));
   CHECK_THAT(run.err, Contains("--detach is for a cluster; it needs --cluster slurm"));
-  CHECK_THAT(run.err,
-             Contains("Slurm does not answer: ") && Contains("; nothing was handed over\n"));
+  CHECK_THAT(run.err, Contains("Slurm does not answer: ") && Contains("; nothing was submitted\n"));
   CHECK_THAT(run.err, Contains("there is no program 'squeue' here"));
   CHECK_THAT(run.out, !Contains("all.sqlite"));
 }
@@ -231,7 +232,7 @@ TEST_CASE("A batch on a cluster goes on with its own experiment only") {
       "batch faulty.xml --cluster slurm --resume --database all.sqlite && exit 1; [ $? = 2 ]\n");
   CAPTURE(run.out);
   CHECK(run.exit_code == 0);
-  CHECK_THAT(run.err, Contains("of a batch that is not complete; go on with it by --resume") &&
+  CHECK_THAT(run.err, Contains("of a batch that is not complete; continue it with --resume") &&
                           Contains("the batch was begun with 2 shards, not 1") &&
                           Contains("was begun with another experiment") &&
                           Contains("is missing or damaged; remove the folder to begin anew"));

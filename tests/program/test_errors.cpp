@@ -131,9 +131,8 @@ TEST_CASE("A command line that does not fit is told in sentences") {
   CHECK(refused("run worlds/maze.xml --sed 3") ==
         "elsie: `elsie run` has no option '--sed'; did you mean '--seed'?");
   CHECK(refused("run") == "elsie: WORLD is missing");
-  CHECK(refused("run a.xml b.xml") == "elsie: what is 'b.xml' for? Nothing was expected there");
-  CHECK(refused("run worlds/maze.xml --seed") ==
-        "elsie: --seed takes a value, and there is none after it");
+  CHECK(refused("run a.xml b.xml") == "elsie: nothing is expected where 'b.xml' is");
+  CHECK(refused("run worlds/maze.xml --seed") == "elsie: --seed takes a value, which is missing");
   CHECK(refused("run worlds/maze.xml --record a.csv --record b.csv") ==
         "elsie: --record is given 2 times; it may be given once");
   CHECK(refused("picture worlds/maze.xml --width 1e3") ==

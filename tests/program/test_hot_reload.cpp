@@ -90,7 +90,7 @@ TEST_CASE("A behaviour changes while it drives; one that does not compile change
       "elsie --one-process run world.xml --plugin pace.cpp --watch --speed 1 --duration 3000 "
       "--record pace.csv --record-rate 100 2> err & pid=$!\n"
       "i=0; until [ -s pace.csv ]; do i=$((i+1)); [ $i -lt 1800 ] || exit 9; sleep 0.1; done\n"
-      "cp wrong.cpp pace.cpp; says 'what was there before goes on'; echo >> err\n"
+      "cp wrong.cpp pace.cpp; says 'the old version stays in use'; echo >> err\n"
       "cp refusing.cpp pace.cpp; says 'cannot be used'\n"
       "cp faster.cpp pace.cpp; says 'new: pace'\n"
       "sleep 2; kill $pid; wait $pid || exit $?");
@@ -104,7 +104,7 @@ TEST_CASE("A behaviour changes while it drives; one that does not compile change
   }
   CHECK_THAT(shown, Contains("    pace.cpp:"));
   CHECK_THAT(err, Contains("pace.cpp:") && Contains("pace.cpp could not be compiled") &&
-                      Contains(" s, pace.cpp: what was there before goes on\n"));
+                      Contains(" s, pace.cpp: the old version stays in use\n"));
   CHECK_THAT(err, Contains("pace.cpp cannot be used: robot 'r1', behavior[pace]: it needs the "
                            "parameter 'speed' now, which the world does not give"));
   CHECK_THAT(err, Contains(" s, pace.cpp: new: pace of 'r1', with what it remembers\n"));

@@ -45,7 +45,7 @@ TEST_CASE("elsie new leaves what is there alone, and makes all or nothing") {
   };
   here.write("notes", "mine");
   CHECK(refused("behavior notes") ==
-        "elsie: 'notes' is there already; choose another name, or --folder");
+        "elsie: 'notes' exists already; choose another name, or --folder");
   CHECK(here.read("notes") == "mine");
   CHECK(refused("robot r1") ==
         "elsie: 'robot' is no kind of plugin; there are behavior, coordinator, sensor and measure");

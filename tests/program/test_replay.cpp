@@ -71,7 +71,7 @@ TEST_CASE("A replay takes from the database what has changed on disk, and says s
   fs::remove_all(here.file("fuzzy_models"));
   run = here.elsie("replay small_experiment.sqlite 1 --quiet");
   CHECK(run.exit_code == 0);
-  CHECK_THAT(run.err, Contains(model + "' is not there any more"));
+  CHECK_THAT(run.err, Contains(model + "' no longer exists"));
 
   here.write("mine/wander.so", here.read("mine/wander.so") + "more");
   run = here.elsie("replay small_experiment.sqlite 1 --quiet");

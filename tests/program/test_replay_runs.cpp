@@ -81,11 +81,11 @@ TEST_CASE("A run that is merely slow is told from one that hangs") {
   CHECK_THAT(replay("20", "--wall-limit 0.5 --picture run.png --record run.mcap"),
              Contains("not the same: the run is slow, and does not hang: after 0.5 s on the clock "
                       "it was in step 50 and went on" +
-                      before + "20\nwith --wall-limit it gets longer\n"));
+                      before + "20\n--wall-limit gives it more time\n"));
   CHECK(here.read("run.png").starts_with("\x89PNG"));
   CHECK_THAT(here.elsie("replay run.mcap").out, Contains("complete"));
   CHECK_THAT(replay("150", "--wall-limit 0.5"),
-             Contains("not the same: the run has not come as far as before: after 0.5 s on the "
+             Contains("not the same: the run did not get as far as before: after 0.5 s on the "
                       "clock it was in step 50 and went on" +
                       before + "150\n"));
 }
@@ -98,7 +98,7 @@ TEST_CASE("A replay can be limited whatever the run came to; most are not") {
   CHECK_THAT(here.elsie("replay faulty.sqlite 1 --quiet").out, Catch::StartsWith("the same: "));
   const auto run = here.elsie("replay faulty.sqlite 1 --quiet --wall-limit 0.5");
   CHECK(run.exit_code == 1);
-  CHECK_THAT(run.out, Contains("not the same: the run has not come to its end: after 0.5 s on the "
+  CHECK_THAT(run.out, Contains("not the same: the run has not ended: after 0.5 s on the "
                                "clock it was in step 50 and went on, before done: "));
   here.query("faulty.sqlite",
              "UPDATE runs SET state = 'hang', plugin = 'dawdling', robot = 'r1', "

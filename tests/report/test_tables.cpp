@@ -144,8 +144,8 @@ TEST_CASE("Runs that are in no database, or all the same one, are told in every 
   CHECK_THAT(json_report(findings), Contains("\"missing\": 4"));
   CHECK_THAT(terminal_report(findings, "x.sqlite", 120),
              Contains("6 runs: 2 cells, 3 seeds; 4 of 10 runs are not in this database") &&
-                 Contains("in 1 of 2 cells all seeds gave one and the same run: nothing there is "
-                          "left to chance (b)"));
+                 Contains("in 1 of 2 cells all seeds gave one and the same run: nothing there "
+                          "depends on chance (b)"));
 }
 
 TEST_CASE("JUnit: what is asked of every experiment is no expectation of the same name") {

@@ -35,7 +35,7 @@ std::optional<std::string> difference(const Answer& one, const Answer& other) {
            std::to_string(one.numbers.size());
   }
   if (one.events != other.events) {
-    return "it says other words: events, or reasons in its trace";
+    return "its events, or the reasons in its trace, differ";
   }
   return std::nullopt;
 }
@@ -332,7 +332,7 @@ class Checker {
         if (const auto differs = difference(first[step], answer)) {
           find("remembers",
                "an object that takes over in step " + std::to_string(middle) +
-                   " what remember() names goes on differently: remember() must name everything "
+                   " what remember() names continues differently: remember() must name everything "
                    "that outlives a step: in step " +
                    std::to_string(step) + " " + *differs + where_);
           return;

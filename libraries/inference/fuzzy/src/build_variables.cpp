@@ -227,7 +227,7 @@ bool ModelBuilder::check_points(const ast::Term& term) {
         (point.degree == before.degree || (i > 1 && term.points[i - 2].x == point.x))) {
       problems_.add(line, "The points of the term " + quoted(term.name.text) +
                               " do not ascend: x = " + number_text(point.x) +
-                              " comes too often. A step has two points of one x, with different "
+                              " occurs too often. A step has two points of one x, with different "
                               "degrees.");
       return false;
     }
@@ -366,7 +366,7 @@ void ModelBuilder::check_output_terms(const ast::VariableBlock& block, const Out
       output.method == Defuzzification::centroid || output.method == Defuzzification::bisector;
   if (singletons > 0 && singletons < static_cast<std::ptrdiff_t>(output.terms.size())) {
     problems_.add(block.name.line, "The output " + quoted(output.name) +
-                                       " has singletons beside terms with an area. Make all its "
+                                       " has both singletons and terms with an area. Make all its "
                                        "terms of one kind.");
     return;
   }

@@ -125,7 +125,7 @@ void FormulaReader::function_or_input(int depth) {
   take();
   expect_symbol("(", "after " + word.text);
   sum(depth + 1);
-  expect_symbol(")", "after what " + word.text + " is of");
+  expect_symbol(")", "after the argument of " + word.text);
   push({function->value});
 }
 

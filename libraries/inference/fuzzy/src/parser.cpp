@@ -39,7 +39,7 @@ class Parser : private FormulaReader {
 
   void file() {
     if (at_end()) {
-      note(now().line, "The file says nothing. Expected FUNCTION_BLOCK.");
+      note(now().line, "The file has no statements. Expected FUNCTION_BLOCK.");
       return;
     }
     if (!at_word("function_block")) {

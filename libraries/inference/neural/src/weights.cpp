@@ -126,7 +126,7 @@ class Reader {
     }
     about.push_back({key, trimmed_after(lines_[line_ - 1], words_[1])});
     if ((about.back().key + about.back().text).find('\r') != std::string::npos) {
-      refuse("what is said about " + neural::quoted(key) + " holds a carriage return; take it out");
+      refuse("the remark about " + neural::quoted(key) + " contains a carriage return; remove it");
     }
   }
 
@@ -172,8 +172,8 @@ void check_remarks(const std::vector<Remark>& about) {
     if (!is_word || known ||
         (remark->key + remark->text).find_first_of("\r\n") != std::string::npos) {
       throw std::invalid_argument("'" + remark->key +
-                                  "' cannot be said about a network: it must be one word that "
-                                  "stands once, and its text one line.");
+                                  "' is no remark about a network: it must be one word that occurs "
+                                  "once, and its text one line.");
     }
   }
 }

@@ -49,8 +49,8 @@ bool carry_out(const Plan& plan, ResultsDatabase& database, const BatchOptions& 
       throw FileChanged(
           "'" + *changed +
           "' has changed since the batch began, and the runs would no longer belong to "
-          "one experiment; put it back and go on with --resume, or begin anew with "
-          "another --database");
+          "one experiment; restore it and continue with --resume, or start again with another "
+          "--database");
     }
   };
   auto at = pending.begin();

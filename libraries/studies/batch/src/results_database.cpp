@@ -93,7 +93,7 @@ ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) 
   if (!results::is_vacant(file)) {
     results::open_to_read(file);  // a file that is no database is reported as such
     throw DatabaseRefused("there is a database '" + file.string() +
-                          "' already; go on with it by --resume, or choose another --database");
+                          "' already; continue it with --resume, or choose another --database");
   }
   try {
     sqlite::Connection connection = results::make_database(file);
@@ -265,7 +265,7 @@ std::string ResultsDatabase::why_no_run(std::int64_t id) {
       return none + "it has the shard " + shard + " of the experiment, and this run is in shard " +
              of_run.text();
     }
-    return none + "it was made of databases that do not have it; go on with it by `elsie batch " +
+    return none + "it was merged from databases that do not have it; do it with `elsie batch " +
            "EXPERIMENT --database " + file().string() + " --resume`";
   });
 }

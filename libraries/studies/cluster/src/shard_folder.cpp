@@ -81,11 +81,10 @@ ShardFolder ShardFolder::create(const fs::path& database, const batch::Plan& pla
   std::error_code error;
   if (!fs::create_directory(folder.path_, error)) {
     const std::string name = "'" + folder.path_.string() + "'";
-    throw DatabaseRefused(
-        error ? "the folder " + name + " cannot be made: " + error.message()
-              : "there is a folder " + name +
-                    " already, of a batch that is not complete; go on with it by --resume, or "
-                    "choose another --database");
+    throw DatabaseRefused(error ? "the folder " + name + " cannot be made: " + error.message()
+                                : "there is a folder " + name +
+                                      " already, of a batch that is not complete; continue it with "
+                                      "--resume, or choose another --database");
   }
   try {
     write_file(folder.script(), script_text(folder, command));

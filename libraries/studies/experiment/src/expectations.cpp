@@ -99,7 +99,7 @@ void check_bounds(const ExpectationDraft& draft, const Expectation& expectation)
   const double tolerance = draft.tolerance.value_or(0.0);
   if (draft.about && tolerance <= 0.0) {
     fail("about=\"" + number(*draft.about) +
-         "\" of <expect> has no tolerance: no figure is exactly so; expected a tolerance above 0");
+         "\" of <expect> has no tolerance: no figure is exact; expected a tolerance above 0");
   }
   if (expectation.statistic == Statistic::rate && expectation.relation == Relation::none) {
     if (draft.confidence && ((draft.at_least && *draft.at_least - tolerance >= 1.0) ||

@@ -152,7 +152,7 @@ class FactorMaker {
     }
     if (draft_.path && !path_used && draft_.path->find('=') == std::string::npos) {
       complain("the path of the factor '" + name_ +
-               "' is for nothing: none of its levels has a value or an element");
+               "' has no use: none of its levels has a value or an element");
     }
   }
 

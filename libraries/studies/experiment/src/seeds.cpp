@@ -30,7 +30,7 @@ std::vector<std::uint64_t> listed_seeds(const SeedsDraft& draft, Problems& probl
                                        "blanks");
     } else if (!known.insert(static_cast<std::uint64_t>(seed)).second) {
       problems.add(draft.location,
-                   "the seed " + word + " stands there twice: the same seed gives the same run");
+                   "the seed " + word + " is listed twice: the same seed gives the same run");
     } else {
       seeds.push_back(static_cast<std::uint64_t>(seed));
     }

@@ -74,7 +74,7 @@ std::string one_run_in_words(const Findings& findings) {
               : "in " + std::to_string(count) + " of " + counted(findings.cells.size(), "cell") +
                     " all") +
          " seeds gave one and the same run" + (all && count > 1 ? " in every cell" : "") +
-         ": nothing there is left to chance" +
+         ": nothing there depends on chance" +
          (all ? "" : " (" + names + (count > kNamed ? "; ..." : "") + ")");
 }
 
@@ -234,7 +234,7 @@ std::string in_words(const Results& results, const Disagreement& disagreement) {
   const Run& first = results.runs[disagreement.runs.front()];
   const std::string& label = results.cells[first.cell].label;
   return text + " (" + (label.empty() ? "" : label + ", ") + "seed " + std::to_string(first.seed) +
-         ") ended in different states: a plugin does not follow from the seed alone";
+         ") ended in different states: a plugin depends on more than the seed";
 }
 
 }  // namespace elsie::report

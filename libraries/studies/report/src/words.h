@@ -15,7 +15,7 @@ std::string size_in_words(const Findings& findings);
 /// "4 of 6 runs are not in this database"; for a shard, with its number.
 std::string missing_in_words(const Findings& findings);
 
-/// "in 2 of 6 cells all seeds gave one and the same run: nothing there is left to chance (a, b)";
+/// "in 2 of 6 cells all seeds gave one and the same run: nothing there depends on chance (a, b)";
 /// "" for none. Names at most three cells.
 std::string one_run_in_words(const Findings& findings);
 
