@@ -1,4 +1,4 @@
-// Small experiments put together in code, and a folder to keep them in.
+// Small experiments made in code, and a folder for them.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace elsie::test {
 
-/// A robot that wanders, and one that avoids what its beams see: a plugin with data files.
+/// A robot that wanders, and one that avoids obstacles: a plugin with data files.
 inline constexpr const char* kWorld = R"(<world format="1" name="small">
   <limits time="2"/>
   <obstacles><static_box x="0.4" y="0"/></obstacles>
@@ -65,7 +65,7 @@ inline batch::Plan small_plan(const Folder& folder, batch::Shard shard = {}) {
   return batch::make_plan(small_experiment(folder), shipped(), plan_options(shard));
 }
 
-/// What a run that ended well may come to.
+/// A possible record of a run that is done.
 inline batch::RunRecord some_record(const std::string& hash = "0123456789abcdef") {
   batch::RunRecord record;
   record.state = batch::RunState::done;

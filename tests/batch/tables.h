@@ -1,4 +1,4 @@
-// Looking into a database of results.
+// Reads a database of results.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 namespace elsie::test {
 
-/// What a query gives, as text: columns with | between them, a row to a line; null is "null".
+/// The rows of a query as text: columns separated by |, a row on each line; null is "null".
 inline std::string rows(const std::string& file, const std::string& sql) {
   sqlite3* handle = nullptr;
   std::string text;
@@ -34,7 +34,7 @@ inline std::string rows(const std::string& file, const std::string& sql) {
   return text;
 }
 
-/// All that is in a database, but for what the clock decides: when runs ended and how long they
+/// Everything in a database except what depends on the clock: when runs ended, and how long they
 /// took.
 inline std::string all_tables(const std::string& file) {
   std::string text;

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A record of its own for each run.
+/// A different record for each run.
 batch::RunRecord record_of(std::int64_t run) {
   batch::RunRecord record =
       test::some_record(simulation::hash_text(static_cast<std::uint64_t>(run)));
@@ -26,7 +26,7 @@ batch::RunRecord record_of(std::int64_t run) {
   return record;
 }
 
-/// Of a run that did not end by itself, with what there was until then.
+/// The record of a failed run, with its partial results.
 batch::RunRecord failed(batch::RunState state, const std::string& message) {
   batch::RunRecord record = test::some_record();
   record.state = state;
@@ -81,7 +81,7 @@ TEST_CASE("Shards that are merged are the whole, whatever their order") {
   CHECK(ResultsDatabase::open(merged).pending().empty());
 }
 
-TEST_CASE("A run that is there twice counts once; what is missing can be done later") {
+TEST_CASE("A run in two databases counts once; missing runs can be done later") {
   const test::Folder folder;
   const std::string a = shard(folder, 1, 3, "a.sqlite");
   const std::string again = folder.file("again.sqlite");
@@ -120,7 +120,7 @@ TEST_CASE("A run that failed in one database and is done in another is done") {
     for (const auto& order : {std::vector<fs::path>{bad, good}, std::vector<fs::path>{good, bad}}) {
       fs::remove(merged);
       const auto count = batch::merge(merged, order);
-      CHECK(count.duplicates == 1);  // run 3 is still to be done in one of them
+      CHECK(count.duplicates == 1);  // run 3 is still pending in one of them
       CHECK(count.pending == 0);
       CHECK(test::rows(merged, "SELECT state, message FROM runs WHERE id = 6") ==
             "done|all goals are reached\n");
@@ -131,7 +131,7 @@ TEST_CASE("A run that failed in one database and is done in another is done") {
   }
 }
 
-TEST_CASE("Of a run that failed everywhere the end that tells most is kept, in any order") {
+TEST_CASE("Of a run that failed in all databases the most telling end is kept, in any order") {
   const test::Folder folder;
   using batch::RunState;
   const std::vector<std::pair<RunState, std::string>> ends{{RunState::fault, "b"},

@@ -31,7 +31,7 @@ double measure(const batch::RunRecord& record, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("A job comes to what the same world and seed come to by themselves") {
+TEST_CASE("A job gives the same result as the same world and seed alone") {
   const test::Folder folder;
   const batch::Job job = small_job(folder);
   const batch::RunRecord record = batch::perform(job);
@@ -150,7 +150,7 @@ TEST_CASE("A long way is thinned") {
   const batch::RunRecord record = batch::perform(batch::job_of(plan, plan.runs[0]));
   REQUIRE(record.steps == 3000U);
   const auto poses = nlohmann::json::parse(record.trajectories[0].poses);
-  CHECK(poses.size() == 1501);  // every second one of 3001
+  CHECK(poses.size() == 1501);  // every second of 3001
   CHECK(record.trajectories[0].period_s == Approx(0.02));
 }
 
@@ -176,7 +176,7 @@ TEST_CASE("What goes wrong is in the record, not thrown") {
   CHECK(record.measures.empty());
 }
 
-TEST_CASE("A plugin that fails is named with robot and step, and what there was is kept") {
+TEST_CASE("A plugin that fails is named with robot and step, and partial results are kept") {
   const test::Folder folder;
   const std::string faulty = test::build_path("tests/program/plugins/faulty.so");
   for (const std::string plugin : {"throwing", "not_a_number"}) {
@@ -205,7 +205,7 @@ TEST_CASE("A plugin that fails is named with robot and step, and what there was 
 TEST_CASE("A give-up in the very step that the physics fails in is written, too") {
   const test::Folder folder;
   batch::Job job = small_job(folder);
-  // The ram presses the robot through the wall in the first step.
+  // The ram pushes the robot through the wall in the first step.
   job.world_text = R"(<world format="1"><limits time="1"/><arena length="4" width="4"/>
       <physics cfm="0" friction="1000"/><obstacles><moving_box id="ram" x="0.9" length="1"
       width="3" speed="100"><waypoint x="1.9" y="0"/></moving_box></obstacles><robots>
@@ -229,7 +229,7 @@ TEST_CASE("A give-up in the very step that the physics fails in is written, too"
     database.write(1, record);
     CHECK(database.pending().size() == 5);
   }
-  auto database = batch::ResultsDatabase::open(file);  // which looks for damage
+  auto database = batch::ResultsDatabase::open(file);  // this also checks for damage
   const auto stored = database.run(1);
   REQUIRE(stored);
   CHECK(stored->record.steps == 0U);

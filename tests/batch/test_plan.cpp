@@ -33,7 +33,7 @@ TEST_CASE("A plan has every cell and every run, in the order of the grid") {
   }
 }
 
-TEST_CASE("Repetitions of a seed stand side by side") {
+TEST_CASE("Repetitions of a seed are adjacent") {
   const test::Folder folder;
   auto experiment = test::small_experiment(folder);
   experiment.repeats = 2;
@@ -77,7 +77,7 @@ TEST_CASE("A cell's world is one text with all that is set in it, and names ever
   }
 }
 
-TEST_CASE("What measures a world is among its plugins, and in its text") {
+TEST_CASE("A world's measures are among its plugins, and in its text") {
   const test::Folder folder;
   std::string text = test::kWorld;
   text.insert(text.rfind("</world>"), "<measures><coverage cell=\"0.25\"/></measures>");
@@ -109,11 +109,11 @@ TEST_CASE("The text of a cell is all of its world, wherever the files are by the
         elsewhere.file("avoid_obstacle_left.fcl"));
 }
 
-TEST_CASE("Two files of one name are told apart in a cell's text") {
+TEST_CASE("Two files of one name have different names in a cell's text") {
   const test::Folder folder;
   const std::string model =
       results::file_content(test::source_path("fuzzy_models/avoid_obstacle_left.fcl"));
-  // The default is looked for in the data directories, what a world names beside it.
+  // The default is in a data directory, the world's own file is next to the world.
   folder.write("fuzzy_models/avoid_obstacle_left.fcl", model + "// another one\n");
   auto experiment = test::small_experiment(folder);
   experiment.settings.push_back(test::setting("robot[r1]/behavior[avoid_obstacle]/@right_model",
@@ -128,7 +128,7 @@ TEST_CASE("Two files of one name are told apart in a cell's text") {
   REQUIRE(plan.cells[0].data.size() == 2);
   CHECK(plan.cells[0].data[0].file != plan.cells[0].data[1].file);
 
-  // One of them is named by its path. Where that is does not make another experiment of it.
+  // One of them is named by its path, which does not change the experiment.
   const test::Folder copy;
   const auto fingerprint_of_copy = [&](const std::string& content) {
     copy.write("fuzzy_models/avoid_obstacle_left.fcl", content);
@@ -163,7 +163,7 @@ TEST_CASE("The fingerprint follows from what decides the runs, and from nothing 
   CHECK(batch::make_plan(test::small_experiment(folder), test::shipped(), options).fingerprint !=
         before);
   CHECK(test::small_plan(folder, {2, 3}).fingerprint == before);
-  // A copy of it all in another folder, data files too, is the same experiment.
+  // A copy of everything in another folder, with its data files, is the same experiment.
   const test::Folder copy;
   for (const char* side : {"left", "right"}) {
     const std::string name = std::string("fuzzy_models/avoid_obstacle_") + side + ".fcl";
@@ -214,7 +214,7 @@ TEST_CASE("A world's own limit of time on the clock does not count") {
   CHECK(plan.cells[0].world_text.find("wall_time") == std::string::npos);
 }
 
-TEST_CASE("A file that changes while a batch goes on is noticed") {
+TEST_CASE("A file that changes during a batch is noticed") {
   const test::Folder folder;
   for (const char* side : {"left", "right"}) {
     const std::string name = std::string("fuzzy_models/avoid_obstacle_") + side + ".fcl";
@@ -228,7 +228,7 @@ TEST_CASE("A file that changes while a batch goes on is noticed") {
   CHECK_FALSE(check.changed(0));
   const std::string name = "fuzzy_models/avoid_obstacle_left.fcl";
   const std::string content = folder.read(name);
-  folder.write(name, content);  // written anew, with the same in it
+  folder.write(name, content);  // written again with the same content
   CHECK_FALSE(check.changed(1));
   folder.write(name, content + "\n");
   CHECK(check.changed(1) == folder.file(name));

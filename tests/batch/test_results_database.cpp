@@ -20,7 +20,7 @@ using batch::ResultsDatabase;
 using Catch::Contains;
 namespace fs = std::filesystem;
 
-TEST_CASE("A new database has everything to be done, and what it takes to do it") {
+TEST_CASE("A new database has all pending runs, and everything that they need") {
   const test::Folder folder;
   const std::string file = folder.file("r.sqlite");
   const batch::Plan plan = test::small_plan(folder);
@@ -132,7 +132,7 @@ TEST_CASE("Cells, failures and seeds that disagree are counted") {
   database.write(7, test::some_record());
 }
 
-TEST_CASE("A stored run has all that it takes to do it again") {
+TEST_CASE("A stored run has everything that is needed to repeat it") {
   const test::Folder folder;
   auto database = ResultsDatabase::create(folder.file("r.sqlite"), test::small_plan(folder));
   database.write(6, test::some_record());
@@ -167,7 +167,7 @@ TEST_CASE("A stored run has all that it takes to do it again") {
   CHECK_FALSE(database.run(7));
 }
 
-TEST_CASE("A batch goes on only with its own database") {
+TEST_CASE("A batch continues only with its own database") {
   const test::Folder folder;
   const std::string file = folder.file("r.sqlite");
   const batch::Plan plan = test::small_plan(folder);
@@ -195,7 +195,7 @@ TEST_CASE("A batch goes on only with its own database") {
                     Contains("has the shard 1/1 of the experiment, not 1/2"));
 }
 
-TEST_CASE("A model that has changed is named when a batch is to go on") {
+TEST_CASE("A model that has changed is named when a batch is resumed") {
   const test::Folder folder;
   for (const char* side : {"left", "right"}) {
     const std::string name = std::string("fuzzy_models/avoid_obstacle_") + side + ".fcl";
@@ -221,7 +221,7 @@ TEST_CASE("What else has changed is named, too: worlds, settings, libraries, cel
   const std::string file = folder.file("r.sqlite");
   const batch::Plan plan = test::small_plan(folder);
   ResultsDatabase::create(file, plan);
-  const auto told = [&](const batch::Plan& changed) -> std::string {
+  const auto difference = [&](const batch::Plan& changed) -> std::string {
     try {
       ResultsDatabase::resume(file, changed);
     } catch (const std::exception& error) {
@@ -233,13 +233,13 @@ TEST_CASE("What else has changed is named, too: worlds, settings, libraries, cel
   batch::Plan world = plan;
   world.fingerprint = "other";
   world.cells[0].sha256 = std::string(64, 'b');
-  CHECK_THAT(told(world), Contains("the world '" + plan.cells[0].world_file +
-                                   "' or what the experiment sets in it (SHA-256 " + before +
-                                   ", now bbbbbbbb)"));
+  CHECK_THAT(difference(world), Contains("the world '" + plan.cells[0].world_file +
+                                         "' or what the experiment sets in it (SHA-256 " + before +
+                                         ", now bbbbbbbb)"));
   batch::Plan program = plan;
   program.fingerprint = "other";
   program.files[0].sha256 = std::string(64, 'c');
-  CHECK_THAT(told(program),
+  CHECK_THAT(difference(program),
              Contains("the program's library '" + plan.files[0].path + "' (SHA-256 " +
                       plan.files[0].sha256.substr(0, 8) + ", now cccccccc)"));
   batch::Plan plugin = plan;
@@ -247,20 +247,20 @@ TEST_CASE("What else has changed is named, too: worlds, settings, libraries, cel
   REQUIRE(plugin.plugins[0].file);
   batch::PlannedFile& library = plugin.files[*plugin.plugins[0].file];
   library.sha256 = std::string(64, 'd');
-  CHECK_THAT(told(plugin), Contains("the plugin library '" + library.path + "' (SHA-256 ") &&
-                               Contains(", now dddddddd)"));
+  CHECK_THAT(difference(plugin), Contains("the plugin library '" + library.path + "' (SHA-256 ") &&
+                                     Contains(", now dddddddd)"));
   library.path = "/elsewhere/libmine.so";
-  CHECK_THAT(told(plugin), Contains("'" + plan.plugins[0].name + "', which is from '" +
-                                    "/elsewhere/libmine.so' (SHA-256 ") &&
-                               Contains(", now dddddddd)"));
+  CHECK_THAT(difference(plugin), Contains("'" + plan.plugins[0].name + "', which is from '" +
+                                          "/elsewhere/libmine.so' (SHA-256 ") &&
+                                     Contains(", now dddddddd)"));
   batch::Plan cells = plan;
   cells.fingerprint = "other";
   cells.cells[0].label = "another";
-  CHECK_THAT(told(cells), Contains("; new: 1, gone: 1)"));
+  CHECK_THAT(difference(cells), Contains("; new: 1, gone: 1)"));
   batch::Plan text = plan;
   text.fingerprint = "other";
   text.text += " ";
-  CHECK_THAT(told(text), Contains("the experiment file '" + plan.file + "' (SHA-256 "));
+  CHECK_THAT(difference(text), Contains("the experiment file '" + plan.file + "' (SHA-256 "));
 }
 
 TEST_CASE("Files that are no database of results are refused with a sentence, and left alone") {
@@ -290,7 +290,7 @@ TEST_CASE("Files that are no database of results are refused with a sentence, an
       Contains("no file can be made in the folder '/proc' (") && Contains("choose another folder"));
 }
 
-TEST_CASE("A number without a run is told: there is no such run, or where it is") {
+TEST_CASE("A number without a run is reported: it does not exist, or is in another shard") {
   const test::Folder folder;
   const std::string file = folder.file("r.sqlite");
   ResultsDatabase::create(file, test::small_plan(folder, {2, 4}));
@@ -308,7 +308,7 @@ TEST_CASE("A number without a run is told: there is no such run, or where it is"
              Contains("it was merged from databases that do not have it; do it with `elsie"));
 }
 
-TEST_CASE("A database that is not where it was is not written; what is in it is told") {
+TEST_CASE("A database that was moved is not written; the message says where its results are") {
   const test::Folder folder;
   const std::string file = folder.file("r.sqlite");
   const std::string moved = folder.file("moved.sqlite");
@@ -379,7 +379,7 @@ TEST_CASE("One batch at a time writes a database, while others may read it") {
   CHECK(ResultsDatabase::resume(file, plan).pending().size() == 4);
 }
 
-TEST_CASE("The lock goes with the process, however that ends; what it has written stays") {
+TEST_CASE("The lock ends with the process, however that ends; written results stay") {
   const test::Folder folder;
   const std::string file = folder.file("r.sqlite");
   const batch::Plan plan = test::small_plan(folder);
@@ -407,7 +407,7 @@ TEST_CASE("On a full disk the batch ends with a sentence, and what was written i
   const batch::Plan plan = test::small_plan(folder);
   const pid_t child = fork();
   if (child == 0) {
-    // No file may grow beyond this: as a disk that is full.
+    // No file may grow beyond this, as on a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{400'000, 400'000};
     setrlimit(RLIMIT_FSIZE, &limit);

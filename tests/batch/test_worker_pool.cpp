@@ -1,4 +1,4 @@
-// The pool with workers that are shell scripts: whatever a process may do.
+// The pool with shell scripts as workers, which do whatever a process may do.
 #include <chrono>
 #include <fstream>
 #include <map>
@@ -16,7 +16,7 @@ using Catch::Contains;
 
 namespace {
 
-/// Does `count` jobs with a script; $RUN is not known to it, the job is on its standard input.
+/// Does `count` jobs with a script, which gets the job on its standard input.
 std::map<std::int64_t, batch::RunRecord> results_of(const std::string& script, std::int64_t count,
                                                     batch::PoolOptions options = {}) {
   options.command = {"/bin/sh", "-c", script};
@@ -74,7 +74,8 @@ TEST_CASE("Every job is done once, with any number of workers") {
 
 TEST_CASE("Workers are at work at the same time, and no more than allowed") {
   const test::Folder folder;
-  // Each waits until three are there, which is once the case, and tells how many it has seen.
+  // Each waits until it has once seen three of them, and reports the largest number that it has
+  // seen.
   const std::string script = "d='" + folder.file("") +
                              "'; mkdir -p $d/at_work/$$; most=0; tries=0\n"
                              "while [ $tries -lt 200 ]; do\n"
@@ -122,7 +123,7 @@ TEST_CASE("A process that ends without a record is a crash") {
   CHECK(gone.message == "the process ended with exit code 7 before its run did");
 }
 
-TEST_CASE("What a worker says in its last moment names the culprit") {
+TEST_CASE("A worker's last line names the culprit") {
   const auto record =
       result_of("printf '{\"state\":\"do\\n!wander\\troam\\tr1\\t50\\tSIGSEGV\\n' >&3; exit 3");
   CHECK(record.state == batch::RunState::crash);
@@ -140,7 +141,7 @@ TEST_CASE("What a worker says in its last moment names the culprit") {
   CHECK(left.message == "plugin 'wander' of robot 'r1' ended the process by exit() or the like");
 }
 
-TEST_CASE("Junk instead of a record is an error that is told") {
+TEST_CASE("Junk instead of a record is reported as an error") {
   const auto junk = result_of("echo hello >&3");
   CHECK(junk.state == batch::RunState::error);
   CHECK_THAT(junk.message, Contains("exit code 0 before its run did") &&
@@ -149,7 +150,7 @@ TEST_CASE("Junk instead of a record is an error that is told") {
   CHECK(cut.state == batch::RunState::error);
 }
 
-TEST_CASE("A worker that cannot be started is told") {
+TEST_CASE("A worker that cannot be started is reported") {
   batch::WorkerPool pool({.command = {"/nowhere/elsie", "batch-worker"}});
   bool given = false;
   batch::RunRecord result;
@@ -161,7 +162,7 @@ TEST_CASE("A worker that cannot be started is told") {
   CHECK(result.message == "the worker could not be started");
 }
 
-TEST_CASE("Only the tail of what a worker says is kept, and as text that anybody can read") {
+TEST_CASE("Only the tail of a worker's output is kept, as readable text") {
   const auto record = result_of(
       "i=0; while [ $i -lt 5000 ]; do echo line $i; i=$((i+1)); done; printf 'a\\001\\377\\303\\244"
       "\\000z'; exit 1");
@@ -172,8 +173,8 @@ TEST_CASE("Only the tail of what a worker says is kept, and as text that anybody
              Catch::EndsWith("line 4999\na\xef\xbf\xbd\xef\xbf\xbd\xc3\xa4\xef\xbf\xbdz"));
 }
 
-TEST_CASE("A worker that takes too long says who is at work, and is ended") {
-  // A shell runs its trap when its child has ended: so the child is waited for in the background.
+TEST_CASE("A worker that takes too long reports the plugin at work, and is ended") {
+  // A shell runs its trap when its child has ended, so it waits for the child in the background.
   const auto asked = result_of(
       "trap 'printf \"\\n!looping\\tlooping\\tr1\\t50\\t\\n\" >&3; exit 3' TERM; sleep 60 & wait",
       {.wall_limit_s = 0.3});
@@ -185,7 +186,7 @@ TEST_CASE("A worker that takes too long says who is at work, and is ended") {
         "robot 'r1' was at work in step 50");
 }
 
-TEST_CASE("A run that is only slow is told by its step: no plugin is to blame") {
+TEST_CASE("A slow run is reported by its step: no plugin is to blame") {
   const auto slow =
       result_of("trap 'printf \"\\n!\\t\\t\\t626\\t\\n\" >&3; exit 3' TERM; sleep 60 & wait",
                 {.wall_limit_s = 0.3});
@@ -197,7 +198,7 @@ TEST_CASE("A run that is only slow is told by its step: no plugin is to blame") 
         "was at work");
 }
 
-TEST_CASE("One that does not listen is killed, with all that it has started") {
+TEST_CASE("A worker that ignores the request is killed with its children") {
   const test::Folder folder;
   const auto start = std::chrono::steady_clock::now();
   const auto deaf = result_of("trap '' TERM; sleep 60 & echo $! > '" + folder.file("child") +
@@ -222,7 +223,7 @@ TEST_CASE("A process that a worker leaves behind does not keep the pool waiting"
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
 }
 
-TEST_CASE("A pool that is stopped kills its workers; their runs are not heard of") {
+TEST_CASE("A pool that is stopped kills its workers; their runs are not reported") {
   const test::Folder folder;
   int ends[2];
   REQUIRE(pipe(ends) == 0);
@@ -245,7 +246,7 @@ TEST_CASE("A pool that is stopped kills its workers; their runs are not heard of
   close(ends[1]);
 }
 
-TEST_CASE("When a result cannot be kept, the work ends and workers are killed") {
+TEST_CASE("When a result cannot be stored, the work ends and workers are killed") {
   batch::WorkerPool pool({.command = {"/bin/sh", "-c", "exit 0"}, .workers = 2});
   int kept = 0;
   CHECK_THROWS_WITH(pool.run([] { return batch::Job{}; },
@@ -258,7 +259,7 @@ TEST_CASE("When a result cannot be kept, the work ends and workers are killed") 
   CHECK(kept == 3);
 }
 
-TEST_CASE("What ends the work is told, also when the last results cannot be kept either") {
+TEST_CASE("The first error is reported, also when the last results cannot be stored either") {
   batch::WorkerPool pool({.command = {"/bin/sh", "-c", "exit 0"}, .workers = 1});
   int given = 0;
   CHECK_THROWS_WITH(

@@ -22,7 +22,7 @@ Plan plan_of(std::int64_t runs, const std::string& fingerprint = "abc") {
   return plan;
 }
 
-/// Where a batch is.
+/// The folder of a batch.
 class ClusterFolder : public elsie::test::Folder {
  public:
   std::string database() const { return file("results.sqlite"); }
@@ -30,7 +30,7 @@ class ClusterFolder : public elsie::test::Folder {
 
 }  // namespace
 
-TEST_CASE("Shards have all runs between them, as even as can be") {
+TEST_CASE("The shards have all runs, divided as evenly as possible") {
   const ClusterFolder here;
   const ShardFolder folder = ShardFolder::create(here.database(), plan_of(10), 4, {"elsie"});
   CHECK(folder.runs(1) == 3);
@@ -42,7 +42,7 @@ TEST_CASE("Shards have all runs between them, as even as can be") {
   CHECK(folder.pending(3) == 2);
 }
 
-TEST_CASE("How far a batch is, is what its shards say") {
+TEST_CASE("The progress of a batch is the sum of its shards'") {
   const ClusterFolder here;
   const ShardFolder folder = ShardFolder::create(here.database(), plan_of(10), 2, {"elsie"});
   CHECK(folder.count().runs == 10);
@@ -52,12 +52,12 @@ TEST_CASE("How far a batch is, is what its shards say") {
   CHECK(folder.count().ended == 7);
   CHECK(folder.count().failed == 1);
   std::ofstream(folder.path() / "shard-2.json") << "{\"ended\": ";
-  CHECK(folder.count().ended == 3);  // what is damaged says nothing
+  CHECK(folder.count().ended == 3);  // a damaged file counts nothing
   std::ofstream(folder.path() / "shard-2.json") << "{\"ended\": \"all\"}";
   CHECK(folder.count().ended == 3);
 }
 
-TEST_CASE("A folder is gone on with for the same experiment only") {
+TEST_CASE("A folder is resumed for the same experiment only") {
   const ClusterFolder here;
   {
     ShardFolder folder = ShardFolder::create(here.database(), plan_of(10), 2, {"elsie"});

@@ -1,4 +1,4 @@
-// Reading experiments in tests.
+// Reads experiments in tests.
 #pragma once
 
 #include <fstream>
@@ -26,7 +26,7 @@ inline experiment::ReadOptions options() {
   return options;
 }
 
-/// A message without the folder of these tests, or of the sources.
+/// A message without the path of the folder of these tests, or of the sources.
 inline std::string without_folder(std::string text) {
   for (const std::string& folder : {kFolder, source_path("") + "/"}) {
     for (std::size_t at; (at = text.find(folder)) != std::string::npos;) {
@@ -44,15 +44,15 @@ inline const std::string kArena = "<worlds><world file='data/arena.xml'/></world
 inline const std::string kTwoWorlds =
     "<worlds><world file='data/arena.xml'/><world file='data/clutter.xml'/></worlds>";
 
-/// An experiment with this inside, on one seed unless it says which; it is called experiment.xml
-/// and lies in tests/experiment/.
+/// Reads an experiment with this content, with one seed by default; it is named experiment.xml in
+/// tests/experiment/.
 inline experiment::Experiment read(const std::string& content) {
   const bool has_seeds = content.find("<seeds") != std::string::npos;
   return parse("<experiment format='1'>" + content + (has_seeds ? "" : "<seeds from='1' to='1'/>") +
                "</experiment>");
 }
 
-/// All that is wrong with such an experiment, a line each, without the folder; "" when nothing is.
+/// All problems of such an experiment, a line each, without the folder; "" if there are none.
 inline std::string problems(const std::string& content) {
   try {
     read(content);

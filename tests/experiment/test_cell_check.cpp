@@ -1,4 +1,4 @@
-// Every cell is read before anything begins, and what is wrong is told once, with what it takes.
+// Every cell is read before anything begins; each mistake is reported once, with its conditions.
 #include <algorithm>
 
 #include <catch2/catch.hpp>
@@ -8,13 +8,13 @@
 using namespace elsie;
 using namespace elsie::test;
 
-TEST_CASE("A mistake in a setting is told where it stands, once for all cells that have it") {
+TEST_CASE("A mistake in a setting is reported on its line, once for all cells that have it") {
   CHECK(problems(kTwoWorlds + "\n<set path='robot[r1]/@max_sped' value='1'/>\n"
                               "<vary path='robot[r1]/@coverage' values='1; 2'/>") ==
         "experiment.xml:2: <robot> has no attribute 'max_sped'; did you mean 'max_speed'?");
 }
 
-TEST_CASE("What shows in some cells only is told with what they have in common") {
+TEST_CASE("A mistake in some cells only is reported with what they have in common") {
   const std::string levels =
       "\n<vary path='robot[r1]/coordinator'><level><pick/></level><level><sum/></level></vary>\n";
   CHECK(problems(kTwoWorlds + levels +
@@ -41,7 +41,7 @@ TEST_CASE("An element may be there in some cells and not in others") {
         "stands in it: robot[*]/@remove");
 }
 
-TEST_CASE("A mistake that takes two settings is told of the cell that has both") {
+TEST_CASE("A mistake that needs two settings is reported for the cell that has both") {
   CHECK(problems(kArena + "\n<vary path='robot[r1]/behavior[roam]/@shy' values='false; true'/>\n"
                           "<vary path='robot[r1]/behavior[roam]/@mood' values='calm; bold'/>") ==
         "data/arena.xml:6: behavior 'roam': shy and bold do not go together (in the cell 'true, "
@@ -54,27 +54,28 @@ TEST_CASE("A mistake that takes two settings is told of the cell that has both")
         "bold, 0.1')");
 }
 
-TEST_CASE("A time limit that contradicts a world's goal is told with both places") {
+TEST_CASE("A time limit that contradicts a world's goal is reported with both lines") {
   const std::string worlds =
       "<worlds><world file='data/arena.xml'/><world file='data/enduring.xml'/></worlds>\n";
-  const std::string told =
+  const std::string contradiction =
       "data/enduring.xml:3: <endure> lasts 20 s, but the run ends after 15 s; see <limits>";
   CHECK(problems(worlds + "<limits time='15'/>") ==
-        told + "; that time limit is set in experiment.xml:2");
+        contradiction + "; that time limit is set in experiment.xml:2");
   CHECK(problems(worlds + "<limits time='20'/>").empty());
-  // Another's fault is not the limit's.
+  // Another mistake is not blamed on the limit.
   CHECK(problems("<worlds><world file='data/faulty.xml'/></worlds>\n<limits time='15'/>") ==
         "data/faulty.xml:4: <robot> has no attribute 'max_sped'; did you mean 'max_speed'?");
-  CHECK(problems(worlds + "<set path='limits/@time' value='15'/>\n<limits time='25'/>") == told);
+  CHECK(problems(worlds + "<set path='limits/@time' value='15'/>\n<limits time='25'/>") ==
+        contradiction);
 }
 
-TEST_CASE("A mistake of a world is told of the world, whatever is set in it") {
+TEST_CASE("A mistake of a world is reported on the world's line, whatever is set in it") {
   CHECK(problems("<worlds><world file='data/arena.xml'/><world file='data/faulty.xml'/></worlds>"
                  "<vary path='robot[r1]/@max_speed' values='0.1; 0.2; 0.3'/>") ==
         "data/faulty.xml:4: <robot> has no attribute 'max_sped'; did you mean 'max_speed'?");
 }
 
-TEST_CASE("Of many mistakes on one line the first are told, and how many more there are") {
+TEST_CASE("Of many mistakes on one line the first are reported, with the number of others") {
   const std::string all = problems(
       kArena + "\n<vary path='robot[r1]/behavior[roam]/@speed' from='1' to='100' step='1'/>");
   CHECK(std::count(all.begin(), all.end(), '\n') == 20);
@@ -91,7 +92,7 @@ TEST_CASE("Levels that make no difference are a mistake, and so is what a later 
                  "</worlds>") ==
         "experiment.xml:1: 'again' is the same as 'arena': the cells 'arena' and 'again' do not "
         "differ in anything; a later setting may undo it");
-  // What was set in an element that is replaced then.
+  // A setting in an element that is replaced later.
   CHECK_THAT(
       problems(kArena + "<set path='robot[r1]/coordinator/@weighted' value='true'/>"
                         "<vary path='robot[r1]/coordinator'><level><pick/></level></vary>"),
@@ -110,7 +111,8 @@ TEST_CASE("A name may mean one quantity only, in unit and meaning, whatever worl
              Catch::Contains("the measure 'bumps' is two things"));
 }
 
-TEST_CASE("How levels are separated is told of one that looks like several, and of no other") {
+TEST_CASE(
+    "A hint on separating levels is given for one that looks like several, and for no other") {
   const auto with = [](const std::string& values) {
     return problems(kArena + "<vary path='robot[r1]/@max_speed' values='" + values + "'/>");
   };

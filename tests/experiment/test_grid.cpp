@@ -1,4 +1,4 @@
-// Cells: which there are, in which order, and which of them an expectation is about.
+// Cells: which exist, in which order, and which of them an expectation covers.
 #include <catch2/catch.hpp>
 
 #include "elsie/experiment/grid.h"
@@ -26,7 +26,7 @@ Texts labels(const std::vector<Cell>& grid) {
   return all;
 }
 
-// The labels of the cells of the one expectation, each with that of its reference.
+// The labels of the cells of the only expectation, each with that of its reference.
 Texts about(const std::string& expectation) {
   const Experiment e = read(kTwoWorlds + kFactors + "<expectations><expect measure='time_s' " +
                             "at_least='1' " + expectation + "/></expectations>");
@@ -81,7 +81,7 @@ TEST_CASE("What is set in a cell: for all, then for its world, then for its leve
   CHECK(world.description == "of the world");
 }
 
-TEST_CASE("Files are looked for beside the experiment, whatever world they are for") {
+TEST_CASE("Files are searched for in the experiment's folder, for any world") {
   const Experiment e =
       experiment::read_experiment(kFolder + "data/everything.xml", host(), options());
   const world::World world =

@@ -1,4 +1,4 @@
-// Experiments with random damage are read or refused, never anything else.
+// Experiments with random damage are read or refused; nothing else happens.
 #include <catch2/catch.hpp>
 
 #include "elsie/experiment/grid.h"
@@ -64,7 +64,7 @@ TEST_CASE("A damaged experiment is read or refused") {
       const experiment::Experiment e =
           experiment::parse_experiment(text, kFolder + "data/damaged.xml", host(), options());
       ++accepted;
-      // What is accepted can be gone through.
+      // The grid of an accepted experiment is usable.
       const auto grid = experiment::cells(e);
       REQUIRE(grid.size() * e.seeds.size() * static_cast<std::size_t>(e.repeats) ==
               experiment::number_of_runs(e));

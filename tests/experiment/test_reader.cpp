@@ -1,4 +1,4 @@
-// What an experiment file says, and what is read from it.
+// What is read from an experiment file.
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -83,7 +83,7 @@ TEST_CASE("Expectations") {
   REQUIRE(e.expectations.size() == 4);
   const experiment::Expectation& works = e.expectations[0];
   CHECK(works.name == "it works");
-  CHECK(works.statistic == experiment::Statistic::rate);  // of success, without a word
+  CHECK(works.statistic == experiment::Statistic::rate);  // the default for success
   CHECK(works.at_least == 0.9);
   CHECK(works.confidence == 0.95);
   CHECK(works.where.empty());
@@ -142,7 +142,7 @@ TEST_CASE("The levels of a range are the decimal numbers that a reader expects")
   CHECK(range("0", "3e-07", "1e-07") == Texts{"0", "1e-07", "2e-07", "3e-07"});
   const Texts fine = range("0", "0.999", "0.001");
   CHECK(fine.size() == 1000);
-  CHECK(fine[700] == "0.7");  // 700 x 0.001 is 0.7000000000000001 otherwise
+  CHECK(fine[700] == "0.7");  // 700 x 0.001 would be 0.7000000000000001
 }
 
 TEST_CASE("Seeds from the first to the last") {
@@ -178,7 +178,7 @@ TEST_CASE("Measures of worlds are as good as those of every run") {
 TEST_CASE("An outline is the same experiment, without its worlds and plugins") {
   const std::string file = kFolder + "data/everything.xml";
   const Experiment whole = experiment::read_experiment(file, host(), options());
-  // Called as if it were somewhere else: nothing that it names is found there.
+  // Named as if it were elsewhere: none of its files is found there.
   const Experiment outline =
       experiment::parse_outline(world::read_text(file), "/nowhere/everything.xml");
   CHECK(outline.name == whole.name);
@@ -195,7 +195,7 @@ TEST_CASE("An outline is the same experiment, without its worlds and plugins") {
   }
 }
 
-TEST_CASE("An outline's own mistakes are told") {
+TEST_CASE("An outline's own mistakes are reported") {
   CHECK_THROWS_AS(experiment::parse_outline("<experiment format=\"1\"><worlds/></experiment>", "x"),
                   world::WorldError);
   CHECK_THROWS_WITH(

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Wrong experiments that no schema of this language can refuse, by what it would have to know.
+// Wrong experiments that no schema of this language can refuse, by what it would need to know.
 const std::map<std::string, std::vector<std::string>> kBeyondSchemas = {
     {"what is there once among others in any order", {"no_worlds", "no_seeds", "worlds_twice"}},
     {"worlds and what is set in them",
@@ -122,7 +122,7 @@ TEST_CASE("The schema knows the elements that may be set: those of worlds and of
   CHECK(accepts("<layers><inhibit by='a' of='b'/></layers>"));
   CHECK(accepts("<suppress by='a' of='b' hold_s='1'/>"));
   CHECK(accepts("<blend><behaviors><roam/></behaviors></blend>"));
-  CHECK(accepts("<robot x='1'/>"));  // keeps the id of the one that it replaces
+  CHECK(accepts("<robot x='1'/>"));  // keeps the id of the robot that it replaces
   CHECK_FALSE(accepts("<sum weighted='yes'/>"));
   CHECK_FALSE(accepts("<summ/>"));
   CHECK_FALSE(accepts("<physics step='fast'/>"));

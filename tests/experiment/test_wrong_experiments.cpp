@@ -1,4 +1,4 @@
-// The experiments in wrong/ have one mistake each; beside each lies the message that it must give.
+// Each experiment in wrong/ has one mistake; a text file of the same name has its message.
 #include <algorithm>
 #include <filesystem>
 
@@ -38,7 +38,7 @@ TEST_CASE("Each wrong experiment gives its message") {
   CHECK(count >= 90);
 }
 
-TEST_CASE("All mistakes are told at once, in the order of their lines") {
+TEST_CASE("All mistakes are reported at once, in the order of their lines") {
   CHECK(problems(
             "\n<worlds>\n<world file='data/arena.xml'/>\n<world file='nowhere.xml'/>\n</worlds>\n"
             "<set path='robot[r1]/@x'/>\n"
@@ -56,8 +56,8 @@ TEST_CASE("All mistakes are told at once, in the order of their lines") {
         "experiment.xml:10: the measure 'success' is named twice");
 }
 
-TEST_CASE("A mistake is not told again as another one") {
-  // No level, no expectation and no cell can be judged by what could not be read.
+TEST_CASE("A mistake is not reported again as another one") {
+  // What could not be read must not lead to further messages about levels, expectations or cells.
   CHECK(problems(kArena +
                  "<vary name='speed' path='robot[r1]/@max_speed' from='0.1' to='x' step='1'/>"
                  "<expectations><expect measure='success' at_least='1' where='speed=0.1'/>"

@@ -1,4 +1,4 @@
-// A small model in parts, for tests that change one of them.
+// A small model in parts, for tests that change one part.
 #pragma once
 
 #include <string>

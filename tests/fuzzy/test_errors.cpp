@@ -1,4 +1,4 @@
-// A model that is right, made wrong in one way at a time: the message each way must give.
+// A correct model, made wrong in one way at a time, with the message for each way.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -433,7 +433,7 @@ TEST_CASE("An error's text has file and line in front of each sentence") {
   }
 }
 
-TEST_CASE("A file that is not there, and a directory, are said to be such") {
+TEST_CASE("A missing file and a directory are reported as such") {
   CHECK_THROWS_WITH(read_fcl("no/such/model.fcl"),
                     "no/such/model.fcl: There is no such file. Check the path.");
   CHECK_THROWS_WITH(read_fcl(elsie::test::source_path("")),

@@ -1,6 +1,5 @@
-// What other tools write beyond FCL and Elsie reads: terms that follow the inputs (Takagi and
-// Sugeno, 1985), as fuzzylite (Linear) and jFuzzyLogic (FUNCTION) have them, and hedges in
-// conclusions.
+// Extensions of FCL by other tools that Elsie reads: terms that follow the inputs (Takagi and
+// Sugeno, 1985), as in fuzzylite (Linear) and jFuzzyLogic (FUNCTION), and hedges in conclusions.
 #include <cmath>
 #include <map>
 #include <memory>
@@ -30,7 +29,7 @@ Parts with_formula(const std::string& formula) {
   return parts;
 }
 
-/// The same text in fuzzylite, which knows no ACCU : NSUM and wants "power: REAL".
+/// The same text for fuzzylite, which needs "power: REAL" and does not know ACCU : NSUM.
 std::unique_ptr<fl::Engine> theirs(const Parts& parts) {
   std::string fcl = text(parts);
   fcl.replace(fcl.find("power : REAL"), 12, "power: REAL");

@@ -1,4 +1,4 @@
-// Results worked out by hand.
+// Results computed by hand.
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -17,8 +17,8 @@ using namespace elsie::fuzzy;
 
 namespace {
 
-/// Two inputs with a rising term each, `low` is the other way round; one output with two triangles.
-/// `block` and `rules` go where they belong.
+/// Two inputs, each with a rising term and the falling term `low`; one output with two triangles.
+/// `block` and `rules` are inserted.
 Model model(const std::string& block, const std::string& rules,
             const std::string& terms = "TERM a := Triangle 0 2 4; TERM b := Triangle 2 4 6;") {
   return parse_fcl(
@@ -189,7 +189,7 @@ TEST_CASE("Centres of gravity by hand") {
           Approx((0.9 * 2 + 0.3 * 4) / 1.2).epsilon(1e-12));
   }
   SECTION("The algebraic sum of two full triangles") {
-    // In 2..4 it is 1 - t (1 - t) for t from 0 to 1 there: area 2 (1 - 1/6). Symmetric about 3.
+    // In 2..4 it is 1 - t (1 - t) for t from 0 to 1: area 2 (1 - 1/6). Symmetric about 3.
     CHECK(evaluate(model("ACCU : ASUM;", kBoth), 1.0, 1.0) == Approx(3.0));
     // a + a - a a with a = t rising over 0..2 and falling over 2..4; b = 0.
     const Model twice = model("ACCU : ASUM;",
@@ -221,7 +221,7 @@ TEST_CASE("The other methods by hand") {
 TEST_CASE("Singletons") {
   const std::string terms = "TERM a := 1; TERM b := 4;";
   CHECK(evaluate(model("METHOD : COGS;", kBoth, terms), 0.25, 0.75) == Approx(3.25));
-  SECTION("COGS goes without saying") {
+  SECTION("COGS is the default") {
     CHECK(evaluate(model("", kBoth, terms), 0.25, 0.75) == Approx(3.25));
   }
   SECTION("Two conclusions on one singleton are accumulated") {
@@ -273,7 +273,7 @@ TEST_CASE("DEFAULT := NC keeps what the caller passes in") {
   double z = 7.0;
   parse_fcl(text).evaluate(inputs, {&z, 1}, workspace);
   CHECK(z == 7.0);
-  SECTION("or the value beside it when there is no last one") {
+  SECTION("or the given value when there is no last one") {
     text.replace(text.find("NC;"), 2, "0.5 | NC");
     const Model model = parse_fcl(text);
     model.evaluate(inputs, {&z, 1}, workspace);
@@ -284,8 +284,8 @@ TEST_CASE("DEFAULT := NC keeps what the caller passes in") {
   }
 }
 
-TEST_CASE("A model says where no rule decides an output") {
-  // x leaves open what is between 0.4 and 0.6, y nothing.
+TEST_CASE("A model reports inputs for which no rule decides an output") {
+  // For x the interval from 0.4 to 0.6 is open, for y nothing.
   const auto with = [](const std::string& rule) {
     return parse_fcl(
         "FUNCTION_BLOCK VAR_INPUT x : REAL; y : REAL; END_VAR "
@@ -302,7 +302,7 @@ TEST_CASE("A model says where no rule decides an output") {
   const auto where = model.undecided_at(0);
   REQUIRE(where);
   REQUIRE(where->substr(0, 4) == "x = ");
-  // It is as it says.
+  // The example is correct.
   Workspace workspace;
   const double inputs[] = {std::stod(where->substr(4)), 0.3};
   double outputs[] = {7.0, 7.0};
@@ -314,7 +314,7 @@ TEST_CASE("A model says where no rule decides an output") {
   CHECK_FALSE(with("RULE 4 : IF y IS low OR y IS high THEN z IS a;").undecided_at(0));
 }
 
-TEST_CASE("An input beyond its RANGE is taken as the end of it; without RANGE terms go on") {
+TEST_CASE("An input beyond its RANGE counts as its end; without RANGE terms continue") {
   const Model ranged = model("", kBoth);
   CHECK(evaluate(ranged, 17.0, 0.0) == evaluate(ranged, 1.0, 0.0));
   CHECK(evaluate(ranged, 0.5, -3.0) == evaluate(ranged, 0.5, 0.0));

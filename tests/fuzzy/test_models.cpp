@@ -1,4 +1,4 @@
-// The models that come with the program: what a beam at a place wants of the wheels.
+// The shipped models: the wheel speeds for a beam in any direction.
 #include <filesystem>
 #include <string>
 
@@ -58,7 +58,7 @@ TEST_CASE("Every model of a wheel takes range and azimuth and answers with a spe
     CHECK(model.inputs()[1].name == "azimuth");
     REQUIRE(model.outputs().size() == 1);
     CHECK(model.outputs()[0].name == "speed");
-    CHECK_FALSE(model.outputs()[0].default_value);  // some rule decides wherever the beam looks
+    CHECK_FALSE(model.outputs()[0].default_value);  // some rule decides for every beam
     ++count;
   }
   CHECK(count == 8);
@@ -110,7 +110,7 @@ TEST_CASE("Very near in front the robot backs off and spins away, harder from th
     CHECK(from_left.right < -25);
     CHECK(from_left.left - from_left.right > 40);
     CHECK(from_right.right < 0);
-    if (azimuth > 10) {  // nearer to the middle, what is ahead is avoided to the right
+    if (azimuth > 10) {  // near the middle, obstacles ahead are avoided to the right
       CHECK(from_right.right - from_right.left > 5);
     }
   }

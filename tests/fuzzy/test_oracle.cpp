@@ -1,5 +1,5 @@
-// Random models are given to fuzzylite too, an independent implementation that samples the output
-// set. What both compute must agree to half a percent of the output's range.
+// Random models are also evaluated by fuzzylite, an independent implementation that samples the
+// output set. The results must agree to half a percent of the output's range.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kAgreement = 0.005;
 constexpr int kResolution = 1000;
-/// fuzzylite holds a rule of less than 1e-6 for one that does not fire.
+/// fuzzylite ignores rules with degrees below 1e-6.
 constexpr double kFires = 0.01;
 
 std::string text_of(double value) {
@@ -35,7 +35,7 @@ struct TermText {
   std::string parameters;
 };
 
-/// One random model in both worlds.
+/// A random model for both implementations.
 struct Twin {
   std::string fcl;
   std::unique_ptr<fl::Engine> engine;
@@ -155,7 +155,7 @@ fl::SNorm* oracle_or(const std::string& name) {
     return new fl::AlgebraicSum;
   }
   if (name == "NSUM") {
-    return new fl::UnboundedSum;  // the same but for a factor, which no method sees
+    return new fl::UnboundedSum;  // the same up to a factor that no method depends on
   }
   return new fl::BoundedSum;
 }
@@ -230,7 +230,7 @@ Twin random_twin(Random& random, const Algorithms& use, const std::vector<std::s
   }
 
   const bool singletons = use.method == "COGS";
-  // Where the highest place counts, the strongest rule is to have it.
+  // Where the maximum matters, the strongest rule should have it.
   const bool is_area = use.method == "COG" || use.method == "COA";
   std::vector<TermText> outputs = random_terms(random, out_shapes, kLow, kHigh, is_area);
   fcl += "DEFUZZIFY y\nRANGE := (-10 .. 30);\n";
@@ -267,7 +267,7 @@ Twin random_twin(Random& random, const Algorithms& use, const std::vector<std::s
     fcl += "RULE " + std::to_string(i) + " : " + text + ";\n";
     rules->addRule(fl::Rule::parse(text, twin.engine.get()));
   }
-  // Each input has its say.
+  // Each input is used.
   for (int i = 0; i < input_count; ++i) {
     const std::string text = "if x" + std::to_string(i) + " is t0 then y is t1 with 0.2";
     fcl += "RULE extra" + std::to_string(i) + " : " + text + ";\n";
@@ -278,7 +278,7 @@ Twin random_twin(Random& random, const Algorithms& use, const std::vector<std::s
   return twin;
 }
 
-/// Compares both at random inputs; returns how many were compared.
+/// Compares both at random inputs; returns the number of comparisons.
 int compare(Twin& twin, Random& random, int input_count, bool clear_winner) {
   const Model model = elsie::fuzzy::parse_fcl(twin.fcl);
   Workspace workspace;

@@ -1,5 +1,4 @@
-// What other tools write in FCL's name: what is read, with a note where it is untidy, and what is
-// refused as an extension of theirs.
+// Files by other tools: untidy ones are read with notes, and extensions are refused.
 #include <cmath>
 #include <functional>
 #include <string>
@@ -26,7 +25,7 @@ TEST_CASE("A tidy file has no notes") {
   CHECK(power(model, 2.5) == Approx(25.0));
 }
 
-TEST_CASE("What is untidy is noted with its line, and changes nothing") {
+TEST_CASE("Untidy statements are noted with their lines, and change nothing") {
   Parts parts;
   SECTION("an input that no rule asks for, with and without a block") {
     parts.inputs += "  wind : REAL;\n";
@@ -36,12 +35,12 @@ TEST_CASE("What is untidy is noted with its line, and changes nothing") {
     CHECK(notes(read(parts)) ==
           Notes{"4: No rule asks for the variable 'wind'. Write one, or remove the variable."});
   }
-  SECTION("a rule number that comes twice") {
+  SECTION("a repeated rule number") {
     parts.rules.replace(parts.rules.find("RULE 2"), 6, "RULE 1");
     CHECK(notes(read(parts)) == Notes{"20: A second rule 1 in this block; the first is in line "
                                       "19. Both count: number it anew."});
   }
-  SECTION("a point that comes twice, and a third one on a step") {
+  SECTION("a repeated point, and a third one on a step") {
     parts.cold =
         "  TERM no := (0, 1) (10, 0) (10, 0);\n"
         "  TERM yes := (0, 0) (0, 0) (10, 1) (20, 1) (20, 0.5) (20, 0);\n";
@@ -129,7 +128,7 @@ TEST_CASE("What is untidy is noted with its line, and changes nothing") {
   CHECK(power(read(parts), 2.5) == Approx(25.0));
 }
 
-TEST_CASE("What other tools write and means one thing is read without a note") {
+TEST_CASE("Statements of other tools with one meaning are read without a note") {
   Parts parts;
   SECTION("the range of a variable as a statement of its own") {
     parts.inputs = "  cold : REAL; RANGE := (0 .. 5);\n";
@@ -172,12 +171,12 @@ TEST_CASE("A RANGE that stands alone holds for all variables of the declaration 
   CHECK_FALSE(variable("wet").range_given);
   parts.inputs = "  cold, warm : REAL; RANGE := (0 .. 5); RANGE := (0 .. 6);\n";
   CHECK_THAT(refusal(parts), Contains("heating.fcl:3: RANGE is set a second time"));
-  // Of a declaration that is not understood, and not of the one before it.
+  // It belongs to the declaration with the error, not to the one before.
   parts.inputs = "  cold : REAL RANGE := (0 .. 5);\n  warm : BOOL; RANGE := (0 .. 6);\n";
   CHECK_THAT(refusal(parts), Contains("heating.fcl:4: ") && Contains("expected the type REAL"));
 }
 
-TEST_CASE("A block that was not reached for the mistakes before it is not said to be missing") {
+TEST_CASE("A block after too many mistakes is not reported as missing") {
   Parts parts;
   for (int i = 0; i < 150; ++i) {
     parts.rules += "  RULE : nonsense;\n";
@@ -206,7 +205,7 @@ TEST_CASE("Of several function blocks one is chosen by its name") {
   parts.end = text(other);
   CHECK(power(read(parts, "heating"), 2.5) == Approx(25.0));
   CHECK(power(read(parts, "Cooling"), 2.5) == Approx(-25.0));
-  // Notes and mistakes are those of the chosen one.
+  // Notes and mistakes are those of the chosen one only.
   CHECK(notes(read(parts, "heating")).empty());
   CHECK(notes(read(parts, "cooling")).size() == 1);
   CHECK_THAT(refusal(parts), Contains("heating.fcl:23: A second FUNCTION_BLOCK begins here") &&
@@ -231,7 +230,7 @@ TEST_CASE("Of several function blocks one is chosen by its name") {
              Contains("'heating' or 'cooling'") && !Contains("'heating', 'heating'"));
 }
 
-TEST_CASE("Without DEFAULT an output may lack a value where its model is only looked at") {
+TEST_CASE("Without DEFAULT an output may lack a value if its model is only viewed") {
   Parts parts;
   for (const char* otherwise : {"", "  DEFAULT := nan;\n"}) {
     CAPTURE(otherwise);
@@ -250,7 +249,7 @@ TEST_CASE("Without DEFAULT an output may lack a value where its model is only lo
   CHECK_FALSE(read({}).outputs()[0].gap);
 }
 
-TEST_CASE("Without ACCU it is noted where tools differ about singletons") {
+TEST_CASE("Without ACCU a note says where tools differ about singletons") {
   Parts parts;
   parts.rules += "  RULE 3 : IF cold IS NOT no THEN power IS high;\n";
   CHECK(notes(read(parts)) ==
@@ -262,7 +261,7 @@ TEST_CASE("Without ACCU it is noted where tools differ about singletons") {
   CHECK(power(read(parts), 2.5) == Approx(100.0 * 0.5 / 1.25));
 }
 
-TEST_CASE("Extensions of other tools are called so") {
+TEST_CASE("Extensions of other tools are named as such") {
   Parts parts;
   SECTION("a hedge that stands alone") {
     parts.rules.replace(parts.rules.find("cold IS yes"), 11, "cold IS any");

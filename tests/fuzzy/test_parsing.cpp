@@ -1,4 +1,4 @@
-// Models in the manner of the standard and of the tools in use.
+// Models in the style of the standard and of common tools.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -47,7 +47,7 @@ double run(const Model& model, std::vector<double> inputs) {
 
 }  // namespace
 
-TEST_CASE("A file that is read again is what it is by then") {
+TEST_CASE("A file that is read again has its new content") {
   const std::string name = (std::filesystem::temp_directory_path() /
                             ("elsie-fuzzy-" + std::to_string(getpid()) + ".fcl"))
                                .string();
@@ -60,7 +60,7 @@ TEST_CASE("A file that is read again is what it is by then") {
                            "on; END_RULEBLOCK END_FUNCTION_BLOCK";
     return name;
   };
-  // More of them than are kept in mind, and the same ones again.
+  // More files than are cached, and the same ones again.
   for (int round = 0; round < 2; ++round) {
     for (int on = 1; on <= 20; ++on) {
       const Model first = read_fcl(file_with(on));
@@ -81,7 +81,7 @@ TEST_CASE("A model in the manner of the standard") {
   CHECK(model.rules()[2].text ==
         "IF temp IS hot AND (pressure IS low OR pressure IS NOT high) "
         "THEN valve IS closed WITH 0.75");
-  // temp 20: cold 1; nothing else.
+  // temp 20: cold 1, other terms 0.
   CHECK(run(model, {20, 50}) == Approx(90.0));
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("A model in the manner of jFuzzyLogic") {
   CHECK(model.input_index("Kitchen") == 1u);
   CHECK(model.outputs()[0].default_value == 12.0);
   CHECK(model.outputs()[0].range == Range{0.0, 30.0});
-  // Nobody is served worse: poor 1, bland 1 -> small, a triangle about 5.
+  // Service and food are at their worst: poor 1, bland 1 -> small, a triangle about 5.
   CHECK(run(model, {0.0, 0.0}) == Approx(5.0).margin(0.01));
   CHECK(run(model, {9.0, 9.0}) == Approx(25.0).margin(0.01));
 }
@@ -273,7 +273,7 @@ TEST_CASE("An output without RANGE spans its terms") {
 
 namespace {
 
-/// Whether a model without DEFAULT loads, with two inputs over 0 to 1.
+/// Whether a model without DEFAULT loads; it has two inputs over 0 to 1.
 bool covered(const std::string& x_terms, const std::string& y_terms, const std::string& rules,
              const std::string& range = "RANGE := (0 .. 1); ") {
   try {
@@ -313,7 +313,7 @@ TEST_CASE("Without DEFAULT some rule must fire everywhere, or the file is refuse
         "TERM low := (0, 1) (0.5, 0); TERM high := (0.5, 0) (0.5, 0.1) (1, 1);";
     CHECK(covered(stepping, kLowHigh, kFour + last));
   }
-  SECTION("terms that end within the range, or go on") {
+  SECTION("terms that end within the range, or continue") {
     const std::string triangles = "TERM low := Triangle -1 0 1; TERM high := Triangle 0 1 2;";
     CHECK(covered(triangles, triangles, kFour + last));
     CHECK_FALSE(covered(triangles, triangles, kFour + last, "RANGE := (0 .. 2); "));
@@ -336,7 +336,7 @@ TEST_CASE("Without DEFAULT some rule must fire everywhere, or the file is refuse
 TEST_CASE("With the bounded difference it depends on the degrees whether a rule fires") {
   const std::string norm = "AND : BDIF; ";
   const std::string last = "RULE 4 : IF x IS high AND y IS high THEN z IS on;";
-  // At 0.5, 0.5 every pair adds up to 1: nothing is left.
+  // At 0.5, 0.5 every pair adds up to 1, and no rule fires.
   CHECK_FALSE(covered(kLowHigh, kLowHigh, norm + kFour + last));
   const std::string wide = "TERM low := (0, 1) (0.6, 1) (1, 0); TERM high := (0, 0) (0.4, 1);";
   CHECK(covered(wide, wide, norm + kFour + last));

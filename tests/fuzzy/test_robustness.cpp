@@ -1,4 +1,4 @@
-// Whatever the bytes: a model or a list of problems, and never anything else.
+// Any bytes give a model or a list of problems; nothing else happens.
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -35,7 +35,7 @@ std::size_t place(Random& random, std::size_t size) {
   return static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(size)));
 }
 
-/// True when the text is a model; it is evaluated then, and must answer within the range.
+/// True if the text is a model; it is then evaluated, and must answer within the range.
 bool survives(const std::string& text, Random& random) {
   try {
     const Model model = parse_fcl(text);

@@ -17,7 +17,7 @@ TEST_CASE("Area and centre of gravity of plain shapes") {
   CHECK(centroid(kTriangle).value() == Approx(3.0));
   CHECK(area(kStep) == Approx(2.0));
   CHECK(centroid(kStep).value() == Approx(3.0));
-  // A right-angled triangle has it at two thirds.
+  // The centroid of a right-angled triangle is at two thirds.
   CHECK(centroid(FuzzySet{{{0, 0}, {6, 1}}}).value() == Approx(4.0));
   // Trapezoid with parallel sides 1 (at x = 0) and 0.5 (at x = 3): h (a + 2 b) / (3 (a + b)).
   CHECK(centroid(FuzzySet{{{0, 1}, {3, 0.5}}}).value() == Approx(3.0 * 2.0 / 4.5));
@@ -34,7 +34,7 @@ TEST_CASE("What has no area has no centre") {
 
 TEST_CASE("The bisector halves the area") {
   CHECK(bisector(kTriangle).value() == Approx(3.0));
-  // x^2 / 12 of the area 3 left of x: half of it at x = sqrt(18).
+  // The area left of x is x^2 / 12, of 3 in all: half of it is left of sqrt(18).
   CHECK(bisector(FuzzySet{{{0, 0}, {6, 1}}}).value() == Approx(std::sqrt(18.0)));
   SECTION("and lies in the middle of a gap that does") {
     CHECK(bisector(FuzzySet{{{0, 1}, {1, 1}, {1, 0}, {3, 0}, {3, 1}, {4, 1}}}).value() ==

@@ -19,7 +19,7 @@ inline neural::Network random_network(std::vector<int> sizes, std::uint64_t seed
   return network;
 }
 
-/// A network between the inputs and outputs of a set.
+/// A network with the inputs and outputs of a set.
 inline neural::Network random_network(const neural::TrainingSet& samples, const char* hidden,
                                       std::uint64_t seed) {
   std::vector<int> sizes{static_cast<int>(samples.inputs())};
@@ -53,7 +53,7 @@ inline neural::TrainingSet reference_set() {
                                    {2, 2});
 }
 
-/// Networks narrow and wide, with even and odd layers, with and without hidden ones.
+/// Narrow and wide networks, with even and odd layers, with and without hidden ones.
 inline const std::vector<std::vector<int>>& various_sizes() {
   static const std::vector<std::vector<int>> kSizes = {
       {1, 1},       {2, 2},       {2, 1},          {1, 2},         {2, 2, 1},

@@ -1,4 +1,4 @@
-// Neither an evaluation nor a presentation allocates.
+// Neither evaluation nor training allocates.
 
 #include <catch2/catch.hpp>
 

@@ -26,7 +26,7 @@ double error(const Network& network, const std::vector<double>& inputs,
   return sum;
 }
 
-/// Visits every weight and bias as (layer, neuron, row), the bias being the last row.
+/// Visits every weight and bias as (layer, neuron, row); the bias is the last row.
 template <class Visit>
 void each_weight(const Network& network, Visit visit) {
   for (std::size_t l = 0; l < network.layers(); ++l) {
@@ -55,8 +55,8 @@ TEST_CASE("The first change of each weight is the learning rate times the slope 
     const std::vector<double> inputs = test::random_numbers(before.inputs(), -1.5, 1.5, random);
     const std::vector<double> targets = test::random_numbers(before.outputs(), 0.0, 1.0, random);
     Network after = before;
-    const double told = BackPropagation(after, {kRate, 0.5}).present(inputs, targets);
-    CHECK(told == Approx(error(before, inputs, targets)).epsilon(1e-12));
+    const double returned = BackPropagation(after, {kRate, 0.5}).present(inputs, targets);
+    CHECK(returned == Approx(error(before, inputs, targets)).epsilon(1e-12));
     double largest = 0.0;
     each_weight(before, [&](std::size_t l, std::size_t n, std::size_t i) {
       Network moved = before;
@@ -74,7 +74,7 @@ TEST_CASE("The first change of each weight is the learning rate times the slope 
 }
 
 TEST_CASE("Two presentations, computed by hand") {
-  // One input, one hidden neuron, one output: every number of the rule can be written down.
+  // One input, one hidden neuron, one output: every number can be written down.
   const double rate = 0.8, momentum = 0.3;
   double w1 = 0.5, b1 = -0.2, w2 = 0.7, b2 = 0.1;
   Network network({1, 1, 1});
@@ -89,7 +89,7 @@ TEST_CASE("Two presentations, computed by hand") {
     const double h = 1 / (1 + std::exp(-(w1 * x + b1)));
     const double o = 1 / (1 + std::exp(-(w2 * h + b2)));
     const double d2 = o * (1 - o) * (t - o);
-    const double d1 = h * (1 - h) * d2 * w2;  // with the weight before it changes
+    const double d1 = h * (1 - h) * d2 * w2;  // with the weight before its change
     c2 = rate * d2 * h + momentum * c2;
     cb2 = rate * d2 + momentum * cb2;
     c1 = rate * d1 * x + momentum * c1;

@@ -46,7 +46,7 @@ TEST_CASE("The sigmoid is right to the last digits, from one end to the other") 
   for (int i = -63 * 512; i <= 63 * 512; ++i) {
     const double x = i / 512.0 + 1e-4;
     const double y = answers(network, {x})[0];
-    // Never falling, but for the last digit.
+    // It never falls, except in the last digit.
     if (std::abs(y / logistic(x) - 1.0) > 2e-15 || y < before * (1.0 - 1e-15)) {
       FAIL("at " << x << ": " << y << " after " << before << ", expected " << logistic(x));
     }

@@ -15,7 +15,7 @@ namespace {
 
 using Fann = std::unique_ptr<fann, void (*)(fann*)>;
 
-/// The same network there. A layer's neurons are followed by one that stands for the biases.
+/// The same network in FANN. A bias neuron follows each layer's neurons.
 Fann copy(const Network& network) {
   std::vector<unsigned> sizes(network.sizes().begin(), network.sizes().end());
   Fann ann(fann_create_standard_array(static_cast<unsigned>(sizes.size()), sizes.data()),
@@ -48,7 +48,7 @@ TEST_CASE("Network and training do what FANN does, presentation by presentation"
   for (const char* hidden : {"2 2", "4 4", "3", "2 2 2 2", "5 6", "12 9", "0"}) {
     Network network = test::random_network(samples, hidden, 4);
     const Fann ann = copy(network);
-    const float rate = 0.25F, momentum = 0.3F;  // it takes them in single precision
+    const float rate = 0.25F, momentum = 0.3F;  // FANN takes them in single precision
     fann_set_learning_rate(ann.get(), rate);
     fann_set_learning_momentum(ann.get(), momentum);
     BackPropagation learner(network, {double{rate}, double{momentum}});
@@ -60,7 +60,7 @@ TEST_CASE("Network and training do what FANN does, presentation by presentation"
       const double* theirs = fann_run(ann.get(), inputs.data());
       for (std::size_t k = 0; k < 2; ++k) {
         largest = std::max(largest, std::abs(ours[k] - theirs[k]));
-        // Beyond, FANN takes another slope of the sigmoid than it has.
+        // Beyond this, FANN clamps the slope of the sigmoid.
         REQUIRE((ours[k] > 0.01 && ours[k] < 0.99));
       }
       learner.present(inputs, targets);

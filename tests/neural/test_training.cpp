@@ -16,7 +16,7 @@ namespace {
 
 TrainingSet exclusive_or() { return parse_training_set("0 0 0\n0 1 1\n1 0 1\n1 1 0\n", {2, 1}); }
 
-/// How a network with these hidden layers does after it was trained on the samples.
+/// The assessment of a network with these hidden layers after training on the samples.
 Assessment outcome(const TrainingSet& samples, const char* hidden, std::uint64_t seed) {
   Network network = random_network(samples, hidden, seed);
   train(network, samples, {});
@@ -108,7 +108,7 @@ TEST_CASE("Samples that a network has not learned are counted") {
 }
 
 TEST_CASE("One output that is the same whatever the input is named") {
-  // The first output follows the input; the second cannot be told from it at all.
+  // The first output follows the input; the second does not depend on it.
   const TrainingSet samples = parse_training_set("0 0 0\n0 0 1\n1 1 0\n1 1 1\n", {1, 2});
   Network network = random_network({1, 2, 2}, 1);
   train(network, samples, {{0.1, 0.1}, 0.0, 50'000});
@@ -156,7 +156,7 @@ TEST_CASE("Training stops at the first epoch whose mean error is below the thres
   CHECK(training.curve.back().error < 1e-3);
   CHECK(training.curve.back().presentations == training.presentations);
 
-  // One epoch less, and it is not there yet.
+  // One epoch earlier, it is not reached yet.
   Network again = random_network(samples, "2 2", 1);
   const Training shorter = train(again, samples, {{}, 1e-3, training.presentations - 9});
   CHECK(shorter.ending == Ending::presentations);
@@ -170,7 +170,8 @@ TEST_CASE("Training stops after as many presentations as are allowed, in the mid
   Network by_hand = once;
   const Training one = train(once, samples, {{}, 1.0, 1});
   CHECK(one.presentations == 1);
-  CHECK(one.ending == Ending::presentations);  // one sample says nothing of the others
+  CHECK(one.ending ==
+        Ending::presentations);  // the error of one sample says nothing about the others
   BackPropagation(by_hand, {}).present(samples.inputs(0), samples.targets(0));
   CHECK(once == by_hand);
 }

@@ -15,7 +15,7 @@ namespace {
 const Columns kColumns{2, 2, "one for each range sensor: left, right",
                        "one for each behaviour: avoid_obstacle, find_resource"};
 
-/// What parsing the text complains about; empty when it does not.
+/// The problems of the text; empty if there are none.
 std::vector<Problem> problems(const std::string& text) {
   try {
     parse_training_set(text, kColumns, "set.txt");

@@ -33,7 +33,7 @@ std::vector<std::uint64_t> bits(const Network& network) {
   return all;
 }
 
-/// A good file: 2 inputs, one hidden layer of 1, 2 outputs.
+/// A valid file: 2 inputs, one hidden layer of 1, 2 outputs.
 const std::string kGood =
     "elsie network 1\n"
     "sizes 2 1 2\n"
@@ -54,7 +54,7 @@ std::string complaint(const std::string& text) {
   }
 }
 
-/// The good file with one piece replaced by another.
+/// The valid file with one piece replaced.
 std::string with(const std::string& piece, const std::string& other) {
   std::string text = kGood;
   const std::size_t at = text.find(piece);
@@ -149,7 +149,7 @@ TEST_CASE("A file that was cut off anywhere is refused") {
   for (std::size_t length = 0; length + 1 < kGood.size(); ++length) {
     const std::string cut = kGood.substr(0, length);
     if (cut.ends_with("end")) {
-      continue;  // nothing but the last line's end is missing
+      continue;  // only the last line feed is missing
     }
     CAPTURE(cut);
     CHECK_FALSE(complaint(cut).empty());
@@ -174,7 +174,7 @@ TEST_CASE("What cannot be written is not written, and what was there stays") {
   CHECK_THROWS_WITH(write_weights({network}, folder.file("no/such/folder/w")),
                     Catch::StartsWith("Cannot write the weights"));
   CHECK_THROWS_AS(write_weights({network}, folder.file("")), std::runtime_error);
-  CHECK(folder.files() == 1);  // nothing is left over
+  CHECK(folder.files() == 1);  // no temporary file is left
 }
 
 TEST_CASE("A weight file is known by how it begins") {

@@ -1,4 +1,4 @@
-// What the tests of the pictures share: the pixels of a PNG file.
+// Shared by the tests of pictures: the pixels of a PNG file.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +48,7 @@ class Bitmap {
   int width() const { return cairo_image_surface_get_width(surface_); }
   int height() const { return cairo_image_surface_get_height(surface_); }
 
-  /// The pixel that holds this point.
+  /// The pixel at this point.
   Pixel at(const Vector2& point) const {
     const int x = static_cast<int>(point.x), y = static_cast<int>(point.y);
     if (x < 0 || y < 0 || x >= width() || y >= height()) throw std::out_of_range("pixel");
@@ -60,7 +60,7 @@ class Bitmap {
             static_cast<int>(value & 0xffU)};
   }
 
-  /// How many pixels within `reach` of the point satisfy the predicate.
+  /// The number of pixels within `reach` of the point that satisfy the predicate.
   template <class Predicate>
   int count(const Vector2& around, int reach, Predicate predicate) const {
     int found = 0;

@@ -64,7 +64,7 @@ std::string message_of(const std::function<void()>& action) {
 
 }  // namespace
 
-TEST_CASE("A picture is as wide as asked for, and as high as its content needs unless told") {
+TEST_CASE("A picture is as wide as asked for, and by default as high as its content needs") {
   const Folder folder;
   const world::World world = world_of_everything();
   const TopView view = busy_view(world);

@@ -12,7 +12,7 @@ using picture::test::Folder;
 
 namespace {
 
-/// Every byte another one than its neighbours.
+/// Every byte differs from its neighbours.
 Image image_of(int width, int height, int channels) {
   Image image{width, height, channels, {}};
   for (int i = 0; i < width * height * channels; ++i) {

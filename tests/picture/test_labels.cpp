@@ -1,4 +1,4 @@
-// Labels of the top view, read from the SVG, in which text is text.
+// Labels of the top view, read from the text of the SVG.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -43,7 +43,7 @@ bool has(const std::vector<Label>& labels, const std::string& text) {
                      [&](const Label& label) { return label.text == text; });
 }
 
-// Letters of this font are at least half as wide as they are high.
+// Letters of this font are at least half as wide as high.
 bool overlap(const Label& a, const Label& b) {
   const auto width = [](const Label& label) {
     return 0.5 * label.size * static_cast<double>(label.text.size());
@@ -176,7 +176,7 @@ TEST_CASE("Ways can be those of some robots, of a part of the time, and fade") {
     view.paths.from_s = 30.0;
     view.paths.to_s = 40.0;
     CHECK(tells(labels_of(view), "path from 30 s to 40 s"));
-    CHECK_FALSE(tells(labels_of(view), "touch"));  // they were at 10 s
+    CHECK_FALSE(tells(labels_of(view), "touch"));  // the touches were at 10 s
     CHECK(10 * size() < 7 * whole);
     view.paths.from_s = 5.0;
     CHECK(tells(labels_of(view), "touch"));

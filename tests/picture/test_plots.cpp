@@ -34,7 +34,7 @@ ControlSurface plane() {
           [](double x, double y) { return 10 * (x / 3 * 2 - 1) + 0 * y; }};
 }
 
-// Pixels of the picture that the predicate holds for.
+// Pixels of the picture that satisfy the predicate.
 template <class Predicate>
 int count(const Bitmap& image, int from_x, int to_x, Predicate predicate) {
   int found = 0;
@@ -103,7 +103,7 @@ TEST_CASE("A control surface goes from dark violet at its lowest to yellow at it
   const Folder folder;
   save_control_surface(plane(), folder / "a.png");
   const Bitmap image(folder / "a.png");
-  const int middle = 240;  // of the heat map, which is the left one of two panels
+  const int middle = 240;  // of the heat map, the left one of two panels
   CHECK(count(image, 0, middle, is_violet) > 1000);
   CHECK(count(image, 0, middle, is_yellow) == 0);
   CHECK(count(image, middle, 405, is_yellow) > 1000);

@@ -1,4 +1,4 @@
-// Texts of an SVG take the places of their markers, and of nothing else.
+// Texts of an SVG replace their markers, and nothing else.
 #include <string>
 
 #include <catch2/catch.hpp>

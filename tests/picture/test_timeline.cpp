@@ -65,7 +65,7 @@ Trace trace_of(std::vector<TraceRobot> robots, double end_s = 240.0) {
   return trace;
 }
 
-/// Three behaviours of which one has everything from each of the given times on.
+/// Three behaviours that take turns: each has the whole share from its times on.
 TraceRobot in_turn(const std::vector<std::pair<double, std::size_t>>& turns) {
   TraceRobot robot = robot_with({"a", "b", "c"});
   for (const auto& [time_s, winner] : turns) {
@@ -115,7 +115,7 @@ TEST_CASE("Shares are stacked to scale, and the band has the colour of whoever d
   const auto [most, least] = heights(0.75, 0.25);
   const auto [least_too, most_too] = heights(0.25, 0.75);
   CHECK(most + least == Approx(least_too + most_too).margin(4));
-  // The stack is 104 high, and the band 28.
+  // The stack is 104 high, the band 28.
   CHECK(most - least_too == Approx(0.5 * 104 + 28).margin(4));
   CHECK(most_too - least == Approx(0.5 * 104 + 28).margin(4));
 }
@@ -128,8 +128,8 @@ TEST_CASE("Who decided for a single hundredth of a second in four minutes is see
     return count(Bitmap(folder / "a.png"), is_third);
   };
   const int never = greens(in_turn({{0, 0}, {120, 1}}));
-  // Wherever the instant lies in a column: a mark of 0.3 of the band's height, 1 pixel wide or
-  // more.
+  // For every position of the instant in a column: a mark of 0.3 of the band's height, at least 1
+  // pixel wide.
   for (const double at : {0.0, 17.313, 120.0, 120.005, 199.99, 239.99}) {
     CAPTURE(at);
     std::vector<std::pair<double, std::size_t>> turns{{at, 2}, {at + 0.01, 0}};
@@ -196,7 +196,7 @@ TEST_CASE("Each kind of event has a row of its own, up to eight of them") {
 
 TEST_CASE("Rare events are seen among hundreds of frequent ones") {
   const Folder folder;
-  // One kind without a pause, from the first to the last second, and a rare one.
+  // One frequent kind, from the first to the last second, and a rare one.
   const auto picture = [&](double rare_at, std::size_t robots) {
     TraceRobot robot = in_turn({{0, 0}});
     for (int i = 0; i < 570; ++i) {
@@ -208,11 +208,11 @@ TEST_CASE("Rare events are seen among hundreds of frequent ones") {
     const Trace trace = trace_of(std::vector<TraceRobot>(robots, robot));
     return drawn(folder, trace);
   };
-  for (const std::size_t robots : {1U, 4U}) {  // rows of their own, and one row for all
+  for (const std::size_t robots : {1U, 4U}) {  // a row for each kind, and one row for all
     CAPTURE(robots);
     const Bitmap early = picture(61.3, robots), late = picture(180.2, robots);
     REQUIRE(early.height() == late.height());
-    // The events stand above the band of deciders.
+    // The events are above the band of deciders.
     int band = 0;
     while (!is_first(early.at({300.0, static_cast<double>(band)}))) ++band;
     int marked = 0, crossed = 0;
@@ -223,12 +223,12 @@ TEST_CASE("Rare events are seen among hundreds of frequent ones") {
         differ += early.at(at).red != late.at(at).red ? 1 : 0;
       }
       marked += differ;
-      // Its line goes down through what is of one colour otherwise.
+      // Its line crosses areas that otherwise have one colour.
       crossed += std::abs(count_down(early, x, is_first) - count_down(late, x, is_first)) > 30;
     }
-    CHECK(marked > 100);  // two symbols, each with its rim
+    CHECK(marked > 100);  // two symbols with outlines
     CHECK(crossed >= 2);  // two lines
-    CHECK(crossed <= 6);  // and none for what flickers
+    CHECK(crossed <= 6);  // and none for the frequent events
   }
 }
 
@@ -242,7 +242,7 @@ TEST_CASE("Frequent events hide nothing of each other") {
     const Trace trace = trace_of({robot});
     return count(drawn(folder, trace), [](const Pixel& p) { return p.dark(); });
   };
-  CHECK(dark(500) > dark(100) + 1000);  // 500 leave no gap between them
+  CHECK(dark(500) > dark(100) + 1000);  // 500 symbols leave no gap
 }
 
 TEST_CASE("The priority that the user gave a behaviour stands beside its lane") {

@@ -18,7 +18,7 @@ namespace {
 
 const auto kReddish = [](const Pixel& pixel) { return pixel.reddish(); };
 
-// A world to be filled, and its picture.
+// A world with its picture.
 struct Scene {
   Folder folder;
   world::World world;
@@ -60,7 +60,7 @@ TEST_CASE("Lengths are to scale, x goes right and y up") {
   Scene scene;
   const PlaneMap map = top_view_map(scene.view);
   CHECK(map.scale_x == -map.scale_y);
-  CHECK(map.scale_x > 80);  // 10 m fill 1000 pixels but for the margins
+  CHECK(map.scale_x > 80);  // 10 m fill 1000 pixels minus the margins
   const Vector2 corner = map.pixel({-5, 5});
   CHECK(corner.x > 50);
   CHECK(corner.y > 30);
@@ -276,7 +276,7 @@ TEST_CASE("Without walls, robots that drove out of the arena are still in the pi
   scene.add_robot("r", "red", {0, 0, 0});
   scene.view.robots = {{"r", {{0, 0, 0}, {8, 0, 0}}, {8, 0, 0}, {}, {}}};
   CHECK(scene.image().at(scene.place(8, 0)).reddish());
-  // One that is hopelessly far does not shrink all else to nothing.
+  // A robot that is extremely far away does not shrink the rest.
   scene.view.robots[0].now = {1e9, 0, 0};
   CHECK(top_view_map(scene.view).scale_x > 25);
 }
@@ -322,10 +322,10 @@ TEST_CASE("What a robot pulls is drawn where it is, or in line behind its robot"
   track.segments = {{-0.6, -0.4, radians(-45)}};
   scene.view.robots = {track};
   CHECK(red(-0.6, -0.4) > 30);
-  CHECK(red(-0.74, -0.5) > 30);  // of which nothing is known
+  CHECK(red(-0.74, -0.5) > 30);  // nothing is known about it
   CHECK(red(-0.62, -0.5) == 0);
   CHECK(red(0.5, 0.38) == 0);
-  track.segments = {{NAN, 0, 0}, {-0.8, 0.2, 0}, {0, 0, 0}};  // more than it has
+  track.segments = {{NAN, 0, 0}, {-0.8, 0.2, 0}, {0, 0, 0}};  // more than the robot has
   scene.view.robots = {track};
   CHECK(red(-0.8, 0.2) > 30);
   CHECK(red(0, 0) == 0);

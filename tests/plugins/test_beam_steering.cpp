@@ -18,7 +18,7 @@ MotorCommand answer(const char* name, Situation& now) {
   return behavior(name)->respond(now.perception()).command;
 }
 
-/// What the pair of models says of one beam.
+/// The command of the pair of models for one beam.
 MotorCommand pair(const std::string& name, double range, double azimuth) {
   const double inputs[] = {range, azimuth};
   MotorCommand command;
@@ -79,7 +79,7 @@ TEST_CASE("avoid_obstacle turns away from the nearer side, near and very near") 
       CHECK(from_left.left > from_left.right);
       const MotorCommand from_right = answer("avoid_obstacle", right);
       CHECK(from_right.right > from_right.left);
-      if (distance >= 0.3) {  // nearer than that the left side pulls harder, to get out of corners
+      if (distance >= 0.3) {  // if it is nearer, the left side is stronger, to get out of corners
         check_equal({from_right.right, from_right.left}, from_left);
       }
     }

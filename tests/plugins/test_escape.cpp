@@ -16,7 +16,7 @@ plugin::Object<Behavior> escape(test::Parameters parameters = {}) {
   return test::make<Behavior>(PluginKind::behavior, "escape", std::move(parameters));
 }
 
-/// A robot that is commanded and moves as told, one control period after the other.
+/// A robot that is commanded and moves as given, one control period after the other.
 class Drive {
  public:
   explicit Drive(test::Parameters parameters = {}) : behavior(escape(std::move(parameters))) {}
@@ -32,7 +32,7 @@ class Drive {
     Situation here;
     return ask(here, now.self.command_for(0, commanded_rad_s), 0, measured_rad_s);
   }
-  /// Held for so many periods; the answer to the last.
+  /// Held for this many periods; returns the last answer.
   Response held(int steps, double commanded_m_s = 0.2) {
     Response response;
     for (int i = 0; i < steps; ++i) {
@@ -69,7 +69,7 @@ bool raised(const Response& response, const char* name) {
   return false;
 }
 
-/// The manoeuvre of a robot that moves exactly as it is told, from the moment it is found stuck.
+/// The manoeuvre of a robot that moves exactly as commanded, from the moment it is stuck.
 struct Manoeuvre {
   double way_m = 0.0;       // along its heading
   double turned_rad = 0.0;  // counter-clockwise
@@ -138,7 +138,7 @@ TEST_CASE("Just too little motion is none, and being pushed back is none either"
   CHECK(a.activation == 1.0);
   CHECK(b.activation == 1.0);
   CHECK(c.activation == 1.0);
-  CHECK(c.command.left == Approx(7.5));  // stuck while backing: it drives forwards
+  CHECK(c.command.left == Approx(7.5));  // stuck while backing up: it drives forwards
 }
 
 TEST_CASE("A turn on the spot can be stuck, too") {
@@ -150,7 +150,7 @@ TEST_CASE("A turn on the spot can be stuck, too") {
   CHECK(raised(response, "stuck"));
 }
 
-TEST_CASE("A jerk does not start the count anew, moving does") {
+TEST_CASE("A jerk does not reset the time, moving does") {
   Drive jerk;
   jerk.held(8);
   jerk.step(0.2, 0.1);
@@ -191,7 +191,7 @@ TEST_CASE("It backs up, turns, and says that it is free") {
     const Manoeuvre done = carry_out(drive, drive.held(9));
     CHECK(done.freed);
     CHECK(done.way_m <= -0.05);
-    CHECK(done.way_m >= -0.15 - 0.15 * kPeriod);  // checked once in a period
+    CHECK(done.way_m >= -0.15 - 0.15 * kPeriod);  // checked once per period
     CHECK(std::abs(done.turned_rad) >= radians(60));
     CHECK(std::abs(done.turned_rad) <= radians(150) + 2.0 * kPeriod);
     CHECK(drive.step(0.2, 0.2).activation == 0.0);
@@ -227,7 +227,7 @@ TEST_CASE("A manoeuvre that is blocked ends all the same, and the next tries the
   CHECK(next.command.left == Approx(7.5));  // forwards
   carry_out(drive, next, false);
   for (double start = drive.time_s; drive.time_s < start + 3.0;) {
-    drive.step(0.2, 0.2);  // it drives on: getting stuck again is a new matter
+    drive.step(0.2, 0.2);  // it drives on: getting stuck later is a new trap
   }
   CHECK(drive.held(9).command.left == Approx(-7.5));
 }
@@ -261,7 +261,7 @@ TEST_CASE("When others drove meanwhile, it starts to watch anew") {
   drive.time_s += 2.0;
   CHECK(drive.held(8).activation == 0.0);
   CHECK(drive.held(1).activation == 1.0);
-  drive.time_s += 2.0;  // nor does it go on with an old manoeuvre
+  drive.time_s += 2.0;  // an old manoeuvre does not continue either
   CHECK(drive.step(0.2, 0.2).activation == 0.0);
 }
 

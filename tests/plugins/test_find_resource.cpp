@@ -83,7 +83,7 @@ TEST_CASE("Cameras that look to the sides make one wide picture") {
   check(command(30, 100), -50.0 / 30, 50.0 / 30);
   check(command(30, 50), -100.0 / 30, 100.0 / 30);
   check(command(-30, 50), 100.0 / 30, -100.0 / 30);
-  // To the left in a camera that looks back is to the right of the robot.
+  // Left in a camera that looks back is right of the robot.
   check(command(180, 40), 590.0 / 30, -590.0 / 30);
   check(command(180, 60), -590.0 / 30, 590.0 / 30);
 }
@@ -101,7 +101,7 @@ TEST_CASE("Most nearly ahead is by the angle, also between cameras that see diff
   check(finder()->respond(now.perception()).command, 45.0 / 20, -45.0 / 20);
 }
 
-TEST_CASE("It has little to say while it searches, and the more the larger the resource looks") {
+TEST_CASE("The activation is low while it searches, and grows with the size of the resource") {
   CHECK(finder()->respond(Situation().camera().perception()).activation == 0.2);
   CHECK(
       finder({{"search_activation", 0.0}})->respond(Situation().camera().perception()).activation ==
@@ -116,18 +116,18 @@ TEST_CASE("It has little to say while it searches, and the more the larger the r
 
 namespace {
 
-/// The events of a behaviour that sees something or nothing at a time.
+/// The events of a behaviour that sees a resource or nothing at given times.
 class Watch {
  public:
   explicit Watch(test::Parameters parameters = {}) : behavior(finder(std::move(parameters))) {}
 
-  /// "in", "out" or nothing.
+  /// "in", "out" or "".
   std::string at(double time_s, bool seen) {
     Situation now;
     now.time(time_s);
     seen ? now.blob(50) : now.camera();
     const Response response = behavior->respond(now.perception());
-    // The events may wait, but the command does not.
+    // Events may wait, commands do not.
     CHECK(response.command.left == (seen ? Approx(20.0) : Approx(-50.0 / 30)));
     std::string text;
     for (const Event& event : response.events) {

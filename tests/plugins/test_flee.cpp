@@ -16,7 +16,7 @@ plugin::Object<Behavior> flee(test::Parameters parameters = {}) {
 
 Response to(Situation now) { return flee()->respond(now.perception()); }
 
-/// What the wheels make of the robot: speed ahead (m/s) and turn rate (rad/s).
+/// The robot's motion by its wheels: speed ahead (m/s) and turn rate (rad/s).
 struct Motion {
   double forward, turn;
 };
@@ -36,7 +36,7 @@ TEST_CASE("What is at the sphere or beyond does not matter") {
   }
 }
 
-TEST_CASE("The nearer something is, the more it has to say: 1 at the margin and nearer") {
+TEST_CASE("The nearer something is, the higher the activation: 1 at the margin and nearer") {
   CHECK(to(Situation().beam(0, 0.4)).activation == Approx(0.25));
   CHECK(to(Situation().beam(0, 0.3)).activation == Approx(0.5));
   CHECK(to(Situation().beam(0, 0.1)).activation == Approx(1.0));
@@ -65,7 +65,7 @@ TEST_CASE("Away from something on one side it turns to the other") {
 TEST_CASE("Repulsions add up as vectors, each with its strength") {
   // 1 to the back from ahead, 0.5 to the right from the left.
   const Motion away = motion(to(Situation().beam(0, 0.1).beam(90, 0.3).beam(-90, 1.0)).command);
-  // 1.5 - |(-1, -0.5)| is left over, and goes to the open side.
+  // 1.5 - |(-1, -0.5)| remains, and adds to the open side.
   const double left_over = 1.5 - std::hypot(1.0, 0.5);
   CHECK(away.turn == Approx(4.0 * std::atan2(-0.5 - left_over, -1.0)));
   CHECK(away.forward == 0.0);
@@ -88,7 +88,7 @@ TEST_CASE("Having begun to turn round it keeps to that side until the way is ahe
     return motion(behavior->respond(now.perception()).command).turn;
   };
   CHECK(turn(0.2, 0.21) < 0.0);
-  CHECK(turn(0.21, 0.2) < 0.0);  // noise: it would rather turn left now
+  CHECK(turn(0.21, 0.2) < 0.0);  // noise: on its own it would turn left now
   Situation clear;
   clear.beam(10, 1).beam(-10, 1);
   behavior->respond(clear.perception());

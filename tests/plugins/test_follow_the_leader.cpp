@@ -83,7 +83,7 @@ TEST_CASE("The direction is wrapped: it takes the shorter way round") {
   check(follower()->respond(behind.perception()).command, -18, 18);  // 180, not -180
 }
 
-TEST_CASE("Without a leader in reach it stands, and has nothing to say") {
+TEST_CASE("Without a leader in reach it stands still and is not active") {
   Situation alone;
   alone.mate("mate", 0.4, 0);
   Response response = follower()->respond(alone.perception());
@@ -108,7 +108,7 @@ TEST_CASE("Of several leaders it follows the nearest") {
   check(follower()->respond(now.perception()).command, 18, -18);
 }
 
-TEST_CASE("The farther the leader, the more it has to say; near it, it still does") {
+TEST_CASE("The farther the leader, the higher the activation; near it, it is not zero") {
   CHECK(answer(0.8, 0).activation == 1.0);
   CHECK(answer(0.5, 50).activation == Approx(1.0));
   CHECK(answer(0.4, 0).activation == Approx(0.8));

@@ -15,7 +15,7 @@ plugin::Object<Behavior> keeper(test::Parameters parameters = {}) {
   return test::make<Behavior>(PluginKind::behavior, "keep_formation", std::move(parameters));
 }
 
-/// What the wheels make of the robot: speed ahead (m/s) and turn rate (rad/s).
+/// The robot's motion by its wheels: speed ahead (m/s) and turn rate (rad/s).
 struct Motion {
   double forward, turn;
 };
@@ -33,7 +33,7 @@ bool raised(const Response& response, const char* name) {
   return false;
 }
 
-/// Whether the robot at this place is in position; the leader is at (1, 2) and heads north.
+/// Whether a robot at this place is in position; the leader is at (1, 2) and heads north.
 bool is_place(const test::Parameters& parameters, double back, double left, int team_index = 1,
               int leader_index = 0) {
   Situation now;
@@ -139,7 +139,7 @@ TEST_CASE("It moves along with the formation instead of lagging behind it") {
   }
   CHECK(last.forward == Approx(0.1));
   CHECK(last.turn == Approx(0.0).margin(1e-9));
-  // Another leader at another place is no leap of the first one.
+  // Another leader at another place is not a jump of the first one.
   Situation now;
   now.at(-0.1, 0, 0).mate("other", 0.2, 0, true, 0, 3).time(2.01);
   CHECK(motion(behavior->respond(now.perception())).forward == Approx(0.0).margin(1e-9));
@@ -159,14 +159,14 @@ TEST_CASE("Without a leader in reach, or as one itself, it has no place to keep"
   }
 }
 
-TEST_CASE("The farther from its place, the more it has to say") {
+TEST_CASE("The farther from its place, the higher the activation") {
   CHECK(in_column(-0.3).activation == 0.2);
   CHECK(in_column(-0.35).activation == 0.2);
   CHECK(in_column(-0.45).activation == Approx(0.5));
   CHECK(in_column(-0.61).activation == 1.0);
 }
 
-TEST_CASE("It says when it comes into position and when it has fallen out of it") {
+TEST_CASE("It reports when it comes into position and when it leaves it") {
   const auto behavior = keeper({{"formation", "column"}, {"slot", std::int64_t{1}}});
   const auto at = [&](double behind_m) {
     Situation now;

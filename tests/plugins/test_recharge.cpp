@@ -46,7 +46,7 @@ void check(const MotorCommand& command, double left, double right) {
 
 }  // namespace
 
-TEST_CASE("With enough energy it only drives on, and has nothing to say") {
+TEST_CASE("With enough energy it only drives on and is not active") {
   Situation now = hungry(1);
   now.self.energy = std::nextafter(500.0, 1000.0);
   const Response response = recharge()->respond(now.perception());
@@ -114,7 +114,7 @@ TEST_CASE("At the charger it stands and asks to be charged until it is full, the
   CHECK_FALSE(response.charge);
   CHECK(response.activation == 0.0);
   CHECK(events(response) == Names{"recharged"});
-  now.self.energy = 4999;  // used up a little: that is no reason to come back
+  now.self.energy = 4999;  // a little was used: no reason to return
   CHECK(behavior->respond(now.perception()).command == MotorCommand{10, 10});
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("Pushed aside it stays as long as it is being charged, else comes back
   CHECK(events(behavior->respond(now.perception())) == Names{"at_charger"});
 }
 
-TEST_CASE("It says once when it stands at the charger in vain") {
+TEST_CASE("It reports once when it stands at the charger in vain") {
   const auto behavior = recharge();
   Situation now = hungry(0.05);
   behavior->respond(now.perception());
@@ -144,7 +144,7 @@ TEST_CASE("It says once when it stands at the charger in vain") {
   CHECK(behavior->respond(now.time(3.0).perception()).events.empty());
 }
 
-TEST_CASE("Without a charger it drives on, and says so once for each time the battery runs low") {
+TEST_CASE("Without a charger it drives on, and reports it once each time the battery runs low") {
   const auto behavior = recharge();
   Situation now;
   now.self.energy = 400;
@@ -159,7 +159,7 @@ TEST_CASE("Without a charger it drives on, and says so once for each time the ba
   CHECK(events(behavior->respond(now.perception())) == Names{"no_charger"});
 }
 
-TEST_CASE("A user is told before the run that the team has no charger") {
+TEST_CASE("A note before the run says that the team has no charger") {
   const auto behavior = recharge();
   behavior->equipped(Situation().perception());
   REQUIRE(behavior->notes().size() == 1);
@@ -168,7 +168,7 @@ TEST_CASE("A user is told before the run that the team has no charger") {
   CHECK(behavior->notes().empty());
 }
 
-TEST_CASE("A reset ends what it was at") {
+TEST_CASE("A reset ends its present phase") {
   const auto behavior = recharge();
   Situation now = hungry(1);
   behavior->respond(now.perception());

@@ -10,7 +10,7 @@ using namespace elsie;
 
 namespace {
 
-/// A wall at x = 0.5 m across the whole world, and nothing else.
+/// Only a wall at x = 0.5 m across the whole world.
 class OneWall final : public Surroundings {
  public:
   std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,

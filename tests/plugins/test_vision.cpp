@@ -48,7 +48,7 @@ class Scout {
   }
   Watcher& watcher() { return watcher_; }
 
-  /// Where elsie::Camera says that a point is seen.
+  /// The column at which elsie::Camera sees a point.
   double column_of(double x, double y) const {
     const Camera camera = watcher_.camera();
     const double angle = std::atan2(y - mount.y, x - mount.x) - radians(yaw_deg);
@@ -82,14 +82,14 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("A mounting beside the middle, turned and tilted, is taken into account") {
+TEST_CASE("A mounting off the middle, turned and tilted, is taken into account") {
   for (const double yaw : {-70.0, 30.0, 160.0}) {
     for (const double pitch : {-10.0, 0.0, 6.0}) {
       Scout scout;
       scout.mount = {0.02, -0.03, 0.12};
       scout.yaw_deg = yaw;
       scout.pitch_deg = pitch;
-      // Two metres away, five degrees to the left of where the camera looks.
+      // Two metres away, five degrees to the left of the camera's axis.
       const double angle = radians(yaw + 5.0);
       const double x = scout.mount.x + 2.0 * std::cos(angle);
       const double y = scout.mount.y + 2.0 * std::sin(angle);
@@ -136,7 +136,7 @@ TEST_CASE("An obstacle hides what is behind it, wholly or in part") {
   scout.world.boxes.push_back(obstacle(1.0, 0.0));
   CHECK_FALSE(scout.look().found);
 
-  scout.world.boxes[1].y = 0.1;  // its right face is in the camera's axis
+  scout.world.boxes[1].y = 0.1;  // its right face is on the camera's axis
   const VisionReading& part = scout.look();
   CHECK(part.area_px == Approx(0.5 * whole).epsilon(0.1));
   CHECK(part.column > 53.0);
@@ -152,12 +152,12 @@ TEST_CASE("Resources of another team are not seen; those for all are") {
   scout.world.boxes.push_back(resource(2.0, 0.4));
   CHECK(scout.look().column < 20);
   scout.world.boxes = {resource(1.5, 0.0, "")};
-  CHECK_FALSE(scout.look().found);  // the red robot was told of red ones only
+  CHECK_FALSE(scout.look().found);  // the red robot looks for red ones only
   scout.watcher().world.colours = {world::kRedTeam, world::kResourceOfNoTeam};
   CHECK(scout.look().found);
 }
 
-TEST_CASE("Of several resources the largest is the one that the reading is about") {
+TEST_CASE("Of several resources the reading is about the largest") {
   Scout scout;
   scout.world.boxes = {resource(3.0, 0.4), resource(1.5, -0.2), resource(4.0, 0.0)};
   const VisionReading& seen = scout.look();
@@ -216,7 +216,7 @@ TEST_CASE("Resources of many colours are found from all sides, whichever way the
       CAPTURE(around, seen.area_px);
       REQUIRE(seen.found);
       CHECK(seen.column == Approx(50).margin(1.0));
-      // All of it, and nothing else: 0.2 m at 1.2 m are 31 pixels, more where a corner is ahead.
+      // Everything, and nothing else: 0.2 m at 1.2 m are 31 pixels, more where a corner is ahead.
       CHECK(seen.area_px > 900);
       CHECK(seen.area_px < 2200);
     }
@@ -229,7 +229,7 @@ TEST_CASE("A grey that floor and walls have, too, is refused with a sentence") {
   scout.watcher().world.colours = {{128, 128, 128}};
   CHECK_THROWS_WITH(scout.look(), Catch::Contains("cannot look for the colour #808080") &&
                                       Catch::Contains("give what it is to find a colour"));
-  // With a pipeline of its own it does not ask for the resources' colours.
+  // With its own pipeline it does not use the resources' colours.
   Scout other({}, {{"threshold", {{"low", std::vector<double>{200, 0, 0}}}}});
   other.watcher().world.colours = {{128, 128, 128}};
   CHECK_FALSE(other.look().found);
@@ -271,7 +271,7 @@ TEST_CASE("The error is noise on every pixel, from the sensor's own stream") {
   CHECK(sum / n == Approx(0.0).margin(0.1));
   CHECK(std::sqrt(squares / n) == Approx(0.02 * 255).epsilon(0.05));
   CHECK(seen.column == Approx(reference.column).margin(0.5));
-  // The same stream gives the same picture, another picture follows.
+  // The same stream gives the same picture; the next picture differs.
   Scout again({{"error", 0.02}});
   again.world.boxes = noisy.world.boxes;
   CHECK(again.look().raw.bytes == seen.raw.bytes);
@@ -299,5 +299,5 @@ TEST_CASE("The plugin can go while threads that looked through it still run") {
     now.image = &image;
     sensor->update(now);
   }).join();
-  CHECK(true);  // the end of the thread calls into OpenCV, which must still be there
+  CHECK(true);  // the thread's end calls OpenCV, which must still be loaded
 }

@@ -1,4 +1,4 @@
-// The steps between a camera's picture and the blob, on pictures painted by hand.
+// The steps from a camera's picture to the blob, on pictures painted by hand.
 #include <catch2/catch.hpp>
 
 #include "camera_work.h"
@@ -124,7 +124,7 @@ TEST_CASE("The tolerances of match_colour say how far a surface may be off") {
 }
 
 TEST_CASE("A tolerance of nearly half a circle takes in nearly every hue, whatever the colour's") {
-  // Red, yellow, green, cyan, blue, violet; the one looked for, and what is still near enough.
+  // Red, yellow, green, cyan, blue, violet: the colour to find, and those that are near enough.
   const Colour hues[] = {{208, 48, 48},  {208, 208, 48}, {48, 208, 48},
                          {48, 208, 208}, {48, 48, 208},  {208, 48, 208}};
   const char* names[] = {"#d03030", "#d0d030", "#30d030", "#30d0d0", "#3030d0", "#d030d0"};
@@ -138,7 +138,8 @@ TEST_CASE("A tolerance of nearly half a circle takes in nearly every hue, whatev
                    {{"colours", std::string(names[wanted])}, {"hue_tolerance_deg", tolerance}}}},
                  Canvas().rectangle(5, 5, 4, 4, hues[seen]))
                 .found;
-        // The opposite hue comes in from 178 on: limits are rounded outwards to OpenCV's 2 degrees.
+        // The opposite hue is included from 178 on: limits are rounded outwards to OpenCV's 2
+        // degrees.
         if (apart < 180.0 || tolerance > 178.0) {
           CHECK(matches);
         } else if (tolerance < 178.0) {
@@ -216,12 +217,12 @@ TEST_CASE("Blobs that are too small or too large do not count") {
   CHECK(area({{"min_area", 36.0}, {"max_area", 36.0}}) == 36);
 }
 
-TEST_CASE("A blob hangs together over corners, around holes and from arms that meet later") {
+TEST_CASE("A blob is connected over corners, around holes and by arms that meet later") {
   // Two pixels, corner to corner.
   CHECK(look({kMatch}, Canvas().rectangle(5, 5, 1, 1).rectangle(6, 6, 1, 1)).area_px == 2);
   CHECK(look({kMatch}, Canvas().rectangle(6, 5, 1, 1).rectangle(5, 6, 1, 1)).area_px == 2);
   CHECK(look({kMatch}, Canvas().rectangle(5, 5, 1, 1).rectangle(7, 6, 1, 1)).area_px == 1);
-  // A comb: teeth that only the last row joins.
+  // A comb: only the last row joins its teeth.
   Canvas comb;
   for (int tooth = 0; tooth < 10; ++tooth) {
     comb.rectangle(2 + 3 * tooth, 4, 1, 10);
@@ -235,7 +236,7 @@ TEST_CASE("A blob hangs together over corners, around holes and from arms that m
   const VisionReading seen = look({kMatch}, frame);
   CHECK(seen.area_px == 76);
   CHECK(seen.column == Approx(15));
-  // The whole picture, edges included.
+  // The whole picture with its edges.
   CHECK(look({kMatch}, Canvas().rectangle(0, 0, 40, 30)).area_px == 1200);
   CHECK(look({kMatch}, Canvas(1, 1).rectangle(0, 0, 1, 1)).column == Approx(0.5));
 }

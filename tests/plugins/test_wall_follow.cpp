@@ -15,7 +15,7 @@ plugin::Object<Behavior> wall_follow(test::Parameters parameters = {}) {
   return test::make<Behavior>(PluginKind::behavior, "wall_follow", std::move(parameters));
 }
 
-/// Beams ahead and to both sides, 2 m long, that see an endless wall: so far away in this
+/// Beams of 2 m ahead and to both sides that see an endless wall at this distance in this
 /// direction.
 Situation beside(double distance_m, double direction_deg) {
   Situation now;
@@ -25,7 +25,7 @@ Situation beside(double distance_m, double direction_deg) {
   }
   return now;
 }
-/// Beams in the same directions that see something only where it is said.
+/// Beams in the same directions with given readings.
 Situation seeing(double left, double front_left, double ahead, double front_right, double right) {
   Situation now;
   now.beam(90, left, 2).beam(50, front_left, 2).beam(0, ahead, 2);
@@ -33,7 +33,7 @@ Situation seeing(double left, double front_left, double ahead, double front_righ
 }
 Situation nothing() { return seeing(2, 2, 2, 2, 2); }
 
-/// What the wheels make of the robot: speed ahead (m/s) and turn rate (rad/s).
+/// The robot's motion by its wheels: speed ahead (m/s) and turn rate (rad/s).
 struct Motion {
   double forward, turn;
 };
@@ -50,13 +50,13 @@ void check(const Motion& motion, double forward, double turn) {
 
 }  // namespace
 
-TEST_CASE("Beside the wall, at the distance, it drives straight on") {
+TEST_CASE("Next to the wall, at the distance, it drives straight on") {
   check(answer(beside(0.3, -90)), 0.2, 0);
   check(answer(beside(0.3, 90), {{"side", "left"}}), 0.2, 0);
 }
 
 TEST_CASE("Too far away it steers towards the wall, too near away from it, as pure pursuit does") {
-  // The point to reach is 0.3 m on and 0.1 m to the side: a circle of curvature 2 y / (x2 + y2).
+  // The point to reach is 0.3 m ahead and 0.1 m to the side: a circle of curvature 2 y / (x2 + y2).
   check(answer(beside(0.4, -90)), 0.2, -0.2 * 2 * 0.1 / 0.1);
   check(answer(beside(0.2, -90)), 0.2, 0.2 * 2 * 0.1 / 0.1);
   check(answer(beside(0.4, 90), {{"side", "left"}}), 0.2, 0.2 * 2 * 0.1 / 0.1);
@@ -86,10 +86,10 @@ TEST_CASE("Something nearer ahead than the distance makes it turn away from the 
   check(answer(seeing(2, 2, 0.3, 2, 0.3)), 0.2, 0);
   check(answer(seeing(2, 2, std::nextafter(0.3, 0.0), 2, 0.3)), 0, 1.5);
   check(answer(seeing(0.3, 2, 0.29, 2, 2), {{"side", "left"}}), 0, -1.5);
-  check(answer(seeing(2, 2, 0.29, 2, 2)), 0, 1.5);  // a wall that it meets head on
+  check(answer(seeing(2, 2, 0.29, 2, 2)), 0, 1.5);  // a wall straight ahead
 }
 
-TEST_CASE("It goes on once the way is clear by a fifth more") {
+TEST_CASE("It drives on once the way is clear by a fifth more") {
   const auto behavior = wall_follow();
   const auto ahead = [&](double distance_m) {
     return motion(behavior->respond(seeing(2, 2, distance_m, 2, 0.3).perception()).command);
@@ -109,11 +109,11 @@ TEST_CASE("Beams look ahead up to the front angle, and to the side beyond") {
   };
   check(at(30), 0, 1.5);
   check(at(-30), 0, 1.5);
-  check(at(31), 0.2, 0);  // to the left, where the wall is not
+  check(at(31), 0.2, 0);  // to the left, where no wall is expected
   CHECK(at(-31).turn > 0.0);
   CHECK(at(-31).forward > 0.0);  // the wall, too near
   check(at(31, {{"front_angle", 31.0}}), 0, 1.5);
-  CHECK(at(-150).turn < 0.0);  // round the corner that it has passed
+  CHECK(at(-150).turn < 0.0);  // around the corner that it has passed
   check(at(-151), 0.2, 0);
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("A single point is taken for a wall across the line of sight") {
   CHECK(turn(-120, 0.3) == Approx(-0.2 * 2 * std::sin(radians(30)) / 0.3));
 }
 
-TEST_CASE("A wall once found is held up to a fifth more than the reach, and found no farther") {
+TEST_CASE("A wall once found is kept up to a fifth more than the reach, but not found there") {
   const auto behavior = wall_follow();
   const auto activation = [&](double distance_m) {
     return behavior->respond(seeing(2, 2, 2, 2, distance_m).perception()).activation;
@@ -146,13 +146,13 @@ TEST_CASE("A wall once found is held up to a fifth more than the reach, and foun
   CHECK(activation(0.89) == 0.0);
 }
 
-TEST_CASE("A wall that it was still on its way to is lost when it goes out of sight") {
+TEST_CASE("A wall that it was still approaching is lost when it goes out of sight") {
   const auto after = [](double distance_m) {
     const auto behavior = wall_follow();
     behavior->respond(beside(distance_m, -90).perception());
     return behavior->respond(nothing().perception());
   };
-  CHECK(after(0.52).activation == 1.0);  // half way between distance and reach: a corner
+  CHECK(after(0.52).activation == 1.0);  // half-way between distance and reach: a corner
   const Response lost = after(0.53);
   CHECK(lost.activation == 0.0);
   REQUIRE(lost.events.size() == 1);
@@ -160,7 +160,7 @@ TEST_CASE("A wall that it was still on its way to is lost when it goes out of si
 }
 
 TEST_CASE("Two points too far apart are not taken for one wall") {
-  // A near edge at the side, and the wall of the next room seen past it.
+  // A near edge at the side, and the wall of the next room beyond it.
   const auto turn = [](double reach_m) {
     return answer(Situation().beam(0, 2, 2).beam(-40, 0.74, 2).beam(-140, 0.3, 2),
                   {{"reach", reach_m}})

@@ -20,7 +20,7 @@ inline void check_near(const MotorCommand& command, const MotorCommand& expected
   CHECK(command.right == Approx(expected.right).margin(within));
 }
 
-/// A team and its shipped coordinator, ready to run: refused at once when they do not fit.
+/// A team with its shipped coordinator, ready to run; throws at once when they do not fit.
 class Coordinated : public testing::Coordinator {
  public:
   Coordinated(const char* coordinator, Team& team, Parameters parameters = {},

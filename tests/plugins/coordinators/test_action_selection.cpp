@@ -26,7 +26,7 @@ TEST_CASE("The most active behaviour decides, whatever the priorities") {
   CHECK(team.reason(2) == "highest activation");
   CHECK(team.trace(0).inhibited_by == 2);
   CHECK(team.reason(0) == "lower activation");
-  CHECK(team.trace(1).inhibited_by == -1);  // it had nothing to say
+  CHECK(team.trace(1).inhibited_by == -1);  // it was not active
   CHECK(team.reason(1) == "not active");
   set(team, 0.3, 0.4, 0.2);
   CHECK(robot.decide() == kB);
@@ -69,7 +69,7 @@ TEST_CASE("With a margin, another must be more active by more than that to take 
   CHECK(robot.decide() == kB);
   set(team, 0.76, 0.75, 0.0);  // and back needs a margin again
   CHECK(robot.decide() == kB);
-  set(team, 0.1, 0.0, 0.0);  // one that is no longer active keeps nobody waiting
+  set(team, 0.1, 0.0, 0.0);  // an inactive behaviour keeps nobody waiting
   CHECK(robot.decide() == kA);
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("Whoever took over decides for a minimum time, as long as it is active
   CHECK(team.reason(0) == "kept: minimum time");
   CHECK(robot.decide_at(1.5) == kB);
   set(team, 1.0, 0.0, 0.5);
-  CHECK(robot.decide_at(1.51) == kA);  // b is not active any more
+  CHECK(robot.decide_at(1.51) == kA);  // b is no longer active
   set(team, 0.9, 0.0, 1.0);
   CHECK(robot.decide_at(2.0) == kA);
   CHECK(robot.decide_at(2.01) == kC);

@@ -1,4 +1,4 @@
-// What holds for every coordinator that needs no file.
+// Properties of every coordinator that needs no file.
 #include <cmath>
 #include <string>
 #include <utility>
@@ -15,7 +15,7 @@ namespace {
 const char* const kAll[] = {
     "arbiter_suppression", "arbiter_action_selection", "arbiter_subsumption", "arbiter_voting",
     "arbiter_strength",    "fusion_vector_summation",  "fusion_fuzzy",        "fusion_interval"};
-// Those that go by what behaviours say of themselves; the other two go by the user's priorities.
+// Coordinators that use activations; the other two use only the user's priorities.
 const char* const kByActivation[] = {
     "arbiter_action_selection", "arbiter_subsumption", "arbiter_voting",
     "arbiter_strength",         "fusion_fuzzy",        "fusion_interval"};
@@ -47,7 +47,7 @@ TEST_CASE("A single active behaviour gets its way") {
   for (const char* name : kAll) {
     CAPTURE(name);
     Team team;
-    team.member("alone", 1, MotorCommand{7.5, 12.5});  // on the voters' grid, too
+    team.member("alone", 1, MotorCommand{7.5, 12.5});  // also on the voters' grid
     Coordinated robot(name, team);
     test::check_near(robot.decide(), {7.5, 12.5});
     CHECK(team.trace(0).share == Approx(1.0));
@@ -69,7 +69,7 @@ TEST_CASE("When nobody is active the robot stands still, and the trace says why"
       CHECK_THAT(member.trace.reason,
                  Catch::Equals("not active") || Catch::Equals("nobody is active"));
     }
-    // Nobody to whom any command would be dear.
+    // No command is desirable to anybody.
     if (std::string(name) != "arbiter_strength") {
       for (const double degree : robot.rate({{0, 0}, {5, 5}})) {
         CHECK(degree == 0.0);
@@ -188,7 +188,7 @@ TEST_CASE("Whatever behaviours answer, decisions are finite and traces complete"
           REQUIRE((member.trace.inhibited_by >= -1 && member.trace.inhibited_by < size));
           sum += member.trace.share;
         }
-        // All of it belongs to someone, or nobody decided and the robot stands.
+        // All of it belongs to some member, or nobody decided and the robot stands still.
         REQUIRE((std::abs(sum - 1.0) < 1e-9 || (sum == 0.0 && command == MotorCommand{})));
         for (const double degree : robot.rate({{0, 0}, {number(), number()}})) {
           REQUIRE((degree >= 0.0 && degree <= 1.0));

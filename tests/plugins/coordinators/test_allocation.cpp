@@ -1,4 +1,4 @@
-// A decision allocates nothing, once the memory that it needs has been there.
+// A decision does not allocate once its memory has grown.
 
 #include "allocations.h"
 #include "support.h"

@@ -46,7 +46,7 @@ world::BehaviorUse blend(const std::string& id, std::vector<world::BehaviorUse> 
   return use;
 }
 
-/// What the robot does in its first step.
+/// The robot's command in its first step.
 MotorCommand decided(const NamedHost& named, std::vector<world::BehaviorUse> behaviors,
                      world::PluginUse coordinator) {
   world::World world;
@@ -67,7 +67,7 @@ CommandSets triangle(double centre, double half_width) {
 TEST_CASE("A blend is to the outside a behaviour like any other") {
   NamedHost named;
   named.add("a", active(0.2, {4, 8})).add("b", active(0.8, {8, 4})).add("c", active(0.4, {20, 20}));
-  // Inside, b decides: the blend is as active as it, more than c.
+  // Inside, b decides: the blend is as active as b, more than c.
   CHECK(decided(
             named,
             {blend("pair", {behavior("a"), behavior("b")}, coordinator("arbiter_action_selection")),
@@ -81,7 +81,7 @@ TEST_CASE("A blend is to the outside a behaviour like any other") {
   CHECK(decided(named, {outer}, coordinator("arbiter_suppression")) == MotorCommand{13, 13});
 }
 
-TEST_CASE("A blend hands its members' sets outwards before they are made a number") {
+TEST_CASE("A blend passes its members' sets outwards before defuzzification") {
   NamedHost named;
   named.add("a", MotorCommand{0, 0}, triangle(0, 5))
       .add("b", MotorCommand{20, 20}, triangle(20, 10))
@@ -91,7 +91,7 @@ TEST_CASE("A blend hands its members' sets outwards before they are made a numbe
   const MotorCommand nested =
       decided(named, {blend("pair", {behavior("a"), behavior("b")}, fuzzy), behavior("c")}, fuzzy);
   check_near(nested, flat);
-  // Had the pair been settled first, at (0 x 5 + 20 x 10) / 15 = 13.3, it would be another command.
+  // If the pair had been decided first, at (0 x 5 + 20 x 10) / 15 = 13.3, the command would differ.
   NamedHost settled;
   settled.add("pair", MotorCommand{40.0 / 3, 40.0 / 3})
       .add("c", MotorCommand{8, 8}, triangle(8, 4));
@@ -118,15 +118,15 @@ TEST_CASE("Context-dependent blends nest: one is a member of another") {
       coordinator("fusion_context_blending",
                   {{"model", source_path("tests/plugins/coordinators/contexts.fcl")}});
   world::World world;
-  // Inside, avoid and go are blended by what is ahead; outside, the same word says how far that
-  // whole blend applies.
+  // Inside, avoid and go are blended by the distance ahead; outside, the same input decides how far
+  // the blend applies.
   world::BehaviorUse inner = blend("go", {behavior("avoid"), behavior("go")}, contexts);
   world.robots.push_back(robot("r1", 0, 0, 0, inner));
   world.robots[0].behaviors.push_back(behavior("avoid"));
   world.robots[0].coordinator = contexts;
   world.robots[0].sensors.push_back(beam("ahead", 0));
   Simulation simulation(std::move(world), named.host);
-  simulation.step();  // nothing within a metre: everything far
+  simulation.step();  // nothing within a metre: everything is far
   const auto trace = simulation.robot(0).trace;
   REQUIRE(trace.size() == 4);
   CHECK(trace[0].path == "go");

@@ -41,7 +41,7 @@ struct Scene {
   plugin::Object<Coordinator> coordinator;
 };
 
-/// A model with one input and one output, in a file of its own.
+/// A model with one input and one output, in its own file.
 class ModelFile {
  public:
   ModelFile(const std::string& input, const std::string& output,
@@ -79,7 +79,7 @@ std::string refusal(const std::string& model, Situation& now) {
   return "";
 }
 
-/// The value of a word, read off a weight that grows evenly with it: from 0 at -1000 to 1 at 5000.
+/// The value of an input, read from a weight that grows linearly with it: 0 at -1000, 1 at 5000.
 Approx word_value(Situation& now, const std::string& word) {
   const ModelFile file(word, "go", "TERM no := 0; TERM yes := 1;",
                        "TERM low := (-1000, 1) (5000, 0); TERM high := (-1000, 0) (5000, 1);",
@@ -100,13 +100,13 @@ TEST_CASE("A behaviour counts as far as its context holds") {
   check_near(scene.decide(0.2), {-10, 10});
   CHECK(scene.team.trace(0).weight == 1.0);
   CHECK(scene.team.trace(0).share == 1.0);
-  CHECK(scene.team.asked(1) == 0);  // what does not apply does not run
+  CHECK(scene.team.asked(1) == 0);  // a behaviour that does not apply does not run
   CHECK(scene.team.reason(1) == "not in this context");
   check_near(scene.decide(1.0), {20, 20});
   CHECK(scene.team.trace(1).share == 1.0);
 }
 
-TEST_CASE("In between, the sets are cut off at the degrees and made a number last") {
+TEST_CASE("In between, the sets are cut off at the degrees and defuzzified last") {
   Scene scene;
   // near 1/4, far 3/4. Triangles of half width 5 cut at d have an area of 5 (1 - (1 - d)^2).
   const double near = 5 * (1 - 0.75 * 0.75), far = 5 * (1 - 0.25 * 0.25);
@@ -116,7 +116,7 @@ TEST_CASE("In between, the sets are cut off at the degrees and made a number las
   CHECK(command.left == Approx((near * -10 + far * 20) / (near + far)));
   // The right wheel's sets, around 10 and 20, touch only.
   CHECK(command.right == Approx((near * 10 + far * 20) / (near + far)));
-  CHECK(command.left != Approx(0.25 * -10 + 0.75 * 20));  // what averaging would give
+  CHECK(command.left != Approx(0.25 * -10 + 0.75 * 20));  // averaging would give this
 
   Scene scaling({{"weighting", std::string("scale")}});
   check_near(scaling.decide(0.8), {0.25 * -10 + 0.75 * 20, 0.25 * 10 + 0.75 * 20});
@@ -127,12 +127,12 @@ TEST_CASE("A behaviour that is not active is left out, however well its context 
   scene.team.answer(0).activation = 0.0;
   check_near(scene.decide(0.6), {20, 20});
   CHECK(scene.team.reason(0) == "not active");
-  scene.team.answer(0).activation = 0.01;  // otherwise its context alone says how much it counts
+  scene.team.answer(0).activation = 0.01;  // otherwise only its context decides its weight
   scene.decide(0.6);
   CHECK(scene.team.trace(0).weight == Approx(0.5));
 }
 
-TEST_CASE("The combined sets go outwards before they are made a number") {
+TEST_CASE("The combined sets are passed outwards before defuzzification") {
   Scene scene;
   scene.decide(0.8);
   const CommandSets sets = scene.coordinator->command_sets(scene.team.members(), {});
@@ -141,7 +141,7 @@ TEST_CASE("The combined sets go outwards before they are made a number") {
   CHECK(sets.left.degree(5) == 0.0);
 }
 
-TEST_CASE("A behaviour that the model does not name always applies, and the user is told so") {
+TEST_CASE("A behaviour that the model does not name always applies, which a note says") {
   ModelFile file("battery", "go");
   Team team;
   team.member("avoid", 1, MotorCommand{}).member("go", 1, MotorCommand{});
@@ -186,7 +186,7 @@ TEST_CASE("A model that does not fit the robot is refused with everything that i
   CHECK_THAT(coordinator->notes()[0], Contains("has one term only"));
 }
 
-TEST_CASE("The words for what a robot perceives mean what they say") {
+TEST_CASE("The inputs of contexts have the values that their names say") {
   Situation now;
   now.beam(10, 0.5).beam(-60, 0.3).beam(90, 0.7).beam(180, 0.9).proximity(-30, true);
   now.proximity(50, false).blob(75, 30).at(1, 2, 90);
@@ -211,7 +211,7 @@ TEST_CASE("The words for what a robot perceives mean what they say") {
   CHECK(0.0 == word_value(now, "left_proximity"));
   CHECK(1.0 == word_value(now, "right_proximity"));
   CHECK(1.0 == word_value(now, "resource_seen"));
-  // Half way from the middle to the right edge of a picture of 30 degrees.
+  // Half-way from the middle to the right edge of a picture of 30 degrees.
   CHECK(-degrees(std::atan(0.5 * std::tan(radians(15)))) == word_value(now, "resource_bearing"));
   CHECK(0.01 == word_value(now, "resource_area"));  // 100 of 100 x 100 pixels
   CHECK(1000.0 == word_value(now, "energy"));
@@ -232,12 +232,12 @@ TEST_CASE("The words for what a robot perceives mean what they say") {
   CHECK(12.0 == word_value(now, "time"));
 }
 
-TEST_CASE("Without a leader, a mate or a resource in sight the words have values, too") {
+TEST_CASE("Without a leader, a mate or a resource in sight the inputs have values, too") {
   Situation now;
   now.camera();
   now.self.coverage_m = 2;
   CHECK(0.0 == word_value(now, "leader_seen"));
-  CHECK(2.0 == word_value(now, "leader_distance"));  // the edge of coverage
+  CHECK(2.0 == word_value(now, "leader_distance"));  // the limit of coverage
   CHECK(0.0 == word_value(now, "leader_bearing"));
   CHECK(0.0 == word_value(now, "mates"));
   CHECK(2.0 == word_value(now, "mate_distance"));
@@ -246,7 +246,7 @@ TEST_CASE("Without a leader, a mate or a resource in sight the words have values
   CHECK(0.0 == word_value(now, "resource_area"));
 }
 
-TEST_CASE("With several cameras all words are about the resource most nearly straight ahead") {
+TEST_CASE("With several cameras all inputs are about the resource most nearly straight ahead") {
   const auto sees = [](double column, double area_px, double fov_deg) {
     VisionReading view;
     view.found = true;
@@ -263,11 +263,11 @@ TEST_CASE("With several cameras all words are about the resource most nearly str
   CHECK(1.0 == word_value(now, "resource_seen"));
   CHECK(bearing == word_value(now, "resource_bearing"));
   CHECK(0.01 == word_value(now, "resource_area"));
-  // It is the one that find_resource goes for.
+  // find_resource chooses the same one.
   const auto finder = test::make<Behavior>(PluginKind::behavior, "find_resource");
   const MotorCommand command = finder->respond(now.perception()).command;
   check_near(command, {45.0 / 20, -45.0 / 20});
-  // Of two as far to the left as to the right the first camera's counts, here and there.
+  // Of two at equal angles the first camera's counts, in both plugins.
   Situation even;
   even.view(sees(50, 100, 30), 20).view(sees(50, 400, 30), -20);
   CHECK(20.0 == word_value(even, "resource_bearing"));
@@ -278,7 +278,7 @@ TEST_CASE("With several cameras all words are about the resource most nearly str
 
 namespace {
 
-/// A model that says nothing of 'go' between 0.4 and 0.6 m ahead.
+/// A model without a rule for 'go' between 0.4 and 0.6 m ahead.
 ModelFile with_a_gap(const std::string& otherwise) {
   return {"front_range",
           "go",
@@ -289,7 +289,7 @@ ModelFile with_a_gap(const std::string& otherwise) {
           otherwise};
 }
 
-/// What 'go' counts at each of these distances, one step after the other.
+/// The weight of 'go' at each of these distances, in consecutive steps.
 std::vector<double> weights(const ModelFile& file, const std::vector<double>& distances,
                             std::vector<std::string>* reasons = nullptr) {
   Team team;
@@ -326,7 +326,7 @@ std::vector<std::string> notes_of(const ModelFile& file) {
 
 }  // namespace
 
-TEST_CASE("A context without a rule keeps its degree with NC, and says so while it has none") {
+TEST_CASE("A context without a rule keeps its degree with NC; without one, the trace says so") {
   std::vector<std::string> reasons;
   CHECK(weights(with_a_gap("NC"), {0.5, 0.2, 0.5, 1.0, 0.5}, &reasons) ==
         std::vector<double>{0, 0, 0, 1, 1});
@@ -338,7 +338,7 @@ TEST_CASE("A context without a rule keeps its degree with NC, and says so while 
         std::vector<double>{1, 0, 0, 1, 1});
 }
 
-TEST_CASE("A user is told of a context that may start without a degree, and where") {
+TEST_CASE("A note names a context that may start without a degree, and where") {
   const auto notes = notes_of(with_a_gap("NC"));
   REQUIRE(notes.size() == 1);
   CHECK_THAT(notes[0], Contains("the output 'go' of the fuzzy model") &&
@@ -347,7 +347,7 @@ TEST_CASE("A user is told of a context that may start without a degree, and wher
                            Contains("write, for example, DEFAULT := 0 | NC"));
   CHECK(notes_of(with_a_gap("0 | NC")).empty());
   CHECK(notes_of(with_a_gap("0")).empty());
-  // Where some rule always fires nothing is ever kept.
+  // Where some rule always fires no value is kept.
   const ModelFile complete("front_range", "go", "TERM no := 0; TERM yes := 1;",
                            "TERM near := (0.3, 1) (0.7, 0); TERM far := (0.3, 0) (0.7, 1);",
                            "RULE 1 : IF front_range IS near THEN go IS no;\n"
@@ -356,7 +356,7 @@ TEST_CASE("A user is told of a context that may start without a degree, and wher
   CHECK(notes_of(complete).empty());
 }
 
-TEST_CASE("A word needs what it speaks of") {
+TEST_CASE("An input needs the sensor that it is about") {
   Situation bare;
   const std::pair<const char*, const char*> needs[] = {
       {"nearest_range", "needs a beam-range sensor"},

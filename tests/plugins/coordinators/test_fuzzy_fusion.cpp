@@ -29,7 +29,7 @@ MotorCommand fused(Team& team, const char* combination,
 }  // namespace
 
 TEST_CASE("Defuzzifying last gives another command than averaging what was defuzzified first") {
-  // One is sure, the other one vague: wide sets weigh more, because there is more of them.
+  // One is sure, the other one vague: wide sets have more weight because of their area.
   Team team;
   team.member("sure", 1, MotorCommand{0, 0}).sets(triangle(0, 5));
   team.member("vague", 1, MotorCommand{20, 20}).sets(triangle(20, 10));
@@ -42,7 +42,7 @@ TEST_CASE("Defuzzifying last gives another command than averaging what was defuz
   check_near(averaging.decide(), {10, 10});
 }
 
-TEST_CASE("Where sets overlap, each operator takes that in its own way") {
+TEST_CASE("Where sets overlap, the operators differ") {
   // 1 from 0 to 2, and 1/2 from 1 to 4.
   const auto with = [](const char* combination) {
     Team team;
@@ -57,7 +57,7 @@ TEST_CASE("Where sets overlap, each operator takes that in its own way") {
   CHECK(with("product") == Approx(1.5));
   CHECK(with("bounded_product") == Approx(1.5));  // 1 + 1/2 - 1
 
-  // Both halves: here the sums differ, 3/4 and 1 where they overlap.
+  // Both halves: here the sums differ, 3/4 and 1 in the overlap.
   const auto halves = [](const char* combination) {
     Team team;
     team.member("a", 1, MotorCommand{}).sets(both(box(0, 2, 0.5)));
@@ -111,7 +111,8 @@ TEST_CASE("With a conjunction a light wish restricts little") {
   Team team;
   team.member("light", 1, MotorCommand{}).sets(both(box(0, 2)));
   team.member("heavy", 2, MotorCommand{}).sets(both(box(1, 4)));
-  // The light one allows what it does not wish to a degree of one half: 1 on [1,2], 1/2 on [2,4].
+  // The wish with the small weight allows other commands to the degree one half: 1 on [1,2], 1/2 on
+  // [2,4].
   for (const char* weighting : {"scale", "clip"}) {
     check_near(fused(team, "min", "centre_of_gravity", weighting), {4.5 / 2, 4.5 / 2});
   }
@@ -134,7 +135,7 @@ TEST_CASE("The mean of maximum follows the strongest wish, the bisector halves t
   check_near(fused(team, "max", "mean_of_maximum"), {0, 0});
   CHECK(team.trace(0).share == 1.0);
   team.members();
-  // areas 5 and 5: the gap between the two halves, in its middle
+  // areas 5 and 5: the middle of the gap between the halves
   check_near(fused(team, "max", "bisector"), {7.5, 7.5});
 }
 
@@ -144,8 +145,8 @@ TEST_CASE("The centre of the largest area takes a side, and the same one for bot
   const FuzzySet forth = FuzzySet::triangle(10, 5);
   team.member("left", 1, MotorCommand{}).sets({back, forth});
   team.member("right", 1, MotorCommand{}).sets({forth, back});
-  check_near(fused(team, "max"), {0, 0});  // the centre of gravity: between the two, still
-  // Of equal ones that of the first in the file.
+  check_near(fused(team, "max"), {0, 0});  // the centre of gravity: between the two, at rest
+  // In a tie, that of the first behaviour in the file.
   check_near(fused(team, "max", "centre_of_largest_area"), {-10, 10});
   CHECK(team.trace(0).share == 1.0);
   Team other;
@@ -177,7 +178,7 @@ TEST_CASE("A behaviour without a wish leaves the others alone, also in a conjunc
   CHECK(mute.reason(0) == "no wish");
 }
 
-TEST_CASE("To the outside stand the sets as they were put together, and ratings likewise") {
+TEST_CASE("The combined sets are passed outwards, and so are ratings") {
   Team team;
   team.member("a", 1, MotorCommand{}).sets(triangle(0, 5)).rating([](const MotorCommand&) {
     return 0.8;

@@ -26,7 +26,7 @@ TEST_CASE("The best command lies between the grid's points where it does") {
   team.member("a", 1, MotorCommand{}).rating(paraboloid({0, 0}));
   team.member("b", 3, MotorCommand{}).rating(paraboloid({8, -4}));
   Coordinated robot("fusion_interval", team);
-  // The sum of paraboloids is one with its top at the weighted mean.
+  // The sum of paraboloids is a paraboloid with its top at the weighted mean.
   check_near(robot.decide(), {6, -3}, 0.02);
   CHECK(team.trace(0).weight == Approx(1.0 / 3));
   CHECK(team.trace(1).weight == 1.0);
@@ -71,30 +71,30 @@ TEST_CASE("It finds the highest of many summits, as good as looking everywhere")
   }
 }
 
-TEST_CASE("Two equal pulls are not averaged: one is followed, and gone on with") {
+TEST_CASE("Two equal pulls are not averaged: one is followed, and stays") {
   Team team;
   team.member("left", 1, MotorCommand{5, 20}).member("right", 1, MotorCommand{20, 5});
   Coordinated robot("fusion_interval", team);
-  // exp(-4.5) of the other one pulls the summit a little towards it
+  // exp(-4.5) of the other one moves the summit slightly towards it
   check_near(robot.decide(), {5, 20}, 0.2);
   CHECK(team.trace(0).share == Approx(1.0).margin(0.02));
   CHECK(team.trace(1).share == Approx(0.0).margin(0.02));
   for (int step = 0; step < 20; ++step) {
-    team.answer(0).command = {5 + 0.1 * step, 20};  // while both change a little
+    team.answer(0).command = {5 + 0.1 * step, 20};  // both change a little
     team.answer(1).activation = step % 2 == 0 ? 1.0 : 0.99;
     team.answer(0).activation = step % 2 == 0 ? 0.99 : 1.0;
     check_near(robot.decide(), team.answer(0).command, 0.4);
   }
-  team.answer(0).activation = 0.9;  // until the other one is clearly better
+  team.answer(0).activation = 0.9;  // now the other one is clearly better
   check_near(robot.decide(), {20, 5}, 0.4);
 }
 
-TEST_CASE("A summit beyond what the wheels can do counts where it is cut down to") {
+TEST_CASE("A summit beyond the wheels' limit counts at its scaled-down command") {
   Team team;
   team.member("a", 1, MotorCommand{100, 50});
   check_near(Coordinated("fusion_interval", team).decide(), {25, 12.5});
   CHECK(team.trace(0).share == 1.0);
-  // It has its full say beside one that is within reach, and that it lies near to.
+  // It has its full weight next to one within reach that is near its command.
   team.member("b", 1, MotorCommand{25, 14.5});
   const MotorCommand both = Coordinated("fusion_interval", team).decide();
   CHECK(both.left == 25.0);
@@ -110,7 +110,7 @@ TEST_CASE("Where no command is desirable to anyone, the robot stands still") {
   CHECK(team.reason(0) == "no command is desirable");
 }
 
-TEST_CASE("A robot that must not move is told to stand") {
+TEST_CASE("A robot that must not move gets a zero command") {
   Team team;
   team.member("a", 1, MotorCommand{5, 5});
   Coordinated robot("fusion_interval", team);

@@ -54,7 +54,7 @@ TEST_CASE("Without links the highest active layer decides: the last in the file"
   for (const std::size_t lower : {0, 1}) {
     CHECK(team.trace(lower).inhibited_by == 2);
     CHECK(team.reason(lower) == "suppressed");
-    CHECK(team.asked(lower) == 1);  // lower layers run all the same
+    CHECK(team.asked(lower) == 1);  // lower layers still run
   }
   set(team, 1, 1, 0);
   CHECK(robot.decide() == kSeek);
@@ -76,12 +76,12 @@ TEST_CASE("Suppression replaces a signal; inhibition removes it and puts nothing
     CHECK(team.trace(1).share == (suppressing ? 1.0 : 0.0));
     CHECK(team.reason(1) ==
           (suppressing ? "its signal reaches the motors" : "its signal leads nowhere"));
-    team.answer(1).activation = 0.0;  // a layer that is not active does neither
+    team.answer(1).activation = 0.0;  // an inactive layer does neither
     CHECK(robot.decide() == MotorCommand{10, 10});
   }
 }
 
-TEST_CASE("An inhibited layer suppresses nothing: what it would have replaced goes on") {
+TEST_CASE("An inhibited layer suppresses nothing: the lower signal passes") {
   Team team;
   fill(team);
   Coordinated robot("arbiter_subsumption", team, {}, {inhibit("avoid", "seek")});
@@ -90,16 +90,16 @@ TEST_CASE("An inhibited layer suppresses nothing: what it would have replaced go
   CHECK(team.trace(1).inhibited_by == 2);
   CHECK(team.reason(1) == "inhibited");
   set(team, 1, 1, 0);
-  CHECK(robot.decide() == kSeek);  // it has no link of its own: it suppresses all below it
+  CHECK(robot.decide() == kSeek);  // it has no link, so it suppresses all below it
 
-  // With suppression in its place, the signal of avoid takes that way.
+  // With suppression instead, avoid's signal takes that way.
   Team other;
   fill(other);
   Coordinated suppressed("arbiter_subsumption", other, {}, {suppress("avoid", "seek")});
   set(other, 1, 1, 1);
   CHECK(suppressed.decide() == kAvoid);
   set(other, 1, 0, 1);
-  CHECK(suppressed.decide() == kAvoid);  // also where seek itself has nothing to say
+  CHECK(suppressed.decide() == kAvoid);  // even where seek is inactive
 }
 
 TEST_CASE("Of several nodes on one line that of the highest layer is nearest to the motors") {
@@ -115,7 +115,7 @@ TEST_CASE("Of several nodes on one line that of the highest layer is nearest to 
   CHECK(with({suppress("seek", "wander"), inhibit("avoid", "wander")}) == MotorCommand{});
 }
 
-TEST_CASE("A link goes on acting for its time constant, with the last signal") {
+TEST_CASE("A link stays in effect for its time constant, with the last signal") {
   Team team;
   fill(team);
   Coordinated robot("arbiter_subsumption", team, {},
@@ -123,11 +123,11 @@ TEST_CASE("A link goes on acting for its time constant, with the last signal") {
   set(team, 1, 0, 1);
   CHECK(robot.decide_at(0.0) == kAvoid);
   set(team, 1, 0, 0);
-  team.answer(2).command = {9, 9};  // what a silent layer says does not matter
+  team.answer(2).command = {9, 9};  // the response of a silent layer does not matter
   CHECK(robot.decide_at(0.5) == kAvoid);
   CHECK(team.reason(2) == "held");
   CHECK(team.trace(2).share == 1.0);
-  CHECK(robot.rate({kAvoid})[0] == 1.0);  // to the outside it stands for what is done
+  CHECK(robot.rate({kAvoid})[0] == 1.0);  // outwards it stands for the executed command
   CHECK(robot.decide_at(0.51) == kWander);
   set(team, 1, 1, 0);
   CHECK(robot.decide_at(1.0) == MotorCommand{});

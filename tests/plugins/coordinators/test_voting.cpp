@@ -27,14 +27,14 @@ TEST_CASE("The candidate with the highest sum of votes is done, each times its p
   team.member("a", 1, MotorCommand{}).rating(votes(0.9, 0.5, 0.0));
   team.member("b", 2, MotorCommand{}).rating(votes(0.0, 0.5, 0.6));
   Coordinated robot("arbiter_voting", team, {}, kThree);
-  // 0.9, 1.5, 1.2: what is nobody's favourite
+  // 0.9, 1.5, 1.2: the winner is nobody's favourite
   CHECK(robot.decide() == MotorCommand{2, 0});
   CHECK(team.trace(0).weight == 0.5);  // half as much as the highest
   CHECK(team.trace(1).weight == 1.0);
   CHECK(team.trace(0).share == Approx(0.5 / 1.5));
   CHECK(team.trace(1).share == Approx(1.0 / 1.5));
   CHECK(team.reason(0) == "voted");
-  // To the outside: the mean vote.
+  // Outwards: the mean vote.
   const auto outside = robot.rate({{1, 0}, {3, 0}});
   CHECK(outside[0] == Approx(0.9 / 3));
   CHECK(outside[1] == Approx(1.2 / 3));
@@ -100,11 +100,12 @@ TEST_CASE("Two wishes that lie close meet in the middle, two that lie far apart 
   check_near(Coordinated("arbiter_voting", near).decide(), {15, 15});
   Team far;
   far.member("a", 1, MotorCommand{5, 20}).member("b", 1, MotorCommand{20, 5});
-  // The mean, (12.5, 12.5), is on the grid: exp(-4.5 / 2) of each; far less than one of them alone.
+  // The mean, (12.5, 12.5), is on the grid with exp(-4.5 / 2) of each: far less than one of them
+  // alone.
   check_near(Coordinated("arbiter_voting", far).decide(), {5, 20}, 0.01);
 }
 
-TEST_CASE("The grid goes up to what the robot's speed allows, or as far as it is told") {
+TEST_CASE("The grid goes up to the robot's maximum speed, or up to the given limit") {
   Team team;
   team.member("a", 1, MotorCommand{100, 100});
   Coordinated robot("arbiter_voting", team);
@@ -115,13 +116,13 @@ TEST_CASE("The grid goes up to what the robot's speed allows, or as far as it is
   CHECK(narrower.decide() == MotorCommand{5, 5});
 }
 
-TEST_CASE("A wish beyond what the wheels can do counts where it is cut down to") {
+TEST_CASE("A wish beyond the wheels' limit counts at its scaled-down command") {
   Team team;
   team.member("fast", 1, MotorCommand{40, 40}).member("slow", 0.9, MotorCommand{-10, 10});
   Coordinated robot("arbiter_voting", team);
   CHECK(robot.decide() == MotorCommand{25, 25});
   CHECK(team.trace(0).share == Approx(1.0).margin(0.01));
-  // What is listed beyond the limit stands for what becomes of it.
+  // A listed command beyond the limit stands for its scaled-down form.
   Coordinated listed("arbiter_voting", team, {}, {candidate(100, 100), candidate(20, 20)});
   CHECK(listed.decide() == MotorCommand{100, 100});
 }
@@ -162,12 +163,12 @@ TEST_CASE("The command may lie between candidates, at the top of parabolas") {
   team.member("a", 1, MotorCommand{11.3, 7.9});
   check_near(Coordinated("arbiter_voting", team, {{"interpolate", false}}).decide(), {12.5, 7.5});
   check_near(Coordinated("arbiter_voting", team).decide(), {11.3, 7.9}, 0.1);
-  // A turn gentler than half a step of the grid does not end as standing still.
+  // A turn gentler than half a step of the grid does not become standing still.
   Team gentle;
   gentle.member("a", 1, MotorCommand{-0.4, 0.4});
   check_near(Coordinated("arbiter_voting", gentle, {{"interpolate", false}}).decide(), {0, 0});
   check_near(Coordinated("arbiter_voting", gentle).decide(), {-0.4, 0.4}, 0.05);
-  // Exact where the votes are parabolas, and at an edge there is nothing between.
+  // Exact where the votes are parabolas; at an edge there is no interpolation.
   Team parabola;
   parabola.member("a", 1, MotorCommand{}).rating([](const MotorCommand& c) {
     return 1.0 - (c.left - 4) * (c.left - 4) / 4000 - (c.right - 30) * (c.right - 30) / 10000;
@@ -175,7 +176,7 @@ TEST_CASE("The command may lie between candidates, at the top of parabolas") {
   check_near(Coordinated("arbiter_voting", parabola).decide(), {4, 25});
 }
 
-TEST_CASE("With a margin, what was done last goes on until something else is clearly better") {
+TEST_CASE("With a margin, the last command stays until another is clearly better") {
   Team team;
   double favour = 0.0;
   team.member("a", 1, MotorCommand{}).rating([&](const MotorCommand& c) {
@@ -192,5 +193,5 @@ TEST_CASE("With a margin, what was done last goes on until something else is cle
   favour = 0.06;
   CHECK(robot.decide() == MotorCommand{10, -7.5});  // 0.44 against 0.56
   favour = -0.04;
-  CHECK(robot.decide() == MotorCommand{10, -12.5});  // what is near goes along with it
+  CHECK(robot.decide() == MotorCommand{10, -12.5});  // the near one continues with it
 }

@@ -1,4 +1,4 @@
-// What the tests of measures have in common.
+// Shared by the tests of measures.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ using testing::Measure;
 using testing::Scene;
 using testing::Settings;
 
-/// What a measure says when it is told of a world.
+/// The message of a measure that refuses a world; "" otherwise.
 inline std::string refusal(Measure measure, const Scene& start) {
   try {
     measure.equip(start);
@@ -21,7 +21,7 @@ inline std::string refusal(Measure measure, const Scene& start) {
   }
 }
 
-/// Three robots in two teams, of which r1 leads the red one.
+/// Three robots in two teams; r1 leads the red one.
 inline Scene three_robots() {
   Scene now;
   now.robot("r1").leads().robot("r2", 1, 0).robot("b1", -1, 0, "blue");

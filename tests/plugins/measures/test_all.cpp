@@ -1,4 +1,4 @@
-// What holds for every measure.
+// Properties of every measure.
 #include <map>
 
 #include "support.h"

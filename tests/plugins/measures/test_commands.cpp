@@ -1,4 +1,4 @@
-// How smooth commands are, and whose they were.
+// The smoothness of commands, and which behaviours gave them.
 #include <cmath>
 
 #include "support.h"
@@ -9,7 +9,7 @@ using namespace elsie::test;
 
 namespace {
 
-/// A robot that drives for a while as it is told.
+/// A robot that executes these commands for a while.
 template <class Command>
 void drive(Scene& now, Measure& measure, int steps, Command command) {
   measure.observe(now);
@@ -39,7 +39,7 @@ TEST_CASE("A steady ramp varies by its slope and jerks at its foot alone") {
   Measure smooth("command_smoothness");
   drive(now, smooth, 100, [](double t) { return MotorCommand{2.0 * t, -4.0 * t}; });
   CHECK(smooth.value("variation") == Approx(3.0));  // rad/s2, mean of 2 and 4
-  // One second difference that is not zero: of the first command, 0.02 and -0.04 in 0.01 s twice.
+  // One second difference is not zero: that of the first command, 0.02 and -0.04 in 0.01 s, twice.
   const double first = 0.5 * (200.0 * 200.0 + 400.0 * 400.0);
   CHECK(smooth.value("jerk") == Approx(std::sqrt(first / 100.0)));
 }
@@ -76,7 +76,7 @@ TEST_CASE("A sine has the variation and the jerk that calculus gives") {
   const double w = 2.0 * 3.14159265358979, a = 5.0;
   smooth.observe(now);
   for (int i = 1; i <= 10'000; ++i) {
-    const double u = a * (1.0 - std::cos(w * 0.001 * i));  // comes from a stand
+    const double u = a * (1.0 - std::cos(w * 0.001 * i));  // starts at rest
     now["r1"].command = {u, u};
     smooth.observe(now.step());
   }
@@ -89,7 +89,7 @@ TEST_CASE("The smoothness of several robots is their mean") {
   now.robot("r1").robot("r2");
   Measure smooth("command_smoothness");
   drive(now, smooth, 50, [](double t) { return MotorCommand{2.0 * t, 2.0 * t}; });
-  CHECK(smooth.value("variation") == Approx(1.0));  // the other one stands
+  CHECK(smooth.value("variation") == Approx(1.0));  // the other one stands still
 }
 
 namespace {
@@ -114,14 +114,14 @@ TEST_CASE("The share of time is that of who had the largest share in the command
   Scene now = with_behaviors();
   Measure time("time_share");
   share(now, 1, 0, 0);
-  time.observe(now);  // the start counts for nothing
+  time.observe(now);  // the start has no weight
   CHECK_FALSE(time.value("decided.avoid"));
   share(now, 1, 0, 0);
   time.observe(now.step());
   share(now, 0.25, 0.6, 0.4);
   time.observe(now.step());
   time.observe(now.step());
-  share(now, 0, 0.5, 0.5);  // two that decide together are none that decides
+  share(now, 0, 0.5, 0.5);  // two with equal shares: neither decides
   time.observe(now.step());
   CHECK(time.value("decided.avoid") == Approx(0.25));
   CHECK(time.value("decided.explore") == Approx(0.75));
@@ -129,7 +129,7 @@ TEST_CASE("The share of time is that of who had the largest share in the command
   CHECK(time.value("decided.explore/wander") == Approx(0.0));
   CHECK(time.value("share.avoid") == Approx((1.0 + 0.25 + 0.25) / 4.0));
   CHECK(time.value("share.explore") == Approx((0.75 + 0.75 + 1.0) / 4.0));
-  // Inside, shares count as parts of those around them.
+  // Inner shares are parts of the outer one.
   CHECK(time.value("share.explore/seek") == Approx((2.0 * 0.75 * 0.6 + 0.5) / 4.0));
   CHECK(time.value("share.explore/wander") == Approx((2.0 * 0.75 * 0.4 + 0.5) / 4.0));
 }
@@ -142,7 +142,7 @@ TEST_CASE("One behaviour may be asked for, on all robots that have it") {
   share(now, 1, 0, 0);
   time.observe(now.step());
   REQUIRE(time.quantities().size() == 2);
-  CHECK(time.value("decided") == Approx(0.5));  // r1 yes, r2 no, r3 has none
+  CHECK(time.value("decided") == Approx(0.5));  // r1 yes, r2 no, r3 does not have it
   CHECK(time.value("share") == Approx(0.5));
   CHECK(refusal(Measure("time_share", {{"behavior", "seek"}}), now) ==
         "there is no behaviour 'seek' on the robots; there are 'avoid', 'explore', "

@@ -14,7 +14,7 @@ TEST_CASE(
   reached.equip(now);
   reached.reset();
   CHECK_FALSE(reached.value("time_s"));
-  CHECK_FALSE(reached.value("nearest_m"));  // nothing was seen yet
+  CHECK_FALSE(reached.value("nearest_m"));  // nothing was observed yet
   reached.observe(now);
   CHECK(reached.value("nearest_m") == Approx(std::hypot(3.0, 0.3)));
   CHECK_FALSE(reached.value("time_s"));
@@ -65,7 +65,7 @@ TEST_CASE("A group with a leader is gathered when all are near it") {
   CHECK_FALSE(gathered.value("time_s"));
   now["b"].pose.y = 0.5;
   gathered.observe(now.at_step(200));
-  now["b"].pose.y = 0.8;  // and off again
+  now["b"].pose.y = 0.8;  // and away again
   gathered.observe(now.at_step(300));
   CHECK(gathered.value("time_s") == Approx(2.0));
   CHECK(gathered.value("farthest_m") == Approx(0.8));
@@ -117,7 +117,7 @@ TEST_CASE("The error of a formation is the mean distance from places that turn w
     now["b"].pose = {1.0 + 0.5, 1.0 - 0.5 + b, 0.0};
   };
   off(9.0, 9.0);
-  error.observe(now);  // holds for no time
+  error.observe(now);  // has no duration
   CHECK_FALSE(error.value("mean_m"));
   off(0.0, 0.0);
   error.observe(now.step());
@@ -175,7 +175,7 @@ TEST_CASE("Coverage counts the cells that robots have been in") {
   coverage.observe(now.step());
   CHECK(coverage.value("area_m2") == Approx(2.0));
   CHECK(coverage.value("share") == Approx(0.25));
-  now["r1"].pose = {7.0, 0.0, 0.0};  // there are arenas without walls
+  now["r1"].pose = {7.0, 0.0, 0.0};  // arenas may have no walls
   coverage.observe(now.step());
   CHECK(coverage.value("area_m2") == Approx(2.0));
 }

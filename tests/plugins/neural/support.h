@@ -1,4 +1,4 @@
-// Coordinators by neural networks, with two behaviours and two beams.
+// Coordinators with neural networks, two behaviours and two beams.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,8 @@ inline const char* const kArbiter = "arbiter_neural_network";
 
 using Object = plugin::Object<Coordinator>;
 
-/// A coordinator with these parameters; the reference samples unless others or weights are given.
+/// A coordinator with these parameters; with the reference samples unless others or weights are
+/// given.
 inline Object coordinator(const char* name, Parameters parameters = {}) {
   if (!parameters.contains("weights")) {
     parameters["weights"] = std::string();
@@ -29,7 +30,7 @@ inline Object coordinator(const char* name, Parameters parameters = {}) {
   return make<Coordinator>(PluginKind::coordinator, name, std::move(parameters));
 }
 
-/// Two behaviours, as the reference samples have them.
+/// Two behaviours, as in the reference samples.
 inline void add_two_behaviors(Team& team) {
   team.member("avoid_obstacle", 1, MotorCommand{-10, 10})
       .member("find_resource", 1, MotorCommand{20, 20});
@@ -49,7 +50,7 @@ inline void start(Coordinator& object, Team& team, std::uint64_t seed = 1) {
   object.reset(random);
 }
 
-/// What it makes of these readings: command, and the trace in the team.
+/// The command for these readings; the trace is in the team.
 inline MotorCommand decide(Coordinator& object, Team& team, double left, double right) {
   for (Member& member : team.members()) {
     member.begin_step();
@@ -90,7 +91,7 @@ inline neural::Network simple_network() {
   return network;
 }
 
-/// What equipping complains about; "" when it does not.
+/// The message when equipping fails; "" otherwise.
 inline std::string refusal(Coordinator& object, Team& team, Situation& now) {
   try {
     object.equipped(team.members(), now.perception());

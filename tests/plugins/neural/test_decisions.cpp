@@ -1,4 +1,4 @@
-// What networks make of the behaviours.
+// How networks combine behaviours.
 #include <catch2/catch.hpp>
 
 #include "support.h"
@@ -18,7 +18,7 @@ TEST_CASE("Fusion takes each command times the network's output and divides by t
   CHECK(command.right == Approx((first * 10 + second * 20) / 2));
   CHECK(weight(team, 0) == Approx(first));
   CHECK(weight(team, 1) == Approx(second));
-  // Shares are the parts in the sum, by the length of each one's contribution.
+  // Shares are parts of the sum of all contributions' lengths.
   CHECK(share(team, 0) == Approx(first * 10 / (first * 10 + second * 20)));
   CHECK(share(team, 0) + share(team, 1) == Approx(1.0));
   CHECK(reason(team, 1) == "priority from the network");
@@ -34,7 +34,7 @@ TEST_CASE("Arbitration runs the behaviour with the largest output, and no other"
   CHECK(team.asked(0) == 1);
   CHECK(team.asked(1) == 0);
   CHECK(weight(team, 0) == Approx(logistic(0.4)));
-  CHECK(weight(team, 1) == Approx(logistic(-0.4)));  // visible, although it was not asked
+  CHECK(weight(team, 1) == Approx(logistic(-0.4)));  // shown although it was not asked
   CHECK(share(team, 0) == 1.0);
   CHECK(share(team, 1) == 0.0);
   CHECK(team.members()[1].trace.inhibited_by == 0);
@@ -126,7 +126,7 @@ TEST_CASE("Behaviours that all wish to stand still share by their priorities") {
   team.member("a", 1, MotorCommand{}).member("b", 1, MotorCommand{});
   start(*fusion, team);
   CHECK(decide(*fusion, team, 0.4, 0.7) == MotorCommand{});
-  CHECK(share(team, 0) == Approx(logistic(0.4)));  // the two outputs make 1 together here
+  CHECK(share(team, 0) == Approx(logistic(0.4)));  // the two outputs add up to 1 here
   CHECK(share(team, 0) + share(team, 1) == Approx(1.0));
 }
 

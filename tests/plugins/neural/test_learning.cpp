@@ -1,4 +1,4 @@
-// How networks are trained, and what is told of it.
+// How networks are trained, and what is reported about it.
 #include <catch2/catch.hpp>
 
 #include "support.h"
@@ -123,11 +123,11 @@ TEST_CASE("The learning curve is that of the training, in at most two hundred po
     const auto& points = curves[0].points;
     CHECK(points.size() == std::min<std::size_t>(points.size(), 200));
     CHECK(points.size() >= std::min<std::size_t>(all.size(), 100));
-    // It begins where the training does, and ends where that ends.
+    // It begins and ends with the training.
     CHECK(points.front() ==
           Curve::Point{static_cast<double>(all.front().presentations), all.front().error});
     CHECK(points.back().x == static_cast<double>(all.back().presentations));
-    // Nothing is left out: each point is the mean of what came since the one before.
+    // Nothing is left out: each point is the mean since the one before.
     std::size_t i = 0;
     for (const Curve::Point& point : points) {
       double sum = 0.0;
@@ -208,7 +208,7 @@ TEST_CASE("Parameters that change take effect when the next run begins") {
   start(*fusion, team);
   const Declaration& declaration = *test::shipped().find(PluginKind::coordinator, kFusion);
   plugin::apply_parameters(declaration, *fusion, {{"hidden", std::string("4 4")}});
-  CHECK_NOTHROW(decide(*fusion, team, 1, 1));  // the run goes on
+  CHECK_NOTHROW(decide(*fusion, team, 1, 1));  // the run continues
   Random random(1);
   fusion->reset(random);
   CHECK_THAT(fusion->notes().at(0), Catch::StartsWith("Network 2-4-4-2 trained"));

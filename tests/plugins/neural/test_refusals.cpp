@@ -43,7 +43,7 @@ TEST_CASE("Weights that do not fit are refused when the robot is put together") 
   CHECK(complaint(fitting).empty());
   CHECK(complaint(fitting, {{"hidden", std::string("3")}}).empty());
   CHECK(complaint(fitting, {{"hidden", std::string("auto")}}).empty());
-  // "2 2" is what a network gets that is trained, but here somebody has asked for it.
+  // "2 2" is the default of a trained network, but here the user asked for it.
   for (const std::string hidden : {"4 4", "2 2", "0"}) {
     CHECK_THAT(complaint(fitting, {{"hidden", hidden}}),
                Catch::Contains("2-3-2") && Catch::Contains("hidden is '" + hidden + "'"));
