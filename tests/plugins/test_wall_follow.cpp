@@ -211,7 +211,7 @@ TEST_CASE("A wall that it finds again on its way round is followed on") {
   CHECK(again.events.empty());
 }
 
-TEST_CASE("Without a wall it drives straight on and has nothing to say; finding one it says so") {
+TEST_CASE("Without a wall it drives straight on and is not active; finding one raises an event") {
   const auto behavior = wall_follow();
   const Response searching = behavior->respond(nothing().perception());
   check(motion(searching.command), 0.2, 0);
@@ -223,7 +223,7 @@ TEST_CASE("Without a wall it drives straight on and has nothing to say; finding 
   CHECK(found.events[0].name == "wall_found");
 }
 
-TEST_CASE("The farther off the distance, the more it has to say") {
+TEST_CASE("The farther off the distance, the higher the activation") {
   const auto activation = [](double distance_m) {
     return wall_follow()->respond(beside(distance_m, -90).perception()).activation;
   };

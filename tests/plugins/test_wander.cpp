@@ -6,7 +6,7 @@
 using namespace elsie;
 using elsie::test::Situation;
 
-TEST_CASE("Wander keeps its mean speed and changes its mind now and then") {
+TEST_CASE("Wander keeps its mean speed and changes its direction now and then") {
   const auto wander = test::make<Behavior>(PluginKind::behavior, "wander",
                                            {{"speed", 12.0}, {"restlessness", 2.0}, {"turn", 4.0}});
   Situation now;

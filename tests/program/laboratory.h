@@ -32,7 +32,7 @@ class Laboratory : public Workplace {
   static constexpr const char* kSpeeds =
       "<vary name=\"speed\" path=\"robot[r1]/@max_speed\" values=\"0.05; 0.1; 0.4\"/>";
 
-  /// What is named dawdling takes a second for each step after half a simulated second.
+  /// The plugin `dawdling` takes a second for each step after half a simulated second.
   static constexpr const char* kTwoDawdledSteps = "<limits time=\"0.52\"/>";
 
   static std::string experiment(const std::string& worlds, const std::string& factors, int seeds,
@@ -42,7 +42,7 @@ class Laboratory : public Workplace {
            std::to_string(repeats) + "\"/>" + limits + "</experiment>\n";
   }
 
-  /// An experiment of one world for each of the plugins of plugins/faulty.cpp that are named.
+  /// Writes an experiment with one world for each of these plugins of plugins/faulty.cpp.
   void write_faulty(const std::vector<std::string>& plugins, const std::string& limits,
                     int seeds = 1) const {
     std::string worlds;

@@ -1,4 +1,4 @@
-// elsie batch: many runs, their database, what is told of them.
+// elsie batch: many runs, their database, and the report.
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
@@ -27,7 +27,7 @@ TEST_CASE("A batch does every run, and the numbers do not depend on the number o
   CHECK(four.err.empty());
   CHECK(here.query("one.sqlite", "SELECT state, count(*) FROM runs GROUP BY state") == "done|24\n");
   CHECK(here.query("one.sqlite", "SELECT count(*) FROM trajectories") == "24\n");
-  // Speed and seed matter; after two seconds some seeds have not turned yet.
+  // Speed and seed matter; after two seconds, robots with some seeds have not turned yet.
   CHECK(std::stoi(here.query("one.sqlite", "SELECT count(DISTINCT state_hash) FROM runs")) > 8);
   CHECK(here.table("one.sqlite") == here.table("four.sqlite"));
   here.check_sound("one.sqlite");
@@ -58,9 +58,9 @@ TEST_CASE("The default database is named after the experiment, and is not overwr
   CHECK(here.table("small_experiment.sqlite") == before);
 }
 
-TEST_CASE("On a terminal a bar tells how far a batch is and how long the rest takes, on one line") {
+TEST_CASE("On a terminal a bar shows a batch's progress and remaining time, on one line") {
   const Laboratory here;
-  // What was drawn, each time over what was there before.
+  // The lines drawn, each over the one before.
   const auto drawn = [&](int columns) {
     const auto run = here.sh("script -qec 'stty cols " + std::to_string(columns) +
                              "; elsie batch small_experiment.xml --workers 1 --database " +
@@ -77,7 +77,7 @@ TEST_CASE("On a terminal a bar tells how far a batch is and how long the rest ta
   };
   const auto wide = drawn(120);
   REQUIRE(wide.size() >= 24);
-  CHECK(wide.back().empty());  // wiped
+  CHECK(wide.back().empty());  // cleared
   CHECK_THAT(wide[wide.size() - 2], Contains("100 %  24 of 24 runs"));
   CHECK(std::any_of(wide.begin(), wide.end(), [](const std::string& line) {
     return line.find(" of 24 runs, ") != std::string::npos && line.ends_with(" s left");
@@ -89,7 +89,7 @@ TEST_CASE("On a terminal a bar tells how far a batch is and how long the rest ta
                     [](const std::string& line) { return line.ends_with("..."); }));
 }
 
-TEST_CASE("The summary is to be had as JSON") {
+TEST_CASE("The summary is available as JSON") {
   const Laboratory here;
   const auto run = here.batch("small_experiment.xml --json");
   CHECK(run.err.empty());
@@ -140,14 +140,14 @@ TEST_CASE("Nothing is begun, and no database left behind, when the input is wron
   refused("replay none.db 1", "there is no database 'none.db'");
   refused("replay none.db", "'none.db' cannot be read");
   REQUIRE(here.batch("small_experiment.xml --quiet --database runs.db").exit_code == 0);
-  fs::rename(here.file("runs.db"), here.file("runs.mcap"));  // whatever it is called
+  fs::rename(here.file("runs.db"), here.file("runs.mcap"));  // by any name
   refused("replay runs.mcap", "'runs.mcap' is a database of many runs; expected the number of one");
   refused("replay runs.mcap 1 --picture run.png --at 1", "--at: only a recording can be drawn");
   refused("replay runs.mcap 1 --record run.csv --record-images", "--record-images: a table");
   refused("batch-worker x", "there is no subcommand 'batch-worker'");
 }
 
-TEST_CASE("A batch of one run tells of one run") {
+TEST_CASE("A batch of one run reports one run") {
   const Laboratory here;
   here.write("one.xml", Laboratory::experiment("<world file=\"small.xml\"/>", "", 1));
   const auto run = here.elsie("batch one.xml");

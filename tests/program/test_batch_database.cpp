@@ -1,4 +1,4 @@
-// What happens to databases of results behind the program's back.
+// Databases of results that other programs change.
 #include <filesystem>
 #include <string>
 
@@ -10,7 +10,7 @@ using Catch::Contains;
 using elsie::test::Laboratory;
 namespace fs = std::filesystem;
 
-TEST_CASE("A damaged database is refused by all that read it, with what can be done") {
+TEST_CASE("A damaged database is refused by all commands that read it, with what to do") {
   const Laboratory here;
   REQUIRE(here.batch("small_experiment.xml --quiet --database whole.sqlite").exit_code == 0);
   const std::string whole = here.read("whole.sqlite");
@@ -44,7 +44,7 @@ TEST_CASE("A damaged database is refused by all that read it, with what can be d
 TEST_CASE("A batch whose database is taken away stops, and says where its results are") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 2);
-  /// Does something to the database between the first run and the second.
+  /// Changes the database between the first run and the second.
   const auto batch_during = [&](const std::string& action) {
     return here.sh("elsie batch faulty.xml --workers 1 --quiet --plugin-path " +
                    Laboratory::plugins() +
@@ -56,7 +56,7 @@ TEST_CASE("A batch whose database is taken away stops, and says where its result
                    "wait $batch && code=$? || code=$?\n"
                    "exit $code");
   };
-  SECTION("renamed: it is put back, and goes on") {
+  SECTION("renamed: it is put back, and the batch continues") {
     const auto run = batch_during("mv faulty.sqlite elsewhere.sqlite");
     CHECK(run.exit_code == 4);
     CHECK_THAT(run.err, Contains("the database 'faulty.sqlite' was renamed while the batch wrote "

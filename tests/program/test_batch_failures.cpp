@@ -1,5 +1,5 @@
-// Batches in which runs fail, and batches that are killed, stopped or run out of room: what goes on
-// afterwards.
+// Batches in which runs fail, and batches that are killed, stopped or out of disk space, and how
+// they continue.
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -15,8 +15,7 @@ using elsie::test::Laboratory;
 using elsie::test::world_with;
 namespace fs = std::filesystem;
 
-TEST_CASE(
-    "A crash, a hang or a plugin that fails costs one run, and is told with all that is known") {
+TEST_CASE("A crash, a hang or a plugin that fails costs one run, and is reported in full") {
   const Laboratory here;
   here.write_faulty({"segfaulting", "aborting", "overflowing", "looping", "not_a_number",
                      "throwing", "exiting", "thrifty"},
@@ -50,14 +49,14 @@ TEST_CASE(
       "'r1' was at work in step 50\n");
   CHECK(here.query("faulty.sqlite", "SELECT message FROM runs WHERE plugin = 'segfaulting'") ==
         "plugin 'segfaulting' of robot 'r1' crashed with SIGSEGV in step 50\n");
-  // What was recorded until a plugin threw is kept; there are no measures of it.
+  // Data recorded before a plugin threw is kept, without measures.
   CHECK(here.query("faulty.sqlite",
                    "SELECT count(*) FROM trajectories JOIN runs ON runs.id = run_id "
                    "WHERE state = 'fault'") == "2\n");
   CHECK(here.query("faulty.sqlite", "SELECT count(DISTINCT run_id) FROM run_measures") == "1\n");
   here.check_sound("faulty.sqlite");
 
-  SECTION("they are not done again unless that is asked for") {
+  SECTION("they are repeated only on request") {
     const auto resumed = here.batch("faulty.xml --resume");
     CHECK(resumed.exit_code == 3);
     CHECK_THAT(resumed.out, Contains("all 8 runs are done already"));
@@ -66,7 +65,7 @@ TEST_CASE(
     CHECK_THAT(again.out, Contains("are done again: 7\n") && Contains("7 runs in "));
     here.check_sound("faulty.sqlite");
   }
-  SECTION("one that failed in order fails again in the same way; a crash is shown with its stack") {
+  SECTION("an orderly failure repeats itself; a crash is shown with its stack") {
     const auto number = [&](const std::string& plugin) {
       const std::string text =
           here.query("faulty.sqlite", "SELECT id FROM runs WHERE plugin = '" + plugin + "'");
@@ -100,15 +99,15 @@ TEST_CASE("A worker that is killed from outside costs its run only") {
   CHECK(here.batch("faulty.xml --resume --again --quiet").exit_code == 0);
 }
 
-TEST_CASE("A batch that is killed goes on where it was: no run is lost, none done twice") {
+TEST_CASE("A batch that is killed continues where it was: no run is lost, none done twice") {
   const Laboratory here;
   here.write("many.xml", Laboratory::experiment("<world file=\"small.xml\"/>", Laboratory::kSpeeds,
                                                 16, "<limits time=\"10\"/>"));
   REQUIRE(here.elsie("batch many.xml --quiet --database whole.sqlite").exit_code == 0);
-  std::string ended;  // of each run, as soon as it has ended
+  std::string ended;  // end of each run, as soon as it has ended
   int kills = 0;
   for (; kills < 200; ++kills) {
-    // Somewhere in what it does; later and later, so that a slow machine comes to its runs, too.
+    // At any point of its work, and later each time, so that slow machines also finish runs.
     const int milliseconds = 30 + std::rand() % (100 + 30 * kills);
     const auto run = here.sh(
         "elsie --one-process batch many.xml --quiet --database killed.sqlite --resume & batch=$!\n"
@@ -134,9 +133,9 @@ TEST_CASE("A batch that is killed goes on where it was: no run is lost, none don
       }
       ended = now;
     } catch (const std::runtime_error& error) {
-      CHECK_THAT(error.what(), Contains("no such table"));  // killed before it was made
+      CHECK_THAT(error.what(), Contains("no such table"));  // killed before the tables were made
     }
-    if (kills > 20) {  // a slow machine: let it come to an end
+    if (kills > 20) {  // a slow machine: let it finish
       CHECK(here.elsie("batch many.xml --quiet --database killed.sqlite --resume").exit_code == 0);
       break;
     }
@@ -147,7 +146,7 @@ TEST_CASE("A batch that is killed goes on where it was: no run is lost, none don
   here.check_sound("killed.sqlite");
 }
 
-TEST_CASE("The workers of a batch that is killed die with it") {
+TEST_CASE("The workers of a batch that is killed end with it") {
   const Laboratory here;
   here.write_faulty({"looping"}, "", 2);
   const auto run =
@@ -167,7 +166,7 @@ TEST_CASE("The workers of a batch that is killed die with it") {
   CHECK(run.exit_code == 0);
 }
 
-TEST_CASE("Ctrl-C stops a batch in order: what is done is kept, the rest stays to be done") {
+TEST_CASE("Ctrl-C stops a batch in order: done runs are kept, the others stay pending") {
   const Laboratory here;
   here.write_faulty({"thrifty", "dawdling"}, Laboratory::kTwoDawdledSteps, 2);
   for (const std::string signal : {"INT", "TERM"}) {
@@ -220,7 +219,7 @@ TEST_CASE("A batch that is interrupted while its database is made leaves nothing
 TEST_CASE("A signal that comes twice at once is one request to stop") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 4);
-  // As timeout(1) and schedulers send it: to the process, and to its group.
+  // timeout(1) and schedulers send it to the process and to its group.
   const auto run = here.sh(
       "elsie --one-process batch faulty.xml --workers 1 --plugin-path " + Laboratory::plugins() +
       " & batch=$!\n"
@@ -253,11 +252,11 @@ TEST_CASE("Two batches do not write one database") {
   CHECK(here.query("faulty.sqlite", "SELECT count(*) FROM runs WHERE state = 'done'") == "2\n");
 }
 
-TEST_CASE("A full disk ends a batch with a sentence; it goes on when there is room") {
+TEST_CASE("A full disk ends a batch with a sentence; it continues when there is space") {
   const Laboratory here;
   here.write("many.xml", Laboratory::experiment("<world file=\"small.xml\"/>", Laboratory::kSpeeds,
                                                 8, "<trajectories period=\"0.01\"/>"));
-  // No file may grow beyond this, as on a disk that is full.
+  // No file may grow beyond this, as on a full disk.
   const auto full = here.sh("ulimit -f 300; elsie batch many.xml --quiet");
   CHECK(full.exit_code == 4);
   CHECK_THAT(full.err, Contains("the database 'many.sqlite' could not be written: ") &&
@@ -268,7 +267,7 @@ TEST_CASE("A full disk ends a batch with a sentence; it goes on when there is ro
   CHECK(here.table("many.sqlite") == here.table("whole.sqlite"));
 }
 
-TEST_CASE("A batch notices what changes under its feet, be it in the last run") {
+TEST_CASE("A batch notices files that change, even during its last run") {
   const Laboratory here;
   fs::remove(here.file("fuzzy_models"));
   fs::copy(elsie::test::source_path("fuzzy_models"), here.file("fuzzy_models"));
@@ -288,7 +287,7 @@ TEST_CASE("A batch notices what changes under its feet, be it in the last run") 
               "wait $batch && code=$? || code=$?\n"
               "exit $code");
   CHECK(run.exit_code == 4);
-  // The run that was at work is not written: it may have read the file before, or after.
+  // The active run is not written: it may have read the file before or after the change.
   CHECK_THAT(run.err, Contains(model + "' has changed since the batch began"));
   CHECK(here.query("small_experiment.sqlite",
                    "SELECT count(*) FROM runs WHERE state = 'pending'") == "3\n");

@@ -1,4 +1,4 @@
-// Worlds in which a behaviour does its job, whatever the seed, and nothing else does it.
+// Worlds that a behaviour solves for every seed, and that fail without it.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -16,7 +16,7 @@ json result_of(const std::string& world, int seed, const std::string& change = "
       here.elsie("run worlds/" + world + ".xml --json --seed " + std::to_string(seed) + set).out);
 }
 
-/// What the seeds 1 to 20 come to; the goals of the world are the claim.
+/// The results of seeds 1 to 20; they must reach the goals of the world.
 std::vector<json> check_twenty_seeds(const std::string& world) {
   std::vector<json> results;
   for (int seed = 1; seed <= 20; ++seed) {
@@ -27,7 +27,7 @@ std::vector<json> check_twenty_seeds(const std::string& world) {
   return results;
 }
 
-/// The world is no proof of a behaviour if it succeeds without.
+/// The world proves nothing about a behaviour if it succeeds without it.
 void check_fails(const std::string& world, const std::string& change) {
   CAPTURE(world, change);
   CHECK(result_of(world, 1, change)["outcome"] != "success");
@@ -54,7 +54,7 @@ TEST_CASE("follow_the_leader gathers those within coverage around the leader, an
   check_twenty_seeds("gathering");
   check_fails("gathering", "robot[f1]/behavior[follow_the_leader]/@remove=true");
   check_fails("gathering",
-              "robot[leader]/@coverage=3");  // all come, and three are to stay where they are
+              "robot[leader]/@coverage=3");  // all follow, but three should stay
 }
 
 TEST_CASE(
@@ -100,6 +100,6 @@ TEST_CASE("blend: a robot whose coordination nests lives among obstacles") {
   for (const json& result : check_twenty_seeds("nested")) {
     CHECK(count(result, "charging_started") >= 1);
   }
-  // The charger is found by the one inside that an arbiter of fixed priorities never asks.
+  // A charger is found only by an inner behaviour that an arbiter of fixed priorities never asks.
   check_fails("nested", "robot[r1]/behavior[journey]/coordinator=<arbiter_suppression/>");
 }

@@ -24,7 +24,7 @@ std::string source(const std::string& rates) {
          "ELSIE_BEHAVIOR(Straight, \"straight\", \"Drives straight on\");\n";
 }
 
-/// A workplace with a cache of its own.
+/// A workplace with its own cache.
 struct Bench : Workplace {
   Bench() {
     write("world.xml", kWorld);
@@ -43,28 +43,28 @@ TEST_CASE("A world runs with a behaviour that is one source file") {
   CAPTURE(run.err);
   CHECK(run.exit_code == 0);
   CHECK(run.err.empty());
-  here.write("straight.cpp", source("0.0, 0.0"));  // it stays where it is
+  here.write("straight.cpp", source("0.0, 0.0"));  // it stays in place
   CHECK(here.cached("run world.xml --plugin straight.cpp --quiet").exit_code == 1);
-  // Every command that looks at plugins knows it.
+  // Every command that uses plugins knows it.
   CHECK(here.cached("check world.xml --plugin straight.cpp").exit_code == 0);
   CHECK_THAT(here.cached("describe straight --plugin straight.cpp").out,
              Contains("Drives straight on"));
 }
 
-TEST_CASE("On a terminal it is told what is being compiled, and what is in the cache is not") {
+TEST_CASE("A terminal shows what is being compiled, and nothing for sources in the cache") {
   Bench here;
   const auto on_a_terminal = [&](const std::string& arguments) {
     return here.sh("ELSIE_CACHE=cache script -qec 'elsie " + arguments + "' /dev/null < /dev/null")
         .out;
   };
   const std::string check = "check world.xml --plugin straight.cpp";
-  const std::string told = "\rcompiling straight.cpp ...\033[K\r\033[K";
-  CHECK_THAT(on_a_terminal(check), Catch::StartsWith(told + "world.xml: in order"));
+  const std::string progress = "\rcompiling straight.cpp ...\033[K\r\033[K";
+  CHECK_THAT(on_a_terminal(check), Catch::StartsWith(progress + "world.xml: in order"));
   CHECK_THAT(on_a_terminal(check), Catch::StartsWith("world.xml: in order"));
   here.write("straight.cpp", source("9.0, 9.0"));
   CHECK(on_a_terminal(check + " --quiet").empty());
   here.write("straight.cpp", "no C++");
-  CHECK_THAT(on_a_terminal(check), Catch::StartsWith(told));
+  CHECK_THAT(on_a_terminal(check), Catch::StartsWith(progress));
 }
 
 TEST_CASE("elsie build makes a library, which runs like any other") {
@@ -78,7 +78,7 @@ TEST_CASE("elsie build makes a library, which runs like any other") {
   CHECK(here.elsie("run world.xml --plugin-path . --quiet").exit_code == 0);
 }
 
-TEST_CASE("A plugin that cannot be built or used is told of, and nothing runs") {
+TEST_CASE("A plugin that cannot be built or used is reported, and nothing runs") {
   Bench here;
   const auto refused = [&](const std::string& arguments) {
     const auto run = here.cached(arguments);
@@ -119,7 +119,7 @@ TEST_CASE("A plugin that cannot be built or used is told of, and nothing runs") 
 
 TEST_CASE("Messages name the source, not the library that it was compiled to") {
   Bench here;
-  // With one more, so that it is of use.
+  // With a second plugin, so that the library is usable.
   here.write("again.cpp", source("1.0, 1.0") +
                               "struct Other final : elsie::Behavior {\n"
                               "  elsie::Response respond(const elsie::Perception&) override {\n"
@@ -151,7 +151,7 @@ TEST_CASE("A crash in a function that was put inline names the plugin's own line
   CHECK_THAT(run.err, Contains("straight.cpp:6\n"));
 }
 
-TEST_CASE("What the compiler warns of is passed on, once") {
+TEST_CASE("The compiler's warnings are passed on, once") {
   Bench here;
   here.write("straight.cpp", source("1.0, 1.0") + "static int forgotten;\n");
   const auto first = here.cached("build straight.cpp");

@@ -56,7 +56,7 @@ TEST_CASE("--save-images writes raw and processed pictures, named after step, ro
         here.read("images/0000000_r1+right_raw.png"));
   CHECK(here.read("images/0000000_r1+left_raw.png") !=
         here.read("images/0000000_r1+left_processed.png"));
-  // Noise is part of what was seen: no two pictures are alike.
+  // The pictures include noise: no two are equal.
   CHECK(here.read("images/0000000_r2+vision_raw.png") !=
         here.read("images/0000002_r2+vision_raw.png"));
 }
@@ -84,7 +84,7 @@ TEST_CASE("--save-images-every takes one picture per period, and none of it chan
   CHECK(files_in(here.file("empty")).size() == 6);
 }
 
-TEST_CASE("Where images cannot be saved, a sentence says why, before the run") {
+TEST_CASE("If images cannot be saved, a sentence says why, before the run") {
   Workplace here;
   here.write("world.xml", kWorld);
   here.write("file", "");
@@ -111,7 +111,7 @@ TEST_CASE("Where images cannot be saved, a sentence says why, before the run") {
 TEST_CASE("When the disk is full the run ends and says which picture could not be written") {
   Workplace here;
   here.write("world.xml", kWorld);
-  // Files of at most 512 bytes: the picture with noise does not fit.
+  // Files of at most 512 bytes: the noisy picture does not fit.
   const auto run =
       here.sh("trap '' XFSZ; ulimit -f 1; elsie run world.xml --save-images images --quiet");
   CHECK(run.exit_code == 4);
@@ -119,7 +119,7 @@ TEST_CASE("When the disk is full the run ends and says which picture could not b
   CHECK_FALSE(files_in(here.file("images")).contains("0000000_r2+vision_raw.png"));
 }
 
-TEST_CASE("Without EGL a world with cameras is refused at the sensor; others run all the same") {
+TEST_CASE("Without EGL a world with cameras is refused at the sensor; others run") {
   Workplace here;
   here.write("world.xml", kWorld);
   here.write("libEGL.so.1", "this is no library");
@@ -173,7 +173,7 @@ std::string world_of(const std::string& team, const std::string& resource_colour
 
 }  // namespace
 
-TEST_CASE("A team without a colour finds its resources all the same") {
+TEST_CASE("A team without a colour also finds its resources") {
   Workplace here;
   here.write("world.xml", world_of("<team id=\"crew\"/>", ""));
   CHECK(here.elsie("check world.xml").exit_code == 0);
@@ -182,7 +182,7 @@ TEST_CASE("A team without a colour finds its resources all the same") {
   CHECK(run.err.empty());
 }
 
-TEST_CASE("A resource of a colour that no camera can look for is said when the world is loaded") {
+TEST_CASE("A resource in a colour that no camera can find is reported when the world is loaded") {
   Workplace here;
   const std::pair<const char*, const char*> greys[] = {
       {"<team id=\"crew\"/>", " colour=\"#808080\""},

@@ -28,7 +28,7 @@ std::vector<std::string> changes_in(const json& result) {
 
 }  // namespace
 
-TEST_CASE("--at changes the world on its way, and the result tells of it") {
+TEST_CASE("--at changes the world in the run, and the result lists the changes") {
   Workplace here;
   const auto run = here.elsie(kRun +
                               " --at '2:robot[r1]/@max_speed=0.1' --at '1:robot[r1]/@x=-1'"
@@ -45,7 +45,7 @@ TEST_CASE("--at changes the world on its way, and the result tells of it") {
   CHECK(std::vector(changes.end() - 3, changes.end()) ==
         std::vector<std::string>{"1.0 r1 robot[r1]/@x=-1", "1.0 r1 robot[r1]/@y=-1.5",
                                  "2.0 r1 robot[r1]/@max_speed=0.1"});
-  // No faster than that for the last two seconds of four.
+  // No faster than that in the last two of four seconds.
   const double driven = result.at("robots")[0].at("distance_m");
   CHECK(driven < json::parse(here.elsie(kRun).out).at("robots")[0].at("distance_m"));
 }
@@ -64,7 +64,7 @@ TEST_CASE("Runs with the same changes are the same, whether they are recorded or
   CHECK_THAT(here.elsie("explain run.trace").out, Catch::Contains("changed"));
 }
 
-TEST_CASE("A change that cannot be made is told before the run, with exit code 2") {
+TEST_CASE("A change that cannot be made is reported before the run, with exit code 2") {
   Workplace here;
   here.write("run.csv", "time_s,robot,what was there before\n");
   const auto expect = [&](const std::string& change, const std::string& sentence) {
@@ -107,7 +107,7 @@ TEST_CASE("A change that cannot be made is told before the run, with exit code 2
          "its end, as in robot[r1]/@max_speed");
 }
 
-TEST_CASE("A place that is taken when its time comes ends the run with exit code 2") {
+TEST_CASE("A move to a place that is then occupied ends the run with exit code 2") {
   Workplace here;
   const auto run = here.elsie(kRun + " --record run.csv --at '1:robot[r1]/@x=1.99'");
   CHECK(run.exit_code == 2);
@@ -121,7 +121,7 @@ TEST_CASE("A place that is taken when its time comes ends the run with exit code
   CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 11);
 }
 
-TEST_CASE("elsie tells what may change while a world runs") {
+TEST_CASE("elsie lists what may change while a world runs") {
   Workplace here;
   CHECK_THAT(here.elsie("run --help").out, Catch::Contains("--at TIME:PATH=VALUE"));
   const std::string world = here.elsie("describe world").out;

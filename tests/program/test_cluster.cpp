@@ -1,4 +1,4 @@
-// Batches on a cluster: a real Slurm, begun for each test on this machine.
+// Batches on a cluster: a real Slurm, started for each test on this machine.
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -19,18 +19,18 @@ namespace {
 
 class Cluster : public Laboratory {
  public:
-  /// Lines of a shell, beside a Slurm of this test's own.
+  /// Runs shell lines next to a Slurm of this test.
   ProgramRun with_slurm(const std::string& lines) const {
     write("lines.sh",
           "set -eu\n"
           "batch() { elsie batch \"$@\" --plugin-path '" +
               plugins() +
               "'; }\n"
-              // To be begun with &: what a signal reaches is the program.
+              // To be started with &: signals reach the program itself.
               "follow() { exec elsie --one-process batch \"$@\" --plugin-path '" +
               plugins() +
               "'; }\n"
-              // The processes of tasks, and nobody else's: their databases are in this folder.
+              // The processes of this test's tasks only: their databases are in this folder.
               "tasks() { pgrep -f -- \"--database $PWD/.*shard-$1\\\\.sqlite\" || true; }\n"
               "until_there() { while [ -z \"$(tasks \"$1\")\" ]; do sleep 0.05; done; }\n"
               "until_begun() { until [ -s \"$1-shards/shard-$2.json\" ]; do sleep 0.05; done; }\n" +
@@ -38,7 +38,7 @@ class Cluster : public Laboratory {
     return sh("'" + elsie::test::source_path("tests/program/slurm/with-slurm") +
               "' \"$PWD/slurm\" sh lines.sh");
   }
-  /// What the same experiment comes to without a cluster.
+  /// The results of the same experiment without a cluster.
   std::string alone(const std::string& experiment) const {
     const auto run = sh("elsie batch \"$PWD/" + experiment +
                         "\" --quiet --database alone.sqlite --plugin-path '" + plugins() + "'");
@@ -49,7 +49,7 @@ class Cluster : public Laboratory {
 
 }  // namespace
 
-TEST_CASE("A cluster comes to what one machine comes to, and one database is what is left") {
+TEST_CASE("A cluster gives the results of one machine, and leaves one database") {
   const Cluster here;
   const auto run = here.with_slurm(
       "batch small_experiment.xml --cluster slurm --shards 5 --database all.sqlite\n"
@@ -70,7 +70,7 @@ TEST_CASE(
   const Cluster here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 6);
   const auto run = here.with_slurm(
-      // Each shard has two runs. One process is killed, one task is cancelled, after its first run.
+      // Each shard has two runs. After its first run, one process is killed, one task is cancelled.
       "follow faulty.xml --cluster slurm --shards 3 --database all.sqlite & follower=$!\n"
       "until_there 1\n"
       "until grep -q '\"ended\":1' all.sqlite-shards/shard-1.json; do sleep 0.05; done\n"
@@ -106,7 +106,7 @@ TEST_CASE("A follower that is killed or leaves can be followed by another") {
       "until_begun all.sqlite 1\n"
       "kill -9 $follower; wait $follower || true\n"
       "follow faulty.xml --cluster slurm --resume --database all.sqlite & follower=$!\n"
-      // It waits for Slurm and for signals by a pipe of its own.
+      // It waits for Slurm and for signals on its own pipe.
       "until [ $(ls -l /proc/$follower/fd | grep -c ' [0-9]*[3-9] -> pipe:') -ge 2 ]; do sleep "
       "0.05; done\n"
       "sleep 0.3; kill -INT $follower\n"
@@ -125,7 +125,7 @@ TEST_CASE("A follower that is killed or leaves can be followed by another") {
   CHECK(here.table("all.sqlite") == here.alone("faulty.xml"));
 }
 
-TEST_CASE("Two that follow the same batch come to the same") {
+TEST_CASE("Two followers of the same batch give the same result") {
   const Cluster here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 2);
   const auto run = here.with_slurm(
@@ -139,13 +139,12 @@ TEST_CASE("Two that follow the same batch come to the same") {
   CHECK(nlohmann::json::parse(here.read("second.json"))["done"] == 2);
 }
 
-TEST_CASE(
-    "On a terminal a line tells how far a cluster is, also when only its tasks' end is left") {
+TEST_CASE("A terminal shows a cluster's progress, also when only its tasks have yet to end") {
   const Cluster here;
   const auto run = here.with_slurm(
       "batch small_experiment.xml --cluster slurm --shards 1 --database all.sqlite --detach\n"
       "until grep -q '\"ended\":24' all.sqlite-shards/shard-1.json; do sleep 0.05; done\n"
-      // All runs have ended, and Slurm still says twice that it is completing the task.
+      // All runs have ended, but Slurm reports twice that it is completing the task.
       "mkdir fake; real=$(command -v squeue)\n"
       "printf '#!/bin/sh\\nif [ ! -e once ]; then touch once; elif [ ! -e twice ]; then touch "
       "twice; else exec %s \"$@\"; fi\\necho \"1|CG|None\"\\n' \"$real\" > fake/squeue\n"
@@ -160,7 +159,7 @@ TEST_CASE(
   CHECK(here.table("all.sqlite") == here.alone("small_experiment.xml"));
 }
 
-TEST_CASE("A task that goes back into the queue goes on where it was") {
+TEST_CASE("A task that returns to the queue continues where it was") {
   const Cluster here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 2);
   const auto run = here.with_slurm(
@@ -168,7 +167,7 @@ TEST_CASE("A task that goes back into the queue goes on where it was") {
       "until_there 1\n"
       "until grep -q '\"ended\":1' all.sqlite-shards/shard-1.json; do sleep 0.05; done\n"
       "scontrol requeue 1_1\n"
-      // Slurm waits before it begins such a task again; not here.
+      // Slurm delays such a task before it begins again; not here.
       "for i in 1 2 3 4 5; do scontrol update jobid=1_1 starttime=now 2>&1 || true; sleep 1; done\n"
       "wait $follower\n");
   CAPTURE(run.out, run.err);
@@ -176,7 +175,7 @@ TEST_CASE("A task that goes back into the queue goes on where it was") {
   CHECK(here.table("all.sqlite") == here.alone("faulty.xml"));
 }
 
-TEST_CASE("A run that fails on a cluster is told as on one machine") {
+TEST_CASE("A run that fails on a cluster is reported as on one machine") {
   const Cluster here;
   here.write_faulty({"crashing_elsewhere", "thrifty"}, "", 2);
   const auto run = here.with_slurm(
@@ -186,7 +185,7 @@ TEST_CASE("A run that fails on a cluster is told as on one machine") {
                           Contains("elsie replay all.sqlite 1"));
 }
 
-TEST_CASE("What a cluster does not take leaves nothing behind") {
+TEST_CASE("A job that a cluster refuses leaves nothing behind") {
   const Cluster here;
   const auto run = here.with_slurm(
       "refused() { batch small_experiment.xml --database all.sqlite \"$@\" && exit 1; [ $? = 2 ]; "
@@ -218,7 +217,7 @@ TEST_CASE("What a cluster does not take leaves nothing behind") {
   CHECK_THAT(run.out, !Contains("all.sqlite"));
 }
 
-TEST_CASE("A batch on a cluster goes on with its own experiment only") {
+TEST_CASE("A batch on a cluster is resumed with its own experiment only") {
   const Cluster here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 2);
   const auto run = here.with_slurm(

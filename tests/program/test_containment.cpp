@@ -1,5 +1,5 @@
-// Plugins that end the process, copy it, print or change how it computes: the exit code, the
-// answer and the results are the program's.
+// Plugins that end the process, copy it, print or change how it computes: the exit code, the answer
+// and the results remain those of the program.
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -59,7 +59,7 @@ TEST_CASE("A plugin that ends the process by a function of the C library is name
   }
 }
 
-TEST_CASE("It is named as well when it is made, when it goes, and when its library goes") {
+TEST_CASE("It is also named when it is made, destroyed, or unloaded") {
   TrespassersWorld world;
   auto run = world.run("leaving_when_made");
   CHECK(run.exit_code == 3);
@@ -75,7 +75,7 @@ TEST_CASE("It is named as well when it is made, when it goes, and when its libra
                                "unloaded"));
 }
 
-TEST_CASE("A library that ends the process while it is loaded is named, though nobody uses it") {
+TEST_CASE("A library that ends the process while it is loaded is named, even if unused") {
   TrespassersWorld world;
   for (const std::string command :
        {"run worlds/open_arena.xml --duration 1", "check worlds/open_arena.xml",
@@ -92,7 +92,7 @@ TEST_CASE("A library that ends the process while it is loaded is named, though n
   }
 }
 
-TEST_CASE("An end that nobody in the process can see is no success") {
+TEST_CASE("An end that the process cannot detect is no success") {
   TrespassersWorld world;
   for (const std::string plugin : {"leaving_by_system_call", "becoming_another"}) {
     CAPTURE(plugin);
@@ -124,7 +124,7 @@ TEST_CASE("A thread of a plugin that ends the process or crashes is found in its
   CHECK_THAT(run.err, Contains("elsie: plugin library '") &&
                           Contains("trespassers.so', in a thread of its own, ended the program by "
                                    "calling _exit()"));
-  run = world.run("crashing_beside", "--speed 1");  // so that there is time for the crash
+  run = world.run("crashing_beside", "--speed 1");  // slow, so that there is time for the crash
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.err, Contains("trespassers.so', in a thread of its own, ended the program with a "
                                "segmentation fault (SIGSEGV)"));
@@ -132,7 +132,7 @@ TEST_CASE("A thread of a plugin that ends the process or crashes is found in its
 
 TEST_CASE("A thread that a plugin leaves behind is found in the library that was unloaded") {
   TrespassersWorld world;
-  // The program may have ended before the thread comes to run again.
+  // The program may end before the thread runs again.
   bool was_seen = false;
   for (int i = 0; i < 20 && !was_seen; ++i) {
     const auto run = world.run("leaving_a_thread");
@@ -160,7 +160,7 @@ TEST_CASE("A copy of the process that crashes does not speak for the program") {
 TEST_CASE("A crash outside of plugins, after one has damaged the heap, says where to look") {
   TrespassersWorld world;
   const auto run = world.run("smashing_heap");
-  // Where the damage is noticed depends on the allocator: in the plugin's next call, or outside.
+  // The damage shows, depending on the allocator, in the plugin's next call or outside.
   const bool is_noticed_outside = run.exit_code >= 128;
   CHECK((run.exit_code == 3 || is_noticed_outside));
   CHECK(run.out.empty());
@@ -218,7 +218,7 @@ TEST_CASE("A plugin that changes how numbers are rounded is named, and changes n
   CHECK(result.at("notes")[0].at("text") ==
         "changed how results are rounded for the whole program, once, first in step 50; this was "
         "undone after each call");
-  CHECK(state_hash(run) == state_hash(world.run("starting")));  // which drives the same way
+  CHECK(state_hash(run) == state_hash(world.run("starting")));  // which drives in the same way
   const auto made = world.run("rounding_when_made");
   CHECK(made.exit_code == 3);
   CHECK_THAT(made.err, Contains("world.xml:1: ") && Contains("rounding_when_made") &&
@@ -226,7 +226,7 @@ TEST_CASE("A plugin that changes how numbers are rounded is named, and changes n
                                     "the whole program"));
 }
 
-TEST_CASE("A plugin that blocks all signals is ended all the same") {
+TEST_CASE("A plugin that blocks all signals is ended nevertheless") {
   TrespassersWorld world;
   const auto in_time = world.run("blocking_and_looping", "--time-budget 500");
   CHECK(in_time.exit_code == 3);
@@ -241,7 +241,7 @@ TEST_CASE("A plugin that blocks all signals is ended all the same") {
                                               "twice, and was killed"));
 }
 
-TEST_CASE("One that blocks them and goes on can still be interrupted") {
+TEST_CASE("A plugin that blocks them and continues can still be interrupted") {
   TrespassersWorld world;
   world.run("blocking");
   const auto run = world.here.sh(
@@ -252,7 +252,7 @@ TEST_CASE("One that blocks them and goes on can still be interrupted") {
   CHECK_THAT(world.here.read("err"), Contains("interrupted after"));
 }
 
-TEST_CASE("In one process, for a debugger, everything is as otherwise but for the exit code") {
+TEST_CASE("In one process, for a debugger, only the exit code differs") {
   TrespassersWorld world;
   world.run("starting");
   const std::string options = "run world.xml --json --plugin-path " + world.plugins;
@@ -264,7 +264,7 @@ TEST_CASE("In one process, for a debugger, everything is as otherwise but for th
   CHECK(run.out == "worlds/open_arena.xml: in order: 1 robot, 0 boxes\n");
 }
 
-TEST_CASE("A program whose other half is missing says so") {
+TEST_CASE("A supervisor without its program reports it") {
   const Workplace here;
   const auto run = here.sh("mkdir -p half/bin; cp " + elsie::test::build_path("bin/elsie") +
                            " half/bin; half/bin/elsie plugins");

@@ -1,4 +1,4 @@
-// Worlds that show what a coordinator is good for, or what it is not.
+// Worlds that show what a coordinator can do, or cannot.
 #include <algorithm>
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@ using nlohmann::json;
 
 namespace {
 
-/// How a run of a shipped world ends, with another coordinator unless none is named.
+/// The end of a run of a shipped world; with another coordinator if one is named.
 json result_of(const std::string& world, int seed, const std::string& coordinator = "") {
   Workplace here;
   const std::string set =
@@ -29,14 +29,14 @@ TEST_CASE(
     const json one_after_the_other = result_of("equal_pulls", seed);
     CHECK(one_after_the_other["outcome"] == "success");
     CHECK(one_after_the_other["robots"][0]["collected"] == 2);
-    // 3.61 m to the one and 4 m to the other, less what the resources are wide
+    // 3.61 m to the one and 4 m to the other, less the width of the resources
     CHECK(one_after_the_other["robots"][0]["distance_m"] < 7.7);
 
     const json stuck =
         result_of("equal_pulls", seed, "<fusion_vector_summation weighted=\"true\"/>");
     CHECK(stuck["outcome"] == "time_limit");
     CHECK(stuck["robots"][0]["collected"] == 0);
-    // It stands half way between (1, 2) and (1, -2).
+    // It stands half-way between (1, 2) and (1, -2).
     CHECK(stuck["robots"][0]["pose"][0].get<double>() == Approx(1.0).margin(0.1));
     CHECK(stuck["robots"][0]["pose"][1].get<double>() == Approx(0.0).margin(0.1));
   }
@@ -68,7 +68,7 @@ TEST_CASE("Layers of competence: the robot lives, and every layer is needed") {
     CHECK(result["outcome"] != "success");
     CHECK_THAT(result["reason"].get<std::string>(), Catch::Contains(words));
   };
-  ends_with(without("wander", 1), "time");       // it does not get round
+  ends_with(without("wander", 1), "time");       // it does not get around
   ends_with(without("recharge", 1), "battery");  // it runs out
   ends_with(without("avoid_obstacle", 1), "collided");
   ends_with(without("escape", 4), "battery");  // a corner holds it
@@ -108,14 +108,14 @@ TEST_CASE("A network that blends search and avoidance collects all four resource
               .out);
       CHECK(result["outcome"] == "success");
       CHECK(result["robots"][0]["collected"] == 4);
-      // One comes into view after the other, and each is lost when it was collected at the soonest.
+      // Each comes into view after the other, and is lost at the earliest when it is collected.
       CHECK(count(result, "resource_in_view") == 4);
       CHECK(count(result, "resource_out_of_view") == 3);
       distance_m += result["robots"][0]["distance_m"].get<double>() / 20;
       time_s += result["simulated_s"].get<double>() / 20;
     }
     // The original needed 32.98 m and 293.7 s, 32.87 m and 170.4 s. The way from the middle to a
-    // corner and along three sides is 29.66 m, less what the resources are wide.
+    // corner and along three sides is 29.66 m, less the width of the resources.
     CHECK(distance_m == Approx(29.66).margin(0.3));
     CHECK(time_s < 294);
   }

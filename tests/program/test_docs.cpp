@@ -37,7 +37,7 @@ std::vector<fs::path> pages() {
   return pages;
 }
 
-/// The fenced blocks of a page that are in the given language.
+/// The fenced blocks of a page in this language.
 std::vector<std::string> blocks(const std::string& page, const std::string& language) {
   std::vector<std::string> blocks;
   std::istringstream lines(page);
@@ -57,8 +57,8 @@ std::vector<std::string> blocks(const std::string& page, const std::string& lang
   return blocks;
 }
 
-/// The commands that end a run before its goal is met (exit code 1), on purpose: each shows
-/// something for which a short run is enough. All others reach what they are after.
+/// Commands that end a run before its goal is met (exit code 1) on purpose, because a short run
+/// shows enough. All others must reach their goals.
 const std::set<std::string> kCutShort = {
     "elsie run worlds/ten_robots.xml --duration 60 --explain run.trace",
     "elsie run worlds/open_arena.xml --duration 10 --json",
@@ -73,11 +73,11 @@ const std::set<std::string> kCutShort = {
     "elsie run worlds/find_resource.xml --duration 3 --save-images images --save-images-every 0.5",
     "elsie report obstacles.sqlite --html obstacles.html"};
 
-/// The command lines that take long, and what is added to them here: then they do a part only.
+/// Long command lines, with additions that shorten them here.
 const std::map<std::string, std::string> kInPart = {
     {"elsie batch experiments/obstacles.xml", " --shard 1/120 --database obstacles.sqlite"}};
 
-/// Without blanks and a comment at its end, unless there is a text in quotation marks.
+/// The line without blanks and a comment at its end, unless it has quotation marks.
 std::string command_of(const std::string& line) {
   const std::size_t comment = line.find(" #");
   const std::string command =
@@ -85,8 +85,8 @@ std::string command_of(const std::string& line) {
   return command.substr(0, command.find_last_not_of(' ') + 1);
 }
 
-/// Whether a line builds or installs the program that is being tested, or a plugin of the reader's:
-/// tests/package/ does that.
+/// Whether a line builds or installs the program under test, or a plugin of the reader:
+/// tests/package/ runs those.
 bool builds(const std::string& line) {
   return line.starts_with("make ") || line.starts_with("cmake ") || line.starts_with("sudo ");
 }
@@ -97,10 +97,10 @@ TEST_CASE("Every command in the docs runs, and reaches its goals unless it is cu
   std::set<std::string> cut_short, done_in_part;
   for (const fs::path& page : pages()) {
     if (page.parent_path().filename() == "tutorial") {
-      continue;  // followed as a whole by tests/tutorial
+      continue;  // tests/tutorial follows it as a whole
     }
     if (page.filename() == "clusters.md") {
-      continue;  // run by test_cluster.cpp, beside a Slurm
+      continue;  // test_cluster.cpp runs it with a Slurm
     }
     Workplace here;
     if (page.filename() == "installing.md") {
@@ -110,7 +110,7 @@ TEST_CASE("Every command in the docs runs, and reaches its goals unless it is cu
     for (const std::string& block : blocks(read(page), "sh")) {
       std::istringstream lines(block);
       for (std::string line; std::getline(lines, line);) {
-        // A text in quotation marks may go on.
+        // Text in quotation marks may continue on the next line.
         for (std::string more;
              std::count(line.begin(), line.end(), '"') % 2 != 0 && std::getline(lines, more);) {
           line += '\n' + more;
@@ -135,12 +135,12 @@ TEST_CASE("Every command in the docs runs, and reaches its goals unless it is cu
       }
     }
   }
-  // Nothing is listed that the docs do not have any more.
+  // The list has no commands that the docs no longer have.
   CHECK(cut_short == kCutShort);
   CHECK(done_in_part.size() == kInPart.size());
 }
 
-TEST_CASE("Every file of ours that a help text names is there") {
+TEST_CASE("Every file of ours that a help text names exists") {
   const Workplace here;
   std::string help = here.elsie("--help").out;
   std::istringstream lines(help.substr(help.find("Subcommands:")));
@@ -172,11 +172,11 @@ TEST_CASE("Every file of ours that a help text names is there") {
 TEST_CASE("Every world in the docs is in order") {
   for (const fs::path& page : pages()) {
     if (page.parent_path().filename() == "tutorial") {
-      continue;  // followed as a whole by tests/tutorial
+      continue;  // tests/tutorial follows it as a whole
     }
     for (const std::string& block : blocks(read(page), "xml")) {
       if (block.find("<world") == std::string::npos) {
-        continue;  // a part of one
+        continue;  // only a part of a world
       }
       CAPTURE(page.filename().string(), block);
       Workplace here;
@@ -277,7 +277,7 @@ TEST_CASE("The coordinator and the sensor that their pages add are sound") {
   const auto check = here.sh("ELSIE_CACHE=cache elsie test-plugin best_wish.cpp glare.cpp");
   CAPTURE(check.out, check.err);
   CHECK(check.exit_code == 0);
-  // Alone, and inside a behaviour, whose coordinator asks further.
+  // Alone, and inside of a behaviour whose coordinator asks further.
   for (const char* outer : {"<best_wish/>", "<arbiter_voting/>"}) {
     here.write("world.xml",
                "<world format='1'><robots><robot id='r1' x='-2'><sensors><beam_range/></sensors>"
@@ -324,12 +324,12 @@ TEST_CASE("A program of one's own runs a shipped world by its name from any fold
           .exit_code == 2);
 }
 
-TEST_CASE("The page on measures quotes what elsie new makes, and what it then tells") {
+TEST_CASE("The page on measures quotes what elsie new makes, and its output") {
   const std::string page =
       read(fs::path(elsie::test::source_path("docs")) / "writing-a-measure.md");
-  const auto code = blocks(page, "cpp"), told = blocks(page, "text");
+  const auto code = blocks(page, "cpp"), output = blocks(page, "text");
   REQUIRE(code.size() == 2);
-  REQUIRE(told.size() == 1);
+  REQUIRE(output.size() == 1);
   Workplace here;
   REQUIRE(here.elsie("new measure excursion").exit_code == 0);
   CHECK(code[0] == here.read("excursion/excursion.cpp"));
@@ -337,7 +337,7 @@ TEST_CASE("The page on measures quotes what elsie new makes, and what it then te
   const auto run =
       here.sh("ELSIE_CACHE=cache elsie run excursion/world.xml --plugin excursion/excursion.cpp");
   CHECK(run.exit_code == 0);
-  CHECK_THAT(run.out, Catch::EndsWith(told[0]));
+  CHECK_THAT(run.out, Catch::EndsWith(output[0]));
 }
 
 TEST_CASE("The measures that pages show are in order in a world that has what they name") {
@@ -368,7 +368,7 @@ TEST_CASE("The measures that pages show are in order in a world that has what th
 
 TEST_CASE(
     "The pages on testing, coordinators and sensors show what is built and run by the tests") {
-  // Without what formatting makes of it: the page does not indent.
+  // Without formatting: the page does not indent.
   const auto plain = [](const std::string& code) {
     std::istringstream lines(code);
     std::string text;
@@ -429,7 +429,7 @@ TEST_CASE("The page on versions shows the ABI word as it is") {
 
 TEST_CASE("Links between the docs lead somewhere") {
   for (const fs::path& page : pages()) {
-    // What is code has brackets of its own.
+    // Code has brackets, too.
     std::istringstream lines(read(page));
     std::string text;
     bool is_code = false;
@@ -448,7 +448,7 @@ TEST_CASE("Links between the docs lead somewhere") {
   }
 }
 
-TEST_CASE("Every file that the recipes for contributors name is there") {
+TEST_CASE("Every file that the recipes for contributors name exists") {
   const fs::path source(elsie::test::source_path(""));
   const std::string page = read(source / "CONTRIBUTING.md");
   const std::regex file(
@@ -457,7 +457,7 @@ TEST_CASE("Every file that the recipes for contributors name is there") {
   int count = 0;
   for (std::sregex_iterator at(page.begin(), page.end(), file), end; at != end; ++at) {
     const std::string name = (*at)[1];
-    if (name.find("NAME") == name.npos) {  // else it is the reader's to make
+    if (name.find("NAME") == name.npos) {  // otherwise the reader creates it
       ++count;
       CAPTURE(name);
       CHECK(fs::exists(source / name));

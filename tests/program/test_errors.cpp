@@ -77,7 +77,7 @@ TEST_CASE("A recording that cannot be written to its end is exit code 4") {
   CHECK_THAT(run.err, Catch::Contains("recording '/dev/full' could not be written"));
 }
 
-TEST_CASE("A result that does not reach its reader is no success") {
+TEST_CASE("A result that cannot be written is no success") {
   Workplace here;
   for (const char* command : {"run worlds/pushing.xml --json", "schema", "plugins", "--help"}) {
     CAPTURE(command);
@@ -87,7 +87,7 @@ TEST_CASE("A result that does not reach its reader is no success") {
   }
 }
 
-TEST_CASE("Junk among the plugins never stops a run, and plugins --check tells of it") {
+TEST_CASE("Junk among the plugins never stops a run, and plugins --check reports it") {
   Workplace here;
   std::filesystem::create_directory(here.file("junk"));
   here.write("junk/noise.so", "this is no library");
@@ -100,7 +100,7 @@ TEST_CASE("Junk among the plugins never stops a run, and plugins --check tells o
   CHECK_THAT(check.out, Catch::Contains("wander.so: loaded: behavior wander 1.0"));
 }
 
-TEST_CASE("What a run came to is told even when its picture cannot be written") {
+TEST_CASE("A run's result is printed even when its picture cannot be written") {
   if (!std::filesystem::exists("/proc/self")) {
     return;
   }
@@ -110,13 +110,13 @@ TEST_CASE("What a run came to is told even when its picture cannot be written") 
   CHECK(run.exit_code == 4);
   CHECK_THAT(run.out, Catch::Contains("\"outcome\""));
   CHECK_THAT(run.err, Catch::Contains("Cannot write the picture '/proc/run.png'"));
-  const auto told = here.elsie("explain run.trace --picture /proc/run.png");
-  CHECK(told.exit_code == 4);
-  CHECK_THAT(told.out, Catch::Contains("who decided"));
-  CHECK_THAT(told.err, Catch::Contains("Cannot write the picture '/proc/run.png'"));
+  const auto explained = here.elsie("explain run.trace --picture /proc/run.png");
+  CHECK(explained.exit_code == 4);
+  CHECK_THAT(explained.out, Catch::Contains("who decided"));
+  CHECK_THAT(explained.err, Catch::Contains("Cannot write the picture '/proc/run.png'"));
 }
 
-TEST_CASE("A command line that does not fit is told in sentences") {
+TEST_CASE("A wrong command line is reported in sentences") {
   Workplace here;
   const auto refused = [&](const std::string& arguments) {
     const auto run = here.elsie(arguments);

@@ -1,4 +1,4 @@
-// The published experiments: every file is in order, and what they show holds on a few seeds.
+// The published experiments: every file is in order, and their findings hold on a few seeds.
 #include <filesystem>
 #include <string>
 
@@ -14,7 +14,7 @@ using nlohmann::json;
 
 namespace {
 
-/// How a run of a world in experiments/ ends with one of the two coordinators of the published
+/// The end of a run of a world in experiments/ with one of the two coordinators of the published
 /// tables.
 json result_of(const std::string& world, const std::string& coordinator, int seed) {
   Workplace here;
@@ -51,7 +51,7 @@ TEST_CASE("Every experiment that is shipped is in order, and so is every world o
 }
 
 TEST_CASE("Past an obstacle both schemes reach the resource, arbitration in less time") {
-  // Straight to the front of the resource it is 3.9 m less half the robot's length.
+  // The straight way to the front of the resource is 3.9 m less half the robot's length.
   for (const std::string world : {"one_obstacle", "two_obstacles"}) {
     for (int seed = 1; seed <= 2; ++seed) {
       CAPTURE(world, seed);

@@ -1,4 +1,4 @@
-// Plugins that fail: who it was is said, what was recorded is kept, the exit code is 3.
+// Plugins that fail: the message names the plugin, recordings are kept, the exit code is 3.
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -26,11 +26,11 @@ class FaultyWorld {
                       elsie::test::build_path("tests/program/plugins") +
                       " --record run.csv --record-rate 100 --explain run.trace --json " + options);
   }
-  /// Asks a run to terminate once the plugin loops, again and again until it does. Libraries are
-  /// copied to the folder copies.
+  /// Asks a run to terminate once the plugin loops, repeatedly until it does. Libraries are copied
+  /// to the folder copies.
   ProgramRun interrupt(const std::string& behavior) const {
     write(behavior, "arbiter_suppression", "");
-    // The shell makes a process in the background ignore Ctrl-C: so it is asked to terminate.
+    // The shell makes background processes ignore Ctrl-C, so the run gets a request to terminate.
     return here.sh(
         "rm -rf copies err; mkdir copies; export TMPDIR=$PWD/copies\n"
         "elsie run world.xml --watch --record run.csv --plugin-path " +
@@ -50,7 +50,7 @@ class FaultyWorld {
                                 "<coordinator><" + coordinator +
                                 "/></coordinator></robot></robots></world>\n");
   }
-  /// Lines of the recording, without its heading.
+  /// Lines of the recording without its heading.
   long rows() const {
     const std::string table = here.read("run.csv");
     CHECK(table.ends_with('\n'));
@@ -100,17 +100,17 @@ TEST_CASE("A plugin that crashes is named with robot, step and stack, and the re
                Contains("elsie: plugin '" + expected.plugin + "' of robot 'r1' ended the program"));
     CHECK_THAT(run.err, Contains(expected.what) && Contains(" in step 50\n"));
     CHECK_THAT(run.err, Contains("the stack, from the inside out:\n") && Contains("faulty.so+0x"));
-    // It ends where the code of Elsie begins, which called the plugin.
+    // It ends where Elsie's code begins, which called the plugin.
     CHECK_THAT(run.err, !Contains("libelsie.so") && !Contains("elsie-program+0x"));
     CHECK_THAT(run.err, Contains("what was recorded until then is kept\nthe stack"));
     CHECK(world.rows() == 51);
     CHECK_THAT(world.here.read("run.trace"), Contains("\n0,r1,,,10,10\n"));
-    const auto told = world.here.elsie("explain run.trace");
-    CHECK(told.exit_code == 0);
+    const auto explained = world.here.elsie("explain run.trace");
+    CHECK(explained.exit_code == 0);
   }
 }
 
-TEST_CASE("A stack that was written over is no reason not to tell whose it was") {
+TEST_CASE("A crash with an overwritten stack names the plugin, too") {
   FaultyWorld world;
   const auto run = world.run("smashing_stack");
   CAPTURE(run.err);
@@ -132,7 +132,7 @@ TEST_CASE("Of a crash in a plugin's own thread, the recording is whole up to a l
   CHECK((table.empty() || table.ends_with('\n')));
 }
 
-TEST_CASE("Sensors and coordinators that crash are told from the behaviours that they serve") {
+TEST_CASE("Sensors and coordinators that crash are distinguished from behaviours") {
   FaultyWorld world;
   CHECK_THAT(world.run("thrifty", "", "crashing_coordinator").err,
              Contains("plugin 'crashing_coordinator' of robot 'r1' ended the program with a "
@@ -168,7 +168,7 @@ TEST_CASE("A plugin that takes longer than its time budget ends the run in order
   FaultyWorld world;
   CHECK(world.run("dawdling", "", "arbiter_suppression", "", "0.51").exit_code ==
         1);  // off by default
-  // Wide, so that a machine that is busy elsewhere does not come in between.
+  // Wide, so that a busy machine does not interfere.
   const auto run = world.run("dawdling", "--time-budget 900 --picture run.png");
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.err, Contains("plugin 'dawdling' of robot 'r1' failed in step 50: it took ") &&
@@ -177,7 +177,7 @@ TEST_CASE("A plugin that takes longer than its time budget ends the run in order
   CHECK_FALSE(world.here.read("run.png").empty());
 }
 
-TEST_CASE("One that does not return at all is stopped") {
+TEST_CASE("A plugin that never returns is stopped") {
   FaultyWorld world;
   const auto start = std::chrono::steady_clock::now();
   const auto run = world.run("looping", "--time-budget 1000");
@@ -198,7 +198,7 @@ TEST_CASE("A second Ctrl-C ends even a plugin that does not return, and says whi
                       "step 50\n") &&
                  Contains("faulty.so+0x"));
   CHECK(world.rows() >= 1);
-  // The libraries that were loaded from copies; and none is left.
+  // The libraries that were loaded from copies; none of these is left.
   CHECK(std::stoi(run.out) > 1);
   CHECK_THAT(run.out, Catch::EndsWith("\n0\n"));
 }
@@ -244,7 +244,7 @@ TEST_CASE("While libraries are loaded, Ctrl-C names one only if it takes long") 
                                        "interrupted, while it was loaded\n"));
 }
 
-TEST_CASE("A signal that nobody handles ends the program as always, and leaves no copies") {
+TEST_CASE("An unhandled signal ends the program as usual, and leaves no copies") {
   FaultyWorld world;
   world.write("looping", "arbiter_suppression", "");
   for (const std::string signal : {"USR1", "PIPE", "XCPU"}) {

@@ -1,4 +1,4 @@
-// elsie run --watch: the page on it, followed literally.
+// elsie run --watch: the test follows its page literally.
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -15,7 +15,7 @@ using elsie::test::Workplace;
 
 namespace {
 
-/// The first block of docs/hot-reload.md in that language.
+/// The first block of docs/hot-reload.md in this language.
 std::string page_text() {
   std::ifstream in(elsie::test::source_path("docs/hot-reload.md"));
   return {std::istreambuf_iterator<char>(in), {}};
@@ -27,7 +27,7 @@ std::string block(const std::string& fence, const std::string& begins) {
   return page.substr(from, page.find("```\n", from) - from);
 }
 
-/// The first line of the page that has this text.
+/// The first line of the page with this text.
 std::string line_with(const std::string& text) {
   const std::string page = page_text();
   const std::size_t at = page.find(text);
@@ -36,7 +36,7 @@ std::string line_with(const std::string& text) {
   return page.substr(from, page.find('\n', at) - from);
 }
 
-/// Compilers quote in the manner of the user's language.
+/// Compilers use the quotation marks of the user's language.
 std::string plain_quotes(std::string text) {
   for (const std::string quote : {"‘", "’"}) {
     for (std::size_t at = 0; (at = text.find(quote, at)) != std::string::npos; ++at) {
@@ -82,7 +82,7 @@ TEST_CASE("A behaviour changes while it drives; one that does not compile change
   here.write("faster.cpp", replaced(pace, "speed = 5.0", "speed = 8.0"));
   here.write("refusing.cpp", replaced(pace, ".meaning = \"wheel rate\"",
                                       ".meaning = \"wheel rate\", .required = true"));
-  // Waits for a text in what the program says, for three minutes at the most.
+  // Waits for a text in the program's output, at most three minutes.
   const auto run = here.sh(
       "says() { i=0; until grep -q \"$1\" err; do i=$((i+1)); [ $i -lt 1800 ] || exit 9; "
       "sleep 0.1; done; }\n"
@@ -97,7 +97,7 @@ TEST_CASE("A behaviour changes while it drives; one that does not compile change
   const std::string err = here.read("err");
   CAPTURE(run.err, err);
   CHECK(run.exit_code == 4);  // interrupted
-  // What the page shows, whatever quotation marks the compiler takes, and wherever it points to.
+  // As on the page, with any quotation marks of the compiler, and any position.
   const std::string shown = line_with("error: expected");
   if (err.find("clang") == std::string::npos) {
     CHECK_THAT(plain_quotes(err), Contains(shown.substr(shown.find("error: "))));

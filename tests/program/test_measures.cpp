@@ -66,7 +66,7 @@ TEST_CASE("The result of every run has the six measures that all have, then thos
   CHECK(measures[8].at("value").get<double>() > 4.0);
 }
 
-TEST_CASE("The table has what the world measures, and nothing of it when it measures nothing") {
+TEST_CASE("The table has the world's measures, and no section when there are none") {
   Workplace here;
   here.write("world.xml", kWorld);
   const std::string table = here.elsie("run world.xml").out;
@@ -77,7 +77,7 @@ TEST_CASE("The table has what the world measures, and nothing of it when it meas
   CHECK_THAT(here.elsie("run worlds/open_arena.xml --duration 1").out, !Contains("measure"));
 }
 
-TEST_CASE("--set reaches what is measured, and what it names must be there") {
+TEST_CASE("--set changes measures, and the names in it must exist") {
   Workplace here;
   here.write("world.xml", kWorld);
   const auto near = here.elsie(

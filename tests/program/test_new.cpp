@@ -30,11 +30,11 @@ TEST_CASE("What elsie new makes runs as it is, without a build system") {
                 ".cpp --quiet");
     CAPTURE(run.err);
     CHECK(run.exit_code == 0);
-    CHECK(run.err.empty());  // not a single warning of the compiler
+    CHECK(run.err.empty());  // no compiler warnings
   }
 }
 
-TEST_CASE("elsie new leaves what is there alone, and makes all or nothing") {
+TEST_CASE("elsie new leaves existing files alone, and makes all or nothing") {
   Workplace here;
   const auto refused = [&](const std::string& arguments) {
     const auto run = here.elsie("new " + arguments);

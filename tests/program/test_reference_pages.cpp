@@ -1,4 +1,4 @@
-// The pages of the plugins in docs/: what is in them that a declaration says, it says today.
+// The plugins' pages in docs/ agree with the declarations.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -27,8 +27,8 @@ std::string read(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// What stands between the lines <!-- mark --> and <!-- end of mark -->, blank lines around it left
-/// out; fails when there are not exactly these.
+/// The text between the lines <!-- mark --> and <!-- end of mark -->, without blank lines around
+/// it; fails unless each occurs once.
 std::string block(const std::string& page, const std::string& mark) {
   const std::string first = "\n<!-- " + mark + " -->\n\n",
                     last = "\n\n<!-- end of " + mark + " -->\n";
@@ -42,7 +42,7 @@ std::string block(const std::string& page, const std::string& mark) {
   return page.substr(start, end + 1 - start);
 }
 
-/// The shipped plugins of a kind, and what they do.
+/// The shipped plugins of a kind, with their descriptions.
 std::map<std::string, std::string> plugins(const Workplace& here, const std::string& kind) {
   std::map<std::string, std::string> found;
   const json all = json::parse(here.elsie("plugins --json").out);
@@ -105,8 +105,8 @@ TEST_CASE("A plugin's page has more to say than its declaration, and names its s
       const std::size_t sources = page.find("\n## Sources\n", end);
       REQUIRE(sources != std::string::npos);
       CHECK(sources - end > 300);
-      // An author and a year: "- R. A. Brooks (1986): ...". What only counts needs none, and says
-      // so.
+      // An author and a year: "- R. A. Brooks (1986): ...". Measures that only count need none, and
+      // say so.
       const std::string cited = "\\n- [^\\n]*\\([12][0-9]{3}\\)";
       const std::string needed = kind == "measure" ? "(" + cited + "|\\nNone: )" : cited;
       CHECK_THAT(page.substr(sources), Catch::Matches("[\\s\\S]*" + needed + "[\\s\\S]*"));

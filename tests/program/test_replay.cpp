@@ -13,7 +13,7 @@ using elsie::test::Laboratory;
 using elsie::test::world_with;
 namespace fs = std::filesystem;
 
-TEST_CASE("A run that is replayed comes to the same, and can be looked at") {
+TEST_CASE("A run that is replayed has the same result, and can be viewed") {
   const Laboratory here;
   REQUIRE(here.batch("small_experiment.xml --quiet").exit_code == 0);
   const auto run = here.elsie(

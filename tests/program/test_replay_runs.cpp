@@ -1,4 +1,4 @@
-// `elsie replay DATABASE RUN`: what it compares, and how it tells of what does not come to its end.
+// `elsie replay DATABASE RUN`: what it compares, and its messages about runs that do not end.
 #include <catch2/catch.hpp>
 
 #include "laboratory.h"
@@ -66,7 +66,7 @@ TEST_CASE("A run that hangs is ended at the batch's wall limit, and compared") {
   CHECK_THAT(other.out, Contains("before in plugin 'looping' of robot 'r2' in step 50\n"));
 }
 
-TEST_CASE("A run that is merely slow is told from one that hangs") {
+TEST_CASE("A slow run is distinguished from one that hangs") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, "<limits time=\"2\" wall_time=\"2.5\"/>");
   REQUIRE(here.batch("faulty.xml --quiet").exit_code == 3);
@@ -90,7 +90,7 @@ TEST_CASE("A run that is merely slow is told from one that hangs") {
                       before + "150\n"));
 }
 
-TEST_CASE("A replay can be limited whatever the run came to; most are not") {
+TEST_CASE("A replay can be limited whatever the result of the run was; most are not") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps);
   REQUIRE(here.batch("faulty.xml --quiet").exit_code == 0);

@@ -1,4 +1,4 @@
-// elsie report, as a user and a CI server call it.
+// elsie report, as users and CI servers call it.
 #include <filesystem>
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using elsie::test::Workplace;
 
 namespace {
 
-// The worlds and plugins that it names are nowhere: a report does without them.
+// Its worlds and plugins do not exist: a report does not need them.
 std::string experiment_text(const std::string& expectations) {
   return "<experiment format=\"1\" name=\"made up\">\n"
          "  <worlds><world id=\"w\" file=\"nowhere.xml\"/></worlds>\n"
@@ -42,7 +42,7 @@ const std::string kMissed =
 
 }  // namespace
 
-TEST_CASE("report tells cells, measures and expectations; 0 when all is as expected") {
+TEST_CASE("report prints cells, measures and expectations; 0 when all is as expected") {
   Workplace here;
   write_database(experiment(kMet), here.file("runs.sqlite"));
   const auto run = here.elsie("report runs.sqlite");
@@ -89,7 +89,7 @@ TEST_CASE("report writes a page, a table and test cases; the database stays as i
   CHECK_THAT(here.read("results.xml"), Contains("<testcase classname=\"made up\" name=\"both are "
                                                 "short\""));
   CHECK(here.read("runs.sqlite") == before);
-  // Again: the same bytes, wherever and whenever.
+  // Again: the same bytes, at any place and time.
   const std::string page = here.read("page.html"), csv = here.read("runs.csv"),
                     junit = here.read("results.xml");
   here.sh(
@@ -150,7 +150,7 @@ TEST_CASE("report refuses bad input in a sentence, with exit code 2") {
   refused("runs.sqlite --html folder.html", "cannot write 'folder.html': it is a directory");
   refused("runs.sqlite --csv ''", "--csv");
   refused("runs.html --html runs.html", "--html: 'runs.html' is the database itself");
-  // A folder that takes no new files, whatever its permissions say; nothing is written before.
+  // A folder that takes no new files, whatever its permissions; nothing is written before.
   refused("runs.sqlite --csv early.csv --html /proc/page.html",
           "--html: cannot write '/proc/page.html'");
   CHECK_FALSE(fs::exists(here.file("early.csv")));
@@ -165,14 +165,14 @@ TEST_CASE("report refuses bad input in a sentence, with exit code 2") {
   CHECK(here.read("runs.html") == here.read("runs.sqlite"));
 }
 
-TEST_CASE("report ends with 4 when the disk is full, and leaves what was there") {
+TEST_CASE("report ends with 4 when the disk is full, and leaves existing files") {
   Workplace here;
   write_database(experiment(kMet), here.file("runs.sqlite"));
   for (const std::string option : {"csv", "junit", "html"}) {
     const auto device = here.elsie("report runs.sqlite --quiet --" + option + " /dev/full");
     CHECK(device.exit_code == 4);
     CHECK_THAT(device.err, Contains("--" + option + ": '/dev/full' could not be written"));
-    // No file may grow beyond this, as on a disk that is full.
+    // No file may grow beyond this, as on a full disk.
     const std::string file = "out." + std::string(option == "junit" ? "xml" : option);
     REQUIRE(here.elsie("report runs.sqlite --quiet --" + option + " " + file).exit_code == 0);
     const std::string before = here.read(file);
@@ -223,7 +223,7 @@ TEST_CASE("From an experiment to its page: batch, report, replay") {
   const std::string page = here.read("beams.html");
   CHECK_THAT(page, Contains("Who decided when"));
   CHECK_THAT(page, Contains("<path class=\"way"));
-  // No run reached its goals: each is worth a look, and its command does what it says.
+  // No run reached its goals: each is notable, and its command works.
   CHECK_THAT(page, Contains("elsie replay beams.sqlite 6</code>"));
   CHECK(here.sh("elsie replay beams.sqlite 6 --quiet").exit_code == 0);
 }

@@ -51,7 +51,7 @@ TEST_CASE("run prints a short table and exits with 0 when the goals are reached"
   CHECK(run.exit_code == 0);
   CHECK_THAT(run.out, Catch::StartsWith("success after "));
   CHECK_THAT(run.out, Catch::Contains("robot  team  distance m  collected  energy  collisions"));
-  CHECK(run.err.empty());  // no progress bar where there is no terminal
+  CHECK(run.err.empty());  // no progress bar without a terminal
   CHECK(here.elsie("run worlds/pushing.xml --quiet").out.empty());
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("Before the run, while a network trains, an interrupt ends the program
                              "'robot[r1]/coordinator/@presentations=2000000000'");
     CHECK(run.exit_code == 4);
     CHECK(run.out.empty());
-    // Which plugin trains the network, once it does.
+    // The plugin that trains the network, once it does.
     CHECK_THAT(run.err, Catch::StartsWith("elsie: ") && Catch::Contains("interrupted"));
     CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
   }
@@ -100,7 +100,7 @@ TEST_CASE("An interrupted run ends in order and keeps what was recorded") {
       "elsie run worlds/clutter.xml --set limits/@time=100000 --set 'robot[r1]/@battery=1e9' "
       "--record run.csv --quiet & pid=$!\n"
       "while ! [ -s run.csv ]; do :; done\n"
-      "kill -TERM $pid; kill -HUP $pid\n"  // at once: it is one request
+      "kill -TERM $pid; kill -HUP $pid\n"  // at once: one request
       "wait $pid");
   CHECK(run.exit_code == 4);
   CHECK_THAT(run.err, Catch::Contains("interrupted after"));
@@ -108,12 +108,12 @@ TEST_CASE("An interrupted run ends in order and keeps what was recorded") {
   CHECK(table.back() == '\n');
 }
 
-TEST_CASE("What is asked for under the name of a link is written to what that points to") {
+TEST_CASE("A file that is named by a link is written to the link's target") {
   Workplace here;
   REQUIRE(here.sh("mkdir far && for name in run.png run.mcap run.csv run.trace; do "
                   "ln -s far/$name $name; done")
               .exit_code == 0);
-  for (const std::string duration : {"1", "2"}) {  // into nothing, and over what is there
+  for (const std::string duration : {"1", "2"}) {  // the file is new, then it exists
     const std::string world = "run worlds/open_arena.xml --quiet --duration " + duration;
     CHECK(
         here.elsie(world + " --picture run.png --record run.mcap --explain run.trace").err.empty());

@@ -1,4 +1,4 @@
-// Every shipped world has the same bits whatever processor the C library believes to be on.
+// Every shipped world has the same bits for every processor that the C library detects.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -27,8 +27,8 @@ std::vector<std::string> shipped_worlds() {
   return worlds;
 }
 
-/// The state hash of two simulated seconds. `tunables`: of the C library, as a user may have set
-/// them; `program`: the program as users start it, or what it starts.
+/// The state hash of two simulated seconds. `tunables`: settings of the C library, as users may
+/// have them; `program`: the program that users start, or the one that it starts.
 std::string hash_of(const std::string& world, const std::string& tunables,
                     const std::string& program = "elsie") {
   const Workplace here;
@@ -48,8 +48,7 @@ bool this_processor_has_fma() {
 }  // namespace
 
 TEST_CASE("The features of the processor make no difference to any shipped world") {
-  // What the supervisor sets, and less: a processor that lacks all that came after the first
-  // x86-64.
+  // The supervisor's settings, and fewer: a processor without any features after the first x86-64.
   const std::string oldest =
       "glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-FMA4,-SSE3,-SSSE3,-SSE4_1,-SSE4_2,-AVX512F,-AVX512VL,-"
       "BMI1,"
@@ -63,12 +62,12 @@ TEST_CASE("The features of the processor make no difference to any shipped world
     CHECK(hash_of(world, oldest, proper) == hash);
     differs_without = differs_without || hash_of(world, "", proper) != hash;
   }
-  // So that the test would see it if the supervisor set nothing.
+  // Otherwise the test would not notice that the supervisor sets nothing.
   CHECK(differs_without == this_processor_has_fma());
 }
 
-TEST_CASE("Nor do they to what a camera sees, and to what is found in it") {
-  // Mesa and OpenCV choose their code by the processor as well; these are their own switches.
+TEST_CASE("Nor do they to a camera's pictures, and to what is found in them") {
+  // Mesa and OpenCV also choose code by the processor; these are their own switches.
   const std::string world = "worlds/find_resource.xml";
   const std::string hash = hash_of(world, "");
   for (const std::string setting :

@@ -55,13 +55,13 @@ TEST_CASE("Shards that are merged are the whole experiment") {
   CHECK_THAT(part.out,
              Contains("part.sqlite: 8 of 24 runs are done") && Contains("16 are still to be done"));
   CHECK(here.batch("small_experiment.xml --quiet --database part.sqlite --resume").exit_code == 0);
-  // The command that goes on is one that a shell takes.
+  // A shell accepts the command that resumes the batch.
   fs::copy(here.file("small_experiment.xml"), here.file("my experiment.xml"));
   REQUIRE(here.batch("'my experiment.xml' --quiet --shard 1/3 --database a.sqlite").exit_code == 0);
-  const std::string told = here.elsie("merge 'my part.sqlite' a.sqlite").out;
+  const std::string summary = here.elsie("merge 'my part.sqlite' a.sqlite").out;
   const std::string goes_on =
       "elsie batch 'my experiment.xml' --database 'my part.sqlite' --resume";
-  CHECK_THAT(told, Catch::EndsWith(": " + goes_on + "\n"));
+  CHECK_THAT(summary, Catch::EndsWith(": " + goes_on + "\n"));
   CHECK(here.sh(goes_on + " --quiet --plugin-path " + here.plugins()).exit_code == 0);
   CHECK(here.table("part.sqlite") == here.table("whole.sqlite"));
 

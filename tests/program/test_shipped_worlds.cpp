@@ -31,12 +31,13 @@ TEST_CASE(
 }
 
 TEST_CASE("A train of three segments finds its way through the clutter, whatever the seed") {
-  // Two minutes of the ten, to save time; `make figures` runs the whole of it.
+  // Two of the ten minutes, to save time; `make figures` runs all of it.
   const std::string two_minutes =
       " --set endure/@time=120 --set travel/@distance=15 --set limits/@time=120";
   for (int seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
-    CHECK(exit_code("train", seed, two_minutes) == 0);  // neither it nor what it pulls collides
+    CHECK(exit_code("train", seed, two_minutes) ==
+          0);  // neither the robot nor its segments collide
   }
 }
 

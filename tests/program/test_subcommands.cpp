@@ -20,7 +20,7 @@ TEST_CASE("plugins lists what was found") {
   CHECK_FALSE(all.at("directories").empty());
 }
 
-TEST_CASE("describe tells of parameters, defaults, ranges and events") {
+TEST_CASE("describe prints parameters, defaults, ranges and events") {
   Workplace here;
   const auto run = here.elsie("describe go_to_point");
   CHECK(run.exit_code == 0);
@@ -47,7 +47,7 @@ TEST_CASE("describe picks a plugin by its kind, and prints its declaration alone
   CHECK(here.elsie("describe wander --json --declaration").exit_code == 2);
 }
 
-TEST_CASE("describe and plugins tell of nested elements") {
+TEST_CASE("describe and plugins print nested elements") {
   Workplace here;
   const json vision = json::parse(here.elsie("describe vision --json").out);
   REQUIRE_FALSE(vision.at("elements").empty());
@@ -79,7 +79,7 @@ TEST_CASE("check says of each world whether it is in order") {
   CHECK(here.elsie("check worlds/*.xml --quiet").out.empty());
 }
 
-TEST_CASE("check tells experiments from worlds, and says of each whether it is in order") {
+TEST_CASE("check distinguishes experiments from worlds, and reports whether each is in order") {
   Workplace here;
   const auto run = here.elsie("check worlds/maze.xml experiments/four_resources.xml");
   CAPTURE(run.err);
@@ -93,7 +93,7 @@ TEST_CASE("check tells experiments from worlds, and says of each whether it is i
                                            "is an experiment"));
 }
 
-TEST_CASE("check tells all that is wrong with an experiment, and with which levels") {
+TEST_CASE("check reports all mistakes of an experiment, with their levels") {
   Workplace here;
   here.write("wrong.xml", R"(<experiment format="1">
   <worlds><world file="worlds/four_resources.xml"/></worlds>
@@ -120,7 +120,7 @@ TEST_CASE("check tells all that is wrong with an experiment, and with which leve
   CHECK_THAT(run.out, Catch::Contains("worlds/maze.xml: in order"));
 }
 
-TEST_CASE("check shows on a terminal how far it is with a large experiment, and nowhere else") {
+TEST_CASE("check shows its progress with a large experiment, on terminals only") {
   Workplace here;
   here.write("many.xml", R"(<experiment format="1">
   <worlds><world file="worlds/clutter.xml"/></worlds>
@@ -182,9 +182,9 @@ TEST_CASE("A run's picture has the ways that are asked for") {
   CHECK_THAT(here.read("fading.svg"), Catch::Contains("path of the last 2 s"));
   CHECK(here.read("some.svg").size() < here.read("all.svg").size());
   const auto refused = [&](const std::string& options, const std::string& why) {
-    const auto told = here.elsie("run worlds/ten_robots.xml --duration 4 " + options);
-    CHECK(told.exit_code == 2);
-    CHECK_THAT(told.err, Catch::Contains(why));
+    const auto wrong = here.elsie("run worlds/ten_robots.xml --duration 4 " + options);
+    CHECK(wrong.exit_code == 2);
+    CHECK_THAT(wrong.err, Catch::Contains(why));
   };
   refused("--picture a.png --picture-robots r1,r99", "there is no robot 'r99' in this world");
   refused("--picture a.png --picture-from 3 --picture-to 2", "cannot begin at 3 s and end at 2 s");

@@ -1,4 +1,4 @@
-// elsie test-plugin: what it says, and how it ends.
+// elsie test-plugin: its messages and exit codes.
 #include <catch2/catch.hpp>
 
 #include "places.h"
@@ -15,7 +15,7 @@ std::string faulty() { return "--plugin-path " + test::build_path("tests/program
 
 }  // namespace
 
-TEST_CASE("A sound plugin is told to be so") {
+TEST_CASE("A sound plugin is reported as such") {
   Workplace here;
   const auto run = here.elsie("test-plugin wander beam_range arbiter_voting --variants 2");
   CHECK(run.exit_code == 0);
@@ -24,7 +24,7 @@ TEST_CASE("A sound plugin is told to be so") {
                              "coordinator 'arbiter_voting': nothing wrong was found\n"));
 }
 
-TEST_CASE("What is wrong with a source file is told in a sentence") {
+TEST_CASE("Faults of a source file are reported in sentences") {
   Workplace here;
   here.write("counts.cpp",
              "#include <elsie/api/behavior.h>\n"
@@ -40,7 +40,7 @@ TEST_CASE("What is wrong with a source file is told in a sentence") {
   CHECK_THAT(run.out, Contains("behavior 'counts': two objects answer the same input differently"));
 }
 
-TEST_CASE("A plugin that brings the checker down is named") {
+TEST_CASE("A plugin that ends the checker is named") {
   Workplace here;
   const auto late = here.elsie("test-plugin segfaulting " + faulty());
   CAPTURE(late.err);

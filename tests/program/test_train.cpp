@@ -14,7 +14,7 @@ namespace {
 
 const std::string kWorld = "worlds/learned_priorities.xml";
 
-/// What a run notes about its network, for example its error.
+/// A note of the run about its network, for example its error.
 std::string note(const json& run) { return run.at("notes").at(0).at("text"); }
 
 }  // namespace
@@ -77,7 +77,7 @@ TEST_CASE("train takes its options from the command line, and says how it went")
   REQUIRE(run.exit_code == 0);
   const json result = json::parse(run.out);
   CHECK(result.at("sizes") == json({2, 4, 4, 2}));
-  CHECK(result.at("seed") == json(1));  // a number, as elsie run --json has it
+  CHECK(result.at("seed") == json(1));  // a number, as in elsie run --json
   CHECK(result.at("below_threshold") == true);
   CHECK(result.at("error").get<double>() < 0.0012);
   CHECK(result.at("presentations").get<int>() < 90000);
@@ -86,7 +86,7 @@ TEST_CASE("train takes its options from the command line, and says how it went")
   CHECK(result.at("outputs") == json({"avoid_obstacle", "go_to_point"}));
   CHECK(result.at("samples").size() == 9);
   CHECK(result.at("samples")[0].at("targets") == json({0.0, 1.0}));
-  // A point of the curve is a mean over several epochs: the last one alone is below the threshold.
+  // A point of the curve is a mean over several epochs: only the last epoch is below the threshold.
   CHECK(result.at("curve").back()[1].get<double>() < 0.0011);
   CHECK_THAT(here.read("curve.png"), Catch::StartsWith("\x89PNG"));
 }
@@ -159,7 +159,7 @@ TEST_CASE("An interrupted training writes nothing") {
   Workplace here;
   const auto run = here.sh("timeout -s INT 1 elsie train " + kWorld +
                            " --presentations 1000000000000 --weights w");
-  CHECK(run.exit_code == 124);  // timeout's own, once the program has ended
+  CHECK(run.exit_code == 124);  // timeout's own, after the program has ended
   CHECK_THAT(run.err,
              Catch::Contains("interrupted after") && Catch::Contains("nothing was written"));
   CHECK(here.read("w").empty());
@@ -183,7 +183,7 @@ TEST_CASE("A coordinator inside a behaviour can be trained, too") {
   CHECK_THAT(run.out, Catch::Contains(text.substr(text.find("mean error"), 20)));
 }
 
-TEST_CASE("A coordinator is trained for the robot that it stands on, as a run would equip it") {
+TEST_CASE("A coordinator is trained for its robot, equipped as in a run") {
   const Workplace here;
   here.write("body.xml", R"(<world format="1">
   <chargers><charger id="far" x="4" y="4"/><charger id="near" x="-1" y="2" team="blue"/></chargers>
@@ -213,7 +213,7 @@ TEST_CASE("Weights and learning curve do not go to one file") {
   CHECK(here.read("both.png").empty());
 }
 
-TEST_CASE("What is wrong with an option is said of the option, not of a line of the world") {
+TEST_CASE("A mistake in an option is reported for the option, not for a line of the world") {
   const Workplace here;
   here.write("short.txt", "1 1 0 1\n1 1 0\n");
   const std::vector<std::pair<std::string, std::string>> wrong = {
@@ -234,7 +234,7 @@ TEST_CASE("What is wrong with an option is said of the option, not of a line of 
   }
 }
 
-TEST_CASE("What is wrong with the world is said of its line, whatever options there are") {
+TEST_CASE("A mistake in the world is reported for its line, with any options") {
   const Workplace here;
   here.write("short.txt", "1 1 0 1\n1 1 0\n");
   const auto run = here.elsie("train " + kWorld +
@@ -245,7 +245,7 @@ TEST_CASE("What is wrong with the world is said of its line, whatever options th
                           Catch::Contains("short.txt:2: 3 numbers"));
 }
 
-TEST_CASE("check tells of a training file that does not fit, with the line of the world") {
+TEST_CASE("check reports a training file that does not fit, with the line of the world") {
   Workplace here;
   const auto run = here.elsie(
       "check " + kWorld +

@@ -1,4 +1,4 @@
-// The reference pages are made of the declarations.
+// The reference pages are made from the declarations.
 #include <catch2/catch.hpp>
 
 #include "elsie/reference/reference.h"
@@ -34,7 +34,7 @@ TEST_CASE("A plugin's page is its declaration") {
              Contains("Needs a sensor that makes readings of the kind `range`."));
 }
 
-TEST_CASE("A plugin's page shows what may stand in its element") {
+TEST_CASE("A plugin's page shows the elements inside of its own") {
   const std::string eye = reference::plugin_reference(*host().find(PluginKind::sensor, "eye"));
   CHECK_THAT(eye, Contains("It may hold any number of `<threshold>`: A band of brightness.\n"
                            "\n| parameter | type | unit | default | range | meaning |\n"

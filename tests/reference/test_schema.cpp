@@ -25,7 +25,7 @@ class Judge : public test::SchemaJudge {
       : SchemaJudge(reference::world_schema(host), "world.xsd") {}
 };
 
-// Wrong worlds that no schema of this language can refuse, and why.
+// Wrong worlds that no schema of this language can refuse, with the reason.
 const std::map<std::string, std::string> kBeyondSchemas = {
     {"control_period_too_long", "a product of two attributes"},
     {"kp_without_kd", "attributes that depend on each other"},
@@ -124,7 +124,7 @@ TEST_CASE("A schema without plugins is a schema") {
   fs::remove(file);
 }
 
-TEST_CASE("The schema takes what stands in a plugin's element in any order, and no more of it") {
+TEST_CASE("The schema takes the elements inside of a plugin's in any order, and no others") {
   const Judge judge(host());
   const std::string file = test::build_path("ordered_world.xml");
   const auto accepts = [&](const std::string& content) {

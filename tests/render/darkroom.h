@@ -1,4 +1,4 @@
-// What the tests of the renderer share: taking a picture and finding things in it.
+// Shared by the tests of the renderer: taking pictures and finding objects in them.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ inline constexpr Colour kRed{220, 40, 30};
 inline constexpr Colour kGreen{40, 200, 60};
 inline constexpr Colour kBlue{30, 60, 220};
 
-/// One renderer for all tests that need no more: it keeps nothing from one picture to the next.
+/// One renderer for all tests that need no other: it keeps nothing between pictures.
 inline Renderer& renderer() {
   static Renderer one;
   return one;
@@ -42,7 +42,7 @@ inline View view_from(const Vector3& origin, double yaw_deg = 0.0, double pitch_
   return {Frame::turned(origin, radians(yaw_deg), radians(pitch_deg)), camera};
 }
 
-/// An upright cube with its middle there.
+/// An upright cube with its middle at this point.
 inline Box cube(const Vector3& middle, double edge, const Colour& colour) {
   Box box;
   box.frame.origin = middle - Vector3{0.0, 0.0, 0.5 * edge};
@@ -56,7 +56,7 @@ inline Colour colour_at(const Image& picture, int column, int row) {
   return {pixel[0], pixel[1], pixel[2]};
 }
 
-/// Whether a pixel shows a surface of this colour, in whatever light.
+/// Whether a pixel shows a surface of this colour, in any light.
 inline bool shows(const Colour& pixel, const Colour& surface) {
   const double light = std::max({pixel.red, pixel.green, pixel.blue}) /
                        static_cast<double>(std::max({surface.red, surface.green, surface.blue}));
@@ -98,7 +98,7 @@ inline Patch find(const Image& picture, const Colour& surface) {
   return patch;
 }
 
-/// How many pixels of two pictures of one size differ.
+/// The number of pixels that differ between two pictures of the same size.
 inline int differing_pixels(const Image& a, const Image& b) {
   int count = 0;
   for (std::size_t i = 0; i + 2 < a.bytes.size(); i += 3) {

@@ -44,7 +44,7 @@ TEST_CASE("The same scene and views give the same bytes") {
   const auto views = views_around(12);
   Renderer one, other;
   const auto first = take(scene, views, one);
-  take({}, {view_from({0, 0, 1})}, one);  // something else in between
+  take({}, {view_from({0, 0, 1})}, one);  // another picture in between
   const auto again = take(scene, views, one);
   const auto elsewhere = take(scene, views, other);
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -53,7 +53,7 @@ TEST_CASE("The same scene and views give the same bytes") {
   }
 }
 
-TEST_CASE("A picture taken among others is the one taken alone") {
+TEST_CASE("A picture taken with others equals the one taken alone") {
   const Scene scene = busy_scene();
   auto views = views_around(24);
   for (std::size_t i = 0; i < views.size(); ++i) {  // of many sizes
@@ -69,8 +69,8 @@ TEST_CASE("A picture taken among others is the one taken alone") {
     REQUIRE(together[i].height == views[i].camera.height);
     REQUIRE(together[i].channels == 3);
     REQUIRE(together[i].bytes.size() == alone.bytes.size());
-    // An edge may fall to the other side of a pixel's middle, where a picture begins at another
-    // place in the card's memory: no more.
+    // An edge may fall to the other side of a pixel's middle, because pictures begin at different
+    // places in the card's memory.
     CHECK(differing_pixels(together[i], alone) <= 2);
   }
 }
@@ -91,7 +91,7 @@ TEST_CASE("Neighbours in a batch do not reach into each other's pictures") {
   }
 }
 
-TEST_CASE("More pictures than fit into one go, and large ones, are taken all the same") {
+TEST_CASE("More pictures than fit at once, and large ones, are also taken") {
   const Scene scene = busy_scene();
   auto views = views_around(1000);  // about 10 million pixels
   views[3].camera = {3000, 40, radians(90)};
@@ -110,7 +110,7 @@ TEST_CASE("More pictures than fit into one go, and large ones, are taken all the
 
 TEST_CASE("No cameras, no pictures") { CHECK(take(busy_scene(), std::vector<View>{}).empty()); }
 
-TEST_CASE("An image's memory is used again, whatever it held before") {
+TEST_CASE("An image's memory is reused, whatever it held before") {
   Image picture;
   picture.width = 3;
   picture.channels = 1;

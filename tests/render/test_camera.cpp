@@ -1,4 +1,4 @@
-// Where things are seen: the pinhole model of elsie::Camera.
+// Where objects appear: the pinhole model of elsie::Camera.
 #include <catch2/catch.hpp>
 
 #include "darkroom.h"
@@ -15,8 +15,8 @@ Scene with(std::vector<Box> boxes) {
   return scene;
 }
 
-/// Where elsie::Camera says that a direction is seen, in pixels: `left` and `up` are what it has of
-/// the camera's left and up axes for one unit along its axis.
+/// The pixel at which elsie::Camera sees a direction: `left` and `up` are its components along the
+/// camera's left and up axes for one unit along its axis.
 double column_of(const Camera& camera, double left) {
   const double half = 0.5 * camera.width;
   return half - half * left / std::tan(0.5 * camera.horizontal_fov_rad);
@@ -64,7 +64,7 @@ TEST_CASE("A thing above or below the axis is seen in the row that follows from 
 }
 
 TEST_CASE("A thing is as large as its angle") {
-  // A face of 0.2 m at 2 m, square to the axis.
+  // A face of 0.2 m at 2 m, perpendicular to the axis.
   const double half = 0.1;
   const Patch seen =
       find(take(with({cube({2 + half, 0, 1}, 2 * half, kRed)}), view_from({0, 0, 1})), kRed);
@@ -87,7 +87,7 @@ TEST_CASE("A camera looks where its frame looks: yaw, pitch and roll") {
       CHECK(std::abs(seen.column - column_of(view.camera, 0.075)) <= 1.0);
       CHECK(std::abs(seen.row - row_of(view.camera, 0.15)) <= 1.0);
 
-      // The camera on its left side: what was up is to the right.
+      // The camera on its left side: up is to the right.
       View rolled = view;
       rolled.frame.up = view.frame.left;
       rolled.frame.left = -1.0 * view.frame.up;
@@ -107,7 +107,7 @@ TEST_CASE("The first row is the top of the picture, the first column its left") 
   CHECK(find(picture, kBlue).row > 60);
 }
 
-TEST_CASE("Things behind the camera or beside its field of view are not seen") {
+TEST_CASE("Things behind the camera or outside of its field of view are not seen") {
   for (const Vector3 place : {Vector3{-2, 0, 1}, Vector3{0, 2, 1}, Vector3{2, 0.7, 1},
                               Vector3{2, -0.7, 1}, Vector3{2, 0, 1.7}, Vector3{-0.02, 0, 1}}) {
     CAPTURE(place.x, place.y, place.z);
@@ -116,7 +116,7 @@ TEST_CASE("Things behind the camera or beside its field of view are not seen") {
   }
 }
 
-TEST_CASE("What begins one centimetre before the camera is seen, what is nearer is not") {
+TEST_CASE("Surfaces from one centimetre in front of the camera are seen, nearer ones are not") {
   const auto area = [](double distance) {
     // A thin plate across the axis.
     Box plate;

@@ -1,4 +1,4 @@
-// Contexts, threads, and others who use OpenGL.
+// Contexts, threads, and other users of OpenGL.
 #include <thread>
 
 #include <catch2/catch.hpp>
@@ -56,7 +56,7 @@ TEST_CASE("Two renderers take pictures at the same time") {
   CHECK(wrong[1] == 0);
 }
 
-TEST_CASE("A renderer that is moved goes on; one that is gone does not disturb others") {
+TEST_CASE("A renderer that is moved works on; a destroyed one does not disturb others") {
   Renderer first;
   Renderer second = std::move(first);
   CHECK(find(take(scene_of(kRed), {view_from({0, 0, 1})}, second).front(), kRed).area > 100);
@@ -72,7 +72,7 @@ TEST_CASE("The caller's own context is current again afterwards, and none if the
   const EGLDisplay display =
       eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   REQUIRE(eglInitialize(display, nullptr, nullptr));
-  REQUIRE(eglQueryAPI() == EGL_OPENGL_ES_API);  // as it is in a new thread
+  REQUIRE(eglQueryAPI() == EGL_OPENGL_ES_API);  // as in a new thread
   const EGLint version[] = {EGL_CONTEXT_CLIENT_VERSION, 2, EGL_NONE};
   const EGLContext own = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
   REQUIRE(own != EGL_NO_CONTEXT);

@@ -1,4 +1,4 @@
-// How things look: shapes and colours.
+// The appearance of things: shapes and colours.
 #include <numbers>
 #include <set>
 
@@ -44,10 +44,10 @@ TEST_CASE("Every face of a box keeps hue and saturation of its colour, and is no
       }
     }
   }
-  CHECK(shades.size() == 6);  // neighbouring faces can be told apart
+  CHECK(shades.size() == 6);  // neighbouring faces can be distinguished
 }
 
-TEST_CASE("A box that floats or is tilted is seen so") {
+TEST_CASE("A box that floats or is tilted is seen as such") {
   // A long stick, tilted about the camera's axis by 30 degrees.
   Box stick;
   const double tilt = radians(30);

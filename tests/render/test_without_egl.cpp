@@ -1,5 +1,5 @@
-// Machines on which no pictures can be taken. EGL stays loaded for the life of a process, so each
-// case is a process of its own: this test program again.
+// Machines that cannot take pictures. EGL stays loaded until the process ends, so each case is a
+// process of its own, which runs this test program again.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -22,10 +22,10 @@ namespace {
 
 struct Outcome {
   int exit_code = -1;
-  std::string said;
+  std::string output;
 };
 
-/// Runs the hidden test case below with this in front of its command line.
+/// Runs the hidden test case below with this environment.
 Outcome make_renderer_with(const std::string& environment) {
   const std::string self = fs::read_symlink("/proc/self/exe").string();
   FILE* const pipe =
@@ -34,14 +34,14 @@ Outcome make_renderer_with(const std::string& environment) {
   Outcome outcome;
   std::array<char, 4096> buffer{};
   while (const std::size_t count = fread(buffer.data(), 1, buffer.size(), pipe)) {
-    outcome.said.append(buffer.data(), count);
+    outcome.output.append(buffer.data(), count);
   }
   const int status = pclose(pipe);
   outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return outcome;
 }
 
-/// A folder with files that are no libraries, where the loader looks first.
+/// A folder with files that are no libraries, which the loader searches first.
 class BrokenLibraries {
  public:
   explicit BrokenLibraries(const std::vector<std::string>& names) {
@@ -69,41 +69,41 @@ TEST_CASE("makes a renderer, or prints why it cannot", "[.][makes-a-renderer]") 
 
 TEST_CASE("Where EGL works, a renderer says what it draws with") {
   const Outcome outcome = make_renderer_with("LIBGL_ALWAYS_SOFTWARE=1");
-  CAPTURE(outcome.said);
+  CAPTURE(outcome.output);
   CHECK(outcome.exit_code == 0);
-  CHECK_THAT(outcome.said, Catch::Contains("draws with llvmpipe"));
+  CHECK_THAT(outcome.output, Catch::Contains("draws with llvmpipe"));
 }
 
 TEST_CASE("Without a driver of EGL the error says what to install") {
   const Outcome outcome = make_renderer_with("__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere.json");
-  CAPTURE(outcome.said);
+  CAPTURE(outcome.output);
   CHECK(outcome.exit_code == 0);
-  CHECK_THAT(outcome.said,
+  CHECK_THAT(outcome.output,
              Catch::Contains("REFUSED: cameras take their pictures with OpenGL") &&
                  Catch::Contains("no driver of EGL") && Catch::Contains("install the packages") &&
                  Catch::Contains("libegl-mesa0") && Catch::Contains("libgl1-mesa-dri"));
 }
 
-TEST_CASE("Without Mesa's drivers it does, too") {
+TEST_CASE("Without Mesa's drivers it also says what to install") {
   const Outcome outcome = make_renderer_with("LIBGL_DRIVERS_PATH=/nowhere GALLIUM_DRIVER=nothing");
-  CAPTURE(outcome.said);
+  CAPTURE(outcome.output);
   CHECK(outcome.exit_code == 0);
-  CHECK_THAT(outcome.said,
+  CHECK_THAT(outcome.output,
              Catch::Contains("no driver of EGL") && Catch::Contains("libgl1-mesa-dri"));
 }
 
 TEST_CASE("Without the library of EGL or OpenGL the error names it") {
   const BrokenLibraries no_egl({"libEGL.so.1"});
   const Outcome first = make_renderer_with(no_egl.environment());
-  CAPTURE(first.said);
+  CAPTURE(first.output);
   CHECK(first.exit_code == 0);
-  CHECK_THAT(first.said, Catch::Contains("the library libEGL.so.1 cannot be loaded") &&
-                             Catch::Contains("install the packages libegl1"));
+  CHECK_THAT(first.output, Catch::Contains("the library libEGL.so.1 cannot be loaded") &&
+                               Catch::Contains("install the packages libegl1"));
 
   const BrokenLibraries no_gl({"libOpenGL.so.0", "libGL.so.1"});
   const Outcome second = make_renderer_with(no_gl.environment());
-  CAPTURE(second.said);
+  CAPTURE(second.output);
   CHECK(second.exit_code == 0);
-  CHECK_THAT(second.said, Catch::Contains("the library libGL.so.1 cannot be loaded") &&
-                              Catch::Contains("libgl1"));
+  CHECK_THAT(second.output, Catch::Contains("the library libGL.so.1 cannot be loaded") &&
+                                Catch::Contains("libgl1"));
 }

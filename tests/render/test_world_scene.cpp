@@ -62,9 +62,9 @@ TEST_CASE("Floor, sky, walls, obstacles and robots of any team have no hue") {
   const View view = view_from({-0.5, 0, 0.4}, 0, -15, {200, 200, radians(80)});
   const Image picture = picture_of(world, view);
   CHECK(coloured_pixels(picture) == 0);
-  // All darker than white in the shade.
+  // All are darker than white in the shade.
   CHECK(*std::max_element(picture.bytes.begin(), picture.bytes.end()) < 255 * kDarkestShade);
-  // Robots stand out from the floor, and for people they can be in their team's colour.
+  // Robots stand out from the floor, and for viewers they can have their team's colour.
   CHECK(differing_pixels(picture, picture_of(empty_world(), view)) > 500);
   const Image for_people = picture_of(world, view, {.team_coloured_robots = true});
   CHECK(find(for_people, world::kRedTeam).area > 50);
@@ -81,7 +81,7 @@ TEST_CASE("A resource has its own colour, its team's, or the one of resources fo
   CHECK(area(resource, world::kResourceOfNoTeam) > 100);
   resource.team = "green";
   CHECK(area(resource, {20, 180, 40}) > 100);
-  resource.team = "blue";  // not listed by the world
+  resource.team = "blue";  // not listed in the world
   CHECK(area(resource, world::kBlueTeam) > 100);
   resource.colour = Colour{200, 0, 200};
   CHECK(area(resource, {200, 0, 200}) > 100);
@@ -116,7 +116,7 @@ TEST_CASE("Walls stand around the arena, or do not") {
   world::World world = empty_world();
   const auto wall_row = [&world](double yaw) {
     const Image picture = picture_of(world, view_from({0, 0, 0.1}, yaw));
-    return colour_at(picture, 50, 48);  // a hand above the horizon
+    return colour_at(picture, 50, 48);  // slightly above the horizon
   };
   const Scene scene = WorldScene(world).scene();
   for (const double yaw : {0.0, 45.0, 90.0, 180.0, 270.0}) {
@@ -126,7 +126,7 @@ TEST_CASE("Walls stand around the arena, or do not") {
   CHECK(wall_row(0.0) == scene.sky);
 }
 
-TEST_CASE("Robots and boxes are where they are put; a box that is gone is not seen") {
+TEST_CASE("Robots and boxes are where they are put; a removed box is not seen") {
   world::World world = empty_world();
   world.boxes = {box_at(1.0, 0.0, world::BoxKind::resource)};
   world.boxes[0].team = "red";
@@ -177,7 +177,7 @@ TEST_CASE("A robot is a chassis on two dark wheels, tilted as its frame is") {
   CHECK(differing_pixels(level, tilted) > 300);
 }
 
-TEST_CASE("What a robot pulls is drawn behind it, and is not in its own pictures") {
+TEST_CASE("A robot's segments are drawn behind it, and are not in its own pictures") {
   world::World world = empty_world();
   world.robots.resize(1);
   world.robots[0].heading_deg = 90;

@@ -78,7 +78,7 @@ MadeExperiment long_names() {
   return experiment;
 }
 
-// A value that is no number is a null of the database.
+// A value that is no number is null in the database.
 MadeExperiment odd_values() {
   MadeExperiment experiment = made_from({{1, 2, 3, 4, 5, 6}, {2, 3, 4, 5, 6, 7}, {1, 1, 1, 1, 1}});
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// Databases that a report may well be asked for, but that are not a study as one has it in mind.
+// Databases that are valid for a report, but hardly a study.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ struct EdgeCase {
 };
 
 /// All runs crashed; none is done; one run; one cell; a hundred cells; bad names; long names;
-/// values that are not there or not finite.
+/// missing and infinite values.
 std::vector<EdgeCase> edge_cases();
 
-/// A mean of a measure that the runs of all edge cases would have, and a rate of success.
+/// The mean of a measure that all edge cases could have, and a success rate.
 report::Questions edge_questions();
 
 }  // namespace elsie::test

@@ -1,4 +1,4 @@
-// A results database of made-up runs, opened.
+// An open results database with made-up runs.
 #pragma once
 
 #include <filesystem>
@@ -32,7 +32,7 @@ class Made {
   report::Questions questions;
 };
 
-/// A study with one expectation.
+/// Questions with one expectation.
 inline report::Questions expecting(const experiment::Expectation& expectation) {
   report::Questions questions;
   questions.expectations.push_back(expectation);

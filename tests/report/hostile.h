@@ -1,4 +1,4 @@
-// Everything that a user names, named badly.
+// Bad names for everything that users name.
 #pragma once
 
 #include <string>
@@ -43,7 +43,7 @@ inline experiment::Expectation hostile_expectation() {
   return expectation;
 }
 
-/// What `xmllint OPTIONS` says about a text; "" for nothing.
+/// The messages of `xmllint OPTIONS` about a text; "" if there are none.
 std::string xmllint(const std::string& text, const std::string& options);
 
 }  // namespace elsie::test

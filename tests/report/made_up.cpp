@@ -79,7 +79,7 @@ class Writer {
 
 double thousandths(double value) { return std::round(value * 1e3) / 1e3; }
 
-// What is no UTF-8 is replaced, as a batch does it.
+// Bytes that are not UTF-8 are replaced, as in a batch.
 std::string dumped(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -271,7 +271,7 @@ MadeExperiment made_from(const std::vector<std::vector<double>>& path_lengths) {
 
 namespace {
 
-// A way round the four corners, driven with some wandering.
+// A way around the four corners with some wandering.
 MadeRobot made_way(Random& random, bool fusion, bool lost, double& length_m, double& time_s) {
   MadeRobot robot;
   robot.id = "collector";

@@ -22,7 +22,7 @@ struct MadeEpisode {
 struct MadeRobot {
   std::string id = "r1";
   std::vector<Pose> poses;
-  std::optional<Pose> end{};  // where it stood when the run ended
+  std::optional<Pose> end{};  // its pose when the run ended
   std::vector<Vector2> touches;
   std::vector<MadeEpisode> episodes;
   std::vector<std::pair<std::string, double>> shares;  // of behaviours, by path
@@ -33,10 +33,10 @@ struct MadeRun {
   std::uint64_t seed = 1;
   int repetition = 1;
   std::string state = "done";
-  std::string outcome = "success";  // of those that are done
+  std::string outcome = "success";  // only of runs that are done
   std::string message;
   std::map<std::string, std::optional<double>> measures;
-  std::string state_hash{};  // empty: one that follows from the seed
+  std::string state_hash{};  // empty: it follows from the seed
   std::string signal, plugin, robot, log;
   std::optional<std::int64_t> step;
   std::vector<MadeRobot> robots;
@@ -55,26 +55,24 @@ struct MadeExperiment {
   std::string text;  // of the experiment file
   std::string fingerprint = "4fd1";
   std::string shard = "1/1";
-  std::int64_t all_runs = 0;                     // 0: as many as there are
+  std::int64_t all_runs = 0;                     // 0: the number of runs here
   std::vector<std::string> factors = {"world"};  // the world's first
   std::vector<std::pair<std::string, std::string>> units = {{"path_length_m", "m"},
                                                             {"time_s", "s"}};
   std::vector<MadeCell> cells;
 };
 
-/// Writes the database anew.
+/// Writes a new database.
 void write_database(const MadeExperiment& experiment, const std::filesystem::path& file);
 
-/// A world with four resources, to be collected where it has goals, and this many robots, of two
-/// teams.
+/// A world with four resources, which are goals if it has any, and this many robots of two teams.
 std::string made_world(std::size_t robots = 1, bool goals = true);
 
-/// Cells "a", "b"... of a factor "scheme", each with runs that have these path lengths; seeds from
-/// 1.
+/// Cells "a", "b"... of a factor "scheme", with a run for each of these path lengths; seeds from 1.
 MadeExperiment made_from(const std::vector<std::vector<double>>& path_lengths);
 
-/// What a study looks like: four networks by two coordinators, 20 seeds each, with ways, learning
-/// curves and timelines. Some runs of the small networks fail, a few crash, a few stand out.
+/// A typical study: four networks with two coordinators, 20 seeds each, with ways, learning curves
+/// and timelines. Some runs of the small networks fail, a few crash, a few are outliers.
 MadeExperiment made_study();
 
 }  // namespace elsie::test

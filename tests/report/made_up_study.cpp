@@ -1,5 +1,5 @@
-// made_up_study DATABASE PAGE [CASE]: a made-up study, or one of edge_cases(), and its page, to be
-// looked at in a browser. The report for a terminal is printed.
+// made_up_study DATABASE PAGE [CASE]: writes a made-up study, or one of edge_cases(), and its page,
+// to be viewed in a browser. Prints the report for a terminal.
 #include <cstdio>
 #include <exception>
 #include <fstream>

@@ -1,4 +1,4 @@
-// Runs that the time limit stopped, measures that some runs have no value of, worlds without goals.
+// Runs that the time limit stopped, measures without values in some runs, worlds without goals.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +15,7 @@ using elsie::test::MadeExperiment;
 
 namespace {
 
-// A cell of ten runs; the last ones are stopped by the time limit of 40 s.
+// A cell of ten runs; the time limit of 40 s stopped the last ones.
 MadeExperiment with_stopped(std::size_t stopped) {
   MadeExperiment made_up = made_from({std::vector<double>(10, 5.0)});
   auto& runs = made_up.cells[0].runs;
@@ -55,7 +55,7 @@ MadeExperiment without_goals() {
 
 }  // namespace
 
-TEST_CASE("A time that the limit cut off is told as a bound, not as a mean") {
+TEST_CASE("A time that the limit cut off is given as a bound, not as a mean") {
   const auto time_of = [](const Findings& findings) { return findings.cells[0].measures[1]; };
   SECTION("all of them") {
     const Findings findings = Made(with_stopped(10)).findings();
@@ -72,18 +72,18 @@ TEST_CASE("A time that the limit cut off is told as a bound, not as a mean") {
   SECTION("some: the median is known") {
     const Findings findings = Made(with_stopped(3)).findings();
     const MeasureFindings time = time_of(findings);
-    CHECK(time.censoring->median == 25.5);  // of 21 to 27 and three that are longer
-    // Between the second and the ninth of ten; the ninth is not known.
+    CHECK(time.censoring->median == 25.5);  // of 21 to 27 and three longer ones
+    // Between the second and the ninth of ten; the ninth is unknown.
     CHECK(time.censoring->median_interval->low == 22.0);
     CHECK(std::isinf(time.censoring->median_interval->high));
     CHECK_THAT(terminal_report(findings, "r.db"), Contains("median 25.5, 3 of 10 > 40.0"));
     const auto json = nlohmann::json::parse(json_report(findings));
-    const auto& told = json["cells"][0]["measures"]["time_s"];
-    CHECK(told["mean"].is_null());
-    CHECK(told["censored"] == 3);
-    CHECK(told["limit"] == 40.0);
-    CHECK(told["median"] == 25.5);
-    CHECK(told["successes"]["mean"] == 24.0);
+    const auto& time_s = json["cells"][0]["measures"]["time_s"];
+    CHECK(time_s["mean"].is_null());
+    CHECK(time_s["censored"] == 3);
+    CHECK(time_s["limit"] == 40.0);
+    CHECK(time_s["median"] == 25.5);
+    CHECK(time_s["successes"]["mean"] == 24.0);
     CHECK(json["cells"][0]["measures"]["path_length_m"]["censored"] == 0);
   }
   SECTION("half of them: the median is not known either") {
@@ -96,7 +96,7 @@ TEST_CASE("A time that the limit cut off is told as a bound, not as a mean") {
     CHECK_FALSE(time_of(findings).censoring);
     CHECK(time_of(findings).all->mean == 25.5);
   }
-  SECTION("the page tells it, too") {
+  SECTION("the page shows it, too") {
     const std::string html = Made(with_stopped(3)).html();
     CHECK_THAT(html, Contains("<b>median 25.5, 3 of 10 &gt; 40.0</b>"));
     CHECK_THAT(html, Contains("&gt;\xc2\xa0"
@@ -107,7 +107,7 @@ TEST_CASE("A time that the limit cut off is told as a bound, not as a mean") {
 TEST_CASE("An expectation about times that the limit cut off knows their lower bound") {
   Expectation expectation = about_time();
   SECTION("of the mean") {
-    expectation.at_most = 35.0;  // the mean of the bounds is 28.8, but that is only a bound
+    expectation.at_most = 35.0;  // the mean of the bounds is 28.8, but this is only a bound
     const Claim claim = judged(with_stopped(3), expectation);
     CHECK_FALSE(claim.holds);
     CHECK_FALSE(claim.value);
@@ -141,7 +141,7 @@ TEST_CASE("An expectation about times that the limit cut off knows their lower b
     expectation.at_most = 24.0;
     CHECK(judged(with_stopped(3), expectation).holds);
   }
-  SECTION("beside another cell: not known") {
+  SECTION("relative to another cell: not known") {
     MadeExperiment made_up = with_stopped(3);
     made_up.cells.push_back(with_stopped(0).cells[0]);
     made_up.cells[1].label = made_up.cells[1].levels[1] = "b";
@@ -153,7 +153,7 @@ TEST_CASE("An expectation about times that the limit cut off knows their lower b
   }
 }
 
-TEST_CASE("Over how many runs a mean is, is told where it is not all of the cell's") {
+TEST_CASE("The number of runs of a mean is given if it is not all of the cell's") {
   MadeExperiment made_up = made_from({{1, 2, 3, 4}, {1, 2, 3, 4}});
   for (auto& run : made_up.cells[0].runs) run.measures["first_s"] = 2.0 * double(run.seed);
   for (auto& run : made_up.cells[1].runs) run.measures["first_s"] = 1.0;
@@ -174,7 +174,7 @@ TEST_CASE("A world without goals has no rate of success") {
   CHECK_FALSE(findings.cells[0].goals);
   const std::string text = terminal_report(findings, "r.db");
   CHECK_THAT(text, Contains("no goals") && !Contains("0/6"));
-  CHECK_THAT(text, Contains("40 +- 0") && !Contains(">"));  // it was to run that long
+  CHECK_THAT(text, Contains("40 +- 0") && !Contains(">"));  // the run was to take this long
   CHECK_THAT(csv_report(findings), Contains(",no_goals,") && !Contains("time_limit"));
   const auto json = nlohmann::json::parse(json_report(findings));
   CHECK(json["cells"][0]["goals"] == false);
@@ -196,7 +196,7 @@ TEST_CASE("A world without goals has no rate of success") {
         "fail; expected at most 0");
 }
 
-TEST_CASE("Cells with and without goals stand beside each other") {
+TEST_CASE("Cells with and without goals in one table") {
   MadeExperiment made_up = made_from({{1, 2, 3}, {2, 3, 4}});
   made_up.cells[1].world_text = made_world(1, false);
   for (auto& run : made_up.cells[1].runs) run.outcome = "time_limit";
@@ -205,7 +205,7 @@ TEST_CASE("Cells with and without goals stand beside each other") {
   CHECK_THAT(made.html(), Contains("<dd>3<i> of 3</i></dd>"));
 }
 
-TEST_CASE("A difference below 0 is told as so much less") {
+TEST_CASE("A difference below 0 is given as less") {
   const MadeExperiment made_up = made_from({{4, 5, 6}, {3.5, 4.5, 5.5}});
   Expectation expectation;
   expectation.name = "shorter";
@@ -228,7 +228,7 @@ TEST_CASE("A difference below 0 is told as so much less") {
 }
 
 TEST_CASE("A typical run has the commonest outcome, is in the middle, and is no outlier") {
-  // Nine runs are stopped; the only success is far from all of them.
+  // Nine runs are stopped; the only success is far from them.
   MadeExperiment made_up = made_from({{10, 11, 12, 13, 14, 15, 16, 17, 18, 90}});
   for (auto& run : made_up.cells[0].runs) {
     run.outcome = run.seed == 10 ? "success" : "time_limit";

@@ -1,4 +1,4 @@
-// How often intervals hold what they are about: 95 of 100 is what they promise.
+// How often intervals hold the true value: 95 of 100 is their promise.
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kExperiments = 500;
 
-// The part of so many experiments in which the interval of their values holds the truth.
+// The share of experiments in which the interval of the values holds the truth.
 double coverage(std::size_t size, double truth, const std::function<double(Random&)>& draw,
                 const std::function<std::optional<Interval>(std::span<const double>)>& interval) {
   int hits = 0;
@@ -43,7 +43,7 @@ double binomial(double trials, double p, std::size_t hits) {
 }  // namespace
 
 TEST_CASE("The interval of a mean keeps its promise for five and for ten runs") {
-  // Two standard errors of 500 experiments are 2 %. Of 2000, normal values gave 94 and 96 %, the
+  // Two standard errors of 500 experiments are 2 %. In 2000, normal values gave 94 and 96 %, the
   // log-normal ones 92 and 94 %, the very skewed ones 90 and 91 %; Student's t 81 and 85 % for
   // these, the percentile bootstrap 71 and 81 %, and BCa 72 and 83 %.
   struct Case {
@@ -68,7 +68,7 @@ TEST_CASE("The interval of a mean keeps its promise for five and for ten runs") 
        0.92, 0.92},
       {"skewed: log-normal", std::exp(0.125),
        [](Random& random) { return std::exp(random.normal(0.0, 0.5)); }, 0.90, 0.91},
-      // A tail this long is hardly ever in five runs: what no interval from them can know.
+      // Five runs hardly ever include so long a tail: no interval can know it.
       {"very skewed: log-normal", std::exp(0.5),
        [](Random& random) { return std::exp(random.normal(0.0, 1.0)); }, 0.85, 0.87}};
   for (const Case& one : cases) {
@@ -83,7 +83,7 @@ TEST_CASE("The interval of a mean keeps its promise for five and for ten runs") 
   }
 }
 
-TEST_CASE("The percentile bootstrap does not keep it: that is why means have another one") {
+TEST_CASE("The percentile bootstrap does not keep it, so means have another interval") {
   const auto normal = [](Random& random) { return random.normal(10.0, 2.0); };
   const auto percentile = [](std::span<const double> values) {
     return bootstrap_interval(Statistic::mean, values, 0.95, 7, "coverage");
@@ -93,7 +93,7 @@ TEST_CASE("The percentile bootstrap does not keep it: that is why means have ano
 }
 
 TEST_CASE("The interval of a difference and of a ratio of means keeps its promise") {
-  // Both cells share what the seed brings; the second takes twice as long, and 3 more.
+  // Both cells share an effect of the seed; the second takes twice as long, and 3 more.
   for (const std::size_t size : {std::size_t{5}, std::size_t{10}}) {
     CAPTURE(size);
     constexpr int kPairs = 200;
@@ -134,8 +134,8 @@ TEST_CASE("The interval of a median keeps its promise, whatever the distribution
 }
 
 TEST_CASE("The interval of a rate keeps its promise in the mean over all rates") {
-  // Exactly, from the binomial distribution. Of few runs some rates are held less often: Wilson's
-  // interval is meant to be right in the mean (Agresti and Coull 1998).
+  // Exactly, from the binomial distribution. For few runs, some rates are held less often: Wilson's
+  // interval is right in the mean (Agresti and Coull 1998).
   for (const auto& [trials, worst] :
        {std::pair{5, 0.83}, std::pair{10, 0.83}, std::pair{20, 0.83}}) {
     CAPTURE(trials);

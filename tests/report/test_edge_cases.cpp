@@ -1,4 +1,4 @@
-// Every form of a report of what is hardly a study.
+// Every form of a report on databases that are hardly a study.
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
@@ -28,7 +28,7 @@ Findings findings_of(const std::string& name) {
   throw std::invalid_argument("there is no edge case '" + name + "'");
 }
 
-// The rows of a table as RFC 4180 has them.
+// The rows of a table by RFC 4180.
 std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
   std::vector<std::vector<std::string>> rows(1, std::vector<std::string>(1));
   bool quoted = false;
@@ -79,7 +79,7 @@ TEST_CASE("Every form is well-formed in every case") {
   }
 }
 
-TEST_CASE("When every run crashed, that is what an expectation says") {
+TEST_CASE("When every run crashed, an expectation says so") {
   const Findings findings = findings_of("all crashed");
   CHECK(findings.verdicts[0].trouble ==
         "no run has a measure 'path_length_m': all 6 runs crashed, the first of them run 1 (a, "
@@ -116,7 +116,7 @@ TEST_CASE("Runs that ended badly in several ways are counted by these") {
   CHECK(trouble() == "no run has a measure 'path_length_m': the only run hung: run 1 (a, seed 1)");
 }
 
-TEST_CASE("When nothing is done yet, that is what an expectation says") {
+TEST_CASE("When nothing is done yet, an expectation says so") {
   const Findings findings = findings_of("all pending");
   CHECK(findings.verdicts[0].trouble == "no run has a measure 'path_length_m' yet: none is done");
   CHECK(findings.verdicts[1].claims[0].sentence ==
@@ -124,7 +124,7 @@ TEST_CASE("When nothing is done yet, that is what an expectation says") {
         "expected at least 1");
 }
 
-TEST_CASE("A page of runs that are not done, or crashed, says no more than is known") {
+TEST_CASE("A page of runs that are pending, or crashed, claims no more than is known") {
   for (const EdgeCase& edge : edge_cases()) {
     const std::string html = Made(edge.experiment, edge_questions()).html();
     if (edge.name == "all pending") {
@@ -142,7 +142,7 @@ TEST_CASE("A page of runs that are not done, or crashed, says no more than is kn
   }
 }
 
-TEST_CASE("A table for a terminal has no column for nothing, and none that is endless") {
+TEST_CASE("A table for a terminal has no empty column, and none that is endless") {
   CHECK_THAT(terminal_report(findings_of("all crashed"), "r.db"),
              !Contains("mean +- standard deviation"));
   const std::string text = terminal_report(findings_of("long names"), "r.db");
@@ -154,7 +154,7 @@ TEST_CASE("A table for a terminal has no column for nothing, and none that is en
   }
 }
 
-TEST_CASE("Values that nothing can be reckoned with are left out, and told as they are") {
+TEST_CASE("Unusable values are left out, and shown as they are") {
   const Findings findings = findings_of("odd values");
   const auto measure = [&](const std::string& name) -> const MeasureFindings& {
     for (std::size_t i = 0; i < findings.measures.size(); ++i) {
@@ -172,7 +172,7 @@ TEST_CASE("Values that nothing can be reckoned with are left out, and told as th
   CHECK_THAT(csv_report(findings), Contains(",1.7e+308,") && Contains(",inf,"));
 }
 
-TEST_CASE("The command of a run is one that a shell takes, whatever the database is called") {
+TEST_CASE("A shell accepts the command of a run for any name of the database") {
   const Made made(made_from({{1, 2, 3, 4, 5, 60}}));
   const std::string called = "my \"best\" <runs>, it's 5 & more/r 1.db";
   CHECK_THAT(made.html(called),

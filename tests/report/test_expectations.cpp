@@ -11,7 +11,7 @@ using elsie::test::MadeExperiment;
 
 namespace {
 
-// One verdict about one study.
+// The only verdict of a study.
 Verdict judged(const MadeExperiment& experiment, const Expectation& expectation) {
   return Made(experiment, expecting(expectation)).findings().verdicts.at(0);
 }
@@ -42,7 +42,7 @@ MadeExperiment nineteen_of_twenty() {
 
 }  // namespace
 
-TEST_CASE("A rate of success is told with its counts") {
+TEST_CASE("A rate of success is given with its counts") {
   const Verdict verdict = judged(nineteen_of_twenty(), success_at_least(1.0));
   CHECK_FALSE(verdict.met());
   REQUIRE(verdict.claims.size() == 1);
@@ -52,7 +52,7 @@ TEST_CASE("A rate of success is told with its counts") {
   CHECK(judged(nineteen_of_twenty(), success_at_least(0.95)).met());
 }
 
-TEST_CASE("A run that crashed counts as not successful, and is told of") {
+TEST_CASE("A run that crashed counts as not successful, and is mentioned") {
   MadeExperiment made_up = nineteen_of_twenty();
   made_up.cells[0].runs[0].state = "crash";
   made_up.cells[0].runs[0].measures.clear();
@@ -79,7 +79,7 @@ TEST_CASE("A run that crashed has no other value: nothing is met by crashes") {
     run.state = "crash";
     run.measures.clear();
   };
-  SECTION("some of them crashed: what the others say, and how many there were") {
+  SECTION("some of them crashed: the value of the others, and their number") {
     crash(runs[1]);
     runs[2].measures["collisions"] = 2.0;
     const Verdict verdict = judged(made_up, expectation);
@@ -106,7 +106,7 @@ TEST_CASE("A run that crashed has no other value: nothing is met by crashes") {
     CHECK_THAT(judged(made_up, expectation).claims.at(0).found,
                Catch::Contains("success per time_s of a is not known"));
     expectation.per.clear();
-    CHECK(judged(made_up, expectation).claims[0].value == 0.0);  // none succeeded: that is known
+    CHECK(judged(made_up, expectation).claims[0].value == 0.0);  // none succeeded, which is known
   }
   SECTION("the mean of success is its rate") {
     crash(runs[0]);
@@ -147,7 +147,7 @@ TEST_CASE("A ratio to 0 is not known, and so not met") {
 TEST_CASE("With confidence the whole interval must keep to what is expected") {
   Expectation expectation = success_at_least(0.8);
   CHECK(judged(nineteen_of_twenty(), expectation).met());
-  expectation.confidence = 0.95;  // Wilson: 19 of 20 is from 0.764 on
+  expectation.confidence = 0.95;  // Wilson: 19 of 20 is from 0.764
   const Verdict verdict = judged(nineteen_of_twenty(), expectation);
   CHECK_FALSE(verdict.met());
   CHECK(verdict.claims[0].interval->low == Approx(0.7639).margin(1e-4));
@@ -188,7 +188,7 @@ TEST_CASE("Limits, from below, from above, around") {
   }
 }
 
-TEST_CASE("A value just beside a limit is not told as if it were the limit") {
+TEST_CASE("A value near a limit is not rounded to the limit") {
   Expectation expectation = mean_path();
   expectation.at_least = 2.0;
   const Verdict verdict = judged(made_from({{1.999999999, 1.999999999}}), expectation);
@@ -245,7 +245,7 @@ TEST_CASE("One measure per another") {
         "mean path_length_m per time_s of a is 1.5 (2 runs), expected at least 1.5");
 }
 
-TEST_CASE("Cells beside each other") {
+TEST_CASE("Cells relative to each other") {
   const MadeExperiment made_up = made_from({{60, 64, 68}, {30, 33, 36}});
   Expectation expectation = mean_path();
   expectation.relation = Relation::ratio;
@@ -268,7 +268,7 @@ TEST_CASE("Cells beside each other") {
     CHECK(claim.interval->high == Approx(0.515625 + 0.036389).margin(1e-5));
   }
   SECTION("over the seeds for which both have a value") {
-    // b fails the hard seeds: what a takes for them is not to its advantage.
+    // b fails the hard seeds: a's times for these must not count.
     MadeExperiment hard = made_from({{10, 20, 30, 40}, {10, 20, 30, 40}});
     hard.cells[1].runs[2].outcome = "failure";
     hard.cells[1].runs[3].outcome = "failure";
@@ -284,7 +284,7 @@ TEST_CASE("Cells beside each other") {
     CHECK_THAT(judged(hard, expectation).claims[0].sentence,
                Catch::Contains("there is no seed with which b and a both succeeded"));
   }
-  SECTION("two rates of 1 are not equal for sure") {
+  SECTION("two rates of 1 are not certainly equal") {
     Expectation rates = success_at_least(-0.1);
     rates.relation = Relation::difference;
     rates.reference = {{"scheme", "a"}};
@@ -298,7 +298,7 @@ TEST_CASE("Cells beside each other") {
     CHECK(judged(made_up, expectation).met());
     CHECK(judged(made_up, expectation).claims[0].value == -31.0);
   }
-  SECTION("while the other one is not done") {
+  SECTION("while the other cell is not done") {
     MadeExperiment incomplete = made_up;
     incomplete.cells[0].runs[0].state = "pending";
     incomplete.cells[0].runs[0].measures.clear();
@@ -358,14 +358,14 @@ TEST_CASE("What cannot be judged is not met") {
   }
 }
 
-TEST_CASE("That all runs are the same one is told: they are one observation") {
+TEST_CASE("Equal runs are reported: they are one observation") {
   MadeExperiment made_up = made_from({{5, 5, 5}});
   for (auto& run : made_up.cells[0].runs) run.state_hash = "00000000000000aa";
   CHECK(judged(made_up, success_at_least(0.5)).claims[0].sentence ==
         "success rate of a is 1 (3 of 3, all the same run), expected at least 0.5");
 }
 
-TEST_CASE("An expectation without a name of its own is not told twice") {
+TEST_CASE("An expectation without a name is not stated twice") {
   Expectation expectation = success_at_least(0.5);
   CHECK(judged(nineteen_of_twenty(), expectation).expected == "success rate: at least 0.5");
   expectation.name = "rate of success, scheme=a: at least 0.5";

@@ -70,7 +70,7 @@ TEST_CASE("A repetition of a seed is no second observation") {
     CHECK(made.findings().disagreements.empty());
     CHECK(made.findings().good());
   }
-  SECTION("but tells of plugins that the seed does not decide") {
+  SECTION("but reveals plugins that depend on more than the seed") {
     made_up.cells[0].runs[4].state_hash = "ffffffffffffffff";
     const Made made(made_up);
     REQUIRE(made.findings().disagreements.size() == 1);
@@ -79,7 +79,7 @@ TEST_CASE("A repetition of a seed is no second observation") {
   }
 }
 
-TEST_CASE("Outliers are told with their runs, the farthest first") {
+TEST_CASE("Outliers are listed with their runs, the farthest first") {
   const Made made(made_from({{10, 11, 12, 13, 14, 30, 11, 12, 100, 13}}));
   const Findings findings = made.findings();
   const auto& outliers = findings.cells[0].outliers;

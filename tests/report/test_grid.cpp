@@ -1,4 +1,4 @@
-// What a check of an experiment says an expectation is about is what the report judges.
+// A check of an experiment and a report agree on the cells of an expectation.
 #include <string>
 #include <vector>
 
@@ -53,7 +53,7 @@ MadeExperiment runs_of(const experiment::Experiment& experiment) {
 
 }  // namespace
 
-TEST_CASE("What an expectation is checked to be about is what is judged") {
+TEST_CASE("The cells of an expectation are the same in the check and in the report") {
   const experiment::Experiment experiment = experiment::parse_outline(kExperiment, "e.xml");
   const std::vector<experiment::Cell> cells = experiment::cells(experiment);
   REQUIRE(cells.size() == 18);

@@ -1,4 +1,4 @@
-// The page: what a browser is given. tests/report/browser/ looks at it in one.
+// The page as text; tests/report/browser/ opens it in a browser.
 #include <cctype>
 #include <filesystem>
 #include <regex>
@@ -25,8 +25,8 @@ using elsie::test::source_path;
 
 namespace {
 
-// A page is read as strictly as XML would be: every element is closed in order, every attribute
-// quoted, no bare "<" in texts. What is wrong, or "". Counts the elements by name.
+// Reads a page as strictly as XML: every element is closed in order, every attribute quoted, no
+// bare "<" in texts. Returns the error, or "". Counts the elements by name.
 std::string badly_nested(const std::string& html, std::map<std::string, int>& elements) {
   static const std::set<std::string> kVoid{"meta", "link", "!doctype"};
   std::vector<std::string> open;
@@ -133,7 +133,7 @@ TEST_CASE("The page of a study has all its parts") {
   CHECK(count(html, "<figure class=\"curves ") == 8);
   CHECK(count(html, "<figure class=\"boxes\"") == 5);
   CHECK_THAT(html, Contains("1 of 1 expectation is not met"));
-  // Every run that is no success has its command, and so has every outlier.
+  // Every run without success has its command, and so has every outlier.
   const Findings findings = made.findings();
   for (const Run& run : findings.results.runs) {
     if (run.success()) continue;
@@ -154,7 +154,7 @@ TEST_CASE("The same results give the same page, table and test cases, byte for b
   CHECK(junit_report(made.findings(), "r.db") == junit_report(again.findings(), "r.db"));
 }
 
-TEST_CASE("What is the same in every run is told, not drawn") {
+TEST_CASE("A value that is the same in every run is stated, not drawn") {
   MadeExperiment made_up = made_from({{1, 2, 3}, {4, 5, 6}});
   for (auto& cell : made_up.cells) {
     for (auto& run : cell.runs) run.measures["time_s"] = 30.0;
@@ -166,8 +166,8 @@ TEST_CASE("What is the same in every run is told, not drawn") {
   CHECK(count(Made(made_up).html(), "<figure class=\"boxes\"") == 2);
 }
 
-TEST_CASE("Of many runs that are worth a look, some are told and the others folded") {
-  const auto told = [](std::size_t missed) {
+TEST_CASE("Of many notable runs, some are shown and the others folded") {
+  const auto page_with = [](std::size_t missed) {
     MadeExperiment made_up = made_from({std::vector<double>(20, 5.0)});
     for (std::size_t i = 0; i < missed; ++i) made_up.cells[0].runs[i].outcome = "failure";
     const std::string html = Made(made_up).html();
@@ -176,9 +176,9 @@ TEST_CASE("Of many runs that are worth a look, some are told and the others fold
     CHECK(count(html, "elsie replay results.db ") == missed);
     return html;
   };
-  CHECK_THAT(told(9), !Contains(" more</summary>"));
-  CHECK_THAT(told(10), Contains("<summary>2 more</summary>"));
-  CHECK_THAT(told(20), Contains("<summary>12 more</summary>"));
+  CHECK_THAT(page_with(9), !Contains(" more</summary>"));
+  CHECK_THAT(page_with(10), Contains("<summary>2 more</summary>"));
+  CHECK_THAT(page_with(20), Contains("<summary>12 more</summary>"));
 }
 
 TEST_CASE("The page refers to nothing outside of itself") {
@@ -197,7 +197,7 @@ TEST_CASE("The page refers to nothing outside of itself") {
   }
 }
 
-TEST_CASE("Whatever things are called, it is only text") {
+TEST_CASE("Names are only text, whatever they contain") {
   const Made made(hostile(), expecting(hostile_expectation()));
   const std::string html = made.html(elsie::test::kHostile);
   std::map<std::string, int> elements;
@@ -206,11 +206,11 @@ TEST_CASE("Whatever things are called, it is only text") {
   CHECK_THAT(html, !Contains("<script>alert"));
   CHECK_THAT(html, Contains("&lt;script&gt;alert(1)&lt;/script&gt;"));
   CHECK_THAT(html, Contains("\xf0\x9f\x90\xa2"));  // a turtle stays
-  CHECK_THAT(html, !Contains("\xff"));             // what is no UTF-8 goes
+  CHECK_THAT(html, !Contains("\xff"));             // bytes that are not UTF-8 go
   CHECK_THAT(html, !Contains(std::string(1, '\x01')));
 }
 
-TEST_CASE("Worlds are drawn although their plugins are not there") {
+TEST_CASE("Worlds are drawn without their plugins") {
   const std::string html = Made(made_from({{1, 2}})).html();
   CHECK(count(html, "class=\"resource\"") == 4);
   CHECK(count(html, "class=\"start\"") == 1);
@@ -234,7 +234,7 @@ TEST_CASE("Every world that is shipped can be looked at without a plugin") {
   CHECK(count > 10);
 }
 
-TEST_CASE("A world that cannot be read does not keep the rest from being shown") {
+TEST_CASE("A world that cannot be read does not hide the rest") {
   MadeExperiment made_up = made_from({{1, 2}});
   made_up.cells[0].world_text = "<world format=\"1\"><arena length=\"much\"/></world>";
   const std::string html = Made(made_up).html();
@@ -391,13 +391,13 @@ TEST_CASE("A page of two thousand cells stays below four megabytes") {
   CHECK(html.size() < 4'000'000);
   CHECK_THAT(html, Contains("100 of 2000 cells are drawn here."));
   CHECK_THAT(html, Contains("Box plots are left out: 2000 cells are too many for one page."));
-  // The one whose runs failed is among them; all have their row in the table.
+  // The cell whose runs failed is among them; all have their row in the table.
   CHECK_THAT(html, Contains("<article class=\"cell\" id=\"cell-1235\""));
   std::size_t rows = 0;
   for (std::size_t at = 0; (at = html.find("<tr data-cell=", at)) != std::string::npos; ++at)
     ++rows;
   CHECK(rows == 2000);
-  // No link leads nowhere.
+  // All links have targets.
   CHECK_THAT(html, !Contains("href=\"#cell-1234\"") || Contains("id=\"cell-1234\""));
   const ResultsFile file(made.path);
   const std::string chosen = html_report(made.findings(), file, "r.db", "gain 77/");

@@ -1,5 +1,5 @@
-// The page's colours are told apart, by readers with a colour vision deficiency too, and stand out
-// from their ground.
+// The page's colours can be distinguished, also with a colour vision deficiency, and stand out from
+// their background.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -55,7 +55,7 @@ Linear oklab(const Linear& c) {
           0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
 }
 
-// 100 times the distance in OKLab, as someone with this vision sees the two.
+// 100 times the distance in OKLab as seen with this vision.
 double distance(const std::string& a, const std::string& b, const Matrix& vision) {
   const auto seen = [&](const std::string& hex) {
     const Linear c = colour(hex);
@@ -104,7 +104,7 @@ std::map<std::string, std::string> variables(std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("Colours are told apart with every kind of colour vision") {
+TEST_CASE("Colours can be distinguished with every kind of colour vision") {
   for (const std::size_t scheme : {0u, 1u, 2u}) {
     auto names = variables(scheme);
     const std::vector<std::string> used{"c0", "c1", "c2", "c3", "c4", "c5", "bad"};

@@ -1,4 +1,4 @@
-// What is read from a results database.
+// Reading a results database.
 #include <filesystem>
 
 #include <catch2/catch.hpp>
@@ -58,7 +58,7 @@ TEST_CASE("A database is read as it was written") {
   CHECK(file.curves(results.cells[0].id)[0].points.size() == 201);
 }
 
-TEST_CASE("A way ends where the robot stood when the run ended, be it between two poses") {
+TEST_CASE("A way ends at the robot's pose at the end of the run, even between two samples") {
   elsie::test::MadeExperiment made_up = elsie::test::made_from({{1, 2}});
   for (auto& run : made_up.cells[0].runs) {
     run.robots.resize(1);
@@ -72,7 +72,7 @@ TEST_CASE("A way ends where the robot stood when the run ended, be it between tw
   REQUIRE(ways[0].poses.size() == 3);
   CHECK(ways[0].poses.back().x == 1.25);
   CHECK(ways[0].poses.back().y == 0.5);
-  CHECK(ways[1].poses.size() == 2);  // a run that failed has no such place
+  CHECK(ways[1].poses.size() == 2);  // a failed run has no such pose
 }
 
 TEST_CASE("Files that are no results database, or a damaged one, are refused in a sentence") {
@@ -86,18 +86,18 @@ TEST_CASE("Files that are no results database, or a damaged one, are refused in 
     run(made.path, "DELETE FROM about");
     CHECK_THAT(refusal(made.path), Contains(why + " was not begun"));
   }
-  SECTION("rows that lead nowhere") {
+  SECTION("rows with missing references") {
     run(made.path, "PRAGMA foreign_keys = OFF; DELETE FROM cells WHERE id = 0");
     CHECK_THAT(refusal(made.path), Contains(why + " is damaged"));
   }
-  SECTION("what looks like a list at its ends only") {
+  SECTION("a text that is a list at its ends only") {
     run(made.path, "UPDATE trajectories SET poses = '[[1, 2]'");
     const ResultsFile file(made.path);
     CHECK_THROWS_WITH(file.trajectories(0), Contains("is damaged") && Contains("trajectories"));
   }
 }
 
-TEST_CASE("What is written while it is read is not seen") {
+TEST_CASE("Later writes are not seen while it is read") {
   const Made made(made_from({{1, 2}}));
   run(made.path, "PRAGMA journal_mode = WAL");
   const ResultsFile file(made.path);

@@ -25,7 +25,7 @@ std::vector<double> michelson() {
           299.87, 299.87, 299.81, 299.74, 299.81, 299.94, 299.95, 299.80, 299.81, 299.87};
 }
 
-// NumAcc3 and NumAcc4 of the same source: a first value, then two others in turns.
+// NumAcc3 and NumAcc4 of the same source: a first value, then two others alternating.
 std::vector<double> in_turns(double first, double a, double b) {
   std::vector<double> values{first};
   for (int i = 0; i < 500; ++i) {
@@ -127,7 +127,7 @@ TEST_CASE("The bootstrap of zeros and ones is the binomial distribution") {
   for (const double confidence : {0.8, 0.95, 0.99}) {
     const auto found = *bootstrap_interval(Statistic::mean, values, confidence, 42, "binomial");
     const double tail = 0.5 * (1.0 - confidence);
-    // By at most one success: the quantile of a sample may fall on the next step.
+    // Within one success: the quantile of a sample may fall on the next step.
     CHECK(30.0 * found.low == Approx(quantile(sums, tail)).margin(1.01));
     CHECK(30.0 * found.high == Approx(quantile(complement(sums, tail))).margin(1.01));
   }
@@ -135,7 +135,7 @@ TEST_CASE("The bootstrap of zeros and ones is the binomial distribution") {
 
 TEST_CASE("The bootstrap of a mean has the plug-in standard error") {
   // Efron and Tibshirani (1993), table 2.1, treated mice: mean 86.86, standard error 23.36 by the
-  // formula with n below the line. Normal quantiles are near enough for 7 mice.
+  // formula with divisor n. Normal quantiles are close enough for 7 mice.
   const std::vector<double> mice{94, 197, 16, 38, 99, 141, 23};
   CHECK(*statistic_of(Statistic::mean, mice) == Approx(86.86).margin(5e-3));
   const auto interval = *bootstrap_interval(Statistic::mean, mice, 0.6827, 7, "mice");
@@ -151,12 +151,12 @@ TEST_CASE("With few values, or with resamples that do not spread, Student's t ta
   const auto six = *mean_interval(std::vector<double>{0, 0, 0, 0, 0, 6}, 0.95, 1, "");
   CHECK(six.low == Approx(1.0 - 2.570582));
   CHECK(six.high == Approx(1.0 + 2.570582));
-  // Three of five reach the same line: resamples of these alone have next to no spread.
+  // Three of five reach the same line: resamples of these alone have almost no spread.
   const auto line =
       *mean_interval(std::vector<double>{3.12, 4.00007, 2.93, 4.0006, 4.0003}, 0.95, 1, "");
   CHECK(line.low > 0.0);
   CHECK(line.high < 8.0);
-  // Ten values that spread have an interval of their own, longer towards the long tail.
+  // Ten values with a spread have their own interval, longer towards the long tail.
   const std::vector<double> skewed{1.0, 1.1, 1.2, 1.3, 1.5, 1.7, 2.0, 2.5, 3.5, 6.0};
   const double mean = *statistic_of(Statistic::mean, skewed);
   const auto ten = *mean_interval(skewed, 0.95, 1, "");
@@ -191,7 +191,7 @@ TEST_CASE("Outliers are beyond Tukey's fences") {
   CHECK(whiskers(sorted, fences) == Interval{1.0, 7.0});
 }
 
-TEST_CASE("Cells beside each other: ratio and difference") {
+TEST_CASE("Cells relative to each other: ratio and difference") {
   const std::vector<Pair> pairs{{2.0, 4.0}, {4.0, 8.0}};
   CHECK(*relation_of(Relation::ratio, Statistic::mean, pairs) == Approx(0.5));
   CHECK(*relation_of(Relation::difference, Statistic::mean, pairs) == Approx(-3.0));
@@ -204,13 +204,13 @@ TEST_CASE("There is no ratio to 0, and no interval with such an end") {
   CHECK_FALSE(relation_of(Relation::ratio, Statistic::mean, to_zero));
   CHECK(*relation_of(Relation::difference, Statistic::mean, to_zero) == Approx(5.0 / 3.0));
   CHECK_FALSE(paired_interval(Relation::ratio, Statistic::mean, to_zero, 0.95, 1, "zero"));
-  // The one that is not 0 is missing in (19/20)^20 = 36 of 100 resamples.
+  // 36 of 100 resamples, (19/20)^20, lack the only value other than 0.
   std::vector<Pair> rarely(20, {1.0, 0.0});
   rarely[7].reference = 1.0;
   CHECK(relation_of(Relation::ratio, Statistic::rate, rarely) == 20.0);
   CHECK_FALSE(paired_interval(Relation::ratio, Statistic::rate, rarely, 0.95, 1, "rarely"));
   CHECK(paired_interval(Relation::difference, Statistic::rate, rarely, 0.95, 1, "rarely"));
-  // With half of them it is not: there is an interval.
+  // With half of the values there is an interval.
   for (std::size_t i = 0; i < 10; ++i) rarely[i].reference = 1.0;
   const auto interval =
       paired_interval(Relation::ratio, Statistic::rate, rarely, 0.95, 1, "rarely");
@@ -220,21 +220,21 @@ TEST_CASE("There is no ratio to 0, and no interval with such an end") {
 }
 
 TEST_CASE("The difference of two rates has Newcombe's interval") {
-  // Newcombe (1998), table II: 56 of 70 beside 48 of 80, and 10 of 10 beside 0 of 10.
+  // Newcombe (1998), table II: 56 of 70 and 48 of 80, and 10 of 10 and 0 of 10.
   const auto some = *interval_of_rates(Relation::difference, {56, 70}, {48, 80}, 0.95);
   CHECK(some.low == Approx(0.0524).margin(5e-5));
   CHECK(some.high == Approx(0.3339).margin(5e-5));
   const auto all = *interval_of_rates(Relation::difference, {10, 10}, {0, 10}, 0.95);
   CHECK(all.low == Approx(0.6075).margin(5e-5));
   CHECK(all.high == Approx(1.0));
-  // Where every run succeeded there is doubt nevertheless.
+  // Even if every run succeeded, there is uncertainty.
   const auto same = *interval_of_rates(Relation::difference, {20, 20}, {20, 20}, 0.95);
   CHECK(same.low == Approx(-0.161).margin(5e-4));
   CHECK(same.high == Approx(0.161).margin(5e-4));
 }
 
 TEST_CASE("The ratio of two rates has an interval that holds it about as often as it says") {
-  // Where every run succeeded in both, the ratio is that of Wilson's ends.
+  // If every run succeeded in both, the ratio is that of Wilson's ends.
   const auto same = *interval_of_rates(Relation::ratio, {20, 20}, {20, 20}, 0.95);
   const auto wilson = wilson_interval(20, 20, 0.95);
   CHECK(same.low == Approx(wilson.low));
@@ -259,7 +259,7 @@ TEST_CASE("The ratio of two rates has an interval that holds it about as often a
 }
 
 TEST_CASE("What both cells share by seed does not widen their interval") {
-  // Each cell varies from seed to seed by far more than the cells differ.
+  // Each cell varies between seeds far more than the cells differ.
   std::vector<Pair> pairs;
   std::vector<Pair> unpaired;
   elsie::Random random(5, "pairs");

@@ -41,7 +41,7 @@ std::vector<std::vector<std::string>> parsed_csv(const std::string& text) {
       rows.back().back() += text[i];
     }
   }
-  REQUIRE(rows.back() == std::vector<std::string>(1));  // the last line ends
+  REQUIRE(rows.back() == std::vector<std::string>(1));  // the last line is terminated
   rows.pop_back();
   return rows;
 }
@@ -75,7 +75,7 @@ TEST_CASE("A row of CSV for each run; its numbers are read back bit for bit") {
   CHECK(rows[4][column("path_length_m")].empty());
 }
 
-TEST_CASE("CSV names two columns of one name apart, and quotes what it must") {
+TEST_CASE("CSV distinguishes two columns of one name, and quotes what it must") {
   MadeExperiment made_up = hostile();
   made_up.factors[1] = "seed";
   const auto rows = parsed_csv(csv_report(Made(made_up).findings()));
@@ -133,7 +133,7 @@ TEST_CASE("JUnit: runs that crashed, and those still to be done, are a failure")
                            "replay 'my results.db' 1"));
 }
 
-TEST_CASE("Runs that are in no database, or all the same one, are told in every form") {
+TEST_CASE("Runs that are in no database, or all equal, are reported in every form") {
   MadeExperiment made_up = made_from({{1, 2, 3}, {2, 2, 2}});
   for (auto& run : made_up.cells[1].runs) run.state_hash = "00000000000000aa";
   made_up.all_runs = 10;
@@ -148,7 +148,7 @@ TEST_CASE("Runs that are in no database, or all the same one, are told in every 
                           "depends on chance (b)"));
 }
 
-TEST_CASE("JUnit: what is asked of every experiment is no expectation of the same name") {
+TEST_CASE("JUnit: a check of every experiment is distinct from an expectation of the same name") {
   elsie::experiment::Expectation expectation;
   expectation.name = "every run ended by itself";
   expectation.measure = "path_length_m";
@@ -159,7 +159,7 @@ TEST_CASE("JUnit: what is asked of every experiment is no expectation of the sam
                       Contains("classname=\"made up (runs)\" name=\"every run ended by itself\""));
 }
 
-TEST_CASE("What the message of a run says is not said twice") {
+TEST_CASE("The message of a run is not repeated") {
   MadeExperiment made_up = made_from({{1, 2, 3, 4}});
   for (auto& run : made_up.cells[0].runs) {
     run.state = "crash";
@@ -185,7 +185,7 @@ TEST_CASE("What the message of a run says is not said twice") {
                            "50; elsie replay r.db 4"));
 }
 
-TEST_CASE("JUnit's XML is well-formed whatever things are called") {
+TEST_CASE("JUnit's XML is well-formed for any names") {
   const Made made(hostile(), expecting(hostile_expectation()));
   const std::string xml = junit_report(made.findings(), kHostile);
   const std::string schema =

@@ -1,4 +1,4 @@
-// A database of a few runs, put together by hand.
+// A database with a few runs, made by hand.
 #pragma once
 
 #include <string>
@@ -58,7 +58,7 @@ inline std::string made_database(const Folder& folder, const std::string& name =
   return file;
 }
 
-/// Why a file is refused; "" when it is not.
+/// Why a file is refused; "" if it is not.
 inline std::string refusal(const std::string& file) {
   try {
     results::open_to_read(file);

@@ -1,4 +1,4 @@
-// Files that were a database of results until something happened to them.
+// Databases of results that were damaged.
 #include <algorithm>
 #include <string>
 
@@ -26,7 +26,7 @@ std::string random_bytes(Random& random, std::size_t size) {
 
 }  // namespace
 
-TEST_CASE("A database of which any page is overwritten, lost or in another's place is refused") {
+TEST_CASE("A database with any page overwritten, lost or misplaced is refused") {
   const test::Folder folder;
   const std::string whole = folder.read(test::made_database(folder, "whole.sqlite"));
   const std::size_t pages = whole.size() / kPage;
@@ -74,15 +74,15 @@ TEST_CASE("Bytes that are overwritten within a list, a world or a data file are 
   CHECK(refusal(folder.write("r.sqlite", whole)).empty());
 }
 
-TEST_CASE("Rows that lead nowhere, and tables that are not there, are damage") {
+TEST_CASE("Rows with missing references, and missing tables, are damage") {
   const test::Folder folder;
   const std::string file = test::made_database(folder);
-  SECTION("a cell is gone") {
+  SECTION("a cell is missing") {
     test::rows(file, "PRAGMA foreign_keys = OFF; DELETE FROM cells WHERE id = 0");
     CHECK_THAT(refusal(file),
                Contains("is damaged (a row of `runs` names one of `cells` that is not there)"));
   }
-  SECTION("a table is gone") {
+  SECTION("a table is missing") {
     test::rows(file, "DROP TABLE timelines");
     CHECK_THAT(refusal(file), Contains("is damaged (no such table: timelines)"));
   }
@@ -95,7 +95,7 @@ TEST_CASE("Rows that lead nowhere, and tables that are not there, are damage") {
   }
 }
 
-TEST_CASE("Damage that is met later is told as such, what the system cannot do is not") {
+TEST_CASE("Damage that is found later is reported as such, errors of the system are not") {
   using results::sqlite::Error;
   const auto fails = [](int code) {
     results::guarded("r.sqlite", "could not be written", [&] { throw Error(code, "why"); });

@@ -1,4 +1,4 @@
-// Opening files: those that are databases of results, and those that are none.
+// Opening files that are databases of results, and others.
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -54,17 +54,17 @@ TEST_CASE("Files that are no database of results are refused in a sentence, and 
   refused(unplanned, " was not begun: its batch ended before the runs were planned; remove it and");
 }
 
-TEST_CASE("Where there is nothing yet, a database can be begun") {
+TEST_CASE("A database can be begun in a new or empty file") {
   const test::Folder folder;
   CHECK(results::is_vacant(folder.file("none")));
   CHECK(results::is_vacant(folder.write("empty", "")));
   CHECK_FALSE(results::is_vacant(folder.write("text", "text")));
   CHECK_FALSE(results::is_vacant(test::made_database(folder)));
   CHECK_FALSE(results::is_vacant(folder.file("")));
-  CHECK_FALSE(results::is_vacant("/dev/null"));  // SQLite takes it for a database without tables
+  CHECK_FALSE(results::is_vacant("/dev/null"));  // SQLite takes it for an empty database
 }
 
-TEST_CASE("Names with signs that mean something in addresses are names") {
+TEST_CASE("Names may contain characters that are special in URIs") {
   const test::Folder folder;
   for (const char* name : {"a?immutable=1", "50%41.sqlite", "#1.sqlite"}) {
     const std::string file = test::made_database(folder, name);
@@ -76,7 +76,7 @@ TEST_CASE("Names with signs that mean something in addresses are names") {
 
 namespace {
 
-/// What `look` returns as a user who may not write in `folder`.
+/// The result of `look` for a user without write permission in `folder`.
 template <class Look>
 int where_nothing_can_be_written(const std::string& folder, Look look) {
   fs::permissions(folder, fs::perms(0555));
@@ -93,7 +93,7 @@ int where_nothing_can_be_written(const std::string& folder, Look look) {
 
 }  // namespace
 
-TEST_CASE("A database that is still in the mode of writing is read where nothing can be written") {
+TEST_CASE("A database in WAL mode can be read in a read-only folder") {
   const test::Folder folder;
   const std::string file = test::made_database(folder);
   test::rows(file, "PRAGMA journal_mode = WAL");
@@ -112,7 +112,7 @@ TEST_CASE("A database that is still in the mode of writing is read where nothing
   CHECK(where_nothing_can_be_written(folder.file(""), read) == 43);
 }
 
-TEST_CASE("What was half made when a process was killed is undone, and is no damage") {
+TEST_CASE("What a killed process left incomplete is undone, and is no damage") {
   const test::Folder folder;
   const std::string file = test::made_database(folder);
   const pid_t child = fork();

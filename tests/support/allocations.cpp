@@ -12,7 +12,7 @@ std::atomic<long> count{0};
 
 long elsie::test::allocations() { return count; }
 
-// In place of the standard library's.
+// Replaces the standard library's operator.
 void* operator new(std::size_t size) {
   ++count;
   if (void* memory = std::malloc(size)) {

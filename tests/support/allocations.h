@@ -1,10 +1,10 @@
-// Counting what a program allocates.
+// Counts a program's allocations.
 #pragma once
 
 namespace elsie::test {
 
-/// How often memory was asked for so far, in the whole program: by libraries and plugins, too. For
-/// this, allocations.cpp must be among the sources of the test program.
+/// The number of allocations so far in the whole program, with its libraries and plugins. For this,
+/// allocations.cpp must be among the sources of the test program.
 long allocations();
 
 }  // namespace elsie::test

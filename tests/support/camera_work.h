@@ -15,7 +15,7 @@
 
 namespace elsie::test {
 
-/// Surroundings of which a sensor with a camera asks one thing only.
+/// Surroundings that only know the resources' colours, which a sensor with a camera asks for.
 class Colours final : public Surroundings {
  public:
   std::vector<Colour> colours;
@@ -30,13 +30,13 @@ class Colours final : public Surroundings {
   std::span<const Colour> resource_colours() const override { return colours; }
 };
 
-/// A vision sensor, handed one picture after the other.
+/// A vision sensor that gets one picture after another.
 class Watcher {
  public:
   explicit Watcher(Parameters parameters = {}, const std::vector<ElementValue>& elements = {})
       : sensor_(make<Sensor>(PluginKind::sensor, "vision", std::move(parameters), elements)) {}
 
-  Colours world;  // changed colours are told to the sensor before it looks
+  Colours world;  // the sensor learns changed colours before it looks
   Random random{1};
 
   const VisionReading& look_at(const Image& image) {
@@ -58,7 +58,7 @@ class Watcher {
   std::optional<std::vector<Colour>> told_;
 };
 
-/// A picture of a world from a camera in space.
+/// A picture of a world by a free camera.
 inline Image photograph(const world::World& world, const Frame& from, const Camera& camera,
                         std::size_t carrier = render::kNobody) {
   static render::Renderer renderer;

@@ -1,4 +1,4 @@
-// Random damage to files, to find out whether they are still read or refused in words.
+// Random damage to files, which must still be read, or refused in sentences.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace elsie::test {
 
 class Damage {
  public:
-  /// `pieces` are put anywhere, an "x" behind `names`: what XML and the reader care about.
+  /// Inserts `pieces` anywhere, and an "x" after `names`: texts that matter to XML and the reader.
   Damage(unsigned seed, const std::vector<std::string>& pieces,
          const std::vector<std::string>& names)
       : random_(seed), pieces_(pieces), names_(names) {}
@@ -28,7 +28,7 @@ class Damage {
     return std::uniform_int_distribution<std::size_t>(0, end - 1)(random_);
   }
 
-  // Puts `piece` behind one of the places where `mark` stands.
+  // Inserts `piece` after one of the places of `mark`.
   void insert_behind(std::string& text, const std::string& mark, const std::string& piece) {
     std::size_t at = text.find(mark, below(text.size()));
     at = at == std::string::npos ? text.find(mark) : at;
@@ -49,10 +49,10 @@ class Damage {
       case 1:  // a gap
         text.erase(at, below(40));
         break;
-      case 2:  // something that XML or the reader cares about
+      case 2:  // a text that matters to XML or the reader
         text.insert(at, pieces_[below(pieces_.size())]);
         break;
-      case 3:  // a part twice
+      case 3:  // a repeated part
         text.insert(below(text.size()), text.substr(at, below(200)));
         break;
       case 4:  // a bad id

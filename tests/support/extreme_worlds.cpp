@@ -56,7 +56,7 @@ class Draw {
 
  private:
   bool chance(double share) { return random_.chance(share); }
-  /// From 0 up to this, without it.
+  /// A random number from 0 up to, but excluding, this one.
   int number(int below) { return static_cast<int>(random_.uniform(0.0, below)); }
 
   std::string place(double side) {
@@ -78,7 +78,7 @@ class Draw {
            "</behaviors><coordinator><arbiter_suppression/></coordinator></robot>\n";
   }
 
-  /// Some of these, each with a value at an end of its range or in between.
+  /// Some of these attributes, each with a value at an end of its range or in between.
   std::string attributes(const std::vector<std::string>& element,
                          const std::vector<std::string>& names) {
     std::string out;
@@ -96,7 +96,7 @@ class Draw {
     for (const std::string& name : names) {
       const ParameterFacts& facts = world::vocabulary_at(element).attribute(name)->facts;
       const double low = std::max(facts.min, facts.above), high = facts.max;
-      // Where the range is open, or begins at 0, its small end.
+      // If the range is open, or begins at 0, its small end.
       const double small = low > 0.0 ? low : 1e-9 * high;
       double value = 0.0;
       switch (number(4)) {
@@ -118,13 +118,13 @@ class Draw {
   Random random_;
 };
 
-/// Looks at every body after every step. The limits are its own, and wide.
+/// Checks every body after every step against its own, wide limits.
 class Witness final : public simulation::Observer {
  public:
-  Witness(const world::World& world, Extreme& told) : world_(world), told_(told) {
+  Witness(const world::World& world, Extreme& extreme) : world_(world), extreme_(extreme) {
     double fastest = 0.0, highest = 0.0;
     for (const world::Robot& robot : world.robots) {
-      // Turning on the spot moves what is far from the axle faster than the wheels.
+      // Turning on the spot moves parts far from the axle faster than the wheels.
       const world::RobotBody& body = robot.body;
       const double axle = body.half_axle();
       const double reach = std::max({axle, 0.5 * std::hypot(body.length, body.width),
@@ -179,13 +179,14 @@ class Witness final : public simulation::Observer {
                                       std::abs(now.y) > 0.5 * world_.arena.width + 1e-3)) {
       seen = "is outside at (" + text(now.x) + ", " + text(now.y) + ")";
     }
-    if (!seen.empty() && told_.seen.empty()) {
-      told_.seen = what + (" " + std::to_string(index)) + " " + seen + " at " + text(time_s) + " s";
+    if (!seen.empty() && extreme_.seen.empty()) {
+      extreme_.seen =
+          what + (" " + std::to_string(index)) + " " + seen + " at " + text(time_s) + " s";
     }
   }
 
   const world::World& world_;
-  Extreme& told_;
+  Extreme& extreme_;
   double limit_;
   std::map<std::pair<std::string, std::size_t>, Vector3> last_;
 };
@@ -193,29 +194,29 @@ class Witness final : public simulation::Observer {
 }  // namespace
 
 Extreme run_extreme_world(std::uint64_t number, const plugin::Host& host) {
-  Extreme told;
+  Extreme extreme;
   std::optional<world::World> world;
   for (std::uint64_t attempt = 0; !world; ++attempt) {
-    told.text = Draw(number + (attempt << 32)).world();
+    extreme.text = Draw(number + (attempt << 32)).world();
     try {
-      world = world::parse_world(told.text, "extreme.xml", host);
+      world = world::parse_world(extreme.text, "extreme.xml", host);
     } catch (const world::WorldError&) {
-      // It does not fit, or is no world at all.
+      // The reader refuses it.
     }
   }
-  told.warned = !world::warnings(*world).empty();
+  extreme.warned = !world::warnings(*world).empty();
   world->limits.time = std::min(5.0, 1000.0 * world->physics.step);
   simulation::Simulation run(*world, host, {.seed = number});
-  Witness witness(run.world(), told);
+  Witness witness(run.world(), extreme);
   simulation::Observer* const observers[] = {&witness};
   try {
     const simulation::RunResult result = run.run(observers);
-    told.gave_up = result.solver.gave_up > 0;
+    extreme.gave_up = result.solver.gave_up > 0;
   } catch (const simulation::PhysicsFault& fault) {
-    told.fault = fault.what();
+    extreme.fault = fault.what();
   }
-  told.simulated_s = run.time_s();
-  return told;
+  extreme.simulated_s = run.time_s();
+  return extreme;
 }
 
 }  // namespace elsie::test

@@ -1,4 +1,4 @@
-// A folder for what a test writes.
+// A folder for files of a test.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace elsie::test {
 
-/// A folder of its own for each test; gone at the end.
+/// A new folder for each test, removed at the end.
 class Folder {
  public:
   Folder() {
@@ -31,7 +31,7 @@ class Folder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
   std::string file(const std::string& name) const { return (path_ / name).string(); }
-  /// How many files and folders are in it.
+  /// The number of files and folders in it.
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
   }

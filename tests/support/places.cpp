@@ -1,7 +1,7 @@
 #include "places.h"
 
-// The only source of the tests that knows absolute paths: the compiler's cache serves all others to
-// every checkout.
+// The only source of the tests with absolute paths: the compiler's cache serves all others to every
+// checkout.
 namespace elsie::test {
 
 std::string source_path(const std::string& file) {

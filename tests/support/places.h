@@ -1,4 +1,4 @@
-// Where the tests find the source tree and the build.
+// The paths of the source tree and the build, for tests.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace elsie::test {
 /// The path of a file in the source tree; "" is the tree itself.
 std::string source_path(const std::string& file);
 
-/// The path of a file in the build folder, for what a test writes.
+/// The path of a file in the build folder, for files of a test.
 std::string build_path(const std::string& file);
 
 /// The folder of the shipped plugins' libraries.

@@ -1,4 +1,4 @@
-// Running the command-line program as a user does.
+// Runs the command-line program as a user does.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ struct ProgramRun {
   std::string err;
 };
 
-/// A folder of its own for each test, with the shipped data beside it; gone at the end.
+/// A new folder for each test, with the shipped data next to it; removed at the end.
 class Workplace {
  public:
   Workplace();

@@ -1,4 +1,4 @@
-// A schema in a file, and xmllint to judge by it.
+// A schema in a file, with xmllint to check texts against it.
 #pragma once
 
 #include <cstdlib>
@@ -12,7 +12,7 @@ namespace elsie::test {
 
 class SchemaJudge {
  public:
-  /// `name`: what the file is called while the judge lives.
+  /// `name`: the file's name while the judge lives.
   SchemaJudge(const std::string& schema, const std::string& name) : schema_(build_path(name)) {
     std::ofstream(schema_) << schema;
   }

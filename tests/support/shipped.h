@@ -13,7 +13,7 @@
 
 namespace elsie::test {
 
-/// Where the shipped plugins are.
+/// The folder of the shipped plugins.
 inline std::vector<plugin::SearchDirectory> shipped_directory() {
   return {{plugin_directory(), "the build tree"}};
 }
@@ -21,8 +21,7 @@ inline std::vector<plugin::SearchDirectory> shipped_directory() {
 /// The host with all shipped plugins.
 const plugin::Host& shipped();
 
-/// Parameters as a world file would give them: fuzzy models and other files found in the source
-/// tree.
+/// Parameters as in a world file: fuzzy models and other files are found in the source tree.
 using Parameters = std::map<std::string, ParameterValue>;
 
 /// Makes a configured object of a shipped plugin.

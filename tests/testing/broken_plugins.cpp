@@ -17,7 +17,7 @@
 #include "elsie/api/remember.h"
 #include "elsie/api/sensor.h"
 
-// There under the address sanitizer, which would report what leaks here on purpose.
+// Exists with the address sanitizer, which would report the intended leaks.
 extern "C" __attribute__((weak)) void __lsan_ignore_object(const void* object);
 
 using elsie::MotorCommand;
@@ -26,7 +26,7 @@ using elsie::Response;
 
 namespace {
 
-/// Nothing is wrong with this one.
+/// A plugin without faults.
 class Sound final : public elsie::Behavior, public elsie::Remembers {
  public:
   double speed = 5.0;
@@ -57,7 +57,7 @@ class SharesStatic final : public elsie::Behavior {
 };
 ELSIE_BEHAVIOR(SharesStatic, "shares_static", "Counts in a static");
 
-/// Right as long as it is alone: each run begins anew.
+/// Correct alone: each run begins anew.
 class SharesQuietly final : public elsie::Behavior {
  public:
   void reset(elsie::Random&) override { last = 0.0; }
@@ -69,7 +69,7 @@ class SharesQuietly final : public elsie::Behavior {
 };
 ELSIE_BEHAVIOR(SharesQuietly, "shares_quietly", "Smooths in a static, which reset() clears");
 
-/// A board for messages that nobody sees in the world: robots tell each other where they are.
+/// A hidden channel between objects: robots tell each other where they are.
 class Board final : public elsie::Behavior {
  public:
   Response respond(const Perception& now) override {
@@ -84,7 +84,7 @@ class Board final : public elsie::Behavior {
 };
 ELSIE_BEHAVIOR(Board, "board", "Leaves messages in a static");
 
-/// The same among those who see each other.
+/// The same between robots that see each other.
 class Follower final : public elsie::Behavior {
  public:
   Response respond(const Perception& now) override {
@@ -320,7 +320,7 @@ class Lonely final : public elsie::Behavior {
 };
 ELSIE_BEHAVIOR(Lonely, "lonely", "Needs what no sensor makes", elsie::needs<RareReading>());
 
-/// Nothing but its words.
+/// A declaration without meanings.
 class Wordless final : public elsie::Behavior {
  public:
   double speed = 1.0;
@@ -431,7 +431,7 @@ class SharedNoise final : public elsie::SensorOf<Brightness> {
 };
 ELSIE_SENSOR(SharedNoise, "shared_noise", "Has one noise for all");
 
-/// Counts what it was shown, and is wrong in one way each.
+/// Counts the instants; its variants have one fault each.
 class Counting : public elsie::Measure {
  public:
   std::vector<elsie::Quantity> quantities() const override { return {{"", "", "instants"}}; }

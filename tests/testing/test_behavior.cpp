@@ -29,7 +29,7 @@ TEST_CASE("The same seed draws the same numbers, another one others") {
   CHECK(first(3) != first(4));
 }
 
-TEST_CASE("Before its first answer it is told what the robot has, and may refuse") {
+TEST_CASE("Before its first answer it is equipped for the robot, and may refuse") {
   Behavior follower("wall_follow");
   CHECK_THROWS_WITH(follower.respond(Situation().beam(0, 1)),
                     Catch::Contains("one that looks to the right"));
@@ -60,7 +60,7 @@ TEST_CASE("A sequence gives an answer for each instant") {
   CHECK_THAT(answers[5], raises("resource_in_view"));
 }
 
-TEST_CASE("One that takes over goes on with what the other one remembers, and its random stream") {
+TEST_CASE("A successor continues with what the other one remembers, and its random stream") {
   Behavior before("wander");
   before.reset(7);
   for (int i = 0; i < 50; ++i) {

@@ -21,7 +21,7 @@ const Plugins& broken() {
   return plugins;
 }
 
-// As the plugin "lonely" has it.
+// As in the plugin "lonely".
 struct RareReading {
   static constexpr const char* kind = "rare";
   double value = 0.0;
@@ -30,7 +30,7 @@ struct RareReading {
 struct Fault {
   PluginKind kind;
   const char* name;
-  const char* told;
+  const char* finding;
 };
 constexpr PluginKind kBehavior = PluginKind::behavior;
 constexpr PluginKind kCoordinator = PluginKind::coordinator;
@@ -88,13 +88,13 @@ const Fault kFaults[] = {
 
 }  // namespace
 
-TEST_CASE("The checker tells what is wrong with a plugin, once, and names it") {
+TEST_CASE("The checker reports the fault of a plugin, once, and names it") {
   for (const Fault& fault : kFaults) {
     CAPTURE(fault.name);
     const auto findings = check_plugin(fault.kind, fault.name, {}, broken());
     CAPTURE(findings);
     REQUIRE(findings.size() == 1);
-    CHECK_THAT(findings[0], Catch::Contains(fault.told));
+    CHECK_THAT(findings[0], Catch::Contains(fault.finding));
     CHECK_THAT(findings[0], Catch::Contains("'" + std::string(fault.name) + "': "));
   }
 }
@@ -113,7 +113,7 @@ TEST_CASE("Each plugin that is broken on purpose is in the list") {
   }
 }
 
-TEST_CASE("The checker has nothing to say against a sound plugin, whatever the seed") {
+TEST_CASE("The checker finds nothing in a sound plugin, whatever the seed") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     CheckOptions options;
     options.seed = seed;
@@ -129,9 +129,9 @@ TEST_CASE("Readings of a kind that no sensor makes can be handed to the checker"
   CHECK_THAT(check_plugin(kBehavior, "lonely", options, broken()), finds_nothing());
 }
 
-TEST_CASE("A robot that is handed to the checker is the one that is tried") {
+TEST_CASE("The checker tries the robot that it is given") {
   CheckOptions options;
-  options.robots = {testing::Situation().beam(0, 0.5)};  // wall_follow wants one aside, too
+  options.robots = {testing::Situation().beam(0, 0.5)};  // wall_follow also needs one to the side
   const auto refused = check_plugin(kBehavior, "wall_follow", options);
   REQUIRE(refused.size() == 1);
   CHECK_THAT(refused[0], Catch::Contains("refused every robot") &&

@@ -34,7 +34,7 @@ TEST_CASE("Members may follow a script; they perceive what the coordinator does"
   CHECK(commands[2].left == 0.2);
 }
 
-TEST_CASE("Ratings and sets of members are what the coordinator hears") {
+TEST_CASE("A coordinator gets the ratings and sets of the team's members") {
   Team team;
   team.member("picky", 1, MotorCommand{5, 5})
       .rating([](const MotorCommand& c) { return c.left > 0 ? 0.75 : 0.25; })

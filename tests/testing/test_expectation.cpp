@@ -12,7 +12,7 @@ Response answer(double left, double right) { return MotorCommand{left, right}; }
 
 }  // namespace
 
-TEST_CASE("Directions are told from the wheels") {
+TEST_CASE("Directions follow from the wheels") {
   struct {
     double left, right;
     bool turns_left, turns_right, straight, forward, backs, on_the_spot, stands;
@@ -59,12 +59,12 @@ TEST_CASE("Activation, strength, events, charging") {
   CHECK_THAT(r, commands(1, 2) || commands(1.05, 1, 0.1));
 }
 
-TEST_CASE("A bare command will do for an answer") {
+TEST_CASE("A bare command serves as an answer") {
   CHECK_THAT(Response(MotorCommand{1, 2}), turns_left());
   CHECK(turns_left().check(MotorCommand{1, 2}));
 }
 
-TEST_CASE("What is not met is told in a sentence") {
+TEST_CASE("An expectation that is not met gives a sentence") {
   Response r = active(0.5, {3, 2});
   r.events.push_back({"stuck"});
   const Verdict verdict = (turns_left() && !raises("freed")).check(r);

@@ -17,7 +17,7 @@ Trace two_steps() {
   return {{"left", "right"}, {{0.0, {1.0, 2.0}, ""}, {0.01, {3.0, -0.5}, "stuck,freed"}}};
 }
 
-/// A file of its own for each test, gone at the end; the variable that rewrites goldens is not set
+/// A new file for each test, removed at the end; the variable that rewrites golden files is not set
 /// meanwhile, whoever runs the tests with it.
 class File {
  public:
@@ -49,7 +49,7 @@ TEST_CASE("A trace is as in its file when it was written from it") {
   CHECK_THAT(two_steps(), equals_golden(file.path));
 }
 
-TEST_CASE("A difference is told with step, value and what was expected") {
+TEST_CASE("A difference is reported with step, value and expected value") {
   const File file(write_trace(two_steps()));
   Trace trace = two_steps();
   trace.rows[1].values[0] = 3.1;
@@ -86,7 +86,7 @@ TEST_CASE("Other columns, and more or fewer steps, are differences") {
              Catch::Contains("it has the columns left, rigth, expected left, right"));
 }
 
-TEST_CASE("A file that is not there, or is no golden trace, is told") {
+TEST_CASE("A missing file, or one that is no golden trace, is reported") {
   const File none;
   CHECK_THAT(
       compare_with_golden(two_steps(), none.path).sentence,

@@ -51,7 +51,7 @@ TEST_CASE("A copy of a scene is a scene of its own") {
   CHECK(other.observation().teams.size() == 3);
 }
 
-TEST_CASE("Shares inside of behaviours are seen to") {
+TEST_CASE("Shares inside of behaviours are computed") {
   Scene now;
   now.robot("r1").behaves("explore").behaves("explore/wander", "drift");
   now.behavior("r1", "explore").share = 0.5;
@@ -64,7 +64,7 @@ TEST_CASE("Shares inside of behaviours are seen to") {
   CHECK(robot.behavior("explore")->plugin == "explore");
 }
 
-TEST_CASE("What is not there is told in words") {
+TEST_CASE("Missing robots and behaviours are reported in sentences") {
   Scene now;
   CHECK_THROWS_WITH(now["r1"], "there is no robot 'r1' in the world; there is none");
   now.robot("r1").behaves("wander");
@@ -80,7 +80,7 @@ TEST_CASE("What is not there is told in words") {
                     Catch::Contains("did you mean 'robot'?"));
 }
 
-TEST_CASE("Of many robots not all are listed") {
+TEST_CASE("Of many robots only some are listed") {
   Scene now;
   for (int i = 1; i <= 20; ++i) {
     now.robot("r" + std::to_string(i));
@@ -88,7 +88,7 @@ TEST_CASE("Of many robots not all are listed") {
   CHECK_THROWS_WITH(now["x"], Catch::EndsWith("'r11', 'r12' and 8 more"));
 }
 
-TEST_CASE("What a world measures is read by its name") {
+TEST_CASE("A world's measures are read by name") {
   World world = World::from_text(R"(<world format="1">
     <robots><robot id="r1">
       <behaviors><wander/></behaviors>

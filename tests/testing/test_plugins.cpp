@@ -15,7 +15,7 @@ std::filesystem::path broken() {
 
 }  // namespace
 
-TEST_CASE("Plugins of the search path are found by name, and those of a library beside them") {
+TEST_CASE("Plugins of the search path are found by name, and those of a given library, too") {
   CHECK(Plugins::found().host().find(PluginKind::behavior, "wander"));
   CHECK_FALSE(Plugins::found().host().find(PluginKind::behavior, "sound"));
   const Plugins both{broken()};
@@ -30,7 +30,7 @@ TEST_CASE("A file that is no plugin library, or is not there, is refused with a 
   CHECK_THROWS_WITH(Plugins{test::source_path("README.md")}, Catch::Contains("README.md: "));
 }
 
-TEST_CASE("A wrong name is told with the nearest right one") {
+TEST_CASE("A wrong name is reported with the nearest right one") {
   CHECK_THROWS_WITH(testing::Behavior("wandr"), Catch::Contains("did you mean 'wander'?"));
   CHECK_THROWS_WITH(testing::Behavior("wander", {{"sped", 3}}),
                     Catch::Contains("did you mean 'speed'?"));
@@ -43,7 +43,7 @@ TEST_CASE("Whole numbers serve for real parameters, and for whole ones as they a
   CHECK_NOTHROW(testing::Behavior("keep_formation", {{"slot", 2}, {"formation", "column"}}));
 }
 
-TEST_CASE("Files are found in the data directories, defaults too; a missing one is told") {
+TEST_CASE("Files are found in the data directories, defaults too; a missing one is reported") {
   CHECK_NOTHROW(testing::Behavior("avoid_obstacle"));
   CHECK_NOTHROW(
       testing::Behavior("avoid_obstacle", {{"left_model", "fuzzy_models/turn_left_left.fcl"}}));
@@ -52,7 +52,7 @@ TEST_CASE("Files are found in the data directories, defaults too; a missing one 
                                     "there; looked in the working directory, "));
 }
 
-TEST_CASE("A required parameter that is missing is told") {
+TEST_CASE("A required parameter that is missing is reported") {
   testing::Team team;
   CHECK_THROWS_WITH(testing::Coordinator("fusion_context_blending", team),
                     Catch::Contains("its parameter 'model' has no default, and must be given"));

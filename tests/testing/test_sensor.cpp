@@ -30,7 +30,7 @@ TEST_CASE("Boxes and robots are seen as in a simulation") {
   CHECK_FALSE(proximity.sense<ProximityReading>(Surroundings().box(-0.3, 0)).detected);
 }
 
-TEST_CASE("Others are told by distance and bearing") {
+TEST_CASE("Other robots have distance and bearing") {
   Surroundings field;
   field.robot("far", 3, 0).robot("near", 0, 1, 90, true);
   const auto nearest = field.nearest_robot(5);
@@ -80,7 +80,7 @@ TEST_CASE("Readings of another kind are refused") {
       Catch::Contains("makes readings of the kind 'range'") && Catch::Contains("not 'proximity'"));
 }
 
-TEST_CASE("The numbers of a reading are told by name") {
+TEST_CASE("The numbers of a reading have names") {
   Sensor beam("beam_range");
   beam.update(Surroundings(), nullptr);
   const auto values = beam.values();

@@ -54,7 +54,7 @@ TEST_CASE("A blob comes with a picture that shows it") {
   CHECK(count == Approx(400).epsilon(0.05));
 }
 
-TEST_CASE("Mates are seen from where the robot is in the end") {
+TEST_CASE("Mates are seen from the robot's final position") {
   Situation now;
   now.leader(1, 2, 90).at(1, 0, 0).charger(3, 4).battery(0.1).charging().event("collision");
   const Perception seen = now.perception();
@@ -75,7 +75,7 @@ TEST_CASE("Wheel rates go with the speed") {
   CHECK(now.self.wheel_rates.right == Approx((0.2 + 0.045) / 0.02));
 }
 
-TEST_CASE("A copy of a situation is one of its own") {
+TEST_CASE("A copy of a situation is independent") {
   Situation one;
   one.beam(0, 0.5).mate("a", 1, 0);
   one.perception();

@@ -31,7 +31,7 @@ TEST_CASE("A small world runs in three lines") {
   CHECK(world.time_s() == Approx(2.0));
 }
 
-TEST_CASE("It runs until something is so") {
+TEST_CASE("It runs until a condition holds") {
   World world = World::from_text(kTowardsTheWall);
   CHECK(world.run_until([](const World& now) { return now.count("collision", "r1") > 0; }, 5));
   CHECK(world.pose("r1").x == Approx(0.95).margin(0.02));
@@ -61,7 +61,7 @@ TEST_CASE("A world of a file finds what it names") {
   CHECK_NOTHROW(world.step(5));
 }
 
-TEST_CASE("Wrong worlds, and wrong ids, are told") {
+TEST_CASE("Wrong worlds, and wrong ids, are reported") {
   CHECK_THROWS_WITH(World::from_text("<world format='1'><robts/></world>"),
                     Catch::Contains("did you mean '<robots>'?"));
   World world = World::from_text(kTowardsTheWall);

@@ -1,4 +1,4 @@
-// The test library without any test framework: main() tells what is wrong.
+// The test library without a test framework: main() prints failures.
 #include <cstdio>
 #include <vector>
 

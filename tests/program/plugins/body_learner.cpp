@@ -1,4 +1,4 @@
-// A coordinator that learns and takes a close look at its robot, for the tests of elsie train.
+// A coordinator that learns and records its robot's properties, for the tests of elsie train.
 #include <sstream>
 
 #include <elsie/api/coordinator.h>
@@ -8,7 +8,7 @@ namespace {
 
 using namespace elsie::neural;
 
-/// What it was equipped with is written into the weights.
+/// It writes what it was equipped with into the weights.
 class BodyLearner final : public elsie::Coordinator, public Trainable {
  public:
   void equipped(std::span<const elsie::Member> members, const elsie::Perception& example) override {

@@ -21,7 +21,7 @@
 
 namespace {
 
-/// What a test asks for happens while the library is loaded.
+/// A fault that a test selects happens while the library is loaded.
 [[maybe_unused]] const bool loaded = [] {
   const char* const wish = std::getenv("FAULTY_WHILE_LOADED");
   if (wish && std::string_view(wish) == "late") {
@@ -30,14 +30,14 @@ namespace {
   return wish && raise(SIGTERM) == 0;
 }();
 
-/// A function that the compiler cannot look into, so that the faults below stay.
+/// The compiler cannot see into this function, so that the faults below stay.
 template <class Value>
 Value hidden(Value value) {
   asm volatile("" : "+r"(value));
   return value;
 }
 
-/// Drives on for half a second; then it does what `Fault` does.
+/// Drives on for half a second, then executes `Fault`.
 template <class Fault>
 class Failing final : public elsie::Behavior {
  public:
@@ -60,7 +60,7 @@ struct Segfaults {
 };
 struct Divides {
   elsie::MotorCommand operator()() {
-    raise(SIGFPE);  // as 1 / 0 does on some processors, but not on all
+    raise(SIGFPE);  // 1 / 0 raises it on some processors only
     return {};
   }
 };
@@ -90,7 +90,7 @@ struct Overflows {
     return hidden(depth) > 0 ? deeper(depth + 1) + here[0] : 0.0;
   }
 };
-/// Says so, for whoever waits for it.
+/// Prints a line for tests that wait, then loops for ever.
 void loop() {
   constexpr std::string_view kText = "for ever\n";
   [[maybe_unused]] const ssize_t count = write(STDERR_FILENO, kText.data(), kText.size());
@@ -103,14 +103,14 @@ struct Loops {
     return {};
   }
 };
-/// Calls what is no code.
+/// Calls an address without code.
 struct CallsNowhere {
   elsie::MotorCommand operator()() {
     hidden(reinterpret_cast<void (*)()>(0x1234))();
     return {};
   }
 };
-/// Writes over the addresses that it and its callers would return to.
+/// Overwrites its own return address and those of its callers.
 struct SmashesStack {
   elsie::MotorCommand operator()() { return {smash(hidden(24)), 0}; }
   __attribute__((noinline)) static double smash(int words) {
@@ -122,7 +122,7 @@ struct SmashesStack {
     return static_cast<double>(here[1]);
   }
 };
-/// A thread of its own that crashes while the robot drives.
+/// A separate thread that crashes while the robot drives.
 struct CrashesElsewhere {
   elsie::MotorCommand operator()() {
     std::thread([] { *hidden<int*>(nullptr) = 1; }).join();
@@ -141,7 +141,7 @@ struct Leaks {
     return {10, 10};
   }
 };
-/// Allocates and frees in every call, and holds as much as ever.
+/// Allocates and frees in every call, with constant memory.
 struct Thrifty {
   elsie::MotorCommand operator()() {
     texts_.assign(20, std::string(100, 'x'));
@@ -150,7 +150,7 @@ struct Thrifty {
   std::vector<std::string> texts_;
 };
 
-/// One object is made when the library is read, and goes well.
+/// The first object, made when the library is read, works.
 int made = 0;
 class ThrowsWhenMade final : public elsie::Behavior {
  public:

@@ -1,4 +1,4 @@
-// Plugins that do to the process what no plugin should, after half a second, for the tests of the
+// Plugins that change their process after half a second, as no plugin should, for the tests of the
 // program: they end it, copy it, print, close its files, or change how it computes.
 #include <cfenv>
 #include <csignal>
@@ -23,7 +23,7 @@ std::string wish() {
   return text ? text : "";
 }
 
-/// What a test asks for happens while the library is loaded, whether a world uses it or not.
+/// A fault that a test selects happens while the library is loaded, whether a world uses it or not.
 [[maybe_unused]] const bool loaded = [] {
   if (wish() == "leave") {
     _exit(0);
@@ -36,14 +36,14 @@ std::string wish() {
   return true;
 }();
 
-/// A function that the compiler cannot look into, so that the faults below stay.
+/// The compiler cannot see into this function, so that the faults below stay.
 template <class Value>
 Value hidden(Value value) {
   asm volatile("" : "+r"(value));
   return value;
 }
 
-/// Drives on for half a second, does once what `Deed` does, and drives on.
+/// Drives on for half a second, executes `Deed` once, and drives on.
 template <class Deed>
 class Trespassing final : public elsie::Behavior {
  public:
@@ -95,13 +95,13 @@ struct LeavesElsewhere {
     std::thread([] { _exit(0); }).join();
   }
 };
-/// The run goes on, and reaches its goals, while the thread's crash is reported.
+/// The run continues, and reaches its goals, while the thread's crash is reported.
 struct CrashesBeside {
   void operator()() {
     std::thread([] { *hidden<int*>(nullptr) = 1; }).detach();
   }
 };
-/// Leaves a thread behind, which goes on when its code is gone.
+/// Leaves a thread behind, which runs after its code was unloaded.
 struct LeavesAThread {
   void operator()() {
     std::thread([] {
@@ -110,7 +110,7 @@ struct LeavesAThread {
     }).detach();
   }
 };
-/// A copy that crashes has nothing to do with the program.
+/// A copy that crashes does not concern the program.
 struct ForksAndCrashesThere {
   void operator()() {
     if (fork() == 0) {
@@ -144,7 +144,7 @@ struct WritesToABrokenPipe {
 struct Prints {
   void operator()() {
     std::printf("printed by printf\n");
-    std::cout << "printed by cout\n";  // not flushed: the program sees to that
+    std::cout << "printed by cout\n";  // not flushed: the program does that
     static_cast<void>(write(STDOUT_FILENO, "written\n", 8));
   }
 };
@@ -168,7 +168,7 @@ struct BlocksSignalsAndLoops {
 };
 struct CrashesInElsie {
   void operator()() {
-    // The heap is damaged here, and the damage is noticed elsewhere.
+    // The heap is damaged here, and the damage shows elsewhere.
     auto* const block = static_cast<char*>(std::malloc(64));
     for (int i = -16; i < 4096; ++i) {
       static_cast<volatile char*>(hidden(block))[i] = 0x41;
@@ -176,7 +176,7 @@ struct CrashesInElsie {
   }
 };
 
-/// One object is made when the library is read, and goes well.
+/// The first object, made when the library is read, works.
 int made = 0;
 class LeavesWhenMade final : public elsie::Behavior {
  public:
@@ -213,7 +213,7 @@ class LeavesWhenDestroyed final : public elsie::Behavior {
   bool asked_ = false;
 };
 
-/// From the first step on.
+/// Loops from the first step on.
 class LoopsAtOnce final : public elsie::Behavior {
  public:
   elsie::Response respond(const elsie::Perception&) override {
@@ -226,7 +226,7 @@ class LeavesAtOnce final : public elsie::Behavior {
  public:
   elsie::Response respond(const elsie::Perception&) override { _exit(0); }
 };
-/// Keeps something of every step, and does not free it.
+/// Allocates memory in every step and does not free it.
 class Hoards final : public elsie::Behavior {
  public:
   elsie::Response respond(const elsie::Perception&) override {
@@ -237,7 +237,7 @@ class Hoards final : public elsie::Behavior {
  private:
   std::vector<double*> kept_;
 };
-/// Wants everything at once.
+/// Allocates a large block at once.
 class Gulps final : public elsie::Behavior {
  public:
   elsie::Response respond(const elsie::Perception&) override {

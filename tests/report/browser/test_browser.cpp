@@ -1,5 +1,5 @@
-// The page in a browser: headless Chromium opens it from its file, at the width of a desk and of a
-// phone, in light and in dark.
+// The page in a browser: headless Chromium opens it from its file, at the width of a desktop and of
+// a phone, in light and dark mode.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -28,7 +28,7 @@ std::string content(const fs::path& file) {
   return text.str();
 }
 
-// A folder with a page, and a browser of its own to look at it.
+// A folder with a page, and a browser to view it.
 class Browser {
  public:
   explicit Browser(const std::string& html)
@@ -38,8 +38,8 @@ class Browser {
     std::ofstream(folder_ / "page.html", std::ios::binary) << html;
   }
 
-  // What check.js finds out. It is put into a copy of the page, before everything else, where the
-  // page's policy lets it run beside the page's own script.
+  // The findings of check.js. It is inserted at the beginning of a copy of the page, where the
+  // page's policy lets it run with the page's own script.
   json look(int width, const std::string& flags = "") {
     std::string html = content(folder_ / "page.html");
     const std::string policy = "script-src ";
@@ -73,14 +73,14 @@ class Browser {
     return json::parse(text);
   }
 
-  // A picture of it, kept in the build folder to be looked at.
+  // A screenshot, kept in the build folder for readers.
   fs::path shoot(const std::string& name, int width, int height, const std::string& flags = "") {
     run("page.html", width, height, "--screenshot=" + name + " " + flags);
     return folder_ / name;
   }
 
-  // Every address that the page has asked for, but for files. What the browser asks of its maker,
-  // for updates, has no page that began it.
+  // All addresses that the page has requested, except files. The browser's own requests, for
+  // updates, were not started by a page.
   std::vector<std::string> network() const {
     std::vector<std::string> asked;
     std::set<std::string> own;
@@ -118,11 +118,11 @@ class Browser {
     });
     return asked;
   }
-  // What it wrote to its console, and errors of its own.
+  // What it wrote to its console, and its own errors.
   std::string log() const { return content(folder_ / "log.txt"); }
 
  private:
-  // The page stands in a frame: a window of the browser is never narrower than 500 pixels.
+  // The page is in a frame, because a window of the browser is never narrower than 500 pixels.
   std::string run(const std::string& page, int width, int height, const std::string& flags) {
     std::ofstream(folder_ / "frame.html")
         << "<!doctype html><meta name=\"color-scheme\" content=\"light dark\"><body "
@@ -206,12 +206,12 @@ TEST_CASE("The page of a study, at a desk and on a phone, in light and in dark")
   CHECK(found["chosen"] == json({"2 2, fusion", "2 2 2 2, fusion"}));
   CHECK(found["chosenRows"] == 2);
 
-  // Nothing was asked of the network, and nothing complained.
+  // There were no requests to the network, and no complaints.
   CHECK(browser.log().find("CONSOLE") == std::string::npos);
   CHECK(browser.network() == std::vector<std::string>{});
 }
 
-TEST_CASE("A page that asked the network for something would be found out") {
+TEST_CASE("A page with a request to the network would be detected") {
   std::string html = Made(elsie::test::made_study(), questions()).html();
   const std::string policy = "img-src data:";
   html.replace(html.find(policy), policy.size(), "img-src *");
