@@ -5,7 +5,7 @@
 // Drives on, and backs away from what comes too near.
 class Shy final : public elsie::Behavior {
  public:
-  double comfort = 0.3;  // the default stands here, and only here
+  double comfort = 0.3;  // the default is set only here
   double speed = 10.0;
 
   elsie::Response respond(const elsie::Perception& now) override {

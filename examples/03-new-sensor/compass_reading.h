@@ -8,7 +8,7 @@ struct CompassReading {
   double heading_rad = 0.0;  // counter-clockwise from east, in (-pi, pi]
 
   template <class Visitor>
-  void visit(Visitor&& visitor) const {  // what recordings show of it
+  void visit(Visitor&& visitor) const {  // its values in recordings
     visitor("heading_rad", heading_rad);
   }
 };

@@ -5,7 +5,7 @@
 
 class @Class@ final : public elsie::Behavior {
  public:
-  // What a world file can set. The defaults stand here, and only here.
+  // Parameters of the world file. Their defaults are set only here.
   double speed = 10.0;
   double distance = 0.5;
 
@@ -14,19 +14,19 @@ class @Class@ final : public elsie::Behavior {
     for (const auto& beam : now.readings<elsie::RangeReading>()) {
       nearest = std::min(nearest, beam->distance_m);
     }
-    // Slower and slower, and still at half the distance.
+    // Slower with nearness; at half the distance it stands still.
     const double rate = speed * std::max(0.0, 2.0 * nearest / distance - 1.0);
     elsie::Response response = elsie::MotorCommand{rate, rate};
-    response.activation = 1.0 - nearest / distance;  // the nearer, the more it has to say
+    response.activation = 1.0 - nearest / distance;  // grows with nearness
     return response;
   }
 };
 
-ELSIE_BEHAVIOR(@Class@, "@name@", "Drives on, and stops before what is ahead",
+ELSIE_BEHAVIOR(@Class@, "@name@", "Drives on, and stops in front of obstacles",
                elsie::needs<elsie::RangeReading>(),
                elsie::parameter("speed", &@Class@::speed,
                                 {.unit = "rad/s", .min = 0, .max = 50,
                                  .meaning = "wheel rate when all is clear"}),
                elsie::parameter("distance", &@Class@::distance,
                                 {.unit = "m", .above = 0, .max = 100,
-                                 .meaning = "what is nearer than this slows it down"}));
+                                 .meaning = "it slows down for obstacles nearer than this"}));

@@ -3,14 +3,14 @@
 
 class @Class@ final : public elsie::Coordinator {
  public:
-  // What a world file can set. The default stands here, and only here.
+  // A parameter of the world file. Its default is set only here.
   double margin = 0.1;
 
   elsie::MotorCommand coordinate(std::span<elsie::Member> members,
                                  const elsie::Perception& /*now*/) override {
     std::size_t winner = winner_ < members.size() ? winner_ : 0;
     for (std::size_t i = 0; i < members.size(); ++i) {
-      // respond() runs the behaviour, once a step at most. Another one must be clearly more active
+      // respond() runs the behaviour at most once in a step. Another one must be clearly more active
       // than the one that drives now.
       if (members[i].respond().activation > members[winner].respond().activation + margin) {
         winner = i;

@@ -12,7 +12,7 @@ TEST_CASE("The most active behaviour drives") {
   CHECK(team.trace("calm").share == 0.0);
 }
 
-TEST_CASE("It does not change its mind for a little") {
+TEST_CASE("A small difference does not change the winner") {
   Team team;
   team.member("one", 1, active(0.5, {10, 10})).member("other", 1, active(0.55, {-5, 5}));
   Coordinator @name@("@name@", team, {{"margin", 0.1}});

@@ -3,13 +3,13 @@
 
 class @Class@ final : public elsie::Measure {
  public:
-  // What a world file can set. The defaults stand here, and only here.
+  // Parameters of the world file. Their defaults are set only here.
   std::string robot;
 
-  // Before the first run: is what the parameters name there?
+  // Called before the first run: throws if there is no such robot.
   void equipped(const elsie::Observation& start) override { start.robot(robot); }
 
-  // What it will report. An empty name: the value is called as the measure is.
+  // What it reports. A value with an empty name has the measure's name.
   std::vector<elsie::Quantity> quantities() const override {
     return {{"", "m", "largest distance from where the robot started"},
             {"at_s", "s", "when it was there"}};
@@ -32,7 +32,7 @@ class @Class@ final : public elsie::Measure {
     }
   }
 
-  // In the order of quantities(). What has no value is left out.
+  // In the order of quantities(). A value that is not set is missing.
   void report(const elsie::RunEnd&, std::span<std::optional<double>> values) const override {
     if (start_) {
       values[0] = farthest_;
@@ -48,4 +48,4 @@ class @Class@ final : public elsie::Measure {
 
 ELSIE_MEASURE(@Class@, "@name@", "How far a robot went from where it started",
               elsie::parameter("robot", &@Class@::robot,
-                               {.meaning = "which one", .required = true}));
+                               {.meaning = "id of the robot", .required = true}));

@@ -1,4 +1,4 @@
-// @name@: what it senses, in a sentence. And a behaviour that reads it, in the same library.
+// @name@: what it senses, in a sentence; and a behaviour that reads it, in the same library.
 #include <cmath>
 
 #include <elsie/api/behavior.h>
@@ -8,7 +8,7 @@
 
 class @Class@ final : public elsie::SensorOf<@Class@Reading> {
  public:
-  // What a world file can set. The defaults stand here, and only here.
+  // Parameters of the world file. Their defaults are set only here.
   double lamp_x = 0.0;
   double lamp_y = 0.0;
   double error = 0.0;
@@ -23,12 +23,12 @@ class @Class@ final : public elsie::SensorOf<@Class@Reading> {
 
 ELSIE_SENSOR(@Class@, "@name@", "Sees how bright a lamp is",
              elsie::parameter("lamp_x", &@Class@::lamp_x,
-                              {.unit = "m", .min = -1000, .max = 1000, .meaning = "where the lamp is"}),
+                              {.unit = "m", .min = -1000, .max = 1000, .meaning = "position of the lamp"}),
              elsie::parameter("lamp_y", &@Class@::lamp_y,
-                              {.unit = "m", .min = -1000, .max = 1000, .meaning = "where the lamp is"}),
+                              {.unit = "m", .min = -1000, .max = 1000, .meaning = "position of the lamp"}),
              elsie::parameter("error", &@Class@::error,
                               {.min = 0, .max = 1,
-                               .meaning = "standard deviation of its noise, as a part of what it sees"}));
+                               .meaning = "standard deviation of the noise, relative to the brightness"}));
 
 // Turns to the side that is brighter: Braitenberg's vehicle 2b.
 class Seek@Class@ final : public elsie::Behavior {
@@ -37,7 +37,7 @@ class Seek@Class@ final : public elsie::Behavior {
   double gain = 100.0;
 
   elsie::Response respond(const elsie::Perception& now) override {
-    double balance = 0.0;  // of the left against the right, in parts of the whole
+    double balance = 0.0;  // left minus right, as a part of the sum
     double sum = 1e-9;
     for (const auto& eye : now.readings<@Class@Reading>()) {
       balance += eye.azimuth_rad() > 0.0 ? eye->brightness : -eye->brightness;
@@ -50,7 +50,7 @@ class Seek@Class@ final : public elsie::Behavior {
 ELSIE_BEHAVIOR(Seek@Class@, "seek_@name@", "Turns to the side that is brighter",
                elsie::needs<@Class@Reading>(),
                elsie::parameter("speed", &Seek@Class@::speed,
-                                {.unit = "m/s", .min = 0, .max = 5, .meaning = "how fast it drives"}),
+                                {.unit = "m/s", .min = 0, .max = 5, .meaning = "speed"}),
                elsie::parameter("gain", &Seek@Class@::gain,
                                 {.unit = "rad/s", .min = 0, .max = 1000,
-                                 .meaning = "rate of turn if one side saw everything"}));
+                                 .meaning = "turn rate if only one side sees light"}));

@@ -1,4 +1,4 @@
-// What the sensor hands to behaviours: both sides include this header, and nothing else of each other.
+// The reading that the sensor gives to behaviours: this header is all that the two share.
 #pragma once
 
 struct @Class@Reading {
@@ -6,7 +6,7 @@ struct @Class@Reading {
   double brightness = 0.0;  // 1 at the lamp, less with the square of the distance
 
   template <class Visitor>
-  void visit(Visitor&& visitor) const {  // what recordings show of it
+  void visit(Visitor&& visitor) const {  // its values in recordings
     visitor("brightness", brightness);
   }
 };

@@ -72,7 +72,8 @@ class PlaceReached final : public elsie::Measure {
 
 ELSIE_MEASURE(
     PlaceReached, "place_reached", "When a robot came to a place, and how near it ever was",
-    elsie::parameter("robot", &PlaceReached::robot, {.meaning = "which one", .required = true}),
+    elsie::parameter("robot", &PlaceReached::robot,
+                     {.meaning = "id of the robot", .required = true}),
     elsie::parameter("x", &PlaceReached::x, {.unit = "m", .meaning = "the place, east"}),
     elsie::parameter("y", &PlaceReached::y, {.unit = "m", .meaning = "the place, north"}),
     elsie::parameter(
