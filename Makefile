@@ -14,7 +14,7 @@ dependencies:
 configure: dependencies
 	@cmake --preset $(PRESET) --log-level=WARNING
 
-# Builds what it runs, and runs the main job: a robot whose behaviours are blended by a network collects four resources.
+# Builds and runs the main example: a robot whose behaviours are blended by a network collects four resources.
 demo: configure
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	@mkdir -p out
@@ -25,7 +25,7 @@ demo: configure
 test: all
 	ctest --preset $(PRESET)
 
-# Installs what was built: docs/installing.md.
+# Installs the build: docs/installing.md.
 PREFIX ?= /usr/local
 install: configure
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins elsie_help
@@ -49,7 +49,7 @@ fuzz: configure
 	cmake --build --preset fuzz --target elsie_fuzzers
 	scripts/fuzz $(FUZZ_SECONDS) build/fuzz $(BUILD)
 
-# The same for a short while, with the build of `make sanitize`.
+# The same for a few seconds, with the build of `make sanitize`.
 fuzz-check: configure
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	@cmake --preset asan --log-level=WARNING
@@ -60,7 +60,7 @@ fuzz-check: configure
 bench: all
 	scripts/benchmark $(BUILD)
 
-# What the shipped worlds come to over 20 seeds: docs/shipped-worlds.md.
+# Results of the shipped worlds over 20 seeds: docs/shipped-worlds.md.
 figures: all
 	scripts/world-figures $(BUILD)
 
@@ -68,7 +68,7 @@ figures: all
 four-resources: all
 	scripts/coordination-figures $(BUILD)
 
-# The published experiments and the study of every coordinator: docs/experiments.md, docs/every-coordinator.md. Goes on where it was stopped.
+# The published experiments and the study of every coordinator: docs/experiments.md, docs/every-coordinator.md. Continues where it was stopped.
 tables: configure
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	scripts/tables $(BUILD)
@@ -96,7 +96,7 @@ tools:
 format: tools
 	git ls-files '*.cpp' '*.h' | xargs clang-format -i
 
-# clang-tidy reads the flags of a build that is set up for clang.
+# clang-tidy reads the flags of a build configured for clang.
 lint: tools dependencies
 	@cmake -S . -B build/lint -G Ninja -DCMAKE_CXX_COMPILER=clang++ --log-level=WARNING
 	git ls-files '*.cpp' '*.h' | xargs clang-format --dry-run -Werror

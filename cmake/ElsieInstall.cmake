@@ -1,5 +1,5 @@
-# `cmake --install`: program, library, plugins, headers, data, the CMake package, the manual page and shell completion. Nothing of it knows
-# its prefix. `cpack` makes a Debian package of the same.
+# `cmake --install`: program, library, plugins, headers, data, the CMake package, the manual page and shell completion. None of these knows
+# its prefix. `cpack` makes a Debian package of the same files.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS elsie RUNTIME)
@@ -7,7 +7,7 @@ install(TARGETS elsie_program RUNTIME DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie
 get_property(storeys GLOBAL PROPERTY ELSIE_STOREYS)
 install(TARGETS ${storeys} EXPORT elsie-targets LIBRARY)
 
-# The plugins as they lie in the build, so that a folder dropped into plugins/ is installed, too.
+# All plugins in the build folder, so that a folder dropped into plugins/ is installed, too.
 foreach(plugin IN LISTS ELSIE_SHIPPED_PLUGINS)
   install(TARGETS ${plugin} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie/plugins")
 endforeach()
@@ -15,7 +15,7 @@ endforeach()
 install(DIRECTORY experiments fuzzy_models robots templates training_sets worlds DESTINATION "${CMAKE_INSTALL_DATADIR}/elsie")
 install(DIRECTORY docs examples DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-# The pages name worlds and other data by `../worlds/`, as they lie in the source tree: links beside docs/ lead to the installed data.
+# The pages name worlds and other data by `../worlds/`, as in the source tree: links next to docs/ lead to the installed data.
 file(RELATIVE_PATH data "${CMAKE_INSTALL_FULL_DOCDIR}" "${CMAKE_INSTALL_FULL_DATADIR}/elsie")
 file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/doc-links")
 foreach(folder IN ITEMS experiments fuzzy_models robots training_sets worlds)
@@ -35,7 +35,7 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/package/elsie-config.cmake"
         DESTINATION "${package}")
 install(EXPORT elsie-targets NAMESPACE elsie:: DESTINATION "${package}")
 
-# What the program says of itself, from one source: its own description of its subcommands and options.
+# Manual page and completion, from the program's own description of its subcommands and options.
 set(help "${CMAKE_CURRENT_BINARY_DIR}/help")
 file(MAKE_DIRECTORY "${help}")
 add_custom_command(
@@ -64,7 +64,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/lib")
-# Cameras draw through EGL, in software where there is no graphics card.
+# Cameras draw through EGL, in software without a graphics card.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake, catch2")
 include(CPack)

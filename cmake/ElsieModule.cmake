@@ -1,7 +1,7 @@
 # elsie_module(NAME SOURCES file... [USES module...] [LIBRARIES target...])
 #
-# One module. Its public headers lie in include/elsie/NAME/. It sees the headers of the modules that it names under USES, and of theirs, and no
-# others: this is what keeps the layers of docs/architecture.md apart.
+# Adds a module. Its public headers are in include/elsie/NAME/. It sees the headers of the modules under USES, and of theirs, and no
+# others, which separates the layers of docs/architecture.md.
 function(elsie_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;USES;LIBRARIES")
   add_library(elsie_module_${name} OBJECT ${arg_SOURCES})
@@ -20,8 +20,8 @@ endfunction()
 
 # elsie_library(NAME FILE file-name MODULES module... [USES library...])
 #
-# A storey of docs/architecture.md: a shared library of some modules, elsie::NAME, that links to the storeys it names under USES and to what its
-# modules need, and to nothing else: a symbol of any other storey is an error of the linker.
+# Adds a storey of docs/architecture.md: a shared library of some modules, elsie::NAME, that links to the storeys under USES and to what its
+# modules need, and to nothing else: the linker refuses symbols of other storeys.
 function(elsie_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "FILE" "MODULES;USES")
   add_library(elsie_${name} SHARED)
@@ -37,7 +37,7 @@ function(elsie_library name)
     if(libraries)
       target_link_libraries(elsie_${name} PRIVATE ${libraries})
     endif()
-    # The headers lie where they will when installed, so that plugins can be compiled against the build folder, too.
+    # The headers have the same place as when installed, so that plugins can be compiled against the build folder, too.
     file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/include/elsie")
     file(CREATE_LINK "${folder}/include/elsie/${module}" "${CMAKE_BINARY_DIR}/include/elsie/${module}" SYMBOLIC)
   endforeach()

@@ -5,8 +5,8 @@
 # - -Wl,--as-needed: a plugin loads the storeys that it uses, and no others;
 # - -Wl,--no-undefined: a missing symbol is found when the plugin is linked, not when it is loaded;
 # - -fno-gnu-unique: an inline static in a template would keep the library loaded for ever;
-# - -O2 -g1, where the user has set neither a build type nor such flags: fast, and crash reports name lines;
-# - in projects outside of Elsie, warnings of methods that look as if they should override one of a base class and do not.
+# - -O2 -g1, unless the user sets a build type or such flags: fast, and crash reports name lines;
+# - in projects outside of Elsie, warnings about methods that almost override one of a base class.
 function(elsie_add_plugin name)
   if(NOT ARGN)
     message(FATAL_ERROR "elsie_add_plugin(${name}) names no source; write elsie_add_plugin(${name} ${name}.cpp)")
@@ -26,7 +26,7 @@ function(elsie_add_plugin name)
   if(ELSIE_PLUGIN_OUTPUT_DIRECTORY)
     set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${ELSIE_PLUGIN_OUTPUT_DIRECTORY}")
   endif()
-  # Bit-identical runs: no fused multiply-add that one compiler makes and another does not.
+  # Bit-identical runs: no fused multiply-add, which compilers use differently.
   target_compile_options(${name} PRIVATE -ffp-contract=off)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${name} PRIVATE -fno-gnu-unique)
@@ -51,8 +51,8 @@ endfunction()
 # elsie_add_plugin_test(NAME source... [PLUGINS plugin...])
 #
 # A test program test_NAME with the test library, and with Catch2 if it was found (find_package() comes first), as a test of this name. It finds the
-# plugins that are named, or else those that are built into the same folder, before those that are installed; and it runs in the source
-# folder, so that worlds and golden traces are found by their names.
+# plugins that are named, or else those built into the same folder, before installed ones; and it runs in the source
+# folder, so that it finds worlds and golden traces by their names.
 function(elsie_add_plugin_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PLUGINS")
   if(NOT TARGET elsie::testing)
@@ -70,14 +70,14 @@ function(elsie_add_plugin_test name)
     list(TRANSFORM arg_PLUGINS REPLACE "(.+)" "$<TARGET_FILE_DIR:\\1>" OUTPUT_VARIABLE folders)
   endif()
   list(TRANSFORM folders PREPEND "ELSIE_PLUGIN_PATH=path_list_prepend:")
-  # The same bits on every x86-64 processor, as bin/elsie has them.
+  # The same bits on every x86-64 processor, as in bin/elsie.
   list(APPEND folders "GLIBC_TUNABLES=set:glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-FMA4")
   set_tests_properties(${name} PROPERTIES ENVIRONMENT_MODIFICATION "${folders}")
 endfunction()
 
 # elsie_add_world_test(WORLD.xml)
 #
-# A test that runs a world of this folder with the plugins that are built here: it must reach its goals.
+# Adds a test that runs a world of this folder with the plugins built here; it must reach its goals.
 function(elsie_add_world_test world)
   if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${world}")
     message(FATAL_ERROR "elsie_add_world_test(${world}): there is no such file in ${CMAKE_CURRENT_SOURCE_DIR}")

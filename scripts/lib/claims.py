@@ -1,4 +1,4 @@
-"""Holds the prose of a page against the figures that it tells: a page that says something else than the databases is found."""
+"""Compares the figures in a page's prose with the databases, and reports differences."""
 import re
 
 UNITS = ["none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen", "fourteen", "fifteen",
@@ -30,13 +30,13 @@ def quarters(value):
 
 
 def about(value, expected, tolerance):
-    """Whether a value is what a round figure in the prose says."""
+    """Whether a value agrees with a round figure in the prose."""
     return abs(value - expected) <= tolerance
 
 
 class Claim:
-    """What a page says in its prose. The sentence has {} for each of the values, which are computed; they stand in the page as they are
-    formatted here, so that the rounding is the tolerance. What has no figure holds or does not."""
+    """A statement of a page's prose. The sentence has {} for each of the computed values; the page has them as they are
+    formatted here, so that the rounding is the tolerance. A statement without figures is true or false."""
 
     def __init__(self, page, sentence, *values, holds=True):
         self.page, self.holds = page, holds
@@ -44,13 +44,13 @@ class Claim:
 
 
 def prose(text):
-    """A page without what is generated, each blank and line's end one blank."""
+    """A page without its generated parts, with one blank for each space."""
     text = re.sub(r"<!-- (?P<name>[^>]*) -->\n.*?<!-- end of (?P=name) -->\n", "", text, flags=re.S)
     return " ".join(text.split())
 
 
 def problems(pages, claims):
-    """What is wrong, a sentence each. pages: the text of each by its name."""
+    """The differences as sentences. pages: the text of each by its name."""
     told = {name: prose(text) for name, text in pages.items()}
     found = []
     for claim in claims:

@@ -1,4 +1,4 @@
-"""The four conclusions of the original: confirmed in our set-up, refuted, or not decided by these runs, with figures."""
+"""The four conclusions of the original with figures: confirmed in our set-up, refuted, or not decided by these runs."""
 from statistics import mean
 
 from pairs import both_succeed, difference_of_rates, interval, mean_with_interval, path_m, ratios, seconds_per_metre, wilson
@@ -15,7 +15,7 @@ def cases(every):
     return runs
 
 
-# What is known to differ from the original's runs, and may matter. A case without an entry is set up as the original's was.
+# Known differences from the original's runs that may matter. Cases without an entry have the original's set-up.
 MODELS = "other models of avoid_obstacle"
 PERIOD = "a decision every 0.01 s instead of 0.1 s"
 LAYOUT = "a layout of our own"
@@ -24,7 +24,7 @@ DIFFERENCES = {**{f"case {k}": (PERIOD, MODELS) for k in (1, 2, 3, 4)},
 
 
 def decide(evidence):
-    """What the evidence says about a statement: {case: True, False, or None where it is not clear}. The rule stands in docs/experiments.md."""
+    """The evidence for a statement: {case: True, False, or None if it is unclear}. The rule is in docs/experiments.md."""
     if evidence and all(value is True for value in evidence.values()):
         return "confirmed in our set-up"
     if any(value is False and not DIFFERENCES.get(case) for case, value in evidence.items()):
@@ -37,14 +37,14 @@ def verdict(word):
 
 
 def first_and_second(first, second):
-    """Of a conclusion of two halves."""
+    """The verdict on a conclusion with two halves."""
     if first == second:
         return verdict(first)
     return f"**The first half is {first}, the second {second}.**"
 
 
 def against(evidence):
-    """The cases that say otherwise, and what keeps them from refuting the statement."""
+    """The contrary cases, and why they do not refute the statement."""
     cases_ = [case for case, value in evidence.items() if value is False]
     if not cases_ or decide(evidence) != "not decided by these runs":
         return ""
@@ -59,7 +59,7 @@ def below(ends, limit):
 
 
 def pair_row(name, fusion, arbitration):
-    """What the two come to where both succeed; nothing where they never do."""
+    """The values of the two where both succeed; empty if they never do."""
     pairs = both_succeed(fusion, arbitration)
     seconds = [f"{mean(seconds_per_metre(pair[k]) for pair in pairs):.2f}" if pairs else "-" for k in (1, 0)]
     return [name, len(pairs), mean_with_interval(ratios(fusion, arbitration, path_m), 3), *seconds,

@@ -1,4 +1,4 @@
-"""Compares runs of the same seed: what both have from the seed does not count as a difference, nor as uncertainty."""
+"""Compares runs of the same seed: their common effect of the seed counts neither as a difference nor as uncertainty."""
 import math
 import random
 import struct
@@ -15,7 +15,7 @@ def both_succeed(first, second):
 
 
 def ratios(first, second, figure):
-    """The figure of the first as a part of that of the second, for each seed with which both succeed."""
+    """The ratio of the first one's figure to that of the second, for each seed with which both succeed."""
     return [figure(a) / figure(b) for a, b in both_succeed(first, second)]
 
 
@@ -29,7 +29,7 @@ def interval(values):
 
 
 def wilson(hits, trials):
-    """The 95 % interval of a rate: Wilson (1927). Without a trial it may be any."""
+    """The 95 % interval of a rate: Wilson (1927). Without trials, from 0 to 1."""
     if trials == 0:
         return 0.0, 1.0
     z, rate = 1.959964, hits / trials
@@ -39,7 +39,7 @@ def wilson(hits, trials):
 
 
 def difference_of_rates(hits, trials, other_hits, other_trials):
-    """The 95 % interval of a rate less another one: Newcombe's method 10 (1998). Where one has no trial it may be any."""
+    """The 95 % interval of a rate less another one: Newcombe's method 10 (1998). Without trials of one, from -1 to 1."""
     if trials == 0 or other_trials == 0:
         return -1.0, 1.0
     p, q = hits / trials, other_hits / other_trials
@@ -52,7 +52,7 @@ def mean_of(values):
 
 
 def mean_with_interval(values, digits):
-    """"0.74 (0.72 to 0.76)"; the mean alone when the interval's ends are the same in so many digits, "-" for no values."""
+    """"0.74 (0.72 to 0.76)"; the mean alone if the interval's ends are equal in these digits, "-" without values."""
     if not values:
         return "-"
     ends = [f"{end:.{digits}f}" for end in interval(values)]
@@ -66,7 +66,7 @@ def single(value):
 
 
 def sum_of_steps(step, count):
-    """What adding up a step of single precision comes to, in single precision."""
+    """The sum of steps of single precision, in single precision."""
     time = 0.0
     for _ in range(count):
         time = single(time + single(step))

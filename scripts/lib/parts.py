@@ -11,7 +11,7 @@ CASES_5_AND_6 = [("5", "one_obstacle"), ("6", "two_obstacles"), ("6, staggered",
 NETWORKS = [("arbiter_neural_network", "arbitration"), ("fusion_neural_network", "fusion")]
 LAYOUTS = {"one_obstacle": "one obstacle", "two_obstacles": "two, side by side", "two_obstacles_staggered": "two, one after the other"}
 
-# The original's figures: metres, seconds, outcome. Means of five repetitions, of which no spread was printed.
+# The original's figures: metres, seconds, outcome. Means of five repetitions, printed without a spread.
 ORIGINAL = {
     ("1", "arbitration"): (64.79, 170.50, "success"), ("1", "fusion"): (32.98, 293.70, "success"),
     ("2", "arbitration"): (72.57, 189.00, "success"), ("2", "fusion"): (32.87, 170.40, "success"),
@@ -21,7 +21,7 @@ ORIGINAL = {
     ("6", "arbitration"): (34.26, 89.60, "success"), ("6", "fusion"): (26.40, 155.70, "success"),
     ("7", "arbitration"): (285.22, 998.40, "success"), ("7", "fusion"): (134.13, 1111.57, "success"),
 }
-# How many steps these times are, in single precision: what the six digits after their points give away.
+# The number of steps in these times, in single precision, which their six decimals reveal.
 ORIGINAL_STEPS = {("5", "arbitration"): 153, ("5", "fusion"): 510, ("6", "arbitration"): 896, ("6", "fusion"): 1557}
 ORIGINAL_STEP_S = 0.1
 ORIGINAL_ERRORS = {
@@ -31,7 +31,7 @@ ORIGINAL_ERRORS = {
 
 
 def comparison(cells):
-    """Ours beside the original's: cells are (case, description, scheme, runs)."""
+    """Our figures next to the original's: cells are (case, description, scheme, runs)."""
     rows = []
     for case, what, scheme, runs in cells:
         original = ORIGINAL.get((case.split(",")[0], scheme))
@@ -50,7 +50,7 @@ def cases_1_to_4(results):
 def training(results):
     rows = []
     for k, hidden in enumerate(LAYERS):
-        # Both schemes train the same network from the same seed: the training does not know what it is for.
+        # Both schemes train the same network from the same seed.
         both = {scheme: [run.error() for run in results.of(coordinator=scheme, layers=hidden)] for scheme in SCHEMES}
         assert both["arbitration"] == both["fusion"]
         runs = results.of(coordinator="fusion", layers=hidden)
@@ -99,7 +99,7 @@ def backing_off(results):
 
 
 def beside_the_cases(results, others, factor, levels):
-    """The cases with one thing changed. others: the runs of the cases themselves, which stand in the first column."""
+    """The cases with one change. others: the runs of the unchanged cases, for the first column."""
     rows = []
     for case, world in [("2", "four_resources"), *CASES_5_AND_6, ("7", "clutter")]:
         if world not in results.levels("world"):
@@ -149,7 +149,7 @@ def groups(results):
 
 
 def builds(every, commits):
-    """Which runs are of which build: a build is its library's hash. commits: that of each database, by name; where it is not known, it lacks."""
+    """The runs of each build, identified by its library's hash. commits: those of the databases, by name, if known."""
     runs = sum(len(results.runs) for results in every.values())
     found = {}
     for name, results in every.items():
@@ -167,7 +167,7 @@ def provenance(every, commits):
 
 
 def cell_of(runs):
-    """A cell of a table in few words; without a rate when all its runs are the same, bit for bit."""
+    """A cell of a table in a few words; without a rate if all its runs are the same, bit for bit."""
     won = successes(runs)
     figures = f"{short_spread((run.path_m for run in won), 2)} m, {short_spread((run.time_s for run in won), 1)} s" if won else "-"
     if same(runs):

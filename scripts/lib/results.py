@@ -1,4 +1,4 @@
-"""Reads databases of results of elsie batch (docs/results-database.md), and says what came of them in few words."""
+"""Reads databases of results of elsie batch (docs/results-database.md), and summarizes them in a few words."""
 import json
 import re
 import sqlite3
@@ -33,7 +33,7 @@ class Run:
 
 
 class Results:
-    """The runs of an experiment that ended by themselves."""
+    """The runs of an experiment that are done."""
 
     def __init__(self, file):
         if not file.exists():

@@ -1,4 +1,4 @@
-"""What docs/experiments.md and docs/every-coordinator.md say in figures outside of what is generated, computed from the databases."""
+"""The figures in the prose of docs/experiments.md and docs/every-coordinator.md, computed from the databases."""
 import math
 import re
 import xml.etree.ElementTree
@@ -29,13 +29,13 @@ def none_succeeds(runs):
 
 
 def plateau_outputs(runs):
-    """What networks on a plateau answer to everything, in the mean over the networks."""
+    """The constant answers of networks on a plateau, in the mean over the networks."""
     found = [re.search(r"whatever the input, \((\S+), (\S+)\)", note) for run in runs for note in run.notes]
     return [mean(float(match.group(k)) for match in found if match) for k in (1, 2)]
 
 
 def shortest_tour(results):
-    """From the origin to the corners of the square that the resources are."""
+    """The distance from the origin to the corners of the square of the resources."""
     resources = xml.etree.ElementTree.fromstring(results.world(results.runs[0])).iter("resource")
     corners = [(float(e.get("x")), float(e.get("y"))) for e in resources]
     side = min(math.dist(corners[0], corner) for corner in corners[1:])

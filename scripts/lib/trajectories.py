@@ -1,9 +1,9 @@
-"""Draws robots' ways over one world as SVG, a panel for each, so that ways which are nearly the same can be told apart."""
+"""Draws robots' ways over one world as SVG, with a panel for each, so that similar ways can be distinguished."""
 import math
 import xml.etree.ElementTree
 from html import escape
 
-# Okabe and Ito (2008): colours that are told apart with any colour vision. What came of it is told in words, too.
+# Okabe and Ito (2008): colours that can be distinguished with any colour vision. Results are also given in words.
 SUCCESS, FAILURE = "#0072b2", "#d55e00"
 OBSTACLE, RESOURCE, BORDER = "#a89c90", "#2e9e50", "#c8c8c8"
 MARGIN = 0.5  # around resources and ways, m
@@ -16,7 +16,7 @@ def number(element, name, default):
 
 
 def corners(element):
-    """Of a box that is turned, m."""
+    """The extent of a turned box, m."""
     x, y, angle = number(element, "x", 0), number(element, "y", 0), math.radians(number(element, "heading_deg", 0))
     for along, across in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
         a, b = along * number(element, "length", 0.2) / 2, across * number(element, "width", 0.2) / 2
@@ -33,7 +33,7 @@ def thin_out(poses):
 
 
 class View:
-    """From metres to pixels: y upwards in the world, downwards on the page."""
+    """Maps metres to pixels: y goes up in the world, down on the page."""
 
     def __init__(self, things, ways, width):
         xs = [number(e, "x", 0) for e in things] + [pose[0] for _, _, poses in ways for pose in poses]
@@ -53,7 +53,7 @@ class View:
         return f'<circle cx="{cx}" cy="{cy}" r="5" fill="{fill}" stroke="{stroke}" stroke-width="2"/>'
 
     def bar(self):
-        """A metre long, in the lower right corner."""
+        """A bar of one metre in the lower right corner."""
         right, y = self.width - 8, self.height - 8
         return (f'<path d="M {right - self.scale:.1f} {y - 4:.1f} v 4 h {self.scale:.1f} v -4" fill="none" stroke="#444444"/>'
                 f'<text x="{right - self.scale / 2:.1f}" y="{y - 4:.1f}" text-anchor="middle" font-size="11" fill="#444444">1 m</text>')
@@ -84,7 +84,7 @@ def draw(world_text, ways, file, columns=2, width=440):
         x, y = GAP + k % columns * (width + GAP), GAP + k // columns * row
         out.append(f'<text x="{x}" y="{y + TITLE - 8:.1f}">{escape(label)}{"" if success else ": not all collected"}</text>')
         out.append(f'<rect x="{x}" y="{y + TITLE:.1f}" width="{width}" height="{view.height:.1f}" fill="none" stroke="{BORDER}"/>')
-        # What is beyond an inner svg's borders is not drawn.
+        # An inner svg clips what is beyond its borders.
         out.append(f'<svg x="{x}" y="{y + TITLE:.1f}" width="{width}" height="{view.height:.1f}">')
         out += panel(view, things, success, poses) + ([view.bar()] if k == 0 else [])
         out.append("</svg>")

@@ -4,7 +4,7 @@ import sqlite3
 
 
 class MadeUp:
-    """Rows go in as they are told; close() before it is read."""
+    """Inserts the given rows; call close() before reading."""
 
     def __init__(self, file, schema, factors=("world", "coordinator")):
         self.database = sqlite3.connect(file)

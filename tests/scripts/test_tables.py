@@ -48,7 +48,7 @@ class WithFolder(unittest.TestCase):
         return read
 
     def told(self, action):
-        """The sentence with which it gives up."""
+        """The sentence of its error."""
         with self.assertRaises(SystemExit) as ended:
             action()
         self.assertIsInstance(ended.exception.code, str)
@@ -101,7 +101,7 @@ class Figures(unittest.TestCase):
         self.assertLess(low, sum(values) / len(values))
         self.assertLess(sum(values) / len(values), high)
         self.assertLess(high, 1.3)
-        # Nearly what the normal distribution gives: mean +- 1.96 s / sqrt(n), s with n below the line.
+        # Nearly the normal distribution's interval: mean +- 1.96 s / sqrt(n), s with divisor n.
         self.assertAlmostEqual(high - low, 2 * 1.96 * 0.170 / 8 ** 0.5, delta=0.03)
         self.assertEqual(pairs.interval(values), (low, high))
         self.assertEqual(pairs.interval([2.0, 2.0]), (2.0, 2.0))
@@ -337,7 +337,7 @@ class Prose(unittest.TestCase):
         self.assertIn("does not say", self.found(claims.Claim("page.md", "Arbitration never fails."))[0])
 
     def test_every_sentence_that_is_checked_stands_on_its_page(self):
-        """With whatever figures: these need the databases."""
+        """With any figures, because the true ones need the databases."""
         pages = {"EXPERIMENTS": "experiments.md", "COORDINATORS": "every-coordinator.md"}
         text = {name: claims.prose((SOURCE / "docs" / page).read_text()) for name, page in pages.items()}
         tree = ast.parse((SOURCE / "scripts" / "lib" / "statements.py").read_text())
