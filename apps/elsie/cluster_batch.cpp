@@ -263,7 +263,7 @@ class ClusterBatch {
 /// The folder of the shards: a new one or, with --resume, the existing one.
 ShardFolder folder_of(const BatchOptions& options, const fs::path& file, const Plan& plan,
                       bool& made) {
-  made = !(options.resume && fs::exists(ShardFolder::beside(file)));
+  made = !(options.resume && fs::exists(ShardFolder::path_for(file)));
   if (made) {
     const auto runs = static_cast<std::size_t>(plan.all_runs);
     const std::size_t shards = std::min(options.shards.value_or(kDefaultShards), runs);
@@ -285,7 +285,7 @@ int already_there(const BatchOptions& options, const fs::path& file, const Plan&
                    "' has runs to be done, and is of no cluster; continue it without --cluster");
   }
   std::error_code error;
-  if (fs::exists(ShardFolder::beside(file), error)) {
+  if (fs::exists(ShardFolder::path_for(file), error)) {
     ShardFolder::open(file, plan).remove();
   }
   BatchReport report(plan, database, resume_command(options, file));

@@ -109,7 +109,7 @@ bool compare(const StoredRun& run, const RunResult& result, const RestoredRun& r
     out() << kNot << "it ended by itself, " << hash << '\n';
   }
   if (!restored.differences().empty()) {
-    out() << "what differs from what it was done with then may be why\n";
+    out() << "the differences from the original run, listed above, may be the reason\n";
   }
   return false;
 }

@@ -1,9 +1,9 @@
 // elsie: the program as its users start it.
 //
-// The work is done by another process, lib/elsie/elsie-program, because plugins run in it: a plugin
-// can end its process in ways that nobody in it can prevent, and must not decide what a script or a
-// CI server reads from the exit code. The exit code of this process is that which the program has
-// sent over a pipe before it ended; a program that ends without that has failed.
+// Another process, lib/elsie/elsie-program, does the work, because plugins run in it: a plugin can
+// end its process in ways that no code in it can prevent, and must not decide the exit code that a
+// script or a CI server reads. This process returns the exit code that the program sends over a
+// pipe before it ends; a program that ends without sending one has failed.
 //
 // The program also gets an environment in which floating-point functions give the same bits on all
 // x86-64 processors: see arithmetic.h.
@@ -29,7 +29,7 @@ namespace {
 constexpr int kPluginFailed = 3;
 constexpr int kOtherFailure = 4;
 
-/// Ends this process by the signal that has ended the child.
+/// Ends this process by the signal that ended the child.
 [[noreturn]] void end_by(int signal) {
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);  // the child's is enough
@@ -42,7 +42,7 @@ constexpr int kOtherFailure = 4;
   _exit(128 + signal);
 }
 
-/// For a child that ended without saying so.
+/// The exit code and message for a child that ended without announcing its exit code.
 int failed(const elsie::supervisor::End& end) {
   if (end.was_killed) {
     std::cerr << "elsie: the program did not end although it was asked twice, and was killed; a "
@@ -61,7 +61,7 @@ int failed(const elsie::supervisor::End& end) {
                             "of signals\n");
     end_by(signal);
   }
-  constexpr int kNotStarted = 127;  // as a shell has it; the system's loader has said why
+  constexpr int kNotStarted = 127;  // as in a shell; the system's loader has reported the reason
   if (WEXITSTATUS(end.status) == kNotStarted) {
     std::cerr << "elsie: the program could not be started, or a plugin has ended it with exit code "
                  "127\n";
@@ -70,7 +70,7 @@ int failed(const elsie::supervisor::End& end) {
   std::cerr << "elsie: the program was ended before its work was done, with exit code "
             << WEXITSTATUS(end.status)
             << ": a plugin has ended it by a system call, or has closed the files that it "
-               "needs; the results are not whole\n";
+               "needs; the results are incomplete\n";
   return kPluginFailed;
 }
 
@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
   supervisor::fix_arithmetic();
   const bool one_process = argc > 1 && std::strcmp(argv[1], supervisor::kOneProcess) == 0;
   char** const arguments = one_process ? argv + 1 : argv;
-  // The program learns by its name where it was started from: batches on a cluster start it again.
+  // The program learns its path by this name: batches on a cluster start it again.
   std::string name = self.string();
   arguments[0] = name.data();
   if (one_process) {

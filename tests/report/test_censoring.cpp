@@ -213,9 +213,10 @@ TEST_CASE("A difference below 0 is given as less") {
   expectation.relation = Relation::difference;
   expectation.reference = {{"scheme", "a"}};
   expectation.at_most = -0.2;
-  CHECK(judged(made_up, expectation).sentence ==
-        "mean path_length_m of b is 0.5 m less than that of a (4.5 m, 3 runs, beside 5 m, 3 runs), "
-        "expected at least 0.2 m less than in the cell with scheme a");
+  CHECK(
+      judged(made_up, expectation).sentence ==
+      "mean path_length_m of b is 0.5 m less than that of a (4.5 m, 3 runs, against 5 m, 3 runs), "
+      "expected at least 0.2 m less than in the cell with scheme a");
   expectation.at_least = -0.8;
   expectation.at_most = 0.1;
   expectation.tolerance = 0.05;

@@ -256,7 +256,7 @@ TEST_CASE("Cells relative to each other") {
   REQUIRE(verdict.claims.size() == 1);  // the reference is not compared with itself
   CHECK(verdict.claims[0].cell == 1);
   CHECK(verdict.claims[0].sentence ==
-        "mean path_length_m of b is 0.51562 times that of a (33 m, 3 runs, beside 64 m, 3 runs), "
+        "mean path_length_m of b is 0.51562 times that of a (33 m, 3 runs, against 64 m, 3 runs), "
         "expected at most 0.6 times that of the cell with scheme a");
   SECTION("with confidence: pairs of a seed are drawn together") {
     expectation.confidence = 0.95;
@@ -277,7 +277,7 @@ TEST_CASE("Cells relative to each other") {
     CHECK(claim.value == 1.0);
     CHECK_FALSE(claim.holds);
     CHECK(claim.sentence ==
-          "mean path_length_m of successful runs of b is 1 times that of a (15 m, 2 runs, beside "
+          "mean path_length_m of successful runs of b is 1 times that of a (15 m, 2 runs, against "
           "15 m, 2 runs; of the seeds with which both succeeded), expected at most 0.6 times that "
           "of the cell with scheme a");
     for (auto& run : hard.cells[0].runs) run.outcome = run.seed > 2 ? "success" : "failure";

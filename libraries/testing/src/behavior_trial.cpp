@@ -32,7 +32,7 @@ void require_degree(const char* what, double value) {
 
 void require_rating(std::span<const double> desirability) {
   for (const double degree : desirability) {
-    require_degree("what it gives a candidate command in rate()", degree);
+    require_degree("its rating of a candidate command", degree);
   }
 }
 
@@ -92,7 +92,7 @@ class BehaviorTrial final : public Trial {
     behavior_->rate(response, candidates(), desirability);
     require_rating(desirability);
     for (const double degree : desirability) {
-      answer.add("what it gives a candidate command in rate()", degree);
+      answer.add("its rating of a candidate command", degree);
     }
     const CommandSets sets = behavior_->command_sets(response);
     require_sets(sets);

@@ -61,7 +61,7 @@ class CoordinatorTrial final : public Trial {
         coordinator_->rate({candidates().begin(), candidates().end()});
     require_rating(desirability);
     for (const double degree : desirability) {
-      answer.add("what it gives a candidate command in rate()", degree);
+      answer.add("its rating of a candidate command", degree);
     }
     const CommandSets sets = coordinator_->sets();
     require_sets(sets);

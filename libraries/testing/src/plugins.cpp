@@ -42,7 +42,7 @@ plugin::Host load(const std::vector<fs::path>& given) {
   bool has_own = false;
   for (plugin::SearchDirectory& directory : plugin::default_search_path()) {
     if (!has_own && directory.origin != plugin::kPluginPathVariable) {
-      places.push_back({program_folder(), "beside the test program"});
+      places.push_back({program_folder(), "next to the test program"});
       has_own = true;
     }
     places.push_back(std::move(directory));

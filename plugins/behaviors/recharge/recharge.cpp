@@ -32,7 +32,7 @@ class Recharge final : public Approach, public elsie::Remembers {
       return {};
     }
     return {
-        "the world has no charger for this robot's team: with a low battery it goes on as before "
+        "the world has no charger for this robot's team: with a low battery it drives on as before "
         "and raises the event 'no_charger'; give it a <charger>"};
   }
 

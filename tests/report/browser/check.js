@@ -1,4 +1,4 @@
-// Looks at the page from within and hands what it finds to the page around, as JSON: see test_browser.cpp.
+// Checks the page from within and passes its findings to the outer page as JSON: see test_browser.cpp.
 "use strict";
 addEventListener("load", () => {
   const found = { errors: window.pageErrors, width: innerWidth };
@@ -8,7 +8,7 @@ addEventListener("load", () => {
   found.details = foldable.length;
   for (const details of foldable) details.open = true;
 
-  // What reaches beyond the window, but for what scrolls in a box of its own.
+  // Elements that reach beyond the window, except in boxes that scroll.
   const scrolls = (element) => element.closest(".scroll, pre") !== null;
   found.scrollWidth = document.documentElement.scrollWidth;
   found.beyond = [...document.querySelectorAll("main *")]
@@ -16,7 +16,7 @@ addEventListener("load", () => {
     .filter((element) => element.getBoundingClientRect().right > innerWidth + 0.5)
     .map((element) => element.outerHTML.slice(0, 120));
 
-  // Figures that cannot be seen, and texts in figures that stick out of them.
+  // Invisible figures, and texts that stick out of their figures.
   const figures = [...document.querySelectorAll("figure, .rate")];
   found.figures = figures.length;
   const pictures = [...document.querySelectorAll("figure svg, .rate svg")].filter((svg) => !svg.parentNode.closest("svg"));
@@ -38,7 +38,7 @@ addEventListener("load", () => {
     if (size < 8.9) found.small.push(text.textContent + ": " + size.toFixed(1));
   }
 
-  // Texts that can hardly be read on their ground (WCAG 2: 4.5, or 3 for large ones).
+  // Texts with little contrast to their background (WCAG 2: 4.5, or 3 for large ones).
   const parts = (colour) => (colour.match(/[\d.]+/g) ?? []).map(Number);
   const luminance = ([r, g, b]) => [r, g, b]
     .map((v) => (v /= 255) <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)

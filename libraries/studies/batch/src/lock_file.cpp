@@ -46,14 +46,14 @@ std::string me() {
 
 }  // namespace
 
-std::filesystem::path LockFile::beside(const std::filesystem::path& file) {
+std::filesystem::path LockFile::path_for(const std::filesystem::path& file) {
   // A link leads to the same database, and so to the same lock.
   std::error_code error;
   const std::filesystem::path real = std::filesystem::weakly_canonical(file, error);
   return (error ? file : real).string() + "-lock";
 }
 
-LockFile::LockFile(const std::filesystem::path& locked) : file_(beside(locked)) {
+LockFile::LockFile(const std::filesystem::path& locked) : file_(path_for(locked)) {
   for (;;) {
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
@@ -90,7 +90,7 @@ LockFile::~LockFile() {
 }
 
 std::optional<std::string> LockFile::holder(const std::filesystem::path& locked) {
-  const int descriptor = ::open(beside(locked).c_str(), O_RDWR | O_CLOEXEC);
+  const int descriptor = ::open(path_for(locked).c_str(), O_RDWR | O_CLOEXEC);
   if (descriptor < 0) {
     return std::nullopt;
   }

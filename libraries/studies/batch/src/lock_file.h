@@ -12,7 +12,7 @@ namespace elsie::batch {
 class LockFile {
  public:
   /// "results.sqlite-lock" for "results.sqlite", and for a link to it.
-  static std::filesystem::path beside(const std::filesystem::path& file);
+  static std::filesystem::path path_for(const std::filesystem::path& file);
 
   /// Takes the lock. Throws DatabaseRefused when another process holds it, or the lock file cannot
   /// be created.

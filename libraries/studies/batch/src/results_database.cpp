@@ -69,7 +69,7 @@ class ResultsDatabase::Impl {
              : "the database '" + file_.string() + "' was " + (elsewhere ? "renamed" : "removed")) +
         " while the batch wrote it; " +
         (elsewhere ? results + "in '" + elsewhere->string() +
-                         "': put it back where it was before the batch goes on"
+                         "': put it back where it was before the batch continues"
                    : results + "lost; the batch has to begin anew"));
   }
 

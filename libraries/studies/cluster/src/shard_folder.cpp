@@ -49,7 +49,7 @@ std::string script_text(const ShardFolder& folder, const std::vector<std::string
   const std::string task = "\"$SLURM_ARRAY_TASK_ID\"";
   const std::string part = base::shell_word((folder.path() / "shard-").string()) + task;
   return "#!/bin/sh\n"
-         "# A task of a job array does one shard; put back into the queue, it goes on.\n"
+         "# A task of a job array does one shard, and continues when it is requeued.\n"
          "exec " +
          base::shell_line(command) + " --shard " + task + "/" + std::to_string(folder.shards()) +
          " \\\n  --database " + part + ".sqlite --progress " + part + ".json --resume --quiet\n";
@@ -63,7 +63,7 @@ void write_count(const fs::path& file, const Count& count) {
       Json{{"runs", count.runs}, {"ended", count.ended}, {"failed", count.failed}}.dump() + "\n");
 }
 
-fs::path ShardFolder::beside(const fs::path& database) {
+fs::path ShardFolder::path_for(const fs::path& database) {
   return fs::absolute(database).lexically_normal().string() + "-shards";
 }
 
@@ -77,7 +77,7 @@ ShardFolder::ShardFolder(fs::path path, std::string fingerprint, std::size_t sha
 
 ShardFolder ShardFolder::create(const fs::path& database, const batch::Plan& plan,
                                 std::size_t shards, const std::vector<std::string>& command) {
-  ShardFolder folder(beside(database), plan.fingerprint, shards, plan.all_runs);
+  ShardFolder folder(path_for(database), plan.fingerprint, shards, plan.all_runs);
   std::error_code error;
   if (!fs::create_directory(folder.path_, error)) {
     const std::string name = "'" + folder.path_.string() + "'";
@@ -97,7 +97,7 @@ ShardFolder ShardFolder::create(const fs::path& database, const batch::Plan& pla
 }
 
 ShardFolder ShardFolder::open(const fs::path& database, const batch::Plan& plan) {
-  const fs::path path = beside(database);
+  const fs::path path = path_for(database);
   const Json stored = read_json(path / "cluster.json");
   const auto text = [&](const char* key) -> const std::string* {
     return stored.is_object() && stored.contains(key) ? stored[key].get_ptr<const std::string*>()

@@ -84,7 +84,7 @@ void check_bounds(const ExpectationDraft& draft, const Expectation& expectation)
     fail("<expect> says nothing; expected at_least, at_most, or about with a tolerance");
   }
   if (draft.about && (draft.at_least || draft.at_most)) {
-    fail("<expect> has about beside at_least or at_most; expected one or the other");
+    fail("<expect> has both about and at_least or at_most; expected one or the other");
   }
   if (draft.at_least && draft.at_most && *draft.at_least > *draft.at_most) {
     fail("at_least=\"" + number(*draft.at_least) + "\" is above at_most=\"" +

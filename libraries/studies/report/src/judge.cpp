@@ -458,7 +458,7 @@ class Judge {
                          : with_unit(std::abs(*claim.value)) +
                                (*claim.value < 0.0 ? " less" : " more") + " than that of ") +
                   label(*reference) + " (" + with_unit(*mine) + ", " + basis(own) +
-                  reservations(cell) + ", beside " + with_unit(*theirs) + ", " + basis(others) +
+                  reservations(cell) + ", against " + with_unit(*theirs) + ", " + basis(others) +
                   reservations(*reference) + left_out(cell, *reference, pairs.size()) +
                   (ratio && pairs.size() > 1 && !claim.interval && expectation_.confidence
                        ? "; no interval, as that of " + label(*reference) + " may be 0"

@@ -49,7 +49,7 @@ class ShardFolder {
   };
 
   /// The path of a database's folder.
-  static std::filesystem::path beside(const std::filesystem::path& database);
+  static std::filesystem::path path_for(const std::filesystem::path& database);
 
   /// Creates the folder. `command`: elsie's batch command with the experiment and its plugins, to
   /// which shard and files are added. Throws batch::DatabaseRefused when the folder exists already
