@@ -85,8 +85,7 @@ std::unique_ptr<fl::Engine> oracle(int resolution) {
   rules->setActivation(new fl::General);
   for (const elsie::fuzzy::Rule& rule : model().rules()) {
     std::string text;
-    for (const char c :
-         rule.text) {  // fuzzylite needs blanks around parentheses, and keywords in lower case
+    for (const char c : rule.text) {  // blanks around parentheses, keywords in lower case
       text += c == '(' ? std::string("( ") : c == ')' ? std::string(" )") : std::string(1, c);
     }
     for (const auto& [upper, lower] :

@@ -12,10 +12,9 @@ namespace elsie::supervisor {
 
 /// How the child ended.
 struct End {
-  int status = 0;  // as from wait(2)
-  bool has_said_so =
-      false;  // it announced its exit code (128 and the signal's number), and ended with it
-  bool was_killed = false;  // by the supervisor, because it did not end after two requests
+  int status = 0;            // as from wait(2)
+  bool has_said_so = false;  // it announced its exit code (128 and the signal), and kept to it
+  bool was_killed = false;   // by the supervisor, because it did not end after two requests
 };
 
 /// Starts the program with these arguments in the same process group and with the same standard

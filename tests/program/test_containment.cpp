@@ -101,8 +101,8 @@ TEST_CASE("An end that the process cannot detect is no success") {
     CHECK(run.out.empty());
     CHECK(run.err ==
           "elsie: the program was ended before its work was done, with exit code 0: a plugin has "
-          "ended it by a system call, or has closed the files that it needs; the results are not "
-          "whole\n");
+          "ended it by a system call, or has closed the files that it needs; the results are "
+          "incomplete\n");
   }
   const auto killed = world.run("killing");
   CHECK(killed.exit_code == 128 + 9);

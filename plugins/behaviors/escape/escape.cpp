@@ -86,8 +86,7 @@ class Escape final : public elsie::Behavior, public elsie::Remembers {
   static constexpr double kLong = 1e9;      // s
   static constexpr double kAway = 0.5;      // s without being asked
   static constexpr double kSameTrap = 3.0;  // s; getting stuck later counts as a new trap
-  static constexpr double kSlowness =
-      2.0;  // times the planned duration; then this phase is blocked, too
+  static constexpr double kSlowness = 2.0;  // times the planned duration; then it is blocked
 
   void begin(const elsie::Perception& now) {
     attempts_ = now.time_s() - ended_s_ < kSameTrap ? attempts_ + 1 : 0;

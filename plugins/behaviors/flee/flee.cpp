@@ -68,8 +68,7 @@ class Flee final : public elsie::Behavior, public elsie::Remembers {
     elsie::Vector2 push;    // sum of the repulsions, forward and left
     double pushes = 0.0;    // sum of their magnitudes
     double nearness = 0.0;  // the largest of them, in [0, 1]
-    double open_rad =
-        0.0;  // the direction of the weakest; in a tie, the one nearest to straight ahead
+    double open_rad = 0.0;  // direction of the weakest; in a tie, the nearest to straight ahead
   };
 
   Threat perceive(const elsie::Perception& now) const {

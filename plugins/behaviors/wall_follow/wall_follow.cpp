@@ -166,8 +166,7 @@ class WallFollow final : public elsie::Behavior, public elsie::Remembers {
   WallSight sight_;
   State state_ = State::searching;
   double asked_s_ = -1e9;
-  bool is_beside_ =
-      false;  // while following: has come near the wall, and is no longer approaching it
+  bool is_beside_ = false;    // while following: is near the wall, no longer approaching it
   double heading_rad_ = 0.0;  // while rounding: in the last step
   double rounded_rad_ = 0.0;  // while rounding: turned so far
 };

@@ -242,8 +242,7 @@ class Planner {
   std::string fingerprint() const {
     std::string all;
     const auto add = [&](const std::string& text) {
-      all +=
-          std::to_string(text.size()) + ':' + text + '\n';  // different lists give different texts
+      all += std::to_string(text.size()) + ':' + text + '\n';  // different for different lists
     };
     const auto end_list = [&] { all += ";\n"; };
     add(plan_.elsie_version);

@@ -152,7 +152,7 @@ class CellCheck {
       }
     }
     // Each pair of levels is reported once.
-    if (told_.insert(what + of).second) {
+    if (reported_.insert(what + of).second) {
       twins_.emplace_back(where, what + " is the same as '" + of + "': the cells '" + other.label +
                                      "' and '" + cell.label +
                                      "' do not differ in anything; a later setting may undo it");
@@ -259,9 +259,8 @@ class CellCheck {
   const ReadOptions& options_;
   CellMeasures measures_;
   std::map<std::tuple<std::string, int, std::string>, Complaint> complaints_;
-  std::map<std::size_t, std::size_t>
-      cells_by_text_;  // hash of the text to the first cell that has it
-  std::set<std::string> told_;
+  std::map<std::size_t, std::size_t> cells_by_text_;  // hash of the text to its first cell
+  std::set<std::string> reported_;
   std::vector<std::pair<Location, std::string>> twins_;
 };
 

@@ -56,8 +56,7 @@ struct Outlier {
   std::size_t run = 0;      // index into Results::runs
   std::size_t measure = 0;  // index into Results::measures
   double value = 0.0;
-  double beyond =
-      0.0;  // distance from the fence in quartile ranges; infinite when all other values are equal
+  double beyond = 0.0;  // distance from the fence in quartile ranges; infinite if these are 0
 };
 
 /// One cell. Its sample has one run of each seed: a repetition is no second observation.
@@ -107,9 +106,8 @@ struct Verdict {
 
 struct Findings {
   Results results;
-  std::vector<std::size_t>
-      measures;  // the measures to show, in order; indices into Results::measures
-  std::vector<CellFindings> cells;  // parallel to Results::cells
+  std::vector<std::size_t> measures;  // to be shown, in order; indices into Results::measures
+  std::vector<CellFindings> cells;    // parallel to Results::cells
   std::vector<Disagreement> disagreements;
   std::vector<Verdict> verdicts;
 
