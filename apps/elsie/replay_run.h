@@ -22,7 +22,7 @@ struct RunAgainOptions {
   bool quiet = false;
 };
 
-/// Does it again, says whether it comes to the same, and gives the exit code. Throws BadInput,
+/// Runs it again, says whether the result is the same, and returns the exit code. Throws BadInput,
 /// PluginFault and what else may go wrong in a run.
 int replay_run(const RunAgainOptions& options);
 

@@ -102,7 +102,7 @@ void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) 
     try {
       take(run, watchers, record);
     } catch (...) {
-      // A measure that cannot report. What ended the run is what there is to be told.
+      // A measure that cannot report; the fault that ended the run is reported instead.
     }
     throw;
   }
