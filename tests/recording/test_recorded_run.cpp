@@ -174,6 +174,11 @@ TEST_CASE("Whatever messages say, reading them and drawing them ends") {
       writer.close();
     }
     try {
+      recording::read_trace(file.path);
+    } catch (const mcap::McapError& error) {
+      CHECK(std::string(error.what()).size() > 10);
+    }
+    try {
       recording::save_picture(read_recorded_run(file.path), {"changed"}, png, {300, 0});
     } catch (const std::exception& error) {
       CHECK(std::string(error.what()).size() > 10);

@@ -153,7 +153,7 @@ std::string inhibitions(const ExplainedRobot& explained) {
 }
 
 std::string events(const ExplainedRobot& explained) {
-  constexpr std::size_t kTimes = 8;  // of each event that are told
+  constexpr std::size_t kTimes = 8;  // shown for each event
   const auto& span = explained.account.span;
   std::vector<std::string> names;
   std::map<std::string, std::vector<double>> times;

@@ -20,8 +20,8 @@ struct RunAgainOptions {
   bool quiet = false;
 };
 
-/// Repeats the run, prints whether the result is the same, and returns the exit code. Throws
-/// BadInput, PluginFault and other errors of runs.
+/// Runs it again, says whether the result is the same, and returns the exit code. Throws BadInput,
+/// PluginFault and what else may go wrong in a run.
 int replay_run(const RunAgainOptions& options);
 
 }  // namespace elsie::program

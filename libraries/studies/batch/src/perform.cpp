@@ -102,7 +102,7 @@ void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) 
     try {
       take(run, watchers, record);
     } catch (...) {
-      // A measure cannot report; the error that ended the run is kept instead.
+      // A measure that cannot report; the fault that ended the run is reported instead.
     }
     throw;
   }

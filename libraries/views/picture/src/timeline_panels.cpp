@@ -238,7 +238,7 @@ void draw_lane(Canvas& canvas, const TimelineBlock& block, std::size_t member, d
     canvas.rectangle({block.x_of_column(i), area.y, block.column_width, height});
   }
   hatch(canvas, area);
-  // Inside of the frame, so that activations of 0 and 1 are visible.
+  // Inside of the frame, so that an activation of 1 or 0 differs from it.
   const Rect inner{area.x, area.y + 2, area.width, area.height - 4};
   draw_extents(
       canvas, block, map_to(inner, {0, 1}, {0, 1}), kText, {.width = 1.3},

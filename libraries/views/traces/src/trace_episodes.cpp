@@ -1,4 +1,4 @@
-// Many short episodes told as a few.
+// Condensing many short episodes to a few.
 #include <algorithm>
 #include <cmath>
 #include <vector>
