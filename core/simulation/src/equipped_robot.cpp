@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "robot.h"
+#include "step/robot.h"
 
 namespace elsie::simulation {
 

@@ -18,16 +18,16 @@
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/error.h"
 
-#include "box_path.h"
-#include "cameras.h"
-#include "carrier.h"
-#include "changes.h"
-#include "goals.h"
-#include "measuring.h"
+#include "changes/changes.h"
+#include "measuring/measuring.h"
 #include "physics_words.h"
-#include "swap.h"
-#include "teams.h"
-#include "touches.h"
+#include "replacement/swap.h"
+#include "step/box_path.h"
+#include "step/cameras.h"
+#include "step/carrier.h"
+#include "step/goals.h"
+#include "step/teams.h"
+#include "step/touches.h"
 
 namespace elsie::simulation {
 

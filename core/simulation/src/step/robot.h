@@ -15,9 +15,9 @@
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/description.h"
 
-#include "controller.h"
-#include "guard.h"
-#include "tuning.h"
+#include "changes/tuning.h"
+#include "plugins/guard.h"
+#include "step/controller.h"
 
 namespace elsie::simulation {
 

@@ -1,4 +1,4 @@
-#include "box_path.h"
+#include "step/box_path.h"
 
 #include <algorithm>
 #include <cmath>

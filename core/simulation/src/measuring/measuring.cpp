@@ -1,4 +1,4 @@
-#include "measuring.h"
+#include "measuring/measuring.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include "elsie/simulation/measures.h"
 
-#include "curves.h"
-#include "make_plugin.h"
+#include "plugins/curves.h"
+#include "plugins/make_plugin.h"
 
 namespace elsie::simulation {
 namespace {

@@ -18,7 +18,7 @@
 #include "elsie/simulation/replacement.h"
 #include "elsie/world/description.h"
 
-#include "tuning.h"
+#include "changes/tuning.h"
 
 namespace elsie::simulation {
 

@@ -9,7 +9,7 @@
 #include "elsie/world/description.h"
 #include "elsie/world/error.h"
 
-#include "guard.h"
+#include "plugins/guard.h"
 
 namespace elsie::simulation {
 

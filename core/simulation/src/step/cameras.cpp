@@ -1,4 +1,4 @@
-#include "cameras.h"
+#include "step/cameras.h"
 
 #include <numbers>
 #include <string>

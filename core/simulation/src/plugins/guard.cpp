@@ -1,4 +1,4 @@
-#include "guard.h"
+#include "plugins/guard.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -8,7 +8,7 @@
 #include "elsie/simulation/run_result.h"
 #include "elsie/world/description.h"
 
-#include "guard.h"
+#include "plugins/guard.h"
 
 namespace elsie::simulation {
 

@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
-#include "cameras.h"
-#include "controller.h"
-#include "robot.h"
-#include "swap.h"
+#include "replacement/swap.h"
+#include "step/cameras.h"
+#include "step/controller.h"
+#include "step/robot.h"
 
 namespace elsie::simulation {
 

@@ -1,4 +1,4 @@
-#include "swap.h"
+#include "replacement/swap.h"
 
 #include <algorithm>
 #include <filesystem>

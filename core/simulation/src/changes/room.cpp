@@ -1,4 +1,4 @@
-#include "room.h"
+#include "changes/room.h"
 
 #include <cmath>
 

@@ -11,7 +11,7 @@
 #include "elsie/api/sensor.h"
 #include "elsie/physics/engine.h"
 
-#include "robot.h"
+#include "step/robot.h"
 
 namespace elsie::simulation {
 

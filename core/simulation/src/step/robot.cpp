@@ -1,4 +1,4 @@
-#include "robot.h"
+#include "step/robot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include "elsie/plugin/call.h"
 #include "elsie/world/error.h"
 
-#include "curves.h"
-#include "make_plugin.h"
-#include "teams.h"
+#include "plugins/curves.h"
+#include "plugins/make_plugin.h"
+#include "step/teams.h"
 
 namespace elsie::simulation {
 namespace {

@@ -1,4 +1,4 @@
-#include "changes.h"
+#include "changes/changes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "elsie/world/footprint.h"
 
-#include "room.h"
+#include "changes/room.h"
 
 namespace elsie::simulation {
 namespace {

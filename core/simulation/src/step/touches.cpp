@@ -1,6 +1,6 @@
-#include "touches.h"
+#include "step/touches.h"
 
-#include "teams.h"
+#include "step/teams.h"
 
 namespace elsie::simulation {
 namespace {

@@ -14,8 +14,8 @@
 #include "elsie/world/attributes.h"
 #include "elsie/world/description.h"
 
-#include "cameras.h"
-#include "carrier.h"
+#include "step/cameras.h"
+#include "step/carrier.h"
 
 namespace elsie::simulation {
 

@@ -17,9 +17,9 @@
 #include "elsie/world/description.h"
 #include "elsie/world/error.h"
 
-#include "guard.h"
-#include "names.h"
-#include "tuning.h"
+#include "changes/tuning.h"
+#include "plugins/guard.h"
+#include "plugins/names.h"
 
 namespace elsie::simulation {
 

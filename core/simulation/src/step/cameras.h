@@ -13,7 +13,7 @@
 #include "elsie/world/description.h"
 #include "elsie/world/error.h"
 
-#include "robot.h"
+#include "step/robot.h"
 
 namespace elsie::simulation {
 

@@ -1,4 +1,4 @@
-#include "curves.h"
+#include "plugins/curves.h"
 
 #include <algorithm>
 #include <cmath>

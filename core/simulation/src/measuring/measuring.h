@@ -13,8 +13,8 @@
 #include "elsie/world/description.h"
 #include "elsie/world/error.h"
 
-#include "guard.h"
-#include "lookout.h"
+#include "measuring/lookout.h"
+#include "plugins/guard.h"
 
 namespace elsie::simulation {
 

@@ -10,7 +10,7 @@
 #include "elsie/physics/engine.h"
 #include "elsie/world/description.h"
 
-#include "robot.h"
+#include "step/robot.h"
 
 namespace elsie::simulation {
 

@@ -1,4 +1,4 @@
-#include "goals.h"
+#include "step/goals.h"
 
 #include <algorithm>
 #include <cmath>

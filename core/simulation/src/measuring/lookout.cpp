@@ -1,4 +1,4 @@
-#include "lookout.h"
+#include "measuring/lookout.h"
 
 #include <algorithm>
 #include <cmath>

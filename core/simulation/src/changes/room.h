@@ -10,7 +10,7 @@
 #include "elsie/world/description.h"
 #include "elsie/world/footprint.h"
 
-#include "carrier.h"
+#include "step/carrier.h"
 
 namespace elsie::simulation {
 

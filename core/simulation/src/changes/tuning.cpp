@@ -1,4 +1,4 @@
-#include "tuning.h"
+#include "changes/tuning.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "controller.h"
+#include "step/controller.h"
 
 #include <algorithm>
 #include <chrono>
@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include "curves.h"
-#include "make_plugin.h"
+#include "plugins/curves.h"
+#include "plugins/make_plugin.h"
 
 namespace elsie::simulation {
 namespace {

@@ -1,4 +1,4 @@
-#include "teams.h"
+#include "step/teams.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include "elsie/physics/engine.h"
 #include "elsie/world/description.h"
 
-#include "carrier.h"
+#include "step/carrier.h"
 
 namespace elsie::simulation {
 
