@@ -1,4 +1,4 @@
-#include "moving_vehicle.h"
+#include "vehicle.h"
 
 #include <algorithm>
 #include <cmath>
