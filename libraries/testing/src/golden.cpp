@@ -157,7 +157,7 @@ Trace record(World& world, double seconds, double interval_s) {
     }
     for (; told < simulation.events().size(); ++told) {
       const simulation::EventRecord& event = simulation.events()[told];
-      now.events += (now.events.empty() ? "" : ",") + event.robot + ":" + event.name;
+      now.events += (now.events.empty() ? "" : ",") + event.robot + ":" + event.name();
     }
   }
   return trace;

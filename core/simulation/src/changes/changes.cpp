@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <utility>
 
 #include "elsie/world/footprint.h"
+#include "elsie/world/live_robot.h"
 
 #include "changes/room.h"
+#include "plugins/guard.h"
 
 namespace elsie::simulation {
 namespace {
@@ -16,28 +17,6 @@ std::string number(double value) { return world::text_of(value); }
 
 [[noreturn]] void refuse(const std::string& change, const std::string& problem) {
   throw ChangeRefused(change + ": " + problem);
-}
-
-/// What a plugin said while it was asked.
-std::string said(const std::exception_ptr& thrown) {
-  try {
-    std::rethrow_exception(thrown);
-  } catch (const std::exception& error) {
-    return error.what();
-  } catch (...) {
-    return "it threw something that is no std::exception";
-  }
-}
-
-bool is_of_pose(const std::string& attribute) {
-  return attribute == "x" || attribute == "y" || attribute == "z" || attribute == "heading_deg";
-}
-
-/// The entry that `is` finds, or a new one.
-template <class Entry, class Is>
-Entry& entry(std::vector<Entry>& list, Is is) {
-  const auto known = std::find_if(list.begin(), list.end(), is);
-  return known == list.end() ? list.emplace_back() : *known;
 }
 
 void add_text(std::string& list, const std::string& text) {
@@ -83,26 +62,10 @@ void Changes::make(std::span<const Change> changes, const Stage& stage,
   check_room(plan, stage);
   set_up(plan, stage);
   // From here on nothing is refused.
-  for (const Item& item : plan.items) {
-    Robot& robot = *stage.robots[item.robot];
-    const std::string& name = item.place.field.name;
-    if (item.place.is_parameter) {
-      // set_up() has seen to it.
-    } else if (name == "max_speed") {
-      robot.set_max_speed(std::get<double>(item.value));
-    } else if (name == "coverage") {
-      robot.set_coverage(std::get<double>(item.value));
-    } else if (name == "leader") {
-      robot.set_leader(std::get<bool>(item.value));
-    } else if (name == "energy") {
-      robot.set_energy(std::get<double>(item.value));
-    } else if (name == "energy_cost") {
-      robot.set_energy_cost(*item.place.use, std::get<double>(item.value));
-    } else if (name == "priority") {
-      robot.set_priority(*item.place.use, std::get<double>(item.value));
-    }
-    events.push_back({stage.time_s, item.place.robot->id, "changed", item.text});
+  for (const auto& set : plan.settings) {
+    set();
   }
+  events.insert(events.end(), plan.events.begin(), plan.events.end());
   for (const Placed& placed : plan.placed) {
     stage.engine.place_robot(placed.robot, placed.pose, placed.z);
     stage.robots[placed.robot]->set_body(stage.engine.robot(placed.robot));
@@ -122,88 +85,127 @@ void Changes::check(std::span<const DueChanges> schedule, const Stage& stage) co
   }
 }
 
-/// What a change means: an item for each attribute that its path leads to.
-void Changes::resolve(const Change& change, std::vector<Item>& items) const {
-  const std::string asked = change.path + "=" + change.value;
-  try {
-    for (world::AttributePlace& place : attributes_.find(change.path)) {
-      if (!place.field.live) {
-        std::string others;
-        for (const std::string& name : place.live) {
-          add_text(others, name);
-        }
-        refuse(asked, "'" + place.field.name + "' of <" + place.element +
-                          "> is settled before a run and stays as it is while it goes on" +
-                          (others.empty() ? "" : "; what may change is " + others));
-      }
-      Item item;
-      item.value = attributes_.read(place, change.value);
-      item.text = place.path + "=" + change.value;
-      item.robot = static_cast<std::size_t>(place.robot - world_.robots.data());
-      item.place = std::move(place);
-      check_value(item);
-      items.push_back(std::move(item));
-    }
-  } catch (const ChangeRefused&) {
-    throw;
-  } catch (const std::invalid_argument& problem) {
-    refuse(asked, problem.what());
-  }
-}
+/// Plans the change of one attribute of a robot, which itself stays as it is.
+class Changes::Planner final : public world::LiveRobot {
+ public:
+  Planner(Plan& plan, const world::World& world, const Stage& stage, const Setups& setups,
+          std::size_t robot, std::string text)
+      : plan_(plan),
+        world_(world),
+        stage_(stage),
+        setups_(setups),
+        index_(robot),
+        robot_(*stage.robots[robot]),
+        text_(std::move(text)) {}
 
-/// What the range of an attribute does not say.
-void Changes::check_value(const Item& item) const {
-  if (item.place.is_parameter || item.place.use) {
-    return;
+  void set_x(double metres) override {
+    check_inside("x", metres, 0.5 * world_.arena.length);
+    placed().pose.x = metres;
   }
-  const std::string& name = item.place.field.name;
-  const world::Robot& robot = world_.robots[item.robot];
-  if (name == "energy" && std::get<double>(item.value) > robot.battery) {
-    refuse(item.text, "the battery of the robot '" + robot.id + "' holds " + number(robot.battery) +
-                          " units; expected no more than that");
+  void set_y(double metres) override {
+    check_inside("y", metres, 0.5 * world_.arena.width);
+    placed().pose.y = metres;
   }
-  const double reach = name == "x"   ? 0.5 * world_.arena.length
-                       : name == "y" ? 0.5 * world_.arena.width
-                                     : 0.0;
-  if (reach > 0.0 && std::abs(std::get<double>(item.value)) > reach) {
-    refuse(item.text, "that is outside of the arena, which reaches from " + number(-reach) +
-                          " to " + number(reach) + " in " + name);
+  void set_z(double metres) override { placed().z = metres; }
+  void set_heading_deg(double degrees) override {
+    placed().pose.heading_rad = wrap_angle(radians(degrees));
   }
-}
+  void set_max_speed(double metres_per_second) override {
+    plan_.settings.push_back([=, &robot = robot_] { robot.set_max_speed(metres_per_second); });
+  }
+  void set_coverage(double metres) override {
+    plan_.settings.push_back([=, &robot = robot_] { robot.set_coverage(metres); });
+  }
+  void set_leader(bool leader) override {
+    plan_.settings.push_back([=, &robot = robot_] { robot.set_leader(leader); });
+  }
+  void set_energy(double units) override {
+    const world::Robot& described = robot_.description();
+    if (units > described.battery) {
+      refuse(text_, "the battery of the robot '" + described.id + "' holds " +
+                        number(described.battery) + " units; expected no more than that");
+    }
+    plan_.settings.push_back([=, &robot = robot_] { robot.set_energy(units); });
+  }
+  void set_energy_cost(const world::PluginUse& sensor, double units_per_second) override {
+    plan_.settings.push_back(
+        [=, &robot = robot_, &sensor] { robot.set_energy_cost(sensor, units_per_second); });
+  }
+  void set_priority(const world::PluginUse& behavior, double priority) override {
+    plan_.settings.push_back(
+        [=, &robot = robot_, &behavior] { robot.set_priority(behavior, priority); });
+  }
+  void set_parameter(const world::AttributePlace& place, const ParameterValue& value) override {
+    const world::PluginUse* const use = place.use;
+    auto tuned = std::find_if(plan_.tuned.begin(), plan_.tuned.end(),
+                              [&](const Tuned& other) { return other.use == use; });
+    if (tuned == plan_.tuned.end()) {
+      const auto known = setups_.find(use);
+      tuned = plan_.tuned.insert(
+          tuned, {index_, use, known == setups_.end() ? robot_.setup(*use) : known->second, ""});
+    }
+    (place.nested ? tuned->setup.elements[*place.nested].parameters
+                  : tuned->setup.parameters)[place.field.name] = value;
+    add_text(tuned->text, text_);
+  }
+
+ private:
+  void check_inside(const char* axis, double place, double reach) const {
+    if (std::abs(place) > reach) {
+      refuse(text_, "that is outside of the arena, which reaches from " + number(-reach) + " to " +
+                        number(reach) + " in " + axis);
+    }
+  }
+  Placed& placed() {
+    auto placed = std::find_if(plan_.placed.begin(), plan_.placed.end(),
+                               [&](const Placed& other) { return other.robot == index_; });
+    if (placed == plan_.placed.end()) {
+      placed = plan_.placed.insert(
+          placed, {index_, robot_.state().pose, height(stage_.engine.robot(index_).frame), ""});
+    }
+    add_text(placed->text, text_);
+    return *placed;
+  }
+
+  Plan& plan_;
+  const world::World& world_;
+  const Stage& stage_;
+  const Setups& setups_;
+  std::size_t index_;
+  Robot& robot_;
+  std::string text_;  // "robot[r1]/@x=3"
+};
 
 Changes::Plan Changes::plan(std::span<const Change> changes, const Stage& stage,
                             const Setups& setups) const {
   Plan plan;
   for (const Change& change : changes) {
-    resolve(change, plan.items);
-  }
-  for (const Item& item : plan.items) {
-    const std::string& name = item.place.field.name;
-    const Robot& robot = *stage.robots[item.robot];
-    if (item.place.is_parameter) {
-      const world::PluginUse* use = item.place.use;
-      Tuned& tuned = entry(plan.tuned, [&](const Tuned& other) { return other.use == use; });
-      if (!tuned.use) {
-        const auto known = setups.find(use);
-        tuned = {item.robot, use, known == setups.end() ? robot.setup(*use) : known->second, ""};
+    const std::string asked = change.path + "=" + change.value;
+    try {
+      for (const world::AttributePlace& place : attributes_.find(change.path)) {
+        const std::string& name = place.field.name;
+        if (!place.field.is_live()) {
+          std::string others;
+          for (const std::string& other : place.live) {
+            add_text(others, other);
+          }
+          refuse(asked, "'" + name + "' of <" + place.element +
+                            "> is settled before a run and stays as it is while it goes on" +
+                            (others.empty() ? "" : "; what may change is " + others));
+        }
+        const ParameterValue value = attributes_.read(place, change.value);
+        const events::Changed event{place.path.substr(0, place.path.rfind("/@")), name,
+                                    change.value};
+        Planner planner(plan, world_, stage, setups,
+                        static_cast<std::size_t>(place.robot - world_.robots.data()),
+                        event.detail());
+        place.field.change(planner, place, value);
+        plan.events.push_back({stage.time_s, place.robot->id, event});
       }
-      (item.place.nested ? tuned.setup.elements[*item.place.nested].parameters
-                         : tuned.setup.parameters)[name] = item.value;
-      add_text(tuned.text, item.text);
-    } else if (!item.place.use && is_of_pose(name)) {
-      Placed& placed = entry(plan.placed, [&](const Placed& other) {
-        return other.robot == item.robot && !other.text.empty();
-      });
-      if (placed.text.empty()) {
-        placed = {item.robot, robot.state().pose, height(stage.engine.robot(item.robot).frame), ""};
-      }
-      const double value = std::get<double>(item.value);
-      (name == "x"   ? placed.pose.x
-       : name == "y" ? placed.pose.y
-       : name == "z" ? placed.z
-                     : placed.pose.heading_rad) =
-          name == "heading_deg" ? wrap_angle(radians(value)) : value;
-      add_text(placed.text, item.text);
+    } catch (const ChangeRefused&) {
+      throw;
+    } catch (const std::invalid_argument& problem) {
+      refuse(asked, problem.what());
     }
   }
   for (const Tuned& tuned : plan.tuned) {
@@ -218,7 +220,7 @@ void Changes::check_tuned(const Tuned& tuned, const Stage& stage) const {
   try {
     camera = robot.try_out(*tuned.use, tuned.setup);
   } catch (...) {
-    refuse(tuned.text, said(std::current_exception()));
+    refuse(tuned.text, what_was_thrown());
   }
   for (std::size_t i = 0; i < robot.sensor_count(); ++i) {
     if (&stage.robots[tuned.robot]->description().sensors[i] != tuned.use) {
@@ -262,11 +264,11 @@ void Changes::set_up(const Plan& plan, const Stage& stage) const {
     } catch (const PluginFault&) {
       throw;
     } catch (...) {
-      const std::exception_ptr thrown = std::current_exception();
+      const std::string problem = what_was_thrown();
       while (i-- > 0) {
         stage.robots[plan.tuned[i].robot]->set_up(*plan.tuned[i].use, before[i]);
       }
-      refuse(tuned.text, said(thrown));
+      refuse(tuned.text, problem);
     }
   }
 }

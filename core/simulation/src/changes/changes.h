@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -54,13 +55,6 @@ class Changes {
   void check(std::span<const DueChanges> schedule, const Stage& stage) const;
 
  private:
-  /// One attribute of one thing.
-  struct Item {
-    world::AttributePlace place;
-    std::size_t robot = 0;
-    ParameterValue value;
-    std::string text;  // "robot[r1]/@x=3"
-  };
   /// New parameters of a plugin object.
   struct Tuned {
     std::size_t robot = 0;
@@ -76,14 +70,14 @@ class Changes {
     std::string text;
   };
   struct Plan {
-    std::vector<Item> items;
+    std::vector<EventRecord> events;
+    std::vector<std::function<void()>> settings;
     std::vector<Tuned> tuned;
     std::vector<Placed> placed;
   };
   using Setups = std::map<const world::PluginUse*, Setup>;
+  class Planner;
 
-  void resolve(const Change& change, std::vector<Item>& items) const;
-  void check_value(const Item& item) const;
   /// `setups`: those that differ by then from what they are now.
   Plan plan(std::span<const Change> changes, const Stage& stage, const Setups& setups) const;
   void check_tuned(const Tuned& tuned, const Stage& stage) const;

@@ -7,7 +7,6 @@
 
 #include "elsie/simulation/measures.h"
 
-#include "plugins/curves.h"
 #include "plugins/make_plugin.h"
 
 namespace elsie::simulation {
@@ -142,17 +141,9 @@ void Measuring::reset(std::uint64_t seed) {
   }
 }
 
-void Measuring::list_notes(std::vector<Note>& notes) {
+void Measuring::ask(Statements& said) {
   for (const Slot& slot : slots_) {
-    for (std::string& note : guard_.run(*slot.use, [&] { return slot.object->notes(); })) {
-      notes.push_back({"", slot.use->id, std::move(note)});
-    }
-  }
-}
-
-void Measuring::list_curves(std::vector<LearningCurve>& curves) {
-  for (const Slot& slot : slots_) {
-    append_curves(*slot.object, *slot.use, "", slot.use->id, guard_, curves);
+    said.ask(*slot.object, *slot.use, "", guard_);
   }
 }
 

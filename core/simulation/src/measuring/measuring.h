@@ -15,6 +15,7 @@
 
 #include "measuring/lookout.h"
 #include "plugins/guard.h"
+#include "plugins/statements.h"
 
 namespace elsie::simulation {
 
@@ -30,11 +31,10 @@ class Measuring {
   std::vector<Quantity> quantities() const;
 
   void reset(std::uint64_t seed);
-  /// Appends what the objects have to say once they are reset.
-  void list_notes(std::vector<Note>& notes);
+  /// Gathers what the measures say once they are reset.
+  void ask(Statements& said);
   /// What the measures did to the program since the run began.
   void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
-  void list_curves(std::vector<LearningCurve>& curves);
 
   /// Whether the run has been looked at since it was reset.
   bool has_begun() const { return has_begun_; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 
 #include <malloc.h>
 
@@ -23,6 +24,16 @@ std::int64_t heap_bytes() {
   }
   const auto info = mallinfo2();
   return static_cast<std::int64_t>(info.uordblks + info.hblkhd);
+}
+
+std::string what_was_thrown() {
+  try {
+    throw;
+  } catch (const std::exception& error) {
+    return error.what();
+  } catch (...) {
+    return "it threw something that is no std::exception";
+  }
 }
 
 void Guard::note_arithmetic(const world::PluginUse& use, const char* changed) {

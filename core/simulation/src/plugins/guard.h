@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <exception>
 #include <map>
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "elsie/plugin/call.h"
@@ -21,6 +21,20 @@ namespace elsie::simulation {
 
 /// What is allocated on the heap of the process, bytes. Takes a microsecond or so.
 std::int64_t heap_bytes();
+
+/// What the exception that is being handled says.
+std::string what_was_thrown();
+
+/// What the action returns, or an empty value if it returns nothing.
+template <class Action>
+auto value_of(Action& action) {
+  if constexpr (std::is_void_v<decltype(action())>) {
+    action();
+    return std::monostate();
+  } else {
+    return action();
+  }
+}
 
 /// Runs code of a robot's plugins while the simulation runs: whatever it throws becomes a
 /// PluginFault that names the plugin, the robot and the step. The first fault is kept: a
@@ -45,14 +59,9 @@ class Guard {
       return caught(use, call, action);
     }
     const std::int64_t before = begin(call);
-    if constexpr (std::is_void_v<decltype(action())>) {
-      caught(use, call, action);
-      end(use, call, before);
-    } else {
-      auto result = caught(use, call, action);
-      end(use, call, before);
-      return result;
-    }
+    auto result = caught(use, call, action);
+    end(use, call, before);
+    return result;
   }
 
   [[noreturn]] void fail(const world::PluginUse& use, const std::string& problem) {
@@ -68,6 +77,8 @@ class Guard {
       throw *fault_;
     }
   }
+
+  const std::string& robot() const { return robot_; }
 
   void begin_run() {
     fault_.reset();
@@ -103,24 +114,15 @@ class Guard {
   }
 
   template <class Action>
-  auto caught(const world::PluginUse& use, plugin::Call& call, Action& action)
-      -> decltype(action()) {
+  auto caught(const world::PluginUse& use, plugin::Call& call, Action& action) {
     try {
-      if constexpr (std::is_void_v<decltype(action())>) {
-        action();
-        settle(use, call);
-        return;
-      } else {
-        decltype(action()) result = action();
-        settle(use, call);
-        return result;
-      }
+      auto result = value_of(action);
+      settle(use, call);
+      return result;
     } catch (const PluginFault&) {
       throw;  // of another plugin, which this one had called
-    } catch (const std::exception& problem) {
-      fail(use, problem.what());
     } catch (...) {
-      fail(use, "it threw something that is no std::exception");
+      fail(use, what_was_thrown());
     }
   }
 
@@ -153,7 +155,7 @@ class Guard {
 /// added to `problems`, and the result is an empty one.
 template <class Action>
 auto blaming(const world::PluginUse& use, std::vector<base::Problem>& problems, Action action)
-    -> decltype(action()) {
+    -> decltype(value_of(action)) {
   const auto blame = [&](const std::string& problem, bool plugin_failed = false) {
     problems.push_back({use.location.file, use.location.line,
                         "plugin '" + use.plugin + "': " + problem, plugin_failed});
@@ -164,30 +166,19 @@ auto blaming(const world::PluginUse& use, std::vector<base::Problem>& problems, 
                      .line = use.location.line,
                      .doing = "while it was prepared"});
   try {
-    const auto settle = [&] {
-      if (const char* const changed = call.restore_arithmetic()) {
-        blame(std::string("it changed ") + changed + " for the whole program", true);
-      }
-    };
-    if constexpr (std::is_void_v<decltype(action())>) {
-      action();
-      settle();
-      return;
-    } else {
-      decltype(action()) result = action();
-      settle();
-      return result;
+    auto result = value_of(action);
+    if (const char* const changed = call.restore_arithmetic()) {
+      blame(std::string("it changed ") + changed + " for the whole program", true);
     }
+    return result;
   } catch (const plugin::CreateError& problem) {
     problems.push_back({use.location.file, use.location.line, problem.what(), true});
   } catch (const plugin::PluginError& problem) {  // which names the plugin
     problems.push_back({use.location.file, use.location.line, problem.what()});
-  } catch (const std::exception& problem) {
-    blame(problem.what());
   } catch (...) {
-    blame("it threw something that is no std::exception");
+    blame(what_was_thrown());
   }
-  return decltype(action())();
+  return {};
 }
 
 }  // namespace elsie::simulation

@@ -16,13 +16,8 @@ void Controller::replace(Swap& swap, const std::string& path) {
     if (slot.inside) {
       slot.inside->replace(swap, name + "/");
     }
-    const bool is_new = swap.exchange<Behavior>(
-        PluginKind::behavior, *slot.use, name, slot.object, slot.declaration, slot.random,
-        [&](Behavior& object, const Declaration& declaration) {
-          if (declaration.hold) {
-            declaration.hold(object, *slot.inside);
-          }
-        });
+    const bool is_new = swap.exchange<Behavior>(PluginKind::behavior, *slot.use, name, slot.object,
+                                                slot.declaration, slot.random, slot.inside.get());
     if (is_new) {
       // Its events are named by the old library.
       swap.when_settled([&slot] { slot.response = {}; });
@@ -31,7 +26,7 @@ void Controller::replace(Swap& swap, const std::string& path) {
   if (coordinator_) {
     swap.exchange<Coordinator>(PluginKind::coordinator, *description_.coordinator,
                                path + "coordinator", coordinator_, coordinator_declaration_,
-                               random_, [](Coordinator&, const Declaration&) {});
+                               random_);
   }
 }
 
@@ -87,7 +82,7 @@ void Robot::replace(Swap& swap, SensorSlot& slot, const Cameras& cameras) {
   const std::optional<Camera> before = slot.camera;
   swap.undo([&slot, before] { slot.camera = before; });
   if (!swap.exchange<Sensor>(PluginKind::sensor, *slot.use, path, slot.object, slot.declaration,
-                             slot.random, [](Sensor&, const Declaration&) {})) {
+                             slot.random)) {
     return;
   }
   const auto refuse = [&](const std::string& problem) {

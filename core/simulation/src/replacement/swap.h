@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/api/behavior.h"
 #include "elsie/api/component.h"
 #include "elsie/api/declaration.h"
 #include "elsie/base/random.h"
@@ -19,6 +20,7 @@
 #include "elsie/world/description.h"
 
 #include "changes/tuning.h"
+#include "plugins/guard.h"
 
 namespace elsie::simulation {
 
@@ -55,12 +57,11 @@ class Swap {
   }
 
   /// Puts a new object in the place of `object` if its plugin has changed; whether it did.
-  /// `prepare` is called with the new object and declaration before it is configured. Throws
-  /// ReplacementRefused.
-  template <class Kind, class Prepare>
+  /// `inside`: what it holds if it is a behaviour that holds others. Throws ReplacementRefused.
+  template <class Kind>
   bool exchange(PluginKind kind, const world::PluginUse& use, const std::string& path,
                 plugin::Object<Kind>& object, const Declaration*& declaration, Random& random,
-                Prepare prepare) {
+                Coordination* inside = nullptr) {
     const Declaration* const fresh = checked(kind, use, path, *declaration);
     if (fresh == declaration) {
       return false;
@@ -69,7 +70,9 @@ class Swap {
                         nullptr, &random, {},     {},   false};
     run(exchanged, [&] {
       auto made = host_.create<Kind>(kind, use.plugin);
-      prepare(*made, *fresh);
+      if (fresh->hold) {
+        fresh->hold(*made, *inside);
+      }
       const Setup setup = setup_for(exchanged);
       plugin::apply_parameters(*fresh, *made, setup.parameters, setup.elements);
       exchanged.now = made.get();
@@ -99,10 +102,8 @@ class Swap {
                              .doing = "while it was put in the place of an older one"});
     try {
       action();
-    } catch (const std::exception& error) {
-      refuse(exchanged.robot, exchanged.path, error.what());
     } catch (...) {
-      refuse(exchanged.robot, exchanged.path, "it threw something that is no std::exception");
+      refuse(exchanged.robot, exchanged.path, what_was_thrown());
     }
   }
 

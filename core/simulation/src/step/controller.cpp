@@ -7,7 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "plugins/curves.h"
 #include "plugins/make_plugin.h"
 
 namespace elsie::simulation {
@@ -55,12 +54,8 @@ Controller::Controller(const world::Coordination& description, const Setting& se
       slot.inside = std::make_unique<Controller>(use.inside.empty() ? kNothing : use.inside.front(),
                                                  setting, problems);
     }
-    slot.object = make<Behavior>(setting.host, PluginKind::behavior, use, problems,
-                                 [&](Behavior& object, const Declaration& declaration) {
-                                   if (declaration.hold) {
-                                     declaration.hold(object, *slot.inside);
-                                   }
-                                 });
+    slot.object =
+        make<Behavior>(setting.host, PluginKind::behavior, use, problems, slot.inside.get());
     slots_.push_back(std::move(slot));
     members_.emplace_back(use.id, use.priority, runner);
     reasons_.push_back("");
@@ -139,36 +134,15 @@ void Controller::set_priority(std::size_t member, double priority) {
   members_[member] = std::move(changed);
 }
 
-void Controller::list_notes(std::string_view robot, std::vector<Note>& notes) {
-  const auto list = [&](const world::PluginUse& use, const Component& object) {
-    for (std::string& note : setting_.guard.run(use, [&] { return object.notes(); })) {
-      notes.push_back({std::string(robot), use.id, std::move(note)});
-    }
-  };
+void Controller::ask(const std::string& path, Statements& said) {
   for (const Slot& slot : slots_) {
-    list(*slot.use, *slot.object);
+    said.ask(*slot.object, *slot.use, path, setting_.guard);
     if (slot.inside) {
-      slot.inside->list_notes(robot, notes);
+      slot.inside->ask(path + slot.use->id + "/", said);
     }
   }
   if (coordinator_) {
-    list(*description_.coordinator, *coordinator_);
-  }
-}
-
-void Controller::list_curves(const std::string& robot, const std::string& path,
-                             std::vector<LearningCurve>& curves) {
-  const auto list = [&](const world::PluginUse& use, const Component& object) {
-    append_curves(object, use, robot, path + use.id, setting_.guard, curves);
-  };
-  for (const Slot& slot : slots_) {
-    list(*slot.use, *slot.object);
-    if (slot.inside) {
-      slot.inside->list_curves(robot, path + slot.use->id + "/", curves);
-    }
-  }
-  if (coordinator_) {
-    list(*description_.coordinator, *coordinator_);
+    said.ask(*coordinator_, *description_.coordinator, path, setting_.guard);
   }
 }
 

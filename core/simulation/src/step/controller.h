@@ -20,6 +20,7 @@
 #include "changes/tuning.h"
 #include "plugins/guard.h"
 #include "plugins/names.h"
+#include "plugins/statements.h"
 
 namespace elsie::simulation {
 
@@ -56,11 +57,9 @@ class Controller final : public Coordination, private Member::Runner {
   void equip(const Perception& example, std::vector<base::Problem>& problems);
   /// Fresh random streams, named after `path`, which ends in "/"; all objects reset.
   void reset(std::uint64_t seed, const std::string& path);
-  /// Appends what the objects have to say once they are reset.
-  void list_notes(std::string_view robot, std::vector<Note>& notes);
-  /// Appends what they have to show. `path` is what stands before their ids and ends in "/", or "".
-  void list_curves(const std::string& robot, const std::string& path,
-                   std::vector<LearningCurve>& curves);
+  /// Gathers what the objects say once they are reset. `path` is what stands before their ids and
+  /// ends in "/", or "".
+  void ask(const std::string& path, Statements& said);
 
   /// Before each decision: forgets the last answers, at every depth.
   void begin_step();

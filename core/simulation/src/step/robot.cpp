@@ -8,7 +8,6 @@
 #include "elsie/plugin/call.h"
 #include "elsie/world/error.h"
 
-#include "plugins/curves.h"
 #include "plugins/make_plugin.h"
 #include "step/teams.h"
 
@@ -185,8 +184,8 @@ void Robot::sense(const Surroundings& surroundings, const Instant& now) {
 void Robot::decide(const Instant& now) {
   guard_.begin_step(now.step);
   perceived_events_.clear();
-  for (const Raised& raised : raised_) {
-    perceived_events_.push_back(raised.event);
+  for (const events::AnyEvent& event : raised_) {
+    perceived_events_.push_back({names_.keep(events::name_of(event))});
   }
   raised_.clear();
   logged_ = 0;
@@ -203,20 +202,11 @@ void Robot::decide(const Instant& now) {
                              state_.max_wheel_rate());
 }
 
-void Robot::list_notes(std::vector<Note>& notes) const {
+void Robot::ask(Statements& said) {
   for (const SensorSlot& slot : sensors_) {
-    for (std::string& note : guard_.run(*slot.use, [&] { return slot.object->notes(); })) {
-      notes.push_back({description_.id, slot.use->id, std::move(note)});
-    }
+    said.ask(*slot.object, *slot.use, "", guard_);
   }
-  controller_->list_notes(description_.id, notes);
-}
-
-void Robot::list_curves(std::vector<LearningCurve>& curves) const {
-  for (const SensorSlot& slot : sensors_) {
-    append_curves(*slot.object, *slot.use, description_.id, slot.use->id, guard_, curves);
-  }
-  controller_->list_curves(description_.id, "", curves);
+  controller_->ask("", said);
 }
 
 void Robot::list_values(std::size_t sensor, std::vector<NamedValue>& values) const {
@@ -237,7 +227,7 @@ void Robot::stop_when_empty() {
   if (state_.energy <= 0.0) {
     empty_ = true;
     state_.commanded = {};
-    raise("battery_empty");
+    raise(events::BatteryEmpty{});
   }
 }
 
@@ -311,14 +301,14 @@ void Robot::charge(double period_s, double rate) {
   if (charge_asked_ && !empty_ && !state_.charging && rate > 0.0 &&
       state_.energy < state_.capacity) {
     state_.charging = true;
-    raise("charging_started");
+    raise(events::ChargingStarted{});
   }
   charge_asked_ = false;
   if (state_.charging) {
     state_.energy = std::min(state_.capacity, state_.energy + rate * period_s);
     if (state_.energy >= state_.capacity || rate <= 0.0 || empty_) {
       state_.charging = false;
-      raise("charging_ended");
+      raise(events::ChargingEnded{});
     }
   }
 }
@@ -342,14 +332,9 @@ void Robot::collect(double energy) {
   empty_ = empty_ && state_.energy <= 0.0;
 }
 
-void Robot::raise(std::string_view name, std::string detail) {
-  raised_.push_back({{name}, std::move(detail)});
-}
-
 void Robot::take_log(double time_s, std::vector<EventRecord>& log) {
   for (; logged_ < raised_.size(); ++logged_) {
-    log.push_back({time_s, description_.id, std::string(raised_[logged_].event.name),
-                   raised_[logged_].detail});
+    log.push_back({time_s, description_.id, raised_[logged_]});
   }
 }
 

@@ -17,6 +17,7 @@
 
 #include "changes/tuning.h"
 #include "plugins/guard.h"
+#include "plugins/statements.h"
 #include "step/controller.h"
 
 namespace elsie::simulation {
@@ -98,14 +99,16 @@ class Robot final : private Wishes {
   void replace(Swap& swap, const Cameras& cameras);
   Tuning& tuning() { return tuning_; }
 
-  /// Appends what the plugins have to say, after a reset. Throws PluginFault.
-  void list_notes(std::vector<Note>& notes) const;
+  /// Gathers what the plugins say after a reset. Throws PluginFault.
+  void ask(Statements& said);
   /// What its plugins did to the program since the run began.
   void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
-  /// Appends what they have to show, likewise.
-  void list_curves(std::vector<LearningCurve>& curves) const;
-  /// An event for the next perception and for the log.
-  void raise(std::string_view name, std::string detail = {});
+  /// An event of the simulator for the next perception and for the log.
+  template <class Kind>
+  void raise(Kind event) {
+    static_assert(Kind::kFacts.is_perceived);
+    raised_.emplace_back(std::move(event));
+  }
   /// Appends the numbers of one sensor's reading. Throws PluginFault.
   void list_values(std::size_t sensor, std::vector<NamedValue>& values) const;
   /// Appends to the log the events since the last call.
@@ -146,12 +149,9 @@ class Robot final : private Wishes {
     std::optional<Camera> camera;
     Image picture;
   };
-  struct Raised {
-    Event event;
-    std::string detail;
-  };
-
-  void raise(const Event& event) override { raise(names_.keep(event.name)); }
+  void raise(const Event& event) override {
+    raised_.emplace_back(events::Raised{std::string(event.name)});
+  }
   void ask_for_charge() override { charge_asked_ = true; }
   void replace(Swap& swap, SensorSlot& slot, const Cameras& cameras);
   void regroup();
@@ -178,8 +178,8 @@ class Robot final : private Wishes {
   std::vector<ReadingGroup> groups_;
   std::vector<TeamMate> mates_;
   std::vector<Event> perceived_events_;
-  std::vector<Raised> raised_;  // since the last decision
-  std::size_t logged_ = 0;      // how many of them the log has
+  std::vector<events::AnyEvent> raised_;  // since the last decision
+  std::size_t logged_ = 0;                // how many of them the log has
   OwnState state_;
   TeamState team_;
   std::vector<Colour> resource_colours_;

@@ -32,7 +32,7 @@ bool Touches::collects(Robot& robot, const physics::Body& other, physics::Engine
   if (engine.has_box(other.index)) {  // else another robot took it in the same step
     engine.remove_box(other.index);
     robot.collect(box.energy);
-    robot.raise("collected", box.id);
+    robot.raise(events::Collected{box.id});
   }
   return true;
 }
@@ -42,25 +42,29 @@ void Touches::collide(const std::vector<std::unique_ptr<Robot>>& robots,
   const auto [entry, is_new] = last_touch_.try_emplace({touch.a, touch.b}, time_s);
   if (is_new || time_s - entry->second > kSameCollision) {
     robots[touch.a.index]->count_collision();
-    robots[touch.a.index]->raise("collision", name_of(touch.b));
+    robots[touch.a.index]->raise(collision_with(touch.b));
     if (touch.b.kind == physics::BodyKind::robot) {
       robots[touch.b.index]->count_collision();
-      robots[touch.b.index]->raise("collision", name_of(touch.a));
+      robots[touch.b.index]->raise(collision_with(touch.a));
     }
   }
   entry->second = time_s;
 }
 
-std::string Touches::name_of(const physics::Body& body) const {
+events::Collision Touches::collision_with(const physics::Body& body) const {
+  using With = events::Collision::With;
   switch (body.kind) {
     case physics::BodyKind::robot:
-      return world_.robots[body.index].id;
+      return {With::robot, world_.robots[body.index].id};
     case physics::BodyKind::box:
-      return body.index < world_.boxes.size() ? world_.boxes[body.index].id : "charger";
+      if (body.index >= world_.boxes.size()) {
+        return {With::charger};
+      }
+      return {With::box, world_.boxes[body.index].id};
     case physics::BodyKind::wall:
       break;
   }
-  return "wall";
+  return {With::wall};
 }
 
 }  // namespace elsie::simulation

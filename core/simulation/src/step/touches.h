@@ -3,10 +3,10 @@
 
 #include <map>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
+#include "elsie/api/simulator_events.h"
 #include "elsie/physics/engine.h"
 #include "elsie/world/description.h"
 
@@ -29,7 +29,7 @@ class Touches {
   bool collects(Robot& robot, const physics::Body& other, physics::Engine& engine) const;
   void collide(const std::vector<std::unique_ptr<Robot>>& robots, const physics::Touch& touch,
                double time_s);
-  std::string name_of(const physics::Body& body) const;
+  events::Collision collision_with(const physics::Body& body) const;
 
   const world::World& world_;
   std::map<std::pair<physics::Body, physics::Body>, double> last_touch_;  // s

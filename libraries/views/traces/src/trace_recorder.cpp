@@ -209,8 +209,8 @@ class TraceRecorder::Impl {
       for (std::size_t i = 2; i < trace_format::kColumns - 2; ++i) {
         line_.empty();
       }
-      line_.text(trace_format::one_line(event.name));
-      line_.text(trace_format::one_line(event.detail));
+      line_.text(trace_format::one_line(event.name()));
+      line_.text(trace_format::one_line(event.detail()));
       add(line_.take_short());
     }
   }

@@ -34,6 +34,14 @@ struct Measure {
   std::optional<double> value;
 };
 
+/// What happened on a robot.
+struct Event {
+  double time_s = 0.0;
+  std::string robot;
+  std::string name;
+  std::string detail;
+};
+
 /// Texts are JSON, as schema.sql says.
 struct Trajectory {
   std::string robot;
@@ -74,7 +82,7 @@ struct RunRecord {
   double wall_s = 0.0;
   std::vector<Measure> measures;
   std::vector<simulation::RobotResult> robots;
-  std::vector<simulation::EventRecord> events;
+  std::vector<Event> events;
   std::vector<Trajectory> trajectories;
   std::vector<Curve> curves;
   std::vector<Timeline> timelines;
