@@ -85,7 +85,7 @@ std::string table(const RunResult& result) {
   }
   std::map<std::string, int> counts;
   for (const auto& event : result.events) {
-    ++counts[event.name];
+    ++counts[event.name()];
   }
   if (!counts.empty()) {
     out += "\nevents:";
@@ -125,8 +125,8 @@ std::string json(const RunResult& result) {
   for (const auto& event : result.events) {
     object["events"].push_back({{"time_s", event.time_s},
                                 {"robot", event.robot},
-                                {"name", event.name},
-                                {"detail", event.detail}});
+                                {"name", event.name()},
+                                {"detail", event.detail()}});
   }
   object["notes"] = nlohmann::ordered_json::array();
   for (const auto& note : result.notes) {

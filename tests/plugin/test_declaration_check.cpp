@@ -47,6 +47,9 @@ Declaration sensor() {
 TEST_CASE("Sound declarations have no faults") {
   CHECK(check_declaration(behavior()).empty());
   CHECK(check_declaration(sensor()).empty());
+  Declaration reacting = behavior();
+  reacting.reacts_to = {"collision", "stuck"};
+  CHECK(check_declaration(reacting).empty());
   CHECK(check_declarations(std::vector{behavior(), sensor()}).empty());
 }
 
@@ -87,6 +90,10 @@ TEST_CASE("Each fault of a declaration is found and named") {
        [](Declaration& d) { d.parameters[1].default_value = std::string("medium"); }},
       {"the name of event 'is stuck' must be",
        [](Declaration& d) { d.events[0].name = "is stuck"; }},
+      {"event 'battery_empty' is one that the simulator raises",
+       [](Declaration& d) { d.events[0].name = "battery_empty"; }},
+      {"it reacts to the event 'changed', which plugins do not perceive",
+       [](Declaration& d) { d.reacts_to = {"changed"}; }},
       {"event 'stuck' is declared twice", [](Declaration& d) { d.events.push_back(d.events[0]); }},
       {"the name of reading '' must be", [](Declaration& d) { d.needs[0].kind = ""; }},
       {"reading 'range' has no size", [](Declaration& d) { d.needs[0].size = 0; }},
@@ -180,6 +187,14 @@ TEST_CASE("Each fault of nested elements is found and named") {
                d.default_elements[0].parameters["mask"] = std::string("m.png");
              }),
              Contains("the default list of elements 'step' names the file 'm.png'"));
+}
+
+TEST_CASE("Only behaviours and coordinators react to events") {
+  Declaration declaration = sensor();
+  declaration.reacts_to = {"collision"};
+  const auto faults = check_declaration(declaration);
+  REQUIRE(faults.size() == 1);
+  CHECK_THAT(faults[0], Catch::Contains("only behaviors and coordinators perceive events"));
 }
 
 TEST_CASE("One library must not declare a plugin twice") {

@@ -114,6 +114,15 @@ TEST_CASE("A plugin's page has more to say than its declaration, and names its s
   }
 }
 
+TEST_CASE("The page of events lists what may be raised today (else: make reference)") {
+  const Workplace here;
+  CHECK(block(read(kDocs / "events.md"), "events") == here.elsie("describe events").out);
+  const json all = json::parse(here.elsie("describe events --json").out);
+  CHECK(all.at("simulator").at(0).at("name") == "collision");
+  CHECK(all.at("simulator").at(0).at("perceived") == true);
+  CHECK(all.at("plugins").at(0).at("plugin") == "escape");
+}
+
 TEST_CASE("The index lists every shipped plugin (else: make reference)") {
   const Workplace here;
   const std::string index = block(read(kDocs / "plugins.md"), "plugins");

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/world/attributes.h"
+
 #include "world_builder.h"
 
 namespace elsie::test {
@@ -31,6 +33,25 @@ inline Simulation run_of(const ScriptedHost& scripted, std::vector<world::Robot>
   return Simulation(world, scripted.host);
 }
 
+inline simulation::Change change_of(std::size_t robot, const char* attribute,
+                                    const ParameterValue& value) {
+  return {"robot[" + std::to_string(robot + 1) + "]/@" + attribute, world::text_of(value)};
+}
+
+/// Changes an attribute of the robot of this index.
+inline void set(Simulation& simulation, std::size_t robot, const char* attribute,
+                const ParameterValue& value) {
+  const simulation::Change one = change_of(robot, attribute, value);
+  simulation.change(one.path, one.value);
+}
+
+/// Puts it at a pose on the floor.
+inline void place(Simulation& simulation, std::size_t robot, const Pose& pose) {
+  simulation.change(std::vector<simulation::Change>{
+      change_of(robot, "x", pose.x), change_of(robot, "y", pose.y), change_of(robot, "z", 0.0),
+      change_of(robot, "heading_deg", degrees(pose.heading_rad))});
+}
+
 inline world::Segment segment(const std::string& id) {
   world::Segment segment;
   segment.id = id;
@@ -53,7 +74,7 @@ inline std::vector<std::string> events_of(const Simulation& simulation) {
   std::vector<std::string> texts;
   for (const auto& event : simulation.events()) {
     std::ostringstream text;
-    text << event.time_s << ' ' << event.name << ' ' << event.detail;
+    text << event.time_s << ' ' << event.name() << ' ' << event.detail();
     texts.push_back(text.str());
   }
   return texts;

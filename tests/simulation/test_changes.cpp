@@ -16,7 +16,7 @@ TEST_CASE("A robot that was put elsewhere is there, at rest, and drives on by th
   Simulation simulation = run_of(scripted, {robot("r1", 0, 0, 0, behavior("scripted"))});
   advance(simulation, 100);
   const double driven = simulation.robot(0).distance_m;
-  simulation.place_robot(0, {1.0, -2.0, radians(90)});
+  place(simulation, 0, {1.0, -2.0, radians(90)});
   const OwnState& state = *simulation.robot(0).state;
   CHECK(state.pose.x == Approx(1).margin(1e-9));
   CHECK(state.pose.y == Approx(-2).margin(1e-9));
@@ -65,7 +65,7 @@ TEST_CASE("What a robot pulls comes with it, in line behind it") {
   Simulation simulation = run_of(scripted, {train});
   advance(simulation, 200);
   REQUIRE(std::abs(simulation.segment(0, 0).yaw_rad) > 0.05);  // not in line any more
-  simulation.place_robot(0, {2.0, 1.0, radians(120)});
+  place(simulation, 0, {2.0, 1.0, radians(120)});
   for (std::size_t i = 0; i < 3; ++i) {
     const auto segment = simulation.segment(0, i);
     CAPTURE(i);
@@ -101,7 +101,7 @@ TEST_CASE("A place that is not free is refused with a sentence, and nothing has 
   const auto refused = [&](double x, double y, const std::string& sentence) {
     const std::uint64_t before = simulation.state_hash();
     const std::size_t events = simulation.events().size();
-    CHECK_THAT(why_not([&] { simulation.place_robot(0, {x, y, 0}); }), Catch::Contains(sentence));
+    CHECK_THAT(why_not([&] { place(simulation, 0, {x, y, 0}); }), Catch::Contains(sentence));
     CHECK(simulation.state_hash() == before);
     CHECK(simulation.events().size() == events);
   };
@@ -118,7 +118,7 @@ TEST_CASE("A place that is not free is refused with a sentence, and nothing has 
           "the robot 'r1' overlaps the segment 'cart' of the robot 'pusher'");
   refused(NAN, 0, "robot[1]/@x=nan: expected a number");
   // Where things stood before there is room now.
-  CHECK(why_not([&] { other.place_robot(0, {2.2, 2.0, 0}); }).empty());
+  CHECK(why_not([&] { place(other, 0, {2.2, 2.0, 0}); }).empty());
 
   Simulation never_asked = fresh();
   advance(never_asked, 400);
@@ -155,15 +155,15 @@ TEST_CASE("A lowered maximum speed scales both wheels alike, at once") {
   Simulation simulation(world, scripted.host);
   advance(simulation, 3);
   CHECK(simulation.robot(0).command == MotorCommand{25, 12.5});
-  simulation.set_max_speed(0, 0.3);
+  set(simulation, 0, "max_speed", 0.3);
   CHECK(simulation.robot(0).command == MotorCommand{15, 7.5});  // in mid-period
   advance(simulation, 20);
   CHECK(simulation.robot(0).command == MotorCommand{15, 7.5});
-  simulation.set_max_speed(0, 1.0);
+  set(simulation, 0, "max_speed", 1.0);
   CHECK(simulation.robot(0).command == MotorCommand{15, 7.5});  // until it decides anew
   advance(simulation, 10);
   CHECK(simulation.robot(0).command == MotorCommand{50, 25});
-  simulation.set_max_speed(0, 0.0);
+  set(simulation, 0, "max_speed", 0.0);
   CHECK(simulation.robot(0).command == MotorCommand{0, 0});
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("Coverage decides who is in reach") {
                                             robot("far", 0, 1.5, 0, behavior("scripted"))});
   simulation.step();
   CHECK(reached == std::vector<std::string>{"near"});
-  simulation.set_coverage(2, 2.0);  // that of the one who is to be heard
+  set(simulation, 2, "coverage", 2.0);  // that of the one who is to be heard
   simulation.step();
   CHECK(reached == std::vector<std::string>{"near", "far"});
   simulation.change("robot[*]/@coverage", "0.3");
@@ -201,7 +201,7 @@ TEST_CASE("Followers turn to whoever has the leader's flag") {
   Simulation simulation(world, scripted.host);
   simulation.step();
   CHECK(simulation.robot(0).command == MotorCommand{0, 0});  // nobody leads
-  simulation.set_leader(1, true);
+  set(simulation, 1, "leader", true);
   simulation.step();
   CHECK(simulation.robot(0).command.right == Approx(9.0).epsilon(0.01));  // 0.10 x 90 deg, left
   const simulation::Change handover[] = {{"robot[north]/@leader", "false"},
@@ -218,7 +218,7 @@ TEST_CASE("Energy can be taken and given: an empty robot stops, with power it go
   ScriptedHost scripted([](const Perception&) { return MotorCommand{10, 10}; });
   Simulation simulation = run_of(scripted, {robot("r1", 0, 0, 0, behavior("scripted"))});
   advance(simulation, 10);
-  simulation.set_energy(0, 0.0);
+  set(simulation, 0, "energy", 0.0);
   CHECK(simulation.robot(0).empty);
   advance(simulation, 10);
   CHECK(simulation.robot(0).command == MotorCommand{0, 0});
@@ -230,7 +230,7 @@ TEST_CASE("Energy can be taken and given: an empty robot stops, with power it go
   CHECK(events_of(simulation) == std::vector<std::string>{"0.1 changed robot[r1]/@energy=0",
                                                           "0.1 battery_empty ",
                                                           "0.2 changed robot[r1]/@energy=2500"});
-  CHECK(why_not([&] { simulation.set_energy(0, 5001); }) ==
+  CHECK(why_not([&] { set(simulation, 0, "energy", 5001); }) ==
         "robot[r1]/@energy=5001: the battery of the robot 'r1' holds 5000 units; expected no more "
         "than that");
 }
@@ -295,12 +295,12 @@ TEST_CASE("Changes are forgotten by a reset") {
   Simulation simulation(world, scripted.host, {3});
   const std::uint64_t unchanged = simulation.run().state_hash;
   simulation.reset();
-  simulation.set_max_speed(0, 0.1);
-  simulation.set_coverage(0, 3);
-  simulation.set_leader(0, true);
-  simulation.set_energy(0, 77);
+  set(simulation, 0, "max_speed", 0.1);
+  set(simulation, 0, "coverage", 3);
+  set(simulation, 0, "leader", true);
+  set(simulation, 0, "energy", 77);
   simulation.change("sensor[left]/@energy_cost", "50");
-  simulation.place_robot(0, {1, 1, 1});
+  place(simulation, 0, {1, 1, 1});
   CHECK(simulation.run().state_hash != unchanged);
   simulation.reset();
   const OwnState& state = *simulation.robot(0).state;

@@ -50,7 +50,7 @@ TEST_CASE("An empty robot stops, is not asked any more, and an event says so onc
   CHECK(result.robots[0].energy == 0.0);
   CHECK(result.robots[0].distance_m == Approx(0.4).margin(0.02));
   REQUIRE(result.events.size() == 1);
-  CHECK(result.events[0].name == "battery_empty");
+  CHECK(result.events[0].name() == "battery_empty");
   CHECK(result.events[0].time_s == Approx(2.0).margin(0.02));
 }
 
@@ -62,8 +62,8 @@ TEST_CASE("A robot at its charger that asks for it is charged until full") {
   });
   const auto result = Simulation(with_charger(4000), scripted.host).run();
   REQUIRE(result.events.size() >= 2);
-  CHECK(result.events[0].name == "charging_started");
-  CHECK(result.events[1].name == "charging_ended");
+  CHECK(result.events[0].name() == "charging_started");
+  CHECK(result.events[1].name() == "charging_ended");
   // 25 units in each control step, less what the sensor takes: 1000 units in 40 steps and a bit.
   CHECK(result.events[1].time_s == Approx(0.41).margin(0.015));
 }
@@ -96,7 +96,7 @@ TEST_CASE("A robot that starts empty never moves, with or without sensors") {
   const auto result = Simulation(world, scripted.host).run();
   CHECK(result.robots[0].distance_m < 1e-4);
   REQUIRE(result.events.size() == 1);
-  CHECK(result.events[0].name == "battery_empty");
+  CHECK(result.events[0].name() == "battery_empty");
 }
 
 TEST_CASE("A resource fills the battery up to its capacity, and one robot only") {

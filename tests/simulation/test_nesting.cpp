@@ -152,7 +152,7 @@ TEST_CASE("What a member inside asks of the robot is done") {
   Simulation simulation(std::move(world), scripted.host);
   simulation.step();
   CHECK(simulation.robot(0).state->charging);
-  CHECK(simulation.events()[0].name == "hello");
+  CHECK(simulation.events()[0].name() == "hello");
 }
 
 TEST_CASE("A fault inside names the plugin that failed, not the ones around it") {

@@ -104,9 +104,9 @@ TEST_CASE("The new version answers from the next step on, and the old one leaves
   CHECK(replacement.notes.empty());
   const auto events = stage.simulation->events();
   CHECK(std::count_if(events.begin(), events.end(), [](const auto& event) {
-          return event.name == "replaced" && event.robot == "r1" &&
-                 (event.detail == "behavior[numbered]: numbered" ||
-                  event.detail == "coordinator: numbered_first");
+          return event.name() == "replaced" && event.robot == "r1" &&
+                 (event.detail() == "behavior[numbered]: numbered" ||
+                  event.detail() == "coordinator: numbered_first");
         }) == 2);
 }
 
@@ -303,12 +303,12 @@ TEST_CASE("Traces and events do not point into a library that is gone") {
   stage.step();  // perceives the event that was raised before
   const auto events = simulation.events();
   CHECK(std::count_if(events.begin(), events.end(),
-                      [](const auto& event) { return event.name == "beat"; }) == 2);
+                      [](const auto& event) { return event.name() == "beat"; }) == 2);
   // A version that raises another event.
   stage.replace(3, 'e');
   stage.step();
   stage.step();
-  CHECK(simulation.events().back().name == "bong");
+  CHECK(simulation.events().back().name() == "bong");
 }
 
 TEST_CASE("A recording keeps its columns when a sensor lists other numbers") {

@@ -80,8 +80,8 @@ Told run(const std::string& file, const std::vector<std::string>& overrides, boo
   Told told;
   told.hash = simulation.state_hash();
   for (const auto& event : simulation.events()) {
-    if (event.name != "replaced") {
-      told.events.push_back(event.name + " " + event.robot + " " + std::to_string(event.time_s));
+    if (event.name() != "replaced") {
+      told.events.push_back(event.name() + " " + event.robot + " " + std::to_string(event.time_s));
     }
   }
   return told;

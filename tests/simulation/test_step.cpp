@@ -194,15 +194,20 @@ TEST_CASE("A resource is collected at a touch: by its team, or by any when it ha
     CHECK(result.robots[0].collisions == 0);
     CHECK(result.robots[0].pose.x > 0.8);
     REQUIRE(result.events.size() == 1);
-    CHECK(result.events[0].name == "collected");
-    CHECK(result.events[0].detail == "gold");
+    CHECK(result.events[0].name() == "collected");
+    CHECK(result.events[0].detail() == "gold");
+    REQUIRE(result.events[0].as<events::Collected>());
+    CHECK(result.events[0].as<events::Collected>()->resource == "gold");
+    CHECK_FALSE(result.events[0].as<events::Collision>());
   }
   const auto result = run("blue");
   CHECK(result.robots[0].collected == 0);
   CHECK(result.robots[0].collisions == 1);
   CHECK(result.robots[0].pose.x < 0.4);
-  CHECK(result.events[0].name == "collision");
-  CHECK(result.events[0].detail == "gold");
+  CHECK(result.events[0].name() == "collision");
+  CHECK(result.events[0].detail() == "gold");
+  REQUIRE(result.events[0].as<events::Collision>());
+  CHECK(result.events[0].as<events::Collision>()->with == events::Collision::With::box);
 }
 
 TEST_CASE("A touch that lasts is one collision, and both robots of one count it") {

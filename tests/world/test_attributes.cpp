@@ -1,9 +1,11 @@
 // The attributes of a world in memory, by their paths.
+#include <functional>
 #include <stdexcept>
 
 #include <catch2/catch.hpp>
 
 #include "elsie/world/attributes.h"
+#include "elsie/world/live_robot.h"
 
 #include "fixture.h"
 
@@ -55,6 +57,33 @@ struct Found {
   Attributes attributes;
 };
 
+/// Notes what changes it.
+class NotedRobot final : public world::LiveRobot {
+ public:
+  void set_x(double) override { note("x"); }
+  void set_y(double) override { note("y"); }
+  void set_z(double) override { note("z"); }
+  void set_heading_deg(double) override { note("heading_deg"); }
+  void set_max_speed(double) override { note("max_speed"); }
+  void set_coverage(double) override { note("coverage"); }
+  void set_leader(bool) override { note("leader"); }
+  void set_energy(double) override { note("energy"); }
+  void set_energy_cost(const world::PluginUse& sensor, double) override {
+    note("energy_cost of " + sensor.id);
+  }
+  void set_priority(const world::PluginUse& behavior, double) override {
+    note("priority of " + behavior.id);
+  }
+  void set_parameter(const AttributePlace& place, const ParameterValue&) override {
+    note("parameter " + place.field.name + " of " + place.use->id);
+  }
+
+  std::vector<std::string> noted;
+
+ private:
+  void note(const std::string& what) { noted.push_back(what); }
+};
+
 }  // namespace
 
 TEST_CASE("A path leads to the attributes that an override of the file would change") {
@@ -89,20 +118,57 @@ TEST_CASE("An attribute says whose it is, what it takes, and whether it may chan
   CHECK(speed.element == "roam");
   CHECK(speed.robot == &found.world.robots[0]);
   CHECK(speed.use == &found.world.robots[0].behaviors[1]);
-  CHECK(speed.is_parameter);
   CHECK(speed.field.type == ParameterType::real);
-  CHECK(speed.field.live);
+  CHECK(speed.field.is_live());
   const AttributePlace priority = found.one("robot[r1]/roam/@priority");
   CHECK(priority.use == speed.use);
-  CHECK_FALSE(priority.is_parameter);
-  CHECK(priority.field.live);
+  CHECK(priority.field.is_live());
   const AttributePlace battery = found.one("robot[r2]/@battery");
   CHECK(battery.robot == &found.world.robots[1]);
   CHECK(battery.use == nullptr);
-  CHECK_FALSE(battery.field.live);
+  CHECK_FALSE(battery.field.is_live());
   CHECK(battery.live == std::vector<std::string>{"x", "y", "z", "heading_deg", "max_speed",
                                                  "coverage", "leader", "energy"});
   CHECK(found.one("arena/@length").robot == nullptr);
+}
+
+TEST_CASE("A change of a live attribute does what the attribute's name says") {
+  const Found found;
+  NotedRobot robot;
+  std::vector<std::string> expected;
+  const auto change = [&](const std::string& path, const std::string& what) {
+    const AttributePlace place = found.one(path);
+    CAPTURE(path);
+    REQUIRE(place.field.is_live());
+    const bool is_flag = place.field.type == ParameterType::boolean;
+    place.field.change(robot, place, is_flag ? ParameterValue(true) : ParameterValue(1.0));
+    expected.push_back(what);
+  };
+  for (const std::string& name : found.one("robot[r1]/@x").live) {
+    change("robot[r1]/@" + name, name);
+  }
+  change("robot[r1]/sensor[right]/@energy_cost", "energy_cost of right");
+  change("robot[r1]/behavior[roam]/@priority", "priority of roam");
+  change("robot[r1]/behavior[roam]/@speed", "parameter speed of roam");
+  CHECK(robot.noted == expected);
+}
+
+TEST_CASE("Only attributes of robots, and of what is on them, are live") {
+  int live = 0;
+  const std::function<void(const world::ElementSpec&, bool)> look = [&](const auto& spec,
+                                                                        bool on_robot) {
+    on_robot = on_robot || spec.name == "robot";
+    for (const world::AttributeSpec& attribute : spec.attributes) {
+      CAPTURE(spec.name, attribute.name);
+      CHECK((on_robot || !attribute.is_live()));
+      live += attribute.is_live();
+    }
+    for (const world::ElementSpec& child : spec.children) {
+      look(child, on_robot);
+    }
+  };
+  look(world::vocabulary(), false);
+  CHECK(live == 10);
 }
 
 TEST_CASE("A path that leads nowhere is told as in an override") {

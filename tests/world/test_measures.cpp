@@ -75,7 +75,7 @@ TEST_CASE("What a measure is told is settled before a run") {
     CHECK(place.path == path);
     CHECK(place.robot == nullptr);
     CHECK(place.use == &w.measures[2]);
-    CHECK_FALSE(place.field.live);
+    CHECK_FALSE(place.field.is_live());
     CHECK(place.live.empty());
   }
 }

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "elsie/api/simulator_events.h"
 #include "elsie/base/near_name.h"
 #include "elsie/experiment/vocabulary.h"
 #include "elsie/plugin/kind_name.h"
@@ -209,11 +210,35 @@ ordered_json to_json(const Host& host, const Declaration& plugin) {
   };
   json["needs"] = kinds(plugin.needs);
   json["produces"] = kinds(plugin.produces);
+  json["reacts_to"] = plugin.reacts_to;
   json["events"] = ordered_json::array();
   for (const auto& event : plugin.events) {
     json["events"].push_back({{"name", event.name}, {"meaning", event.meaning}});
   }
   return json;
+}
+
+ordered_json events_json(const Host& host) {
+  ordered_json json{{"simulator", ordered_json::array()}, {"plugins", ordered_json::array()}};
+  for (const auto& event : events::of_simulator()) {
+    json["simulator"].push_back({{"name", event.name},
+                                 {"meaning", event.meaning},
+                                 {"detail", event.detail},
+                                 {"perceived", event.is_perceived}});
+  }
+  for (const PluginKind kind : kPluginKinds) {
+    for (const Declaration* plugin : host.all(kind)) {
+      for (const auto& event : plugin->events) {
+        json["plugins"].push_back(
+            {{"name", event.name}, {"plugin", plugin->name}, {"meaning", event.meaning}});
+      }
+    }
+  }
+  return json;
+}
+
+void print(const ordered_json& json) {
+  out() << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
 }
 
 void print_json(const Host& host) {
@@ -238,7 +263,7 @@ void print_json(const Host& host) {
                                    {"problem", directory.problem},
                                    {"files", files}});
   }
-  out() << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+  print(json);
 }
 
 void print_names(const Host& host) {
@@ -273,6 +298,14 @@ int describe(const DescribeOptions& options) {
     return kSuccess;
   }
   const Host host = load_plugins(options.plugins);
+  if (options.name == "events") {
+    if (options.json) {
+      print(events_json(host));
+    } else {
+      out() << reference::events_reference(host);
+    }
+    return kSuccess;
+  }
   bool found = false;
   std::vector<std::string> names;
   ordered_json all = ordered_json::array();
@@ -300,8 +333,7 @@ int describe(const DescribeOptions& options) {
                    "\n`elsie plugins` lists all that were found");
   }
   if (options.json) {
-    const ordered_json& json = all.size() == 1 ? all[0] : all;
-    out() << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+    print(all.size() == 1 ? all[0] : all);
   }
   return kSuccess;
 }
@@ -344,16 +376,17 @@ void add_describe_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "describe",
       "Print what a plugin does, its parameters with defaults and ranges, what may stand in its "
-      "element, its events; or the vocabulary of world or experiment files");
+      "element, its events; or all events; or the vocabulary of world or experiment files");
   command->footer(
       "\nExamples:\n  elsie describe beam_range\n  elsie describe world\n  elsie describe "
       "experiment\n"
+      "  elsie describe events\n"
       "  elsie describe wander --kind behavior --declaration\n");
   auto options = std::make_shared<DescribeOptions>();
   command
-      ->add_option(
-          "PLUGIN", options->name,
-          "Name of a sensor, behavior, coordinator or measure; or 'world', or 'experiment'")
+      ->add_option("PLUGIN", options->name,
+                   "Name of a sensor, behavior, coordinator or measure; or 'events', 'world' or "
+                   "'experiment'")
       ->required();
   command
       ->add_option_function<std::string>(

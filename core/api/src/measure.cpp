@@ -25,6 +25,20 @@ std::string those_there(const Range& range, IdOf id_of) {
 
 }  // namespace
 
+const char* to_string(RunEnd::Outcome outcome) {
+  switch (outcome) {
+    case RunEnd::Outcome::success:
+      return "success";
+    case RunEnd::Outcome::failure:
+      return "failure";
+    case RunEnd::Outcome::time_limit:
+      return "time_limit";
+    case RunEnd::Outcome::running:
+      break;
+  }
+  return "running";
+}
+
 const ObservedBehavior* ObservedRobot::behavior(std::string_view path) const {
   const auto found =
       std::find_if(behaviors.begin(), behaviors.end(),

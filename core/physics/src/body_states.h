@@ -1,7 +1,9 @@
-// The states of bodies before a step, to take it again.
+// The states of bodies: before a step, to take it again; and as a hash, to compare two runs.
 #pragma once
 
 #include <vector>
+
+#include "elsie/base/fnv1a.h"
 
 #include "ode_handles.h"
 
@@ -21,5 +23,16 @@ class BodyStates {
   };
   std::vector<State> states_;
 };
+
+inline void add_numbers(base::Fnv1a& hash, const dReal* numbers, int count) {
+  for (int i = 0; i < count; ++i) hash.add(numbers[i]);
+}
+
+inline void add_body(base::Fnv1a& hash, dBodyID body) {
+  add_numbers(hash, dBodyGetPosition(body), 3);
+  add_numbers(hash, dBodyGetQuaternion(body), 4);
+  add_numbers(hash, dBodyGetLinearVel(body), 3);
+  add_numbers(hash, dBodyGetAngularVel(body), 3);
+}
 
 }  // namespace elsie::physics

@@ -1,6 +1,7 @@
 #include "ode_contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -77,23 +78,38 @@ dContact OdeContacts::on_floor(const Vector3& point, double friction) const {
   return contact;
 }
 
-void OdeContacts::wheel_on_floor(dBodyID wheel, const Vector3& lowest, const Vector3& rolling) {
-  dContact contact = on_floor(lowest, tyre_friction_);
-  contact.surface.mode = dContactFDir1 | dContactSlip1 | dContactSlip2;
-  contact.surface.slip1 = slip_;
+void OdeContacts::wheel_on_floor(dBodyID body, dGeomID geom, const Cylinder& wheel, double sinking,
+                                 WheelDrive drive, dGeomID floor) {
+  // The rolling radius and the track are exact when a wheel touches the floor in one point, the
+  // lowest of its middle disc.
+  const Vector3& axis = wheel.axis;
+  const double level = std::sqrt(axis.x * axis.x + axis.y * axis.y);
+  if (level <= 0.99) {  // it is tipped over
+    std::array<dContactGeom, 4> found;
+    const int count =
+        dCollide(geom, floor, static_cast<int>(found.size()), found.data(), sizeof(dContactGeom));
+    for (int k = 0; k < count; ++k) {
+      between(body, nullptr, found[static_cast<std::size_t>(k)]);
+    }
+    return;
+  }
+  const Vector3 down = (1.0 / level) * Vector3{axis.x * axis.z, axis.y * axis.z, -level * level};
+  const Vector3 lowest = wheel.center + wheel.radius * down;
+  if (lowest.z > margin(sinking)) return;
+  const bool is_driven = drive == WheelDrive::motor;
+  dContact contact = on_floor(lowest, is_driven ? tyre_friction_ : 0.0);
+  contact.surface.mode = dContactFDir1 | dContactSlip2;
   contact.surface.slip2 = slip_;
-  contact.fdir1[0] = rolling.x;
-  contact.fdir1[1] = rolling.y;
-  attach(wheel, nullptr, contact, lowest.z);
-}
-
-void OdeContacts::free_wheel_on_floor(dBodyID body, const Vector3& lowest, const Vector3& rolling) {
-  dContact contact = on_floor(lowest, 0.0);
-  contact.surface.mode = dContactFDir1 | dContactMu2 | dContactSlip2;
-  contact.surface.mu2 = tyre_friction_;
-  contact.surface.slip2 = slip_;
-  contact.fdir1[0] = rolling.x;
-  contact.fdir1[1] = rolling.y;
+  if (is_driven) {
+    contact.surface.mode |= dContactSlip1;
+    contact.surface.slip1 = slip_;
+  } else {
+    contact.surface.mode |= dContactMu2;
+    contact.surface.mu2 = tyre_friction_;
+  }
+  // The direction in which it rolls.
+  contact.fdir1[0] = axis.y / level;
+  contact.fdir1[1] = -axis.x / level;
   attach(body, nullptr, contact, lowest.z);
 }
 

@@ -19,6 +19,8 @@ struct FoundContact {
   dContact contact{};
 };
 
+enum class WheelDrive { motor, free };
+
 /// Collects the contacts of one step, and makes joints of them that live for it.
 ///
 /// A contact may be made while there is still a gap. It then only forbids the bodies to come closer
@@ -31,10 +33,10 @@ class OdeContacts {
   /// Up to which gap, in m, a body that comes nearer at `speed` m/s needs a contact.
   double margin(double speed) const;
 
-  /// A wheel on the floor; `rolling` is the horizontal unit vector along which it rolls.
-  void wheel_on_floor(dBodyID wheel, const Vector3& lowest, const Vector3& rolling);
-  /// The same for a wheel that rolls freely: it only holds sideways.
-  void free_wheel_on_floor(dBodyID body, const Vector3& lowest, const Vector3& rolling);
+  /// A wheel, whole or tipped over, that is `geom` of `body` and sinks with `sinking` m/s. One
+  /// without a motor rolls freely and only holds sideways.
+  void wheel_on_floor(dBodyID body, dGeomID geom, const Cylinder& wheel, double sinking,
+                      WheelDrive drive, dGeomID floor);
   /// A sphere that glides on the floor without friction.
   void caster_on_floor(dBodyID caster, const Vector3& lowest);
   /// The corners of a box that are on the floor or about to reach it.

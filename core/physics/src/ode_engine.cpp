@@ -19,7 +19,6 @@
 #include "ode_robot.h"
 #include "routing.h"
 #include "scene.h"
-#include "state_hash.h"
 
 namespace elsie::physics {
 namespace {

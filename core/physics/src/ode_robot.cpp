@@ -6,8 +6,6 @@
 #include "elsie/world/engine_facts.h"
 
 #include "bounds.h"
-#include "moving_vehicle.h"
-#include "wheel_on_floor.h"
 
 namespace elsie::physics {
 namespace {
@@ -100,7 +98,7 @@ void OdeRobot::put(const Pose& pose, double z) {
   wheel_angles_ = {};
   velocity_ = turning_ = {};
   state_ = {};
-  read_shape();
+  read_shape(bodies_[chassis], dimensions_, state_, chassis_box_, wheels_);
   for (OdeSegment& segment : segments_) segment.put(frame);
 }
 
@@ -149,8 +147,8 @@ void OdeRobot::meet_floor(OdeContacts& contacts, dGeomID floor) const {
   for (std::size_t i = 0; i < 2; ++i) {
     const dBodyID wheel = bodies_[left_wheel + i];
     const double sinking = -dBodyGetLinearVel(wheel)[2];
-    physics::meet_floor(contacts, wheel, geoms_[left_wheel + i].get(), wheels_[i], sinking,
-                        WheelDrive::motor, floor);
+    contacts.wheel_on_floor(wheel, geoms_[left_wheel + i].get(), wheels_[i], sinking,
+                            WheelDrive::motor, floor);
   }
   for (const Part part : {front_caster, rear_caster}) {
     Vector3 lowest = to_vector(dBodyGetPosition(bodies_[part]));
@@ -185,7 +183,7 @@ bool OdeRobot::settle_chassis(double step) {
     rates[i] = dot(old_axis, spin - turning_);
     wheel_angles_[i] = std::remainder(wheel_angles_[i] + step * rates[i], 2.0 * std::numbers::pi);
   }
-  read_shape();
+  read_shape(bodies_[chassis], dimensions_, state_, chassis_box_, wheels_);
   state_.wheel_rates = {rates[0], rates[1]};
   state_.speed = dot(velocity_, state_.frame.forward);
   state_.turn_rate = turning_.z;
@@ -214,36 +212,13 @@ bool OdeRobot::settle_chassis(double step) {
   return true;
 }
 
-void OdeRobot::read_shape() {
-  const world::RobotBody& d = dimensions_;
-  const dReal* r = dBodyGetRotation(bodies_[chassis]);
-  const Vector3 center = to_vector(dBodyGetPosition(bodies_[chassis]));
-  Frame& frame = state_.frame;
-  frame.forward = {r[0], r[4], r[8]};
-  frame.left = {r[1], r[5], r[9]};
-  frame.up = {r[2], r[6], r[10]};
-  frame.origin = center - (d.clearance + 0.5 * d.height) * frame.up;
-  state_.pose = {frame.origin.x, frame.origin.y, std::atan2(frame.forward.y, frame.forward.x)};
-  chassis_box_ = {center,
-                  {frame.forward, frame.left, frame.up},
-                  {0.5 * d.length, 0.5 * d.width, 0.5 * d.height}};
-  for (std::size_t i = 0; i < 2; ++i) {
-    wheels_[i] = {frame.point({0.0, (i == 0 ? 1.0 : -1.0) * d.half_axle(), d.wheel_radius}),
-                  frame.left, d.wheel_radius, 0.5 * d.wheel_width};
-  }
-}
-
 Vehicle OdeRobot::vehicle(std::size_t index) const {
   if (index > 0) return segments_[index - 1].vehicle();
   Vehicle vehicle;
   vehicle.box = {bodies_[chassis], geoms_[chassis].get(), SolidKind::box, chassis_box_};
   for (std::size_t i = 0; i < 2; ++i) {
-    const Cylinder& wheel = wheels_[i];
-    vehicle.wheels[i] = {
-        bodies_[left_wheel + i],
-        geoms_[left_wheel + i].get(),
-        SolidKind::wheel,
-        {wheel.center, chassis_box_.axes, {wheel.radius, wheel.half_length, wheel.radius}}};
+    vehicle.wheels[i] = wheel_solid(bodies_[left_wheel + i], geoms_[left_wheel + i].get(),
+                                    wheels_[i], chassis_box_);
     vehicle.casters[i] = {
         bodies_[front_caster + i], geoms_[front_caster + i].get(), SolidKind::box, {}};
   }

@@ -82,7 +82,6 @@ class OdeRobot {
   void link_wheels(dWorldID world, const Frame& frame);
   void link_casters(dWorldID world, const Frame& frame);
   bool settle_chassis(double step);
-  void read_shape();
 
   world::RobotBody dimensions_;
   double caster_radius_;

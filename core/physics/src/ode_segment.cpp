@@ -4,9 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "moving_vehicle.h"
-#include "wheel_on_floor.h"
-
 namespace elsie::physics {
 namespace {
 
@@ -84,14 +81,14 @@ void OdeSegment::put(const Frame& robot) {
   dBodySetAngularVel(body_, 0.0, 0.0, 0.0);
   velocity_ = turning_ = {};
   state_.yaw_rad = state_.pitch_rad = 0.0;
-  read_shape();
+  read_shape(body_, dimensions_, state_, box_, wheels_);
 }
 
 void OdeSegment::meet_floor(OdeContacts& contacts, dGeomID floor) const {
   for (std::size_t i = 0; i < 2; ++i) {
     const double sinking = -(velocity_ + cross(turning_, wheels_[i].center - box_.center)).z;
-    physics::meet_floor(contacts, body_, wheel_geoms_[i].get(), wheels_[i], sinking,
-                        WheelDrive::free, floor);
+    contacts.wheel_on_floor(body_, wheel_geoms_[i].get(), wheels_[i], sinking, WheelDrive::free,
+                            floor);
   }
   contacts.box_on_floor(body_, box_);
 }
@@ -119,7 +116,7 @@ bool OdeSegment::settle(const Frame& front, const Vector3& joint) {
   const dMatrix3 rotation{f.x, l.x, u.x, 0.0, f.y, l.y, u.y, 0.0, f.z, l.z, u.z, 0.0};
   dBodySetRotation(body_, rotation);
   dBodySetPosition(body_, center.x, center.y, center.z);
-  read_shape();
+  read_shape(body_, dimensions_, state_, box_, wheels_);
   return true;
 }
 
@@ -138,25 +135,6 @@ void OdeSegment::limit_joint(const Frame& front) {
   frame.up = limited.up;
 }
 
-void OdeSegment::read_shape() {
-  const world::Segment& d = dimensions_;
-  const dReal* r = dBodyGetRotation(body_);
-  const Vector3 center = to_vector(dBodyGetPosition(body_));
-  Frame& frame = state_.frame;
-  frame.forward = {r[0], r[4], r[8]};
-  frame.left = {r[1], r[5], r[9]};
-  frame.up = {r[2], r[6], r[10]};
-  frame.origin = center - (d.clearance + 0.5 * d.height) * frame.up;
-  state_.pose = {frame.origin.x, frame.origin.y, std::atan2(frame.forward.y, frame.forward.x)};
-  box_ = {center,
-          {frame.forward, frame.left, frame.up},
-          {0.5 * d.length, 0.5 * d.width, 0.5 * d.height}};
-  for (std::size_t i = 0; i < 2; ++i) {
-    wheels_[i] = {frame.point({0.0, (i == 0 ? 1.0 : -1.0) * d.half_axle(), d.wheel_radius}),
-                  frame.left, d.wheel_radius, 0.5 * d.wheel_width};
-  }
-}
-
 void OdeSegment::place_in(Scene& scene, Scene::Id id, double step) const {
   place_vehicle(scene, id, {state_.frame, box_, wheels_, velocity_, turning_}, step);
 }
@@ -166,12 +144,7 @@ Vehicle OdeSegment::vehicle() const {
   Vehicle vehicle;
   vehicle.box = {body_, box_geom_.get(), SolidKind::box, box_};
   for (std::size_t i = 0; i < 2; ++i) {
-    const Cylinder& wheel = wheels_[i];
-    vehicle.wheels[i] = {
-        body_,
-        wheel_geoms_[i].get(),
-        SolidKind::wheel,
-        {wheel.center, box_.axes, {wheel.radius, wheel.half_length, wheel.radius}}};
+    vehicle.wheels[i] = wheel_solid(body_, wheel_geoms_[i].get(), wheels_[i], box_);
   }
   vehicle.wheels_in_box = d.wheel_radius <= 0.5 * d.length && 2.0 * d.wheel_radius <= d.top();
   return vehicle;

@@ -55,7 +55,6 @@ class OdeSegment {
 
  private:
   void limit_joint(const Frame& front);
-  void read_shape();
 
   world::Segment dimensions_;
   world::Coupling coupling_;

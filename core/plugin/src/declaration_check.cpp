@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "elsie/api/simulator_events.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/parameters.h"
 
@@ -25,6 +26,16 @@ class Checker {
     check_readings();
     for (const EventDeclaration& event : declaration_.events) {
       check_name("event", event.name);
+      if (events::find(event.name)) {
+        fault("event '" + event.name +
+              "' is one that the simulator raises; give the plugin's event another name");
+      }
+    }
+    for (const std::string& event : declaration_.reacts_to) {
+      const events::Facts* const facts = events::find(event);
+      if (facts && !facts->is_perceived) {
+        fault("it reacts to the event '" + event + "', which plugins do not perceive");
+      }
     }
     check_unique("parameter", declaration_.parameters, &ParameterDeclaration::name);
     check_unique("element", declaration_.elements, &ElementDeclaration::name);
@@ -177,6 +188,10 @@ class Checker {
       if (!declaration_.events.empty()) {
         fault("a measure only watches, so it raises no events");
       }
+    }
+    if (!declaration_.reacts_to.empty() && declaration_.kind != PluginKind::behavior &&
+        declaration_.kind != PluginKind::coordinator) {
+      fault("only behaviors and coordinators perceive events, so it reacts to none");
     }
   }
 

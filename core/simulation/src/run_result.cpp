@@ -4,20 +4,6 @@
 
 namespace elsie::simulation {
 
-const char* to_string(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::success:
-      return "success";
-    case Outcome::failure:
-      return "failure";
-    case Outcome::time_limit:
-      return "time_limit";
-    case Outcome::running:
-      break;
-  }
-  return "running";
-}
-
 std::string hash_text(std::uint64_t state_hash) {
   char digits[17];
   std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(state_hash));

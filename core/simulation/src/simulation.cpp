@@ -8,30 +8,6 @@
 #include "simulation_impl.h"
 
 namespace elsie::simulation {
-namespace {
-
-/// An attribute of the robot of this index, as change.h speaks of it. What the path says of the
-/// robot is its number in the file, so that it need not have an id of its own.
-Change change_of(std::size_t robot, const char* attribute, const ParameterValue& value) {
-  return {"robot[" + std::to_string(robot + 1) + "]/@" + attribute, world::text_of(value)};
-}
-
-RunEnd::Outcome to_run_end(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::success:
-      return RunEnd::Outcome::success;
-    case Outcome::failure:
-      return RunEnd::Outcome::failure;
-    case Outcome::time_limit:
-      return RunEnd::Outcome::time_limit;
-    case Outcome::running:
-      break;
-  }
-  return RunEnd::Outcome::running;
-}
-
-}  // namespace
-
 Simulation::Simulation(world::World world, const plugin::Host& host, const Options& options)
     : impl_(std::make_unique<Impl>(std::move(world), host, options)) {
   impl_->reset(options.seed);
@@ -116,31 +92,8 @@ void Simulation::change(std::string_view path, std::string_view value) {
 }
 void Simulation::change(std::span<const Change> changes) { impl_->change(changes); }
 
-void Simulation::place_robot(std::size_t robot, const Pose& pose, double z) {
-  const Change place[] = {change_of(robot, "x", pose.x), change_of(robot, "y", pose.y),
-                          change_of(robot, "z", z),
-                          change_of(robot, "heading_deg", degrees(pose.heading_rad))};
-  impl_->change(place);
-}
-void Simulation::set_max_speed(std::size_t robot, double metres_per_second) {
-  const Change one = change_of(robot, "max_speed", metres_per_second);
-  impl_->change({&one, 1});
-}
-void Simulation::set_coverage(std::size_t robot, double metres) {
-  const Change one = change_of(robot, "coverage", metres);
-  impl_->change({&one, 1});
-}
-void Simulation::set_leader(std::size_t robot, bool leader) {
-  const Change one = change_of(robot, "leader", leader);
-  impl_->change({&one, 1});
-}
 Replacement Simulation::replace_plugins(const plugin::Host& host) {
   return impl_->replace_plugins(host);
-}
-
-void Simulation::set_energy(std::size_t robot, double units) {
-  const Change one = change_of(robot, "energy", units);
-  impl_->change({&one, 1});
 }
 
 RunResult Simulation::result() const {
@@ -158,7 +111,7 @@ RunResult Simulation::result() const {
                              robot->state().pose, robot->collisions()});
   }
   result.events = impl_->events_;
-  result.notes = impl_->notes_;
+  result.notes = impl_->said_.notes;
   for (const auto& robot : impl_->robots_) {
     robot->list_late_notes(result.notes);
   }
@@ -167,9 +120,9 @@ RunResult Simulation::result() const {
   result.solver = {give_ups.steps, give_ups.unsolved, give_ups.first_s};
   // A step that a fault ended is none of the steps.
   note_give_ups(world(), give_ups, std::max(steps(), give_ups.steps), result.notes);
-  result.curves = impl_->curves_;
+  result.curves = impl_->said_.curves;
   measure_every_run(result);
-  impl_->measuring_->report({to_run_end(outcome()), time_s()}, result.measures);
+  impl_->measuring_->report({outcome(), time_s()}, result.measures);
   return result;
 }
 
@@ -180,7 +133,7 @@ double Simulation::time_limit_s() const { return impl_->time_limit_s_; }
 std::uint64_t Simulation::steps() const { return impl_->steps_; }
 Outcome Simulation::outcome() const { return impl_->verdict_.outcome; }
 std::uint64_t Simulation::state_hash() const { return impl_->state_hash(); }
-std::span<const Note> Simulation::notes() const { return impl_->notes_; }
+std::span<const Note> Simulation::notes() const { return impl_->said_.notes; }
 std::span<const EventRecord> Simulation::events() const { return impl_->events_; }
 
 std::size_t Simulation::robots() const { return impl_->robots_.size(); }

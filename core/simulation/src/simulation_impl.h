@@ -14,20 +14,19 @@
 
 #include "elsie/base/fnv1a.h"
 #include "elsie/physics/engine.h"
-#include "elsie/simulation/sampling.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/error.h"
 
-#include "box_path.h"
-#include "cameras.h"
-#include "carrier.h"
-#include "changes.h"
-#include "goals.h"
-#include "measuring.h"
+#include "changes/changes.h"
+#include "measuring/measuring.h"
 #include "physics_words.h"
-#include "swap.h"
-#include "teams.h"
-#include "touches.h"
+#include "replacement/swap.h"
+#include "step/box_path.h"
+#include "step/cameras.h"
+#include "step/carrier.h"
+#include "step/goals.h"
+#include "step/teams.h"
+#include "step/touches.h"
 
 namespace elsie::simulation {
 
@@ -90,16 +89,13 @@ class Simulation::Impl {
     touches_.forget();
     events_.clear();
     log_events();
-    notes_.clear();
-    note_warnings(world_, notes_);
-    curves_.clear();
+    said_ = {};
+    note_warnings(world_, said_.notes);
     for (const auto& robot : robots_) {
-      robot->list_notes(notes_);
-      robot->list_curves(curves_);
+      robot->ask(said_);
     }
     measuring_->reset(seed);
-    measuring_->list_notes(notes_);
-    measuring_->list_curves(curves_);
+    measuring_->ask(said_);
   }
 
   void step(const Simulation& self) {
@@ -166,7 +162,7 @@ class Simulation::Impl {
     Replacement replacement = swap.result();
     measuring_->list_replaced(host, replacement.notes);
     for (const Replacement::Object& object : replacement.objects) {
-      events_.push_back({time_s(), object.robot, "replaced", object.path + ": " + object.plugin});
+      events_.push_back({time_s(), object.robot, events::Replaced{object.path, object.plugin}});
     }
     ++replacements_;
     return replacement;
@@ -208,8 +204,7 @@ class Simulation::Impl {
   double wall_s_ = 0.0;
   Verdict verdict_;
   std::vector<EventRecord> events_;
-  std::vector<Note> notes_;
-  std::vector<LearningCurve> curves_;
+  Statements said_;  // before the first step
   std::unique_ptr<Measuring> measuring_;
   std::uint64_t replacements_ = 0;
 

@@ -184,25 +184,26 @@ class Attributes::Impl {
     place.nested = meaning.nested;
     bool found = false;
     std::vector<std::string> names;
-    const auto add = [&](const Field& field, bool is_parameter) {
+    const auto add = [&](const Field& field) {
       names.push_back(field.name);
-      if (field.live) {
+      if (field.is_live()) {
         place.live.push_back(field.name);
       }
       if (!found && field.name == name) {
         found = true;
         place.field = field;
-        place.is_parameter = is_parameter;
       }
     };
     for (const ParameterDeclaration& parameter : parameters(meaning)) {
       Field field = field_of(parameter);
-      field.live = field.live && meaning.kind != PluginKind::measure;
-      add(field, true);
+      if (meaning.kind == PluginKind::measure) {
+        field.change = nullptr;
+      }
+      add(field);
     }
     if (meaning.spec) {
       for (const AttributeSpec& attribute : meaning.spec->attributes) {
-        add(attribute, false);
+        add(attribute);
       }
     }
     if (!found) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/api/simulator_events.h"
 #include "elsie/base/near_name.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/train.h"
@@ -176,6 +177,45 @@ void check_needs(const Robot& robot, const PluginUse& use, PluginKind kind,
   }
 }
 
+// Appends the events that behaviours may raise, at any depth.
+void list_events(const Coordination& coordination, const plugin::Host& host,
+                 std::vector<std::string>& names) {
+  for (const BehaviorUse& use : coordination.behaviors) {
+    if (const Declaration* declaration = host.find(PluginKind::behavior, use.plugin)) {
+      for (const EventDeclaration& event : declaration->events) {
+        names.push_back(event.name);
+      }
+    }
+    for (const Coordination& inside : use.inside) {
+      list_events(inside, host, names);
+    }
+  }
+}
+
+// Whether somebody raises the events that a behaviour or the coordinator reacts to.
+void check_events(const Robot& robot, const PluginUse& use, PluginKind kind,
+                  const plugin::Host& host, Problems& problems) {
+  const Declaration* declaration = host.find(kind, use.plugin);
+  if (!declaration || declaration->reacts_to.empty()) {
+    return;
+  }
+  std::vector<std::string> raised;
+  list_events(robot, host, raised);
+  for (const events::Facts& event : events::of_simulator()) {
+    if (event.is_perceived) {
+      raised.emplace_back(event.name);
+    }
+  }
+  for (const std::string& event : declaration->reacts_to) {
+    if (std::find(raised.begin(), raised.end(), event) == raised.end()) {
+      problems.add(use.location, "'" + use.plugin + "' reacts to the event '" + event +
+                                     "', which neither the simulator nor a behaviour of " +
+                                     in_words(robot) + " raises" +
+                                     base::near_or_all(event, raised, "there are"));
+    }
+  }
+}
+
 // Whether there is room for the wheels of the segments, and for their joints ahead of their axles.
 void check_segments(const Reading& reading, const Robot& robot, Problems& problems) {
   if (!reading.sound_with_segments(robot)) {
@@ -210,6 +250,7 @@ void check_coordination(const Robot& robot, const Coordination& coordination,
   }
   for (const BehaviorUse& use : coordination.behaviors) {
     check_needs(robot, use, PluginKind::behavior, host, problems);
+    check_events(robot, use, PluginKind::behavior, host, problems);
     for (const Coordination& inside : use.inside) {
       const std::string holder = "the behavior '" + use.id + "' of " + whose;
       if (inside.behaviors.empty()) {
@@ -220,6 +261,7 @@ void check_coordination(const Robot& robot, const Coordination& coordination,
   }
   if (coordination.coordinator) {
     check_needs(robot, *coordination.coordinator, PluginKind::coordinator, host, problems);
+    check_events(robot, *coordination.coordinator, PluginKind::coordinator, host, problems);
   }
 }
 

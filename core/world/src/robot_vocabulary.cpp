@@ -88,7 +88,8 @@ ElementSpec sensors() {
           .attribute("yaw_deg", &SensorUse::yaw_deg, angle("where it looks, to the left"))
           .attribute("pitch_deg", &SensorUse::pitch_deg, angle("where it looks, upwards"))
           .attribute("energy_cost", &SensorUse::energy_cost,
-                     {.unit = "units/s", .min = 0, .max = 1e12, .meaning = "what it uses"}, kLive)
+                     {.unit = "units/s", .min = 0, .max = 1e12, .meaning = "what it uses"},
+                     kLive<&LiveRobot::set_energy_cost>)
           .attribute_before_reading("remove", ParameterType::boolean, removal());
   return Describe<Robot>("sensors", "The robot's sensors")
       .members("sensor")
@@ -108,7 +109,7 @@ Describe<Coordination> behaviors() {
                      {.min = -1e6,
                       .max = 1e6,
                       .meaning = "its weight or rank, as the coordinator takes it"},
-                     kLive)
+                     kLive<&LiveRobot::set_priority>)
           .attribute_before_reading("remove", ParameterType::boolean, removal());
   return Describe<Coordination>("behaviors", "Behaviours, in the order of their rank in ties")
       .members("behavior")
@@ -133,23 +134,26 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
           "template", ParameterType::file,
           fact("a file with a <robot_template>, whose content this element overrides"))
       .attribute("team", &Robot::team, fact("the team that it belongs to"), kTeam)
-      .attribute("x", &Robot::x, metres("east"), kLive)
-      .attribute("y", &Robot::y, metres("north"), kLive)
+      .attribute("x", &Robot::x, metres("east"), kLive<&LiveRobot::set_x>)
+      .attribute("y", &Robot::y, metres("north"), kLive<&LiveRobot::set_y>)
       .attribute("z", &Robot::z,
-                 {.unit = "m", .min = 0, .max = 100, .meaning = "the bottom of its wheels"}, kLive)
-      .attribute("heading_deg", &Robot::heading_deg, angle("counter-clockwise from east"), kLive)
+                 {.unit = "m", .min = 0, .max = 100, .meaning = "the bottom of its wheels"},
+                 kLive<&LiveRobot::set_z>)
+      .attribute("heading_deg", &Robot::heading_deg, angle("counter-clockwise from east"),
+                 kLive<&LiveRobot::set_heading_deg>)
       .attribute(
           "max_speed", &Robot::max_speed,
           {.unit = "m/s", .min = 0, .max = 100, .meaning = "no wheel rolls faster than this"},
-          kLive)
+          kLive<&LiveRobot::set_max_speed>)
       .attribute(
           "coverage", &Robot::coverage,
           {.unit = "m",
            .min = 0,
            .max = 1e4,
            .meaning = "communication radius: robots of its team perceive it from as far off"},
-          kLive)
-      .attribute("leader", &Robot::leader, fact("whether it leads its team"), kLive)
+          kLive<&LiveRobot::set_coverage>)
+      .attribute("leader", &Robot::leader, fact("whether it leads its team"),
+                 kLive<&LiveRobot::set_leader>)
       .attribute("battery", &Robot::battery,
                  {.unit = "units", .above = 0, .max = 1e12, .meaning = "its battery when full"})
       .attribute("energy", &Robot::energy,
@@ -157,7 +161,7 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
                   .min = 0,
                   .max = 1e12,
                   .meaning = "in the battery at the start; by default it is full"},
-                 kLive)
+                 kLive<&LiveRobot::set_energy>)
       .one(body(), &Robot::body)
       .group(segments())
       .group(sensors())

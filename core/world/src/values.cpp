@@ -9,6 +9,7 @@
 #include "elsie/base/near_name.h"
 #include "elsie/base/number_text.h"
 #include "elsie/plugin/parameters.h"
+#include "elsie/world/live_robot.h"
 
 namespace elsie::world {
 
@@ -113,7 +114,11 @@ Field field_of(const ParameterDeclaration& parameter) {
   field.type = parameter.type;
   field.facts = parameter.facts;
   field.required = parameter.facts.required;
-  field.live = parameter.facts.live;
+  if (parameter.facts.live) {
+    field.change = [](LiveRobot& robot, const AttributePlace& place, const ParameterValue& value) {
+      robot.set_parameter(place, value);
+    };
+  }
   if (!field.required) {
     field.default_value = parameter.default_value;
   }

@@ -142,13 +142,7 @@ Trace record(World& world, double seconds, double interval_s) {
   const double step_s = simulation.world().physics.step;
   const auto every = static_cast<int>(std::max(1L, std::lround(interval_s / step_s)));
   const auto rows = std::lround(seconds / (step_s * every));
-<<<<<<< ours
   std::size_t recorded = simulation.events().size();
-||||||| base
-  std::size_t told = simulation.events().size();
-=======
-  std::size_t seen = simulation.events().size();
->>>>>>> theirs
   for (long row = 0; row <= rows; ++row) {
     if (row > 0) {
       world.step(every);
@@ -161,17 +155,9 @@ Trace record(World& world, double seconds, double interval_s) {
       now.values.insert(now.values.end(), {pose.x, pose.y, pose.heading_rad, robot.command.left,
                                            robot.command.right});
     }
-<<<<<<< ours
     for (; recorded < simulation.events().size(); ++recorded) {
       const simulation::EventRecord& event = simulation.events()[recorded];
-||||||| base
-    for (; told < simulation.events().size(); ++told) {
-      const simulation::EventRecord& event = simulation.events()[told];
-=======
-    for (; seen < simulation.events().size(); ++seen) {
-      const simulation::EventRecord& event = simulation.events()[seen];
->>>>>>> theirs
-      now.events += (now.events.empty() ? "" : ",") + event.robot + ":" + event.name;
+      now.events += (now.events.empty() ? "" : ",") + event.robot + ":" + event.name();
     }
   }
   return trace;

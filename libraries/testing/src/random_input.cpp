@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "elsie/api/simulator_events.h"
+
 namespace elsie::testing {
 namespace {
 
@@ -253,9 +255,19 @@ Input InputMaker::make(int robot, Random& random) const {
   Situation now = given ? options_.robots[static_cast<std::size_t>(robot)] : made.body;
   input.robot = given ? "robot " + std::to_string(robot + 1) + " of those given" : made.words;
 
-  std::vector<std::string> events{"collision", "collected", "charging_started", "charging_ended"};
+  std::vector<std::string> events;
+  for (const events::Facts& event : events::of_simulator()) {
+    if (event.is_perceived) {
+      events.emplace_back(event.name);
+    }
+  }
   for (const EventDeclaration& event : declaration_.events) {
     events.push_back(event.name);
+  }
+  for (const std::string& event : declaration_.reacts_to) {
+    if (!events::find(event)) {
+      events.push_back(event);
+    }
   }
   const bool looks =
       std::any_of(declaration_.needs.begin(), declaration_.needs.end(),

@@ -117,7 +117,7 @@ const void* World::reading(const std::string& robot, const std::string& sensor,
 int World::count(std::string_view event, std::string_view robot) const {
   int count = 0;
   for (const simulation::EventRecord& record : simulation_->events()) {
-    count += record.name == event && (robot.empty() || record.robot == robot);
+    count += record.name() == event && (robot.empty() || record.robot == robot);
   }
   return count;
 }

@@ -199,5 +199,6 @@ ELSIE_BEHAVIOR(
                      {.unit = "deg", .above = 0, .max = 360, .meaning = "the largest turn"}),
     elsie::parameter("turn_rate", &Escape::turn_rate,
                      {.unit = "rad/s", .above = 0, .max = 100, .meaning = "rate of the turn"}),
+    elsie::reacts_to(elsie::events::Collision::kFacts.name),
     elsie::raises("stuck", "the robot does not move as commanded: the manoeuvre begins"),
     elsie::raises("freed", "the manoeuvre is over, and the robot moved as it should"));

@@ -6,6 +6,7 @@
 
 #include <elsie/api/perception.h>
 #include <elsie/api/remember.h>
+#include <elsie/api/simulator_events.h>
 
 class StuckWatch {
  public:
@@ -41,7 +42,7 @@ class StuckWatch {
     const double passed = last_s_ < 0.0 ? 0.0 : now.time_s() - last_s_;
     last_s_ = now.time_s();
     for (const elsie::Event& event : now.events()) {
-      if (event.name == "collision") {
+      if (event.name == elsie::events::Collision::kFacts.name) {
         collided_s_ = now.time_s();
       }
     }

@@ -121,7 +121,7 @@ std::string to_json(const RunRecord& record) {
                 robot.collected, robot.energy, robot.collisions,
                 robot.pose.x,    robot.pose.y, robot.pose.heading_rad};
   });
-  object["events"] = list(record.events, [](const simulation::EventRecord& event) {
+  object["events"] = list(record.events, [](const Event& event) {
     return Json{event.time_s, event.robot, event.name, event.detail};
   });
   object["trajectories"] = list(record.trajectories, [](const Trajectory& trajectory) {
@@ -163,7 +163,7 @@ RunRecord record_from(std::string_view json) {
       return robot;
     });
     read_list(object, "events", record.events, [](const Json& a) {
-      return simulation::EventRecord{number(a, 0), text(a, 1), text(a, 2), text(a, 3)};
+      return Event{number(a, 0), text(a, 1), text(a, 2), text(a, 3)};
     });
     read_list(object, "trajectories", record.trajectories, [](const Json& a) {
       return Trajectory{text(a, 0), number(a, 1), text(a, 2), text(a, 3)};

@@ -82,13 +82,15 @@ void take(const simulation::Simulation& run, const Watchers& watchers, RunRecord
   for (const simulation::LearningCurve& curve : result.curves) {
     record.curves.push_back(curve_of(curve, kMostCurvePoints));
   }
-  record.events = result.events;
-  if (record.events.size() > kMostEvents) {
-    record.notes.push_back({"", "",
-                            std::to_string(record.events.size() - kMostEvents) +
-                                " events after the first " + std::to_string(kMostEvents) +
-                                " were left out."});
-    record.events.resize(kMostEvents);
+  for (const simulation::EventRecord& event : result.events) {
+    if (record.events.size() == kMostEvents) {
+      record.notes.push_back({"", "",
+                              std::to_string(result.events.size() - kMostEvents) +
+                                  " events after the first " + std::to_string(kMostEvents) +
+                                  " were left out."});
+      break;
+    }
+    record.events.push_back({event.time_s, event.robot, event.name(), event.detail()});
   }
 }
 

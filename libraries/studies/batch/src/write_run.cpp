@@ -95,7 +95,7 @@ void RunWriter::write_measures(std::int64_t run, const RunRecord& record) {
 
 void RunWriter::write_events(std::int64_t run, const RunRecord& record) {
   std::int64_t place = 0;
-  for (const simulation::EventRecord& event : record.events) {
+  for (const Event& event : record.events) {
     event_.bind(1, run)
         .bind(2, place++)
         .bind(3, event.time_s)

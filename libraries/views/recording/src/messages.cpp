@@ -161,15 +161,17 @@ Json image_message(std::uint64_t decided_ns, std::string_view robot, const Image
 }
 
 Json event_message(std::uint64_t time_ns, const simulation::EventRecord& event, const Pose* where) {
-  const bool bad = event.name == "collision" || event.name == "battery_empty";
+  const events::Facts* const facts = events::facts_of(event.event);
+  const bool bad = facts && facts->is_warning;
+  const std::string name = event.name(), detail = event.detail();
   Json message{{"timestamp", time_json(time_ns)},
                {"level", bad ? kWarning : kInfo},
-               {"message", event.detail.empty() ? event.name : event.name + ": " + event.detail},
+               {"message", detail.empty() ? name : name + ": " + detail},
                {"name", event.robot},
                {"file", ""},
                {"line", 0},
-               {"event", event.name},
-               {"detail", event.detail}};
+               {"event", name},
+               {"detail", detail}};
   if (where) {
     message["x_m"] = where->x;
     message["y_m"] = where->y;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "elsie/api/simulator_events.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/reader.h"
 
@@ -122,14 +123,13 @@ class Follower final : public Visitor {
     const std::string robot = event.at("name").get<std::string>();
     const std::string name = event.at("event").get<std::string>();
     Memory& memory = memory_[robot];
-    if (name == "collision" && event.contains("x_m") && memory.touched_ns != time_ns) {
+    if (name == events::Collision::kFacts.name && event.contains("x_m") &&
+        memory.touched_ns != time_ns) {
       memory.touched_ns = time_ns;
       track_of(robot).touches.push_back({number(event, "x_m"), number(event, "y_m")});
-    } else if (name == "changed" && !track_of(robot).path.empty()) {
-      const std::string detail = event.at("detail").get<std::string>();
-      const std::string own = "robot[" + robot + "]/@";
-      memory.placed =
-          memory.placed || detail.starts_with(own + "x=") || detail.starts_with(own + "y=");
+    } else if (name == events::Changed::kFacts.name && !track_of(robot).path.empty()) {
+      const auto changed = events::Changed::from(event.at("detail").get<std::string>());
+      memory.placed = memory.placed || (changed && changed->moves_robot());
     }
   }
 

@@ -5,22 +5,27 @@
 #include <optional>
 #include <string>
 
+#include "elsie/api/simulator_events.h"
+
 #include "trace_tally.h"
 
 namespace elsie::traces {
 namespace {
 
-/// What an event says of the priority that `path` leads to from the robot on, if it does.
+/// The new priority of the behaviour that `path` leads to from the robot on, if the event is about
+/// it.
 std::optional<double> new_priority(const TraceEvent& event, const std::string& path) {
-  const std::string& detail = event.detail;
-  const std::size_t at = detail.find('/');
-  if (event.name != "changed" || at == std::string::npos ||
-      detail.compare(at, path.size(), path) != 0) {
+  const auto changed = event.name == events::Changed::kFacts.name
+                           ? events::Changed::from(event.detail)
+                           : std::nullopt;
+  if (!changed || changed->attribute != "priority" ||
+      changed->element.substr(std::min(changed->element.find('/'), changed->element.size())) !=
+          path) {
     return std::nullopt;
   }
-  const char* const end = detail.data() + detail.size();
+  const char* const end = changed->value.data() + changed->value.size();
   double value = 0.0;
-  const auto read = std::from_chars(detail.data() + at + path.size(), end, value);
+  const auto read = std::from_chars(changed->value.data(), end, value);
   return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
 }
 
@@ -35,7 +40,6 @@ std::vector<PriorityFrom> priorities(const TraceRobot& robot, const TraceMember&
     path += "/behavior[" + member.path.substr(at, end - at) + "]";
     at = end + 1;
   }
-  path += "/@priority=";
   std::vector<PriorityFrom> found{{span.from_s, member.priority}};
   for (const TraceEvent& event : robot.events) {
     if (event.time_s > span.to_s) break;

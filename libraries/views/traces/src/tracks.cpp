@@ -1,7 +1,5 @@
 #include "elsie/traces/tracks.h"
 
-#include <string>
-
 #include "elsie/simulation/sampling.h"
 #include "elsie/simulation/simulation.h"
 
@@ -43,14 +41,12 @@ void TrackRecorder::sample(const simulation::Simulation& simulation) {
   }
 }
 
-// A robot that is put elsewhere says so in an event, whose detail is "robot[r1]/@x=2".
 void TrackRecorder::note_placements(const simulation::Simulation& simulation) {
   const auto events = simulation.events();
   for (; events_ < events.size(); ++events_) {
     const simulation::EventRecord& event = events[events_];
-    const std::string own = "robot[" + event.robot + "]/@";
-    if (event.name != "changed" ||
-        !(event.detail.starts_with(own + "x=") || event.detail.starts_with(own + "y="))) {
+    const auto* const changed = event.as<events::Changed>();
+    if (!changed || !changed->moves_robot()) {
       continue;
     }
     for (std::size_t i = 0; i < simulation.robots(); ++i) {

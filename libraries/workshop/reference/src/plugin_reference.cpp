@@ -72,7 +72,7 @@ std::string table_of(const std::vector<ParameterDeclaration>& parameters) {
     const world::Field field = world::field_of(parameter);
     text += table_row({"`" + field.name + "`", type_in_words(field.type), field.facts.unit,
                        default_text(field), range_in_words(field),
-                       field.facts.meaning + (field.live ? "" : "; settled before a run")});
+                       field.facts.meaning + (field.is_live() ? "" : "; settled before a run")});
   }
   return text;
 }
@@ -140,6 +140,9 @@ std::string plugin_declaration(const Declaration& declaration) {
   }
   for (const ReadingDeclaration& reading : declaration.produces) {
     text += "\nMakes readings of the kind `" + reading.kind + "`.\n";
+  }
+  for (const std::string& event : declaration.reacts_to) {
+    text += "\nReacts to the event `" + event + "`.\n";
   }
   if (!declaration.events.empty()) {
     text += "\nEvents that it may raise:\n\n";

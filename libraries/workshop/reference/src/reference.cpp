@@ -55,9 +55,9 @@ std::string table(const std::vector<world::Field>& fields) {
   }
   std::string text = "\n| attribute | value | default | meaning |\n|---|---|---|---|\n";
   for (const world::Field& field : fields) {
-    text +=
-        table_row({"`" + field.name + "`", value_in_words(field), default_text(field),
-                   field.facts.meaning + (field.live ? "; may change while the world runs" : "")});
+    text += table_row(
+        {"`" + field.name + "`", value_in_words(field), default_text(field),
+         field.facts.meaning + (field.is_live() ? "; may change while the world runs" : "")});
   }
   return text;
 }

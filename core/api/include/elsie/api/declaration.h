@@ -2,6 +2,7 @@
 // reference pages and forms all use this one declaration.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
@@ -9,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <variant>
@@ -109,7 +111,8 @@ struct Declaration {
   std::function<void(Component&, Coordination&)> hold;
   std::vector<ReadingDeclaration> needs;     // behaviours: a robot without such a sensor is refused
   std::vector<ReadingDeclaration> produces;  // sensors: exactly one
-  std::vector<EventDeclaration> events;
+  std::vector<EventDeclaration> events;      // that it may raise
+  std::vector<std::string> reacts_to;        // events
   /// Makes an object with every parameter at its default; configured() has not been called yet.
   std::function<std::unique_ptr<Component>()> create;
 };
@@ -171,35 +174,37 @@ HoldsItem<Class> holds_behaviors(Coordination* Class::*member) {
   return {member};
 }
 
-struct NeedsItem {
-  ReadingDeclaration reading;
-};
 /// The behaviour is refused on a robot that has no sensor making such readings.
 template <class Reading>
-NeedsItem needs() {
-  return {{Reading::kind, sizeof(Reading)}};
+auto needs() {
+  return [](Declaration& declaration) {
+    declaration.needs.push_back({Reading::kind, sizeof(Reading)});
+  };
 }
 
-struct ProducesItem {
-  ReadingDeclaration reading;
-};
 /// What a sensor makes; ELSIE_SENSOR adds it.
 template <class Reading>
-ProducesItem produces() {
-  return {{Reading::kind, sizeof(Reading)}};
+auto produces() {
+  return [](Declaration& declaration) {
+    declaration.produces.push_back({Reading::kind, sizeof(Reading)});
+  };
 }
 
-struct RaisesItem {
-  EventDeclaration event;
-};
 /// An event that the plugin may raise.
-inline RaisesItem raises(const char* name, const char* meaning) { return {{name, meaning}}; }
+inline auto raises(const char* name, const char* meaning) {
+  return [=](Declaration& declaration) { declaration.events.push_back({name, meaning}); };
+}
 
-struct VersionItem {
-  std::string version;
-};
+/// An event that the behaviour or coordinator reacts to. It is refused on a robot on which neither
+/// the simulator nor a behaviour raises that event.
+inline auto reacts_to(std::string_view event) {
+  return [=](Declaration& declaration) { declaration.reacts_to.emplace_back(event); };
+}
+
 /// The plugin's own version; "1.0" unless it says otherwise.
-inline VersionItem version(const char* version) { return {version}; }
+inline auto version(const char* version) {
+  return [=](Declaration& declaration) { declaration.version = version; };
+}
 
 namespace detail {
 
@@ -336,21 +341,10 @@ void apply(Declaration& declaration, const Plugin&, HoldsItem<Class> item) {
     static_cast<Plugin&>(object).*member = &inside;
   };
 }
-template <class Plugin>
-void apply(Declaration& declaration, const Plugin&, NeedsItem item) {
-  declaration.needs.push_back(std::move(item.reading));
-}
-template <class Plugin>
-void apply(Declaration& declaration, const Plugin&, ProducesItem item) {
-  declaration.produces.push_back(std::move(item.reading));
-}
-template <class Plugin>
-void apply(Declaration& declaration, const Plugin&, RaisesItem item) {
-  declaration.events.push_back(std::move(item.event));
-}
-template <class Plugin>
-void apply(Declaration& declaration, const Plugin&, VersionItem item) {
-  declaration.version = std::move(item.version);
+/// An item that says the same of every class.
+template <class Plugin, std::invocable<Declaration&> Item>
+void apply(Declaration& declaration, const Plugin&, const Item& item) {
+  item(declaration);
 }
 
 }  // namespace detail

@@ -13,28 +13,7 @@
 //    So a mean over time is a sum over observations, each times `step_s`, the first left out;
 // 4. report(): what came of it.
 //
-// A whole plugin, the largest distance of a robot from where it started:
-//
-//   class Excursion final : public elsie::Measure {
-//    public:
-//     std::string robot;
-//
-//     void equipped(const elsie::Observation& start) override { start.robot(robot); }
-//     std::vector<elsie::Quantity> quantities() const override {
-//       return {{"", "m", "largest distance from the start"}};
-//     }
-//     void reset(elsie::Random&) override { start_.reset(); }
-//     void observe(const elsie::Observation& now) override {
-//       const elsie::Pose& pose = now.robot(robot).pose;
-//       start_ = start_.value_or(pose);
-//       farthest_ = std::max(now.is_start ? 0.0 : farthest_, elsie::distance(*start_, pose));
-//     }
-//     void report(const elsie::RunEnd&, std::span<std::optional<double>> values) const override {
-//       values[0] = farthest_;
-//     }
-//     ...
-//
-//   ELSIE_MEASURE(Excursion, "excursion", "How far a robot went from where it started", ...);
+// A whole plugin: docs/writing-a-measure.md.
 #pragma once
 
 #include <optional>
@@ -125,6 +104,9 @@ struct RunEnd {
   Outcome outcome = Outcome::running;
   double time_s = 0.0;  // simulated
 };
+
+/// "success", "failure", "time_limit"; "running" before the end.
+const char* to_string(RunEnd::Outcome outcome);
 
 /// What a measure says of one of its values, before any run.
 struct Quantity {

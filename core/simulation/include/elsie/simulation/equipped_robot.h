@@ -14,6 +14,8 @@
 
 namespace elsie::simulation {
 
+class Robot;
+
 class EquippedRobot {
  public:
   /// Makes the plugin objects of the robot of this index and equips them with what it has in this
@@ -30,8 +32,7 @@ class EquippedRobot {
   Component& object(const world::PluginUse& use);
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<Robot> robot_;
 };
 
 }  // namespace elsie::simulation

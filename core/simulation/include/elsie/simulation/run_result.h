@@ -8,24 +8,30 @@
 
 #include "elsie/api/curve.h"
 #include "elsie/api/geometry.h"
+#include "elsie/api/measure.h"
+#include "elsie/api/simulator_events.h"
 
 namespace elsie::simulation {
 
-enum class Outcome { running, success, failure, time_limit };
-
-/// "success", "failure", "time_limit"; "running" before the end.
-const char* to_string(Outcome outcome);
+using Outcome = RunEnd::Outcome;
+using elsie::to_string;
 
 /// The 16 hexadecimal digits of a state hash.
 std::string hash_text(std::uint64_t state_hash);
 
-/// Something that happened: raised by the simulator or by a plugin.
+/// Something that happened on a robot: raised by the simulator or by a plugin.
 struct EventRecord {
   double time_s = 0.0;  // end of the step in which it happened
   std::string robot;
-  std::string
-      name;  // "collision", "collected", "battery_empty", "changed"..., or an event of a plugin
-  std::string detail;  // with what, which resource, what was changed...; may be empty
+  events::AnyEvent event;
+
+  std::string name() const { return std::string(events::name_of(event)); }
+  std::string detail() const { return events::detail_of(event); }
+  /// The event if it is of this kind, or null: as<events::Collision>().
+  template <class Kind>
+  const Kind* as() const {
+    return std::get_if<Kind>(&event);
+  }
 };
 
 /// What there is to say to the user: of a plugin, how its training went before the run, or that it

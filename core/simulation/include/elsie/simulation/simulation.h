@@ -153,15 +153,6 @@ class Simulation {
   /// Makes them all, or none: what is to fit together is set together, such as a robot's x and y.
   void change(std::span<const Change> changes);
 
-  // The same for what a robot of this index is most often told. Throw ChangeRefused likewise.
-
-  /// Puts it at a pose, `z` m above the floor, at rest, with what it pulls in line behind it.
-  void place_robot(std::size_t robot, const Pose& pose, double z = 0.0);
-  void set_max_speed(std::size_t robot, double metres_per_second);
-  void set_coverage(std::size_t robot, double metres);
-  void set_leader(std::size_t robot, bool leader);
-  void set_energy(std::size_t robot, double units);
-
   /// Replaces all objects of plugins whose declarations `host` has others of than the host before:
   /// one that was renewed() from it. replacement.h says what becomes of them. Each is an event
   /// "replaced" of its robot, which behaviours do not perceive. Throws ReplacementRefused, and all

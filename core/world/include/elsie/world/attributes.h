@@ -25,7 +25,6 @@ struct AttributePlace {
   const Robot* robot = nullptr;  // that it belongs to; none for what belongs to no robot
   /// The plugin whose element it stands in, or in whose element that element stands; or none.
   const PluginUse* use = nullptr;
-  bool is_parameter = false;  // one that the plugin declares; else it is of the core's vocabulary
   /// Of a parameter in an element of the plugin's: the place of that element among
   /// PluginUse::elements.
   std::optional<std::size_t> nested;

@@ -18,7 +18,7 @@ struct AttributeExtras {
   TextForm form = TextForm::any;
   Reference refers_to = Reference::none;
   bool required = false;
-  bool live = false;
+  decltype(Field::change) change = nullptr;
 };
 
 template <class Value>
@@ -81,7 +81,7 @@ class Describe {
     attribute.form = extras.form;
     attribute.refers_to = extras.refers_to;
     attribute.required = extras.required;
-    attribute.live = extras.live;
+    attribute.change = extras.change;
     if (type == ParameterType::integer) {
       attribute.lowest = std::numeric_limits<int>::min();
       attribute.highest = std::numeric_limits<int>::max();

@@ -3,8 +3,11 @@
 
 #include <string>
 #include <utility>
+#include <variant>
 
+#include "elsie/world/attributes.h"
 #include "elsie/world/describe.h"
+#include "elsie/world/live_robot.h"
 
 namespace elsie::world {
 
@@ -13,7 +16,23 @@ inline constexpr AttributeExtras kRequiredId{.form = TextForm::id, .required = t
 inline constexpr AttributeExtras kTeam{.form = TextForm::id, .refers_to = Reference::team};
 inline constexpr AttributeExtras kRobot{.form = TextForm::id, .refers_to = Reference::robot};
 inline constexpr AttributeExtras kRequired{.required = true};
-inline constexpr AttributeExtras kLive{.live = true};
+
+template <class Value>
+void change(void (LiveRobot::*set)(Value), LiveRobot& robot, const AttributePlace&,
+            const ParameterValue& value) {
+  (robot.*set)(std::get<Value>(value));
+}
+template <class Value>
+void change(void (LiveRobot::*set)(const PluginUse&, Value), LiveRobot& robot,
+            const AttributePlace& place, const ParameterValue& value) {
+  (robot.*set)(*place.use, std::get<Value>(value));
+}
+/// It may change while a run goes on: kLive<&LiveRobot::set_x>.
+template <auto kSet>
+inline constexpr AttributeExtras kLive{
+    .change = [](LiveRobot& robot, const AttributePlace& place, const ParameterValue& value) {
+      world::change(kSet, robot, place, value);
+    }};
 
 inline ParameterFacts fact(std::string meaning) { return {.meaning = std::move(meaning)}; }
 /// A coordinate, or an offset.

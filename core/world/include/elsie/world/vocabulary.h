@@ -18,6 +18,9 @@
 
 namespace elsie::world {
 
+class LiveRobot;
+struct AttributePlace;
+
 /// The version of the vocabulary: the attribute `format` of a file.
 inline constexpr int kFormat = 1;
 
@@ -44,9 +47,10 @@ struct Field {
   TextForm form = TextForm::any;
   Reference refers_to = Reference::none;
   bool required = false;
-  /// Whether it may change while a run goes on (Simulation::change()); else it is settled when the
-  /// world is made.
-  bool live = false;
+  /// What a change of it does while a run goes on (Simulation::change()). None: it is settled when
+  /// the world is made.
+  void (*change)(LiveRobot&, const AttributePlace&, const ParameterValue&) = nullptr;
+  bool is_live() const { return change != nullptr; }
 };
 
 /// A plugin's parameter in the same terms.

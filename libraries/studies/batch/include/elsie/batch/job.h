@@ -34,7 +34,15 @@ struct Measure {
   std::optional<double> value;
 };
 
-/// Both texts are JSON, as schema.sql says.
+/// What happened on a robot.
+struct Event {
+  double time_s = 0.0;
+  std::string robot;
+  std::string name;
+  std::string detail;
+};
+
+/// Texts are JSON, as schema.sql says.
 struct Trajectory {
   std::string robot;
   double period_s = 0.0;
@@ -64,7 +72,7 @@ struct RunRecord : results::RunFields {
 
   std::vector<Measure> measures;
   std::vector<simulation::RobotResult> robots;
-  std::vector<simulation::EventRecord> events;
+  std::vector<Event> events;
   std::vector<Trajectory> trajectories;
   std::vector<Curve> curves;
   std::vector<Timeline> timelines;

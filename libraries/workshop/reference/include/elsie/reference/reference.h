@@ -4,6 +4,7 @@
 #include <string>
 
 #include "elsie/api/declaration.h"
+#include "elsie/plugin/host.h"
 #include "elsie/world/vocabulary.h"
 
 namespace elsie::reference {
@@ -21,5 +22,9 @@ std::string plugin_declaration(const Declaration& declaration);
 
 /// The same as a page with the plugin's name as its title.
 std::string plugin_reference(const Declaration& declaration);
+
+/// All events, in Markdown, without headings: those of the simulator, then those that the plugins
+/// of `host` declare.
+std::string events_reference(const plugin::Host& host);
 
 }  // namespace elsie::reference

@@ -1,0 +1,69 @@
+#include "elsie/api/simulator_events.h"
+
+#include <algorithm>
+#include <array>
+
+namespace elsie::events {
+namespace {
+
+template <class... Simulators>
+constexpr auto table(const std::variant<Raised, Simulators...>*) {
+  return std::array{Simulators::kFacts...};
+}
+constexpr auto kTable = table(static_cast<const AnyEvent*>(nullptr));
+
+}  // namespace
+
+std::string Collision::detail() const {
+  switch (with) {
+    case With::wall:
+      return "wall";
+    case With::charger:
+      return "charger";
+    case With::box:
+    case With::robot:
+      break;
+  }
+  return id;
+}
+
+std::optional<Changed> Changed::from(std::string_view detail) {
+  const std::size_t at = detail.find("/@"), equals = detail.find('=', at);
+  if (at == std::string_view::npos || equals == std::string_view::npos) {
+    return std::nullopt;
+  }
+  return Changed{std::string(detail.substr(0, at)),
+                 std::string(detail.substr(at + 2, equals - at - 2)),
+                 std::string(detail.substr(equals + 1))};
+}
+
+std::string_view name_of(const AnyEvent& event) {
+  const auto* const raised = std::get_if<Raised>(&event);
+  return raised ? std::string_view(raised->name) : facts_of(event)->name;
+}
+
+std::string detail_of(const AnyEvent& event) {
+  return std::visit(
+      [](const auto& one) -> std::string {
+        if constexpr (requires { one.detail(); }) {
+          return one.detail();
+        } else {
+          return "";
+        }
+      },
+      event);
+}
+
+const Facts* facts_of(const AnyEvent& event) {
+  return event.index() == 0 ? nullptr : &kTable[event.index() - 1];
+}
+
+std::span<const Facts> of_simulator() { return kTable; }
+
+const Facts* find(std::string_view name) {
+  const auto at = std::find_if(kTable.begin(), kTable.end(),
+                               [&](const Facts& facts) { return facts.name == name; });
+  return at == kTable.end() ? nullptr : &*at;
+}
+
+}  // namespace elsie::events

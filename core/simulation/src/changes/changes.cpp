@@ -1,0 +1,276 @@
+#include "changes/changes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "elsie/world/footprint.h"
+#include "elsie/world/live_robot.h"
+
+#include "changes/room.h"
+#include "plugins/guard.h"
+
+namespace elsie::simulation {
+namespace {
+
+std::string number(double value) { return world::text_of(value); }
+
+[[noreturn]] void refuse(const std::string& change, const std::string& problem) {
+  throw ChangeRefused(change + ": " + problem);
+}
+
+void add_text(std::string& list, const std::string& text) {
+  list += (list.empty() ? "" : ", ") + text;
+}
+
+}  // namespace
+
+ChangeRefused ChangeRefused::at(double time_s) const {
+  return ChangeRefused("at " + number(time_s) + " s, " + what());
+}
+
+std::vector<DueChanges> by_step(std::span<const TimedChange> changes, double step_s, double end_s) {
+  constexpr double kRounding = 1e-6;  // of a step: 0.57 is not a little after 57 steps of 0.01
+  std::vector<DueChanges> schedule;
+  for (const TimedChange& timed : changes) {
+    const std::string text = timed.change.path + "=" + timed.change.value;
+    if (!(timed.time_s >= 0.0 && timed.time_s < end_s)) {
+      refuse(text, "its time is " + number(timed.time_s) +
+                       " s, but the run begins at 0 and ends after " + number(end_s) +
+                       " s at the latest; expected a time in between");
+    }
+    const auto step =
+        static_cast<std::uint64_t>(std::max(0.0, std::ceil(timed.time_s / step_s - kRounding)));
+    auto at = std::upper_bound(
+        schedule.begin(), schedule.end(), step,
+        [](std::uint64_t asked, const DueChanges& due) { return asked < due.step; });
+    if (at == schedule.begin() || std::prev(at)->step != step) {
+      at = std::next(schedule.insert(at, {step, timed.time_s, {}}));
+    }
+    std::prev(at)->changes.push_back(timed.change);
+  }
+  return schedule;
+}
+
+Changes::Changes(const world::World& world, const plugin::Host& host,
+                 std::vector<std::string> data_directories)
+    : world_(world), attributes_(world, host, std::move(data_directories)) {}
+
+void Changes::make(std::span<const Change> changes, const Stage& stage,
+                   std::vector<EventRecord>& events) const {
+  const Plan plan = this->plan(changes, stage, {});
+  check_room(plan, stage);
+  set_up(plan, stage);
+  // From here on nothing is refused.
+  for (const auto& set : plan.settings) {
+    set();
+  }
+  events.insert(events.end(), plan.events.begin(), plan.events.end());
+  for (const Placed& placed : plan.placed) {
+    stage.engine.place_robot(placed.robot, placed.pose, placed.z);
+    stage.robots[placed.robot]->set_body(stage.engine.robot(placed.robot));
+  }
+}
+
+void Changes::check(std::span<const DueChanges> schedule, const Stage& stage) const {
+  Setups setups;
+  for (const DueChanges& due : schedule) {
+    try {
+      for (Tuned& tuned : plan(due.changes, stage, setups).tuned) {
+        setups[tuned.use] = std::move(tuned.setup);
+      }
+    } catch (const ChangeRefused& refused) {
+      throw refused.at(due.time_s);
+    }
+  }
+}
+
+/// Plans the change of one attribute of a robot, which itself stays as it is.
+class Changes::Planner final : public world::LiveRobot {
+ public:
+  Planner(Plan& plan, const world::World& world, const Stage& stage, const Setups& setups,
+          std::size_t robot, std::string text)
+      : plan_(plan),
+        world_(world),
+        stage_(stage),
+        setups_(setups),
+        index_(robot),
+        robot_(*stage.robots[robot]),
+        text_(std::move(text)) {}
+
+  void set_x(double metres) override {
+    check_inside("x", metres, 0.5 * world_.arena.length);
+    placed().pose.x = metres;
+  }
+  void set_y(double metres) override {
+    check_inside("y", metres, 0.5 * world_.arena.width);
+    placed().pose.y = metres;
+  }
+  void set_z(double metres) override { placed().z = metres; }
+  void set_heading_deg(double degrees) override {
+    placed().pose.heading_rad = wrap_angle(radians(degrees));
+  }
+  void set_max_speed(double metres_per_second) override {
+    plan_.settings.push_back([=, &robot = robot_] { robot.set_max_speed(metres_per_second); });
+  }
+  void set_coverage(double metres) override {
+    plan_.settings.push_back([=, &robot = robot_] { robot.set_coverage(metres); });
+  }
+  void set_leader(bool leader) override {
+    plan_.settings.push_back([=, &robot = robot_] { robot.set_leader(leader); });
+  }
+  void set_energy(double units) override {
+    const world::Robot& described = robot_.description();
+    if (units > described.battery) {
+      refuse(text_, "the battery of the robot '" + described.id + "' holds " +
+                        number(described.battery) + " units; expected no more than that");
+    }
+    plan_.settings.push_back([=, &robot = robot_] { robot.set_energy(units); });
+  }
+  void set_energy_cost(const world::PluginUse& sensor, double units_per_second) override {
+    plan_.settings.push_back(
+        [=, &robot = robot_, &sensor] { robot.set_energy_cost(sensor, units_per_second); });
+  }
+  void set_priority(const world::PluginUse& behavior, double priority) override {
+    plan_.settings.push_back(
+        [=, &robot = robot_, &behavior] { robot.set_priority(behavior, priority); });
+  }
+  void set_parameter(const world::AttributePlace& place, const ParameterValue& value) override {
+    const world::PluginUse* const use = place.use;
+    auto tuned = std::find_if(plan_.tuned.begin(), plan_.tuned.end(),
+                              [&](const Tuned& other) { return other.use == use; });
+    if (tuned == plan_.tuned.end()) {
+      const auto known = setups_.find(use);
+      tuned = plan_.tuned.insert(
+          tuned, {index_, use, known == setups_.end() ? robot_.setup(*use) : known->second, ""});
+    }
+    (place.nested ? tuned->setup.elements[*place.nested].parameters
+                  : tuned->setup.parameters)[place.field.name] = value;
+    add_text(tuned->text, text_);
+  }
+
+ private:
+  void check_inside(const char* axis, double place, double reach) const {
+    if (std::abs(place) > reach) {
+      refuse(text_, "that is outside of the arena, which reaches from " + number(-reach) + " to " +
+                        number(reach) + " in " + axis);
+    }
+  }
+  Placed& placed() {
+    auto placed = std::find_if(plan_.placed.begin(), plan_.placed.end(),
+                               [&](const Placed& other) { return other.robot == index_; });
+    if (placed == plan_.placed.end()) {
+      placed = plan_.placed.insert(
+          placed, {index_, robot_.state().pose, height(stage_.engine.robot(index_).frame), ""});
+    }
+    add_text(placed->text, text_);
+    return *placed;
+  }
+
+  Plan& plan_;
+  const world::World& world_;
+  const Stage& stage_;
+  const Setups& setups_;
+  std::size_t index_;
+  Robot& robot_;
+  std::string text_;  // "robot[r1]/@x=3"
+};
+
+Changes::Plan Changes::plan(std::span<const Change> changes, const Stage& stage,
+                            const Setups& setups) const {
+  Plan plan;
+  for (const Change& change : changes) {
+    const std::string asked = change.path + "=" + change.value;
+    try {
+      for (const world::AttributePlace& place : attributes_.find(change.path)) {
+        const std::string& name = place.field.name;
+        if (!place.field.is_live()) {
+          std::string others;
+          for (const std::string& other : place.live) {
+            add_text(others, other);
+          }
+          refuse(asked, "'" + name + "' of <" + place.element +
+                            "> is settled before a run and stays as it is while it goes on" +
+                            (others.empty() ? "" : "; what may change is " + others));
+        }
+        const ParameterValue value = attributes_.read(place, change.value);
+        const events::Changed event{place.path.substr(0, place.path.rfind("/@")), name,
+                                    change.value};
+        Planner planner(plan, world_, stage, setups,
+                        static_cast<std::size_t>(place.robot - world_.robots.data()),
+                        event.detail());
+        place.field.change(planner, place, value);
+        plan.events.push_back({stage.time_s, place.robot->id, event});
+      }
+    } catch (const ChangeRefused&) {
+      throw;
+    } catch (const std::invalid_argument& problem) {
+      refuse(asked, problem.what());
+    }
+  }
+  for (const Tuned& tuned : plan.tuned) {
+    check_tuned(tuned, stage);
+  }
+  return plan;
+}
+
+void Changes::check_tuned(const Tuned& tuned, const Stage& stage) const {
+  Robot& robot = *stage.robots[tuned.robot];
+  std::optional<Camera> camera;
+  try {
+    camera = robot.try_out(*tuned.use, tuned.setup);
+  } catch (...) {
+    refuse(tuned.text, what_was_thrown());
+  }
+  for (std::size_t i = 0; i < robot.sensor_count(); ++i) {
+    if (&stage.robots[tuned.robot]->description().sensors[i] != tuned.use) {
+      continue;
+    }
+    if (camera.has_value() != robot.camera(i).has_value()) {
+      refuse(tuned.text, "the sensor would " + std::string(camera ? "begin" : "cease") +
+                             " to look through a camera; whether it does is settled before a run");
+    }
+    if (const auto problem = camera ? stage.cameras.problem_of(*camera) : std::nullopt) {
+      refuse(tuned.text, *problem);
+    }
+  }
+}
+
+void Changes::check_room(const Plan& plan, const Stage& stage) const {
+  if (plan.placed.empty()) {
+    return;
+  }
+  Room room(world_, stage.robots, stage.engine);
+  for (const Placed& placed : plan.placed) {
+    room.place(placed.robot, placed.pose, placed.z);
+  }
+  for (const Placed& placed : plan.placed) {
+    if (const auto problem = room.problem_of(placed.robot)) {
+      refuse(placed.text, *problem + "; expected a free place in the arena");
+    }
+  }
+}
+
+/// All of them or none.
+void Changes::set_up(const Plan& plan, const Stage& stage) const {
+  std::vector<Setup> before;
+  for (const Tuned& tuned : plan.tuned) {
+    before.push_back(stage.robots[tuned.robot]->setup(*tuned.use));
+  }
+  for (std::size_t i = 0; i < plan.tuned.size(); ++i) {
+    const Tuned& tuned = plan.tuned[i];
+    try {
+      stage.robots[tuned.robot]->set_up(*tuned.use, tuned.setup);
+    } catch (const PluginFault&) {
+      throw;
+    } catch (...) {
+      const std::string problem = what_was_thrown();
+      while (i-- > 0) {
+        stage.robots[plan.tuned[i].robot]->set_up(*plan.tuned[i].use, before[i]);
+      }
+      refuse(tuned.text, problem);
+    }
+  }
+}
+
+}  // namespace elsie::simulation

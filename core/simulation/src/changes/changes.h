@@ -1,0 +1,91 @@
+// What a user changes while a world runs: checked first, then made as a whole.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "elsie/physics/engine.h"
+#include "elsie/plugin/host.h"
+#include "elsie/simulation/change.h"
+#include "elsie/simulation/run_result.h"
+#include "elsie/world/attributes.h"
+#include "elsie/world/description.h"
+
+#include "step/cameras.h"
+#include "step/carrier.h"
+
+namespace elsie::simulation {
+
+/// Changes that are to be made together, before a step.
+struct DueChanges {
+  std::uint64_t step = 0;  // the one that comes after them
+  double time_s = 0.0;     // as it was asked for
+  std::vector<Change> changes;
+};
+
+/// In the order of their steps; those for one step in the order given. Throws ChangeRefused for a
+/// time that is not finite, is negative, or does not come before `end_s`.
+std::vector<DueChanges> by_step(std::span<const TimedChange> changes, double step_s, double end_s);
+
+class Changes {
+ public:
+  /// The run at this instant.
+  struct Stage {
+    Robots robots;
+    physics::Engine& engine;
+    const Cameras& cameras;
+    double time_s;
+  };
+
+  /// Both stay where they are as long as this lives. Data files that a change names are looked for
+  /// as those of the world, in `data_directories` last.
+  Changes(const world::World& world, const plugin::Host& host,
+          std::vector<std::string> data_directories);
+
+  /// Makes all of them, or throws ChangeRefused and makes none. Adds an event for each attribute.
+  void make(std::span<const Change> changes, const Stage& stage,
+            std::vector<EventRecord>& events) const;
+
+  /// Throws ChangeRefused for the first that could not be made, as far as that does not depend on
+  /// what the run brings: only whether there is room for a robot does.
+  void check(std::span<const DueChanges> schedule, const Stage& stage) const;
+
+ private:
+  /// New parameters of a plugin object.
+  struct Tuned {
+    std::size_t robot = 0;
+    const world::PluginUse* use = nullptr;
+    Setup setup;
+    std::string text;
+  };
+  /// A robot's new place.
+  struct Placed {
+    std::size_t robot = 0;
+    Pose pose;
+    double z = 0.0;
+    std::string text;
+  };
+  struct Plan {
+    std::vector<EventRecord> events;
+    std::vector<std::function<void()>> settings;
+    std::vector<Tuned> tuned;
+    std::vector<Placed> placed;
+  };
+  using Setups = std::map<const world::PluginUse*, Setup>;
+  class Planner;
+
+  /// `setups`: those that differ by then from what they are now.
+  Plan plan(std::span<const Change> changes, const Stage& stage, const Setups& setups) const;
+  void check_tuned(const Tuned& tuned, const Stage& stage) const;
+  void check_room(const Plan& plan, const Stage& stage) const;
+  void set_up(const Plan& plan, const Stage& stage) const;
+
+  const world::World& world_;
+  world::Attributes attributes_;
+};
+
+}  // namespace elsie::simulation

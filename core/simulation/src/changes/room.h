@@ -1,0 +1,42 @@
+// Whether there is room for a robot somewhere, as things stand at this instant.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elsie/physics/engine.h"
+#include "elsie/world/description.h"
+#include "elsie/world/footprint.h"
+
+#include "step/carrier.h"
+
+namespace elsie::simulation {
+
+/// The height at which a body stands, m: that it sinks in by a hair is nothing.
+double height(const Frame& frame);
+
+class Room {
+ public:
+  Room(const world::World& world, Robots robots, const physics::Engine& engine);
+
+  /// Puts a robot elsewhere in here, and what it pulls in line behind it.
+  void place(std::size_t robot, const Pose& pose, double z);
+  /// A sentence when a robot is not where it could be: "the robot 'r1' overlaps the box 'b2'".
+  std::optional<std::string> problem_of(std::size_t robot) const;
+
+ private:
+  struct Block {
+    world::Footprint footprint;
+    std::string in_words;
+  };
+
+  std::string name_of(std::size_t robot, std::size_t part) const;
+
+  const world::World& world_;
+  std::vector<Block> boxes_;
+  std::vector<std::vector<world::Footprint>> robots_;  // each, then what it pulls
+};
+
+}  // namespace elsie::simulation

@@ -1,0 +1,146 @@
+#include "measuring/lookout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "elsie/simulation/robot_share.h"
+
+namespace elsie::simulation {
+namespace {
+
+ObservedBox::Kind kind_of(world::BoxKind kind) {
+  switch (kind) {
+    case world::BoxKind::fixed:
+      break;
+    case world::BoxKind::dynamic:
+      return ObservedBox::Kind::dynamic;
+    case world::BoxKind::moving:
+      return ObservedBox::Kind::moving;
+    case world::BoxKind::resource:
+      return ObservedBox::Kind::resource;
+  }
+  return ObservedBox::Kind::fixed;
+}
+
+bool stays(ObservedBox::Kind kind) {
+  return kind == ObservedBox::Kind::fixed || kind == ObservedBox::Kind::resource;
+}
+
+void take_over(const Robot& robot, ObservedRobot& seen, std::span<ObservedBehavior> behaviors) {
+  const OwnState& state = robot.state();
+  seen.pose = state.pose;
+  seen.command = state.commanded;
+  seen.wheel_rates = state.wheel_rates;
+  seen.speed_m_s = state.speed_m_s;
+  seen.turn_rate_rad_s = state.turn_rate_rad_s;
+  seen.distance_m = robot.distance_m();
+  seen.energy = state.energy;
+  seen.energy_used = robot.energy_used();
+  seen.collisions = robot.collisions();
+  seen.collected = robot.collected();
+  seen.is_leader = state.is_leader;
+  seen.charging = state.charging;
+  seen.empty = robot.empty();
+  const std::span<const TracedMember> members = robot.trace();
+  for (std::size_t i = 0; i < behaviors.size(); ++i) {
+    const TraceRow& trace = members[i].member->trace;
+    ObservedBehavior& behavior = behaviors[i];
+    behavior.asked = trace.asked;
+    behavior.command = trace.command;
+    behavior.activation = trace.activation;
+    behavior.share = trace.share;
+    behavior.robot_share = share_in_robot(
+        trace.share, behavior.parent < 0
+                         ? 1.0
+                         : behaviors[static_cast<std::size_t>(behavior.parent)].robot_share);
+  }
+}
+
+}  // namespace
+
+Lookout::Lookout(const world::World& world) {
+  for (const world::Team& team : world.teams) {
+    add_team(team.id);
+  }
+  behaviors_.reserve(world.robots.size());
+  for (const world::Robot& robot : world.robots) {
+    describe(robot);
+  }
+  for (const world::Box& box : world.boxes) {
+    all_boxes_.push_back({box.id,
+                          kind_of(box.kind),
+                          box.team,
+                          {box.x, box.y, wrap_angle(radians(box.heading_deg))}});
+    add_team(box.team);
+  }
+  boxes_ = all_boxes_;
+  now_.step_s = world.physics.step;
+  now_.period_s = world.physics.step * static_cast<double>(world.physics.control_steps);
+  now_.arena_length_m = world.arena.length;
+  now_.arena_width_m = world.arena.width;
+  now_.is_start = true;
+  now_.robots = robots_;
+  now_.boxes = boxes_;
+  now_.teams = teams_;
+}
+
+// A world that was not read from a file need not list them.
+void Lookout::add_team(std::string_view team) {
+  if (!team.empty() && std::find(teams_.begin(), teams_.end(), team) == teams_.end()) {
+    teams_.push_back(team);
+  }
+}
+
+void Lookout::describe(const world::Robot& robot) {
+  add_team(robot.team);
+  std::vector<ObservedBehavior>& behaviors = behaviors_.emplace_back();
+  describe(robot, "", -1, behaviors);
+  ObservedRobot& seen = robots_.emplace_back();
+  seen.id = robot.id;
+  seen.team = robot.team;
+  seen.pose = {robot.x, robot.y, wrap_angle(radians(robot.heading_deg))};
+  seen.energy = robot.energy.value_or(robot.battery);
+  seen.capacity = robot.battery;
+  seen.is_leader = robot.leader;
+  seen.empty = seen.energy <= 0.0;
+  seen.behaviors = behaviors;
+}
+
+// In the order of Robot::trace(): each before those inside it.
+void Lookout::describe(const world::Coordination& coordination, const std::string& path, int parent,
+                       std::vector<ObservedBehavior>& behaviors) {
+  for (const world::BehaviorUse& use : coordination.behaviors) {
+    const std::string& own = paths_.emplace_back(path + use.id);
+    ObservedBehavior& behavior = behaviors.emplace_back();
+    behavior.path = own;
+    behavior.plugin = use.plugin;
+    behavior.parent = parent;
+    const int place = static_cast<int>(behaviors.size()) - 1;
+    for (const world::Coordination& inside : use.inside) {
+      describe(inside, own + "/", place, behaviors);
+    }
+  }
+}
+
+void Lookout::look(Robots robots, const physics::Engine& engine, double time_s, bool decided,
+                   bool is_start) {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    take_over(*robots[i], robots_[i], behaviors_[i]);
+  }
+  boxes_.clear();
+  for (std::size_t i = 0; i < all_boxes_.size(); ++i) {
+    if (engine.has_box(i)) {
+      ObservedBox& box = boxes_.emplace_back(all_boxes_[i]);
+      if (!stays(box.kind)) {
+        const Frame frame = engine.box(i);
+        box.pose = {frame.origin.x, frame.origin.y, std::atan2(frame.forward.y, frame.forward.x)};
+      }
+    }
+  }
+  now_.boxes = boxes_;
+  now_.time_s = time_s;
+  now_.decided = decided;
+  now_.is_start = is_start;
+}
+
+}  // namespace elsie::simulation

@@ -1,0 +1,201 @@
+#include "measuring/measuring.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "elsie/simulation/measures.h"
+
+#include "plugins/make_plugin.h"
+
+namespace elsie::simulation {
+namespace {
+
+bool may_be_in_a_name(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-' || c == '.' || c == '/';
+}
+
+/// What a measure says that it reports, under full names. Throws std::invalid_argument.
+std::vector<Quantity> full_names(const world::PluginUse& use, std::vector<Quantity> quantities) {
+  if (quantities.empty()) {
+    throw std::invalid_argument("it has no values to report in this world");
+  }
+  for (Quantity& quantity : quantities) {
+    if (!std::all_of(quantity.name.begin(), quantity.name.end(), may_be_in_a_name)) {
+      throw std::invalid_argument("it calls a value '" + quantity.name +
+                                  "'; expected letters, digits, '_', '-', '.' and '/'");
+    }
+    quantity.name = quantity.name.empty() ? use.id : use.id + "." + quantity.name;
+  }
+  return quantities;
+}
+
+double sum(const RunResult& result, double (*of)(const RobotResult&)) {
+  double all = 0.0;
+  for (const RobotResult& robot : result.robots) {
+    all += of(robot);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Quantity> measures_of_every_run() {
+  return {{"success", "", "1 when the goals were reached, else 0"},
+          {"time_s", "s", "simulated time"},
+          {"path_length_m", "m", "driven, all robots together"},
+          {"collected", "", "resources, all robots together"},
+          {"collisions", "", "of all robots; one of two robots counts for both"},
+          {"energy_left", "units", "in the batteries at the end, all together"}};
+}
+
+void measure_every_run(RunResult& result) {
+  const double values[kMeasuresOfEveryRun] = {
+      result.outcome == Outcome::success ? 1.0 : 0.0,
+      result.simulated_s,
+      sum(result, [](const RobotResult& robot) { return robot.distance_m; }),
+      sum(result, [](const RobotResult& robot) { return double(robot.collected); }),
+      sum(result, [](const RobotResult& robot) { return double(robot.collisions); }),
+      sum(result, [](const RobotResult& robot) { return robot.energy; })};
+  std::size_t i = 0;
+  for (Quantity& quantity : measures_of_every_run()) {
+    const double value = values[i++];
+    // A physics engine that failed may leave what is no number.
+    result.measures.push_back({std::move(quantity.name), std::move(quantity.unit),
+                               std::move(quantity.meaning),
+                               std::isfinite(value) ? std::optional(value) : std::nullopt});
+  }
+}
+
+std::vector<Quantity> measure_names(const world::World& world, const plugin::Host& host) {
+  std::vector<base::Problem> problems;
+  const Measuring measuring(world, host, {}, problems);
+  if (!problems.empty()) {
+    throw world::WorldError(std::move(problems));
+  }
+  std::vector<Quantity> all = measures_of_every_run();
+  for (Quantity& quantity : measuring.quantities()) {
+    all.push_back(std::move(quantity));
+  }
+  return all;
+}
+
+Measuring::Measuring(const world::World& world, const plugin::Host& host, const Budget& budget,
+                     std::vector<base::Problem>& problems)
+    : guard_("", budget), lookout_(world) {
+  for (const world::PluginUse& use : world.measures) {
+    Slot& slot = slots_.emplace_back();
+    slot.use = &use;
+    slot.declaration = host.find(PluginKind::measure, use.plugin);
+    slot.object = make<Measure>(host, PluginKind::measure, use, problems);
+    if (slot.object) {
+      slot.quantities = blaming(use, problems, [&] {
+        slot.object->equipped(lookout_.now());
+        return full_names(use, slot.object->quantities());
+      });
+      slot.values.resize(slot.quantities.size());
+    }
+  }
+  check_names(problems);
+}
+
+/// Each value has a name of its own.
+void Measuring::check_names(std::vector<base::Problem>& problems) const {
+  std::set<std::string> of_every_run;
+  for (const Quantity& quantity : measures_of_every_run()) {
+    of_every_run.insert(quantity.name);
+  }
+  std::set<std::string> taken = of_every_run;
+  for (const Slot& slot : slots_) {
+    for (const Quantity& quantity : slot.quantities) {
+      if (!taken.insert(quantity.name).second) {
+        problems.push_back({slot.use->location.file, slot.use->location.line,
+                            "plugin '" + slot.use->plugin +
+                                "': one of its values would be called '" + quantity.name +
+                                "', as " +
+                                (of_every_run.contains(quantity.name) ? "a value that every run has"
+                                                                      : "another one is already") +
+                                "; give it another id"});
+      }
+    }
+  }
+}
+
+std::vector<Quantity> Measuring::quantities() const {
+  std::vector<Quantity> all;
+  for (const Slot& slot : slots_) {
+    all.insert(all.end(), slot.quantities.begin(), slot.quantities.end());
+  }
+  return all;
+}
+
+void Measuring::reset(std::uint64_t seed) {
+  guard_.begin_run();
+  guard_.begin_step(0);
+  has_begun_ = has_failed_ = false;
+  for (Slot& slot : slots_) {
+    Random random(seed, "measure[" + slot.use->id + "]");
+    guard_.run(*slot.use, [&] { slot.object->reset(random); });
+  }
+}
+
+void Measuring::ask(Statements& said) {
+  for (const Slot& slot : slots_) {
+    said.ask(*slot.object, *slot.use, "", guard_);
+  }
+}
+
+void Measuring::observe(Robots robots, const physics::Engine& engine, double time_s,
+                        std::uint64_t step, bool decided) {
+  guard_.begin_step(step);
+  lookout_.look(robots, engine, time_s, decided, !has_begun_);
+  has_begun_ = true;
+  for (Slot& slot : slots_) {
+    try {
+      guard_.step(*slot.use, [&] { slot.object->observe(lookout_.now()); });
+    } catch (...) {
+      has_failed_ = true;
+      throw;
+    }
+  }
+}
+
+void Measuring::report(const RunEnd& end, std::vector<MeasuredValue>& values) {
+  for (Slot& slot : slots_) {
+    std::fill(slot.values.begin(), slot.values.end(), std::nullopt);
+    if (!has_failed_) {
+      try {
+        guard_.run(*slot.use, [&] { slot.object->report(end, slot.values); });
+        for (std::size_t i = 0; i < slot.values.size(); ++i) {
+          if (slot.values[i] && !std::isfinite(*slot.values[i])) {
+            guard_.fail(*slot.use, "its value '" + slot.quantities[i].name +
+                                       "' is not a finite number; leave out what has no value");
+          }
+        }
+      } catch (...) {
+        has_failed_ = true;
+        throw;
+      }
+    }
+    for (std::size_t i = 0; i < slot.values.size(); ++i) {
+      const Quantity& quantity = slot.quantities[i];
+      values.push_back({quantity.name, quantity.unit, quantity.meaning, slot.values[i]});
+    }
+  }
+}
+
+void Measuring::list_replaced(const plugin::Host& host, std::vector<std::string>& notes) {
+  for (Slot& slot : slots_) {
+    const Declaration* const now = host.find(PluginKind::measure, slot.use->plugin);
+    if (now != slot.declaration) {
+      notes.push_back("the measure '" + slot.use->id +
+                      "' stays as it was when the world was made; a new one would not know what "
+                      "has been so far");
+      slot.declaration = now;
+    }
+  }
+}
+
+}  // namespace elsie::simulation

@@ -1,0 +1,74 @@
+// The measures of a world at run time.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "elsie/api/measure.h"
+#include "elsie/physics/engine.h"
+#include "elsie/plugin/host.h"
+#include "elsie/simulation/run_result.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/description.h"
+#include "elsie/world/error.h"
+
+#include "measuring/lookout.h"
+#include "plugins/guard.h"
+#include "plugins/statements.h"
+
+namespace elsie::simulation {
+
+class Measuring {
+ public:
+  /// Makes and equips the plugin objects; adds to `problems` what they refuse. The world must stay
+  /// where it is.
+  Measuring(const world::World& world, const plugin::Host& host, const Budget& budget,
+            std::vector<base::Problem>& problems);
+
+  bool empty() const { return slots_.empty(); }
+  /// What they report, under the names that it has in results.
+  std::vector<Quantity> quantities() const;
+
+  void reset(std::uint64_t seed);
+  /// Gathers what the measures say once they are reset.
+  void ask(Statements& said);
+  /// What the measures did to the program since the run began.
+  void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
+
+  /// Whether the run has been looked at since it was reset.
+  bool has_begun() const { return has_begun_; }
+  /// Shows them the world: the start, or the instant after the step of this number. Throws
+  /// PluginFault.
+  void observe(Robots robots, const physics::Engine& engine, double time_s, std::uint64_t step,
+               bool decided);
+  /// Appends the values so far. Throws PluginFault; once a measure has failed, all values are none
+  /// and nothing is asked any more.
+  void report(const RunEnd& end, std::vector<MeasuredValue>& values);
+
+  /// Measures stay what they are when plugins are replaced: a sentence for each of which `host` has
+  /// another one.
+  void list_replaced(const plugin::Host& host, std::vector<std::string>& notes);
+
+ private:
+  struct Slot {
+    const world::PluginUse* use = nullptr;
+    const Declaration* declaration = nullptr;  // to be compared, not to be looked into
+    plugin::Object<Measure> object;
+    std::vector<Quantity> quantities;  // under their full names
+    std::vector<std::optional<double>> values;
+  };
+
+  void check_names(std::vector<base::Problem>& problems) const;
+
+  Guard guard_;
+  Lookout lookout_;
+  std::vector<Slot> slots_;
+  bool has_begun_ = false;
+  bool has_failed_ = false;
+};
+
+/// Adds the values that every run has.
+void measure_every_run(RunResult& result);
+
+}  // namespace elsie::simulation

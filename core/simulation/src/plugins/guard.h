@@ -1,0 +1,184 @@
+// The border between the simulator and the plugins of one robot, or the measures of the world.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "elsie/plugin/call.h"
+#include "elsie/plugin/error.h"
+#include "elsie/simulation/fault.h"
+#include "elsie/simulation/run_result.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/description.h"
+#include "elsie/world/error.h"
+
+namespace elsie::simulation {
+
+/// What is allocated on the heap of the process, bytes. Takes a microsecond or so.
+std::int64_t heap_bytes();
+
+/// What the exception that is being handled says.
+std::string what_was_thrown();
+
+/// What the action returns, or an empty value if it returns nothing.
+template <class Action>
+auto value_of(Action& action) {
+  if constexpr (std::is_void_v<decltype(action())>) {
+    action();
+    return std::monostate();
+  } else {
+    return action();
+  }
+}
+
+/// Runs code of a robot's plugins while the simulation runs: whatever it throws becomes a
+/// PluginFault that names the plugin, the robot and the step. The first fault is kept: a
+/// coordinator may swallow what a behaviour threw, but the run does not.
+class Guard {
+ public:
+  /// `robot`: "" for measures.
+  Guard(std::string robot, const Budget& budget) : robot_(std::move(robot)), budget_(budget) {}
+
+  /// A call that may take its time: before the run, or once in a while.
+  template <class Action>
+  auto run(const world::PluginUse& use, Action action) {
+    plugin::Call call(facts(use));
+    return caught(use, call, action);
+  }
+
+  /// A call that belongs to the step: it has to keep to the budget.
+  template <class Action>
+  auto step(const world::PluginUse& use, Action action) {
+    plugin::Call call(facts(use));
+    if (!has_budget()) [[likely]] {
+      return caught(use, call, action);
+    }
+    const std::int64_t before = begin(call);
+    auto result = caught(use, call, action);
+    end(use, call, before);
+    return result;
+  }
+
+  [[noreturn]] void fail(const world::PluginUse& use, const std::string& problem) {
+    if (!fault_) {
+      fault_.emplace(use.plugin, use.id, robot_, step_, problem);
+    }
+    throw *fault_;
+  }
+
+  /// Throws the fault, if there was one.
+  void check() const {
+    if (fault_) {
+      throw *fault_;
+    }
+  }
+
+  const std::string& robot() const { return robot_; }
+
+  void begin_run() {
+    fault_.reset();
+    held_.clear();
+    arithmetic_.clear();
+  }
+  void begin_step(std::uint64_t step) { step_ = step; }
+  /// The plugins that have changed how the processor computes, since the run began: a note on each.
+  void list_notes(std::vector<Note>& notes) const;
+  /// The object is another one now.
+  void forget(const world::PluginUse& use) { held_.erase(&use); }
+
+ private:
+  /// What the calls of one object have left on the heap.
+  struct Held {
+    std::int64_t bytes = 0;
+    std::uint64_t calls = 0;
+  };
+
+  /// How often a plugin has changed the processor's way of computing.
+  struct ChangedArithmetic {
+    std::string id;
+    std::string what;
+    std::uint64_t first_step = 0;
+    std::uint64_t calls = 0;
+  };
+
+  plugin::CallFacts facts(const world::PluginUse& use) const {
+    return {.plugin = use.plugin.c_str(),
+            .id = use.id.c_str(),
+            .robot = robot_.empty() ? nullptr : robot_.c_str(),
+            .step = step_};
+  }
+
+  template <class Action>
+  auto caught(const world::PluginUse& use, plugin::Call& call, Action& action) {
+    try {
+      auto result = value_of(action);
+      settle(use, call);
+      return result;
+    } catch (const PluginFault&) {
+      throw;  // of another plugin, which this one had called
+    } catch (...) {
+      fail(use, what_was_thrown());
+    }
+  }
+
+  /// After a call: what it did to the process and must not.
+  void settle(const world::PluginUse& use, plugin::Call& call) {
+    if (const char* const changed = call.restore_arithmetic()) [[unlikely]] {
+      note_arithmetic(use, changed);
+    }
+    if (call.has_forked()) [[unlikely]] {
+      fail(use,
+           "it made a copy of the program with fork(); start other programs with posix_spawn()");
+    }
+  }
+  void note_arithmetic(const world::PluginUse& use, const char* changed);
+
+  bool has_budget() const { return budget_.time_s > 0.0 || budget_.memory > 0; }
+  std::int64_t begin(plugin::Call& call) const;
+  /// Faults the plugin if it went beyond its budget.
+  void end(const world::PluginUse& use, const plugin::Call& call, std::int64_t before);
+
+  std::string robot_;
+  Budget budget_;
+  std::uint64_t step_ = 0;
+  std::optional<PluginFault> fault_;
+  std::map<const world::PluginUse*, Held> held_;
+  std::vector<ChangedArithmetic> arithmetic_;
+};
+
+/// While a robot is put together, what a plugin object refuses is a fault of the world file: it is
+/// added to `problems`, and the result is an empty one.
+template <class Action>
+auto blaming(const world::PluginUse& use, std::vector<base::Problem>& problems, Action action)
+    -> decltype(value_of(action)) {
+  const auto blame = [&](const std::string& problem, bool plugin_failed = false) {
+    problems.push_back({use.location.file, use.location.line,
+                        "plugin '" + use.plugin + "': " + problem, plugin_failed});
+  };
+  plugin::Call call({.plugin = use.plugin.c_str(),
+                     .id = use.id.c_str(),
+                     .file = use.location.file.c_str(),
+                     .line = use.location.line,
+                     .doing = "while it was prepared"});
+  try {
+    auto result = value_of(action);
+    if (const char* const changed = call.restore_arithmetic()) {
+      blame(std::string("it changed ") + changed + " for the whole program", true);
+    }
+    return result;
+  } catch (const plugin::CreateError& problem) {
+    problems.push_back({use.location.file, use.location.line, problem.what(), true});
+  } catch (const plugin::PluginError& problem) {  // which names the plugin
+    problems.push_back({use.location.file, use.location.line, problem.what()});
+  } catch (...) {
+    blame(what_was_thrown());
+  }
+  return {};
+}
+
+}  // namespace elsie::simulation

@@ -1,0 +1,113 @@
+// The parts of robots and controllers that put new plugin objects in the places of old ones.
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "replacement/swap.h"
+#include "step/cameras.h"
+#include "step/controller.h"
+#include "step/robot.h"
+
+namespace elsie::simulation {
+
+void Controller::replace(Swap& swap, const std::string& path) {
+  for (Slot& slot : slots_) {
+    const std::string name = path + "behavior[" + slot.use->id + "]";
+    if (slot.inside) {
+      slot.inside->replace(swap, name + "/");
+    }
+    const bool is_new = swap.exchange<Behavior>(PluginKind::behavior, *slot.use, name, slot.object,
+                                                slot.declaration, slot.random, slot.inside.get());
+    if (is_new) {
+      // Its events are named by the old library.
+      swap.when_settled([&slot] { slot.response = {}; });
+    }
+  }
+  if (coordinator_) {
+    swap.exchange<Coordinator>(PluginKind::coordinator, *description_.coordinator,
+                               path + "coordinator", coordinator_, coordinator_declaration_,
+                               random_);
+  }
+}
+
+void Controller::check_needs(std::span<const ReadingGroup> groups, const std::string& robot,
+                             const std::string& path) const {
+  for (const Slot& slot : slots_) {
+    const std::string name = path + "behavior[" + slot.use->id + "]";
+    for (const ReadingDeclaration& need : slot.declaration->needs) {
+      const auto is_kind = [&](const ReadingGroup& group) { return group.kind.name == need.kind; };
+      const auto of_size = [&](const ReadingGroup& group) {
+        return is_kind(group) && group.kind.size == need.size;
+      };
+      if (std::none_of(groups.begin(), groups.end(), of_size)) {
+        const bool other = std::any_of(groups.begin(), groups.end(), is_kind);
+        Swap::refuse(robot, name,
+                     "it needs readings of the kind '" + need.kind + "', " +
+                         (other ? "of which its sensors have another size; build the plugins of "
+                                  "both with the same header"
+                                : "which no sensor of the robot makes"));
+      }
+    }
+    if (slot.inside) {
+      slot.inside->check_needs(groups, robot, name + "/");
+    }
+  }
+}
+
+void Robot::replace(Swap& swap, const Cameras& cameras) {
+  swap.begin_robot(description_.id, tuning_);
+  swap.undo([this] { regroup(); });  // last of all, once the old sensors are back
+  const std::size_t first = swap.all().size();
+  for (SensorSlot& slot : sensors_) {
+    replace(swap, slot, cameras);
+  }
+  controller_->replace(swap, "");
+  if (swap.all().size() == first) {
+    return;
+  }
+  regroup();
+  controller_->check_needs(groups_, description_.id, "");
+  for (std::size_t i = first; i < swap.all().size(); ++i) {
+    const Swap::Exchanged& exchanged = swap.all()[i];
+    swap.when_settled([this, use = exchanged.use] { guard_.forget(*use); });
+    const TunedObject object = object_of(*exchanged.use);
+    swap.run(exchanged, [&] { Tuning::equip(object, *object.object, example()); });
+  }
+  swap.hand_over(first);
+}
+
+void Robot::replace(Swap& swap, SensorSlot& slot, const Cameras& cameras) {
+  const std::string path = "sensor[" + slot.use->id + "]";
+  const std::string kind = slot.object->kind().name;
+  const std::optional<Camera> before = slot.camera;
+  swap.undo([&slot, before] { slot.camera = before; });
+  if (!swap.exchange<Sensor>(PluginKind::sensor, *slot.use, path, slot.object, slot.declaration,
+                             slot.random)) {
+    return;
+  }
+  const auto refuse = [&](const std::string& problem) {
+    Swap::refuse(description_.id, path, problem);
+  };
+  swap.run(swap.all().back(), [&] { slot.camera = slot.object->camera(); });
+  if (kind != slot.object->kind().name) {
+    refuse("it makes readings of the kind '" + std::string(slot.object->kind().name) +
+           "' now, and made some of the kind '" + kind +
+           "' before, which is settled before a run; run the world anew");
+  }
+  if (slot.camera.has_value() != before.has_value()) {
+    refuse("it would " + std::string(before ? "cease" : "begin") +
+           " to look through a camera; whether it does is settled before a run");
+  }
+  if (const auto problem = slot.camera ? cameras.problem_of(*slot.camera) : std::nullopt) {
+    refuse(*problem);
+  }
+}
+
+void Robot::regroup() {
+  sensed_.clear();
+  groups_.clear();
+  group_readings();
+  perception_.groups = groups_;
+}
+
+}  // namespace elsie::simulation

@@ -1,0 +1,79 @@
+// The world as one robot's sensors may ask it.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "elsie/api/perception.h"
+#include "elsie/api/sensor.h"
+#include "elsie/physics/engine.h"
+
+#include "step/robot.h"
+
+namespace elsie::simulation {
+
+using Robots = std::span<const std::unique_ptr<Robot>>;
+
+/// One robot as another one sees it.
+inline TeamMate seen_from(Robots robots, std::size_t observer, std::size_t other) {
+  const Pose& from = robots[observer]->state().pose;
+  const OwnState& state = robots[other]->state();
+  return {state.id,
+          state.pose,
+          distance(from, state.pose),
+          bearing(from, state.pose.x, state.pose.y),
+          state.is_leader,
+          state.team_index};
+}
+
+class Carrier final : public Surroundings {
+ public:
+  Carrier(const physics::Engine& engine, Robots robots, std::size_t robot)
+      : engine_(engine), robots_(robots), robot_(robot) {}
+
+  std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
+                                 double max_range_m) const override {
+    const auto hit = engine_.cast_ray(origin, direction, max_range_m, robot_);
+    return hit ? std::optional(hit->distance) : std::nullopt;
+  }
+  bool anything_in(const Pyramid& pyramid) const override {
+    return engine_.anything_in(pyramid, robot_);
+  }
+  Pose pose() const override { return robots_[robot_]->state().pose; }
+  std::optional<TeamMate> nearest_robot(double radius_m) const override {
+    std::optional<TeamMate> nearest;
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      if (i == robot_) {
+        continue;
+      }
+      const TeamMate other = seen_from(robots_, robot_, i);
+      if (other.distance_m <= radius_m && (!nearest || other.distance_m < nearest->distance_m)) {
+        nearest = other;
+      }
+    }
+    return nearest;
+  }
+  void robots_within(double radius_m, std::vector<TeamMate>& robots) const override {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      if (i != robot_) {
+        const TeamMate other = seen_from(robots_, robot_, i);
+        if (other.distance_m <= radius_m) {
+          robots.push_back(other);
+        }
+      }
+    }
+  }
+  std::span<const Colour> resource_colours() const override {
+    return robots_[robot_]->resource_colours();
+  }
+
+ private:
+  const physics::Engine& engine_;
+  Robots robots_;
+  std::size_t robot_;
+};
+
+}  // namespace elsie::simulation

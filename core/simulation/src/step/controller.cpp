@@ -1,0 +1,352 @@
+#include "step/controller.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "plugins/make_plugin.h"
+
+namespace elsie::simulation {
+namespace {
+
+std::string text(const MotorCommand& command) {
+  return "left " + std::to_string(command.left) + ", right " + std::to_string(command.right);
+}
+
+/// Why these are no fuzzy sets, or null.
+const char* fault_of(const CommandSets& sets) {
+  for (const FuzzySet* set : {&sets.left, &sets.right}) {
+    double last = -std::numeric_limits<double>::infinity();
+    for (const FuzzySet::Point& point : set->points) {
+      if (!std::isfinite(point.x) || point.x < last ||
+          !(point.degree >= 0.0 && point.degree <= 1.0)) {
+        return "the points of its fuzzy sets are not in ascending order with degrees in [0, 1]";
+      }
+      last = point.x;
+    }
+  }
+  return nullptr;
+}
+
+std::string fault_of(std::span<const double> desirability) {
+  for (const double degree : desirability) {
+    if (!(degree >= 0.0 && degree <= 1.0)) {
+      return "it rates a command " + std::to_string(degree) + ", which is not in [0, 1]";
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+Controller::Controller(const world::Coordination& description, const Setting& setting,
+                       std::vector<base::Problem>& problems)
+    : description_(description), setting_(setting) {
+  Member::Runner& runner = *this;
+  for (const world::BehaviorUse& use : description.behaviors) {
+    Slot slot{&use, setting.host.find(PluginKind::behavior, use.plugin), nullptr, nullptr, Random(),
+              {}};
+    if (slot.declaration && slot.declaration->hold) {
+      static const world::Coordination kNothing;
+      slot.inside = std::make_unique<Controller>(use.inside.empty() ? kNothing : use.inside.front(),
+                                                 setting, problems);
+    }
+    slot.object =
+        make<Behavior>(setting.host, PluginKind::behavior, use, problems, slot.inside.get());
+    slots_.push_back(std::move(slot));
+    members_.emplace_back(use.id, use.priority, runner);
+    reasons_.push_back("");
+  }
+  if (description.coordinator) {
+    coordinator_ = make<Coordinator>(setting.host, PluginKind::coordinator,
+                                     *description.coordinator, problems);
+    coordinator_declaration_ =
+        setting.host.find(PluginKind::coordinator, description.coordinator->plugin);
+  }
+}
+
+void Controller::equip(const Perception& example, std::vector<base::Problem>& problems) {
+  for (Slot& slot : slots_) {
+    if (slot.inside) {
+      slot.inside->equip(example, problems);
+    }
+    blaming(*slot.use, problems, [&] { slot.object->equipped(example); });
+  }
+  if (coordinator_) {
+    blaming(*description_.coordinator, problems,
+            [&] { coordinator_->equipped(members_, example); });
+  }
+}
+
+void Controller::reset(std::uint64_t seed, const std::string& path) {
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    Slot& slot = slots_[i];
+    set_priority(i, slot.use->priority);
+    const std::string name = path + "behavior[" + slot.use->id + "]";
+    slot.random = Random(seed, name);
+    slot.response = {};
+    if (slot.inside) {
+      slot.inside->reset(seed, name + "/");
+    }
+    setting_.guard.run(*slot.use, [&] { slot.object->reset(slot.random); });
+  }
+  if (coordinator_) {
+    random_ = Random(seed, path + "coordinator");
+    setting_.guard.run(*description_.coordinator, [&] { coordinator_->reset(random_); });
+  }
+  command_ = {};
+  begin_step();
+}
+
+std::optional<TunedObject> Controller::object_of(const world::PluginUse& use) {
+  for (Slot& slot : slots_) {
+    if (slot.use == &use) {
+      return TunedObject{PluginKind::behavior, &use, slot.declaration, slot.object.get(), {}};
+    }
+    if (auto found = slot.inside ? slot.inside->object_of(use) : std::nullopt) {
+      return found;
+    }
+  }
+  if (coordinator_ && &*description_.coordinator == &use) {
+    return TunedObject{PluginKind::coordinator, &use, coordinator_declaration_, coordinator_.get(),
+                       members_};
+  }
+  return std::nullopt;
+}
+
+void Controller::set_priority(const world::PluginUse& use, double priority) {
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (slots_[i].use == &use) {
+      set_priority(i, priority);
+    } else if (slots_[i].inside) {
+      slots_[i].inside->set_priority(use, priority);
+    }
+  }
+}
+
+void Controller::set_priority(std::size_t member, double priority) {
+  Member::Runner& runner = *this;
+  Member changed(members_[member].name(), priority, runner);
+  changed.trace = members_[member].trace;
+  members_[member] = std::move(changed);
+}
+
+void Controller::ask(const std::string& path, Statements& said) {
+  for (const Slot& slot : slots_) {
+    said.ask(*slot.object, *slot.use, path, setting_.guard);
+    if (slot.inside) {
+      slot.inside->ask(path + slot.use->id + "/", said);
+    }
+  }
+  if (coordinator_) {
+    said.ask(*coordinator_, *description_.coordinator, path, setting_.guard);
+  }
+}
+
+void Controller::begin_step() {
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    members_[i].begin_step();
+    if (slots_[i].inside) {
+      slots_[i].inside->begin_step();
+    }
+  }
+}
+
+MotorCommand Controller::decide(const Perception& now) {
+  if (!coordinator_) {
+    return {};
+  }
+  now_ = now;
+  const world::PluginUse& use = *description_.coordinator;
+  command_ = setting_.guard.step(
+      use, [&] { return coordinator_->coordinate(members_, now.with_random(random_)); });
+  setting_.guard.check();
+  if (!command_.is_finite()) {
+    setting_.guard.fail(use, "its command is not a finite number: " + text(command_));
+  }
+  check_trace();
+  return command_;
+}
+
+Response Controller::respond(const Perception& now) {
+  Response response = decide(now);
+  double shares = 0.0, activation = 0.0, strength = 0.0, speed = 0.0, turn = 0.0;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const TraceRow& trace = members_[i].trace;
+    const Response& answer = slots_[i].response;  // not of this step, and no matter, if not asked:
+    const double share = std::max(0.0, trace.share);
+    const double share_of_strength = share * trace.strength;  // that is zero then
+    shares += share;
+    activation += share * trace.activation;
+    strength += share_of_strength;
+    speed += share_of_strength * answer.speed_strength;
+    turn += share_of_strength * answer.turn_strength;
+  }
+  const auto ratio = [](double part, double whole) {
+    return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;
+  };
+  response.activation = ratio(activation, shares);
+  response.strength = ratio(strength, shares);
+  if (strength > 0.0) {  // factors of it: so that their products are the means of the products
+    response.speed_strength = ratio(speed, strength);
+    response.turn_strength = ratio(turn, strength);
+  }
+  return response;
+}
+
+void Controller::rate(std::span<const MotorCommand> candidates, std::span<double> desirability) {
+  if (!coordinator_) {
+    std::fill(desirability.begin(), desirability.end(), 0.0);
+    return;
+  }
+  const world::PluginUse& use = *description_.coordinator;
+  setting_.guard.step(use,
+                      [&] { coordinator_->rate(members_, command_, candidates, desirability); });
+  setting_.guard.check();
+  if (const std::string fault = fault_of(desirability); !fault.empty()) {
+    setting_.guard.fail(use, fault);
+  }
+}
+
+CommandSets Controller::command_sets() {
+  if (!coordinator_) {
+    return {};
+  }
+  const world::PluginUse& use = *description_.coordinator;
+  CommandSets sets =
+      setting_.guard.step(use, [&] { return coordinator_->command_sets(members_, command_); });
+  setting_.guard.check();
+  if (const char* fault = fault_of(sets)) {
+    setting_.guard.fail(use, fault);
+  }
+  return sets;
+}
+
+const Response& Controller::run(Member& member) {
+  Slot& slot = slot_of(member);
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = setting_.measure_time ? Clock::now() : Clock::time_point();
+  setting_.guard.step(*slot.use, [&] {
+    // In here, so that what the last answer held counts as freed.
+    slot.response = slot.object->respond(now_->with_random(slot.random));
+  });
+  if (setting_.measure_time) {
+    member.trace.time_s = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  check(slot, slot.response);
+  for (const Event& event : slot.response.events) {
+    setting_.wishes.raise(event);
+  }
+  if (slot.response.charge) {
+    setting_.wishes.ask_for_charge();
+  }
+  return slot.response;
+}
+
+void Controller::rate(Member& member, std::span<const MotorCommand> candidates,
+                      std::span<double> desirability) {
+  const Slot& slot = slot_of(member);
+  setting_.guard.step(*slot.use,
+                      [&] { slot.object->rate(slot.response, candidates, desirability); });
+  if (const std::string fault = fault_of(desirability); !fault.empty()) {
+    setting_.guard.fail(*slot.use, fault);
+  }
+}
+
+CommandSets Controller::command_sets(Member& member) {
+  const Slot& slot = slot_of(member);
+  CommandSets sets =
+      setting_.guard.step(*slot.use, [&] { return slot.object->command_sets(slot.response); });
+  if (const char* fault = fault_of(sets)) {
+    setting_.guard.fail(*slot.use, fault);
+  }
+  return sets;
+}
+
+void Controller::check(const Slot& slot, const Response& response) const {
+  const auto fail = [&](const std::string& problem) { setting_.guard.fail(*slot.use, problem); };
+  if (!response.command.is_finite()) {
+    fail("its command is not a finite number: " + text(response.command));
+  }
+  const auto check_degree = [&](const char* what, double value) {
+    if (!(value >= 0.0 && value <= 1.0)) {
+      fail(std::string("its ") + what + " is " + std::to_string(value) +
+           ", which is not in [0, 1]");
+    }
+  };
+  check_degree("activation", response.activation);
+  check_degree("strength", response.strength);
+  check_degree("speed_strength", response.speed_strength);
+  check_degree("turn_strength", response.turn_strength);
+  for (const Event& event : response.events) {
+    const auto& declared = slot.declaration->events;
+    if (std::none_of(declared.begin(), declared.end(),
+                     [&](const EventDeclaration& d) { return d.name == event.name; })) {
+      fail("it raised the event '" + std::string(event.name) +
+           "', which its declaration does not name; add elsie::raises() to it");
+    }
+  }
+}
+
+void Controller::check_trace() {
+  for (Member& member : members_) {
+    if (member.trace.inhibited_by >= static_cast<int>(members_.size())) {
+      setting_.guard.fail(*description_.coordinator,
+                          "its trace says that member " +
+                              std::to_string(member.trace.inhibited_by) +
+                              " inhibits another, but there is none of that number");
+    }
+    if (!std::isfinite(member.trace.weight) || !std::isfinite(member.trace.share)) {
+      setting_.guard.fail(*description_.coordinator,
+                          "a weight or share in its trace is not finite");
+    }
+    constexpr double kRounding = 1e-9;
+    if (member.trace.share < -kRounding || member.trace.share > 1.0 + kRounding) {
+      setting_.guard.fail(*description_.coordinator,
+                          "the share of '" + std::string(member.name()) + "' in its trace is " +
+                              std::to_string(member.trace.share) +
+                              "; expected a part of the whole command, from 0 to 1");
+    }
+    if (member.trace.weight < 0.0 && member.priority() >= 0.0) {
+      setting_.guard.fail(*description_.coordinator,
+                          "the weight of '" + std::string(member.name()) + "' in its trace is " +
+                              std::to_string(member.trace.weight) +
+                              "; expected 0 or more, unless the user set a priority below 0");
+    }
+    const char* const reason = member.trace.reason ? member.trace.reason : "";
+    const char*& kept = reasons_[static_cast<std::size_t>(&member - members_.data())];
+    if (std::strcmp(reason, kept) != 0) {
+      kept = setting_.names.keep(reason);
+    }
+    member.trace.reason = kept;
+  }
+}
+
+void Controller::list_members(const std::string& path, int depth, int parent,
+                              std::vector<TracedMember>& list) const {
+  const std::string_view coordinator =
+      description_.coordinator ? std::string_view(description_.coordinator->plugin) : "";
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const std::string name = path + slots_[i].use->id;
+    list.push_back({name, slots_[i].use->plugin, coordinator, depth, parent, &members_[i]});
+    if (slots_[i].inside) {
+      slots_[i].inside->list_members(name + "/", depth + 1, static_cast<int>(list.size()) - 1,
+                                     list);
+    }
+  }
+}
+
+const TracedMember* inhibitor_of(const TracedMember& member, std::span<const TracedMember> all) {
+  int place = member.member->trace.inhibited_by;
+  for (const TracedMember& other : all) {
+    if (other.parent == member.parent && place-- == 0) {
+      return &other;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace elsie::simulation

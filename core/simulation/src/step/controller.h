@@ -1,0 +1,126 @@
+// Behaviours and their coordinator at run time: those of a robot, and those inside a behaviour that
+// holds others, to any depth.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elsie/api/behavior.h"
+#include "elsie/api/coordinator.h"
+#include "elsie/plugin/host.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/description.h"
+#include "elsie/world/error.h"
+
+#include "changes/tuning.h"
+#include "plugins/guard.h"
+#include "plugins/names.h"
+#include "plugins/statements.h"
+
+namespace elsie::simulation {
+
+class Swap;
+
+/// What behaviours want of their robot besides the command.
+class Wishes {
+ public:
+  virtual void raise(const Event& event) = 0;
+  virtual void ask_for_charge() = 0;
+
+ protected:
+  ~Wishes() = default;
+};
+
+class Controller final : public Coordination, private Member::Runner {
+ public:
+  /// What all controllers of one robot share.
+  struct Setting {
+    const plugin::Host& host;  // while the objects are made; it may be gone later
+    Guard& guard;
+    Wishes& wishes;
+    Names& names;
+    bool measure_time;
+  };
+
+  /// Makes the plugin objects; adds to `problems` what they refuse.
+  Controller(const world::Coordination& description, const Setting& setting,
+             std::vector<base::Problem>& problems);
+  Controller(const Controller&) = delete;
+  Controller& operator=(const Controller&) = delete;
+
+  /// Tells all objects what the robot has; see Behavior::equipped().
+  void equip(const Perception& example, std::vector<base::Problem>& problems);
+  /// Fresh random streams, named after `path`, which ends in "/"; all objects reset.
+  void reset(std::uint64_t seed, const std::string& path);
+  /// Gathers what the objects say once they are reset. `path` is what stands before their ids and
+  /// ends in "/", or "".
+  void ask(const std::string& path, Statements& said);
+
+  /// Before each decision: forgets the last answers, at every depth.
+  void begin_step();
+  /// The command of the coordinator, checked; zero when there is none. Throws PluginFault.
+  MotorCommand decide(const Perception& now);
+
+  Response respond(const Perception& now) override;
+  void rate(std::span<const MotorCommand> candidates, std::span<double> desirability) override;
+  CommandSets command_sets() override;
+
+  /// The object that a use of a plugin stands for, at any depth; none when it is not in here.
+  std::optional<TunedObject> object_of(const world::PluginUse& use);
+  /// Puts new objects in the places of those whose plugins have changed, at any depth. `path` is
+  /// what stands before their names and ends in "/".
+  void replace(Swap& swap, const std::string& path);
+  /// Throws ReplacementRefused when a behaviour needs readings that are not there.
+  void check_needs(std::span<const ReadingGroup> groups, const std::string& robot,
+                   const std::string& path) const;
+
+  /// Sets the priority of a behaviour, at any depth, until the next reset. The trace of the last
+  /// decision stays.
+  void set_priority(const world::PluginUse& use, double priority);
+
+  std::span<const Member> members() const { return members_; }
+  /// Appends all members, each followed by those inside it. `path` is what stands before their
+  /// names; they stay where they are for the life of the controller.
+  void list_members(const std::string& path, int depth, int parent,
+                    std::vector<TracedMember>& list) const;
+
+ private:
+  struct Slot {
+    const world::BehaviorUse* use;
+    const Declaration* declaration;
+    std::unique_ptr<Controller> inside;  // of a behaviour that holds others
+    plugin::Object<Behavior> object;
+    Random random;
+    Response response;
+  };
+
+  const Response& run(Member& member) override;
+  void rate(Member& member, std::span<const MotorCommand> candidates,
+            std::span<double> desirability) override;
+  CommandSets command_sets(Member& member) override;
+
+  Slot& slot_of(const Member& member) {
+    return slots_[static_cast<std::size_t>(&member - members_.data())];
+  }
+  void set_priority(std::size_t member, double priority);
+  void check(const Slot& slot, const Response& response) const;
+  void check_trace();
+
+  const world::Coordination& description_;
+  Setting setting_;
+  std::vector<Slot> slots_;
+  std::vector<Member> members_;
+  std::vector<const char*> reasons_;  // of each member's trace, kept
+  plugin::Object<Coordinator> coordinator_;
+  const Declaration* coordinator_declaration_ = nullptr;
+  Random random_;                  // the coordinator's
+  std::optional<Perception> now_;  // of the last decision: members may be asked later in a step
+  MotorCommand command_;           // of the last decision
+};
+
+}  // namespace elsie::simulation

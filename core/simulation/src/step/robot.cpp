@@ -1,0 +1,351 @@
+#include "step/robot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "elsie/plugin/call.h"
+#include "elsie/world/error.h"
+
+#include "plugins/make_plugin.h"
+#include "step/teams.h"
+
+namespace elsie::simulation {
+namespace {
+
+void throw_if_any(const std::vector<base::Problem>& problems) {
+  if (!problems.empty()) {
+    throw world::WorldError(problems);
+  }
+}
+
+Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) {
+  return {{use.x.value_or(0.5 * body.length), use.y.value_or(0.0), use.z.value_or(body.top())},
+          wrap_angle(radians(use.yaw_deg)),
+          radians(use.pitch_deg)};
+}
+
+MotorCommand limited(const MotorCommand& command, double max_rate) {
+  const double largest = std::max(std::abs(command.left), std::abs(command.right));
+  return largest > max_rate ? (max_rate / largest) * command : command;
+}
+
+}  // namespace
+
+Robot::Membership Robot::membership(const world::World& world, std::size_t robot) {
+  const world::Robot& description = world.robots[robot];
+  Membership membership;
+  for (std::size_t i = 0; i < robot; ++i) {
+    membership.index += world.robots[i].team == description.team ? 1 : 0;
+  }
+  membership.charger = nearest_charger(world, description.team, {description.x, description.y});
+  membership.resource_colours = simulation::resource_colours(world, description.team);
+  return membership;
+}
+
+Robot::Robot(const world::Robot& description, const Membership& membership,
+             const plugin::Host& host, const Options& options)
+    : description_(description), guard_(description.id, options.budget) {
+  const plugin::Call call({.robot = description.id.c_str()});
+  std::vector<base::Problem> problems;
+  for (const world::SensorUse& use : description.sensors) {
+    const Mounting mounting = mounting_of(use, description.body);
+    SensorSlot& slot = sensors_.emplace_back();
+    slot.use = &use;
+    slot.declaration = host.find(PluginKind::sensor, use.plugin);
+    slot.object = make<Sensor>(host, PluginKind::sensor, use, problems);
+    slot.mounting = mounting;
+    slot.frame = Frame::turned(mounting.position, mounting.azimuth_rad, mounting.pitch_rad);
+    if (slot.object) {
+      slot.camera = blaming(use, problems, [&] { return slot.object->camera(); });
+    }
+  }
+  controller_ = std::make_unique<Controller>(
+      description, Controller::Setting{host, guard_, *this, names_, options.measure_time},
+      problems);
+  controller_->list_members("", 0, -1, trace_);
+  throw_if_any(problems);
+  group_readings();
+
+  state_.id = description.id;
+  state_.wheel_radius_m = description.body.wheel_radius;
+  state_.half_axle_m = description.body.half_axle();
+  state_.length_m = description.body.length;
+  state_.width_m = description.body.width;
+  take_description();
+  state_.team_index = membership.index;
+  state_.capacity = description.battery;
+  team_.name = description.team;
+  team_.charger = membership.charger;
+  resource_colours_ = membership.resource_colours;
+  perception_.groups = groups_;
+  perception_.self = &state_;
+  perception_.team = &team_;
+  for (SensorSlot& slot : sensors_) {
+    blaming(*slot.use, problems, [&] {
+      slot.object->equipped({&slot.mounting, resource_colours_});
+    });
+  }
+  controller_->equip(Perception(perception_, unused_random_), problems);
+  throw_if_any(problems);
+}
+
+/// What may have changed since.
+void Robot::take_description() {
+  state_.max_speed_m_s = description_.max_speed;
+  state_.coverage_m = description_.coverage;
+  state_.is_leader = description_.leader;
+  for (SensorSlot& slot : sensors_) {
+    slot.energy_cost = slot.use->energy_cost;
+  }
+  sum_costs();
+}
+
+void Robot::sum_costs() {
+  sensor_cost_ = 0.0;
+  for (const SensorSlot& slot : sensors_) {
+    sensor_cost_ += slot.energy_cost;
+  }
+}
+
+void Robot::group_readings() {
+  // Readings of one kind stand together, in file order, so that a behaviour gets them as one view.
+  std::vector<ReadingKind> kinds;
+  std::vector<ReadingKind> kind_of;
+  for (const SensorSlot& slot : sensors_) {
+    const ReadingKind kind = slot.object->kind();
+    kind_of.push_back(kind);
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+      kinds.push_back(kind);
+    }
+  }
+  sensed_.reserve(sensors_.size());
+  for (const ReadingKind& kind : kinds) {
+    const std::size_t first = sensed_.size();
+    for (std::size_t i = 0; i < sensors_.size(); ++i) {
+      if (kind_of[i] == kind) {
+        sensed_.push_back(
+            {sensors_[i].object->reading(), &sensors_[i].mounting, sensors_[i].use->id});
+      }
+    }
+    groups_.push_back({kind, std::span(sensed_).subspan(first)});
+  }
+}
+
+void Robot::reset(std::uint64_t seed) {
+  guard_.begin_run();
+  guard_.begin_step(0);
+  take_description();
+  if (const auto changed = tuning_.changed(); !changed.empty()) {
+    for (const world::PluginUse* use : changed) {
+      guard_.run(*use, [&] { tuning_.forget(object_of(*use), example()); });
+    }
+    look_through_cameras();
+  }
+  const std::string path = "robot[" + description_.id + "]/";
+  for (SensorSlot& slot : sensors_) {
+    slot.random = Random(seed, path + "sensor[" + slot.use->id + "]");
+    slot.object->forget();
+    slot.picture = {};
+    guard_.run(*slot.use, [&] { slot.object->reset(slot.random); });
+  }
+  controller_->reset(seed, path);
+  state_.energy = description_.energy.value_or(description_.battery);
+  state_.charging = false;
+  state_.commanded = {};
+  perceived_events_.clear();
+  raised_.clear();
+  logged_ = 0;
+  charge_asked_ = false;
+  empty_ = false;
+  distance_m_ = 0.0;
+  energy_used_ = 0.0;
+  collected_ = 0;
+  collisions_ = 0;
+  stop_when_empty();
+}
+
+void Robot::sense(const Surroundings& surroundings, const Instant& now) {
+  if (empty_) {
+    return;
+  }
+  guard_.begin_step(now.step);
+  SensorContext context{now.time_s, now.period_s, {}, nullptr, &surroundings, nullptr};
+  for (SensorSlot& slot : sensors_) {
+    context.frame = body_frame_.frame(slot.frame);
+    context.mounting = &slot.mounting;
+    context.random = &slot.random;
+    context.image = slot.camera ? &slot.picture : nullptr;
+    guard_.step(*slot.use, [&] { slot.object->update(context); });
+  }
+}
+
+void Robot::decide(const Instant& now) {
+  guard_.begin_step(now.step);
+  perceived_events_.clear();
+  for (const events::AnyEvent& event : raised_) {
+    perceived_events_.push_back({names_.keep(events::name_of(event))});
+  }
+  raised_.clear();
+  logged_ = 0;
+  controller_->begin_step();
+  if (empty_) {
+    state_.commanded = {};
+    return;
+  }
+  perception_.time_s = now.time_s;
+  perception_.period_s = now.period_s;
+  perception_.events = perceived_events_;
+  team_.mates = mates_;
+  state_.commanded = limited(controller_->decide(Perception(perception_, unused_random_)),
+                             state_.max_wheel_rate());
+}
+
+void Robot::ask(Statements& said) {
+  for (const SensorSlot& slot : sensors_) {
+    said.ask(*slot.object, *slot.use, "", guard_);
+  }
+  controller_->ask("", said);
+}
+
+void Robot::list_values(std::size_t sensor, std::vector<NamedValue>& values) const {
+  const SensorSlot& slot = sensors_[sensor];
+  guard_.run(*slot.use, [&] { slot.object->list_values(values); });
+}
+
+void Robot::use_energy(double period_s) {
+  if (!empty_) {
+    const double before = state_.energy;
+    state_.energy = std::max(0.0, before - sensor_cost_ * period_s);
+    energy_used_ += before - state_.energy;
+    stop_when_empty();
+  }
+}
+
+void Robot::stop_when_empty() {
+  if (state_.energy <= 0.0) {
+    empty_ = true;
+    state_.commanded = {};
+    raise(events::BatteryEmpty{});
+  }
+}
+
+void Robot::set_max_speed(double max_speed) {
+  state_.max_speed_m_s = max_speed;
+  state_.commanded = limited(state_.commanded, state_.max_wheel_rate());
+}
+
+void Robot::set_energy(double units) {
+  const bool was_empty = empty_;
+  state_.energy = units;
+  empty_ = false;
+  if (!was_empty) {
+    stop_when_empty();
+  } else {
+    empty_ = units <= 0.0;
+  }
+}
+
+void Robot::set_energy_cost(const world::PluginUse& sensor, double cost) {
+  for (SensorSlot& slot : sensors_) {
+    if (slot.use == &sensor) {
+      slot.energy_cost = cost;
+    }
+  }
+  sum_costs();
+}
+
+std::optional<TunedObject> Robot::find_object(const world::PluginUse& use) {
+  for (SensorSlot& slot : sensors_) {
+    if (slot.use == &use) {
+      return TunedObject{PluginKind::sensor, &use, slot.declaration,
+                         slot.object.get(),  {},   {&slot.mounting, resource_colours_}};
+    }
+  }
+  return controller_->object_of(use);
+}
+
+std::optional<Camera> Robot::try_out(const world::PluginUse& use, const Setup& setup) {
+  return Tuning::try_out(object_of(use), setup, example());
+}
+
+void Robot::set_up(const world::PluginUse& use, const Setup& setup) {
+  const TunedObject tuned = object_of(use);
+  const Setup before = tuning_.setup(use);
+  try {
+    tuning_.set(tuned, setup, example());
+  } catch (...) {
+    guard_.run(use, [&] { tuning_.set(tuned, before, example()); });
+    throw;
+  }
+  look_through_cameras();
+}
+
+/// A perception for plugins that are told of new parameters: what was perceived last.
+Perception Robot::example() {
+  team_.mates = mates_;
+  perception_.events = perceived_events_;
+  return {perception_, unused_random_};
+}
+
+void Robot::look_through_cameras() {
+  for (SensorSlot& slot : sensors_) {
+    if (slot.camera) {
+      slot.camera = guard_.run(*slot.use, [&] { return slot.object->camera(); });
+    }
+  }
+}
+
+void Robot::charge(double period_s, double rate) {
+  if (charge_asked_ && !empty_ && !state_.charging && rate > 0.0 &&
+      state_.energy < state_.capacity) {
+    state_.charging = true;
+    raise(events::ChargingStarted{});
+  }
+  charge_asked_ = false;
+  if (state_.charging) {
+    state_.energy = std::min(state_.capacity, state_.energy + rate * period_s);
+    if (state_.energy >= state_.capacity || rate <= 0.0 || empty_) {
+      state_.charging = false;
+      raise(events::ChargingEnded{});
+    }
+  }
+}
+
+void Robot::moved(const physics::RobotState& state) {
+  distance_m_ += distance(state_.pose, state.pose);
+  set_body(state);
+}
+
+void Robot::set_body(const physics::RobotState& state) {
+  body_frame_ = state.frame;
+  state_.pose = state.pose;
+  state_.wheel_rates = state.wheel_rates;
+  state_.speed_m_s = state.speed;
+  state_.turn_rate_rad_s = state.turn_rate;
+}
+
+void Robot::collect(double energy) {
+  ++collected_;
+  state_.energy = std::min(state_.capacity, state_.energy + energy);
+  empty_ = empty_ && state_.energy <= 0.0;
+}
+
+void Robot::take_log(double time_s, std::vector<EventRecord>& log) {
+  for (; logged_ < raised_.size(); ++logged_) {
+    log.push_back({time_s, description_.id, raised_[logged_]});
+  }
+}
+
+SensorView Robot::sensor(std::size_t index) const {
+  const SensorSlot& slot = sensors_[index];
+  return {slot.use->id,
+          slot.use->plugin,
+          slot.object.get(),
+          &slot.mounting,
+          slot.camera ? &*slot.camera : nullptr,
+          slot.picture.empty() ? nullptr : &slot.picture};
+}
+
+}  // namespace elsie::simulation

@@ -1,0 +1,197 @@
+// A robot at run time: its plugin objects, what it knows of itself, and one decision after the
+// other.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elsie/api/perception.h"
+#include "elsie/api/sensor.h"
+#include "elsie/physics/engine.h"
+#include "elsie/plugin/host.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/description.h"
+
+#include "changes/tuning.h"
+#include "plugins/guard.h"
+#include "plugins/statements.h"
+#include "step/controller.h"
+
+namespace elsie::simulation {
+
+class Cameras;
+
+/// Time and identity of a control step, the same for all robots.
+struct Instant {
+  double time_s = 0.0;
+  double period_s = 0.0;
+  std::uint64_t step = 0;
+};
+
+class Robot final : private Wishes {
+ public:
+  /// What a robot's team gives it before a run: its place among the robots, a charger, and what the
+  /// resources look like that it may collect.
+  struct Membership {
+    int index = 0;
+    std::optional<Vector2> charger;
+    std::vector<Colour> resource_colours;
+  };
+
+  /// What the robot of this index has of its team before a run of the world.
+  static Membership membership(const world::World& world, std::size_t robot);
+
+  /// Makes the plugin objects. Throws world::WorldError.
+  Robot(const world::Robot& description, const Membership& membership, const plugin::Host& host,
+        const Options& options);
+  Robot(const Robot&) = delete;
+  Robot& operator=(const Robot&) = delete;
+
+  /// Before a run: as it is described, with fresh random streams, plugin objects reset.
+  void reset(std::uint64_t seed);
+
+  /// Updates all sensors. Throws PluginFault.
+  void sense(const Surroundings& surroundings, const Instant& now);
+  /// Asks the coordinator; the command, limited to the maximum speed, is in command() afterwards.
+  /// Throws PluginFault.
+  void decide(const Instant& now);
+  /// Discharges by what the sensors cost in a control period.
+  void use_energy(double period_s);
+  /// Charges for a control period, once a behaviour asked for it, until full. `rate`: units per
+  /// second to be had where the robot is, or 0.
+  void charge(double period_s, double rate);
+  /// Takes over the body's state.
+  void set_body(const physics::RobotState& state);
+  /// The same after a step: counts the way too.
+  void moved(const physics::RobotState& state);
+  /// Adds energy of a collected resource, up to the capacity.
+  void collect(double energy);
+
+  // What a user changes between two steps, until the next reset.
+
+  /// m/s; the command that the motors hold is limited to it at once.
+  void set_max_speed(double max_speed);
+  void set_coverage(double metres) { state_.coverage_m = metres; }
+  void set_leader(bool leader) { state_.is_leader = leader; }
+  /// Units, at most the battery's capacity; without any, the robot stops.
+  void set_energy(double units);
+  /// Units per second, of a sensor of this robot.
+  void set_energy_cost(const world::PluginUse& sensor, double cost);
+  void set_priority(const world::PluginUse& behavior, double priority) {
+    controller_->set_priority(behavior, priority);
+  }
+  /// The object that a sensor, behaviour or coordinator stands for; none when it is not of this
+  /// robot.
+  std::optional<TunedObject> find_object(const world::PluginUse& use);
+  /// What the parameters of a plugin object of this robot are.
+  Setup setup(const world::PluginUse& use) const { return tuning_.setup(use); }
+  /// Whether the plugin takes these: throws what it throws, and touches nothing. Of a sensor: the
+  /// camera that it would look through.
+  std::optional<Camera> try_out(const world::PluginUse& use, const Setup& setup);
+  /// Sets them. Throws what the plugin throws; the object is as before then, or, when it does not
+  /// go back, PluginFault.
+  void set_up(const world::PluginUse& use, const Setup& setup);
+
+  /// Puts new objects in the places of those whose plugins have changed. Throws ReplacementRefused.
+  void replace(Swap& swap, const Cameras& cameras);
+  Tuning& tuning() { return tuning_; }
+
+  /// Gathers what the plugins say after a reset. Throws PluginFault.
+  void ask(Statements& said);
+  /// What its plugins did to the program since the run began.
+  void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
+  /// An event of the simulator for the next perception and for the log.
+  template <class Kind>
+  void raise(Kind event) {
+    static_assert(Kind::kFacts.is_perceived);
+    raised_.emplace_back(std::move(event));
+  }
+  /// Appends the numbers of one sensor's reading. Throws PluginFault.
+  void list_values(std::size_t sensor, std::vector<NamedValue>& values) const;
+  /// Appends to the log the events since the last call.
+  void take_log(double time_s, std::vector<EventRecord>& log);
+
+  const world::Robot& description() const { return description_; }
+  const OwnState& state() const { return state_; }
+  TeamState& team() { return team_; }
+  std::span<const Colour> resource_colours() const { return resource_colours_; }
+  std::vector<TeamMate>& mates() { return mates_; }
+  bool empty() const { return empty_; }
+  const MotorCommand& command() const { return state_.commanded; }
+  std::span<const Member> members() const { return controller_->members(); }
+  std::span<const TracedMember> trace() const { return trace_; }
+  double distance_m() const { return distance_m_; }
+  /// Taken from the battery so far, units.
+  double energy_used() const { return energy_used_; }
+  int collected() const { return collected_; }
+  int collisions() const { return collisions_; }
+  void count_collision() { ++collisions_; }
+  std::size_t sensor_count() const { return sensors_.size(); }
+  SensorView sensor(std::size_t index) const;
+  Frame sensor_frame(std::size_t index) const { return body_frame_.frame(sensors_[index].frame); }
+  /// The camera that a sensor looks through, if it does.
+  const std::optional<Camera>& camera(std::size_t sensor) const { return sensors_[sensor].camera; }
+  /// What that camera sees; to be filled before sense().
+  Image& picture(std::size_t sensor) { return sensors_[sensor].picture; }
+
+ private:
+  struct SensorSlot {
+    const world::SensorUse* use;
+    const Declaration* declaration;
+    double energy_cost;  // units per second
+    plugin::Object<Sensor> object;
+    Mounting mounting;
+    Frame frame;  // in the robot's frame
+    Random random;
+    std::optional<Camera> camera;
+    Image picture;
+  };
+  void raise(const Event& event) override {
+    raised_.emplace_back(events::Raised{std::string(event.name)});
+  }
+  void ask_for_charge() override { charge_asked_ = true; }
+  void replace(Swap& swap, SensorSlot& slot, const Cameras& cameras);
+  void regroup();
+  void group_readings();
+  void take_description();
+  void sum_costs();
+  void look_through_cameras();
+  TunedObject object_of(const world::PluginUse& use) { return find_object(use).value(); }
+  Perception example();
+  void stop_when_empty();
+
+  const world::Robot& description_;
+  mutable Guard guard_;  // looking at a plugin's numbers can fail, too
+  Names names_;
+  double sensor_cost_ = 0.0;  // units per second, of all sensors together
+
+  std::vector<SensorSlot> sensors_;
+  std::unique_ptr<Controller> controller_;
+  Tuning tuning_;
+  std::vector<TracedMember> trace_;
+  Random unused_random_;  // each plugin object draws from its own
+
+  std::vector<SensedReading> sensed_;  // in groups of one kind
+  std::vector<ReadingGroup> groups_;
+  std::vector<TeamMate> mates_;
+  std::vector<Event> perceived_events_;
+  std::vector<events::AnyEvent> raised_;  // since the last decision
+  std::size_t logged_ = 0;                // how many of them the log has
+  OwnState state_;
+  TeamState team_;
+  std::vector<Colour> resource_colours_;
+  Perception::Data perception_;
+  Frame body_frame_;
+
+  bool charge_asked_ = false;
+  bool empty_ = false;
+  double distance_m_ = 0.0;
+  double energy_used_ = 0.0;
+  int collected_ = 0;
+  int collisions_ = 0;
+};
+
+}  // namespace elsie::simulation
