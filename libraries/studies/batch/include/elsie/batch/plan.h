@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -89,7 +90,7 @@ struct Plan {
   std::string text;                  // of that file
   std::vector<std::string> factors;  // the first one is "world"
   std::vector<PlannedFile> files;    // first those of the program, libelsie before all others
-  std::size_t program_files = 0;     // how many of them: plugin::deciding_libraries()
+  std::size_t program_files = 0;     // how many of them: deciding_libraries()
   std::vector<PlannedPlugin> plugins;
   std::vector<PlannedCell> cells;
   std::vector<PlannedRun> runs;  // of the shard
@@ -120,6 +121,11 @@ struct PlanOptions {
 /// how many runs share the machine. The experiment's wall limit ends a run that takes too long.
 Plan make_plan(const experiment::Experiment& experiment, const plugin::Host& host,
                const PlanOptions& options);
+
+/// The libraries that decide the result of a run, besides those of its plugins: libelsie, which is
+/// the first, and those that it and its plugins compute with (the base, inference, the views, which
+/// take the pictures of cameras, and ODE).
+std::vector<std::filesystem::path> deciding_libraries();
 
 /// Looks whether a cell's files are still what they were when the plan was made.
 class FileCheck {
