@@ -57,7 +57,7 @@ ElementSpec factor() {
       .each(level(), &FactorDraft::levels);
 }
 
-ElementSpec worlds() {
+Describe<ExperimentDraft> worlds() {
   return Describe<ExperimentDraft>("worlds",
                                    "What the robots live in: a factor of its own, called "
                                    "\"world\"")
