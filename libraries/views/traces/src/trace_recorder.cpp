@@ -8,9 +8,9 @@
 #include <system_error>
 #include <vector>
 
-#include "elsie/base/csv_line.h"
+#include "elsie/output/csv_line.h"
 #include "elsie/base/number_text.h"
-#include "elsie/base/record_file.h"
+#include "elsie/output/record_file.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/trace.h"
 
@@ -49,7 +49,7 @@ class TraceRecorder::Impl {
             .add("file", world.file)
             .add("seed", std::to_string(simulation.result().seed))
             .add("step_s", base::number_text(world.physics.step))
-            .add("period_s", base::number_text(base::tidy_time(world.physics.step *
+            .add("period_s", base::number_text(output::tidy_time(world.physics.step *
                                                                static_cast<double>(period_steps_))))
             .line());
     for (std::size_t r = 0; r < simulation.robots(); ++r) {
@@ -69,14 +69,14 @@ class TraceRecorder::Impl {
 
   void step(const simulation::Simulation& simulation) {
     if ((simulation.steps() - 1) % period_steps_ == 0) {
-      const double decided_s = base::tidy_time(static_cast<double>(simulation.steps() - 1) *
+      const double decided_s = output::tidy_time(static_cast<double>(simulation.steps() - 1) *
                                                simulation.world().physics.step);
       for (std::size_t r = 0; r < robots_.size(); ++r) {
         write_decision(decided_s, simulation.robot(r), robots_[r]);
       }
     }
     write_events(simulation);
-    const double now_s = base::tidy_time(simulation.time_s());
+    const double now_s = output::tidy_time(simulation.time_s());
     out_.at(now_s);
     if (now_s - written_until_s_ >= kStillEvery) {
       add(Remark("until").add("time_s", base::number_text(now_s)).line());
@@ -107,7 +107,7 @@ class TraceRecorder::Impl {
     const simulation::RunResult result = simulation.result();
     const bool stopped = result.outcome == simulation::Outcome::running;
     add(Remark("end")
-            .add("time_s", base::number_text(base::tidy_time(result.simulated_s)))
+            .add("time_s", base::number_text(output::tidy_time(result.simulated_s)))
             .add("outcome",
                  stopped ? trace_format::kStopped : simulation::to_string(result.outcome))
             .add("reason", result.reason)
@@ -205,7 +205,7 @@ class TraceRecorder::Impl {
     const std::span<const simulation::EventRecord> events = simulation.events();
     for (; events_ < events.size(); ++events_) {
       const simulation::EventRecord& event = events[events_];
-      begin_row(base::tidy_time(event.time_s), event.robot);
+      begin_row(output::tidy_time(event.time_s), event.robot);
       for (std::size_t i = 2; i < trace_format::kColumns - 2; ++i) {
         line_.empty();
       }
@@ -223,15 +223,15 @@ class TraceRecorder::Impl {
 
   void add(const std::string& line) { out_.line(line); }
 
-  base::RecordFile out_;
+  output::RecordFile out_;
   bool with_times_;
   std::uint64_t period_steps_ = 1;
   std::vector<RobotNotes> robots_;
   std::size_t events_ = 0;  // how many are written
   double written_until_s_ = 0.0;
   double flushed_at_s_ = 0.0;
-  base::CsvLine line_;
-  base::CsvLine cells_;
+  output::CsvLine line_;
+  output::CsvLine cells_;
 };
 
 TraceRecorder::TraceRecorder(const std::filesystem::path& file, bool with_times)

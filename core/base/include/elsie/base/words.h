@@ -23,8 +23,8 @@ std::string listed(const std::vector<std::string>& items);
 /// "a", "a and b", "a, b and c"; with "or" likewise.
 std::string enumerated(const std::vector<std::string>& items, std::string_view last = "and");
 
-/// A piece of a file as it may be shown in a message, between single quotes: no more than `most`
-/// bytes of it, whole characters, "?" for what cannot be printed.
+/// A piece of a file for a message: in single quotes, whole characters, at most `most` bytes, with
+/// "?" for control characters.
 std::string quoted(std::string_view word, std::size_t most = 40);
 
 }  // namespace elsie::base

@@ -1,8 +1,8 @@
-#include "elsie/base/record_file.h"
+#include "elsie/output/record_file.h"
 
 #include "elsie/base/number_text.h"
 
-namespace elsie::base {
+namespace elsie::output {
 
 RecordFile::~RecordFile() {
   retire();
@@ -27,9 +27,9 @@ bool RecordFile::write_now() noexcept {
     out_.write_now({buffer_});
     return true;
   }
-  const NumberText time(time_s_);
+  const base::NumberText time(time_s_);
   out_.write_now({buffer_, before_time_, time.view(), after_time_});
   return true;
 }
 
-}  // namespace elsie::base
+}  // namespace elsie::output

@@ -1,5 +1,4 @@
-// A file that is written while a run goes on, and that is whole up to the last line when the
-// process is brought down.
+// A file of lines that is written during a run, and ends with a whole line if the process crashes.
 #pragma once
 
 #include <filesystem>
@@ -8,19 +7,18 @@
 #include <utility>
 
 #include "elsie/base/emergency.h"
-#include "elsie/base/output_file.h"
+#include "elsie/output/output_file.h"
 
-namespace elsie::base {
+namespace elsie::output {
 
-/// Lines are collected and written some thousand bytes at a time.
-class RecordFile final : private EmergencyWriter {
+/// Collects lines and writes them 8 kB at a time.
+class RecordFile final : private base::EmergencyWriter {
  public:
   /// `what`: begins the sentences of errors: "recording '/dev/full'".
   explicit RecordFile(std::string what) : out_(std::move(what)) {}
   ~RecordFile() override;
 
-  /// Creates the file, or empties it. Like all that follows, throws std::runtime_error with a
-  /// sentence.
+  /// Creates the file, or empties it. This and all functions below throw std::runtime_error.
   void create(const std::filesystem::path& file) { out_.create(file); }
   /// A line without its end.
   void line(std::string_view text) {
@@ -30,15 +28,15 @@ class RecordFile final : private EmergencyWriter {
     }
   }
   void flush();
-  /// A line to be written after the others if the process is brought down, with the time until then
-  /// between its two parts. To be set before the first at(); both must not be long.
+  /// A last line for a process that crashes, with the time of the last at() between its two parts.
+  /// Must be set before the first at(). Both parts must be short.
   void set_last_words(std::string before, std::string after) {
     before_time_ = std::move(before);
     after_time_ = std::move(after);
   }
-  /// How far what was given to line() goes, s.
+  /// The simulated time up to which lines were given, s.
   void at(double time_s) { time_s_ = time_s; }
-  /// Writes the rest and closes.
+  /// Writes the rest and closes the file.
   void close();
 
  private:
@@ -52,4 +50,4 @@ class RecordFile final : private EmergencyWriter {
   double time_s_ = 0.0;
 };
 
-}  // namespace elsie::base
+}  // namespace elsie::output

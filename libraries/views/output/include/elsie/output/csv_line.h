@@ -8,26 +8,26 @@
 #include "elsie/base/csv.h"
 #include "elsie/base/number_text.h"
 
-namespace elsie::base {
+namespace elsie::output {
 
-/// One line in the making. Numbers are the same in every locale.
+/// Builds one line after the other. Numbers are the same in every locale.
 class CsvLine {
  public:
-  void text(std::string_view value) { cells(csv_cell(value)); }
+  void text(std::string_view value) { cells(base::csv_cell(value)); }
   /// The shortest text that reads as this number, bit for bit.
-  void number(double value) { cells(NumberText(value).view()); }
+  void number(double value) { cells(base::NumberText(value).view()); }
   void empty() { separate(); }
-  /// What was made with another line's take().
+  /// Cells that another CsvLine made with take().
   void cells(std::string_view made) {
     separate();
     line_ += made;
   }
-  /// The line without its end; the next one begins.
+  /// Returns the line without its end and begins the next one.
   std::string take() {
     first_ = true;
     return std::exchange(line_, {});
   }
-  /// The same, but cells at the end that are empty are left out.
+  /// The same without the empty cells at its end.
   std::string take_short() {
     line_.erase(line_.find_last_not_of(',') + 1);
     return take();
@@ -45,7 +45,7 @@ class CsvLine {
   bool first_ = true;
 };
 
-/// Times as they are written: 0.7, not 0.7000000000000001.
-inline double tidy_time(double time_s) { return rounded(time_s, 9); }
+/// A time as files show it: 0.7, not 0.7000000000000001.
+inline double tidy_time(double time_s) { return base::rounded(time_s, 9); }
 
-}  // namespace elsie::base
+}  // namespace elsie::output
