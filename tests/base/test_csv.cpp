@@ -1,8 +1,8 @@
-// Cells and lines of comma-separated values.
+// Cells of comma-separated values.
 #include <catch2/catch.hpp>
 
 #include "elsie/base/csv.h"
-#include "elsie/base/csv_line.h"
+#include "elsie/output/csv_line.h"
 
 using namespace elsie;
 
@@ -13,15 +13,4 @@ TEST_CASE("A cell is quoted when readers would take it for something else") {
   CHECK(base::csv_cell("two\nlines") == "\"two\nlines\"");
   CHECK(base::csv_cell("#1") == "\"#1\"");
   CHECK(base::csv_cell("") == "");
-}
-
-TEST_CASE("A line is put together cell by cell") {
-  base::CsvLine line;
-  line.text("r1");
-  line.number(0.1);
-  line.empty();
-  line.text("a,b");
-  CHECK(line.take() == "r1,0.1,,\"a,b\"");
-  line.number(2.0);
-  CHECK(line.take() == "2");
 }

@@ -13,7 +13,6 @@ using namespace elsie;
 using Catch::Matchers::Contains;
 using elsie::plugin::check_declaration;
 using elsie::plugin::check_declarations;
-using elsie::plugin::is_plain_name;
 
 namespace {
 
@@ -212,12 +211,15 @@ TEST_CASE("All faults are told at once") {
 }
 
 TEST_CASE("Plain names are small letters, digits and underscores") {
+  Declaration declaration = behavior();
   for (const char* const name : {"a", "a1", "avoid_obstacle", "x_"}) {
     INFO(name);
-    CHECK(is_plain_name(name));
+    declaration.name = name;
+    CHECK(check_declaration(declaration).empty());
   }
   for (const char* const name : {"", "A", "1a", "_a", "a-b", "a b", "a.b", "\xc3\xa4", "aB"}) {
     INFO(name);
-    CHECK_FALSE(is_plain_name(name));
+    declaration.name = name;
+    CHECK(check_declaration(declaration).size() == 1);
   }
 }

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <cstring>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
 #include <elf.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include "elsie/base/random.h"
 #include "elsie/plugin/abi_word.h"
@@ -35,6 +38,15 @@ std::size_t offset_of_text(const Bytes& bytes, std::string_view text) {
   const auto wanted = std::as_bytes(std::span(text));
   return static_cast<std::size_t>(
       std::search(bytes.begin(), bytes.end(), wanted.begin(), wanted.end()) - bytes.begin());
+}
+
+/// Inspects a file in memory that has these bytes.
+Inspection inspect_bytes(std::span<const std::byte> bytes) {
+  static const int file = memfd_create("library", 0);
+  const bool written = ftruncate(file, 0) == 0 && pwrite(file, bytes.data(), bytes.size(), 0) ==
+                                                      static_cast<ssize_t>(bytes.size());
+  REQUIRE(written);
+  return inspect_file("/proc/self/fd/" + std::to_string(file));
 }
 
 }  // namespace

@@ -80,6 +80,7 @@ TEST_CASE("Every attribute of the vocabulary has a meaning") {
   };
   check(world::vocabulary());
   check(world::template_vocabulary());
-  CHECK(world::vocabulary_at({"robots", "robot", "body"}).attribute("axle") != nullptr);
-  CHECK_THROWS_AS(world::vocabulary_at({"robots", "rover"}), std::out_of_range);
+  const world::ElementSpec& robot = *world::vocabulary().child("robots")->child("robot");
+  CHECK(robot.child("body")->attribute("axle") != nullptr);
+  CHECK(robot.child("rover") == nullptr);
 }

@@ -92,9 +92,13 @@ class Draw {
 
   std::string always(const std::vector<std::string>& element,
                      const std::vector<std::string>& names) {
+    const world::ElementSpec* spec = &world::vocabulary();
+    for (const std::string& name : element) {
+      spec = spec->child(name);
+    }
     std::string out;
     for (const std::string& name : names) {
-      const ParameterFacts& facts = world::vocabulary_at(element).attribute(name)->facts;
+      const ParameterFacts& facts = spec->attribute(name)->facts;
       const double low = std::max(facts.min, facts.above), high = facts.max;
       // If the range is open, or begins at 0, its small end.
       const double small = low > 0.0 ? low : 1e-9 * high;

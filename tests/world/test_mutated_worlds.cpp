@@ -1,7 +1,6 @@
 // Worlds with random damage are read or refused, never anything else.
 #include <catch2/catch.hpp>
 
-#include "elsie/world/document.h"
 #include "elsie/world/writer.h"
 
 #include "damage.h"
@@ -67,12 +66,9 @@ TEST_CASE("A damaged world is read or refused") {
       const world::World w =
           world::parse_world(text, kFolder + "data/damaged.xml", host(), options());
       ++accepted;
-      // What is accepted can be saved and edited.
+      // What is accepted can be saved.
       REQUIRE(same(w, world::parse_world(world::write_world(w), kFolder + "data/again.xml", host(),
                                          options())));
-      world::Document document(text, "damaged.xml");
-      document.set("@name", "damaged");
-      REQUIRE(document.attribute("@name") == "damaged");
     } catch (const world::WorldError& error) {
       REQUIRE_FALSE(error.problems().empty());
     }

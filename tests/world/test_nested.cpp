@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/plugin/parameters.h"
-#include "elsie/world/document.h"
 #include "elsie/world/writer.h"
 
 #include "equal.h"

@@ -1,7 +1,7 @@
 #include "batch_options.h"
 
-#include "elsie/base/shell_word.h"
 #include "elsie/experiment/reader.h"
+#include "elsie/process/shell_word.h"
 #include "elsie/results/hash.h"
 
 #include "command.h"
@@ -11,8 +11,8 @@
 namespace elsie::program {
 
 namespace fs = std::filesystem;
-using base::shell_word;
 using batch::Plan;
+using process::shell_word;
 
 batch::Shard shard_of(const BatchOptions& options) {
   const auto shard = batch::parse_shard(options.shard);

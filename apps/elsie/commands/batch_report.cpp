@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "elsie/base/number_text.h"
-#include "elsie/base/shell_word.h"
 #include "elsie/base/text_table.h"
 #include "elsie/base/words.h"
+#include "elsie/process/shell_word.h"
 
 #include "command.h"
 #include "progress.h"
@@ -18,9 +18,9 @@
 
 namespace elsie::program {
 
-using base::shell_word;
 using batch::CellCount;
 using batch::RunState;
+using process::shell_word;
 
 namespace {
 

@@ -6,9 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "elsie/base/shell_word.h"
 #include "elsie/base/words.h"
 #include "elsie/batch/merge.h"
+#include "elsie/process/shell_word.h"
 #include "elsie/results/database_file.h"
 
 #include "command.h"
@@ -18,7 +18,7 @@
 
 namespace elsie::program {
 
-using base::shell_word;
+using process::shell_word;
 
 namespace {
 

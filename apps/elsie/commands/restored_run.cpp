@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "elsie/batch/plan.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/plugin/own_library.h"
 #include "elsie/results/hash.h"
 #include "elsie/world/reader.h"
 
@@ -89,7 +89,7 @@ void RestoredRun::compare_program(const StoredRun& run) {
     const std::string name = file.filename().string();
     return name.substr(0, name.find(".so"));
   };
-  for (const fs::path& file : plugin::deciding_libraries()) {
+  for (const fs::path& file : batch::deciding_libraries()) {
     for (const StoredRun::Library& before : run.program) {
       const auto now = stem(before.path) == stem(file) ? hash_of(file) : std::nullopt;
       if (now && *now != before.sha256) {

@@ -12,6 +12,14 @@
 namespace elsie::plugin {
 namespace {
 
+bool is_plain_name(std::string_view name) {
+  const auto is_small_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  return !name.empty() && is_small_letter(name.front()) &&
+         std::all_of(name.begin(), name.end(), [&](char c) {
+           return is_small_letter(c) || (c >= '0' && c <= '9') || c == '_';
+         });
+}
+
 /// Collects the faults of one declaration.
 class Checker {
  public:
@@ -200,14 +208,6 @@ class Checker {
 };
 
 }  // namespace
-
-bool is_plain_name(std::string_view name) {
-  const auto is_small_letter = [](char c) { return c >= 'a' && c <= 'z'; };
-  return !name.empty() && is_small_letter(name.front()) &&
-         std::all_of(name.begin(), name.end(), [&](char c) {
-           return is_small_letter(c) || (c >= '0' && c <= '9') || c == '_';
-         });
-}
 
 std::vector<std::string> check_declaration(const Declaration& declaration) {
   return Checker(declaration).faults();

@@ -32,57 +32,25 @@ constexpr std::size_t kLongestWord = 4096;
 constexpr std::size_t kMostSegments = 1024;
 constexpr std::size_t kMostNoteBytes = 64 * 1024;
 
-/// Random access to the bytes of a file, wherever they are.
+/// Random access to the bytes of a file. It is not mapped into memory: a file that shrinks
+/// meanwhile would kill the program.
 class Source {
  public:
-  virtual ~Source() = default;
-  virtual std::uint64_t size() const = 0;
+  Source(int descriptor, std::uint64_t size) : descriptor_(descriptor), size_(size) {}
+  Source(const Source&) = delete;
+  Source& operator=(const Source&) = delete;
+  ~Source() { close(descriptor_); }
 
+  std::uint64_t size() const { return size_; }
   /// Whether the file reaches that far.
   bool contains(std::uint64_t offset, std::uint64_t count) const {
-    return offset <= size() && count <= size() - offset;
+    return offset <= size_ && count <= size_ - offset;
   }
   /// False when there are not as many bytes there, or when they cannot be read.
   bool read(std::uint64_t offset, void* to, std::size_t count) const {
-    return contains(offset, count) && read_inside(offset, to, count);
-  }
-  template <class Struct>
-  std::optional<Struct> get(std::uint64_t offset) const {
-    Struct result;
-    return read(offset, &result, sizeof result) ? std::optional(result) : std::nullopt;
-  }
-
- private:
-  virtual bool read_inside(std::uint64_t offset, void* to, std::size_t count) const = 0;
-};
-
-class MemorySource final : public Source {
- public:
-  explicit MemorySource(std::span<const std::byte> bytes) : bytes_(bytes) {}
-  std::uint64_t size() const override { return bytes_.size(); }
-
- private:
-  bool read_inside(std::uint64_t offset, void* to, std::size_t count) const override {
-    std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(offset), count,
-                static_cast<std::byte*>(to));
-    return true;
-  }
-
-  std::span<const std::byte> bytes_;
-};
-
-/// A file by its descriptor, read piece by piece: a library may be large, and what is looked at is
-/// little. Not mapped into memory: a file that shrinks meanwhile would kill the program.
-class FileSource final : public Source {
- public:
-  FileSource(int descriptor, std::uint64_t size) : descriptor_(descriptor), size_(size) {}
-  FileSource(const FileSource&) = delete;
-  FileSource& operator=(const FileSource&) = delete;
-  ~FileSource() override { close(descriptor_); }
-  std::uint64_t size() const override { return size_; }
-
- private:
-  bool read_inside(std::uint64_t offset, void* to, std::size_t count) const override {
+    if (!contains(offset, count)) {
+      return false;
+    }
     auto* at = static_cast<std::byte*>(to);
     while (count > 0) {
       const ssize_t got = pread(descriptor_, at, count, static_cast<off_t>(offset));
@@ -98,7 +66,13 @@ class FileSource final : public Source {
     }
     return true;
   }
+  template <class Struct>
+  std::optional<Struct> get(std::uint64_t offset) const {
+    Struct result;
+    return read(offset, &result, sizeof result) ? std::optional(result) : std::nullopt;
+  }
 
+ private:
   int descriptor_;
   std::uint64_t size_;
 };
@@ -301,13 +275,11 @@ Inspection inspect_file(const std::filesystem::path& file) {
     close(descriptor);
     return unreadable();
   }
-  const FileSource source(descriptor, static_cast<std::uint64_t>(status.st_size));
+  const Source source(descriptor, static_cast<std::uint64_t>(status.st_size));
   if (!S_ISREG(status.st_mode)) {
     return {FileKind::other, "", S_ISDIR(status.st_mode) ? "is a directory" : "is not a file"};
   }
   return inspect(source);
 }
-
-Inspection inspect_bytes(std::span<const std::byte> bytes) { return inspect(MemorySource(bytes)); }
 
 }  // namespace elsie::plugin

@@ -13,8 +13,8 @@
 
 namespace elsie::plugin {
 
-/// Keeps a library in memory; its destructor closes it. Whatever was made by the library's code
-/// must be gone by then.
+/// Keeps a library loaded until it is destroyed. All objects of the library's code must be
+/// destroyed before.
 class Library {
  public:
   struct System;  // what Boost.DLL knows of it
@@ -24,7 +24,7 @@ class Library {
   Library& operator=(const Library&) = delete;
   ~Library();
 
-  /// The file that the user knows of it: where it was found, or what it was compiled from.
+  /// The file that messages name: the library, or the source that it was compiled from.
   const std::string& file() const { return file_; }
 
  private:
@@ -33,13 +33,13 @@ class Library {
   std::string file_;
 };
 
-/// What came of loading a library. The order of the members is that of their making: declarations
-/// hold functions of the library, and are destroyed before it.
+/// The result of loading a library. Declarations hold functions of the library and are destroyed
+/// before it.
 struct LoadedLibrary {
   std::shared_ptr<const Library> library;
   std::vector<Declaration> declarations;
-  std::string problem;  // a sentence when it was refused; nothing of it is left loaded then
-  std::string warning;  // a sentence on what it did while it was loaded; "": nothing
+  std::string problem;  // a sentence if it was refused; then it is not loaded any more
+  std::string warning;  // a sentence on a side effect of loading it; or ""
 };
 
 /// Loads a file that was inspected and found to be a plugin library with this ABI word, and has it

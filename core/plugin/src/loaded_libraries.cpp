@@ -19,8 +19,8 @@ struct Range {
   std::uintptr_t end = 0;
 };
 
-/// A library and where it is. Written by those who load and unload, read by handlers of signals:
-/// the name comes last when it is filled, and goes first.
+/// A library and its addresses. Signal handlers read it at any time, so the name is set last and
+/// cleared first.
 struct Slot {
   std::atomic<const char*> file{nullptr};  // a copy, which is never freed
   std::atomic<std::uintptr_t> begin{0};

@@ -46,19 +46,12 @@ bool has_type(ParameterType type, const ParameterValue& value) {
 std::string in_quotes(std::string_view text) { return std::string("'").append(text).append("'"); }
 
 std::string value_text(const ParameterValue& value) {
-  struct Writer {
-    std::string operator()(bool flag) const { return flag ? "true" : "false"; }
-    std::string operator()(std::int64_t number) const { return std::to_string(number); }
-    std::string operator()(double number) const { return number_text(number); }
-    std::string operator()(const std::string& text) const { return in_quotes(text); }
-    std::string operator()(const std::vector<double>& numbers) const {
-      std::vector<std::string> texts;
-      std::transform(numbers.begin(), numbers.end(), std::back_inserter(texts),
-                     [](double number) { return number_text(number); });
-      return in_quotes(joined(texts, " "));
-    }
-  };
-  return value.valueless_by_exception() ? "nothing" : std::visit(Writer{}, value);
+  if (value.valueless_by_exception()) {
+    return "nothing";
+  }
+  const bool has_blanks = std::holds_alternative<std::string>(value) ||
+                          std::holds_alternative<std::vector<double>>(value);
+  return has_blanks ? in_quotes(format_value(value)) : format_value(value);
 }
 
 bool in_range(const ParameterFacts& facts, double value) {
@@ -70,31 +63,28 @@ bool is_holdable(const ParameterDeclaration& parameter, double value) {
   return value >= parameter.lowest && value <= parameter.highest;
 }
 
-bool is_allowed(const ParameterDeclaration& parameter, double value) {
-  return std::isfinite(value) && in_range(parameter.facts, value) && is_holdable(parameter, value);
+/// The numbers of a value, if it has any.
+std::vector<double> numbers_of(const ParameterValue& value) {
+  if (const auto* const real = std::get_if<double>(&value)) {
+    return {*real};
+  }
+  if (const auto* const whole = std::get_if<std::int64_t>(&value)) {
+    return {static_cast<double>(*whole)};
+  }
+  const auto* const list = std::get_if<std::vector<double>>(&value);
+  return list ? *list : std::vector<double>();
 }
 
 bool is_allowed(const ParameterDeclaration& parameter, const ParameterValue& value) {
-  switch (parameter.type) {
-    case ParameterType::real:
-      return is_allowed(parameter, std::get<double>(value));
-    case ParameterType::integer:
-      return is_allowed(parameter, static_cast<double>(std::get<std::int64_t>(value)));
-    case ParameterType::reals: {
-      const auto& numbers = std::get<std::vector<double>>(value);
-      return std::all_of(numbers.begin(), numbers.end(),
-                         [&](double number) { return is_allowed(parameter, number); });
-    }
-    case ParameterType::text: {
-      const auto& choices = parameter.facts.choices;
-      return choices.empty() || std::find(choices.begin(), choices.end(),
-                                          std::get<std::string>(value)) != choices.end();
-    }
-    case ParameterType::boolean:
-    case ParameterType::file:
-      return true;
+  const auto& choices = parameter.facts.choices;
+  if (parameter.type == ParameterType::text && !choices.empty()) {
+    return std::find(choices.begin(), choices.end(), std::get<std::string>(value)) != choices.end();
   }
-  return false;
+  const std::vector<double> numbers = numbers_of(value);
+  return std::all_of(numbers.begin(), numbers.end(), [&](double number) {
+    return std::isfinite(number) && in_range(parameter.facts, number) &&
+           is_holdable(parameter, number);
+  });
 }
 
 std::string type_text(ParameterType type) {
@@ -145,18 +135,13 @@ std::string refusal_of(const ParameterDeclaration& parameter, double value) {
 }
 
 std::string refusal_of(const ParameterDeclaration& parameter, const ParameterValue& value) {
-  if (const auto* const number = std::get_if<double>(&value)) {
-    return refusal_of(parameter, *number);
+  const std::vector<double> numbers = numbers_of(value);
+  if (parameter.type != ParameterType::reals) {
+    return numbers.empty() ? "" : refusal_of(parameter, numbers.front());
   }
-  if (const auto* const whole = std::get_if<std::int64_t>(&value)) {
-    return refusal_of(parameter, static_cast<double>(*whole));
-  }
-  if (const auto* const numbers = std::get_if<std::vector<double>>(&value)) {
-    const bool finite = std::all_of(numbers->begin(), numbers->end(),
-                                    [](double number) { return std::isfinite(number); });
-    return finite ? "" : ", of which not every number is finite";
-  }
-  return "";
+  const bool finite = std::all_of(numbers.begin(), numbers.end(),
+                                  [](double number) { return std::isfinite(number); });
+  return finite ? "" : ", of which not every number is finite";
 }
 
 /// Adds what is wrong with the names and values given to `whose` parameters.
@@ -210,6 +195,23 @@ void set_elements(const Declaration& declaration, Component& object,
 }
 
 }  // namespace
+
+std::string format_value(const ParameterValue& value) {
+  struct Format {
+    std::string operator()(bool flag) const { return flag ? "true" : "false"; }
+    std::string operator()(std::int64_t number) const { return std::to_string(number); }
+    std::string operator()(double number) const { return number_text(number); }
+    std::string operator()(const std::string& text) const { return text; }
+    std::string operator()(const std::vector<double>& numbers) const {
+      std::string list;
+      for (const double number : numbers) {
+        list += (list.empty() ? "" : " ") + number_text(number);
+      }
+      return list;
+    }
+  };
+  return std::visit(Format{}, value);
+}
 
 std::string allowed_values(const ParameterDeclaration& parameter) {
   const std::vector<std::string>& choices = parameter.facts.choices;

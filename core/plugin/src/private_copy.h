@@ -1,4 +1,4 @@
-// A copy of a library that nobody else writes to.
+// A private copy of a library.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,10 @@
 
 namespace elsie::plugin {
 
-/// A library that is in memory must not be overwritten, and the system takes a file of a path that
-/// it knows for the one that it has loaded. So a library that may be replaced is loaded from a copy
-/// of its own, in a folder of its own, which goes with this object. Those of processes that were
-/// killed are removed by the first copy of a later one, of the same user.
+/// A loaded library must not be overwritten, and the system does not load a file again whose path
+/// it knows. So a library that may be replaced is loaded from a copy in a folder of its own, which
+/// this object removes. The first copy of a process removes the copies of killed processes of this
+/// user.
 class PrivateCopy final : private base::EmergencyWriter {
  public:
   /// Throws std::runtime_error with a sentence.

@@ -4,65 +4,60 @@
 #include <cstdlib>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 #include "elsie/plugin/own_library.h"
 
 namespace elsie::plugin {
-namespace {
 
 namespace fs = std::filesystem;
 
-class Path {
- public:
-  void add(const fs::path& directory, const char* origin) {
-    std::error_code ignored;
-    // For comparing only; what the user wrote is what the user is told.
-    fs::path canonical = fs::weakly_canonical(directory, ignored);
-    if (!canonical.has_filename()) {
-      canonical = canonical.parent_path();  // it ends with a slash
-    }
-    if (std::find(canonical_.begin(), canonical_.end(), canonical) == canonical_.end()) {
-      canonical_.push_back(canonical);
-      directories_.push_back({directory, origin});
-    }
+void DirectoryList::add(const fs::path& directory, const std::string& origin) {
+  std::error_code ignored;
+  // Only for comparing: messages name what the user wrote.
+  fs::path canonical = fs::weakly_canonical(directory, ignored);
+  if (!canonical.has_filename()) {
+    canonical = canonical.parent_path();  // it ends with a slash
   }
-
-  std::vector<SearchDirectory> directories() && { return std::move(directories_); }
-
- private:
-  std::vector<fs::path> canonical_;
-  std::vector<SearchDirectory> directories_;
-};
-
-}  // namespace
-
-std::vector<SearchDirectory> default_search_path(std::span<const fs::path> given) {
-  Path path;
-  for (const fs::path& directory : given) {
-    path.add(directory, "given");
+  if (std::find(canonical_.begin(), canonical_.end(), canonical) == canonical_.end()) {
+    canonical_.push_back(canonical);
+    directories_.push_back({directory, origin});
   }
-  if (const char* const variable = std::getenv(kPluginPathVariable)) {
-    std::string_view rest = variable;
-    while (!rest.empty()) {
-      const std::string_view directory = rest.substr(0, rest.find(':'));
-      rest.remove_prefix(std::min(directory.size() + 1, rest.size()));
-      if (!directory.empty()) {
-        path.add(directory, kPluginPathVariable);
-      }
+}
+
+void DirectoryList::add_variable(const char* name) {
+  const char* const value = std::getenv(name);
+  std::string_view rest = value ? value : "";
+  while (!rest.empty()) {
+    const std::string_view directory = rest.substr(0, rest.find(':'));
+    rest.remove_prefix(std::min(directory.size() + 1, rest.size()));
+    if (!directory.empty()) {
+      add(directory, name);
     }
   }
+}
+
+void DirectoryList::add_beside_program(const fs::path& below) {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path beside = program.parent_path().parent_path() / "lib/elsie/plugins";
-  if (fs::is_directory(beside, error)) {
-    path.add(beside, "beside the program");
+  const fs::path directory = program.parent_path().parent_path() / below;
+  if (fs::is_directory(directory, error)) {
+    add(directory, "beside the program");
   }
+}
+
+std::vector<SearchDirectory> default_search_path(std::span<const fs::path> given) {
+  DirectoryList list;
+  for (const fs::path& directory : given) {
+    list.add(directory, "given");
+  }
+  list.add_variable(kPluginPathVariable);
+  list.add_beside_program("lib/elsie/plugins");
+  std::error_code error;
   const fs::path library = fs::canonical(file_of_this_library(), error);
   if (!error) {
-    path.add(library.parent_path() / "elsie/plugins", "beside libelsie");
+    list.add(library.parent_path() / "elsie/plugins", "beside libelsie");
   }
-  return std::move(path).directories();
+  return std::move(list).take();
 }
 
 }  // namespace elsie::plugin

@@ -40,7 +40,7 @@ std::string id_of(const ElementSpec& spec, const void* object) {
 }
 
 // The world as the tree of a file that says everything, so that paths mean here what they mean
-// there. Element::number is the place of its meaning in the list.
+// there. Element::object is the place of its meaning in the list.
 class Tree {
  public:
   explicit Tree(const World& world) : root_(make(vocabulary(), &world, {})) {}
@@ -59,7 +59,7 @@ class Tree {
     }
     Element element;
     element.name = meaning.use ? meaning.use->plugin : spec.name;
-    element.number = meanings_.size();
+    element.object = meanings_.size();
     if (const std::string id = id_of(spec, object); !id.empty()) {
       element.set("id", id, {});
     }
@@ -77,19 +77,8 @@ class Tree {
 
   void add_children(Element& element, const ElementSpec& spec, const void* object,
                     const Meaning& meaning) {
-    // Elements of several kinds may stand for the objects of one list: they stand in its order.
-    std::vector<std::pair<Part, const ElementSpec*>> parts;
-    for (const ElementSpec& child : spec.children) {
-      for (const Part& part : child.parts(object)) {
-        parts.push_back({part, &child});
-      }
-    }
-    if (spec.group) {
-      std::stable_sort(parts.begin(), parts.end(),
-                       [](const auto& a, const auto& b) { return a.first.order < b.first.order; });
-    }
     std::size_t number = 0;
-    for (const auto& [part, child] : parts) {
+    for (const auto& [part, child] : spec.parts_of(object)) {
       Meaning of_child = meaning;
       of_child.use = nullptr;
       of_child.kind.reset();
@@ -115,7 +104,7 @@ class Tree {
       of_child.path = joined(meaning.path, name, std::to_string(++count[name]));
       Element child;
       child.name = name;
-      child.number = meanings_.size();
+      child.object = meanings_.size();
       meanings_.push_back(std::move(of_child));
       element.children.push_back(std::move(child));
     }
@@ -147,12 +136,13 @@ class Attributes::Impl {
       tree_.emplace(world_);
     }
     std::vector<AttributePlace> places;
-    for (const Element* element : select(tree_->root(), path)) {
-      if (element->number == Element::kMade) {
-        tree_.reset();  // as it was
+    for (const Place& found : find_places(tree_->root(), path)) {
+      if (!found.element->object) {  // find_places() made it
+        tree_.reset();
         throw std::invalid_argument("there is no such element in this world");
       }
-      places.push_back(place(*element, tree_->meanings()[element->number], path.attribute));
+      places.push_back(
+          place(*found.element, tree_->meanings()[*found.element->object], path.attribute));
     }
     return places;
   }

@@ -10,15 +10,15 @@
 
 #include "elsie/api/simulator_events.h"
 #include "elsie/base/near_name.h"
+#include "elsie/base/number_text.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/train.h"
-#include "elsie/world/values.h"
 
 namespace elsie::world {
 
 namespace {
 
-std::string number(double value) { return format_value(ParameterValue(value)); }
+using base::number_text;
 
 std::string in_words(const Robot& robot) {
   return robot.id.empty() ? "this robot" : "the robot '" + robot.id + "'";
@@ -129,7 +129,7 @@ void check_physics(const Element& root, const Physics& physics, Problems& proble
   const double period = physics.step * physics.control_steps;
   if (period > 1.0) {
     problems.add(element->where, "the control period, step times control_steps, is " +
-                                     number(period) + " s; expected at most 1 s");
+                                     number_text(period) + " s; expected at most 1 s");
   }
 }
 
@@ -226,15 +226,15 @@ void check_segments(const Reading& reading, const Robot& robot, Problems& proble
     const Segment& segment = robot.segments[i];
     const std::string what = "the segment '" + segment.id + "' of " + in_words(robot);
     if (2.0 * segment.wheel_width > segment.width) {
-      problems.add(segment.location, what + " is " + number(segment.width) +
+      problems.add(segment.location, what + " is " + number_text(segment.width) +
                                          " m wide, which leaves no room for two wheels of " +
-                                         number(segment.wheel_width) + " m");
+                                         number_text(segment.wheel_width) + " m");
     }
     if (chain[i].ahead <= 0.0) {
       problems.add(segment.location,
-                   what + " has its joint " + number(chain[i].behind) +
+                   what + " has its joint " + number_text(chain[i].behind) +
                        " m behind the middle of the body in front; expected less than " +
-                       number(chain[i].behind + chain[i].ahead) +
+                       number_text(chain[i].behind + chain[i].ahead) +
                        " m, so that the joint is ahead of the segment's axle");
     }
   }
@@ -269,8 +269,9 @@ void check_robot(const Reading& reading, std::size_t index, const plugin::Host& 
                  Problems& problems) {
   const Robot& robot = reading.world.robots[index];
   if (robot.energy && *robot.energy > robot.battery && reading.sound(robot.location)) {
-    problems.add(robot.location, in_words(robot) + " starts with energy " + number(*robot.energy) +
-                                     ", but its battery holds " + number(robot.battery));
+    problems.add(robot.location, in_words(robot) + " starts with energy " +
+                                     number_text(*robot.energy) + ", but its battery holds " +
+                                     number_text(robot.battery));
   }
   check_segments(reading, robot, problems);
   if (reading.incomplete_robots.contains(index)) {
@@ -324,9 +325,9 @@ struct GoalCheck {
   void operator()(const TravelGoal&) const {}
   void operator()(const EndureGoal& goal) const {
     if (goal.time > world.limits.time) {
-      problems.add(goal.location, "<endure> lasts " + number(goal.time) +
-                                      " s, but the run ends after " + number(world.limits.time) +
-                                      " s; see <limits>");
+      problems.add(goal.location, "<endure> lasts " + number_text(goal.time) +
+                                      " s, but the run ends after " +
+                                      number_text(world.limits.time) + " s; see <limits>");
     }
   }
   void operator()(const NoCollisionGoal&) const {}
@@ -334,7 +335,7 @@ struct GoalCheck {
 
   void check_place(const std::string& what, double x, double y, const Location& where) const {
     if (std::abs(x) > 0.5 * world.arena.length || std::abs(y) > 0.5 * world.arena.width) {
-      problems.add(where, what + ": the place (" + number(x) + ", " + number(y) +
+      problems.add(where, what + ": the place (" + number_text(x) + ", " + number_text(y) +
                               ") is outside of the arena");
     }
   }

@@ -1,10 +1,10 @@
-// What no single attribute can say: how the parts of a world fit together.
+// Checks that concern more than one attribute of a world.
 #pragma once
 
 #include "elsie/world/error.h"
 #include "elsie/world/markup.h"
 
-#include "reading.h"
+#include "tree_reader.h"
 
 namespace elsie::plugin {
 class Host;
@@ -12,13 +12,13 @@ class Host;
 
 namespace elsie::world {
 
-/// `root` is the tree that the world was read from, templates and overrides included.
+/// `root` is the tree that the world was read from, after templates and overrides.
 void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
                  Problems& problems);
 
-/// The part about places: what stands in the arena, and what in what. Static obstacles may overlap
-/// one another and the walls (mazes are built so), and moving ones may pass through them; robots,
-/// dynamic boxes and resources stand free.
+/// The part about places. Static obstacles may overlap each other and the walls, as in mazes, and
+/// moving ones may pass through them; robots, dynamic boxes and resources must not overlap
+/// anything.
 void check_places(const Reading& reading, Problems& problems);
 
 }  // namespace elsie::world

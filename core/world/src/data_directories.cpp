@@ -1,13 +1,11 @@
 #include "elsie/world/data_directories.h"
 
-#include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "elsie/plugin/own_library.h"
+#include "elsie/plugin/search_path.h"
 #include "elsie/world/error.h"
 #include "elsie/world/files.h"
 
@@ -15,26 +13,6 @@ namespace elsie::world {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Directories {
- public:
-  void add(const fs::path& directory) {
-    std::error_code ignored;
-    fs::path canonical = fs::weakly_canonical(directory, ignored);  // for comparing only
-    if (!canonical.has_filename()) {
-      canonical = canonical.parent_path();  // it ends with a slash
-    }
-    if (std::find(canonical_.begin(), canonical_.end(), canonical) == canonical_.end()) {
-      canonical_.push_back(std::move(canonical));
-      names_.push_back(directory.string());
-    }
-  }
-  std::vector<std::string> names() && { return std::move(names_); }
-
- private:
-  std::vector<fs::path> canonical_;
-  std::vector<std::string> names_;
-};
 
 fs::path data_below(const fs::path& prefix) { return prefix / "share" / "elsie"; }
 
@@ -52,28 +30,19 @@ fs::path data_of_installation(const fs::path& library) {
 }  // namespace
 
 std::vector<std::string> default_data_directories() {
-  Directories directories;
-  if (const char* const variable = std::getenv(kDataPathVariable)) {
-    std::string_view rest = variable;
-    while (!rest.empty()) {
-      const std::string_view directory = rest.substr(0, rest.find(':'));
-      rest.remove_prefix(std::min(directory.size() + 1, rest.size()));
-      if (!directory.empty()) {
-        directories.add(directory);
-      }
-    }
-  }
+  plugin::DirectoryList list;
+  list.add_variable(kDataPathVariable);
+  list.add_beside_program(data_below({}));
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path beside = data_below(program.parent_path().parent_path());
-  if (fs::is_directory(beside, error)) {
-    directories.add(beside);
-  }
   const fs::path library = fs::canonical(plugin::file_of_this_library(), error);
   if (!error) {
-    directories.add(data_of_installation(library));
+    list.add(data_of_installation(library), "beside libelsie");
   }
-  return std::move(directories).names();
+  std::vector<std::string> names;
+  for (const plugin::SearchDirectory& directory : std::move(list).take()) {
+    names.push_back(directory.path.string());
+  }
+  return names;
 }
 
 std::string find_document(const std::string& name,

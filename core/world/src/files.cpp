@@ -75,7 +75,7 @@ std::string Files::name_for_world(const std::string& found, const std::string& w
       return name;
     }
   }
-  // From where to where must be told in the same way: both absolute, or as the names say.
+  // Both paths must be of one kind: as the user wrote them, or absolute.
   const fs::path from = folder(Location{});
   for (const fs::path& name :
        {fs::path(found).lexically_relative(from.lexically_normal()),

@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elsie/base/number_text.h"
 #include "elsie/world/train.h"
-#include "elsie/world/values.h"
 
 namespace elsie::world {
 
 namespace {
 
+using base::number_text;
+
 constexpr double kTouching = 1e-6;  // m: this much overlap is none
 
-std::string number(double value) { return format_value(ParameterValue(value)); }
-
 // A length in a message: to the tenth of a millimetre.
-std::string rounded(double metres) { return number(std::round(metres * 1e4) / 1e4); }
+std::string rounded(double metres) { return number_text(std::round(metres * 1e4) / 1e4); }
 
 }  // namespace
 
@@ -102,9 +102,10 @@ std::optional<std::string> outside(const Arena& arena, const std::string& what, 
   if (std::abs(x) <= length && std::abs(y) <= width) {
     return std::nullopt;
   }
-  return what + " at (" + number(x) + ", " + number(y) +
-         ") is outside of the arena, which reaches from " + number(-length) + " to " +
-         number(length) + " in x and from " + number(-width) + " to " + number(width) + " in y";
+  return what + " at (" + number_text(x) + ", " + number_text(y) +
+         ") is outside of the arena, which reaches from " + number_text(-length) + " to " +
+         number_text(length) + " in x and from " + number_text(-width) + " to " +
+         number_text(width) + " in y";
 }
 
 std::optional<std::string> outside(const Arena& arena, const std::string& what,

@@ -5,7 +5,9 @@
 #include <string>
 
 namespace elsie::world {
+namespace {
 
+// `numbered`: ids always have a number, that among all elements of the name.
 void complete_ids(Element& list, bool numbered) {
   std::set<std::string> taken;
   for (const Element& child : list.children) {
@@ -29,6 +31,8 @@ void complete_ids(Element& list, bool numbered) {
     child.set("id", name(), child.where);
   }
 }
+
+}  // namespace
 
 void complete_robot_ids(Element& robot) {
   if (Element* segments = robot.child("segments")) {

@@ -1,11 +1,11 @@
 #include "elsie/world/markup.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
 
+#include <strings.h>
 #include <tinyxml2.h>
 
 #include "elsie/base/read_whole.h"
@@ -21,6 +21,8 @@ namespace elsie::world {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view kBlanks = " \t\r\n";
 
 [[noreturn]] void fail(const std::string& file, int line, const std::string& message) {
   throw WorldError({{file, line, message}});
@@ -57,93 +59,89 @@ void check_encoding(const tinyxml2::XMLDocument& document, const std::string& fi
   const tinyxml2::XMLNode* first = document.FirstChild();
   const tinyxml2::XMLDeclaration* declaration = first ? first->ToDeclaration() : nullptr;
   const std::string_view text = declaration ? declaration->Value() : "";
-  const std::size_t key = text.find("encoding");
-  if (!text.starts_with("xml") || key == std::string_view::npos) {
-    return;
-  }
-  const std::size_t open = text.find_first_of("\"'", key);
-  const std::size_t close =
-      open == std::string_view::npos ? open : text.find_first_of("\"'", open + 1);
-  if (close == std::string_view::npos) {
+  const std::size_t open = text.find_first_of("\"'", text.find("encoding"));
+  const std::size_t close = text.find_first_of("\"'", open == text.npos ? open : open + 1);
+  if (!text.starts_with("xml") || close == text.npos) {
     return;
   }
   const std::string encoding(text.substr(open + 1, close - open - 1));
-  std::string lower = encoding;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (lower != "utf-8" && lower != "us-ascii") {
+  if (strcasecmp(encoding.c_str(), "utf-8") != 0 && strcasecmp(encoding.c_str(), "us-ascii") != 0) {
     fail(file, declaration->GetLineNum(),
          "the encoding '" + encoding + "' is not supported; save the file as UTF-8");
   }
 }
 
-// That every element is closed by its own tag, that there is one root, and that nothing is nested
-// deeper than what is parsed by recursion later can bear.
-void check_nesting(const std::vector<Tag>& tags, const std::string& file, const std::string& kind) {
-  constexpr std::size_t kDeepest = 50;
-  std::vector<const Tag*> open;
-  bool rooted = false;
-  for (const Tag& tag : tags) {
-    const int line = tag.line;
-    const std::string name(tag.name);
-    if (tag.kind == Tag::Kind::end) {
-      if (open.empty()) {
-        fail(file, line, "</" + name + "> closes nothing");
-      }
-      if (open.back()->name != tag.name) {
-        const std::string expected(open.back()->name);
-        fail(file, line,
-             "</" + name + "> stands where </" + expected + "> was expected: <" + expected +
-                 "> starts on line " + std::to_string(open.back()->line));
-      }
-      open.pop_back();
-      continue;
-    }
-    if (open.empty() && rooted) {
-      fail(file, line, "a second root element, <" + name + ">; a file holds one");
-    }
-    rooted = true;
-    if (tag.kind == Tag::Kind::start) {
-      open.push_back(&tag);
-      if (open.size() > kDeepest) {
-        fail(file, line,
-             "elements are nested deeper than " + std::to_string(kDeepest) + " levels; no " + kind +
-                 " needs that many");
-      }
+// Whether tinyxml2 might accept a mistake in this text, or take very long to read it.
+bool is_doubtful(std::string_view text) {
+  if (text.find("&#") != std::string_view::npos) {  // it drops some wrong character references
+    return true;
+  }
+  for (std::size_t at = text.find('<'), next = 0; at < text.size(); at = next) {
+    next = std::min(text.find('<', at + 1), text.size());
+    std::string_view tag = text.substr(at + 1, next - at - 1);
+    const bool is_end = tag.starts_with('/');
+    tag.remove_prefix(is_end ? 1 : 0);
+    if (tag.empty() || kBlanks.find(tag.front()) != std::string_view::npos ||
+        (is_end && tag.find_first_of("=/") < tag.find('>')) ||
+        std::count(tag.begin(), tag.end(), '=') > static_cast<long>(kMostAttributes)) {
+      return true;
     }
   }
-  if (!open.empty()) {
-    const std::string name(open.back()->name);
-    fail(file, open.back()->line, "<" + name + "> is never closed; expected </" + name + ">");
-  }
-  if (!rooted) {
-    fail(file, 0,
-         "there is no element in the file; expected <" + kind + " format=\"1\"> ... </" + kind +
-             ">");
-  }
+  return false;
 }
 
-Element converted(const tinyxml2::XMLElement& source, const std::string& file,
-                  std::size_t& counter) {
-  Element element;
-  element.name = source.Name();
-  element.where = {file, source.GetLineNum()};
-  element.number = counter++;
-  for (const auto* a = source.FirstAttribute(); a; a = a->Next()) {
-    element.attributes.push_back({a->Name(), a->Value(), {file, a->GetLineNum()}});
-  }
-  for (const auto* node = source.FirstChild(); node; node = node->NextSibling()) {
-    if (const auto* child = node->ToElement()) {
-      element.children.push_back(converted(*child, file, counter));
-    } else if (const auto* text = node->ToText(); text && element.text.empty()) {
-      const std::string_view found = text->Value();
-      const std::size_t begin = std::min(found.find_first_not_of(" \t\r\n"), found.size());
-      element.text = found.substr(begin, found.find_last_not_of(" \t\r\n") + 1 - begin);
-      element.text_line = text->GetLineNum();  // of the first that is not blank
+// Converts tinyxml2's elements, and notes signs of mistakes that it accepts.
+class Converter {
+ public:
+  explicit Converter(const std::string& file) : file_(file) {}
+
+  Element element(const tinyxml2::XMLElement& source, std::size_t depth = 1) {
+    Element element;
+    element.name = source.Name();
+    element.where = {file_, source.GetLineNum()};
+    doubt_ |= depth > kDeepest;
+    closed_ += source.ClosingType() == tinyxml2::XMLElement::OPEN ? 1 : 0;
+    for (const auto* a = source.FirstAttribute(); a; a = a->Next()) {
+      // tinyxml2 leaves names where they stand in its copy of the text.
+      doubt_ |= !element.attributes.empty() && kBlanks.find(a->Name()[-1]) == kBlanks.npos;
+      element.attributes.push_back({a->Name(), a->Value(), {file_, a->GetLineNum()}});
+      doubt_ |= element.attributes.back().value.find_first_of("<&") != std::string::npos;
     }
+    for (const auto* node = source.FirstChild(); node; node = node->NextSibling()) {
+      if (const auto* child = node->ToElement()) {
+        element.children.push_back(this->element(*child, depth + 1));
+      } else if (const auto* text = node->ToText()) {
+        const std::string_view found = text->Value();
+        doubt_ |= found.find('&') != std::string_view::npos;
+        if (element.text.empty()) {
+          const std::size_t begin = std::min(found.find_first_not_of(kBlanks), found.size());
+          element.text = found.substr(begin, found.find_last_not_of(kBlanks) + 1 - begin);
+          element.text_line = text->GetLineNum();  // of the first that is not blank
+        }
+      } else {
+        doubt_ |= node->ToUnknown() != nullptr;
+      }
+    }
+    return element;
   }
-  return element;
-}
+
+  // After the root was converted: whether all else is as it should be.
+  bool accepts(const tinyxml2::XMLDocument& document, std::string_view text) {
+    std::size_t end_tags = 0;
+    for (std::size_t at = text.find("</"); at < text.size(); at = text.find("</", at + 2)) {
+      ++end_tags;
+    }
+    for (const auto* node = document.FirstChild(); node; node = node->NextSibling()) {
+      doubt_ |= node->ToUnknown() || (node->ToElement() && node != document.RootElement());
+    }
+    return !doubt_ && end_tags == closed_;  // tinyxml2 stops at an end tag that closes nothing
+  }
+
+ private:
+  const std::string& file_;
+  bool doubt_ = false;
+  std::size_t closed_ = 0;  // elements with an end tag
+};
 
 }  // namespace
 
@@ -204,7 +202,7 @@ std::string read_text(const std::string& file) {
              (near.empty() ? "" : "; did you mean '" + fs::path(near).filename().string() + "'?"));
   }
   try {
-    return base::read_whole(file, kLargestFile);
+    return base::read_whole(file, 32'000'000);
   } catch (const std::runtime_error& why) {
     fail(file, 0, std::string("this ") + why.what() + "; expected an XML file");
   }
@@ -212,19 +210,24 @@ std::string read_text(const std::string& file) {
 
 Element parse_markup(std::string_view text, const std::string& file, const std::string& kind) {
   check_characters(text, file);
-  check_nesting(scan_tags(text, file), file, kind);
-
+  if (is_doubtful(text)) {
+    check_tags(text, file, kind);
+  }
   tinyxml2::XMLDocument document;
   document.Parse(text.data(), text.size());
-  if (document.ErrorID() == tinyxml2::XML_ERROR_PARSING_TEXT) {
-    fail(file, document.ErrorLineNum(), "there is text outside of the root element");
-  }
-  if (document.ErrorID() == tinyxml2::XML_ERROR_PARSING_DECLARATION) {
-    fail(file, document.ErrorLineNum(),
-         "a processing instruction <?...?> may stand at the top of the file only");
-  }
   if (document.Error() || !document.RootElement()) {
-    fail(file, document.ErrorLineNum(), "this is not well-formed XML");
+    check_tags(text, file, kind);
+    fail(file, document.ErrorLineNum(),
+         document.ErrorID() == tinyxml2::XML_ERROR_PARSING_TEXT
+             ? "there is text outside of the root element"
+         : document.ErrorID() == tinyxml2::XML_ERROR_PARSING_DECLARATION
+             ? "a processing instruction <?...?> may stand at the top of the file only"
+             : "this is not well-formed XML");
+  }
+  Converter converter(file);
+  Element root = converter.element(*document.RootElement());
+  if (!converter.accepts(document, text)) {
+    check_tags(text, file, kind);
   }
   check_encoding(document, file);
   for (const auto* node = document.FirstChild(); node; node = node->NextSibling()) {
@@ -232,8 +235,7 @@ Element parse_markup(std::string_view text, const std::string& file, const std::
       fail(file, node->GetLineNum(), "there is text outside of the root element");
     }
   }
-  std::size_t counter = 0;
-  return converted(*document.RootElement(), file, counter);
+  return root;
 }
 
 std::string in_words(const Attribute& attribute, const Element& element) {

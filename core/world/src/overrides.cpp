@@ -18,7 +18,6 @@ constexpr std::string_view kRemove = "remove";
 void place(Element& element, const Location& where) {
   element.where = where;
   element.text_line = where.line;
-  element.number = Element::kMade;
   for (Attribute& attribute : element.attributes) {
     attribute.where = where;
   }
@@ -135,7 +134,7 @@ bool concerns_templates(const std::string& override) {
     return (path.attribute == "template" && last == "robot") ||
            (path.attribute.empty() && (last == "robot" || last == "robots"));
   } catch (const std::invalid_argument&) {
-    return false;  // apply_override() tells why
+    return false;  // apply_override() says why
   }
 }
 
@@ -157,14 +156,14 @@ void apply_override(Element& world, const std::string& override, Problems& probl
       if (!concerns_templates(override)) {
         require_without_removals(given);
       }
-      for (Element* element : select(world, path)) {
-        replace(*element, given);
+      for (const Place& place : find_places(world, path)) {
+        replace(*place.element, given);
       }
       complete_world_ids(world);  // of what stands in the new element
       return;
     }
-    for (Element* element : select(world, path)) {
-      element->set(path.attribute, value, where);
+    for (const Place& place : find_places(world, path)) {
+      place.element->set(path.attribute, value, where);
     }
   } catch (const WorldError& error) {
     problems.add(where, error.problems().front().message);

@@ -1,4 +1,4 @@
-// --set PATH=VALUE: changes to the tree of a world before it is checked.
+// --set PATH=VALUE: changes the tree of a world before it is checked.
 #pragma once
 
 #include <string>
@@ -8,16 +8,15 @@
 
 namespace elsie::world {
 
-/// Whether an override must come before templates are merged: that of a robot's template, and those
-/// that replace robots.
+/// Whether an override is applied before templates: one of a robot's template, or one that replaces
+/// robots.
 bool concerns_templates(const std::string& override);
 
-/// Applies "PATH=VALUE" to the tree of a world, whose ids are complete. What `@remove` takes away
-/// stays there, marked, until remove_overridden(): numbers in the paths of later overrides count
-/// it, too.
+/// Applies "PATH=VALUE" to the tree of a world, whose ids are complete. Elements that `@remove`
+/// removes are only marked, since numbers in later paths count them, too.
 void apply_override(Element& world, const std::string& override, Problems& problems);
 
-/// Takes out what overrides have marked.
+/// Removes the marked elements.
 void remove_overridden(Element& world);
 
 }  // namespace elsie::world

@@ -11,7 +11,7 @@
 
 namespace elsie::world {
 
-// Paths do without the declarations and take what is there.
+// Paths do not use declarations: they find the elements that exist.
 const ElementSpec& nested_element() {
   static const ElementSpec spec;
   return spec;
@@ -21,8 +21,7 @@ namespace {
 
 [[noreturn]] void fail(const std::string& message) { throw std::invalid_argument(message); }
 
-// What may stand in an element as far as the vocabulary tells: any behaviour may be one that holds
-// others.
+// The elements that the vocabulary allows in an element; any behaviour may hold others.
 const std::vector<ElementSpec>& specs_below(const ElementSpec& spec) {
   return spec.inside ? coordination_vocabulary().children : spec.children;
 }
@@ -76,7 +75,7 @@ std::vector<Place> children(const Place& place, const std::string& name) {
   return found;
 }
 
-// What a step may be called here.
+// The names that a step may have here.
 std::vector<std::string> names_at(const Place& place) {
   std::vector<std::string> names;
   for (const ElementSpec& spec : specs_below(*place.spec)) {
@@ -137,7 +136,7 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
   if (is_number || ids.empty()) {
     fail("there is no " + text_of(step) + "; they are numbered from 1 to " + count);
   }
-  // A few are best listed, of many the nearest is told.
+  // Few ids are listed; of many, only the nearest.
   fail("there is no " + text_of(step) +
        (ids.size() > 10 ? base::near_or_all(step.key, ids, "there are")
                         : "; there are: " + base::listed(ids)));
@@ -162,7 +161,7 @@ std::vector<Place> step_from(const Place& place, const PathStep& step) {
   return {};
 }
 
-// What belongs to a robot, named without one: that of every robot.
+// A part of a robot, named without a robot: that of every robot.
 std::vector<Place> step_from_robots(const Place& world, const PathStep& step) {
   std::vector<Place> result;
   for (const Place& robot : children(world, "robot")) {
@@ -172,7 +171,7 @@ std::vector<Place> step_from_robots(const Place& world, const PathStep& step) {
   return result;
 }
 
-// Whether what is not there may stand in a template that could not be read: that is told already.
+// Whether a missing element may be in a template that could not be read, which has its own message.
 bool lacks_a_template(const std::vector<Place>& places) {
   return std::any_of(places.begin(), places.end(), [](const Place& place) {
     const auto robots = children(place, "robot");
@@ -244,14 +243,6 @@ std::vector<Place> find_places(Element& world, const Path& path) {
     places = std::move(next);
   }
   return places;
-}
-
-std::vector<Element*> select(Element& world, const Path& path) {
-  std::vector<Element*> elements;
-  for (const Place& place : find_places(world, path)) {
-    elements.push_back(place.element);
-  }
-  return elements;
 }
 
 }  // namespace elsie::world

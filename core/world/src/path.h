@@ -31,16 +31,15 @@ struct Place {
 };
 const ElementSpec& nested_element();
 
-/// The elements that the steps lead to, at least one; none only where a robot's template could not
+/// The elements that the steps lead to. There is at least one, unless a robot's template could not
 /// be read.
 ///
-/// The groups may be left out: a member is called by its element's name or by its group's word for
+/// Groups may be left out: a member is called by its element's name or by its group's word for
 /// it ("sensor" for any child of <sensors>, "obstacle", "goal" ...); "coordinator" is the one child
 /// of <coordinator>. Elements that a plugin declares are called by their names, and what a
-/// behaviour holds as in a robot. What belongs to a robot means that of every robot when no robot
-/// is named. An element that may stand only once and is not there is made (Element::kMade). Throws
+/// behaviour holds is called as in a robot. A path that begins with a part of a robot means that
+/// part of every robot. An element that may stand only once is made when it is missing. Throws
 /// std::invalid_argument with a sentence that says what is there instead.
-std::vector<Element*> select(Element& world, const Path& path);
-std::vector<Place> find_places(Element& world, const Path& path);  // the same
+std::vector<Place> find_places(Element& world, const Path& path);
 
 }  // namespace elsie::world

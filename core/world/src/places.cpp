@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "elsie/api/geometry.h"
+#include "elsie/base/number_text.h"
 #include "elsie/world/footprint.h"
-#include "elsie/world/values.h"
 
 #include "checks.h"
 
@@ -13,9 +13,9 @@ namespace elsie::world {
 
 namespace {
 
-std::string number(double value) { return format_value(ParameterValue(value)); }
+using base::number_text;
 
-// What something covers, and how to speak of it.
+// The area of a body, and the body's name in messages.
 struct Block {
   Footprint footprint;
   std::string in_words;
@@ -26,7 +26,7 @@ Block block_of(const Box& box) {
   return {footprint_of(box), "the box '" + box.id + "'", box.location};
 }
 
-// A robot and, if asked for, what it pulls in line behind it.
+// A robot, and its segments in line behind it if wanted.
 std::vector<Block> blocks_of(const Robot& robot, bool with_segments) {
   const std::string in_words = "the robot '" + robot.id + "'";
   const auto footprints = footprints_of(
@@ -71,7 +71,7 @@ class PlaceCheck {
       check_point("a waypoint of the box '" + box.id + "'", point.x, point.y, box.location);
       if (point == last) {
         problems_.add(box.location, "a waypoint of the box '" + box.id + "' at (" +
-                                        number(point.x) + ", " + number(point.y) +
+                                        number_text(point.x) + ", " + number_text(point.y) +
                                         ") is where the box comes from; take it out");
       }
       last = point;

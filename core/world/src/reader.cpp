@@ -14,7 +14,6 @@
 #include "checks.h"
 #include "ids.h"
 #include "overrides.h"
-#include "reading.h"
 #include "templates.h"
 #include "tree_reader.h"
 
@@ -22,7 +21,7 @@ namespace elsie::world {
 
 namespace {
 
-// "red" and "blue" are there by themselves; the file may change their colours and add others.
+// Every world has "red" and "blue"; the file may change their colours and add others.
 void add_default_teams(std::vector<Team>& teams) {
   std::vector<Team> all{{"red", kRedTeam}, {"blue", kBlueTeam}};
   for (Team& team : teams) {
@@ -37,7 +36,7 @@ void add_default_teams(std::vector<Team>& teams) {
   teams = std::move(all);
 }
 
-// What is in the arena, places to reach included, and nothing of who decides and for how long.
+// Leaves only what a picture of the arena shows, goals at places included.
 void leave_bodies_only(Element& root) {
   const auto drop = [](Element& from, std::initializer_list<std::string_view> parts) {
     std::erase_if(from.children, [&](const Element& part) {

@@ -28,7 +28,7 @@ ParameterFacts removal() {
   return fact("takes away what the template has under this id; nothing else may be said then");
 }
 
-ElementSpec segments() {
+Describe<Robot> segments() {
   ElementSpec segment =
       Describe<Segment>("segment", "A box on two passive wheels that the robot pulls")
           .attribute("id", &Segment::id,
@@ -71,7 +71,7 @@ ElementSpec segments() {
       .each(std::move(segment), &Robot::segments);
 }
 
-ElementSpec sensors() {
+Describe<Robot> sensors() {
   ElementSpec sensor =
       Describe<SensorUse>("sensor", "A sensor: the element has the name of its plugin")
           .plugins(PluginKind::sensor)

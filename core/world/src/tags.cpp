@@ -1,6 +1,7 @@
 #include "tags.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "elsie/world/error.h"
 
@@ -8,22 +9,17 @@ namespace elsie::world {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-
 bool is_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
          c == '-' || c == '.' || c == ':' || static_cast<unsigned char>(c) >= 0x80;
 }
 
-// Each is compared with all before it.
-constexpr std::size_t kMostAttributes = 500;
-
 class Scanner {
  public:
-  Scanner(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  Scanner(std::string_view text, const std::string& file, const std::string& kind)
+      : text_(text), file_(file), kind_(kind) {}
 
-  std::vector<Tag> scan() {
-    std::vector<Tag> tags;
+  void check() {
     while (at_ < text_.size()) {
       if (text_[at_] != '<') {
         check_entity();
@@ -38,13 +34,20 @@ class Scanner {
         fail("document type declarations and entities are not allowed in this file; take out '" +
              std::string(text_.substr(at_, word_length(at_ + 2) + 2)) + "'");
       } else {
-        tags.push_back(tag());
+        tags_.push_back(tag());
       }
     }
-    return tags;
+    check_nesting();
   }
 
  private:
+  struct Tag {
+    enum class Kind { start, end, empty };
+    Kind kind = Kind::start;
+    std::string name;
+    std::size_t begin = 0;
+  };
+
   bool starts(std::string_view what) const { return text_.substr(at_).starts_with(what); }
 
   std::size_t word_length(std::size_t from) const {
@@ -55,19 +58,14 @@ class Scanner {
     return end - from;
   }
 
+  int line_of(std::size_t place) const {
+    const auto begin = text_.begin();
+    return 1 + static_cast<int>(std::count(begin, begin + static_cast<long>(place), '\n'));
+  }
   [[noreturn]] void fail(const std::string& message, std::size_t place) const {
-    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<long>(place), '\n');
-    throw WorldError({{file_, static_cast<int>(line), message}});
+    throw WorldError({{file_, line_of(place), message}});
   }
   [[noreturn]] void fail(const std::string& message) const { fail(message, at_); }
-
-  // Counts on from the tag before, so that a large file is gone through once.
-  int line_at_tag() {
-    line_ += static_cast<int>(std::count(text_.begin() + static_cast<long>(counted_),
-                                         text_.begin() + static_cast<long>(at_), '\n'));
-    counted_ = at_;
-    return line_;
-  }
 
   void skip_past(std::string_view end, const std::string& what) {
     const std::size_t found = text_.find(end, at_);
@@ -77,13 +75,9 @@ class Scanner {
     at_ = found + end.size();
   }
 
-  void skip_blanks() {
-    while (at_ < text_.size() && is_blank(text_[at_])) {
-      ++at_;
-    }
-  }
+  void skip_blanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
 
-  // An entity of XML's own or a character reference, or an error.
+  // Of XML's own, or a character reference.
   void check_entity() const {
     if (text_[at_] != '&') {
       return;
@@ -97,16 +91,15 @@ class Scanner {
         return;
       }
     }
-    if (entity.size() > 3 && entity[1] == '#') {
-      const bool hex = entity[2] == 'x';
-      const std::string_view digits = entity.substr(hex ? 3 : 2, entity.size() - (hex ? 4 : 3));
-      const char* allowed = hex ? "0123456789abcdefABCDEF" : "0123456789";
-      if (!digits.empty() && digits.find_first_not_of(allowed) == std::string_view::npos) {
-        return;
-      }
+    const bool hex = entity.starts_with("&#x");
+    const std::string_view digits =
+        entity.substr(std::min<std::size_t>(hex ? 3 : 2, entity.size()));
+    if (!entity.starts_with("&#") || digits.size() < 2 ||
+        digits.find_first_not_of(hex ? "0123456789abcdefABCDEF" : "0123456789") !=
+            digits.size() - 1) {
+      fail("'" + std::string(entity) +
+           "' is not an entity that XML knows; write a bare ampersand as &amp;");
     }
-    fail("'" + std::string(entity) +
-         "' is not an entity that XML knows; write a bare ampersand as &amp;");
   }
 
   std::string_view name(const std::string& what) {
@@ -121,19 +114,18 @@ class Scanner {
 
   Tag tag() {
     Tag tag;
-    tag.span.begin = at_;
-    tag.line = line_at_tag();
-    ++at_;
+    tag.begin = at_++;
     if (at_ < text_.size() && text_[at_] == '/') {
       ++at_;
       tag.kind = Tag::Kind::end;
     }
     tag.name = name("the name of an element after \"<\"");
+    std::vector<std::string_view> attributes;
     while (true) {
       const std::size_t before = at_;
       skip_blanks();
       if (at_ >= text_.size()) {
-        fail("the tag <" + std::string(tag.name) + "> starts here and never ends", tag.span.begin);
+        fail("the tag <" + tag.name + "> starts here and never ends", tag.begin);
       }
       if (text_[at_] == '>') {
         ++at_;
@@ -146,67 +138,99 @@ class Scanner {
       }
       if (tag.kind == Tag::Kind::end || before == at_) {
         fail("expected " + std::string(tag.kind == Tag::Kind::end ? "\">\"" : "a blank or \">\"") +
-             " in the tag <" + std::string(tag.name) + ">, found '" + text_[at_] + "'");
+             " in the tag <" + tag.name + ">, found '" + text_[at_] + "'");
       }
-      if (tag.attributes.size() == kMostAttributes) {
-        fail("<" + std::string(tag.name) + "> has more than " + std::to_string(kMostAttributes) +
+      if (attributes.size() == kMostAttributes) {
+        fail("<" + tag.name + "> has more than " + std::to_string(kMostAttributes) +
              " attributes; no element has so many");
       }
-      tag.attributes.push_back(attribute(before, tag));
+      attribute(tag, attributes);
     }
-    tag.span.end = at_;
     return tag;
   }
 
-  TagAttribute attribute(std::size_t before, const Tag& tag) {
-    TagAttribute attribute;
-    attribute.whole.begin = before;
-    const std::string of = " of <" + std::string(tag.name) + ">";
-    attribute.name = name("the name of an attribute" + of);
-    for (const TagAttribute& other : tag.attributes) {
-      if (other.name == attribute.name) {
-        fail("the attribute '" + std::string(attribute.name) + "'" + of + " is given twice");
-      }
+  void attribute(const Tag& tag, std::vector<std::string_view>& known) {
+    const std::string of = " of <" + tag.name + ">";
+    const std::string_view name = this->name("the name of an attribute" + of);
+    const std::string what = "the attribute '" + std::string(name) + "'" + of;
+    if (std::find(known.begin(), known.end(), name) != known.end()) {
+      fail(what + " is given twice");
     }
+    known.push_back(name);
     skip_blanks();
     if (at_ >= text_.size() || text_[at_] != '=') {
-      fail("expected =\"...\" after the attribute '" + std::string(attribute.name) + "'" + of);
+      fail("expected =\"...\" after " + what);
     }
     ++at_;
     skip_blanks();
     const char quote = at_ < text_.size() ? text_[at_] : '\0';
     if (quote != '"' && quote != '\'') {
-      fail("the value of the attribute '" + std::string(attribute.name) + "'" + of +
-           " must stand in quotes");
+      fail("the value of " + what + " must stand in quotes");
     }
     const std::size_t end = text_.find(quote, at_ + 1);
     if (end == std::string_view::npos) {
-      fail("the value of the attribute '" + std::string(attribute.name) + "'" + of +
-           " has no closing quote");
+      fail("the value of " + what + " has no closing quote");
     }
-    attribute.value = {at_ + 1, end};
     for (++at_; at_ < end; ++at_) {
       if (text_[at_] == '<') {
-        fail("the value of the attribute '" + std::string(attribute.name) + "'" + of +
+        fail("the value of " + what +
              " holds a \"<\"; a quote may be missing, or write it as &lt;");
       }
       check_entity();
     }
-    attribute.whole.end = at_ = end + 1;
-    return attribute;
+    at_ = end + 1;
+  }
+
+  // Every element is closed by its own tag, nothing is nested too deeply, and there is one root.
+  void check_nesting() const {
+    std::vector<const Tag*> open;
+    for (const Tag& tag : tags_) {
+      if (tag.kind == Tag::Kind::end) {
+        if (open.empty()) {
+          fail("</" + tag.name + "> closes nothing", tag.begin);
+        }
+        if (const std::string& name = open.back()->name; name != tag.name) {
+          fail("</" + tag.name + "> stands where </" + name + "> was expected: <" + name +
+                   "> starts on line " + std::to_string(line_of(open.back()->begin)),
+               tag.begin);
+        }
+        open.pop_back();
+        continue;
+      }
+      if (open.empty() && &tag != &tags_.front()) {
+        fail("a second root element, <" + tag.name + ">; a file holds one", tag.begin);
+      }
+      if (tag.kind == Tag::Kind::start) {
+        open.push_back(&tag);
+      }
+      if (open.size() > kDeepest) {
+        fail("elements are nested deeper than " + std::to_string(kDeepest) + " levels; no " +
+                 kind_ + " needs that many",
+             tag.begin);
+      }
+    }
+    if (!open.empty()) {
+      const std::string& name = open.back()->name;
+      fail("<" + name + "> is never closed; expected </" + name + ">", open.back()->begin);
+    }
+    if (tags_.empty()) {
+      throw WorldError({{file_, 0,
+                         "there is no element in the file; expected <" + kind_ +
+                             " format=\"1\"> ... </" + kind_ + ">"}});
+    }
   }
 
   std::string_view text_;
   const std::string& file_;
+  const std::string& kind_;
   std::size_t at_ = 0;
-  std::size_t counted_ = 0;  // up to here, line_ has counted
-  int line_ = 1;
+  std::vector<Tag> tags_;
 };
 
 }  // namespace
 
-std::vector<Tag> scan_tags(std::string_view text, const std::string& file) {
-  return Scanner(text, file).scan();
+void check_tags(std::string_view text, const std::string& file, const std::string& kind) {
+  Scanner(text, file, kind).check();
 }
 
 }  // namespace elsie::world

@@ -1,37 +1,21 @@
-// The tags of an XML text with their places in it, to the byte: what an edit that leaves everything
-// else alone needs.
+// What is wrong with the tags of an XML text. tinyxml2 reads every file, but says little about one
+// that it refuses, and lets some mistakes pass.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace elsie::world {
 
-struct Span {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
+inline constexpr std::size_t kDeepest = 50;  // levels: all later steps use recursion
+inline constexpr std::size_t kMostAttributes =
+    500;  // of an element: each is compared with the rest
 
-struct TagAttribute {
-  std::string_view name;
-  Span whole;  // with the blanks before it
-  Span value;  // between the quotes
-};
-
-struct Tag {
-  enum class Kind { start, end, empty };
-  Kind kind = Kind::start;
-  std::string_view name;
-  Span span;
-  int line = 0;  // where it begins
-  std::vector<TagAttribute> attributes;
-};
-
-/// All tags in order. The views point into `text`. Throws WorldError for what no file of ours
-/// may hold: a document type declaration, an entity that is not one of XML's own five or a
-/// character reference, markup that is cut off, attributes that are not separated or quoted.
-std::vector<Tag> scan_tags(std::string_view text, const std::string& file);
+/// Throws WorldError for the first mistake: a document type declaration, an entity other than XML's
+/// five and character references, markup that is cut off, attributes that are not separated, not
+/// quoted, given twice or too many, elements that are not closed by their own tags or nested too
+/// deeply, more than one root element. `kind` is the root element that the file should have.
+void check_tags(std::string_view text, const std::string& file, const std::string& kind);
 
 }  // namespace elsie::world

@@ -17,10 +17,10 @@ bool is_list(const std::string& name) {
   return name == "segments" || name == "sensors" || name == "behaviors" || name == "coordinator";
 }
 
-// What stands in a behaviour that holds others.
+// The lists in a behaviour that holds others.
 bool is_held(const std::string& name) { return name == "behaviors" || name == "coordinator"; }
 
-// Of the plugins that the entries of a list are named after, if they are.
+// The kind of the plugins in a list, if it has plugins.
 std::optional<PluginKind> kind_in(const std::string& list) {
   return list == "sensors"       ? std::optional(PluginKind::sensor)
          : list == "behaviors"   ? std::optional(PluginKind::behavior)
@@ -28,7 +28,7 @@ std::optional<PluginKind> kind_in(const std::string& list) {
                                  : std::nullopt;
 }
 
-// Which of the plugin's lists an element belongs to; one of its own when there is no such element.
+// The plugin's list that an element belongs to; an unknown element has a list of its own.
 std::string list_of(const Declaration* declaration, const std::string& element) {
   if (declaration) {
     for (const ElementDeclaration& declared : declaration->elements) {
@@ -40,9 +40,8 @@ std::string list_of(const Declaration* declaration, const std::string& element) 
   return element;
 }
 
-// Takes out the entries of a list that say so, also from what they hold, and the attributes that
-// say it; `on_removal` hears of each, where it was said, and of which
-// list it was.
+// Removes the entries of a list that have remove="true", to any depth, and all such attributes.
+// Calls `on_removal` with each entry, the attribute's place and the list's name.
 template <class OnRemoval>
 void take_out_removed(Element& list, Problems& problems, const OnRemoval& on_removal) {
   std::erase_if(list.children, [&](Element& entry) {
@@ -272,7 +271,7 @@ void Templates::overlay_list(Element& list, const Element& base) {
                        std::make_move_iterator(merged.end()));
 }
 
-// Where there is nothing to take away.
+// Reports removals where there is nothing to remove.
 void Templates::drop_removals(Element& list) {
   take_out_removed(list, problems_,
                    [&](const Element& entry, const Location& where, const std::string& in) {

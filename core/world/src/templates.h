@@ -1,5 +1,4 @@
-// Robot templates: a robot element names a file, and what that file says stands where the element
-// says nothing itself.
+// Robot templates: files whose content a robot element takes over and overrides.
 #pragma once
 
 #include <map>
@@ -23,13 +22,13 @@ class Templates {
   Templates(const plugin::Host& host, const Files& files, Problems& problems)
       : host_(host), files_(files), problems_(problems) {}
 
-  /// Merges the templates of all robots in the world into them.
+  /// Merges templates into all robots of the world.
   ///
   /// The robot's attributes override the template's, and so do those of its body. Sensors and
   /// behaviours are matched by id (default ids included): the same id overrides, a new one adds,
-  /// remove="true" takes away. A coordinator of the same plugin overrides, another one replaces.
-  /// What a behaviour holds is merged likewise. Of the elements that a plugin declares, those of
-  /// one list replace the template's of that list. A template may name a template itself.
+  /// remove="true" removes. A coordinator of the same plugin overrides, another one replaces. The
+  /// content of a behaviour is merged likewise. Elements that a plugin declares replace the
+  /// template's elements of the same list. A template may have a template itself.
   void merge_all(Element& world);
 
  private:
@@ -45,7 +44,7 @@ class Templates {
   const plugin::Host& host_;
   const Files& files_;
   Problems& problems_;
-  std::map<std::string, std::optional<Element>> loaded_;  // by absolute path; none: it has problems
+  std::map<std::string, std::optional<Element>> loaded_;  // by absolute path; none: has problems
   std::vector<std::string> open_;                         // being loaded, outermost first
 };
 

@@ -4,21 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "elsie/world/footprint.h"
+
 namespace elsie::world {
 namespace {
-
-/// What a coupling needs to know of a body, seen from above.
-struct Outline {
-  double half_length, half_width;
-};
-
-Outline outline_of(const RobotBody& body) {
-  return {std::max(0.5 * body.length, body.wheel_radius),
-          std::max(0.5 * body.width, body.half_axle() + 0.5 * body.wheel_width)};
-}
-Outline outline_of(const Segment& segment) {
-  return {std::max(0.5 * segment.length, segment.wheel_radius), 0.5 * segment.width};
-}
 
 /// The angle at which a corner, `half_width` m aside of the joint's line and `back` m behind the
 /// joint, reaches a face that lies `front` m before the joint and across the line.
@@ -32,10 +21,10 @@ double angle_of_touch(double half_width, double back, double front) {
 
 std::vector<Coupling> couplings(const RobotBody& body, std::span<const Segment> segments) {
   std::vector<Coupling> result;
-  Outline front = outline_of(body);
+  Footprint front = footprint_of(body, {}, 0.0);
   double place = 0.0;
   for (const Segment& segment : segments) {
-    const Outline own = outline_of(segment);
+    const Footprint own = footprint_of(segment, {}, 0.0);
     const double apart = front.half_length + segment.gap + own.half_length;
     Coupling coupling;
     coupling.behind = segment.hitch.value_or(front.half_length + 0.5 * segment.gap);

@@ -1,18 +1,21 @@
-// Fills a world with what the tree of its file says.
+// Reads the tree of a world file into a World.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elsie/api/declaration.h"
+#include "elsie/world/description.h"
 #include "elsie/world/error.h"
 #include "elsie/world/files.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/object_reader.h"
 #include "elsie/world/vocabulary.h"
-
-#include "reading.h"
 
 namespace elsie::plugin {
 class Host;
@@ -20,8 +23,32 @@ class Host;
 
 namespace elsie::world {
 
-/// Where the vocabulary ends, at the use of a plugin, the plugin's declaration goes on. For one
-/// reading.
+/// An attribute that names a thing that must exist.
+struct Mention {
+  Reference kind = Reference::none;
+  std::string id;
+  Location where;
+  std::string in_words;  // `team="red" of <robot>`
+};
+
+struct Reading {
+  World world;
+  std::vector<Mention> mentions;
+  /// Elements with mistakes: their objects have defaults instead of the wrong values, which later
+  /// checks must not judge.
+  std::set<std::pair<std::string, int>> unsound;
+  /// Robots, by their places in World::robots, with a template or a plugin that could not be found.
+  std::set<std::size_t> incomplete_robots;
+
+  bool sound(const Location& where) const { return !unsound.contains({where.file, where.line}); }
+  bool sound_with_segments(const Robot& robot) const {
+    return sound(robot.location) &&
+           std::all_of(robot.segments.begin(), robot.segments.end(),
+                       [&](const Segment& segment) { return sound(segment.location); });
+  }
+};
+
+/// Elements of plugins are read by the plugins' declarations. For one reading.
 class TreeReader : private ObjectReader {
  public:
   /// `check_plugins`: ReadOptions::check_plugins.
@@ -35,7 +62,7 @@ class TreeReader : private ObjectReader {
   Reading read(const Element& root);
 
  private:
-  // What the attributes of an element say of declared parameters; see PluginUse.
+  // The declared parameters of an element; see PluginUse.
   struct Values {
     std::map<std::string, ParameterValue>& parameters;
     std::map<std::string, FileName>& file_names;
@@ -48,8 +75,7 @@ class TreeReader : private ObjectReader {
                const Element& element) override;
   void mark_robot_incomplete();
 
-  // The uses of plugins: use_reader.cpp. Those that read something return whether it is as its
-  // element says.
+  // Those that read something return whether the element had no mistakes.
   bool read_inside(const ElementSpec& spec, const Declaration& declaration, const Element& element,
                    void* object);
   bool read_element(const ElementDeclaration& declared, const Element& element, ElementUse& use);

@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "elsie/base/near_name.h"
-#include "elsie/base/number_text.h"
-#include "elsie/plugin/parameters.h"
 #include "elsie/world/live_robot.h"
 
 namespace elsie::world {
@@ -38,18 +36,8 @@ bool in_range(const Field& field, double value) {
   return in_range(field.facts, value) && value >= field.lowest && value <= field.highest;
 }
 
-template <class Value>
-Parsed accepted(Value value) {
-  Parsed parsed;
-  parsed.value.emplace(std::move(value));
-  return parsed;
-}
-
-Parsed refused(std::string problem) {
-  Parsed parsed;
-  parsed.problem = std::move(problem);
-  return parsed;
-}
+Parsed accepted(ParameterValue value) { return {std::move(value), ""}; }
+Parsed refused(std::string problem) { return {std::nullopt, std::move(problem)}; }
 
 template <class Number>
 Parsed parse_number(const Field& field, std::string_view text) {
@@ -145,23 +133,6 @@ Parsed parse_value(const Field& field, std::string_view text) {
       break;
   }
   return parse_text(field, text);
-}
-
-std::string format_value(const ParameterValue& value) {
-  struct Format {
-    std::string operator()(bool flag) const { return flag ? "true" : "false"; }
-    std::string operator()(std::int64_t number) const { return std::to_string(number); }
-    std::string operator()(double number) const { return base::number_text(number); }
-    std::string operator()(const std::string& text) const { return text; }
-    std::string operator()(const std::vector<double>& numbers) const {
-      std::string list;
-      for (const double number : numbers) {
-        list += (list.empty() ? "" : " ") + base::number_text(number);
-      }
-      return list;
-    }
-  };
-  return std::visit(Format{}, value);
 }
 
 std::string expectation(const Field& field) {

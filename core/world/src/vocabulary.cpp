@@ -1,7 +1,6 @@
 #include "elsie/world/vocabulary.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "elsie/world/facts.h"
 
@@ -143,7 +142,7 @@ ElementSpec charger() {
                  fact("then it is a box of 0.1 m edge instead of a mark"));
 }
 
-ElementSpec goals() {
+Describe<World> goals() {
   const auto radius = size("how near is near enough");
   return Describe<World>("goals",
                          "What makes a run a success. All goals to reach must be met, no goal to "
@@ -202,7 +201,7 @@ ElementSpec goals() {
           &World::goals);
 }
 
-ElementSpec measures() {
+Describe<World> measures() {
   ElementSpec measure =
       Describe<PluginUse>("measure", "A measure: the element has the name of its plugin")
           .plugins(PluginKind::measure)
@@ -230,7 +229,7 @@ std::function<void(Box&)> becomes(BoxKind kind) {
   return [kind](Box& box) { box.kind = kind; };
 }
 
-ElementSpec obstacles() {
+Describe<World> obstacles() {
   return Describe<World>("obstacles", "Boxes that stand in the way")
       .members("obstacle")
       .each(static_box(), &World::boxes, is(BoxKind::fixed), becomes(BoxKind::fixed))
@@ -238,7 +237,7 @@ ElementSpec obstacles() {
       .each(moving_box(), &World::boxes, is(BoxKind::moving), becomes(BoxKind::moving));
 }
 
-ElementSpec resources() {
+Describe<World> resources() {
   return Describe<World>("resources", "Boxes to be collected")
       .members("resource")
       .each(resource(), &World::boxes, is(BoxKind::resource), becomes(BoxKind::resource));
@@ -278,20 +277,23 @@ const ElementSpec* ElementSpec::child(const std::string& child_name) const {
   return found == children.end() ? nullptr : &*found;
 }
 
+std::vector<std::pair<Part, const ElementSpec*>> ElementSpec::parts_of(const void* object) const {
+  std::vector<std::pair<Part, const ElementSpec*>> found;
+  for (const ElementSpec& child : children) {
+    for (const Part& part : child.parts(object)) {
+      found.push_back({part, &child});
+    }
+  }
+  if (group) {
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first.order < b.first.order; });
+  }
+  return found;
+}
+
 const ElementSpec& vocabulary() {
   static const ElementSpec table = world();
   return table;
-}
-
-const ElementSpec& vocabulary_at(const std::vector<std::string>& names) {
-  const ElementSpec* spec = &vocabulary();
-  for (const std::string& name : names) {
-    spec = spec->child(name);
-    if (!spec) {
-      throw std::out_of_range("the vocabulary has no element '" + name + "' there");
-    }
-  }
-  return *spec;
 }
 
 }  // namespace elsie::world

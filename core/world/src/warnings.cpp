@@ -7,7 +7,6 @@
 #include "elsie/base/number_text.h"
 #include "elsie/world/engine_facts.h"
 #include "elsie/world/footprint.h"
-#include "elsie/world/values.h"
 
 namespace elsie::world {
 
@@ -26,11 +25,20 @@ constexpr double kMassRatio = 1e4;
 constexpr double kFarthest = 0.5;  // of a body's length, in a step
 constexpr double kSteepest = 5.0;  // height of the middle over half the base
 
-std::string about(double value) { return base::number_text(value, 3); }
+using base::number_text;
+
+std::string about(double value) { return number_text(value, 3); }
 
 double total_mass(const RobotBody& body) {
   return body.mass * (1.0 + 2.0 * kCasterMass) + 2.0 * body.wheel_mass;
 }
+
+/// The body that a warning is about.
+struct Subject {
+  Warning::About about;
+  const Location& location;
+  std::string name;
+};
 
 class Search {
  public:
@@ -62,12 +70,12 @@ class Search {
       add(Warning::About::physics, p.location, std::move(message));
     };
     if (p.effective_cfm() < kLeastCfm) {
-      warn("cfm is " + number(p.effective_cfm()) +
+      warn("cfm is " + number_text(p.effective_cfm()) +
            ": contacts are rigid, and the solver often finds no motion that satisfies all of them "
            "where bodies touch; expected at least 1e-08, and 1e-05 serves most worlds");
     }
     if (p.effective_erp() > kGreatestErp) {
-      warn("erp is " + number(p.effective_erp()) +
+      warn("erp is " + number_text(p.effective_erp()) +
            ": errors of joints and contacts are corrected all at once, which overshoots; expected "
            "0.1 to 0.8");
     }
@@ -79,7 +87,7 @@ class Search {
     const bool trains = std::any_of(world_.robots.begin(), world_.robots.end(),
                                     [](const Robot& robot) { return !robot.segments.empty(); });
     if (trains && p.wheel_slip < kLeastSlip) {
-      warn("wheel_slip is " + number(p.wheel_slip) +
+      warn("wheel_slip is " + number_text(p.wheel_slip) +
            ": the wheels of robots and of their segments hold against each other rigidly, and the "
            "solver often finds no motion that satisfies all of them; expected at least 1e-06, and "
            "0.001 serves most worlds");
@@ -91,16 +99,15 @@ class Search {
     }
     if (arena.walls && arena.wall_height < wheels) {
       add(Warning::About::physics, arena.location,
-          "the walls are " + number(arena.wall_height) +
-              " m high, lower than the axles of wheels of " + number(wheels) +
-              " m radius, which roll over them; expected more than " + number(wheels) + " m");
+          "the walls are " + number_text(arena.wall_height) +
+              " m high, lower than the axles of wheels of " + number_text(wheels) +
+              " m radius, which roll over them; expected more than " + number_text(wheels) + " m");
     }
   }
 
   /// Contacts hold a weight by a depth that grows with their softness. They push no faster than
   /// kMaxCorrectingSpeed, and what needs more than that sinks on and on.
-  void sinking(Warning::About what, const Location& location, const std::string& whose, double mass,
-               double size) {
+  void sinking(const Subject& body, double mass, double size) {
     const Physics& p = world_.physics;
     const double force = mass * gravity_ / kSupports;
     // An erp that is too small has a warning of its own.
@@ -113,21 +120,20 @@ class Search {
     }
     const double most =
         std::min(deepest * erp / (p.step * force), 0.5 * kMaxCorrectingSpeed / force);
-    add(what, location,
-        whose + " weighs " + about(mass) + " kg, under which it sinks " +
+    add(body.about, body.location,
+        body.name + " weighs " + about(mass) + " kg, under which it sinks " +
             (speed < kMaxCorrectingSpeed ? about(depth) + " m into the floor"
                                          : "through the floor") +
             ": contacts are too soft, with a cfm of " + about(p.effective_cfm()) +
             (p.kp && p.kd ? " from kp and kd" : "") + "; expected at most " + about(most));
   }
 
-  void crossing(Warning::About what, const Location& location, const std::string& whose,
-                double speed, double size) {
+  void crossing(const Subject& body, double speed, double size) {
     const double way = speed * world_.physics.step;
     if (way > kFarthest * size) {
-      add(what, location,
-          whose + " moves up to " + about(way) + " m in a step at " + number(speed) +
-              " m/s, more than half its size of " + number(size) +
+      add(body.about, body.location,
+          body.name + " moves up to " + about(way) + " m in a step at " + number_text(speed) +
+              " m/s, more than half its size of " + number_text(size) +
               " m, and may pass into or through what stands in its way; expected a step of at "
               "most " +
               about(kFarthest * size / speed) + " s");
@@ -141,13 +147,12 @@ class Search {
     };
     const RobotBody& body = robot.body;
     const double mass = total_mass(body);
-    sinking(Warning::About::robot, robot.location, whose, mass,
-            std::min(body.wheel_radius, body.clearance));
-    crossing(Warning::About::robot, robot.location, whose, robot.max_speed,
-             std::min(body.length, body.width));
+    const Subject subject{Warning::About::robot, robot.location, whose};
+    sinking(subject, mass, std::min(body.wheel_radius, body.clearance));
+    crossing(subject, robot.max_speed, std::min(body.length, body.width));
     const double holds = mass * gravity_ * half_base(body);
     if (2.0 * body.wheel_torque > kStrongest * holds) {
-      warn(whose + " has motors of " + number(body.wheel_torque) +
+      warn(whose + " has motors of " + number_text(body.wheel_torque) +
            " N m, and its weight holds only " + about(0.5 * holds) +
            " N m of each before the chassis turns over instead of the wheels; expected at most " +
            about(0.5 * kStrongest * holds) + " N m");
@@ -156,46 +161,45 @@ class Search {
     const double gained = body.wheel_torque * world_.physics.step / inertia;
     const double top_rate = std::max(robot.max_speed, 0.1) / body.wheel_radius;
     if (gained > kSpinUp * top_rate) {
-      warn(whose + " has motors of " + number(body.wheel_torque) + " N m, which bring a wheel of " +
-           number(body.wheel_mass) + " kg to " + about(gained / top_rate) +
+      warn(whose + " has motors of " + number_text(body.wheel_torque) +
+           " N m, which bring a wheel of " + number_text(body.wheel_mass) + " kg to " +
+           about(gained / top_rate) +
            " times its top speed in one step; expected a smaller wheel_torque, a larger "
            "wheel_mass or a step of at most " +
            about(world_.physics.step * kSpinUp * top_rate / gained) + " s");
     }
-    ratio(Warning::About::robot, robot.location, "the chassis of " + whose, body.mass, "each wheel",
-          body.wheel_mass);
+    ratio({Warning::About::robot, robot.location, "the chassis of " + whose}, body.mass,
+          "each wheel", body.wheel_mass);
     for (const Segment& segment : robot.segments) {
-      ratio(Warning::About::robot, segment.location, "the segment '" + segment.id + "' of " + whose,
-            segment.mass, "the robot", mass);
-      sinking(Warning::About::robot, segment.location,
-              "the segment '" + segment.id + "' of " + whose, segment.mass,
-              std::min(segment.wheel_radius, segment.clearance));
+      const Subject pulled{Warning::About::robot, segment.location,
+                           "the segment '" + segment.id + "' of " + whose};
+      ratio(pulled, segment.mass, "the robot", mass);
+      sinking(pulled, segment.mass, std::min(segment.wheel_radius, segment.clearance));
     }
     const double height = body.clearance + 0.5 * body.height;
     const double base = std::min(half_base(body), body.half_axle());
     if (height > kSteepest * base) {
       const double most = 2.0 * (kSteepest * base - body.clearance);
-      warn(whose + " has its middle " + number(height) + " m above the floor on a base of " +
+      warn(whose + " has its middle " + number_text(height) + " m above the floor on a base of " +
            about(2.0 * base) + " m, and topples; expected a " +
            (most > 0.0 ? "height of at most " + about(most) + " m" : "wider or longer chassis"));
     }
   }
 
-  void ratio(Warning::About what, const Location& location, const std::string& one, double mass,
-             const std::string& other, double other_mass) {
+  void ratio(const Subject& body, double mass, const std::string& other, double other_mass) {
     if (std::max(mass, other_mass) > kMassRatio * std::min(mass, other_mass)) {
-      add(what, location,
-          one + " weighs " + about(mass) + " kg and " + other + " " + about(other_mass) +
+      add(body.about, body.location,
+          body.name + " weighs " + about(mass) + " kg and " + other + " " + about(other_mass) +
               " kg: masses so unlike are too much for the solver's precision where they touch; "
               "expected a ratio of at most " +
-              number(kMassRatio));
+              number_text(kMassRatio));
     }
   }
 
   void box(const Box& box) {
-    const std::string whose = "the box '" + box.id + "'";
+    const Subject subject{Warning::About::box, box.location, "the box '" + box.id + "'"};
     if (box.kind == BoxKind::dynamic) {
-      sinking(Warning::About::box, box.location, whose, box.mass, box.height);
+      sinking(subject, box.mass, box.height);
       const Robot* least = nullptr;
       for (const Robot& robot : world_.robots) {
         if (!least || unlike(box, robot) > unlike(box, *least)) {
@@ -203,14 +207,12 @@ class Search {
         }
       }
       if (least) {
-        ratio(Warning::About::box, box.location, whose, box.mass, "the robot '" + least->id + "'",
-              total_mass(least->body));
+        ratio(subject, box.mass, "the robot '" + least->id + "'", total_mass(least->body));
       }
     }
     if (box.kind == BoxKind::moving && !box.waypoints.empty()) {
-      crossing(Warning::About::box, box.location, whose, box.speed,
-               std::min(box.length, box.width));
-      reaching(box, whose);
+      crossing(subject, box.speed, std::min(box.length, box.width));
+      reaching(box, subject);
     }
   }
 
@@ -219,7 +221,7 @@ class Search {
   }
 
   /// Nothing stops a moving box: it presses what stands between it and a wall through the wall.
-  void reaching(const Box& box, const std::string& whose) {
+  void reaching(const Box& box, const Subject& subject) {
     if (!world_.arena.walls) {
       return;
     }
@@ -232,15 +234,14 @@ class Search {
       if (std::abs(place.x) + footprint.reach(1.0, 0.0) > 0.5 * world_.arena.length ||
           std::abs(place.y) + footprint.reach(0.0, 1.0) > 0.5 * world_.arena.width) {
         add(Warning::About::box, box.location,
-            whose + " reaches into a wall at (" + number(place.x) + ", " + number(place.y) +
+            subject.name + " reaches into a wall at (" + number_text(place.x) + ", " +
+                number_text(place.y) +
                 "), and presses what stands between through it; expected a path that leaves room "
                 "for a robot beside the wall");
         return;
       }
     }
   }
-
-  static std::string number(double value) { return format_value(ParameterValue(value)); }
 
   const World& world_;
   double gravity_;

@@ -32,19 +32,8 @@ void append_parameters(std::string& text, const Use& use) {
 std::string element(const ElementSpec& spec, const void* object, bool needed, std::size_t depth);
 
 std::string children(const ElementSpec& spec, const void* object, std::size_t depth) {
-  // Elements of several kinds may stand for the objects of one list: written in its order.
-  std::vector<std::pair<Part, const ElementSpec*>> parts;
-  for (const ElementSpec& child : spec.children) {
-    for (const Part& part : child.parts(object)) {
-      parts.push_back({part, &child});
-    }
-  }
-  if (spec.group) {
-    std::stable_sort(parts.begin(), parts.end(),
-                     [](const auto& a, const auto& b) { return a.first.order < b.first.order; });
-  }
   std::string text;
-  for (const auto& [part, child] : parts) {
+  for (const auto& [part, child] : spec.parts_of(object)) {
     const bool is_listed = spec.group || child->at_most > 1;
     text += element(*child, part.object, is_listed, depth);
   }

@@ -13,7 +13,6 @@
 #include "elsie/plugin/abi_word.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/plugin/own_library.h"
 #include "elsie/results/hash.h"
 #include "elsie/world/writer.h"
 
@@ -65,7 +64,7 @@ class Planner {
     for (const experiment::Factor& factor : experiment_.factors) {
       plan_.factors.push_back(factor.name);
     }
-    for (const std::filesystem::path& library : plugin::deciding_libraries()) {
+    for (const std::filesystem::path& library : deciding_libraries()) {
       add_file(FileKind::library, absolute(library.string()));
     }
     plan_.program_files = plan_.files.size();

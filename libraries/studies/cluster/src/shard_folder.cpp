@@ -12,10 +12,10 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include "elsie/base/shell_word.h"
 #include "elsie/base/write_whole.h"
 #include "elsie/batch/merge.h"
 #include "elsie/batch/results_database.h"
+#include "elsie/process/shell_word.h"
 #include "elsie/results/hash.h"
 
 namespace fs = std::filesystem;
@@ -47,11 +47,11 @@ std::int64_t number(const Json& object, const char* key) {
 
 std::string script_text(const ShardFolder& folder, const std::vector<std::string>& command) {
   const std::string task = "\"$SLURM_ARRAY_TASK_ID\"";
-  const std::string part = base::shell_word((folder.path() / "shard-").string()) + task;
+  const std::string part = process::shell_word((folder.path() / "shard-").string()) + task;
   return "#!/bin/sh\n"
          "# A task of a job array does one shard, and continues when it is requeued.\n"
          "exec " +
-         base::shell_line(command) + " --shard " + task + "/" + std::to_string(folder.shards()) +
+         process::shell_line(command) + " --shard " + task + "/" + std::to_string(folder.shards()) +
          " \\\n  --database " + part + ".sqlite --progress " + part + ".json --resume --quiet\n";
 }
 

@@ -59,7 +59,7 @@ ElementSpec factor() {
       .each(level(), &FactorDraft::levels);
 }
 
-ElementSpec worlds() {
+Describe<ExperimentDraft> worlds() {
   return Describe<ExperimentDraft>("worlds",
                                    "The worlds to run, which are the levels of the factor "
                                    "\"world\"")

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "elsie/base/number_text.h"
-#include "elsie/base/shell_word.h"
+#include "elsie/process/shell_word.h"
 
 namespace elsie::report {
 
@@ -91,7 +91,7 @@ std::string in_words(const std::string& name, const std::string& unit) {
 }
 
 std::string replay_command(const std::string& database, std::int64_t run) {
-  return "elsie replay " + base::shell_word(database) + ' ' + std::to_string(run);
+  return "elsie replay " + process::shell_word(database) + ' ' + std::to_string(run);
 }
 
 }  // namespace elsie::report

@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "elsie/base/shell_word.h"
+#include "elsie/process/shell_word.h"
 
 #include "markup.h"
 #include "numbers.h"
@@ -208,7 +208,7 @@ std::string left_out(const PageContext& page) {
   }
   return "<p class=\"lead\">" + std::to_string(shown) + " of " + counted(all, "cell") +
          (shown == 1 ? " is" : " are") + " drawn here. <code>elsie report " +
-         escaped(base::shell_word(page.database)) +
+         escaped(process::shell_word(page.database)) +
          " --html FILE.html --cells TEXT</code> draws those whose names have the text in "
          "them.</p>\n";
 }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/base/output_file.h"
+#include "elsie/output/output_file.h"
 
 #include "bytes.h"
 #include "compression.h"
@@ -241,7 +241,7 @@ class Writer::Impl {
 
   WriterOptions options_;
   Compressor compress_;
-  base::OutputFile out_;
+  output::OutputFile out_;
   std::uint32_t checksum_ = 0;  // of all that was written
   std::vector<Schema> schemas_;
   std::vector<Channel> channels_;

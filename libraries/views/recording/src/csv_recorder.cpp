@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/base/csv_line.h"
-#include "elsie/base/record_file.h"
+#include "elsie/output/csv_line.h"
+#include "elsie/output/record_file.h"
 #include "elsie/simulation/sampling.h"
 #include "elsie/simulation/simulation.h"
 
@@ -98,7 +98,7 @@ class CsvRecorder::Impl {
   };
 
   static std::string quoted(const std::string& name) {
-    base::CsvLine line;
+    output::CsvLine line;
     line.text(name);
     return line.take();
   }
@@ -128,7 +128,7 @@ class CsvRecorder::Impl {
   void sample(const simulation::Simulation& simulation) {
     for (std::size_t r = 0; r < simulation.robots(); ++r) {
       const simulation::RobotView robot = simulation.robot(r);
-      line_.number(base::tidy_time(simulation.time_s()));
+      line_.number(output::tidy_time(simulation.time_s()));
       line_.text(robot.description->id);
       for (const double value :
            {robot.state->pose.x, robot.state->pose.y, robot.state->pose.heading_rad,
@@ -186,7 +186,7 @@ class CsvRecorder::Impl {
     }
   }
 
-  base::RecordFile out_;
+  output::RecordFile out_;
   double rate_hz_;
   bool with_times_;
   double flushed_at_s_ = 0.0;
@@ -197,7 +197,7 @@ class CsvRecorder::Impl {
   std::vector<NamedValue> values_;
   std::vector<const NamedValue*> row_;
   std::vector<const simulation::TracedMember*> trace_;
-  base::CsvLine line_;
+  output::CsvLine line_;
 };
 
 Format CsvRecorder::format() {

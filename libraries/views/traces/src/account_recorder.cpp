@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "elsie/base/csv_line.h"
+#include "elsie/output/csv_line.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/trace_rows.h"
 
@@ -29,14 +29,14 @@ class AccountRecorder::Impl {
     if ((simulation.steps() - 1) % period_steps_ != 0) {
       return;
     }
-    const double now_s = base::tidy_time(static_cast<double>(simulation.steps() - 1) * step_s_);
+    const double now_s = output::tidy_time(static_cast<double>(simulation.steps() - 1) * step_s_);
     for (std::size_t r = 0; r < watches_.size(); ++r) {
       look(simulation.robot(r), robots_[r], watches_[r], now_s);
     }
   }
 
   void end(const simulation::Simulation& simulation) {
-    const double end_s = base::tidy_time(simulation.time_s());
+    const double end_s = output::tidy_time(simulation.time_s());
     double first_s = end_s;
     for (const Watch& watch : watches_) {
       if (watch.begun && watch.count() > 0) {

@@ -1,4 +1,4 @@
-// Cells of tables of comma-separated values (RFC 4180).
+// Cells of comma-separated values (RFC 4180).
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace elsie::base {
 
-/// The text as one cell: between double quotes when it holds a comma, a quote, the end of a line,
-/// or '#', which some readers take for the start of a comment.
+/// The text as one cell. It is quoted when it holds a comma, a quote, an end of line, or '#', which
+/// some readers take for the start of a comment.
 std::string csv_cell(std::string_view text);
 
 }  // namespace elsie::base

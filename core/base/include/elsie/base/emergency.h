@@ -1,20 +1,18 @@
-// What is left to do when the process is brought down: files to be written to their end, folders to
-// be removed.
+// The last work of a process that crashes or is stopped: completing files, removing folders.
 #pragma once
 
 #include <sys/types.h>
 
 namespace elsie::base {
 
-/// Something that is written, or removed, when the process is brought down.
+/// Completes or removes something when the process crashes or is stopped.
 class EmergencyWriter {
  public:
   virtual ~EmergencyWriter() = default;
-  // Both are called within handlers of signals: they may use write(2), unlink(2) and the like,
-  // nothing else.
+  // Signal handlers call both functions, so they may only use calls like write(2) and unlink(2).
 
-  /// Called before the stack trace is written, and only in the thread that made this object: what
-  /// another thread is in the middle of is left alone. Returns whether there was a file to write.
+  /// Called before the stack trace, only on the thread that made this object: another thread may be
+  /// in the middle of a change. Returns whether there was a file to write.
   virtual bool write_now() noexcept { return false; }
   /// Called after the stack trace.
   virtual void clean_up_now() noexcept {}
@@ -23,7 +21,7 @@ class EmergencyWriter {
   EmergencyWriter();
   EmergencyWriter(const EmergencyWriter&) = delete;
   EmergencyWriter& operator=(const EmergencyWriter&) = delete;
-  /// For the destructors of derived classes, which call it first.
+  /// Destructors of derived classes call this first.
   void retire() noexcept;
 
  private:
@@ -31,8 +29,7 @@ class EmergencyWriter {
   const pid_t thread_;
 };
 
-/// Calls write_now() of every writer of this thread; returns whether one of them had a file to
-/// write.
+/// Calls write_now() of every writer of this thread. Returns whether one of them had a file.
 bool write_in_emergency() noexcept;
 /// Calls clean_up_now() of every writer; a second call does nothing.
 void clean_up_in_emergency() noexcept;

@@ -6,7 +6,7 @@
 
 namespace elsie::base {
 
-/// What the program tells the shell.
+/// The exit codes of the program.
 enum ExitCode {
   kSuccess = 0,
   kGoalMissed = 1,    // the run ended without reaching its goal
@@ -15,23 +15,22 @@ enum ExitCode {
   kOtherFailure = 4,  // anything else: a full disk, an interrupt
 };
 
-/// An error with a sentence for the user, and the exit code that the program ends with when nobody
-/// handles it.
+/// An error with a sentence for the user, and the program's exit code if nothing catches it.
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& sentence, ExitCode exit_code = kOtherFailure)
       : std::runtime_error(sentence), exit_code_(exit_code) {}
 
   ExitCode exit_code() const { return exit_code_; }
-  /// The whole message that the program prints: the sentence after the program's name, unless the
-  /// error is made of lines that name files.
+  /// The message that the program prints: the sentence after the program's name, or lines that
+  /// begin with the names of files.
   virtual std::string message() const;
 
  private:
   ExitCode exit_code_;
 };
 
-/// Input that cannot be worked with.
+/// Input that the program cannot use.
 class BadInput : public Error {
  public:
   explicit BadInput(const std::string& sentence) : Error(sentence, kBadInput) {}

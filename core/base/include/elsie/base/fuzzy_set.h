@@ -26,7 +26,7 @@ struct FuzzySet {
   friend bool operator==(const FuzzySet&, const FuzzySet&) = default;
 };
 
-/// What a behaviour wishes of each wheel before it settled on a number: rad/s on the x axis.
+/// The fuzzy sets of wheel rates behind a behaviour's command: rad/s on the x axis.
 struct CommandSets {
   FuzzySet left;
   FuzzySet right;

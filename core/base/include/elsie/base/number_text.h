@@ -19,8 +19,7 @@ std::string fixed_text(double value, int decimals);
 /// A time in seconds to six significant digits: "0.25 s".
 std::string seconds_text(double seconds);
 
-/// The text of number_text(value) without allocating memory: for long tables, and for handlers of
-/// signals.
+/// number_text(value) without allocating memory, for long tables and signal handlers.
 class NumberText {
  public:
   explicit NumberText(double value) noexcept;

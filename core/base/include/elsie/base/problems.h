@@ -1,4 +1,4 @@
-// What is wrong with a file: all of it, each with its line.
+// All mistakes of a file, each with its line.
 #pragma once
 
 #include <cstddef>
@@ -25,20 +25,20 @@ struct Problem {
   std::string file;            // as the user named it, or "--set PATH=VALUE"
   int line = 0;                // from 1; 0: the file as a whole
   std::string message;         // a sentence: what was found, what was expected
-  bool plugin_failed = false;  // the file is not at fault: a constructor of a plugin throws
+  bool plugin_failed = false;  // the file is right, but a plugin's constructor throws
 
   /// "file:line: message"
   std::string text() const;
   friend bool operator==(const Problem&, const Problem&) = default;
 };
 
-/// All the mistakes of a file and of those that it includes. what() has one line for each.
+/// All mistakes of a file and of the files that it includes. what() has one line for each.
 class FileError : public Error {
  public:
   explicit FileError(std::vector<Problem> problems);
 
   const std::vector<Problem>& problems() const { return problems_; }
-  /// Whether a plugin is at fault for one of them.
+  /// Whether one of them is a plugin's fault.
   bool plugin_failed() const { return exit_code() == kPluginFailed; }
   std::string message() const override { return what(); }
 
@@ -49,13 +49,13 @@ class FileError : public Error {
 /// Collects problems while a file is read, so that all of them are reported together.
 class Problems {
  public:
-  /// `file`: where problems are that are added without one. `most`: how many are reported; those
-  /// beyond are counted.
+  /// `file` is the file of problems that are added without one. At most `most` problems are
+  /// reported; the rest are counted.
   explicit Problems(std::string file = {},
                     std::size_t most = std::numeric_limits<std::size_t>::max());
 
-  /// A problem that was added before is left out: a template's mistake is met by every robot that
-  /// uses it.
+  /// Ignores a problem that was added before: every robot with the same template finds its
+  /// mistakes.
   void add(const Location& where, std::string message, bool plugin_failed = false);
   void add(int line, std::string message) { add({file_, line}, std::move(message)); }
   void add(std::span<const Problem> problems);
@@ -65,7 +65,7 @@ class Problems {
     left_out_ += others.left_out_;
   }
 
-  /// Something untidy that does no harm.
+  /// Adds a remark on something that is allowed, but untidy.
   void add_note(int line, std::string message);
   /// Forgets the problems and notes of these lines.
   void forget(int first_line, int last_line);
@@ -74,11 +74,11 @@ class Problems {
   std::size_t size() const { return problems_.size(); }
   /// The notes, by line.
   std::vector<Problem> notes() const;
-  /// The problems by line, those of the main file first, the other files in the order in which they
-  /// were met; when there are too many, the last one says how many are left out.
+  /// The problems by line: first those of the main file, then those of the other files in the order
+  /// in which they were added. If there are too many, the last one says how many are left out.
   std::vector<Problem> sorted(const std::string& main_file) const;
 
-  /// Throws the problems as an error of this type; does nothing when there are none.
+  /// Throws the problems as an error of this type, if there are any.
   template <class FileErrorType>
   void raise(const std::string& main_file) const {
     if (!empty()) {
@@ -91,11 +91,11 @@ class Problems {
   }
 
  private:
-  static constexpr std::size_t kMostKept = 100'000;  // a file can be wrong in every byte
+  static constexpr std::size_t kMostKept = 100'000;
 
   std::string file_;
   std::size_t most_;
-  std::size_t left_out_ = 0;  // that were not kept
+  std::size_t left_out_ = 0;  // problems beyond kMostKept
   std::vector<Problem> problems_;
   std::vector<Problem> notes_;
   std::set<std::tuple<std::string, int, std::string>> known_;

@@ -6,11 +6,11 @@
 
 namespace elsie {
 
-/// Every sensor, behaviour and network draws from a stream of its own, derived from the run's seed
-/// and its owner's path in the world, so that adding one sensor does not change another one's
-/// noise. The numbers depend on the seed alone, not on the standard library (normal() also on the
-/// C library's log and cos). Generator: xoshiro256++ (Blackman and Vigna, 2018), seeded through
-/// splitmix64 (Steele, Lea and Flood, 2014).
+/// Every sensor, behaviour and network has its own stream, derived from the run's seed and the
+/// owner's path in the world, so that a new sensor does not change another one's noise. The numbers
+/// do not depend on the standard library (normal() depends on the C library's log and cos).
+/// Generator: xoshiro256++ (Blackman and Vigna, 2018), seeded through splitmix64 (Steele, Lea and
+/// Flood, 2014).
 class Random {
  public:
   explicit Random(std::uint64_t seed = 0);

@@ -1,4 +1,4 @@
-// UTF-8 (RFC 3629), from sources that may hold anything: logs, file names, what plugins say.
+// UTF-8 (RFC 3629) from sources that may hold any bytes: logs, file names, texts of plugins.
 #pragma once
 
 #include <cstddef>
@@ -8,26 +8,25 @@
 
 namespace elsie::base {
 
-/// U+FFFD, which stands for what could not be read.
+/// U+FFFD, which replaces invalid bytes.
 inline constexpr std::string_view kReplacement = "\xef\xbf\xbd";
 inline constexpr std::string_view kEllipsis = "\xe2\x80\xa6";
 
 /// One character.
 struct Character {
   std::uint32_t code = 0;  // its code point
-  std::size_t bytes = 0;   // how long it is, 1 to 4; 0: there is none
+  std::size_t bytes = 0;   // 1 to 4; 0: no character
 };
 
-/// The character that begins at `at`, which is less than the text's size. None when these bytes are
-/// no UTF-8: overlong forms, surrogates and what is above U+10FFFF are none either.
+/// The character that begins at `at`, which is less than the text's size; none when the bytes are
+/// not UTF-8. Overlong forms, surrogates and codes above U+10FFFF are not UTF-8.
 Character character_at(std::string_view text, std::size_t at);
 
-/// The first place where no character begins; the text's size when all of it is UTF-8.
+/// The place of the first byte that is not UTF-8; the text's size when there is none.
 std::size_t first_invalid(std::string_view text);
 
-/// Text that any reader takes, also of XML: bytes that are no UTF-8, control characters but tabs
-/// and line feeds, and the two code points that XML leaves out are replaced by U+FFFD, one for each
-/// byte or character.
+/// Text that every reader accepts, also one of XML. U+FFFD replaces each byte that is not UTF-8,
+/// each control character but tabs and line feeds, and U+FFFE and U+FFFF.
 std::string clean(std::string_view text);
 
 /// clean(), on one line: line feeds and tabs become blanks.
@@ -36,8 +35,7 @@ std::string one_line(std::string_view text);
 /// The number of characters of UTF-8.
 std::size_t characters(std::string_view text);
 
-/// At most so many characters of clean(text), of which an ellipsis in the middle is one when some
-/// had to go.
+/// At most `most` characters of clean(text). An ellipsis replaces the middle of a longer text.
 std::string shortened(std::string_view text, std::size_t most);
 
 }  // namespace elsie::base

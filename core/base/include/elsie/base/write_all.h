@@ -5,8 +5,7 @@
 
 namespace elsie::base {
 
-/// Writes all of it to a descriptor. Zero, or the error number (errno) of what went wrong. For
-/// handlers of signals, too.
+/// Writes all bytes to a descriptor. Returns zero or errno. Signal handlers may use it.
 int write_all(int descriptor, std::string_view bytes) noexcept;
 
 }  // namespace elsie::base

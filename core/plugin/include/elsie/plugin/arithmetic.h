@@ -1,16 +1,15 @@
-// The processor's way of computing: how results are rounded, and what happens to very small ones.
+// The processor's floating-point settings: rounding, and the treatment of very small numbers.
 #pragma once
 
 #include <cstdint>
 
 namespace elsie::plugin {
 
-/// The control part of the floating-point environment of this thread: rounding, flushing of
-/// denormal numbers to zero, precision, and which errors raise a signal. Flags that only report
-/// what happened are not part of it.
+/// The control part of this thread's floating-point environment: rounding, flushing of denormal
+/// numbers to zero, precision, and which errors raise a signal. Status flags are not part of it.
 class Arithmetic {
  public:
-  /// As it is now. Takes about a nanosecond.
+  /// The present settings. Takes about a nanosecond.
   static Arithmetic now() noexcept {
     Arithmetic found;
 #if defined(__x86_64__)
@@ -22,10 +21,10 @@ class Arithmetic {
     return found;
   }
 
-  /// Makes the thread compute so again.
+  /// Makes these the thread's settings.
   void restore() const noexcept;
 
-  /// What was changed, to follow "it changed": "how results are rounded". A text that stays.
+  /// What differs, to follow "it changed": "how results are rounded". The text is static.
   const char* difference_from(const Arithmetic& usual) const noexcept;
 
   friend bool operator==(const Arithmetic&, const Arithmetic&) = default;

@@ -1,4 +1,4 @@
-// Whether a file is still the one that was looked at.
+// Whether a file has changed.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Fingerprint {
   dev_t device = 0;
   ino_t inode = 0;
   off_t size = 0;
-  std::int64_t changed_ns = 0;  // its content; since 1970
+  std::int64_t changed_ns = 0;  // last change of its content, since 1970
 
   friend bool operator==(const Fingerprint&, const Fingerprint&) = default;
 };

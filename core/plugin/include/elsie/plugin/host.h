@@ -1,13 +1,13 @@
-// The plugin host: it finds plugin libraries, checks them, loads them, and makes their objects.
+// The plugin host finds plugin libraries, checks them, loads them, and makes their objects.
 //
 //   elsie::plugin::Host host(elsie::plugin::default_search_path());
 //   auto behavior = host.create<elsie::Behavior>(elsie::PluginKind::behavior, "wander");
 //
-// A file passes through four gates, and is refused with a sentence at the first that it fails:
-// its ELF note is read from the file (nothing is loaded); its ABI word is compared with the host's;
-// the system loads it (all symbols bound at once, none visible to other libraries); its plugins'
-// declarations are read and checked. No bad file keeps the others from being used. What no program
-// can guard against is a well-formed plugin library whose static constructors do harm.
+// Four checks refuse a file with a sentence: its ELF note is read from the file (nothing is
+// loaded); its ABI word is compared with the host's; the system loads it (all symbols bound at
+// once, none visible to other libraries); its plugins' declarations are read and checked. A bad
+// file does not affect the others. The host cannot protect itself from harmful static constructors
+// in a library that passes the first two checks.
 #pragma once
 
 #include <filesystem>
@@ -25,62 +25,61 @@ namespace elsie::plugin {
 
 class Library;
 
-/// Destroys a plugin's object, and lets go of its library afterwards.
+/// Destroys a plugin's object, then releases its library.
 struct Release {
   std::shared_ptr<const Library> library;  // none for plugins that are linked into the program
 
   void operator()(Component* object);
 };
 
-/// A plugin's object. It may outlive the host: its library stays until the last object is gone.
+/// A plugin's object. It may outlive the host: its library stays loaded until the last object is
+/// destroyed.
 template <class T>
 using Object = std::unique_ptr<T, Release>;
 
 /// How libraries are loaded.
 enum class Loading {
-  in_place,  // from their files, which must stay as they are for as long as they are in use
+  in_place,  // from their files, which must not change while they are in use
   copies     // from private copies: the files may be replaced or overwritten
 };
 
-/// Hosts know nothing of each other, but for what renewed() says. Loading and adding are for one
-/// thread; the const members may be called from several.
+/// Hosts are independent of each other except after renewed(). One thread loads and adds plugins;
+/// several may call the const members.
 class Host {
  public:
-  /// A host without plugins, for those that are added.
+  /// A host without plugins; see add().
   Host();
-  /// Loads every plugin library in the directories. The first of several plugins of one kind and
-  /// name wins: in the order of the directories, and of file names within one; the report warns of
-  /// the others. Never throws because of a file; read report() for what happened.
+  /// Loads every plugin library in the directories. Of several plugins of one kind and name the
+  /// first is used, in the order of directories and of the file names in each; the report warns of
+  /// the others. Never throws because of a file; see report().
   explicit Host(std::vector<SearchDirectory> directories, Loading loading = Loading::in_place);
   Host(Host&&) noexcept;
   Host& operator=(Host&&) noexcept;
   ~Host();
 
-  /// Another host, of what is in these directories now. A library that has not changed since this
-  /// host loaded it is not loaded again: both hosts have the same one, and find() gives the same
-  /// declarations. A library that has changed is loaded beside the old one, which stays for as long
-  /// as this host or an object of it is there. Where the new file is refused or gone, the new host
-  /// has the old library; the report says so. So it is when the n-th place is one library here and
-  /// was another one there, as with the builds of a source. Plugins that were added are shared,
-  /// too. For hosts with Loading::copies: a file of the same path would otherwise be the old one.
+  /// A new host for what is in these directories now. It shares the libraries that have not changed
+  /// since this host loaded them: find() gives the same declarations. A changed library is loaded
+  /// again, and the old one stays loaded while this host or an object of it exists. If the new file
+  /// is refused or missing, the new host uses the old library, and its report says so; a recompiled
+  /// source counts as the same library. Added plugins are shared, too. Needs Loading::copies:
+  /// without copies, the system takes a file of the same path for the old one.
   Host renewed(std::vector<SearchDirectory> directories) const;
 
-  /// The declaration of a plugin, or null. Valid as long as the host, and as all that were renewed
-  /// from it and have the same library.
+  /// The declaration of a plugin, or null. Valid as long as this host, or one renewed from it that
+  /// shares the library.
   const Declaration* find(PluginKind kind, std::string_view name) const;
   /// All declarations of a kind, sorted by name.
   std::vector<const Declaration*> all(PluginKind kind) const;
-  /// The library that a plugin comes from, or "" when it is linked into the program. For a plugin
-  /// that is not there: "" too.
+  /// The library of a plugin; "" for a plugin that is linked into the program or does not exist.
   std::filesystem::path file_of(PluginKind kind, std::string_view name) const;
-  /// A sentence for the user on why there is no such plugin: the nearest right name, where was
-  /// searched, and which libraries there were refused.
+  /// A sentence that says why there is no such plugin: the nearest name, the directories searched,
+  /// and the libraries refused there.
   std::string explain_missing(PluginKind kind, std::string_view name) const;
 
-  /// Makes an object of a plugin, with all parameters at their defaults; configured() was not yet
-  /// called (apply_parameters() does). T is Component or the kind's class (Sensor, Behavior,
-  /// Coordinator). Throws PluginError when there is no such plugin or its class is no T,
-  /// CreateError when its constructor throws.
+  /// Makes an object of a plugin with default parameters; apply_parameters() calls configured().
+  /// T is Component or the kind's class (Sensor, Behavior, Coordinator, Measure). Throws
+  /// PluginError when there is no such plugin or its class is not T, CreateError when its
+  /// constructor throws.
   template <class T>
   Object<T> create(PluginKind kind, std::string_view name) const {
     Object<Component> object = create_component(kind, name);
@@ -92,8 +91,8 @@ class Host {
     return Object<T>(wanted, std::move(object.get_deleter()));
   }
 
-  /// Adds a plugin that is linked into the program. Throws PluginError when its declaration is
-  /// faulty or its name is taken. See also linked.h.
+  /// Adds a plugin that is linked into the program; see also linked.h. Throws PluginError when its
+  /// declaration has faults or its name is taken.
   void add(Declaration declaration);
 
   const Report& report() const;

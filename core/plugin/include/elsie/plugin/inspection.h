@@ -1,20 +1,17 @@
-// A look at a file, without loading it: is it a plugin library, and of which ABI?
+// Inspects a file without loading it: whether it is a plugin library, and its ABI word.
 //
-// Only the bytes of the file are read. Every offset that the file gives is checked against its
-// size, so that no file, however broken, does harm here; and a library that was cut short, or whose
-// end was never written, is found before the loader maps memory that is not there.
+// Every offset in the file is checked against its size, so that a broken file does no harm, and a
+// library that was cut short is found before the loader maps memory that does not exist.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <span>
 #include <string>
 
 namespace elsie::plugin {
 
 enum class FileKind {
   plugin_library,  // an ELF shared library for this processor with an ABI word
-  other,           // anything that does not claim to be a plugin library: none of our business
+  other,           // does not claim to be a plugin library
   damaged,         // an ELF file cut short or inconsistent
   foreign          // a plugin library for another processor
 };
@@ -22,14 +19,11 @@ enum class FileKind {
 struct Inspection {
   FileKind kind = FileKind::other;
   std::string abi_word;  // of a plugin library
-  std::string sentence;  // what was found, unless it is a plugin library; without the file's name
+  std::string sentence;  // what was found, without the file's name; "" for a plugin library
 };
 
-/// Looks at a file. Never throws because of what the file is or holds; a file that cannot be opened
-/// is `other`, with the system's reason.
+/// Never throws because of the file. One that cannot be opened is `damaged`, with the system's
+/// reason.
 Inspection inspect_file(const std::filesystem::path& file);
-
-/// The same for the bytes of a file.
-Inspection inspect_bytes(std::span<const std::byte> bytes);
 
 }  // namespace elsie::plugin

@@ -1,5 +1,4 @@
-// Plugins that are linked into the program instead of loaded: for tests, and for programs that
-// bring their own.
+// Plugins that are linked into a program, as tests do.
 #pragma once
 
 #include <utility>
@@ -10,8 +9,8 @@
 
 namespace elsie::plugin {
 
-/// Adds every plugin that an ELSIE_... macro registered in the program or library that this call is
-/// compiled into. Throws as Host::add() does.
+/// Adds the plugins that ELSIE_... macros register in the program or library with this call. Throws
+/// as Host::add() does.
 __attribute__((visibility("hidden"))) inline void add_linked(Host& host) {
   std::vector<Declaration> declarations;
   elsie::detail::declare_plugins(declarations);

@@ -1,16 +1,16 @@
-// Which plugin library some code belongs to, for handlers of signals.
+// Finds the plugin library of a code address, for signal handlers.
 #pragma once
 
 namespace elsie::plugin {
 
-/// Notes a library that is loaded: `code` is any address in it.
+/// Notes a loaded library; `code` is any address in it.
 void note_loaded(const void* code, const char* file) noexcept;
-/// Before it is unloaded. It stays known where its code was: a thread that it has left behind
+/// Notes that it is about to be unloaded. Its addresses stay known: a thread that it left behind
 /// crashes there.
 void note_unloaded(const char* file) noexcept;
 
-/// The file of the plugin library that the address lies in, or lay in until it was unloaded; null:
-/// in none. For handlers of signals: takes no locks.
+/// The file of the plugin library, loaded or unloaded, with this address; null: there is none.
+/// Takes no locks.
 const char* plugin_library_at(const void* address) noexcept;
 
 }  // namespace elsie::plugin

@@ -1,21 +1,14 @@
-// The libraries of Elsie that this process has loaded.
+// The library that holds this module.
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 namespace elsie::plugin {
 
-/// An address in this module's library. For handlers of signals, too.
+/// An address in this module's library. Signal handlers may use it.
 const void* place_in_this_library() noexcept;
 
-/// The file with the code of this module: libelsie, or a program that contains it. Empty when the
-/// system does not say.
+/// The file with the code of this module: libelsie, or a program that contains it; "" if unknown.
 std::filesystem::path file_of_this_library();
-
-/// The libraries that decide the result of a run, besides those of its plugins: libelsie, which is
-/// the first, and those that it and its plugins compute with (the base, inference, the views, which
-/// take the pictures of cameras, and ODE).
-std::vector<std::filesystem::path> deciding_libraries();
 
 }  // namespace elsie::plugin

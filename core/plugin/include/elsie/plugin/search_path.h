@@ -4,24 +4,39 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace elsie::plugin {
 
-/// Name of the environment variable: directories separated by colons; empty ones are passed over.
+/// The environment variable: directories separated by colons; empty ones are ignored.
 inline constexpr const char* kPluginPathVariable = "ELSIE_PLUGIN_PATH";
 
 struct SearchDirectory {
-  std::filesystem::path path;  // or that of one library
-  std::string origin;  // who asked for it: "given", "ELSIE_PLUGIN_PATH", "beside the program"...
-  std::filesystem::path source = {};  // of a library that was compiled from one file: what messages
-                                      // name in its place; else empty
+  std::filesystem::path path;         // a directory, or one library
+  std::string origin;                 // "given", "ELSIE_PLUGIN_PATH", "beside the program"...
+  std::filesystem::path source = {};  // of a library compiled from one file: messages name this
 };
 
-/// The directories in the order in which they count: `given` (on the command line), those of the
-/// environment variable, `../lib/elsie/plugins` seen from the program, `elsie/plugins` seen from
-/// libelsie. One that is there twice is left out the second time. Directories that do not exist are
-/// kept, so that a report can say so. This is the only place that reads the environment.
+/// A list of directories in which each stands once, where it was added first.
+class DirectoryList {
+ public:
+  void add(const std::filesystem::path& directory, const std::string& origin);
+  /// Adds the directories of an environment variable, separated by colons.
+  void add_variable(const char* name);
+  /// Adds `../below` seen from the folder of the running program, if there is such a directory.
+  void add_beside_program(const std::filesystem::path& below);
+  std::vector<SearchDirectory> take() && { return std::move(directories_); }
+
+ private:
+  std::vector<std::filesystem::path> canonical_;
+  std::vector<SearchDirectory> directories_;
+};
+
+/// The directories in the order in which they are searched: `given` (on the command line), those of
+/// the environment variable, `../lib/elsie/plugins` seen from the program, `elsie/plugins` seen
+/// from libelsie. Directories that do not exist are kept, so that a report can name them. Only this
+/// function reads the variable.
 std::vector<SearchDirectory> default_search_path(std::span<const std::filesystem::path> given = {});
 
 }  // namespace elsie::plugin

@@ -7,7 +7,7 @@
 
 namespace elsie::world {
 
-// The two teams that every world has by itself.
+// The two teams of every world.
 inline constexpr Colour kRedTeam{0xd0, 0x30, 0x30};
 inline constexpr Colour kBlueTeam{0x30, 0x60, 0xd0};
 
@@ -15,21 +15,19 @@ inline constexpr Colour kBlueTeam{0x30, 0x60, 0xd0};
 /// from the yellow of chargers.
 inline constexpr Colour kResourceOfNoTeam{0x2e, 0x9e, 0x4f};
 
-/// Chargers, whose ever they are.
+/// Chargers of any team.
 inline constexpr Colour kChargerColour{0xff, 0xd0, 0x00};
 
-/// What belongs to no team otherwise: a grey.
+/// Everything else without a team: a grey.
 inline constexpr Colour kNoTeam{0x6b, 0x72, 0x7a};
 
-/// Gives a colour to every team that has none, as reading a file does: "red" and "blue" get theirs,
-/// any other one as bright and saturated as theirs with the hue that is farthest from all hues in
-/// the world until then: the middle of the widest gap between them, of equal gaps the one of the
-/// lowest hue. In the world are the colours of teams, boxes, resources of no team and chargers,
-/// whether there are such or not. In the order of the teams; the same world gives the same colours.
+/// Gives a colour to every team without one. "red" and "blue" get theirs. The others get, in their
+/// order, colours as bright and saturated, with the hue in the middle of the widest gap between all
+/// hues used so far (of equal gaps, that of the lowest hue): hues of teams, boxes, resources
+/// without a team and chargers, present or not. The same world gives the same colours.
 void colour_teams(World& world);
 
-/// The colour of a team: what the world says, else that of the two teams that are there by
-/// themselves, else kNoTeam.
+/// The colour of a team: the world's, else that of "red" or "blue", else kNoTeam.
 Colour team_colour(const World& world, std::string_view team);
 
 /// The colour of a resource in full light: its own, else its team's, else kResourceOfNoTeam.

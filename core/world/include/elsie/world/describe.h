@@ -1,5 +1,5 @@
-// How a vocabulary's table is put together: an element is described by the class of the
-// objects that it stands for, an attribute by the member that it fills.
+// Builds the table of a vocabulary: an element is described by the class of its objects, an
+// attribute by the member that it sets.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace elsie::world {
 
-/// What may be said of an attribute besides its facts.
+/// Properties of an attribute besides its facts.
 struct AttributeExtras {
   TextForm form = TextForm::any;
   Reference refers_to = Reference::none;
@@ -70,7 +70,7 @@ class Describe {
     return std::move(described);
   }
 
-  /// An attribute with a way of its own from and to the object.
+  /// An attribute with its own functions that set and get it.
   Describe&& attribute(const char* name, ParameterType type, ParameterFacts facts,
                        AttributeExtras extras, decltype(AttributeSpec::set) set,
                        decltype(AttributeSpec::get) get) && {
@@ -96,13 +96,13 @@ class Describe {
     return std::move(*this);
   }
 
-  /// An attribute that is dealt with before objects are made: by templates.
+  /// An attribute that templates use, before objects are made.
   Describe&& attribute_before_reading(const char* name, ParameterType type,
                                       ParameterFacts facts) && {
     return std::move(*this).attribute(name, type, std::move(facts), {}, nullptr, nullptr);
   }
 
-  /// At most one element, which describes a member that is always there.
+  /// At most one element. It describes a member that always exists.
   template <class Child>
   Describe&& one(ElementSpec child, Child Object::*member) && {
     child.make = [member](void* parent, const Location& where) -> void* {
@@ -117,16 +117,8 @@ class Describe {
     return std::move(*this);
   }
 
-  /// At most one element that only holds others; they describe parts of this same object.
-  Describe&& group(ElementSpec child) && {
-    child.group = true;
-    child.make = [](void* parent, const Location&) { return parent; };
-    child.parts = [](const void* parent) { return std::vector<Part>{{0, parent}}; };
-    spec_.children.push_back(std::move(child));
-    return std::move(*this);
-  }
-
-  /// The same, for parts that the object has from its base class.
+  /// At most one element that only holds others, which describe parts of this object or of its base
+  /// class.
   template <class Base>
   Describe&& group(Describe<Base> child) && {
     static_assert(std::is_base_of_v<Base, Object>, "a group describes parts of the object itself");
@@ -142,8 +134,8 @@ class Describe {
     return std::move(*this);
   }
 
-  /// Elements that each describe one object in a list of this one. `is` tells them from others in
-  /// the same list; `begin` sets what it tells them by.
+  /// Elements that each describe one object in a list. `is` recognizes these objects if the list
+  /// has others, too; `begin` makes a new object one of them.
   template <class Child>
   Describe&& each(
       ElementSpec child, std::vector<Child> Object::*list,
@@ -195,7 +187,7 @@ class Describe {
     return std::move(*this);
   }
 
-  /// At most one element, which describes a member that may be there.
+  /// At most one element. It describes a member that may be empty.
   template <class Child>
   Describe&& optional(ElementSpec child, std::optional<Child> Object::*member) && {
     child.make = [member](void* parent, const Location& where) -> void* {
@@ -211,7 +203,7 @@ class Describe {
     return std::move(*this);
   }
 
-  /// The element's name is that of a plugin of this kind.
+  /// The element has the name of a plugin of this kind.
   Describe&& plugins(PluginKind kind) && {
     spec_.plugins = kind;
     spec_.use = [](const void* object) -> const PluginUse* {
@@ -220,7 +212,7 @@ class Describe {
     return std::move(*this);
   }
 
-  /// What such a plugin may hold: one thing or nothing.
+  /// The coordination that such a plugin may hold.
   Describe&& holds(std::vector<Coordination> Object::*member) && {
     spec_.make_inside = [member](void* object) -> Coordination& {
       auto& inside = static_cast<Object*>(object)->*member;
@@ -233,7 +225,7 @@ class Describe {
     return std::move(*this);
   }
 
-  /// It may hold one element of a world, whose markup this member gets.
+  /// It may hold one element of a world; the member gets its markup.
   Describe&& takes_element(std::optional<std::string> Object::*member) && {
     spec_.take = [member](void* object, const std::string& markup) {
       static_cast<Object*>(object)->*member = markup;
@@ -241,14 +233,14 @@ class Describe {
     return std::move(*this);
   }
 
-  /// No two of the elements at the end of this way ("worlds/world") have the same attribute of this
-  /// name.
+  /// No two of the elements at the end of this path ("worlds/world") have the same value of this
+  /// attribute.
   Describe&& unique(std::string elements, std::string attribute) && {
     spec_.unique.push_back({std::move(elements), std::move(attribute)});
     return std::move(*this);
   }
 
-  /// It is the one element of a file that holds all others.
+  /// It is the root element of a file.
   Describe&& root() && {
     spec_.root = true;
     return std::move(*this);

@@ -1,7 +1,6 @@
-// The description of a world as plain data: what a world file says, checked and complete, templates
-// merged in.
+// A world as plain data: the content of a world file, checked, complete, and with its templates.
 //
-// Units as in the file where the name says so (degrees), SI elsewhere. Every value has its default
+// Names with a unit (heading_deg) have the unit of the file, all others SI units. Every default is
 // here and nowhere else.
 #pragma once
 
@@ -54,7 +53,7 @@ using elsie::Colour;
 
 struct Team {
   std::string id;
-  std::optional<Colour> colour;  // a world that was read has one for every team; see colours.h
+  std::optional<Colour> colour;  // the reader sets it for every team; see colours.h
   Location location{};
 };
 
@@ -97,9 +96,9 @@ struct Charger {
 
 /// How a world file names the file whose absolute path a parameter holds.
 struct FileName {
-  std::string path;  // the parameter's value that this is about; of no meaning for another one
-  std::string name;  // from the world's folder or a data directory where that can be; empty: the
-                     // file is the plugin's default, which a world need not name
+  std::string path;  // the parameter's value that `name` is for
+  std::string name;  // from the world's folder or a data directory if possible; "": the file is the
+                     // plugin's default, which a world need not name
 
   friend bool operator==(const FileName&, const FileName&) = default;
 };
@@ -110,21 +109,18 @@ struct ElementUse : ElementValue {
   Location location;
 };
 
-/// A plugin in use: which one, and what the file says of its parameters. What it does not say keeps
-/// the declared default.
+/// The use of a plugin with the parameters that the file gives; the others keep their defaults.
 struct PluginUse {
   std::string plugin;
-  std::string id;  // unique within the robot's sensors, behaviours..., or the world's measures; the
-                   // plugin's name unless the file says otherwise
-  std::map<std::string, ParameterValue>
-      parameters;  // checked against the declaration; file paths resolved
-  std::map<std::string, FileName> file_names;  // of file parameters that are not empty
-  std::vector<ElementUse> elements;            // nested in its own, checked like the parameters
+  std::string id;  // unique within its list; by default the plugin's name
+  std::map<std::string, ParameterValue> parameters;  // checked; paths of files are absolute
+  std::map<std::string, FileName> file_names;        // of file parameters that are not empty
+  std::vector<ElementUse> elements;                  // nested in its own, checked, too
   Location location;
 };
 
 struct SensorUse : PluginUse {
-  // In the robot's frame. What is not given takes the chassis' front edge and top.
+  // In the robot's frame; by default the chassis' front edge and top.
   std::optional<double> x, y, z;
   double yaw_deg = 0.0;
   double pitch_deg = 0.0;
@@ -138,7 +134,7 @@ struct BehaviorUse : PluginUse {
   std::vector<Coordination> inside;  // one if the behaviour holds others, else none
 };
 
-/// Behaviours and what turns their wishes into one command.
+/// Behaviours and the coordinator that makes one command of theirs.
 struct Coordination {
   std::vector<BehaviorUse> behaviors;
   std::optional<PluginUse> coordinator;
@@ -153,36 +149,32 @@ struct RobotBody {
   double clearance = 0.01;     // m, from the floor to the chassis
   double wheel_radius = 0.02;  // m
   double wheel_width = 0.01;   // m
-  std::optional<double>
-      axle;  // m between the middles of the wheels; default: wheels just outside the chassis
+  std::optional<double> axle;  // m between the wheels' middles; default: just outside the chassis
   double mass = 0.1;           // kg, chassis
   double wheel_mass = 0.05;    // kg, each
-  double wheel_torque = 0.01;  // N m that each motor can give
+  double wheel_torque = 0.01;  // N m, the most of each motor
 
   double half_axle() const { return 0.5 * axle.value_or(width + wheel_width); }
   double top() const { return clearance + height; }
 };
 
-/// What a robot may pull behind it: a box on two passive wheels, whose axle is below its middle and
-/// whose outer faces are flush with its sides. A joint with two degrees of freedom, yaw and pitch,
-/// links it to the body in front: the robot, or the segment before. train.h says where the joint
-/// is.
+/// A box on two passive wheels that a robot pulls. The axle is below the box's middle, and the
+/// wheels are flush with its sides. A joint with two degrees of freedom, yaw and pitch, links it to
+/// the body in front: the robot or another segment. train.h says where the joint is.
 struct Segment {
-  std::string id;              // unique within the robot
-  double length = 0.08;        // m, along its heading
-  double width = 0.06;         // m
-  double height = 0.08;        // m, of the box
-  double clearance = 0.01;     // m, from the floor to the box
-  double mass = 0.1;           // kg, all of it
-  double wheel_radius = 0.02;  // m
-  double wheel_width = 0.01;   // m
-  double gap = 0.04;           // m, between the body in front and this one when they stand in line
-  std::optional<double>
-      hitch;  // m, of the joint behind the middle of the body in front; default: in mid-gap
+  std::string id;               // unique within the robot
+  double length = 0.08;         // m, along its heading
+  double width = 0.06;          // m
+  double height = 0.08;         // m, of the box
+  double clearance = 0.01;      // m, from the floor to the box
+  double mass = 0.1;            // kg, all of it
+  double wheel_radius = 0.02;   // m
+  double wheel_width = 0.01;    // m
+  double gap = 0.04;            // m, between the body in front and this one when they stand in line
+  std::optional<double> hitch;  // m, joint behind the middle of the body in front; default: mid-gap
   std::optional<double> hitch_height;  // m, of the joint above the floor; default: that of the axle
-  std::optional<double>
-      max_yaw_deg;  // to either side; default: where the two bodies would touch, at most 90
-  double max_pitch_deg = 20.0;  // upwards and downwards
+  std::optional<double> max_yaw_deg;   // default: where the two bodies would touch, at most 90
+  double max_pitch_deg = 20.0;         // upwards and downwards
   Location location;
 
   double half_axle() const { return 0.5 * (width - wheel_width); }
@@ -195,7 +187,7 @@ struct Robot : Coordination {
   double x = 0.0, y = 0.0, z = 0.0;  // m
   double heading_deg = 0.0;
   double max_speed = 0.5;  // m/s
-  double coverage = 0.5;   // m, communication radius: how far off its team perceives it
+  double coverage = 0.5;   // m, communication radius: its team perceives it within
   bool leader = false;
   double battery = 5000.0;       // units when full
   std::optional<double> energy;  // units at the start; default: full

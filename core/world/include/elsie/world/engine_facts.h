@@ -1,4 +1,4 @@
-// What the physics engine adds to the description of a robot, for whoever judges a world by it.
+// Properties of robots that only the physics engine sets.
 #pragma once
 
 #include <algorithm>
@@ -7,20 +7,18 @@
 
 namespace elsie::world {
 
-/// A robot's caster weighs this part of its chassis: little, so that it does not matter how the
-/// caster spins.
+/// The mass of a caster as a part of the chassis' mass: small, so that its spin has no effect.
 inline constexpr double kCasterMass = 0.02;
 
-/// Bodies that were put into each other, or squeezed, come apart no faster than this; m/s.
+/// The highest speed at which bodies that overlap are pushed apart; m/s.
 inline constexpr double kMaxCorrectingSpeed = 0.5;
 
-/// m, of a caster, which is a ball below the chassis.
+/// The radius of a caster, a ball below the chassis; m.
 inline double caster_radius(const RobotBody& body) {
   return std::min({0.5 * body.clearance, 0.125 * body.length, body.wheel_radius});
 }
 
-/// m, of the middles of the casters, on which a robot stands in front and at the rear, from the
-/// middle of its axle.
+/// The distance of the casters, one in front and one at the rear, from the middle of the axle; m.
 inline double half_base(const RobotBody& body) {
   return 0.5 * body.length - 1.2 * caster_radius(body);
 }

@@ -1,4 +1,4 @@
-// What is wrong with a world file.
+// The error of world files.
 #pragma once
 
 #include "elsie/base/problems.h"
@@ -9,7 +9,7 @@ using base::Location;
 using base::Problem;
 using base::Problems;
 
-/// All the mistakes of a world and of the templates that it includes.
+/// All mistakes of a world and its templates.
 class WorldError : public base::FileError {
  public:
   using base::FileError::FileError;

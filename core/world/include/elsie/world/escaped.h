@@ -1,4 +1,4 @@
-// Text inside of XML and HTML.
+// Text in XML and HTML.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace elsie::world {
 
-/// The text between two tags: & < > and " are replaced. What may stand in no XML, see clean(), is
-/// left as it is.
+/// Text for between two tags: & < > and " are replaced. Characters that XML does not allow stay;
+/// see base::clean().
 std::string escaped(std::string_view text);
 
-/// The text as an attribute's value between double quotes: escaped(), with tabs and ends of lines
-/// replaced, too, which a reader would take for blanks.
+/// Text for an attribute in double quotes: escaped(), also with tabs and line ends replaced, which
+/// XML would read as blanks.
 std::string escaped_attribute(std::string_view text);
 
 }  // namespace elsie::world

@@ -1,4 +1,4 @@
-// What many attributes of the vocabulary have in common.
+// Facts that many attributes share.
 #pragma once
 
 #include <string>
@@ -52,7 +52,7 @@ inline ParameterFacts angle(std::string meaning) {
   return {.unit = "deg", .min = -360, .max = 360, .meaning = std::move(meaning)};
 }
 
-/// The version of the vocabulary, on the root element; the reader looks at it before anything else.
+/// A root element with the version of the vocabulary, which the reader checks first.
 template <class Object>
 Describe<Object> root(const char* name, const char* meaning, int version = kFormat) {
   return Describe<Object>(name, meaning)

@@ -1,4 +1,4 @@
-// Finding the files that a world file names.
+// Finds the files that a world file names.
 #pragma once
 
 #include <map>
@@ -20,32 +20,31 @@ class Files {
         overrides_from_(std::move(overrides_from)),
         known_(std::move(known)) {}
 
-  /// The regular file called `name` in the text at `from`: in the folder of that file (for an
-  /// override: of the world file, or of that in which overrides stand), else in the data
-  /// directories. Its path is as short as the names that it was made of.
+  /// The regular file that the text at `from` calls `name`: in the folder of that text's file (for
+  /// an override: of the world file, or of the file with the overrides), else in the data
+  /// directories. The path is normalized, but not absolute.
   std::optional<std::string> find(const std::string& name, const Location& from) const;
-  /// The same in the data directories only: for defaults, which no file names.
+  /// The same in the data directories only, for defaults, which no file names.
   std::optional<std::string> find_data(const std::string& name) const;
 
-  /// What the world file may call a file that find() found as `found` when some file (a template,
-  /// perhaps) called it `written`: that same name if it means the same file there, else one that
-  /// starts in a data directory or in the world's folder. Absolute only when `written` is, or
-  /// nothing else leads there.
+  /// The name in the world file for a file that find() returned as `found` for the name `written`,
+  /// perhaps in a template: the same name if it means the same file there, else one that starts in
+  /// a data directory or in the world's folder, else the absolute path.
   std::string name_for_world(const std::string& found, const std::string& written) const;
 
-  /// Why find() found nothing for the value of an attribute, as a sentence: what stands there is a
-  /// directory, or nothing does; then with places().
+  /// Why find() found nothing for the value of an attribute, as a sentence: it is a directory, or
+  /// does not exist, with places().
   std::string why_not(const Location& from, const std::string& attribute,
                       const std::string& value) const;
-  /// Where find() looked for the value of an attribute, in words; and what to write instead when a
-  /// data directory has a file under the end of that name, "robots/scout.xml" for
-  /// "../robots/scout.xml", or the folder has one of nearly that name.
+  /// Where find() looked for the value of an attribute, in words, and a better value if a data
+  /// directory has a file with the end of that name, "robots/scout.xml" for "../robots/scout.xml",
+  /// or the folder has a similar name.
   std::string places(const Location& from, const std::string& attribute,
                      const std::string& value) const;
   /// Where find_data() looked, in words.
   std::string data_places() const;
 
-  /// The one absolute path of a file that exists.
+  /// The absolute path of a file, without symbolic links if it exists.
   static std::string absolute(const std::string& file);
 
  private:
@@ -56,10 +55,10 @@ class Files {
   std::string main_file_;
   std::vector<std::string> data_directories_;
   std::string overrides_from_;
-  std::map<std::string, std::string> known_;  // by name; they come first
+  std::map<std::string, std::string> known_;  // by name, searched first
 };
 
-/// The regular file in the folder of one that is not there whose name is most like it; "": none is.
+/// The regular file in the same folder with the name nearest to that of a missing file; or "".
 std::string near_file(const std::string& missing);
 
 }  // namespace elsie::world

@@ -1,4 +1,4 @@
-// Fills objects with what the tree of a file says, by a vocabulary: for files of any kind.
+// Reads the tree of a file into objects, by a vocabulary: for files of any kind.
 #pragma once
 
 #include <map>
@@ -11,9 +11,8 @@
 
 namespace elsie::world {
 
-/// Walks the tree and the vocabulary side by side. Elements and attributes that the vocabulary does
-/// not have, values that it does not allow and what is missing become problems; the members that
-/// they would have filled keep their defaults.
+/// Walks the tree and the vocabulary in parallel. Unknown elements and attributes, values that are
+/// not allowed and missing ones become problems; their members keep the defaults.
 class ObjectReader {
  public:
   explicit ObjectReader(Problems& problems) : problems_(problems) {}
@@ -21,17 +20,17 @@ class ObjectReader {
   ObjectReader(const ObjectReader&) = delete;
   ObjectReader& operator=(const ObjectReader&) = delete;
 
-  /// Whether the object is as its element says: whether the element's own attributes are without
-  /// mistakes, and those of the elements that describe it further.
+  /// Returns whether the attributes of the element, and of the elements that describe the object
+  /// further, have no mistakes.
   bool read_object(const ElementSpec& spec, const Element& element, void* object);
 
  protected:
   // For readers of vocabularies in which plugins are used.
   virtual bool read_use(const ElementSpec& spec, const Element& element, void* object);
-  // The object of a child was made and is about to be read; it was read.
+  // Called before and after the object of a child is read.
   virtual void begin(const Element&) {}
   virtual void end(const ElementSpec&, const Element&, bool /*sound*/) {}
-  // The attribute names something that must exist elsewhere.
+  // Called for an attribute that names something that must exist elsewhere.
   virtual void mention(const AttributeSpec&, const Attribute&, const Element&) {}
 
   bool read_child(const ElementSpec& spec, const Element& element, void* parent);
@@ -50,9 +49,8 @@ class ObjectReader {
   Problems& problems_;
 };
 
-/// Adds a problem and raises all when the element is not `name` in this format: a file in another
-/// format has another vocabulary, and nothing else in it is looked at. `hints` says of other root
-/// elements what their files are.
+/// Adds a problem and raises all of them when the root element is not `name` in this format: a file
+/// of another format has another vocabulary. `hints` has a sentence for other root elements.
 void check_root(const Element& root, const std::string& name, int format,
                 const std::map<std::string, std::string>& hints, Problems& problems);
 

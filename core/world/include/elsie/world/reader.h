@@ -1,4 +1,4 @@
-// Reading a world file: XML in, a checked description out.
+// Reads a world file into a checked description.
 #pragma once
 
 #include <map>
@@ -16,12 +16,12 @@ class Host;
 namespace elsie::world {
 
 struct ReadOptions {
-  /// Attributes to change, each "PATH=VALUE", or elements to replace, each "PATH=<element .../>",
-  /// after templates are merged in and before anything is checked (the attribute `template` itself:
-  /// before they are merged).
+  /// Attributes to change, each "PATH=VALUE", or elements to replace, each "PATH=<element .../>".
+  /// They are applied after templates and before all checks (the attribute `template`: before
+  /// templates).
   ///
   ///   @name                                    of <world>
-  ///   physics/@step                            of an element that stands once; made when missing
+  ///   physics/@step                            of an element that may stand once, even if missing
   ///   robot[r1]/@max_speed                     of the robot with this id
   ///   robot[2]/@max_speed                      of the second one
   ///   robot[*]/@max_speed                      of all
@@ -33,46 +33,44 @@ struct ReadOptions {
   ///   robot[r1]/coordinator/suppress[2]/@by    of the second such element in the coordinator's
   ///   robot[r1]/behavior[explore]/behavior[roam]/@priority
   ///                                            of a behaviour that another one holds
-  ///   robot[r1]/behavior[roam]/@remove         "true" takes the behaviour away; so with whatever
-  ///                                            may stand any number of times: robots, obstacles,
-  ///                                            goals, sensors, measures..., and with coordinators
-  ///   robot[r1]/coordinator                    the coordinator's element, to be replaced; it keeps
-  ///                                            an id that was given to it
+  ///   robot[r1]/behavior[roam]/@remove         "true" removes the behaviour; also for coordinators
+  ///                                            and members of lists: robots, obstacles, goals,
+  ///                                            sensors, measures...
+  ///   robot[r1]/coordinator                    replaces the coordinator's element, which keeps the
+  ///                                            id that the file gave it
   ///
-  /// Groups (<robots>, <sensors>...) may be left out or named; a member is called by its element's
-  /// name or by its group's word for it. A step that could mean several elements needs brackets.
-  /// Numbers count what the file has: an element that is taken away counts, whatever the order.
+  /// Groups (<robots>, <sensors>...) may be left out. A step names a member by its element or by
+  /// its group's word for it, and needs brackets when it could mean several. Numbers count the
+  /// elements of the file, removed ones included.
   std::vector<std::string> overrides;
-  /// The file in which the overrides stand: what files they name are looked for beside it and in
-  /// the data directories. "": they were given by hand, and are looked for beside the world's file
-  /// and in the current folder, too.
+  /// The file with the overrides: files that they name are searched beside it and in the data
+  /// directories. "": the user gave them, and files are searched beside the world's file, in the
+  /// current folder and in the data directories.
   std::string overrides_from;
-  /// Where templates and data files are looked for when they are not beside the file that names
-  /// them, in this order; default_data_directories() are those of the program.
+  /// Where templates and data files are searched, in this order, if they are not beside the file
+  /// that names them; see default_data_directories().
   std::vector<std::string> data_directories;
-  /// Files that are known beforehand: what the text calls one, and where it is. They come before
-  /// everything that is found.
+  /// Paths of files by their names in the text. They are used before any search.
   std::map<std::string, std::string> files{};
-  /// Whether to make every plugin's object once, so that what it says about its parameters in
-  /// Component::configured() is reported too.
+  /// Whether to make an object of every plugin, so that errors of Component::configured() are
+  /// reported, too.
   bool check_plugins = false;
-  /// Leave out, unread, sensors, behaviours, coordinators, measures, the limits of the run, goals
-  /// about time: what is left needs no plugin. For those who only want to look at the world.
+  /// Whether to ignore sensors, behaviours, coordinators, measures, limits, and goals about time.
+  /// The rest needs no plugin and is enough for a picture.
   bool bodies_only = false;
 };
 
-/// Reads a world file, with its templates merged in, overrides applied and every default filled in.
-/// Throws WorldError with all the problems of the file; nothing half read is ever returned. A file
-/// that is not there under a relative name is looked for in the data directories.
+/// Reads a world file, merges its templates, applies overrides and sets all defaults. Throws
+/// WorldError with all problems of the file. A relative name that does not exist is searched in the
+/// data directories.
 ///
-/// The result's file parameters hold absolute paths of files that exist, and beside them stands how
-/// a world names these (PluginUse::file_names). Obstacles stand before
-/// resources in World::boxes.
+/// File parameters of the result are absolute paths of files that exist; PluginUse::file_names has
+/// their names in a world. Obstacles come before resources in World::boxes.
 World read_world(const std::string& file, const plugin::Host& host,
                  const ReadOptions& options = {});
 
-/// The same for text that is in memory; `file` is what it is called in messages, and its folder is
-/// where templates and data files are looked for first.
+/// The same for a text. `file` is its name in messages, and templates and data files are searched
+/// in that folder first.
 World parse_world(std::string_view text, const std::string& file, const plugin::Host& host,
                   const ReadOptions& options = {});
 

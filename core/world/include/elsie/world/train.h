@@ -1,4 +1,4 @@
-// A robot and what it pulls, as a chain: where the joints are and how far they turn.
+// The joints between a robot and the segments that it pulls: their places and ranges.
 #pragma once
 
 #include <span>
@@ -8,20 +8,20 @@
 
 namespace elsie::world {
 
-/// How a segment hangs on the body in front of it: the robot, or the segment before. The joint has
-/// two degrees of freedom: yaw about the front body's vertical axis, pitch about the segment's
-/// transverse one.
+/// The joint between a segment and the body in front, the robot or another segment. It has two
+/// degrees of freedom: yaw about the front body's vertical axis and pitch about the segment's
+/// transverse axis.
 struct Coupling {
   double behind = 0.0;         // m, of the joint behind the middle of the body in front
   double ahead = 0.0;          // m, of the joint ahead of the segment's middle
   double height = 0.0;         // m, of the joint above the floor
   double max_yaw_rad = 0.0;    // to either side
   double max_pitch_rad = 0.0;  // upwards and downwards
-  double place = 0.0;  // m, of the segment's middle behind the robot's, when all stand in line
+  double place = 0.0;          // m, of the segment's middle behind the robot's, in a straight train
 };
 
-/// One for each segment. Unless a segment says otherwise its joint is in the middle of the gap, at
-/// the height of its axle, and turns until a corner of one body would reach the face of the other.
+/// One for each segment. By default the joint is in the middle of the gap, at the height of the
+/// segment's axle, and turns until a corner of one body would reach the face of the other.
 /// With the joint b m behind the front body's rear face and f m ahead of the segment's front face,
 /// and h half the width of the wider of the two, that is the smallest angle t > 0 for which
 ///     h sin t - f cos t = b  or  h sin t - b cos t = f,

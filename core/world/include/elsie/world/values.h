@@ -1,11 +1,11 @@
-// Texts of attributes and the values they stand for.
+// Attributes' values and their texts.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "elsie/api/declaration.h"
+#include "elsie/plugin/parameters.h"
 #include "elsie/world/vocabulary.h"
 
 namespace elsie::world {
@@ -15,14 +15,14 @@ struct Parsed {
   std::string problem;
 };
 
-/// Strict: the whole text, finite, within range; nothing that only begins like a number, no decimal
-/// commas, no "yes" for true.
+/// Strict: the whole text must be a value, finite and in range; no decimal commas, no "yes" for
+/// true.
 Parsed parse_value(const Field& field, std::string_view text);
 
-/// The text that parse_value() turns into the same value; numbers with as few digits as that takes.
-std::string format_value(const ParameterValue& value);
+/// The shortest text that parse_value() reads as the same value.
+using plugin::format_value;
 
-/// What a field accepts, in words: "a number above 0 and at most 10 m".
+/// The values that a field allows, in words: "a number above 0 and at most 10 m".
 std::string expectation(const Field& field);
 
 std::string format_colour(const Colour& colour);

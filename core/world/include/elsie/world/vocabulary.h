@@ -1,9 +1,9 @@
-// The vocabulary of world files, said once: every element and attribute with its type, unit, range,
-// default and meaning, and the member that it fills.
+// The vocabulary of world files: every element and attribute with its type, unit, range, default
+// and meaning, and the member that it sets.
 //
-// Reading, writing, paths, the XML schema, the reference page and forms all walk this one table. A
-// plugin's parameters are described in the same terms (Field), so that all of those serve plugins
-// too; and so are files of another kind (experiments), with a table of their own.
+// Reading, writing, paths, the XML schema, the reference page and forms all use this table.
+// Plugins' parameters are described in the same terms (Field), and experiments have a table of
+// their own.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elsie/api/declaration.h"
@@ -24,24 +25,24 @@ struct AttributePlace;
 /// The version of the vocabulary: the attribute `format` of a file.
 inline constexpr int kFormat = 1;
 
-/// What a text may be.
+/// The form of a text.
 enum class TextForm {
   any,
   id,      // a letter or underscore, then letters, digits, "_", "-" and "."
   colour,  // "#rrggbb"
 };
 
-/// What must exist elsewhere in the world under the name that an attribute holds.
+/// The kind of thing in the world that an attribute names.
 enum class Reference { none, team, robot, box };
 
-/// What may stand in an attribute.
+/// The value of an attribute: its type, range and default.
 struct Field {
   std::string name;
   ParameterType type = ParameterType::real;
   ParameterFacts facts;
-  /// None: nothing is set unless the file says so.
+  /// None: the member is set only if the file has the attribute.
   std::optional<ParameterValue> default_value;
-  // The numbers that the member's type can hold, whatever `facts` allow.
+  // The range of the member's type.
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
   TextForm form = TextForm::any;
@@ -56,22 +57,20 @@ struct Field {
 /// A plugin's parameter in the same terms.
 Field field_of(const ParameterDeclaration& parameter);
 
-/// An attribute of the core's own vocabulary, bound to a member of the object that its element
-/// describes.
+/// An attribute of the core's vocabulary, bound to a member of its element's object.
 struct AttributeSpec : Field {
   std::function<void(void* object, const ParameterValue& value)> set;
   std::function<std::optional<ParameterValue>(const void* object)> get;
 };
 
-/// An object that an element of the file stands for, and its place among those of its parent.
+/// An object that an element describes, and its place in a list.
 struct Part {
   std::size_t order = 0;
   const void* object = nullptr;
 };
 
-/// An element: of the core's vocabulary by its name, or, when `plugins` is set, the use of any
-/// plugin of that kind, by the plugin's name. What may stand inside a plugin's element is for the
-/// plugin to declare.
+/// An element of the core's vocabulary or, if `plugins` is set, the use of any plugin of that kind,
+/// whose element has the plugin's name and content that the plugin declares.
 struct ElementSpec {
   static constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
 
@@ -82,44 +81,43 @@ struct ElementSpec {
   std::size_t at_least = 0;  // times in its parent
   std::size_t at_most = 1;
   bool root = false;                  // of a file
-  bool group = false;                 // only holds others and stands for no object of its own
-  std::string members;                // of a group: what a path calls any of its children
+  bool group = false;                 // only holds other elements and has no object of its own
+  std::string members;                // of a group: the word for its children in paths
   std::optional<PluginKind> plugins;  // then `name` is a word for it, not the element's name
 
-  /// The object for a new element under `parent`; where it stands is noted in it.
+  /// Makes the object of a new element under `parent` and sets its location.
   std::function<void*(void* parent, const Location& where)> make;
   /// All such objects of the parent, in order.
   std::function<std::vector<Part>(const void* parent)> parts;
-  /// The use of a plugin as what all such uses have in common.
+  /// The base of an object that uses a plugin.
   std::function<const PluginUse*(const void* object)> use;
-  /// Uses of behaviours only: what the behaviour holds, if it holds others. Described by
-  /// coordination_vocabulary(), which in turn has such uses in it: nesting goes to any depth.
+  /// For behaviours: the coordination that the behaviour holds, if any. coordination_vocabulary()
+  /// describes it, so behaviours nest to any depth.
   std::function<Coordination&(void* object)> make_inside;
   std::function<const Coordination*(const void* object)> inside;
 
-  /// It may hold one element of a world, whatever that is, besides its own `children`: the object
-  /// gets its markup as it stands.
+  /// If set, the element may hold one element of a world besides its `children`; the object gets
+  /// its markup.
   std::function<void(void* object, const std::string& markup)> take;
-  /// What no two of the elements in it have in common, for the schema.
+  /// An attribute that must differ between the elements in it, for the schema.
   struct Unique {
-    std::string elements;  // the way down to them: "worlds/world"
+    std::string elements;  // their path: "worlds/world"
     std::string attribute;
   };
   std::vector<Unique> unique;
 
   const AttributeSpec* attribute(const std::string& attribute_name) const;
-  /// The child of this name.
   const ElementSpec* child(const std::string& child_name) const;
+  /// The parts of an object with the elements that describe them, in the order of the file:
+  /// elements of several kinds may describe the objects of one list.
+  std::vector<std::pair<Part, const ElementSpec*>> parts_of(const void* object) const;
 };
 
-/// <world> with all that it may hold.
+/// <world> with all its elements.
 const ElementSpec& vocabulary();
 /// <robot_template>: a robot without an id, in a file of its own.
 const ElementSpec& template_vocabulary();
-/// <behaviors> and <coordinator>, as they stand in a robot and in a behaviour that holds others.
+/// <behaviors> and <coordinator>, in a robot or in a behaviour that holds others.
 const ElementSpec& coordination_vocabulary();
-/// <robot>, <sensors>'s children and so on, by the names on the way down from <world>. Throws
-/// std::out_of_range.
-const ElementSpec& vocabulary_at(const std::vector<std::string>& names);
 
 }  // namespace elsie::world

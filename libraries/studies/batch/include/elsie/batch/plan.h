@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -88,8 +89,8 @@ struct Plan {
   std::string file;                  // the experiment file
   std::string text;                  // its text
   std::vector<std::string> factors;  // the first one is "world"
-  std::vector<PlannedFile> files;    // first those of the program, with libelsie before all others
-  std::size_t program_files = 0;     // number of these: plugin::deciding_libraries()
+  std::vector<PlannedFile> files;    // first those of the program, libelsie before all others
+  std::size_t program_files = 0;     // how many of them: deciding_libraries()
   std::vector<PlannedPlugin> plugins;
   std::vector<PlannedCell> cells;
   std::vector<PlannedRun> runs;  // runs of the shard
@@ -121,7 +122,12 @@ struct PlanOptions {
 Plan make_plan(const experiment::Experiment& experiment, const plugin::Host& host,
                const PlanOptions& options);
 
-/// Checks that a cell's files are unchanged since the plan was made.
+/// The libraries that decide the result of a run, besides those of its plugins: libelsie, which is
+/// the first, and those that it and its plugins compute with (the base, inference, the views, which
+/// take the pictures of cameras, and ODE).
+std::vector<std::filesystem::path> deciding_libraries();
+
+/// Looks whether a cell's files are still what they were when the plan was made.
 class FileCheck {
  public:
   explicit FileCheck(const Plan& plan);

@@ -63,8 +63,8 @@ struct StoredRun {
     std::string sha256;
     std::vector<std::string> plugins;  // "behavior wander 1.0"
   };
-  std::vector<Library> libraries;  // of plugins, in the order in which to load them
-  std::vector<Library> program;    // plugin::deciding_libraries() when the batch began
+  std::vector<Library> libraries;  // of plugins; in the order in which they are to be loaded
+  std::vector<Library> program;    // deciding_libraries() when the batch began
   std::string elsie_version;
   std::string experiment;
   std::string cell;

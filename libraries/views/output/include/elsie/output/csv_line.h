@@ -8,14 +8,14 @@
 #include "elsie/base/csv.h"
 #include "elsie/base/number_text.h"
 
-namespace elsie::base {
+namespace elsie::output {
 
-/// One line in the making. Numbers are the same in every locale.
+/// Builds one line after the other. Numbers are the same in every locale.
 class CsvLine {
  public:
-  void text(std::string_view value) { cells(csv_cell(value)); }
+  void text(std::string_view value) { cells(base::csv_cell(value)); }
   /// The shortest text that reads as this number, bit for bit.
-  void number(double value) { cells(NumberText(value).view()); }
+  void number(double value) { cells(base::NumberText(value).view()); }
   void empty() { separate(); }
   /// The line without its end; the next one begins.
   std::string take() {
@@ -39,7 +39,7 @@ class CsvLine {
   bool first_ = true;
 };
 
-/// Times as they are written: 0.7, not 0.7000000000000001.
-inline double tidy_time(double time_s) { return rounded(time_s, 9); }
+/// A time as files show it: 0.7, not 0.7000000000000001.
+inline double tidy_time(double time_s) { return base::rounded(time_s, 9); }
 
-}  // namespace elsie::base
+}  // namespace elsie::output

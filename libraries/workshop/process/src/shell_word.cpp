@@ -1,6 +1,6 @@
-#include "elsie/base/shell_word.h"
+#include "elsie/process/shell_word.h"
 
-namespace elsie::base {
+namespace elsie::process {
 
 std::string shell_word(std::string_view word) {
   constexpr std::string_view kPlain =
@@ -27,4 +27,4 @@ std::string shell_line(const std::vector<std::string>& words) {
   return line;
 }
 
-}  // namespace elsie::base
+}  // namespace elsie::process

@@ -11,10 +11,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "elsie/base/output_file.h"
+#include "elsie/output/output_file.h"
 
 namespace fs = std::filesystem;
-using elsie::base::OutputFile;
+using elsie::output::OutputFile;
 
 namespace {
 

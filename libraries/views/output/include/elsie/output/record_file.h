@@ -1,5 +1,4 @@
-// A file that is written while a run goes on, and that is whole up to the last line when the
-// process is brought down.
+// A file of lines that is written during a run, and ends with a whole line if the process crashes.
 #pragma once
 
 #include <filesystem>
@@ -7,19 +6,18 @@
 #include <string_view>
 
 #include "elsie/base/emergency.h"
-#include "elsie/base/output_file.h"
+#include "elsie/output/output_file.h"
 
-namespace elsie::base {
+namespace elsie::output {
 
-/// Lines are collected and written some thousand bytes at a time.
-class RecordFile final : private EmergencyWriter {
+/// Collects lines and writes them 8 kB at a time.
+class RecordFile final : private base::EmergencyWriter {
  public:
   /// `what`: begins the sentences of errors: "recording '/dev/full'".
   explicit RecordFile(std::string what) : out_(std::move(what)) {}
   ~RecordFile() override;
 
-  /// Creates the file, or empties it. Like all that follows, throws std::runtime_error with a
-  /// sentence.
+  /// Creates the file, or empties it. This and all functions below throw std::runtime_error.
   void create(const std::filesystem::path& file) { out_.create(file); }
   /// A line without its end.
   void line(std::string_view text) {
@@ -41,4 +39,4 @@ class RecordFile final : private EmergencyWriter {
   std::string buffer_;
 };
 
-}  // namespace elsie::base
+}  // namespace elsie::output

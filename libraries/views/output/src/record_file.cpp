@@ -1,8 +1,8 @@
-#include "elsie/base/record_file.h"
+#include "elsie/output/record_file.h"
 
 #include <utility>
 
-namespace elsie::base {
+namespace elsie::output {
 
 RecordFile::~RecordFile() {
   retire();
@@ -27,4 +27,4 @@ bool RecordFile::write_now() noexcept {
   return true;
 }
 
-}  // namespace elsie::base
+}  // namespace elsie::output

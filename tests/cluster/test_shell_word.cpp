@@ -1,9 +1,9 @@
+#include "elsie/process/shell_word.h"
 #include <cstdio>
 #include <string>
 
 #include <catch2/catch.hpp>
 
-#include "elsie/base/shell_word.h"
 
 using namespace elsie;
 
@@ -24,11 +24,11 @@ std::string arguments(const std::string& words) {
 }  // namespace
 
 TEST_CASE("Words are quoted where a shell would take them apart") {
-  CHECK(base::shell_word("worlds/a-b_c.xml") == "worlds/a-b_c.xml");
-  CHECK(base::shell_word("") == "''");
-  CHECK(base::shell_word("a b") == "'a b'");
-  CHECK(base::shell_word("it's") == "'it'\\''s'");
-  CHECK(base::shell_line({"elsie", "batch", "a b", "$x"}) == "elsie batch 'a b' '$x'");
+  CHECK(process::shell_word("worlds/a-b_c.xml") == "worlds/a-b_c.xml");
+  CHECK(process::shell_word("") == "''");
+  CHECK(process::shell_word("a b") == "'a b'");
+  CHECK(process::shell_word("it's") == "'it'\\''s'");
+  CHECK(process::shell_line({"elsie", "batch", "a b", "$x"}) == "elsie batch 'a b' '$x'");
 }
 
 TEST_CASE("A shell gives each word back as it was") {
@@ -36,5 +36,5 @@ TEST_CASE("A shell gives each word back as it was") {
       GENERATE("plain", "", " ", "it's", "'", "\"", "a\"b c\"", "$HOME", "`ls`", "$(ls)", "~", "a*",
                "!", "#x", "a;b", "a&b", "a|b", "<x>", "(y)", "{1,2}", "back\\slash", "a\nb",
                "\xc3\xa4 \xf0\x9f\x90\xa2", "%s", "a=b", "[ab]", "?");
-  CHECK(arguments(base::shell_line({word, "next"})) == "[" + word + "][next]");
+  CHECK(arguments(process::shell_line({word, "next"})) == "[" + word + "][next]");
 }

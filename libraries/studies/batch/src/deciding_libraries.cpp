@@ -1,0 +1,45 @@
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <link.h>
+
+#include "elsie/batch/plan.h"
+#include "elsie/plugin/own_library.h"
+
+namespace elsie::batch {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> deciding_libraries() {
+  const fs::path own = plugin::file_of_this_library();
+  // A library that is not loaded yet lies beside this one.
+  std::map<std::string, fs::path> files;  // by the name without its version
+  const std::string version = own.filename().string().substr(std::string("libelsie").size());
+  for (const char* const name : {"libelsie-inference", "libelsie-views"}) {
+    if (const fs::path file = own.parent_path() / (name + version); fs::exists(file)) {
+      files[name] = file;
+    }
+  }
+  dl_iterate_phdr(
+      [](dl_phdr_info* library, std::size_t, void* found) {
+        const fs::path file(library->dlpi_name);
+        const std::string name = file.filename().string();
+        for (const char* const wanted :
+             {"libelsie-base", "libelsie-inference", "libelsie-views", "libode"}) {
+          if (name.starts_with(std::string(wanted) + '.')) {
+            (*static_cast<std::map<std::string, fs::path>*>(found))[wanted] = file;
+          }
+        }
+        return 0;
+      },
+      &files);
+  std::vector<fs::path> all{own};
+  for (const auto& [name, file] : files) {
+    all.push_back(file);
+  }
+  return all;
+}
+
+}  // namespace elsie::batch
