@@ -105,6 +105,18 @@ TEST_CASE("An element with very many attributes is refused soon") {
              Catch::EndsWith(":501: <world> has more than 500 attributes; no element has so many"));
 }
 
+TEST_CASE("Markup characters in values do not hide that there are very many attributes") {
+  for (const std::string value : {"<=", "><x", "><x='"}) {
+    CAPTURE(value);
+    std::string text = "<world format='1'";
+    for (int i = 0; i < 300'000; ++i) {
+      text += " a" + std::to_string(i) + "=\"" + value + "\"";
+    }
+    const Draft draft(text + "/>");
+    CHECK_THAT(message_of(draft.path()), Catch::Contains("a quote may be missing"));
+  }
+}
+
 TEST_CASE("A file with very many mistakes is reported in full, and soon") {
   std::string text = "<world format='1'><obstacles>\n";
   for (int i = 0; i < 30'000; ++i) {

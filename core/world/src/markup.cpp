@@ -71,20 +71,33 @@ void check_encoding(const tinyxml2::XMLDocument& document, const std::string& fi
   }
 }
 
-// Whether tinyxml2 might accept a mistake in this text, or take very long to read it.
+// Whether tinyxml2 might accept a mistake in this text, or take very long to read it: it drops some
+// wrong character references, accepts "< a>", "</ a>", "</a/>", "</a b='1'>" and "<" in values, and
+// compares each attribute with all before it.
 bool is_doubtful(std::string_view text) {
-  if (text.find("&#") != std::string_view::npos) {  // it drops some wrong character references
+  if (text.find("&#") != std::string_view::npos) {
     return true;
   }
-  for (std::size_t at = text.find('<'), next = 0; at < text.size(); at = next) {
-    next = std::min(text.find('<', at + 1), text.size());
-    std::string_view tag = text.substr(at + 1, next - at - 1);
-    const bool is_end = tag.starts_with('/');
-    tag.remove_prefix(is_end ? 1 : 0);
-    if (tag.empty() || kBlanks.find(tag.front()) != std::string_view::npos ||
-        (is_end && tag.find_first_of("=/") < tag.find('>')) ||
-        std::count(tag.begin(), tag.end(), '=') > static_cast<long>(kMostAttributes)) {
+  for (std::size_t at = text.find('<'); at < text.size(); at = text.find('<', at)) {
+    const bool is_end = text.substr(at + 1).starts_with('/');
+    const bool has_values = !text.substr(at + 1).starts_with('!');  // comments have apostrophes
+    const std::size_t name = at + (is_end ? 2 : 1);
+    if (name >= text.size() || kBlanks.find(text[name]) != std::string_view::npos) {
       return true;
+    }
+    std::size_t equals = 0;
+    char quote = '\0';
+    for (at = name; at < text.size() && (quote != '\0' || text[at] != '>'); ++at) {
+      const char c = text[at];
+      equals += c == '=' ? 1 : 0;
+      if (c == '<' || equals > kMostAttributes || (is_end && (c == '=' || c == '/'))) {
+        return true;
+      }
+      if (c == quote) {
+        quote = '\0';
+      } else if (has_values && quote == '\0' && (c == '"' || c == '\'')) {
+        quote = c;
+      }
     }
   }
   return false;
@@ -105,7 +118,7 @@ class Converter {
       // tinyxml2 leaves names where they stand in its copy of the text.
       doubt_ |= !element.attributes.empty() && kBlanks.find(a->Name()[-1]) == kBlanks.npos;
       element.attributes.push_back({a->Name(), a->Value(), {file_, a->GetLineNum()}});
-      doubt_ |= element.attributes.back().value.find_first_of("<&") != std::string::npos;
+      doubt_ |= element.attributes.back().value.find('&') != std::string::npos;
     }
     for (const auto* node = source.FirstChild(); node; node = node->NextSibling()) {
       if (const auto* child = node->ToElement()) {
