@@ -1,6 +1,7 @@
 #include "pipeline.h"
 
 #include <array>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -253,35 +254,49 @@ class Assembler {
   bool done_ = false;
 };
 
+class OpenCvPipeline final : public Pipeline {
+ public:
+  OpenCvPipeline(const std::vector<Step>& steps, std::span<const elsie::Colour> resource_colours) {
+    Assembler assembler(resource_colours);
+    for (const Step& step : steps) {
+      assembler.add(step);
+    }
+    assembler.finish();
+    stages_ = std::move(assembler.stages);
+    blob_ = assembler.blob;
+  }
+
+  std::optional<FoundBlob> run(const elsie::Image& picture, elsie::Image& mask) override {
+    mask.width = picture.width;
+    mask.height = picture.height;
+    mask.channels = 1;
+    mask.bytes.resize(static_cast<std::size_t>(picture.width) *
+                      static_cast<std::size_t>(picture.height));
+    // cv::Mat has no read-only form; the stages do not write to the first one.
+    cv::Mat from(picture.height, picture.width, CV_8UC3,
+                 const_cast<std::uint8_t*>(picture.bytes.data()));
+    for (std::size_t i = 0; i < stages_.size(); ++i) {
+      cv::Mat& made = buffers_[i % 2];
+      stages_[i](from, made);
+      from = made;
+    }
+    from.copyTo(cv::Mat(picture.height, picture.width, CV_8U, mask.bytes.data()));
+    return choose(finder_.find(mask.bytes, mask.width, mask.height), blob_, mask.width,
+                  mask.height);
+  }
+
+ private:
+  std::vector<Stage> stages_;
+  Blob blob_;
+  cv::Mat buffers_[2];
+  BlobFinder finder_;
+};
+
 }  // namespace
 
-Pipeline::Pipeline(const std::vector<Step>& steps,
-                   std::span<const elsie::Colour> resource_colours) {
-  Assembler assembler(resource_colours);
-  for (const Step& step : steps) {
-    assembler.add(step);
-  }
-  assembler.finish();
-  stages_ = std::move(assembler.stages);
-  blob_ = assembler.blob;
-}
-
-std::optional<FoundBlob> Pipeline::run(const elsie::Image& picture, elsie::Image& mask) {
-  mask.width = picture.width;
-  mask.height = picture.height;
-  mask.channels = 1;
-  mask.bytes.resize(static_cast<std::size_t>(picture.width) *
-                    static_cast<std::size_t>(picture.height));
-  // cv::Mat has no read-only form; the stages do not write to the first one.
-  cv::Mat from(picture.height, picture.width, CV_8UC3,
-               const_cast<std::uint8_t*>(picture.bytes.data()));
-  for (std::size_t i = 0; i < stages_.size(); ++i) {
-    cv::Mat& made = buffers_[i % 2];
-    stages_[i](from, made);
-    from = made;
-  }
-  from.copyTo(cv::Mat(picture.height, picture.width, CV_8U, mask.bytes.data()));
-  return choose(finder_.find(mask.bytes, mask.width, mask.height), blob_, mask.width, mask.height);
-}
-
 }  // namespace vision
+
+extern "C" [[gnu::visibility("default")]] vision::Pipeline* elsie_vision_make_pipeline(
+    const std::vector<vision::Step>& steps, std::span<const elsie::Colour> resource_colours) {
+  return std::make_unique<vision::OpenCvPipeline>(steps, resource_colours).release();
+}

@@ -1,12 +1,10 @@
 // An assembled pipeline: checked once, run for every picture.
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include <opencv2/core.hpp>
 
 #include <elsie/api/image.h>
 
@@ -17,21 +15,19 @@ namespace vision {
 
 class Pipeline {
  public:
-  Pipeline() = default;
-  /// `resource_colours`: the default of <match_colour>. Throws std::invalid_argument with a
-  /// sentence for steps that do not fit together.
-  Pipeline(const std::vector<Step>& steps, std::span<const elsie::Colour> resource_colours);
-
+  virtual ~Pipeline() = default;
   /// Makes the mask of a picture with three channels, and finds the blob in it.
-  std::optional<FoundBlob> run(const elsie::Image& picture, elsie::Image& mask);
-
- private:
-  using Stage = std::function<void(const cv::Mat& from, cv::Mat& to)>;
-
-  std::vector<Stage> stages_;
-  Blob blob_;
-  cv::Mat buffers_[2];
-  BlobFinder finder_;
+  virtual std::optional<FoundBlob> run(const elsie::Image& picture, elsie::Image& mask) = 0;
 };
+
+/// Loads libelsie-vision, and OpenCV with it, at the first call: worlds without cameras do without.
+/// `resource_colours`: the default of <match_colour>. Throws std::invalid_argument with a sentence
+/// for steps that do not fit together, std::runtime_error when the library cannot be loaded.
+std::unique_ptr<Pipeline> make_pipeline(const std::vector<Step>& steps,
+                                        std::span<const elsie::Colour> resource_colours);
+
+/// The function that libelsie-vision exports; the caller owns the pipeline.
+using MakePipeline = Pipeline* (*)(const std::vector<Step>&, std::span<const elsie::Colour>);
+inline constexpr const char* kMakePipeline = "elsie_vision_make_pipeline";
 
 }  // namespace vision

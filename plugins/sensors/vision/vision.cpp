@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,7 +22,7 @@ class Vision final : public elsie::SensorOf<elsie::VisionReading> {
   double error = 0.0;
   std::vector<vision::Step> steps{vision::MatchColour{}, vision::Blob{}};
 
-  void configured() override { pipeline_ = vision::Pipeline(steps, resource_colours_); }
+  void configured() override { pipeline_ = vision::make_pipeline(steps, resource_colours_); }
 
   void equipped(const elsie::Carrier& carrier) override {
     resource_colours_.assign(carrier.resource_colours.begin(), carrier.resource_colours.end());
@@ -40,7 +41,7 @@ class Vision final : public elsie::SensorOf<elsie::VisionReading> {
     if (error > 0.0) {
       add_noise(reading.raw.bytes, *now.random);
     }
-    const auto blob = pipeline_.run(reading.raw, reading.processed);
+    const auto blob = pipeline_->run(reading.raw, reading.processed);
     reading.found = blob.has_value();
     reading.column = blob ? blob->column : 0.0;
     reading.row = blob ? blob->row : 0.0;
@@ -62,7 +63,7 @@ class Vision final : public elsie::SensorOf<elsie::VisionReading> {
     }
   }
 
-  vision::Pipeline pipeline_;
+  std::unique_ptr<vision::Pipeline> pipeline_;
   std::vector<elsie::Colour> resource_colours_;  // empty before it is equipped
 };
 

@@ -17,9 +17,10 @@ std::vector<fs::path> deciding_libraries() {
   // A library that is not loaded yet lies beside this one.
   std::map<std::string, fs::path> files;  // by the name without its version
   const std::string version = own.filename().string().substr(std::string("libelsie").size());
-  for (const char* const name : {"libelsie-inference", "libelsie-views"}) {
-    if (const fs::path file = own.parent_path() / (name + version); fs::exists(file)) {
-      files[name] = file;
+  for (const std::string& name : {"libelsie-inference" + version, "libelsie-views" + version,
+                                  std::string("libelsie-vision.so")}) {
+    if (const fs::path file = own.parent_path() / name; fs::exists(file)) {
+      files[name.substr(0, name.find('.'))] = file;
     }
   }
   dl_iterate_phdr(
