@@ -5,8 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/recording/mcap_recorder.h"
+#include "elsie/recording/recorded_run.h"
 #include "elsie/traces/trace_account.h"
-#include "elsie/traces/trace_recorder.h"
 
 #include "measures_support.h"
 
@@ -71,7 +72,7 @@ TEST_CASE("Measures agree with what the run tells otherwise") {
     world.measures.push_back(measure(name));
   }
   TemporaryFile file;
-  traces::TraceRecorder recorder(file.path);
+  recording::McapRecorder recorder(file.path);
   simulation::Observer* const observers[] = {&recorder};
   const RunResult result = Simulation(world, shipped(), {.seed = 3}).run(observers);
   CHECK(value(result, "path_length") == value(result, "path_length_m"));
@@ -79,7 +80,7 @@ TEST_CASE("Measures agree with what the run tells otherwise") {
   CHECK(value(result, "collected.count") == value(result, "collected"));
   CHECK(value(result, "energy.left") == value(result, "energy_left"));
   CHECK(value(result, "run_time") == value(result, "time_s"));
-  const traces::Trace trace = traces::read_trace(file.path);
+  const traces::Trace trace = recording::read_trace(file.path);
   REQUIRE(trace.robots.size() == 1);
   const traces::TraceRobot& traced = trace.robots[0];
   const traces::RobotAccount account = traces::account(traced, traces::within({}, trace));

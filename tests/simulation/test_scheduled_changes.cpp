@@ -1,10 +1,10 @@
 // Changes that are asked for before a run: when they are made, and that runs with them repeat.
-#include <fstream>
 
 #include <catch2/catch.hpp>
 
+#include "elsie/recording/mcap_recorder.h"
+#include "elsie/recording/recorded_run.h"
 #include "elsie/traces/trace.h"
-#include "elsie/traces/trace_recorder.h"
 
 #include "change_support.h"
 
@@ -174,13 +174,13 @@ TEST_CASE("Recordings tell what was changed, and observers see the start as it i
   world.robots = {robot("r1", 0, 0, 0, behavior("scripted"))};
   Simulation simulation(world, scripted.host);
   TemporaryFile file;
-  traces::TraceRecorder recorder(file.path);
+  recording::McapRecorder recorder(file.path);
   simulation::Observer* observers[] = {&start, &recorder};
   simulation.run(observers, std::vector<TimedChange>{{0.0, {"robot[r1]/@x", "-2"}},
                                                      {0.5, {"robot[1]/@max_speed", "0.05"}}});
   CHECK(start.x == Approx(-2));
-  std::ifstream in(file.path);
-  const std::string trace{std::istreambuf_iterator<char>(in), {}};
-  CHECK_THAT(trace, Catch::Contains("robot[r1]/@x=-2"));
-  CHECK_THAT(trace, Catch::Contains("robot[r1]/@max_speed=0.05"));
+  const traces::Trace trace = recording::read_trace(file.path);
+  REQUIRE(trace.robots.at(0).events.size() == 2);
+  CHECK(trace.robots[0].events[0].detail == "robot[r1]/@x=-2");
+  CHECK(trace.robots[0].events[1].detail == "robot[r1]/@max_speed=0.05");
 }
