@@ -1,9 +1,9 @@
-#include "elsie/process/shell_word.h"
 #include <cstdio>
 #include <string>
 
 #include <catch2/catch.hpp>
 
+#include "elsie/process/shell_word.h"
 
 using namespace elsie;
 

@@ -107,8 +107,9 @@ TEST_CASE("A plugin that crashes is named with robot, step and stack, and the re
     CHECK_THAT(world.here.read("run.mcap"), Contains(R"("left_rad_s":10,"right_rad_s":10)"));
     const auto explained = world.here.elsie("explain run.mcap");
     CHECK(explained.exit_code == 0);
-    CHECK_THAT(explained.out, Contains("stopped after 0.5 s: the program was brought down in the step "
-                                  "after it\n"));
+    CHECK_THAT(explained.out,
+               Contains("stopped after 0.5 s: the program was brought down in the step "
+                        "after it\n"));
   }
 }
 

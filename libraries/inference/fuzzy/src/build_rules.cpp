@@ -213,8 +213,8 @@ bool ModelBuilder::comparison(const ast::Condition& condition, bool negated,
     }
     problems_.add(
         condition.term.line,
-        "The input " + in_quotes(input.name) + " has no term " + in_quotes(condition.term.text) + "." +
-            did_you_mean(condition.term.text, names) + " Its terms are " +
+        "The input " + in_quotes(input.name) + " has no term " + in_quotes(condition.term.text) +
+            "." + did_you_mean(condition.term.text, names) + " Its terms are " +
             base::enumerated(names, "or") + "." +
             (same_name(condition.term.text, "any") ? " (The hedge 'any' is a fuzzylite extension, "
                                                      "which is not supported.)"

@@ -89,8 +89,9 @@ void ModelBuilder::variable_block(const ast::VariableBlock& block, bool output) 
     if (!is_new) {
       problems_.add(term.name.line,
                     "The term " + in_quotes(term.name.text) + " of " + in_quotes(block.name.text) +
-                        " is defined a second time; the first is " + in_quotes(place->second->text) +
-                        " in line " + std::to_string(place->second->line) +
+                        " is defined a second time; the first is " +
+                        in_quotes(place->second->text) + " in line " +
+                        std::to_string(place->second->line) +
                         ". Names are the same in any letter case: choose another one.");
       continue;
     }
@@ -274,8 +275,8 @@ void ModelBuilder::linear_term(const ast::Term& term, Variable& variable) {
   if (term.parameters.size() != model_->inputs.size() + 1) {
     problems_.add(term.name.line, "Linear needs a number for each input and one more, " +
                                       std::to_string(model_->inputs.size() + 1) +
-                                      " in all, but the term " + in_quotes(term.name.text) + " of " +
-                                      in_quotes(variable.name) + " has " +
+                                      " in all, but the term " + in_quotes(term.name.text) +
+                                      " of " + in_quotes(variable.name) + " has " +
                                       std::to_string(term.parameters.size()) + ".");
     variable.terms.push_back({term.name.text, FuzzySet{}, 0.0, {}, ""});
     return;

@@ -13,8 +13,8 @@
 namespace elsie::neural {
 
 using base::counted;
-using base::number_text;
 using base::in_quotes;
+using base::number_text;
 
 /// Four significant digits, for messages.
 inline std::string rough_text(double value) { return number_text(value, 4); }

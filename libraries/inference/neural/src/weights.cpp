@@ -126,7 +126,8 @@ class Reader {
     }
     about.push_back({key, trimmed_after(lines_[line_ - 1], words_[1])});
     if ((about.back().key + about.back().text).find('\r') != std::string::npos) {
-      refuse("the remark about " + neural::in_quotes(key) + " contains a carriage return; remove it");
+      refuse("the remark about " + neural::in_quotes(key) +
+             " contains a carriage return; remove it");
     }
   }
 

@@ -20,7 +20,8 @@ const world::Robot* find_robot(const world::World& world, const std::string& id)
   return found == world.robots.end() ? nullptr : &*found;
 }
 
-// Members of a team differ in lightness and a little in hue: one team, but each differs from the others.
+// Members of a team differ in lightness and a little in hue: one team, but each differs from the
+// others.
 Ink member_ink(const Ink& team, std::size_t index, std::size_t members) {
   if (members < 2) return team;
   constexpr std::array<double, 4> kLightness = {0.0, 0.13, -0.12, 0.06};

@@ -38,8 +38,8 @@ struct Format {
 std::span<const Format> formats();
 /// The format that a file's name asks for; null: none has this suffix.
 const Format* format_of(const std::filesystem::path& file);
-/// The suffixes for messages and help: ".csv or .mcap" with " or " between them. `with_images`: only
-/// of formats with a place for pictures.
+/// The suffixes for messages and help: ".csv or .mcap" with " or " between them. `with_images`:
+/// only of formats with a place for pictures.
 std::string suffixes(std::string_view between, bool with_images = false);
 
 }  // namespace elsie::recording
