@@ -62,7 +62,7 @@ const Fault kFaults[] = {
      "its left wheel rate is inf, which is no finite number (distance = 0"},
     {kBehavior, "undeclared", "raises the event 'surprise', which its declaration does not name"},
     {kBehavior, "overactive", "its activation is 1.5, which is not in [0, 1]"},
-    {kBehavior, "bad_rating", "in rate() is -0.1"},
+    {kBehavior, "bad_rating", "its rating of a candidate command is -0.1"},
     {kBehavior, "bad_sets", "not in ascending order: 0 comes after 1"},
     {kBehavior, "throws", "in step 11 it throws: out of ideas"},
     {kBehavior, "grows", "its memory grows with the number of steps"},
