@@ -74,7 +74,7 @@ four-resources: all
 	scripts/coordination-figures $(BUILD)
 
 # The published experiments and the study of every coordinator: docs/experiments.md, docs/every-coordinator.md. Goes on where it was stopped.
-tables: configure-program
+tables: configure
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	scripts/tables $(BUILD)
 

@@ -20,7 +20,12 @@ const CommandModule& load() {
                       dlerror() + "\ninstall Elsie anew, or build it again");
   }
   using Get = const CommandModule* (*)();
-  return *reinterpret_cast<Get>(dlsym(module, kCommandModule))();
+  const auto get = reinterpret_cast<Get>(dlsym(module, kCommandModule));
+  if (!get) {
+    throw base::Error("'" + file +
+                      "' is not of this program\ninstall Elsie anew, or build it again");
+  }
+  return *get();
 }
 
 }  // namespace

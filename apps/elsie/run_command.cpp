@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -62,9 +63,9 @@ plugin failed, 4 when the physics failed.
 /// Everything that watches one run.
 class Watchers {
  public:
-  Watchers(const RunOptions& options, const RunViews* views) {
-    if (views) {
-      all_.assign(views->observers().begin(), views->observers().end());
+  Watchers(const RunOptions& options, std::unique_ptr<RunViews> views) : views_(std::move(views)) {
+    if (views_) {
+      all_.assign(views_->observers().begin(), views_->observers().end());
     }
     if (!options.quiet && !options.json && isatty(STDERR_FILENO)) {
       all_.push_back(&progress_.emplace());
@@ -78,8 +79,14 @@ class Watchers {
   Watchers& operator=(const Watchers&) = delete;
 
   std::span<simulation::Observer* const> all() const { return all_; }
+  void draw(const simulation::Simulation& simulation, const std::string& line) const {
+    if (views_) {
+      views_->draw(simulation, line);
+    }
+  }
 
  private:
+  std::unique_ptr<RunViews> views_;
   std::optional<ProgressBar> progress_;
   std::optional<Pacer> pacer_;
   InterruptGuard interrupt_;
@@ -155,7 +162,7 @@ simulation::Simulation simulation_of(const RunOptions& options, const plugin::Ho
 }
 
 int run(const RunOptions& options) {
-  const auto views = options.views.any() ? command_module().make_views(options.views) : nullptr;
+  auto views = options.views.any() ? command_module().make_views(options.views) : nullptr;
   const auto changes = changes_of(options);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
@@ -170,12 +177,8 @@ int run(const RunOptions& options) {
   if (views) {
     views->open(simulation);
   }
-  Watchers watchers(options, views.get());
-  const auto draw_as = [&](const std::string& line) {
-    if (views) {
-      views->draw(simulation, line);
-    }
-  };
+  const Watchers watchers(options, std::move(views));
+  const auto draw_as = [&](const std::string& line) { watchers.draw(simulation, line); };
   const auto watchdog = watchdog_of(options);
   try {
     const simulation::RunResult result = simulation.run(watchers.all(), changes, renew);

@@ -10,7 +10,7 @@ import tempfile
 
 ELSIE, WORLD, WORLD_WITH_CAMERAS = sys.argv[1:]
 UNWANTED = ("libelsie-views", "libelsie-studies", "libelsie-testing", "elsie-commands", "libepoxy", "libEGL", "libGL", "libOpenGL", "libcairo",
-            "libsqlite3", "libcrypto", "libzstd")
+            "libsqlite3", "libcrypto", "libzstd", "libelsie-vision", "libopencv")
 
 
 def loaded_by(*words):

@@ -86,7 +86,7 @@ TEST_CASE("A change that cannot be made is reported before the run, with exit co
   expect("1:robot[r1]/@max_speed", " 1:robot[r1]/@max_speed: there is no '=' after a path" + form);
   expect("4:robot[r1]/@max_speed=0.2",
          ": robot[r1]/@max_speed=0.2: its time is 4 s, but the run begins at 0 and ends after 4 s "
-         "at the latest; expected a time in between");
+         "at the latest; expected a time in between, before the last step begins");
   expect("1:robot[r9]/@x=1", ": at 1 s, robot[r9]/@x=1: there is no robot[r9]; there are: r1");
   expect("1:robot[r1]/@max_sped=1",
          ": at 1 s, robot[r1]/@max_sped=1: <robot> has no attribute 'max_sped'; did you mean "

@@ -119,10 +119,13 @@ TEST_CASE("A schedule is checked before the run begins") {
   const TimedChange good{0.2, {"robot[r1]/@leader", "true"}};
   refused({good, {1.0, {"robot[r1]/@x", "1"}}},
           "robot[r1]/@x=1: its time is 1 s, but the run begins at 0 and ends after 1 s at the "
-          "latest; expected a time in between");
+          "latest; expected a time in between, before the last step begins");
+  refused({good, {0.9951, {"robot[r1]/@x", "1"}}},
+          "robot[r1]/@x=1: its time is 0.9951 s, but the run begins at 0 and ends after 1 s at the "
+          "latest; expected a time in between, before the last step begins");
   refused({good, {-0.1, {"robot[r1]/@x", "1"}}},
           "robot[r1]/@x=1: its time is -0.1 s, but the run begins at 0 and ends after 1 s at the "
-          "latest; expected a time in between");
+          "latest; expected a time in between, before the last step begins");
   refused({good, {0.5, {"robot[r1]/@max_speed", "fast"}}},
           "at 0.5 s, robot[r1]/@max_speed=fast: expected a number at least 0 and at most 100 m/s");
   refused({good, {0.5, {"robot[r1]/@x", "6"}}},

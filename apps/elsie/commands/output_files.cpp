@@ -119,7 +119,7 @@ void require_recording(const fs::path& file, const char* option) {
   }
   require_writable(file, option);
   const std::string start = start_of(file);
-  if (!start.empty() && !(format && start.starts_with(format->mark))) {
+  if (!start.empty() && !(format && start.starts_with(format->mark) && has(start, format->maker))) {
     refuse_other(file, option, "recording");
   }
 }

@@ -60,6 +60,8 @@ std::string report(const RecordedRun& run) {
       out += '\n';
     }
     out += "a sample every " + base::number_text(run.period_s, 6) + " s\n";
+  } else if (run.library.starts_with("elsie ")) {
+    out += "the recording breaks off before its first second was written\n";
   } else {
     out += "no run of Elsie: recorded by '" + run.library + "'\n";
   }

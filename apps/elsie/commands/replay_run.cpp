@@ -1,7 +1,9 @@
 #include "replay_run.h"
 
 #include <iostream>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <spdlog/spdlog.h>
@@ -47,8 +49,8 @@ StoredRun stored_run(const RunAgainOptions& options) {
 /// All observers of the run.
 class Watchers {
  public:
-  Watchers(const RunAgainOptions& options, const RunViews& views, EndAgain* end)
-      : all_(views.observers().begin(), views.observers().end()) {
+  Watchers(const RunAgainOptions& options, std::unique_ptr<RunViews> views, EndAgain* end)
+      : views_(std::move(views)), all_(views_->observers().begin(), views_->observers().end()) {
     if (!options.quiet && isatty(STDERR_FILENO)) {
       all_.push_back(&progress_.emplace());
     }
@@ -61,8 +63,12 @@ class Watchers {
   Watchers& operator=(const Watchers&) = delete;
 
   std::span<simulation::Observer* const> all() const { return all_; }
+  void draw(const Simulation& simulation, const std::string& line) const {
+    views_->draw(simulation, line);
+  }
 
  private:
+  std::unique_ptr<RunViews> views_;
   std::vector<simulation::Observer*> all_;
   std::optional<ProgressBar> progress_;
   InterruptGuard interrupt_;
@@ -117,7 +123,7 @@ void expect_end(std::optional<EndAgain>& end, const StoredRun& run,
 }  // namespace
 
 int replay_run(const RunAgainOptions& options) {
-  const auto views = make_views(options.views);
+  auto views = make_views(options.views);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
@@ -134,8 +140,8 @@ int replay_run(const RunAgainOptions& options) {
                          .measure_time = options.views.record.times,
                          .cameras = render::world_cameras});
   views->open(simulation);
-  Watchers watchers(options, *views, end ? &*end : nullptr);
-  const auto draw_as = [&](const std::string& line) { views->draw(simulation, line); };
+  const Watchers watchers(options, std::move(views), end ? &*end : nullptr);
+  const auto draw_as = [&](const std::string& line) { watchers.draw(simulation, line); };
   try {
     const RunResult result = simulation.run(watchers.all());
     const bool same = compare(run, result, restored);

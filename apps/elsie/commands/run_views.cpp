@@ -30,7 +30,10 @@ const recording::Format& format_of(const std::string& file) {
 void check(const RecordOptions& record) {
   for (auto file = record.files.begin(); file != record.files.end(); ++file) {
     require_recording(*file, "--record");
-    if (std::find(record.files.begin(), file, *file) != file) {
+    const auto is_same = [&](const std::string& other) {
+      return std::filesystem::weakly_canonical(other) == std::filesystem::weakly_canonical(*file);
+    };
+    if (std::find_if(record.files.begin(), file, is_same) != file) {
       throw BadInput("--record: '" + *file + "' is given twice");
     }
   }

@@ -34,13 +34,13 @@ std::vector<DueChanges> by_step(std::span<const TimedChange> changes, double ste
   std::vector<DueChanges> schedule;
   for (const TimedChange& timed : changes) {
     const std::string text = timed.change.path + "=" + timed.change.value;
-    if (!(timed.time_s >= 0.0 && timed.time_s < end_s)) {
+    const double begins = std::max(0.0, std::ceil(timed.time_s / step_s - kRounding));  // steps
+    if (!(timed.time_s >= 0.0 && timed.time_s < end_s && begins < end_s / step_s - kRounding)) {
       refuse(text, "its time is " + number(timed.time_s) +
                        " s, but the run begins at 0 and ends after " + number(end_s) +
-                       " s at the latest; expected a time in between");
+                       " s at the latest; expected a time in between, before the last step begins");
     }
-    const auto step =
-        static_cast<std::uint64_t>(std::max(0.0, std::ceil(timed.time_s / step_s - kRounding)));
+    const auto step = static_cast<std::uint64_t>(begins);
     auto at = std::upper_bound(
         schedule.begin(), schedule.end(), step,
         [](std::uint64_t asked, const DueChanges& due) { return asked < due.step; });

@@ -181,6 +181,7 @@ std::int64_t ResultsDatabase::redo_failed() {
                               "timelines", "notes"}) {
       connection.run("DELETE FROM " + std::string(table) + " WHERE run_id IN " + failed);
     }
+    // Of two assignments to `state` SQLite makes the last.
     connection.run("UPDATE runs SET " + results::field_names(" = NULL") +
                    ", ended = NULL, state = 'pending' "
                    "WHERE state NOT IN ('pending', 'done')");

@@ -201,7 +201,11 @@ class CsvRecorder::Impl {
 };
 
 Format CsvRecorder::format() {
-  return {".csv", "a table", "time_s,robot,", false,
+  return {".csv",
+          "a table",
+          kBodyColumns,
+          "",
+          false,
           [](const std::filesystem::path& file,
              const RecorderOptions& options) -> std::unique_ptr<simulation::Observer> {
             return std::make_unique<CsvRecorder>(file, options.rate_hz, options.with_times);

@@ -382,7 +382,11 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
 };
 
 Format McapRecorder::format() {
-  return {".mcap", "a recording for viewers, `elsie replay` and `elsie explain`", "\x89MCAP", true,
+  return {".mcap",
+          "a recording for viewers, `elsie replay` and `elsie explain`",
+          "\x89MCAP",
+          "elsie",
+          true,
           [](const std::filesystem::path& file,
              const RecorderOptions& options) -> std::unique_ptr<simulation::Observer> {
             return std::make_unique<McapRecorder>(file, options);

@@ -166,10 +166,10 @@ traces::Trace read_trace(const std::filesystem::path& file) {
   TraceBuilder builder(trace);
   read_file(file, run, builder);
   const std::string what = "recording '" + file.string() + "' ";
-  if (!run.of_elsie) {
+  if (!run.of_elsie && !run.library.starts_with("elsie ")) {
     throw mcap::McapError(what + "was not made by Elsie but by '" + run.library + "'");
   }
-  if (run.channels.empty()) {
+  if (!run.of_elsie || run.channels.empty()) {
     throw mcap::McapError(what + "breaks off before its first second was written");
   }
   trace.period_s = base::rounded(run.step_s * static_cast<double>(run.control_steps), 9);

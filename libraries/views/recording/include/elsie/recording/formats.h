@@ -28,6 +28,7 @@ struct Format {
   std::string_view suffix;       // ".csv"
   std::string_view description;  // "a table"
   std::string_view mark;         // how every such file begins
+  std::string_view maker;        // what its first kilobyte also has, so that it is ours
   bool images = false;           // whether it has a place for pictures
   /// Creates the file at once, and throws an exception with a sentence when it cannot.
   std::unique_ptr<simulation::Observer> (*recorder)(const std::filesystem::path& file,
