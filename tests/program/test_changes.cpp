@@ -69,14 +69,17 @@ TEST_CASE("Runs with the same changes are the same, whether they are recorded or
 
 TEST_CASE("A change that cannot be made is reported before the run, with exit code 2") {
   Workplace here;
-  here.write("run.csv", "time_s,robot,what was there before\n");
+  const std::string before =
+      "time_s,robot,x_m,y_m,heading_rad,speed_m_s,turn_rate_rad_s,distance_m,energy,command_left,"
+      "command_right,what was there before\n";
+  here.write("run.csv", before);
   const auto expect = [&](const std::string& change, const std::string& sentence) {
     CAPTURE(change);
     const auto run = here.elsie(kRun + " --record run.csv --at '" + change + "'");
     CHECK(run.exit_code == 2);
     CHECK(run.out.empty());
     CHECK(run.err == "elsie: --at" + sentence + "\n");
-    CHECK(here.read("run.csv") == "time_s,robot,what was there before\n");
+    CHECK(here.read("run.csv") == before);
   };
   const std::string form = "; expected TIME:PATH=VALUE, as in '5:robot[r1]/@max_speed=0.2'";
   expect("robot[r1]/@max_speed=0.2",
