@@ -59,8 +59,8 @@ TEST_CASE("Runs with the same changes are the same, whether they are recorded or
   const std::string first = hash(changed);
   CHECK(hash(changed + " --record run.mcap --record run.csv") == first);
   CHECK(hash(kRun + " --seed 4") != first);
-  const auto told = json::parse(here.elsie("explain run.mcap --json").out);
-  const json& event = told.at("robots").at(0).at("events").at(0);
+  const auto explained = json::parse(here.elsie("explain run.mcap --json").out);
+  const json& event = explained.at("robots").at(0).at("events").at(0);
   CHECK(event.at("name") == "changed");
   CHECK(event.at("detail") == "robot[r1]/behavior[wander]/@speed=18");
   CHECK(event.at("time_s") == 1.5);

@@ -26,13 +26,13 @@ TEST_CASE("explain shows who decided in a recording, in words and in a picture")
   const auto run = here.elsie("run worlds/clutter.xml --duration 30 --record run.mcap --quiet");
   CHECK(run.exit_code == 1);  // thirty seconds are not enough for its goals
   CHECK(run.err.empty());
-  const auto told = here.elsie("explain run.mcap --picture run.png");
-  CHECK(told.exit_code == 0);
-  CHECK(told.err.empty());
-  CHECK_THAT(told.out, Catch::StartsWith("clutter, seed 1: time_limit after 30.0 s: "));
-  CHECK_THAT(told.out, Catch::Contains("robot r1, team red, fusion_vector_summation"));
-  CHECK_THAT(told.out, Catch::Contains("avoid_obstacle"));
-  CHECK_THAT(told.out, Catch::Contains("who decided: "));
+  const auto explained = here.elsie("explain run.mcap --picture run.png");
+  CHECK(explained.exit_code == 0);
+  CHECK(explained.err.empty());
+  CHECK_THAT(explained.out, Catch::StartsWith("clutter, seed 1: time_limit after 30.0 s: "));
+  CHECK_THAT(explained.out, Catch::Contains("robot r1, team red, fusion_vector_summation"));
+  CHECK_THAT(explained.out, Catch::Contains("avoid_obstacle"));
+  CHECK_THAT(explained.out, Catch::Contains("who decided: "));
   CHECK_THAT(here.read("run.png"), Catch::StartsWith("\x89PNG"));
 }
 
@@ -41,10 +41,10 @@ TEST_CASE("explain tells who silenced whom") {
   here.elsie(
       "run worlds/clutter.xml --duration 5 --record run.mcap --quiet "
       "--set 'robot[r1]/coordinator=<arbiter_suppression/>'");
-  const auto told = here.elsie("explain run.mcap");
-  CHECK_THAT(told.out, Catch::Contains("arbiter_suppression"));
-  CHECK_THAT(told.out, Catch::Contains("wander  by avoid_obstacle  1 time  5.00 s  100.0 %"));
-  CHECK_THAT(told.out, Catch::Contains("avoid_obstacle  share 1, weight 1: highest priority"));
+  const auto explained = here.elsie("explain run.mcap");
+  CHECK_THAT(explained.out, Catch::Contains("arbiter_suppression"));
+  CHECK_THAT(explained.out, Catch::Contains("wander  by avoid_obstacle  1 time  5.00 s  100.0 %"));
+  CHECK_THAT(explained.out, Catch::Contains("avoid_obstacle  share 1, weight 1: highest priority"));
 }
 
 TEST_CASE("A run is the same whether it is explained or not") {
@@ -65,14 +65,14 @@ TEST_CASE("explain --json tells everything, episodes unabridged") {
   const auto run = here.elsie("explain run.mcap --robot r5 --robot r2 --from 5 --to 25 --json");
   CHECK(run.err.empty());
   CHECK(lines(run.out) == 1);
-  const json told = json::parse(run.out);
-  CHECK(told.at("seed") == 4);
-  CHECK(told.at("outcome") == "time_limit");
-  CHECK(told.at("from_s") == 5);
-  CHECK(told.at("to_s") == 25);
-  CHECK(told.at("end_s") == 30);
-  REQUIRE(told.at("robots").size() == 2);
-  const json& robot = told.at("robots")[0];
+  const json explained = json::parse(run.out);
+  CHECK(explained.at("seed") == 4);
+  CHECK(explained.at("outcome") == "time_limit");
+  CHECK(explained.at("from_s") == 5);
+  CHECK(explained.at("to_s") == 25);
+  CHECK(explained.at("end_s") == 30);
+  REQUIRE(explained.at("robots").size() == 2);
+  const json& robot = explained.at("robots")[0];
   CHECK(robot.at("id") == "r5");
   REQUIRE(robot.at("behaviors").size() == 2);
   double decided_s = 0.0, shares = 0.0;
@@ -144,11 +144,11 @@ TEST_CASE("A recording that a kill cut short is explained as far as it goes") {
   std::string bytes = here.read("run.mcap");
   bytes.resize(bytes.size() / 2);
   here.write("cut.mcap", bytes);
-  const auto told = here.elsie("explain cut.mcap --picture cut.svg");
-  CHECK(told.exit_code == 0);
-  CHECK_THAT(told.out,
+  const auto explained = here.elsie("explain cut.mcap --picture cut.svg");
+  CHECK(explained.exit_code == 0);
+  CHECK_THAT(explained.out,
              Catch::Contains("The recording has no end: the run was killed, or is still"));
-  CHECK_THAT(told.out, Catch::Contains("the end is missing: the file breaks off at byte "));
+  CHECK_THAT(explained.out, Catch::Contains("the end is missing: the file breaks off at byte "));
   CHECK_FALSE(here.read("cut.svg").empty());
   here.write("begun.mcap", bytes.substr(0, 400));
   const auto begun = here.elsie("explain begun.mcap");
@@ -213,9 +213,9 @@ TEST_CASE("explain shows the priorities that the user set in the run") {
                      " --at '2:robot[1]/behavior[drive]/behavior[1]/@priority=3'"
                      " --at '3:robot[*]/behavior[roam]/@priority=5'")
               .exit_code < 2);
-  const std::string told = here.elsie("explain t.mcap").out;
-  CHECK_THAT(told, Catch::Matches("[\\s\\S]*\\n *roam +1, 0.25, 5 [\\s\\S]*"));
-  CHECK_THAT(told, Catch::Matches("[\\s\\S]*\\n *wander +2, 3 [\\s\\S]*"));
+  const std::string explained = here.elsie("explain t.mcap").out;
+  CHECK_THAT(explained, Catch::Matches("[\\s\\S]*\\n *roam +1, 0.25, 5 [\\s\\S]*"));
+  CHECK_THAT(explained, Catch::Matches("[\\s\\S]*\\n *wander +2, 3 [\\s\\S]*"));
 }
 
 TEST_CASE("A full disk ends the run with a sentence") {
@@ -240,10 +240,11 @@ TEST_CASE("A crash ends the decisions at the last step that was whole") {
       here.elsie("run world.xml --plugin-path " + elsie::test::build_path("tests/program/plugins") +
                  " --record crash.mcap --record crash.csv");
   CHECK(run.exit_code == 3);
-  const auto told = here.elsie("explain crash.mcap");
-  CAPTURE(told.out, told.err);
-  CHECK(told.exit_code == 0);
-  CHECK_THAT(told.out, Catch::Contains("stopped after 0.5 s: the program was brought down in the "
-                                       "step after it"));
+  const auto explained = here.elsie("explain crash.mcap");
+  CAPTURE(explained.out, explained.err);
+  CHECK(explained.exit_code == 0);
+  CHECK_THAT(explained.out,
+             Catch::Contains("stopped after 0.5 s: the program was brought down in the "
+                             "step after it"));
   CHECK_THAT(here.read("crash.csv"), Catch::Contains("\n0.5,r1,"));
 }

@@ -280,7 +280,7 @@ TEST_CASE("The file grows during the run, a second at a time") {
     simulation.step();
     recorder.stepped(simulation);
   }
-  // Nobody told the recorder that the run has ended: as if the program had been killed here.
+  // The recorder gets no ended(): the program might have been killed here.
   const Trace trace = read_trace(file.path);
   CHECK(trace.outcome.empty());
   CHECK(!trace.cut_off.empty());

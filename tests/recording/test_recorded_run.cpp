@@ -92,7 +92,7 @@ TEST_CASE("What was there at a time is what was sampled until then") {
   CHECK(read_recorded_run(file.path, 0.3).robots[0].path.size() == 4);
 }
 
-TEST_CASE("A recording that breaks off is told up to there, at every length") {
+TEST_CASE("A recording that breaks off is read up to there, at every length") {
   McapFile file;
   Simulation simulation(shipped_world("open_arena.xml", 4), shipped());
   record(simulation, file.path);
@@ -111,7 +111,7 @@ TEST_CASE("A recording that breaks off is told up to there, at every length") {
   CHECK(read == 41);
 }
 
-TEST_CASE("An MCAP file that is not from Elsie is told of by its channels alone") {
+TEST_CASE("Of an MCAP file that is not from Elsie only the channels are listed") {
   McapFile file;
   write_small(file.path, 2);
   const auto run = read_recorded_run(file.path);

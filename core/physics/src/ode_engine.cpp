@@ -399,8 +399,8 @@ bool OdeEngine::meet(Scene::Id first, Scene::Id second) {
   return can_give && meet_solids(contacts_, solid(box_a), solid(box_b));
 }
 
-// Neighbours are kept apart by the limits of their joint. Nobody is told that a robot touches
-// itself.
+// Neighbours are kept apart by the limits of their joint. No contact is reported when a robot
+// touches itself.
 bool OdeEngine::meet_own(const OdeRobot& robot, std::size_t a, std::size_t b) {
   if (std::max(a, b) - std::min(a, b) > 1) {
     meet_vehicles(contacts_, robot.vehicle(a), robot.vehicle(b));

@@ -56,7 +56,7 @@ class Tuning {
   /// back then.
   void set(const TunedObject& tuned, Setup setup, const Perception& example);
 
-  /// Of one that was changed: these are its parameters now, without its being told.
+  /// Of one that was changed: these are its parameters now, which it has not been given.
   void take_over(const world::PluginUse& use, Setup setup);
 
   /// The objects that are not as the world says, in the order in which they were first changed.

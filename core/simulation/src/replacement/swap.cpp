@@ -18,27 +18,27 @@ const Declared* find(const std::vector<Declared>& declared, const std::string& n
   return at == declared.end() ? nullptr : &*at;
 }
 
-/// Removes what the declaration does not have; `told` hears of it.
+/// Removes what the declaration does not have; calls `removed` for each.
 template <class Elements>
 void strip(const Declaration& declaration, std::map<std::string, ParameterValue>& parameters,
-           Elements& elements, const std::function<void(const std::string&)>& told) {
+           Elements& elements, const std::function<void(const std::string&)>& removed) {
   std::erase_if(parameters, [&](const auto& given) {
     const bool gone = !find(declaration.parameters, given.first);
     if (gone) {
-      told("the parameter '" + given.first + "'");
+      removed("the parameter '" + given.first + "'");
     }
     return gone;
   });
   std::erase_if(elements, [&](auto& given) {
     const ElementDeclaration* const known = find(declaration.elements, given.element);
     if (!known) {
-      told("the element <" + given.element + ">");
+      removed("the element <" + given.element + ">");
       return true;
     }
     std::erase_if(given.parameters, [&](const auto& parameter) {
       const bool gone = !find(known->parameters, parameter.first);
       if (gone) {
-        told("the parameter '" + parameter.first + "' of <" + given.element + ">");
+        removed("the parameter '" + parameter.first + "' of <" + given.element + ">");
       }
       return gone;
     });
@@ -82,8 +82,8 @@ const Declaration* Swap::checked(PluginKind kind, const world::PluginUse& use,
 
 Setup Swap::setup_for(Exchanged& exchanged) {
   const Declaration& declaration = *exchanged.declaration;
-  const auto fitted = [&](Setup setup, const std::function<void(const std::string&)>& told) {
-    strip(declaration, setup.parameters, setup.elements, told);
+  const auto fitted = [&](Setup setup, const std::function<void(const std::string&)>& removed) {
+    strip(declaration, setup.parameters, setup.elements, removed);
     add_default_files(declaration, setup);
     return setup;
   };

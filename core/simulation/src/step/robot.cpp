@@ -282,7 +282,7 @@ void Robot::set_up(const world::PluginUse& use, const Setup& setup) {
   look_through_cameras();
 }
 
-/// A perception for plugins that are told of new parameters: what was perceived last.
+/// The perception for plugins that get new parameters: what was perceived last.
 Perception Robot::example() {
   team_.mates = mates_;
   perception_.events = perceived_events_;

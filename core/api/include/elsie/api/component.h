@@ -37,7 +37,7 @@ class Component {
   /// at its start: the one that it draws from during the run.
   virtual void reset(Random& /*random*/) {}
 
-  /// What a user should be told once a run is prepared, a sentence each: how well a network was
+  /// Sentences for the user, once a run is prepared: how well a network was
   /// trained, what was left out. Asked after reset().
   virtual std::vector<std::string> notes() const { return {}; }
 

@@ -154,7 +154,7 @@ class Readings {
   std::span<const SensedReading> all_;
 };
 
-/// Everything that a behaviour or a coordinator is told at one instant, and nothing else: no world,
+/// Everything that a behaviour or a coordinator gets at one instant, and nothing else: no world,
 /// no other behaviour. It is a view onto memory of the simulator and valid during the call only.
 /// Making and reading one allocates nothing.
 class Perception {

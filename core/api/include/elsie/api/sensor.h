@@ -66,8 +66,8 @@ struct SensorContext {
   const Image* image = nullptr;  // what the sensor's camera sees now; see Sensor::camera()
 };
 
-/// What a sensor is told of the robot that carries it, once that is complete: what does not change
-/// in a run. A view, valid during the call.
+/// What a sensor learns about the robot that carries it, once that is complete: what does not
+/// change in a run. A view, valid during the call.
 struct Carrier {
   const Mounting* mounting = nullptr;        // the sensor on the robot
   std::span<const Colour> resource_colours;  // see Surroundings
