@@ -99,6 +99,25 @@ TEST_CASE("A worker that is killed from outside costs its run only") {
   CHECK(here.batch("faulty.xml --resume --again --quiet").exit_code == 0);
 }
 
+TEST_CASE("A worker leaves a request to end to its batch: a run has no result because of it") {
+  // A cluster sends SIGTERM to all processes of a task, in any order.
+  const Laboratory here;
+  here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 4);
+  const auto run = here.sh(
+      "elsie --one-process batch faulty.xml --workers 1 --quiet --plugin-path " +
+      Laboratory::plugins() +
+      " & batch=$!\n"
+      "while ! worker=$(cat /proc/$batch/task/$batch/children) || [ -z \"$worker\" ]; do sleep "
+      "0.002; done\n"
+      "kill -TERM $worker; sleep 0.5; kill -TERM $worker; sleep 0.2; kill -TERM $batch\n"
+      "wait $batch && code=$? || code=$?\n"
+      "exit $code");
+  CHECK(run.exit_code == 4);
+  CHECK(here.query("faulty.sqlite",
+                   "SELECT count(*) FROM runs WHERE state NOT IN ('pending', 'done')") == "0\n");
+  CHECK(here.batch("faulty.xml --resume --quiet").exit_code == 0);
+}
+
 TEST_CASE("A batch that is killed continues where it was: no run is lost, none done twice") {
   const Laboratory here;
   here.write("many.xml", Laboratory::experiment("<world file=\"small.xml\"/>", Laboratory::kSpeeds,

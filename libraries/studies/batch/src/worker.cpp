@@ -98,7 +98,19 @@ class LastWordsWriter final : public base::EmergencyWriter {
   }
 };
 
-void asked_to_end(int, siginfo_t*, void*) {
+void asked_to_end(int, siginfo_t* request, void*) {
+  const pid_t sender = request->si_pid;
+  if (sender == getpid()) {  // a plugin sends it to its own process
+    send_last_words();
+    std::signal(SIGTERM, SIG_DFL);
+    raise(SIGTERM);  // when this handler has returned
+    return;
+  }
+  if (sender != getppid()) {
+    // A cluster that ends a task sends SIGTERM to all of its processes. The pool gets it, too: it
+    // ends its workers, and has no results of their runs. A result from here would be a wrong one.
+    return;
+  }
   if (!plugin::Call::innermost()) {
     send_last_words();
   }
@@ -113,6 +125,10 @@ void handle_signals() {
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigemptyset(&action.sa_mask);
   sigaction(SIGTERM, &action, nullptr);
+  sigset_t waiting;  // blocked since the worker began
+  sigemptyset(&waiting);
+  sigaddset(&waiting, SIGTERM);
+  sigprocmask(SIG_UNBLOCK, &waiting, nullptr);
 }
 
 std::string standard_input() {

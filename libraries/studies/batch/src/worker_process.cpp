@@ -89,9 +89,12 @@ bool drain(const Descriptor& from, const Take& take) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
     std::signal(number, SIG_DFL);
   }
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);  // only now: the parent's handlers must not run here
+  // Only now, because the parent's handlers must not run here. SIGTERM waits for the worker's
+  // handler.
+  sigset_t blocked;
+  sigemptyset(&blocked);
+  sigaddset(&blocked, SIGTERM);
+  sigprocmask(SIG_SETMASK, &blocked, nullptr);
   // The sources never overlap the targets: 0 to 2 are in use, and 3 is kept free.
   dup2(job, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
