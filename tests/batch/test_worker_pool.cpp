@@ -16,10 +16,18 @@ using Catch::Contains;
 
 namespace {
 
+/// A shell that runs a script. A worker begins with SIGTERM blocked, and a shell cannot change
+/// that.
+std::vector<std::string> shell(const std::string& script) {
+  return {"/usr/bin/perl", "-MPOSIX", "-e",
+          "sigprocmask(SIG_UNBLOCK, POSIX::SigSet->new(SIGTERM)); exec '/bin/sh', '-c', @ARGV",
+          script};
+}
+
 /// Does `count` jobs with a script, which gets the job on its standard input.
 std::map<std::int64_t, batch::RunRecord> results_of(const std::string& script, std::int64_t count,
                                                     batch::PoolOptions options = {}) {
-  options.command = {"/bin/sh", "-c", script};
+  options.command = shell(script);
   batch::WorkerPool pool(std::move(options));
   std::map<std::int64_t, batch::RunRecord> results;
   std::int64_t next = 0;

@@ -24,7 +24,9 @@ inline constexpr int kResultDescriptor = 3;
 inline constexpr std::size_t kLogTail = 16 * 1024;
 
 struct PoolOptions {
-  std::vector<std::string> command{};  // the program of a worker with its arguments
+  /// The program of a worker with its arguments. It begins with SIGTERM blocked, until it can
+  /// tell the pool's request to end from one that comes from outside.
+  std::vector<std::string> command{};
   std::size_t workers = 1;
   double wall_limit_s = 600.0;  // of one run
   /// After the wall limit a worker gets SIGTERM, and after this time SIGKILL.
