@@ -40,17 +40,17 @@ void give_colours(const world::World& world, std::vector<DrawnRobot>& robots) {
   }
 }
 
-// Adds segments that the track does not have, in line behind the robot.
-void add_segments(const world::Robot& known, DrawnRobot& robot) {
-  robot.segments = known.segments;
-  robot.couplings = world::couplings(known.body, known.segments);
+DrawnRobot drawn(RobotTrack track, const world::Robot& known) {
+  DrawnRobot robot{std::move(track), world::plan_of(known), {}, {}, known.team};
+  // Segments that the track does not have are in line behind the robot.
+  const std::vector<Frame> frames = world::in_line(robot.plan);
   const Pose& now = robot.track.now;
-  robot.track.segments.resize(std::min(robot.track.segments.size(), known.segments.size()));
-  for (std::size_t i = robot.track.segments.size(); i < known.segments.size(); ++i) {
-    const double behind = robot.couplings[i].place;
-    robot.track.segments.push_back({now.x - behind * std::cos(now.heading_rad),
-                                    now.y - behind * std::sin(now.heading_rad), now.heading_rad});
+  robot.track.segments.resize(std::min(robot.track.segments.size(), frames.size() - 1));
+  for (std::size_t i = robot.track.segments.size() + 1; i < frames.size(); ++i) {
+    const Vector2 at = point_of(now, {frames[i].origin.x, frames[i].origin.y});
+    robot.track.segments.push_back({at.x, at.y, now.heading_rad});
   }
+  return robot;
 }
 
 // Reduces a path to the chosen part. Touches have no times: those on that part stay.
@@ -121,13 +121,11 @@ Scene complete(const TopView& view) {
   Scene scene{view.world,         {},  view.boxes, view.title, view.subtitles,
               view.path_period_s, 0.0, view.paths};
   for (const RobotTrack& track : view.robots) {
-    DrawnRobot robot{track, {}, {}, {}, {}, {}, {}};
+    const world::Robot* known = find_robot(view.world, track.id);
+    world::Robot unknown;
+    unknown.team.clear();
+    DrawnRobot robot = drawn(track, known ? *known : unknown);
     choose_path(view, robot.track);
-    if (const world::Robot* known = find_robot(view.world, track.id)) {
-      robot.body = known->body;
-      robot.team_id = known->team;
-      add_segments(*known, robot);
-    }
     scene.robots.push_back(std::move(robot));
   }
   for (const world::Robot& robot : view.world.robots) {
@@ -137,9 +135,7 @@ Scene complete(const TopView& view) {
     RobotTrack track;
     track.id = robot.id;
     track.now = {robot.x, robot.y, radians(robot.heading_deg)};
-    DrawnRobot drawn{std::move(track), robot.body, {}, {}, {}, {}, robot.team};
-    add_segments(robot, drawn);
-    scene.robots.push_back(std::move(drawn));
+    scene.robots.push_back(drawn(std::move(track), robot));
   }
   give_colours(view.world, scene.robots);
 

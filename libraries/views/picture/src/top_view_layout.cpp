@@ -52,7 +52,8 @@ Bounds shown(const Scene& scene) {
     const Bounds inside = bounds;
     for (const DrawnRobot& robot : scene.robots) {
       const auto include = [&](const Pose& p) {
-        const double reach = 0.5 * std::hypot(robot.body.length, robot.body.width);
+        const Vector3& size = robot.plan.parts.front().shape.size;
+        const double reach = 0.5 * std::hypot(size.x, size.y);
         bounds.include(p.x - reach, p.y - reach);
         bounds.include(p.x + reach, p.y + reach);
       };

@@ -10,8 +10,7 @@
 
 #include "elsie/picture/axis.h"
 #include "elsie/picture/top_view.h"
-#include "elsie/world/description.h"
-#include "elsie/world/train.h"
+#include "elsie/world/parts.h"
 
 #include "canvas.h"
 #include "label_placer.h"
@@ -21,9 +20,7 @@ namespace elsie::picture {
 /// A robot with everything that drawing it needs.
 struct DrawnRobot {
   RobotTrack track;
-  world::RobotBody body;
-  std::vector<world::Segment> segments;  // one for each pose of a segment in the track
-  std::vector<world::Coupling> couplings;
+  BodyPlan plan;  // its vehicles after the first are the segments in the track
   Ink ink;   // its team's colour, varied by member
   Ink team;  // its team's colour
   std::string team_id;

@@ -110,53 +110,63 @@ void draw_time_marks(Canvas& canvas, const Scene& scene, const Layout& layout,
   }
 }
 
-void draw_body(Canvas& canvas, const DrawnRobot& robot, const Layout& layout) {
-  const Pose& pose = robot.track.now;
-  const world::RobotBody& body = robot.body;
-  const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
-  const auto beside = [&](double aside) {
-    return Pose{pose.x - s * aside, pose.y + c * aside, pose.heading_rad};
-  };
-  for (const double side : {-1.0, 1.0}) {
-    canvas.polygon(outline(layout.map, beside(side * body.half_axle()), 2 * body.wheel_radius,
-                           body.wheel_width));
-    canvas.fill(kText);
+/// Parts of a vehicle in their order on paper: wheels below the chassis; casters are out of sight.
+void draw_vehicle(Canvas& canvas, const DrawnRobot& robot, const Layout& layout,
+                  std::size_t vehicle, const Pose& pose, const Ink& chassis) {
+  for (const PartRole role : {PartRole::wheel, PartRole::chassis}) {
+    for (const Part& part : robot.plan.parts) {
+      if (part.vehicle != vehicle || part.role != role) continue;
+      const Vector2 middle = point_of(pose, {part.frame.origin.x, part.frame.origin.y});
+      const double turned = std::atan2(part.frame.forward.y, part.frame.forward.x);
+      const bool is_round =
+          part.shape.kind != Shape::Kind::box && part.shape.axis != Shape::Axis::left;
+      if (is_round) {
+        canvas.circle(layout.map.pixel(middle), layout.map.scale_x * part.shape.radius());
+      } else {
+        canvas.polygon(outline(layout.map, {middle.x, middle.y, pose.heading_rad + turned},
+                               part.shape.size.x, part.shape.size.y));
+      }
+      if (role == PartRole::wheel) {
+        canvas.fill(kText);
+      } else {
+        canvas.fill_keep(chassis);
+        canvas.stroke(mix(robot.ink, kText, 0.45), {.width = 1});
+      }
+    }
   }
-  canvas.polygon(outline(layout.map, pose, body.length, body.width)).fill_keep(robot.ink);
-  canvas.stroke(mix(robot.ink, kText, 0.45), {.width = 1});
+}
+
+const Part& chassis_of(const DrawnRobot& robot, std::size_t vehicle = 0) {
+  return *std::find_if(robot.plan.parts.begin(), robot.plan.parts.end(),
+                       [&](const Part& part) { return part.vehicle == vehicle; });
 }
 
 // The segments, and the bars between them from joint to joint.
 void draw_segments(Canvas& canvas, const DrawnRobot& robot, const Layout& layout,
                    LabelPlacer& labels) {
   const auto ahead_of = [&](const Pose& pose, double ahead) {
-    return layout.map.pixel(
-        {pose.x + ahead * std::cos(pose.heading_rad), pose.y + ahead * std::sin(pose.heading_rad)});
+    return layout.map.pixel(point_of(pose, {ahead, 0.0}));
   };
   const std::vector<Pose>& poses = robot.track.segments;
   for (std::size_t i = poses.size(); i-- > 0;) {
     if (!finite(poses[i])) continue;
     const Vector2 middle = at(layout, poses[i]);
     if (const Pose& front = i == 0 ? robot.track.now : poses[i - 1]; finite(front)) {
-      const std::array<Vector2, 3> bars{at(layout, front),
-                                        ahead_of(poses[i], robot.couplings[i].ahead), middle};
+      const HitchJoint& hitch = std::get<HitchJoint>(chassis_of(robot, i + 1).joint);
+      const std::array<Vector2, 3> bars{at(layout, front), ahead_of(poses[i], hitch.ahead), middle};
       canvas.polyline(bars).stroke(kText, {.width = 1.6});
     }
-    const world::Segment& segment = robot.segments[i];
-    canvas.polygon(outline(layout.map, poses[i], segment.length, segment.width));
-    canvas.fill_keep(mix(robot.ink, kPaper, 0.35));
-    canvas.stroke(mix(robot.ink, kText, 0.45), {.width = 1});
+    draw_vehicle(canvas, robot, layout, i + 1, poses[i], mix(robot.ink, kPaper, 0.35));
     labels.avoid_spot(middle);
   }
 }
 
 // The nose of a large enough robot: a wedge in the front half of the chassis.
 void draw_nose(Canvas& canvas, const DrawnRobot& robot, const Layout& layout) {
-  const Pose& pose = robot.track.now;
-  const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
+  const Vector3& size = chassis_of(robot).shape.size;
   const auto point = [&](double along, double aside) {
-    const double x = along * robot.body.length, y = aside * robot.body.width;
-    return layout.map.pixel({pose.x + c * x - s * y, pose.y + s * x + c * y});
+    const double x = along * size.x, y = aside * size.y;
+    return layout.map.pixel(point_of(robot.track.now, {x, y}));
   };
   const std::array<Vector2, 3> wedge{point(0.44, 0.0), point(0.12, 0.3), point(0.12, -0.3)};
   canvas.polygon(wedge).fill(kPaper.with_alpha(0.92));
@@ -174,15 +184,21 @@ void draw_ring(Canvas& canvas, const Vector2& middle, double heading_rad, const 
 }
 
 double chassis_size(const DrawnRobot& robot, const Layout& layout) {
-  return 0.5 * layout.map.scale_x * std::min(robot.body.length, robot.body.width);
+  const Vector3& size = chassis_of(robot).shape.size;
+  return 0.5 * layout.map.scale_x * std::min(size.x, size.y);
 }
 
 }  // namespace
 
 double robot_radius(const DrawnRobot& robot, const Layout& layout) {
-  const double half_width =
-      std::max(robot.body.width / 2, robot.body.half_axle() + robot.body.wheel_width / 2);
-  const double own = layout.map.scale_x * std::hypot(robot.body.length / 2, half_width);
+  double half_width = 0.0;
+  for (const Part& part : robot.plan.parts) {
+    if (part.vehicle == 0) {
+      half_width = std::max(half_width, std::abs(part.frame.origin.y) + 0.5 * part.shape.size.y);
+    }
+  }
+  const double own =
+      layout.map.scale_x * std::hypot(0.5 * chassis_of(robot).shape.size.x, half_width);
   return chassis_size(robot, layout) < kLegibleChassis ? std::max(own, kRing + 2) : own;
 }
 
@@ -267,7 +283,7 @@ void draw_robots(Canvas& canvas, const Scene& scene, const Layout& layout, Label
     const bool small = chassis_size(robot, layout) < kLegibleChassis;
     if (small) draw_ring(canvas, middle, robot.track.now.heading_rad, robot.ink);
     draw_segments(canvas, robot, layout, labels);
-    draw_body(canvas, robot, layout);
+    draw_vehicle(canvas, robot, layout, 0, robot.track.now, robot.ink);
     // In a very large arena the chassis is smaller than a pixel or two.
     if (chassis_size(robot, layout) < 3.0) canvas.circle(middle, 3.0).fill(robot.ink);
     if (!small) draw_nose(canvas, robot, layout);

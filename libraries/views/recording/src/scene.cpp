@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "elsie/world/colours.h"
+#include "elsie/world/parts.h"
 
 #include "messages.h"
 
@@ -62,30 +63,22 @@ Json entity(std::uint64_t time_ns, const std::string& id, const std::string& fra
 
 Json arena(std::uint64_t time_ns, const world::Arena& arena) {
   Json made = entity(time_ns, "arena", kWorldFrame);
-  const double t = arena.wall_thickness, h = arena.wall_height;
   made["cubes"].push_back(
       cube({.origin = {0.0, 0.0, -0.5 * kSheet}}, {arena.length, arena.width, kSheet}, kFloor));
-  if (arena.walls) {
-    const double x = 0.5 * (arena.length + t), y = 0.5 * (arena.width + t);
-    for (const double side : {-1.0, 1.0}) {
-      made["cubes"].push_back(
-          cube({.origin = {side * x, 0.0, 0.5 * h}}, {t, arena.width, h}, kWall));
-      made["cubes"].push_back(
-          cube({.origin = {0.0, side * y, 0.5 * h}}, {arena.length + 2.0 * t, t, h}, kWall));
-    }
+  for (const world::Fixture& wall : world::walls_of(arena)) {
+    made["cubes"].push_back(cube(wall.frame, wall.shape.size, kWall));
   }
   return made;
 }
 
 Json charger(std::uint64_t time_ns, const world::Charger& charger) {
   Json made = entity(time_ns, "charger/" + charger.id, kWorldFrame);
-  if (charger.seen_by_range_sensors) {
-    constexpr double edge = world::Charger::kBoxEdge;
-    made["cubes"].push_back(cube({.origin = {charger.x, charger.y, 0.5 * edge}}, {edge, edge, edge},
-                                 world::kChargerColour));
+  const world::Fixture fixture = world::fixture_of(charger);
+  if (fixture.shape.kind == Shape::Kind::box) {
+    made["cubes"].push_back(cube(fixture.frame, fixture.shape.size, world::kChargerColour));
   } else {
     made["cylinders"].push_back(cylinder({.origin = {charger.x, charger.y, 0.5 * kSheet}},
-                                         charger.radius, kSheet, world::kChargerColour));
+                                         fixture.shape.radius(), kSheet, world::kChargerColour));
   }
   return made;
 }
@@ -93,47 +86,55 @@ Json charger(std::uint64_t time_ns, const world::Charger& charger) {
 Json box(std::uint64_t time_ns, const World& world, const world::Box& box) {
   const bool moves = may_move(box);
   Json made = entity(time_ns, box_frame(box.id), moves ? box_frame(box.id) : kWorldFrame);
-  Frame middle =
-      moves ? Frame{} : Frame::turned({box.x, box.y, box.z}, radians(box.heading_deg), 0);
-  middle.origin.z += 0.5 * box.height;
-  made["cubes"].push_back(
-      cube(middle, {box.length, box.width, box.height}, world::box_colour(world, box, kBoxes)));
+  const world::Fixture fixture = world::fixture_of(box);
+  const Vector3& size = fixture.shape.size;
+  made["cubes"].push_back(cube(moves ? Frame{.origin = {0.0, 0.0, 0.5 * size.z}} : fixture.frame,
+                               size, world::box_colour(world, box, kBoxes)));
   return made;
 }
 
-/// A chassis and two wheels: a robot, or what it pulls.
-template <class Part>
-void add_body(Json& entity, const Part& part, const Colour& colour) {
-  entity["cubes"].push_back(cube({.origin = {0.0, 0.0, part.clearance + 0.5 * part.height}},
-                                 {part.length, part.width, part.height}, colour));
-  for (const double side : {-1.0, 1.0}) {
-    // Turned about its x axis, so that its up is the robot's left.
-    const Frame wheel{{0.0, side * part.half_axle(), part.wheel_radius},
-                      {1.0, 0.0, 0.0},
-                      {0.0, 0.0, -1.0},
-                      {0.0, 1.0, 0.0}};
-    entity["cylinders"].push_back(cylinder(wheel, part.wheel_radius, part.wheel_width, kTyre));
+/// The frame of a cylinder about its own left axis, turned so that its up lies along the axle.
+Frame on_its_side(const Frame& wheel) {
+  return {wheel.origin, wheel.forward, -1.0 * wheel.up, wheel.left};
+}
+
+void add_part(Json& entity, const Part& part, const Colour& colour) {
+  switch (part.shape.kind) {
+    case Shape::Kind::box:
+      entity["cubes"].push_back(cube(part.frame, part.shape.size, colour));
+      break;
+    case Shape::Kind::sphere:
+      entity["spheres"].push_back({{"pose", pose_json(part.frame)},
+                                   {"size", position_json(part.shape.size)},
+                                   {"color", colour_json(colour)}});
+      break;
+    default:
+      entity["cylinders"].push_back(
+          cylinder(part.shape.axis == Shape::Axis::left ? on_its_side(part.frame) : part.frame,
+                   part.shape.radius(), part.shape.length(), colour));
   }
 }
 
 void add_robot(Json& entities, std::uint64_t time_ns, const World& world,
                const world::Robot& robot) {
   const Colour colour = world::team_colour(world, robot.team);
-  Json made = entity(time_ns, robot_frame(robot.id), robot_frame(robot.id));
-  add_body(made, robot.body, colour);
-  made["texts"].push_back({{"pose", pose_json({.origin = {0.0, 0.0, robot.body.top() + 0.08}})},
-                           {"billboard", true},
-                           {"font_size", 0.08},
-                           {"scale_invariant", false},
-                           {"color", colour_json(kInk)},
-                           {"text", robot.id}});
-  entities.push_back(std::move(made));
+  const BodyPlan plan = world::plan_of(robot);
+  std::vector<Json> vehicles{entity(time_ns, robot_frame(robot.id), robot_frame(robot.id))};
   for (const world::Segment& segment : robot.segments) {
     const std::string frame = segment_frame(robot.id, segment.id);
-    Json pulled = entity(time_ns, frame, frame);
-    add_body(pulled, segment, colour);
-    entities.push_back(std::move(pulled));
+    vehicles.push_back(entity(time_ns, frame, frame));
   }
+  for (const Part& part : plan.parts) {
+    add_part(vehicles[part.vehicle], part, part.role == PartRole::chassis ? colour : kTyre);
+  }
+  vehicles[0]["texts"].push_back(
+      {{"pose", pose_json({.origin = {0.0, 0.0, robot.body.top() + 0.08}})},
+       {"billboard", true},
+       {"font_size", 0.08},
+       {"scale_invariant", false},
+       {"color", colour_json(kInk)},
+       {"text", robot.id}});
+  for (Json& vehicle : vehicles) entities.push_back(std::move(vehicle));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 #include "elsie/api/geometry.h"
 #include "elsie/render/scene.h"
-#include "elsie/world/description.h"
+#include "elsie/world/parts.h"
 
 namespace elsie::render {
 
@@ -40,23 +40,20 @@ class WorldScene {
   const Scene& scene() const { return scene_; }
 
  private:
-  /// Indices of a robot's or segment's parts in the scene's lists, and their frames relative to it.
-  struct Body {
-    std::size_t chassis, first_wheel;
-    double clearance, half_axle, wheel_radius;
+  /// A part of a vehicle: its place in one of the scene's lists, and its frame in the vehicle's.
+  struct Placed {
+    bool is_box;
+    std::size_t index;
+    Frame frame;
   };
+  using Vehicle = std::vector<Placed>;
 
-  void add_walls(const world::Arena& arena);
   void add_robot(const world::Robot& robot, const Colour& colour);
-  /// Adds anything with a chassis and two wheels.
-  template <class Part>
-  Body add_body(const Part& part, const Colour& colour, std::size_t carrier);
-  void place(const Body& body, const Frame& frame);
+  void place(const Vehicle& vehicle, const Frame& frame);
 
   Scene scene_;
-  std::size_t first_box_ = 0;  // index of the world's first box
-  std::vector<Body> robots_;
-  std::vector<std::vector<Body>> segments_;  // of each robot
+  std::size_t first_box_ = 0;                 // index of the world's first box
+  std::vector<std::vector<Vehicle>> robots_;  // each with its segments
 };
 
 }  // namespace elsie::render

@@ -1,0 +1,102 @@
+// The body of a robot as a list of parts, which physics, sensors, cameras and pictures walk.
+//
+// Lengths are in m, masses in kg, angles in rad.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "elsie/api/geometry.h"
+
+namespace elsie {
+
+/// A solid whose middle is the origin of its frame.
+struct Shape {
+  enum class Kind : std::uint8_t { box, cylinder, sphere, capsule };
+  enum class Axis : std::uint8_t { forward, left, up };
+
+  Kind kind = Kind::box;
+  Vector3 size;          // of the box around it, along the axes of its frame
+  Axis axis = Axis::up;  // of a cylinder or capsule
+
+  static Shape box(const Vector3& size) { return {Kind::box, size}; }
+  static Shape sphere(double radius) {
+    return {Kind::sphere, {2.0 * radius, 2.0 * radius, 2.0 * radius}};
+  }
+  /// A cylinder that stands upright.
+  static Shape pillar(double radius, double height) {
+    return {Kind::cylinder, {2.0 * radius, 2.0 * radius, height}};
+  }
+  /// A cylinder about the left axis.
+  static Shape wheel(double radius, double width) {
+    return {Kind::cylinder, {2.0 * radius, width, 2.0 * radius}, Axis::left};
+  }
+
+  /// Of a cylinder, capsule or sphere.
+  double radius() const { return 0.5 * (axis == Axis::forward ? size.y : size.x); }
+  /// Of a cylinder, or of a capsule with its two caps, along its axis.
+  double length() const {
+    return axis == Axis::forward ? size.x : axis == Axis::left ? size.y : size.z;
+  }
+};
+
+/// What a part is, for those who draw it.
+enum class PartRole : std::uint8_t { chassis, wheel, caster };
+
+/// A part that is one with the chassis of its vehicle.
+struct FixedJoint {};
+
+/// A wheel, which turns about the left axis of its frame.
+struct WheelJoint {
+  double torque = 0.0;  // N m, the most of its motor; 0: it has none, and rolls freely
+  bool steered = false;
+  double max_steer_rad = std::numbers::pi;  // to either side; pi: all round
+  double steer_rate_rad_s = 0.0;            // how fast the steering turns
+  /// The direction of the axles of rollers on its rim, where the wheel touches the floor, from the
+  /// direction in which it rolls, counter-clockwise. It grips along these axles and glides across.
+  /// None: a tyre.
+  std::optional<double> rollers_rad;
+};
+
+/// A ball that glides on the floor in all directions.
+struct CasterJoint {};
+
+/// The joint between a vehicle and the one in front, which pulls it: yaw about the vertical axis of
+/// the vehicle in front, pitch about the transverse axis of the one behind.
+struct HitchJoint {
+  double behind = 0.0;          // of the joint behind the middle of the vehicle in front
+  double ahead = 0.0;           // of the joint ahead of the middle of the vehicle behind
+  double height = 0.0;          // of the joint above the floor
+  double max_yaw_rad = 0.0;     // to either side
+  double max_pitch_rad = 0.0;   // upwards and downwards
+  double torque = 0.0;          // N m, of a motor that holds the yaw; 0: it turns freely
+  double yaw_rate_rad_s = 0.0;  // how fast that motor turns
+};
+
+using Joint = std::variant<FixedJoint, WheelJoint, CasterJoint, HitchJoint>;
+
+struct Part {
+  std::string name;  // unique within the body: "chassis", "left_wheel"
+  PartRole role = PartRole::chassis;
+  Shape shape;
+  Frame frame;        // in the frame of its vehicle, steering straight ahead
+  double mass = 0.0;  // 0: its weight is part of the chassis'
+  std::size_t vehicle = 0;
+  Joint joint;
+};
+
+/// A robot: a vehicle, and those that it pulls. The origin of a vehicle's frame is on the floor
+/// below its middle, x ahead. The first part of each vehicle is its chassis, to which the others
+/// belong; that of a vehicle which is pulled has a HitchJoint.
+struct BodyPlan {
+  std::vector<Part> parts;
+
+  std::size_t vehicles() const { return parts.empty() ? 0 : parts.back().vehicle + 1; }
+};
+
+}  // namespace elsie

@@ -1,0 +1,39 @@
+// A world as lists of shapes: the only place that knows where a wall stands and where a wheel is.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "elsie/api/body.h"
+#include "elsie/world/description.h"
+
+namespace elsie::world {
+
+/// Something that stands in the arena.
+struct Fixture {
+  enum class Kind : std::uint8_t { wall, box, charger };
+
+  Kind kind = Kind::wall;
+  /// In the world's boxes or chargers; of a wall: 0 east (+x), 1 north (+y), 2 west, 3 south.
+  std::size_t index = 0;
+  Shape shape;  // a charger that range sensors do not see is a disc without height
+  Frame frame;  // of its middle, at the start
+};
+
+/// The walls, outside of the arena's area; those along x are long enough to close the corners.
+/// Empty: the arena has none.
+std::vector<Fixture> walls_of(const Arena& arena);
+Fixture fixture_of(const Box& box, std::size_t index = 0);
+Fixture fixture_of(const Charger& charger, std::size_t index = 0);
+/// All of them: walls, then boxes (resources among them), then chargers, each in file order.
+std::vector<Fixture> fixtures_of(const World& world);
+
+/// The parts of a robot and of the segments that it pulls, which are its further vehicles.
+BodyPlan plan_of(const RobotBody& body, std::span<const Segment> segments);
+BodyPlan plan_of(const Robot& robot);
+/// The frames of a body's vehicles in the robot's, in line behind each other.
+std::vector<Frame> in_line(const BodyPlan& plan);
+
+}  // namespace elsie::world
