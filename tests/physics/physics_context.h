@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "elsie/physics/engine.h"
+#include "elsie/world/parts.h"
 
 namespace elsie::physics {
 
@@ -16,13 +17,20 @@ struct PhysicsContext {
 
   std::size_t robot(double x, double y, double heading_deg = 0.0, const world::RobotBody& body = {},
                     double z = 0.0) {
-    return engine->add_robot(body, {x, y, radians(heading_deg)}, z);
+    return engine->add_robot(world::plan_of(body, {}), {x, y, radians(heading_deg)}, z);
   }
 
   /// A robot that pulls segments.
   std::size_t train(double x, double y, double heading_deg,
                     const std::vector<world::Segment>& segments) {
-    return engine->add_robot({}, {x, y, radians(heading_deg)}, 0.0, segments);
+    return engine->add_robot(world::plan_of({}, segments), {x, y, radians(heading_deg)});
+  }
+
+  /// What a robot's motors are to hold, rad/s.
+  void drive(std::size_t robot, const std::vector<double>& rates) {
+    std::vector<JointSetting> joints;
+    for (const double rate : rates) joints.push_back({rate});
+    engine->set_joints(robot, joints);
   }
 
   std::size_t box(world::BoxKind kind, double x, double y, const Vector3& size,

@@ -18,13 +18,13 @@ TEST_CASE("A dynamic box is pushed, and comes to rest when the robot stops") {
   PhysicsContext context(with_step(step));
   const std::size_t robot = context.robot(0, 0);
   const std::size_t box = context.box(BoxKind::dynamic, 0.3, 0.0, {0.2, 0.2, 0.2});
-  context.engine->set_wheel_rates(robot, {10, 10});
+  context.drive(robot, {10, 10});
   context.run(5.0);
   const Vector3 pushed = context.engine->box(box).origin;
   CHECK(pushed.x > 0.8);
   CHECK(std::abs(pushed.z) < 1e-3);
   CHECK(context.touching(robot_body(robot), box_body(box)));
-  context.engine->set_wheel_rates(robot, {0, 0});
+  context.drive(robot, {0, 0});
   context.run(1.0);
   const Vector3 stopped = context.engine->box(box).origin;
   context.run(5.0);
@@ -83,7 +83,7 @@ TEST_CASE("Nothing goes through a thin wall at full speed") {
   const std::size_t robot = context.robot(-1.0, 0, heading);
   const double s = std::sin(radians(heading)), c = std::cos(radians(heading));
   const std::size_t wall = context.box(BoxKind::fixed, -1.0 + 0.7, 0.7 * s / c, {0.002, 3.0, 0.3});
-  context.engine->set_wheel_rates(robot, {25, 25});
+  context.drive(robot, {25, 25});
   bool touched = false;
   double furthest = -1.0;
   context.run(6.0, [&] {
@@ -102,7 +102,7 @@ TEST_CASE("A robot at 2 m/s does not go through a box of 5 cm, nor over it") {
   PhysicsContext context(with_step(step));
   const std::size_t robot = context.robot(-2.0, 0);
   const std::size_t box = context.box(BoxKind::fixed, 0.0, 0.0, {0.05, 0.05, height});
-  context.engine->set_wheel_rates(robot, {100, 100});
+  context.drive(robot, {100, 100});
   bool touched = false;
   context.run(1.6, [&] {
     touched = touched || context.touching(robot_body(robot), box_body(box));
@@ -122,7 +122,7 @@ TEST_CASE("Walls of the arena hold robots and boxes") {
   std::vector<std::size_t> robots;
   for (int i = 0; i < 8; ++i) {
     robots.push_back(context.robot(0.5 * std::cos(i), 0.5 * std::sin(i), degrees(i)));
-    context.engine->set_wheel_rates(robots.back(), {25, 23.0 + 0.5 * i});
+    context.drive(robots.back(), {25, 23.0 + 0.5 * i});
   }
   const std::size_t box = context.box(BoxKind::dynamic, 0.8, 0.0, {0.1, 0.1, 0.1});
   context.run(10.0, [&] {
@@ -145,8 +145,8 @@ TEST_CASE("Touches name each pair once, in order") {
   const std::size_t ahead = context.robot(4.75, 0.0);
   const std::size_t behind = context.robot(4.66, 0.0);
   const std::size_t aside = context.robot(0.0, 0.0);
-  context.engine->set_wheel_rates(ahead, {10, 10});
-  context.engine->set_wheel_rates(behind, {10, 10});
+  context.drive(ahead, {10, 10});
+  context.drive(behind, {10, 10});
   context.run(1.0);
   std::vector<std::pair<Body, Body>> found;
   for (const Touch& touch : context.engine->touches()) {
@@ -168,10 +168,10 @@ TEST_CASE("Bodies that are apart do not touch, and a touch ends") {
   const std::size_t robot = context.robot(0.0, 0.0);
   const std::size_t box = context.box(BoxKind::fixed, 0.3, 0.0, {0.2, 0.2, 0.2});
   context.run(0.5, [&] { CHECK(context.engine->touches().empty()); });
-  context.engine->set_wheel_rates(robot, {25, 25});
+  context.drive(robot, {25, 25});
   context.run(1.0);
   CHECK(context.touching(robot_body(robot), box_body(box)));
-  context.engine->set_wheel_rates(robot, {-25, -25});
+  context.drive(robot, {-25, -25});
   context.run(0.5);
   CHECK(context.engine->touches().empty());
 }
@@ -192,8 +192,8 @@ TEST_CASE("Two robots that drive into each other stop") {
   PhysicsContext context(with_step(step));
   const std::size_t a = context.robot(-0.5, 0.0, 0);
   const std::size_t b = context.robot(0.5, aside, 180);
-  context.engine->set_wheel_rates(a, {25, 25});
-  context.engine->set_wheel_rates(b, {25, 25});
+  context.drive(a, {25, 25});
+  context.drive(b, {25, 25});
   bool touched = false;
   context.run(2.0, [&] {
     touched = touched || context.touching(robot_body(a), robot_body(b));
@@ -215,7 +215,7 @@ TEST_CASE("A box that is taken away is gone") {
   CHECK(context.engine->has_box(other));
   context.engine->remove_box(box);  // twice is once
   CHECK_FALSE(context.engine->cast_ray({0, 0, 0.1}, {1, 0, 0}, 1, robot).has_value());
-  context.engine->set_wheel_rates(robot, {25, 25});
+  context.drive(robot, {25, 25});
   context.run(2.0);
   CHECK(context.pose(robot).x > 0.8);
   CHECK(context.box(BoxKind::fixed, 2, 2, {0.1, 0.1, 0.1}) == 2);
@@ -225,7 +225,7 @@ TEST_CASE("A resource stands fast until it is taken") {
   PhysicsContext context;
   const std::size_t robot = context.robot(0.0, 0.0);
   const std::size_t box = context.box(BoxKind::resource, 0.3, 0.0, {0.1, 0.1, 0.1});
-  context.engine->set_wheel_rates(robot, {25, 25});
+  context.drive(robot, {25, 25});
   context.run(1.0);
   CHECK(context.touching(robot_body(robot), box_body(box)));
   CHECK(context.engine->box(box).origin.x == Approx(0.3));

@@ -35,7 +35,7 @@ class Crowd : public PhysicsContext {
       const double to_the_left = bearing(pose(i), target.x, target.y);
       const double turn = 15.0 * std::clamp(to_the_left, -1.0, 1.0);
       const double ahead = std::abs(to_the_left) < 0.8 ? 15.0 : 0.0;
-      engine->set_wheel_rates(i, {ahead - turn, ahead + turn});
+      drive(i, {ahead - turn, ahead + turn});
     }
     engine->step();
   }
@@ -96,7 +96,7 @@ double pushed(int boxes) {
     if (i == 0) first = index;
   }
   const double before = context.engine->box(first).origin.x;
-  context.engine->set_wheel_rates(robot, {10, 10});
+  context.drive(robot, {10, 10});
   context.run(3.0);
   return context.engine->box(first).origin.x - before;
 }
@@ -147,7 +147,7 @@ TEST_CASE("Walls hold a crowd that presses against them") {
 
 TEST_CASE("A heap of robots that fall on each other comes to rest on the floor") {
   Crowd heap(3, 4, 0.11);
-  for (std::size_t i = 0; i < 36; ++i) heap.engine->set_wheel_rates(i, {0, 0});
+  for (std::size_t i = 0; i < 36; ++i) heap.drive(i, {0, 0});
   heap.run(3.0);
   double fastest = 0.0;
   for (std::size_t i = 0; i < 36; ++i) {

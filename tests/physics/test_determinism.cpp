@@ -34,7 +34,7 @@ std::vector<std::uint64_t> history(std::uint64_t seed, int steps = 400) {
   for (int i = 0; i < steps; ++i) {
     if (i % 50 == 0) {
       for (std::size_t robot = 0; robot < 9; ++robot) {
-        context.engine->set_wheel_rates(robot, {random.uniform(-10, 25), random.uniform(-10, 25)});
+        context.drive(robot, {random.uniform(-10, 25), random.uniform(-10, 25)});
       }
     }
     if (i == 200) context.engine->remove_box(resource);
@@ -74,7 +74,7 @@ TEST_CASE("An engine may go on in another thread than it was made in") {
   for (PhysicsContext* context : {&here, &there}) {
     context->robot(0, 0);
     context->box(BoxKind::dynamic, 0.3, 0.01, {0.2, 0.2, 0.2});
-    context->engine->set_wheel_rates(0, {20, 18});
+    context->drive(0, {20, 18});
     context->run(0.5);
   }
   here.run(1.0);
@@ -87,7 +87,7 @@ TEST_CASE("Questions do not change the world") {
   PhysicsContext asked, left_alone;
   for (PhysicsContext* context : {&asked, &left_alone}) {
     context->robot(0, 0);
-    context->engine->set_wheel_rates(0, {20, 18});
+    context->drive(0, {20, 18});
   }
   left_alone.run(1.0);
   asked.run(1.0, [&] {
@@ -106,7 +106,7 @@ TEST_CASE("The hash tells states apart and continues from another") {
   CHECK(a.engine->hash_state() != b.engine->hash_state());
   CHECK(a.engine->hash_state(1) != a.engine->hash_state());
   const auto before = a.engine->hash_state();
-  a.engine->set_wheel_rates(0, {1, 1});
+  a.drive(0, {1, 1});
   a.run(0.01);
   CHECK(a.engine->hash_state() != before);
 }

@@ -31,7 +31,7 @@ Drive drive(PhysicsContext& context, std::size_t robot, const MotorCommand& rate
     result.highest = std::max(result.highest, frame.origin.z);
     result.steepest_rad = std::max(result.steepest_rad, std::acos(std::min(1.0, frame.up.z)));
   };
-  context.engine->set_wheel_rates(robot, rates);
+  context.drive(robot, rates);
   context.run(seconds, [&] {
     const Pose now = context.pose(robot);
     result.distance += distance(last, now);
@@ -39,7 +39,7 @@ Drive drive(PhysicsContext& context, std::size_t robot, const MotorCommand& rate
     last = now;
     watch_height();
   });
-  context.engine->set_wheel_rates(robot, {0, 0});
+  context.drive(robot, {0, 0});
   context.run(1.0, watch_height);
   return result;
 }
@@ -73,7 +73,7 @@ TEST_CASE("An arc is a circle of the radius that the wheel rates give") {
   PhysicsContext context(with_step(step), open_field());
   const world::RobotBody body;
   const std::size_t robot = context.robot(0, 0);
-  context.engine->set_wheel_rates(robot, {10, 20});
+  context.drive(robot, {10, 20});
   context.run(2.0);  // up to speed
   const double radius = body.half_axle() * (10.0 + 20.0) / (20.0 - 10.0);
   const double turn_rate = body.wheel_radius * (20.0 - 10.0) / (2.0 * body.half_axle());
@@ -112,7 +112,7 @@ TEST_CASE("A robot of other dimensions follows its own kinematics") {
 TEST_CASE("Straight on stays straight") {
   PhysicsContext context({}, open_field());
   const std::size_t robot = context.robot(-2, 1, 30);
-  context.engine->set_wheel_rates(robot, {25, 25});
+  context.drive(robot, {25, 25});
   context.run(10.0);
   const Pose end = context.pose(robot);
   CHECK(end.heading_rad == Approx(radians(30)).margin(1e-4));
@@ -137,7 +137,7 @@ TEST_CASE("Motors give no more than their torque") {
   world::RobotBody body;
   PhysicsContext context(with_step(0.001), open_field());
   const std::size_t robot = context.robot(0, 0, 0, body);
-  context.engine->set_wheel_rates(robot, {25, 25});
+  context.drive(robot, {25, 25});
   // Both wheels push with torque / radius; mass and turning wheels (and casters) resist.
   const double force = 2.0 * body.wheel_torque / body.wheel_radius;
   const double inertia = body.mass + 2.0 * body.wheel_mass * 1.5;
@@ -150,11 +150,12 @@ TEST_CASE("Motors give no more than their torque") {
 TEST_CASE("The state tells wheel rates, speed and turn rate") {
   PhysicsContext context;
   const std::size_t robot = context.robot(0, 0, 90);
-  context.engine->set_wheel_rates(robot, {8, 12});
+  context.drive(robot, {8, 12});
   context.run(1.0);
   const RobotState state = context.engine->robot(robot);
-  CHECK(state.wheel_rates.left == Approx(8).epsilon(1e-3));
-  CHECK(state.wheel_rates.right == Approx(12).epsilon(1e-3));
+  const auto joints = context.engine->joints(robot);
+  CHECK(joints[0].rate_rad_s == Approx(8).epsilon(1e-3));
+  CHECK(joints[1].rate_rad_s == Approx(12).epsilon(1e-3));
   CHECK(state.speed == Approx(0.2).epsilon(1e-3));
   CHECK(state.turn_rate == Approx(0.08 / 0.09).epsilon(1e-3));
   CHECK(state.pose.x == state.frame.origin.x);

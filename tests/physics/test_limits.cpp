@@ -26,7 +26,7 @@ bool finite_or_reported(const world::Physics& physics, const world::RobotBody& b
   box.x = ahead;
   box.mass = box_mass;
   const std::size_t pushed = context.engine->add_box(box);
-  context.engine->set_wheel_rates(robot, {25, 25});
+  context.drive(robot, {25, 25});
   try {
     context.run(200 * physics.step);
   } catch (const std::runtime_error& error) {
@@ -38,7 +38,8 @@ bool finite_or_reported(const world::Physics& physics, const world::RobotBody& b
   const RobotState state = context.engine->robot(robot);
   const Vector3 at = context.engine->box(pushed).origin;
   return std::isfinite(state.frame.origin.x + state.frame.origin.y + state.frame.origin.z +
-                       state.speed + state.turn_rate + state.wheel_rates.left) &&
+                       state.speed + state.turn_rate +
+                       context.engine->joints(robot)[0].rate_rad_s) &&
          std::isfinite(at.x + at.y + at.z);
 }
 
@@ -107,7 +108,7 @@ TEST_CASE("Without walls a robot may leave the area") {
   PhysicsContext context({}, open_field(2.0));
   const std::size_t robot = context.robot(0, 0);
   const std::size_t mate = context.robot(3.0, 0.0, 180);
-  context.engine->set_wheel_rates(robot, {25, 25});
+  context.drive(robot, {25, 25});
   bool touched = false;
   context.run(10.0,
               [&] { touched = touched || context.touching(robot_body(robot), robot_body(mate)); });
@@ -129,7 +130,7 @@ TEST_CASE("A long robot that turns on the spot may kick a light box") {
   body.wheel_torque = 0.1;
   const std::size_t robot = context.robot(0, 0, 0, body);
   const double rim = 0.4;  // m/s
-  context.engine->set_wheel_rates(robot, {-rim / body.wheel_radius, rim / body.wheel_radius});
+  context.drive(robot, {-rim / body.wheel_radius, rim / body.wheel_radius});
   context.run(4.0);
   const RobotState turning = context.engine->robot(robot);
   REQUIRE(turning.turn_rate > 20.0);
@@ -180,6 +181,6 @@ TEST_CASE("Impossible bodies are refused with a sentence") {
   CHECK_THROWS_AS(context.engine->drive_box(fixed, {0, 0}, {0, 0}), std::invalid_argument);
   const std::size_t robot = context.robot(1, 1);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_AS(context.engine->set_wheel_rates(robot, {nan, 0}), std::invalid_argument);
+  CHECK_THROWS_AS(context.drive(robot, {nan, 0}), std::invalid_argument);
   CHECK_THROWS_AS(context.engine->robot(7), std::out_of_range);
 }

@@ -231,7 +231,7 @@ TEST_CASE("Rays see bodies where they have moved to") {
   PhysicsContext context;
   const std::size_t robot = context.robot(-3.0, 0);
   const std::size_t moving = context.box(BoxKind::moving, 2.0, 2.0, {0.2, 0.2, 0.2});
-  context.engine->set_wheel_rates(robot, {25, 25});
+  context.drive(robot, {25, 25});
   context.drive(moving, {-0.5, 0.0}, 4.0);
   const double front = context.pose(robot).x + 0.04;
   CHECK(cast(context, {front + 1.0, 0, 0.05}, level(180), 2.0) == Approx(1.0).margin(1e-9));

@@ -43,7 +43,7 @@ struct Train {
   std::vector<world::Coupling> joints = world::couplings({}, segments);
 
   SegmentState segment(std::size_t i) const { return context.engine->segment(robot, i); }
-  void drive(double left, double right) { context.engine->set_wheel_rates(robot, {left, right}); }
+  void drive(double left, double right) { context.drive(robot, {left, right}); }
 
   /// The largest distance between a segment's joint and where the body in front holds it.
   double widest_gap() const {
@@ -283,7 +283,7 @@ TEST_CASE("A train that is dropped lands on its wheels") {
   const double step = GENERATE(0.001, 0.01, 0.02);
   CAPTURE(step);
   PhysicsContext context(with_step(step));
-  const std::size_t robot = context.engine->add_robot({}, {0, 0, 0.3}, 0.2, kThree);
+  const std::size_t robot = context.engine->add_robot(world::plan_of({}, kThree), {0, 0, 0.3}, 0.2);
   context.run(0.1);
   CHECK(context.engine->segment(robot, 2).frame.origin.z > 0.1);
   context.run(2.0);
@@ -325,7 +325,7 @@ TEST_CASE("Segments are stopped by walls and boxes, and push what can be pushed"
   // Another robot drives into a segment from the side, and it gives way.
   Train parked = train(context, std::vector<world::Segment>(2), -2.0, 0.0, 0.0);
   const std::size_t other = context.robot(-2.0 - parked.joints[1].place, -0.3, 90.0);
-  context.engine->set_wheel_rates(other, {15, 15});
+  context.drive(other, {15, 15});
   bool met = false;
   context.run(3.0, [&] { met = met || context.touching(robot_body(1), robot_body(2)); });
   CHECK(met);
@@ -426,7 +426,7 @@ TEST_CASE("Trains are deterministic, and the hash knows them") {
     std::vector<std::uint64_t> hashes;
     for (int i = 0; i < 40; ++i) {
       for (const std::size_t robot : {0, 1}) {
-        context.engine->set_wheel_rates(robot, {random.uniform(-5, 25), random.uniform(-5, 25)});
+        context.drive(robot, {random.uniform(-5, 25), random.uniform(-5, 25)});
       }
       context.run(0.25);
       hashes.push_back(context.engine->hash_state());

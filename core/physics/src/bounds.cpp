@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
-#include "elsie/world/train.h"
+#include "elsie/world/parts.h"
 
 namespace elsie::physics {
 namespace {
@@ -50,19 +51,21 @@ std::optional<Failure> Bounds::check(const Vector3& middle, const Vector3& veloc
   return failure;
 }
 
-double lever_of(const world::RobotBody& body, std::span<const world::Segment> segments) {
-  double reach = std::max(std::hypot(0.5 * body.length, 0.5 * body.width),
-                          std::hypot(body.wheel_radius, body.half_axle() + 0.5 * body.wheel_width));
-  const std::vector<world::Coupling> chain = world::couplings(body, segments);
-  double behind = 0.0;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    behind += chain[i].behind + chain[i].ahead;
-    const world::Segment& segment = segments[i];
-    const double corner =
-        std::hypot(std::max(0.5 * segment.length, segment.wheel_radius), 0.5 * segment.width);
-    reach = std::max({reach, behind + corner});
+double lever_of(const BodyPlan& plan) {
+  const std::vector<Frame> frames = world::in_line(plan);
+  double reach = 0.0, nearest = std::numeric_limits<double>::infinity();
+  for (const Part& part : plan.parts) {
+    const Vector3 at = frames[part.vehicle].point(part.frame.origin);
+    const Vector3& size = part.shape.size;
+    const bool aslant = part.frame.forward != Vector3{1.0, 0.0, 0.0};
+    const double along = aslant ? std::hypot(size.x, size.y) : size.x;
+    const double across = aslant ? along : size.y;
+    reach =
+        std::max(reach, std::hypot(std::abs(at.x) + 0.5 * along, std::abs(at.y) + 0.5 * across));
+    const auto* wheel = std::get_if<WheelJoint>(&part.joint);
+    if (wheel && wheel->torque > 0.0) nearest = std::min(nearest, std::hypot(at.x, at.y));
   }
-  return std::max(1.0, reach / body.half_axle());
+  return std::max(1.0, reach / nearest);
 }
 
 }  // namespace elsie::physics

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
+#include "elsie/api/body.h"
 #include "elsie/api/geometry.h"
-#include "elsie/api/motor_command.h"
 #include "elsie/physics/failure.h"
 #include "elsie/world/description.h"
 
@@ -52,8 +51,9 @@ class Bounds {
   double moving_ = 0.0;
 };
 
-/// Reach over half the axle, at least 1: how many times as fast as its wheels' rims the fastest
-/// part of a robot can move. 1.26 for one of default size that pulls nothing.
-double lever_of(const world::RobotBody& body, std::span<const world::Segment> segments);
+/// Reach over the distance of the nearest driven wheel from the middle, at least 1: how many times
+/// as fast as its wheels' rims the fastest part of a robot can move. 1.26 for one of default size
+/// that pulls nothing.
+double lever_of(const BodyPlan& plan);
 
 }  // namespace elsie::physics

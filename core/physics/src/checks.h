@@ -1,9 +1,9 @@
 // What the engine refuses to work with.
 #pragma once
 
-#include <span>
 #include <string>
 
+#include "elsie/api/body.h"
 #include "elsie/api/geometry.h"
 #include "elsie/world/description.h"
 
@@ -16,8 +16,7 @@ void require(bool holds, const std::string& sentence);
 
 void check(const world::Arena& arena, const world::Physics& physics);
 void check(const Pose& pose, double z);
-void check(const world::RobotBody& body, const Pose& pose, double z);
-void check(const world::RobotBody& body, std::span<const world::Segment> segments);
+void check(const BodyPlan& plan);
 void check(const world::Box& box);
 
 }  // namespace elsie::physics

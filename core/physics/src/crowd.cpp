@@ -12,11 +12,13 @@ namespace {
 // Twenty to and twenty fro carry a push through a row of as many robots.
 constexpr int kSweeps = 40;
 
-/// The inverse of an inertia that is diagonal in the frame of these axes.
-std::array<Vector3, 3> inverse_inertia(const std::array<Vector3, 3>& axes, const Vector3& inertia) {
-  const Vector3 weights{1.0 / inertia.x, 1.0 / inertia.y, 1.0 / inertia.z};
+/// An inverse inertia in the frame of these axes, in the world's.
+std::array<Vector3, 3> in_the_world(const std::array<Vector3, 3>& axes,
+                                    const std::array<Vector3, 3>& inverse_inertia) {
   const auto row = [&](double x, double y, double z) {
-    return (weights.x * x) * axes[0] + (weights.y * y) * axes[1] + (weights.z * z) * axes[2];
+    const Vector3 weights =
+        x * inverse_inertia[0] + y * inverse_inertia[1] + z * inverse_inertia[2];
+    return weights.x * axes[0] + weights.y * axes[1] + weights.z * axes[2];
   };
   return {row(axes[0].x, axes[1].x, axes[2].x), row(axes[0].y, axes[1].y, axes[2].y),
           row(axes[0].z, axes[1].z, axes[2].z)};
@@ -62,7 +64,9 @@ int Crowd::add_rigid(dBodyID body) {
     dMass mass;
     dBodyGetMass(body, &mass);
     rigid.inverse_mass = 1.0 / mass.mass;
-    rigid.inverse_inertia = inverse_inertia(axes_of(body), {mass.I[0], mass.I[5], mass.I[10]});
+    rigid.inverse_inertia = in_the_world(
+        axes_of(body),
+        {{{1.0 / mass.I[0], 0, 0}, {0, 1.0 / mass.I[5], 0}, {0, 0, 1.0 / mass.I[10]}}});
     rigid.velocity.z += physics_.step * physics_.gravity;
   }
   const int index = solver_.add(rigid);
@@ -74,98 +78,65 @@ int Crowd::add_rigid(dBodyID body) {
 void Crowd::add_box(dBodyID box) { add_rigid(box); }
 
 void Crowd::add_robot(const OdeRobot& robot) {
-  const OdeRobot::Parts parts = robot.parts();
-  const Frame& frame = robot.state().frame;
-  const Vector3 middle = to_vector(dBodyGetPosition(parts.chassis));
-  const auto mass_of = [](dBodyID body) {
-    dMass mass;
-    dBodyGetMass(body, &mass);
-    return mass;
-  };
-  // In the frame of the chassis. All is symmetrical, so that the center of mass is above or below
-  // the middle, and the axes of inertia are those of the chassis. What a wheel weighs when it turns
-  // about its axle is left to the wheel.
-  const dMass chassis = mass_of(parts.chassis);
-  Vector3 inertia{chassis.I[0], chassis.I[5], chassis.I[10]};
-  struct Attached {
-    dMass mass;
-    Vector3 place;
-  };
-  std::array<Attached, 4> attached;
-  double mass = chassis.mass, moment = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const dBodyID body = i < 2 ? parts.wheels[i] : parts.casters[i - 2];
-    const Vector3 away = to_vector(dBodyGetPosition(body)) - middle;
-    attached[i] = {mass_of(body),
-                   {dot(away, frame.forward), dot(away, frame.left), dot(away, frame.up)}};
-    mass += attached[i].mass.mass;
-    moment += attached[i].mass.mass * attached[i].place.z;
+  int front = ImpulseSolver::kNone;
+  const Frame* front_frame = nullptr;
+  for (const OdeVehicle& vehicle : robot.vehicles()) {
+    const int body = add_vehicle(vehicle);
+    if (vehicle.hitch()) add_hitch(vehicle, front, *front_frame, body);
+    front = body;
+    front_frame = &vehicle.frame();
   }
-  const double up = moment / mass;
-  inertia.x += chassis.mass * up * up;
-  inertia.y += chassis.mass * up * up;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double m = attached[i].mass.mass;
-    const Vector3& at = attached[i].place;
-    const double z = at.z - up;
-    inertia.x += m * (at.y * at.y + z * z);
-    inertia.y += m * (at.x * at.x + z * z);
-    inertia.z += m * (at.x * at.x + at.y * at.y);
-    if (i < 2) {
-      inertia.x += attached[i].mass.I[0];
-      inertia.z += attached[i].mass.I[0];
-    }
-  }
+}
+
+int Crowd::add_vehicle(const OdeVehicle& vehicle) {
+  const Frame& frame = vehicle.frame();
+  const Lump& lump = vehicle.lump();
+  const Vector3 from_middle = frame.direction(lump.center);
   ImpulseSolver::Body rigid;
-  const Vector3 from_middle = up * frame.up;
-  rigid.turning = to_vector(dBodyGetAngularVel(parts.chassis));
-  rigid.center = middle + from_middle;
-  rigid.velocity = to_vector(dBodyGetLinearVel(parts.chassis)) + cross(rigid.turning, from_middle);
+  rigid.turning = vehicle.turning();
+  rigid.center = vehicle.solids().chassis.shape.center + from_middle;
+  rigid.velocity = vehicle.velocity() + cross(rigid.turning, from_middle);
   rigid.velocity.z += physics_.step * physics_.gravity;
-  rigid.inverse_mass = 1.0 / mass;
-  rigid.inverse_inertia = inverse_inertia({frame.forward, frame.left, frame.up}, inertia);
+  rigid.inverse_mass = 1.0 / lump.mass;
+  rigid.inverse_inertia = in_the_world({frame.forward, frame.left, frame.up}, lump.inverse_inertia);
   const int index = solver_.add(rigid);
-  places_[parts.chassis].body = index;
-  moved_.push_back({parts.chassis, index, -1.0 * from_middle});
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double about_axle = attached[i].mass.I[10];
-    const double rate = dot(frame.left, to_vector(dBodyGetAngularVel(parts.wheels[i])));
-    const int spin = solver_.add(ImpulseSolver::Spin{rate, 1.0 / about_axle});
-    places_[parts.wheels[i]] = {index, spin, to_vector(dBodyGetPosition(parts.wheels[i])),
-                                frame.left, false};
-    wheels_.push_back({parts.wheels[i], index, spin, frame.left});
-    add_motor(parts, i, index, spin, frame.left);
-    places_[parts.casters[i]].body = index;
-    places_[parts.casters[i]].glides = true;
+  places_[vehicle.chassis()].body = index;
+  moved_.push_back({vehicle.chassis(), index, -1.0 * from_middle});
+  for (std::size_t i = 0; i < vehicle.wheels().size(); ++i) {
+    const OdeVehicle::Wheel& wheel = vehicle.wheels()[i];
+    if (!wheel.motor) continue;
+    const Cylinder& shape = vehicle.wheel_shapes()[i];
+    const double rate = dot(shape.axis, to_vector(dBodyGetAngularVel(wheel.motor->body)));
+    const int spin = solver_.add(ImpulseSolver::Spin{rate, 1.0 / wheel.about_axle});
+    places_[wheel.motor->body] = {index, spin, shape.center, shape.axis, false};
+    wheels_.push_back({wheel.motor->body, index, spin, shape.axis});
+    add_motor(*wheel.motor, index, spin, shape.axis);
   }
-  int front = index;
-  const Frame* front_frame = &frame;
-  for (const OdeSegment& segment : robot.segments()) {
-    const int behind = add_rigid(segment.body());
-    add_joint(segment, front, *front_frame, behind);
-    front = behind;
-    front_frame = &segment.state().frame;
+  for (const dBodyID caster : vehicle.casters()) {
+    places_[caster].body = index;
+    places_[caster].glides = true;
   }
+  return index;
 }
 
-void Crowd::add_motor(const OdeRobot::Parts& parts, std::size_t wheel, int carrier, int spin,
-                      const Vector3& axle) {
-  Row motor;
-  motor.a = carrier;
-  motor.turn_a = -1.0 * axle;
-  motor.spin_a = spin;
-  motor.roll_a = 1.0;
-  motor.target = dJointGetHingeParam(parts.motors[wheel], dParamVel);
-  motor.softness = physics_.effective_cfm() / physics_.step;
-  motor.upper = physics_.step * dJointGetHingeParam(parts.motors[wheel], dParamFMax);
-  motor.lower = -motor.upper;
-  solver_.add(motor);
+void Crowd::add_motor(const OdeVehicle::Motor& motor, int carrier, int spin, const Vector3& axle) {
+  Row row;
+  row.a = carrier;
+  row.turn_a = -1.0 * axle;
+  row.spin_a = spin;
+  row.roll_a = 1.0;
+  row.target = dJointGetHingeParam(motor.hinge, dParamVel);
+  row.softness = physics_.effective_cfm() / physics_.step;
+  row.upper = physics_.step * dJointGetHingeParam(motor.hinge, dParamFMax);
+  row.lower = -row.upper;
+  solver_.add(row);
 }
 
-void Crowd::add_joint(const OdeSegment& segment, int front, const Frame& front_frame, int body) {
+void Crowd::add_hitch(const OdeVehicle& vehicle, int front, const Frame& front_frame, int body) {
   const double softness = physics_.effective_cfm() / physics_.step;
-  const Frame& frame = segment.state().frame;
-  const Vector3 at = segment.joint_place();
+  const Frame& frame = vehicle.frame();
+  const HitchJoint& hitch = *vehicle.hitch();
+  const Vector3 at = vehicle.hitch_place();
   const Vector3 from_front = at - solver_.body(front).center;
   const Vector3 from_body = at - solver_.body(body).center;
   const auto turn = [&](const Vector3& about) {
@@ -195,9 +166,16 @@ void Crowd::add_joint(const OdeSegment& segment, int front, const Frame& front_f
     row.lower = 0.0;
     solver_.add(row);
   };
-  const SegmentState& state = segment.state();
-  stop(front_frame.up, state.yaw_rad, segment.coupling().max_yaw_rad);
-  stop(-1.0 * frame.left, state.pitch_rad, segment.coupling().max_pitch_rad);
+  if (hitch.torque > 0.0) {
+    Row motor = turn(front_frame.up);
+    motor.target = vehicle.hitch_rate();
+    motor.upper = physics_.step * hitch.torque;
+    motor.lower = -motor.upper;
+    solver_.add(motor);
+  } else {
+    stop(front_frame.up, vehicle.yaw_rad(), hitch.max_yaw_rad);
+  }
+  stop(-1.0 * frame.left, vehicle.pitch_rad(), hitch.max_pitch_rad);
 }
 
 Crowd::Row Crowd::row_along(const FoundContact& contact, const Vector3& direction) const {

@@ -17,8 +17,8 @@ namespace elsie::physics {
 /// ODE's dWorldStep solves a dense system over everything that touches, whose cost grows with the
 /// cube of their number: a second of thirty robots that drive to one point takes it 1.8 s, of a
 /// hundred half a minute. Here it grows with their number. A robot's wheels and casters cannot move
-/// against its chassis but by turning, so a robot is one rigid body and two spinning wheels,
-/// without any row for its joints; the contacts and motors are rows of an iterative solver.
+/// against its chassis but by turning, so a robot is one rigid body and its spinning wheels,
+/// without any row for their joints; the contacts and motors are rows of an iterative solver.
 ///
 /// Differences from ODE's step: a caster's own turning, and gyroscopic torques, are left out.
 class Crowd {
@@ -34,7 +34,7 @@ class Crowd {
 
   bool empty() const { return places_.empty(); }
   /// Gives the bodies the velocities after the step, and moves them. What hangs on a chassis is
-  /// left to OdeRobot::settle().
+  /// left to OdeVehicle::settle().
   void step();
 
  private:
@@ -61,9 +61,9 @@ class Crowd {
   using Row = ImpulseSolver::Row;
 
   int add_rigid(dBodyID body);
-  void add_motor(const OdeRobot::Parts& parts, std::size_t wheel, int carrier, int spin,
-                 const Vector3& axle);
-  void add_joint(const OdeSegment& segment, int front, const Frame& front_frame, int body);
+  int add_vehicle(const OdeVehicle& vehicle);
+  void add_motor(const OdeVehicle::Motor& motor, int carrier, int spin, const Vector3& axle);
+  void add_hitch(const OdeVehicle& vehicle, int front, const Frame& front_frame, int body);
   Row row_along(const FoundContact& contact, const Vector3& direction) const;
   /// How fast the bodies part before the step, m/s.
   double normal_speed(const Row& row) const;

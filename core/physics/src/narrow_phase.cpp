@@ -100,13 +100,13 @@ bool meet_in_plane(OdeContacts& contacts, const Solid& a, const Solid& b, const 
 
 /// Whether the wheels can meet what reaches up to this height.
 bool wheels_count(const Vehicle& vehicle, double top) {
-  return !vehicle.wheels_in_box || !is_upright(vehicle.box) ||
-         top <= height_of(vehicle.box).lower + kBelow;
+  return !vehicle.wheels_inside || !is_upright(vehicle.chassis) ||
+         top <= height_of(vehicle.chassis).lower + kBelow;
 }
 
-bool meet_box_with(OdeContacts& contacts, const Solid& solid, const Vehicle& vehicle,
-                   bool with_wheels) {
-  bool touch = meet_solids(contacts, solid, vehicle.box);
+bool meet_vehicle_with(OdeContacts& contacts, const Solid& solid, const Vehicle& vehicle,
+                       bool with_wheels) {
+  bool touch = meet_solids(contacts, solid, vehicle.chassis);
   if (with_wheels) {
     for (const Solid& wheel : vehicle.wheels) {
       touch = meet_solids(contacts, solid, wheel) || touch;
@@ -116,8 +116,9 @@ bool meet_box_with(OdeContacts& contacts, const Solid& solid, const Vehicle& veh
 }
 
 double top_of(const Vehicle& vehicle) {
-  return std::max({height_of(vehicle.box).upper, height_of(vehicle.wheels[0]).upper,
-                   height_of(vehicle.wheels[1]).upper});
+  double top = height_of(vehicle.chassis).upper;
+  for (const Solid& wheel : vehicle.wheels) top = std::max(top, height_of(wheel).upper);
+  return top;
 }
 
 }  // namespace
@@ -146,26 +147,26 @@ bool meet_solids(OdeContacts& contacts, const Solid& a, const Solid& b) {
 
 bool meet_vehicles(OdeContacts& contacts, const Vehicle& a, const Vehicle& b) {
   const bool wheels_of_b = wheels_count(b, top_of(a));
-  bool touch = meet_box_with(contacts, a.box, b, wheels_of_b);
+  bool touch = meet_vehicle_with(contacts, a.chassis, b, wheels_of_b);
   if (wheels_count(a, top_of(b))) {
     for (const Solid& wheel : a.wheels) {
-      touch = meet_box_with(contacts, wheel, b, wheels_of_b) || touch;
+      touch = meet_vehicle_with(contacts, wheel, b, wheels_of_b) || touch;
     }
   }
   return touch;
 }
 
 bool meet_vehicle_and_box(OdeContacts& contacts, const Vehicle& vehicle, const Solid& box) {
-  bool touch = meet_solids(contacts, vehicle.box, box);
+  bool touch = meet_solids(contacts, vehicle.chassis, box);
   const double top = height_of(box).upper;
   if (wheels_count(vehicle, top)) {
     for (const Solid& wheel : vehicle.wheels) touch = meet_solids(contacts, wheel, box) || touch;
   }
   // The casters lie below the chassis; only what passes below it, or lies under a robot that has
   // been tipped over, meets them.
-  if (is_upright(vehicle.box) && top > height_of(vehicle.box).lower + kBelow) return touch;
-  for (std::size_t i = 0; i < vehicle.caster_count; ++i) {
-    touch = meet_in_space(contacts, vehicle.casters[i], box) || touch;
+  if (is_upright(vehicle.chassis) && top > height_of(vehicle.chassis).lower + kBelow) return touch;
+  for (const Solid& caster : vehicle.casters) {
+    touch = meet_in_space(contacts, caster, box) || touch;
   }
   return touch;
 }

@@ -79,7 +79,7 @@ dContact OdeContacts::on_floor(const Vector3& point, double friction) const {
 }
 
 void OdeContacts::wheel_on_floor(dBodyID body, dGeomID geom, const Cylinder& wheel, double sinking,
-                                 WheelDrive drive, dGeomID floor) {
+                                 const WheelJoint& joint, dGeomID floor) {
   // The rolling radius and the track are exact when a wheel touches the floor in one point, the
   // lowest of its middle disc.
   const Vector3& axis = wheel.axis;
@@ -96,20 +96,28 @@ void OdeContacts::wheel_on_floor(dBodyID body, dGeomID geom, const Cylinder& whe
   const Vector3 down = (1.0 / level) * Vector3{axis.x * axis.z, axis.y * axis.z, -level * level};
   const Vector3 lowest = wheel.center + wheel.radius * down;
   if (lowest.z > margin(sinking)) return;
-  const bool is_driven = drive == WheelDrive::motor;
-  dContact contact = on_floor(lowest, is_driven ? tyre_friction_ : 0.0);
+  // The direction in which it rolls.
+  const Vector3 ahead{axis.y / level, -axis.x / level, 0.0};
+  const bool is_driven = joint.torque > 0.0;
+  const bool holds_ahead = is_driven && !joint.rollers_rad;
+  dContact contact = on_floor(lowest, holds_ahead ? tyre_friction_ : 0.0);
   contact.surface.mode = dContactFDir1 | dContactSlip2;
   contact.surface.slip2 = slip_;
-  if (is_driven) {
+  Vector3 glides = ahead;  // without friction, unless a motor holds it
+  if (holds_ahead) {
     contact.surface.mode |= dContactSlip1;
     contact.surface.slip1 = slip_;
   } else {
     contact.surface.mode |= dContactMu2;
     contact.surface.mu2 = tyre_friction_;
   }
-  // The direction in which it rolls.
-  contact.fdir1[0] = axis.y / level;
-  contact.fdir1[1] = -axis.x / level;
+  if (joint.rollers_rad) {
+    // Across the axles of the rollers.
+    const double c = std::cos(*joint.rollers_rad), s = std::sin(*joint.rollers_rad);
+    glides = {s * ahead.x + c * ahead.y, s * ahead.y - c * ahead.x, 0.0};
+  }
+  contact.fdir1[0] = glides.x;
+  contact.fdir1[1] = glides.y;
   attach(body, nullptr, contact, lowest.z);
 }
 

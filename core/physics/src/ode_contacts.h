@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "elsie/api/body.h"
 #include "elsie/api/geometry.h"
 #include "elsie/world/description.h"
 
@@ -19,8 +20,6 @@ struct FoundContact {
   dContact contact{};
 };
 
-enum class WheelDrive { motor, free };
-
 /// Collects the contacts of one step, and makes joints of them that live for it.
 ///
 /// A contact may be made while there is still a gap. It then only forbids the bodies to come closer
@@ -34,9 +33,10 @@ class OdeContacts {
   double margin(double speed) const;
 
   /// A wheel, whole or tipped over, that is `geom` of `body` and sinks with `sinking` m/s. One
-  /// without a motor rolls freely and only holds sideways.
+  /// without a motor rolls freely and only holds sideways; one with rollers only holds along their
+  /// axles.
   void wheel_on_floor(dBodyID body, dGeomID geom, const Cylinder& wheel, double sinking,
-                      WheelDrive drive, dGeomID floor);
+                      const WheelJoint& joint, dGeomID floor);
   /// A sphere that glides on the floor without friction.
   void caster_on_floor(dBodyID caster, const Vector3& lowest);
   /// The corners of a box that are on the floor or about to reach it.

@@ -9,6 +9,7 @@
 #include "elsie/physics/engine.h"
 #include "elsie/physics/failure.h"
 #include "elsie/world/engine_facts.h"
+#include "elsie/world/parts.h"
 
 #include "body_states.h"
 #include "bounds.h"
@@ -43,25 +44,32 @@ void accept(const char* what, Make make) {
   }
 }
 
+OrientedBox shape_of(const world::Fixture& fixture) {
+  const Frame& frame = fixture.frame;
+  return {frame.origin, {frame.forward, frame.left, frame.up}, 0.5 * fixture.shape.size};
+}
+
 class OdeEngine final : public Engine {
  public:
   OdeEngine(const world::Arena& arena, const world::Physics& physics);
 
-  std::size_t add_robot(const world::RobotBody& body, const Pose& pose, double z,
-                        std::span<const world::Segment> segments) override;
+  std::size_t add_robot(const BodyPlan& plan, const Pose& pose, double z) override;
   std::size_t add_box(const world::Box& box) override;
   void remove_box(std::size_t box) override;
   void place_robot(std::size_t robot, const Pose& pose, double z) override;
-  void set_wheel_rates(std::size_t robot, const MotorCommand& rates) override;
+  void set_joints(std::size_t robot, std::span<const JointSetting> settings) override;
+  std::span<const JointSetting> joints(std::size_t robot) const override {
+    return robots_.at(robot).joints();
+  }
   void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) override;
   void step() override;
 
   RobotState robot(std::size_t robot) const override { return robots_.at(robot).state(); }
   std::size_t segments(std::size_t robot) const override {
-    return robots_.at(robot).segments().size();
+    return robots_.at(robot).vehicles().size() - 1;
   }
   SegmentState segment(std::size_t robot, std::size_t segment) const override {
-    return robots_.at(robot).segments().at(segment).state();
+    return robots_.at(robot).segment(segment);
   }
   Frame box(std::size_t box) const override;
   bool has_box(std::size_t box) const override { return boxes_.at(box).present; }
@@ -147,36 +155,25 @@ OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
   dWorldSetERP(world_.get(), physics.effective_erp());
   dWorldSetCFM(world_.get(), physics.effective_cfm());
   dWorldSetContactMaxCorrectingVel(world_.get(), world::kMaxCorrectingSpeed);
-  if (!arena.walls) return;
-  // Outside of the area, the ones along x long enough to close the corners: east, north, west,
-  // south.
-  const double t = arena.wall_thickness, h = arena.wall_height;
-  const double x = 0.5 * (arena.length + t), y = 0.5 * (arena.width + t);
-  const std::array<OrientedBox, 4> walls{
-      upright_box({x, 0.0, 0.0}, 0.0, t, arena.width, h),
-      upright_box({0.0, y, 0.0}, 0.0, arena.length + 2.0 * t, t, h),
-      upright_box({-x, 0.0, 0.0}, 0.0, t, arena.width, h),
-      upright_box({0.0, -y, 0.0}, 0.0, arena.length + 2.0 * t, t, h)};
-  for (const OrientedBox& wall : walls) {
-    add_upright(walls_, BodyKind::wall, world::BoxKind::fixed, wall, 0.0, true);
+  for (const world::Fixture& wall : world::walls_of(arena)) {
+    add_upright(walls_, BodyKind::wall, world::BoxKind::fixed, shape_of(wall), 0.0, true);
   }
 }
 
-std::size_t OdeEngine::add_robot(const world::RobotBody& body, const Pose& pose, double z,
-                                 std::span<const world::Segment> segments) {
-  check(body, pose, z);
-  check(body, segments);
+std::size_t OdeEngine::add_robot(const BodyPlan& plan, const Pose& pose, double z) {
+  check(plan);
+  check(pose, z);
   prepare_ode();
   const std::size_t index = robots_.size();
-  accept("a robot's body", [&] { robots_.emplace_back(world_.get(), body, segments, pose, z); });
+  accept("a robot's body", [&] { robots_.emplace_back(world_.get(), plan, pose, z); });
   std::vector<Scene::Id>& ids = robot_ids_.emplace_back();
-  for (std::size_t vehicle = 0; vehicle < robots_[index].vehicle_count(); ++vehicle) {
+  for (std::size_t vehicle = 0; vehicle < robots_[index].vehicles().size(); ++vehicle) {
     ids.push_back(scene_.add({BodyKind::robot, index}, true, vehicle));
     mobile_.push_back(ids.back());
   }
   routing_.add_robot(robots_[index]);
   stay_within_.push_back(bounds_.within_walls(robots_[index].state().frame.origin));
-  bounds_.add_height(z + body.top());
+  bounds_.add_height(z + robots_[index].height());
   place_in_scene(index);
   return index;
 }
@@ -185,7 +182,7 @@ void OdeEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
   check(pose, z);
   robots_.at(robot).put(pose, z);
   stay_within_[robot] = bounds_.within_walls(robots_[robot].state().frame.origin);
-  bounds_.add_height(z + robots_[robot].dimensions().top());
+  bounds_.add_height(z + robots_[robot].height());
   place_in_scene(robot);
 }
 
@@ -231,8 +228,7 @@ std::size_t OdeEngine::add_upright(std::vector<BoxBody>& list, BodyKind kind,
 std::size_t OdeEngine::add_box(const world::Box& box) {
   check(box);
   prepare_ode();
-  const OrientedBox shape = upright_box({box.x, box.y, box.z}, radians(box.heading_deg), box.length,
-                                        box.width, box.height);
+  const OrientedBox shape = shape_of(world::fixture_of(box));
   std::size_t index = 0;
   accept("a box", [&] {
     index =
@@ -260,11 +256,16 @@ void OdeEngine::remove_box(std::size_t box) {
   gone.body = nullptr;
 }
 
-void OdeEngine::set_wheel_rates(std::size_t robot, const MotorCommand& rates) {
-  require(rates.is_finite(), "The wheel rates that a robot is to hold must be finite.");
-  robots_.at(robot).set_wheel_rates(rates);
-  bounds_.add_robot_speed(robots_[robot].lever() * robots_[robot].dimensions().wheel_radius *
-                          std::max(std::abs(rates.left), std::abs(rates.right)));
+void OdeEngine::set_joints(std::size_t robot, std::span<const JointSetting> settings) {
+  OdeRobot& set = robots_.at(robot);
+  require(settings.size() == set.joints().size(),
+          "A robot needs one setting for each joint with a motor or steering.");
+  for (const JointSetting& setting : settings) {
+    require(std::isfinite(setting.rate_rad_s) && std::isfinite(setting.angle_rad),
+            "The rates and angles that a robot's joints are to hold must be finite.");
+  }
+  set.set_joints(settings);
+  bounds_.add_robot_speed(set.most_speed(settings));
 }
 
 void OdeEngine::drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) {
@@ -298,7 +299,7 @@ void OdeEngine::step() {
 
 void OdeEngine::take_step() {
   start_moving_boxes();
-  for (OdeRobot& robot : robots_) robot.stop_at_limits(physics_.step);
+  for (OdeRobot& robot : robots_) robot.begin_step(physics_.step);
   remember();
   bool solved = false;
   for (int attempt = 1; attempt <= kMostAttempts + 1 && !solved; ++attempt) {
@@ -380,8 +381,8 @@ bool OdeEngine::meet(Scene::Id first, Scene::Id second) {
   const auto solid = [](const BoxBody& box) {
     return Solid{box.body, box.geom.get(), SolidKind::box, box.shape};
   };
-  const auto vehicle = [this](Scene::Id id) {
-    return robots_[scene_.body(id).index].vehicle(scene_.part(id));
+  const auto vehicle = [this](Scene::Id id) -> const Vehicle& {
+    return robots_[scene_.body(id).index].vehicles()[scene_.part(id)].solids();
   };
   if (a.kind == BodyKind::robot && b.kind == BodyKind::robot) {
     if (a == b) return meet_own(robots_[a.index], scene_.part(first), scene_.part(second));
@@ -403,7 +404,7 @@ bool OdeEngine::meet(Scene::Id first, Scene::Id second) {
 // touches itself.
 bool OdeEngine::meet_own(const OdeRobot& robot, std::size_t a, std::size_t b) {
   if (std::max(a, b) - std::min(a, b) > 1) {
-    meet_vehicles(contacts_, robot.vehicle(a), robot.vehicle(b));
+    meet_vehicles(contacts_, robot.vehicles()[a].solids(), robot.vehicles()[b].solids());
   }
   return false;
 }
@@ -418,10 +419,12 @@ void OdeEngine::settle() {
       fail(failure);
     }
     place_in_scene(i);
-    robots_[i].for_each_middle([&](std::optional<std::size_t> segment, dBodyID middle) {
+    const std::vector<OdeVehicle>& vehicles = robots_[i].vehicles();
+    for (std::size_t k = 0; k < vehicles.size(); ++k) {
+      const dBodyID middle = vehicles[k].chassis();
       judge(to_vector(dBodyGetPosition(middle)), to_vector(dBodyGetLinearVel(middle)),
-            stay_within_[i], body, segment);
-    });
+            stay_within_[i], body, k > 0 ? std::optional(k - 1) : std::nullopt);
+    }
   }
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     if (boxes_[i].present && is_mobile(boxes_[i])) settle_box(boxes_[i], i);

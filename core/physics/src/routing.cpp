@@ -20,7 +20,7 @@ std::size_t member_of(dBodyID body) {
 void Routing::add_robot(const OdeRobot& robot) {
   Member member;
   member.robot = robots_++;
-  member.size = kRobotSize + robot.segments().size();
+  member.size = kRobotSize + robot.vehicles().size() - 1;
   robot.for_each_body([&](dBodyID body) { member.bodies.push_back(body); });
   add(std::move(member));
 }

@@ -12,7 +12,7 @@ namespace {
 constexpr double kHair = 1e-9;  // m
 
 double distance_to_robot(const Ray& ray, const OrientedBox& chassis,
-                         const std::array<Cylinder, 2>& wheels, double wheels_top) {
+                         const std::vector<Cylinder>& wheels, double wheels_top) {
   double nearest = distance_to_box(ray, chassis);
   // Most beams are level and above the wheels.
   if (ray.direction.z < 0.0 || ray.origin.z <= wheels_top) {
@@ -24,7 +24,10 @@ double distance_to_robot(const Ray& ray, const OrientedBox& chassis,
 }
 
 OrientedBox box_around(const Cylinder& wheel, const OrientedBox& chassis) {
-  return {wheel.center, chassis.axes, {wheel.radius, wheel.half_length, wheel.radius}};
+  const Vector3& up = chassis.axes[2];
+  return {wheel.center,
+          {cross(wheel.axis, up), wheel.axis, up},
+          {wheel.radius, wheel.half_length, wheel.radius}};
 }
 
 }  // namespace
@@ -58,13 +61,16 @@ void Scene::place_box(Id id, const OrientedBox& box, double reach) {
   place(id, bounds(box), reach);
 }
 
-void Scene::place_robot(Id id, const OrientedBox& sensed, const std::array<Cylinder, 2>& wheels,
+void Scene::place_robot(Id id, const OrientedBox& sensed, const std::vector<Cylinder>& wheels,
                         const OrientedBox& enclosing, double reach) {
   Entry& entry = entries_[id];
   entry.box = sensed;
   entry.wheels = wheels;
-  entry.wheels_top = std::max(wheels[0].center.z + wheels[0].radius + wheels[0].half_length,
-                              wheels[1].center.z + wheels[1].radius + wheels[1].half_length);
+  entry.wheels_top = 0.0;
+  for (const Cylinder& wheel : wheels) {
+    entry.wheels_top =
+        std::max(entry.wheels_top, wheel.center.z + wheel.radius + wheel.half_length);
+  }
   place(id, bounds(enclosing), reach);
 }
 
@@ -155,10 +161,10 @@ bool Scene::anything_in(const Pyramid& pyramid, std::size_t except) const {
         const Entry& entry = entries_[id];
         if (!is_seen(entry, except) || !entry.bounds.overlaps(test.bounds(), 0.0)) continue;
         if (test.meets(entry.box)) return true;
-        if (entry.is_robot && (test.meets(box_around(entry.wheels[0], entry.box)) ||
-                               test.meets(box_around(entry.wheels[1], entry.box)))) {
-          return true;
-        }
+        const auto is_met = [&](const Cylinder& wheel) {
+          return test.meets(box_around(wheel, entry.box));
+        };
+        if (std::any_of(entry.wheels.begin(), entry.wheels.end(), is_met)) return true;
       }
     }
   }

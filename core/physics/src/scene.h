@@ -2,7 +2,6 @@
 // nothing of dynamics.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -29,7 +28,7 @@ class Scene {
   void place_box(Id id, const OrientedBox& box, double reach);
   /// Puts a robot or a segment somewhere: what sensors see of it (chassis with sensor deck, and
   /// wheels), and a box that encloses all of it.
-  void place_robot(Id id, const OrientedBox& sensed, const std::array<Cylinder, 2>& wheels,
+  void place_robot(Id id, const OrientedBox& sensed, const std::vector<Cylinder>& wheels,
                    const OrientedBox& enclosing, double reach);
   void remove(Id id);
 
@@ -53,8 +52,8 @@ class Scene {
     bool sensed = false;
     bool placed = false;
     bool is_robot = false;
-    OrientedBox box;                 // as sensors see it
-    std::array<Cylinder, 2> wheels;  // of a robot
+    OrientedBox box;               // as sensors see it
+    std::vector<Cylinder> wheels;  // of a robot
     double wheels_top = 0.0;
     Grid::Block block;
   };

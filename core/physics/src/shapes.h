@@ -18,15 +18,6 @@ struct OrientedBox {
   Vector3 half;                                                    // half the edges along the axes
 };
 
-/// A box that stands upright: the middle of its bottom, its heading and its edges.
-inline OrientedBox upright_box(const Vector3& bottom, double heading_rad, double length,
-                               double width, double height) {
-  const double c = std::cos(heading_rad), s = std::sin(heading_rad);
-  return {{bottom.x, bottom.y, bottom.z + 0.5 * height},
-          {{{c, s, 0.0}, {-s, c, 0.0}, {0.0, 0.0, 1.0}}},
-          {0.5 * length, 0.5 * width, 0.5 * height}};
-}
-
 struct Cylinder {
   Vector3 center;
   Vector3 axis;  // unit vector

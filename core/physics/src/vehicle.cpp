@@ -11,25 +11,31 @@ constexpr double kSlack = 1e-3;  // m
 
 }  // namespace
 
-void place_vehicle(Scene& scene, Scene::Id id, const MovingVehicle& vehicle, double step) {
-  const Frame& frame = vehicle.frame;
-  const OrientedBox& box = vehicle.box;
-  const Cylinder& wheel = vehicle.wheels[0];
-  OrientedBox sensed = box;
+void place_vehicle(Scene& scene, Scene::Id id, const OrientedBox& chassis,
+                   const std::vector<Cylinder>& wheels, const VehicleMotion& motion, double step) {
+  const Frame& frame = motion.frame;
+  OrientedBox sensed = chassis;
   sensed.center = sensed.center + 0.5 * kSensorDeck * frame.up;
   sensed.half.z += 0.5 * kSensorDeck;
-  // From the floor to the deck, and as wide and long as box and wheels together.
-  const double above = dot(box.center - frame.origin, frame.up) + box.half.z;
-  const double aside = std::abs(dot(wheel.center - frame.origin, frame.left));
-  const double top = std::max(above + kSensorDeck, 2.0 * wheel.radius);
-  const OrientedBox enclosing{frame.point({0.0, 0.0, 0.5 * top}),
-                              box.axes,
-                              {std::max(box.half.x, wheel.radius),
-                               std::max(box.half.y, aside + wheel.half_length), 0.5 * top}};
+  // From the floor to the deck, and as wide and long as chassis and wheels together.
+  double top = dot(chassis.center - frame.origin, frame.up) + chassis.half.z + kSensorDeck;
+  double half_length = chassis.half.x, half_width = chassis.half.y;
+  for (const Cylinder& wheel : wheels) {
+    const Vector3 at = wheel.center - frame.origin;
+    const double along = std::abs(dot(wheel.axis, frame.forward));  // 0: it rolls straight ahead
+    const double ahead = along == 0.0 ? wheel.radius : wheel.radius + along * wheel.half_length;
+    const double aside =
+        along == 0.0 ? wheel.half_length : wheel.half_length + along * wheel.radius;
+    half_length = std::max(half_length, std::abs(dot(at, frame.forward)) + ahead);
+    half_width = std::max(half_width, std::abs(dot(at, frame.left)) + aside);
+    top = std::max(top, 2.0 * wheel.radius);
+  }
+  const OrientedBox enclosing{
+      frame.point({0.0, 0.0, 0.5 * top}), chassis.axes, {half_length, half_width, 0.5 * top}};
   const double size = enclosing.half.x + enclosing.half.y + 2.0 * enclosing.half.z;
-  const double speed = std::sqrt(dot(vehicle.velocity, vehicle.velocity)) +
-                       size * std::sqrt(dot(vehicle.turning, vehicle.turning));
-  scene.place_robot(id, sensed, vehicle.wheels, enclosing, step * speed + kSlack);
+  const double speed = std::sqrt(dot(motion.velocity, motion.velocity)) +
+                       size * std::sqrt(dot(motion.turning, motion.turning));
+  scene.place_robot(id, sensed, wheels, enclosing, step * speed + kSlack);
 }
 
 }  // namespace elsie::physics

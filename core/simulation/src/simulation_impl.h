@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "elsie/physics/engine.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/error.h"
+#include "elsie/world/parts.h"
 
 #include "changes/changes.h"
 #include "measuring/measuring.h"
@@ -79,9 +81,9 @@ class Simulation::Impl {
     }
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       const world::Robot& d = world_.robots[i];
-      engine_->add_robot(d.body, {d.x, d.y, wrap_angle(radians(d.heading_deg))}, d.z, d.segments);
+      engine_->add_robot(world::plan_of(d), {d.x, d.y, wrap_angle(radians(d.heading_deg))}, d.z);
       robots_[i]->reset(seed);
-      robots_[i]->set_body(engine_->robot(i));
+      robots_[i]->set_body(engine_->robot(i), engine_->joints(i));
     }
     steps_ = 0;
     wall_s_ = 0.0;
@@ -240,7 +242,9 @@ class Simulation::Impl {
   /// Motors, physics.
   void move() {
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      engine_->set_wheel_rates(i, robots_[i]->command());
+      const MotorCommand& command = robots_[i]->command();
+      const std::array<JointSetting, 2> joints{{{command.left}, {command.right}}};
+      engine_->set_joints(i, joints);
     }
     drive_boxes();
     try {
@@ -250,7 +254,7 @@ class Simulation::Impl {
     }
     ++steps_;
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      robots_[i]->moved(engine_->robot(i));
+      robots_[i]->moved(engine_->robot(i), engine_->joints(i));
     }
   }
 

@@ -7,6 +7,7 @@
 #include "elsie/render/renderer.h"
 #include "elsie/render/world_scene.h"
 #include "elsie/world/colours.h"
+#include "elsie/world/parts.h"
 
 namespace elsie::testing {
 
@@ -76,7 +77,7 @@ Surroundings& Surroundings::robot(const std::string& id, double x, double y, dou
   robot.y = y;
   robot.heading_deg = heading_deg;
   robot.leader = is_leader;
-  engine_->bodies->add_robot(robot.body, {x, y, wrap_angle(radians(heading_deg))});
+  engine_->bodies->add_robot(world::plan_of(robot), {x, y, wrap_angle(radians(heading_deg))});
   world_.robots.push_back(robot);
   return *this;
 }

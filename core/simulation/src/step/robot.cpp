@@ -313,15 +313,15 @@ void Robot::charge(double period_s, double rate) {
   }
 }
 
-void Robot::moved(const physics::RobotState& state) {
+void Robot::moved(const physics::RobotState& state, std::span<const JointSetting> joints) {
   distance_m_ += distance(state_.pose, state.pose);
-  set_body(state);
+  set_body(state, joints);
 }
 
-void Robot::set_body(const physics::RobotState& state) {
+void Robot::set_body(const physics::RobotState& state, std::span<const JointSetting> joints) {
   body_frame_ = state.frame;
   state_.pose = state.pose;
-  state_.wheel_rates = state.wheel_rates;
+  state_.wheel_rates = {joints[0].rate_rad_s, joints[1].rate_rad_s};
   state_.speed_m_s = state.speed;
   state_.turn_rate_rad_s = state.turn_rate;
 }

@@ -64,9 +64,9 @@ class Robot final : private Wishes {
   /// second to be had where the robot is, or 0.
   void charge(double period_s, double rate);
   /// Takes over the body's state.
-  void set_body(const physics::RobotState& state);
+  void set_body(const physics::RobotState& state, std::span<const JointSetting> joints);
   /// The same after a step: counts the way too.
-  void moved(const physics::RobotState& state);
+  void moved(const physics::RobotState& state, std::span<const JointSetting> joints);
   /// Adds energy of a collected resource, up to the capacity.
   void collect(double energy);
 

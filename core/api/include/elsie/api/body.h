@@ -60,7 +60,7 @@ struct WheelJoint {
   /// The direction of the axles of rollers on its rim, where the wheel touches the floor, from the
   /// direction in which it rolls, counter-clockwise. It grips along these axles and glides across.
   /// None: a tyre.
-  std::optional<double> rollers_rad;
+  std::optional<double> rollers_rad{};
 };
 
 /// A ball that glides on the floor in all directions.
@@ -80,6 +80,24 @@ struct HitchJoint {
 
 using Joint = std::variant<FixedJoint, WheelJoint, CasterJoint, HitchJoint>;
 
+/// What a joint is to hold, or holds: of a wheel its rate, positive forward, and the angle of its
+/// steering; of a hitch its yaw. Angles count counter-clockwise.
+struct JointSetting {
+  double rate_rad_s = 0.0;
+  double angle_rad = 0.0;
+
+  friend bool operator==(const JointSetting&, const JointSetting&) = default;
+};
+
+/// Whether it has a motor or steering: a wheel with either, a hitch with a motor.
+inline bool can_be_set(const Joint& joint) {
+  if (const auto* wheel = std::get_if<WheelJoint>(&joint)) {
+    return wheel->torque > 0.0 || wheel->steered;
+  }
+  const auto* hitch = std::get_if<HitchJoint>(&joint);
+  return hitch && hitch->torque > 0.0;
+}
+
 struct Part {
   std::string name;  // unique within the body: "chassis", "left_wheel"
   PartRole role = PartRole::chassis;
@@ -90,9 +108,9 @@ struct Part {
   Joint joint;
 };
 
-/// A robot: a vehicle, and those that it pulls. The origin of a vehicle's frame is on the floor
-/// below its middle, x ahead. The first part of each vehicle is its chassis, to which the others
-/// belong; that of a vehicle which is pulled has a HitchJoint.
+/// The body of a robot: a vehicle, and those that it pulls. The origin of a vehicle's frame is on
+/// the floor below the middle of its chassis, x ahead. The first part of each vehicle is its
+/// chassis, to which the others belong; that of a vehicle which is pulled has a HitchJoint.
 struct BodyPlan {
   std::vector<Part> parts;
 

@@ -12,8 +12,8 @@
 #include <optional>
 #include <span>
 
+#include "elsie/api/body.h"
 #include "elsie/api/geometry.h"
-#include "elsie/api/motor_command.h"
 #include "elsie/api/sensor.h"
 #include "elsie/base/fnv1a.h"
 #include "elsie/world/description.h"
@@ -33,11 +33,11 @@ struct Body {
 
 /// The state of a robot's body.
 struct RobotState {
-  Frame frame;  // origin on the floor side: below the middle of the axle, at wheel-bottom height
-  Pose pose;    // the same on the floor
-  MotorCommand wheel_rates;  // measured
-  double speed = 0.0;        // m/s along the heading
-  double turn_rate = 0.0;    // rad/s counter-clockwise
+  Frame frame;             // origin below the middle of the chassis, at wheel-bottom height
+  Pose pose;               // the same on the floor
+  double speed = 0.0;      // m/s along the heading
+  double lateral = 0.0;    // m/s to the left
+  double turn_rate = 0.0;  // rad/s counter-clockwise
 };
 
 /// The state of a segment that a robot pulls.
@@ -81,11 +81,10 @@ class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Adds a robot that stands at the pose, its wheels `z` m above the floor, with its segments in
-  /// line behind it; returns its index. Throws std::invalid_argument for dimensions and masses that
-  /// are not positive and finite.
-  virtual std::size_t add_robot(const world::RobotBody& body, const Pose& pose, double z = 0.0,
-                                std::span<const world::Segment> segments = {}) = 0;
+  /// Adds a robot that stands at the pose, its wheels `z` m above the floor, what it pulls in line
+  /// behind it; returns its index. Throws std::invalid_argument for dimensions and masses that are
+  /// not positive and finite.
+  virtual std::size_t add_robot(const BodyPlan& plan, const Pose& pose, double z = 0.0) = 0;
   /// Adds a box; returns its index. Resources are fixed boxes until they are removed. Fixed and
   /// moving boxes float where z is positive, dynamic ones fall. Throws as add_robot() does.
   virtual std::size_t add_box(const world::Box& box) = 0;
@@ -96,8 +95,12 @@ class Engine {
   /// to hold stays. Throws as add_robot() does.
   virtual void place_robot(std::size_t robot, const Pose& pose, double z = 0.0) = 0;
 
-  /// What the motors are to hold from now on; the caller has limited it to the maximum speed.
-  virtual void set_wheel_rates(std::size_t robot, const MotorCommand& rates) = 0;
+  /// What the joints of a robot that can be set (can_be_set()) are to hold from now on, in the
+  /// order of its parts; the caller has limited rates to what the robot's motors do. Throws
+  /// std::invalid_argument for another number of settings, or one that is not finite.
+  virtual void set_joints(std::size_t robot, std::span<const JointSetting> settings) = 0;
+  /// What these joints hold, measured; until the next step.
+  virtual std::span<const JointSetting> joints(std::size_t robot) const = 0;
   /// Where a moving box is to be at the end of the next step and how fast it moves there (m/s),
   /// whatever stands in its way; before each step. Without it the box rests in that step.
   virtual void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) = 0;

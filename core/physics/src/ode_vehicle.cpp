@@ -1,0 +1,437 @@
+#include "ode_vehicle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace elsie::physics {
+namespace {
+
+// ODE's solver gives up where two motors of equal strength reach their limits at the same instant.
+constexpr double kTieBreaker = 1e-6;
+
+// How far before its limit ODE's stop of a joint stands, so that a joint that was put to its limit
+// is beyond the stop whatever the rounding.
+constexpr double kStopSlack = 1e-6;  // rad
+
+// A wheel that is flush with the side of the chassis is inside.
+constexpr double kFlush = 1e-9;  // m
+
+constexpr double kHalfSqrt2 = 0.5 * std::numbers::sqrt2;
+
+bool is_finite(const Vector3& v) { return std::isfinite(v.x + v.y + v.z); }
+
+/// The orientation of a wheel that is turned by `angle` about the vehicle's y axis, in the
+/// vehicle's frame. ODE's cylinders lie along their z axis.
+void wheel_rotation(double angle, dQuaternion q) {
+  const double c = std::cos(0.5 * angle) * kHalfSqrt2, s = std::sin(0.5 * angle) * kHalfSqrt2;
+  q[0] = c;
+  q[1] = -c;
+  q[2] = s;
+  q[3] = s;
+}
+
+void multiply(dQuaternion result, const dQuaternion a, const dQuaternion b) {
+  dQuaternion product;
+  dQMultiply0(product, a, b);
+  std::copy(product, product + 4, result);
+}
+
+/// The unit vector along v, or `otherwise` where there is none.
+Vector3 unit(const Vector3& v, const Vector3& otherwise) {
+  const double length = std::sqrt(dot(v, v));
+  return length > 1e-6 ? (1.0 / length) * v : otherwise;
+}
+
+void set_rotation(dBodyID body, const Frame& frame) {
+  const Vector3 &f = frame.forward, &l = frame.left, &u = frame.up;
+  const dMatrix3 rotation{f.x, l.x, u.x, 0.0, f.y, l.y, u.y, 0.0, f.z, l.z, u.z, 0.0};
+  dBodySetRotation(body, rotation);
+}
+
+void stop(dBodyID body) {
+  dBodySetLinearVel(body, 0.0, 0.0, 0.0);
+  dBodySetAngularVel(body, 0.0, 0.0, 0.0);
+}
+
+dBodyID make_body(dWorldID world, dGeomID geom, const dMass& mass) {
+  const dBodyID made = dBodyCreate(world);
+  dBodySetMass(made, &mass);
+  dBodySetFiniteRotationMode(made, 1);
+  dGeomSetBody(geom, made);
+  return made;
+}
+
+/// Towards a value, by no more than `most`.
+double approach(double from, double to, double most) {
+  return std::abs(to - from) <= most ? to : from + std::copysign(most, to - from);
+}
+
+}  // namespace
+
+OdeVehicle::OdeVehicle(dWorldID world, std::span<const Part> parts) {
+  const Part& chassis = parts.front();
+  middle_ = chassis.frame.origin;
+  const Vector3& size = chassis.shape.size;
+  chassis_geom_.reset(dCreateBox(nullptr, size.x, size.y, size.z));
+  dMass mass;
+  dMassSetBoxTotal(&mass, chassis.mass, size.x, size.y, size.z);
+  chassis_ = make_body(world, chassis_geom_.get(), mass);
+  if (const auto* hitch = std::get_if<HitchJoint>(&chassis.joint)) hitch_ = *hitch;
+  solids_.chassis = {chassis_, chassis_geom_.get(), SolidKind::box, {{}, {}, 0.5 * size}};
+  for (const Part& part : parts) {
+    if (const auto* wheel = std::get_if<WheelJoint>(&part.joint)) add_wheel(world, part, *wheel);
+  }
+  for (const Part& part : parts) {
+    if (std::holds_alternative<CasterJoint>(part.joint)) add_caster(world, part);
+  }
+  lump_ = lump_of(parts);
+  const double top = middle_.z + 0.5 * size.z;
+  solids_.wheels_inside = std::all_of(wheels_.begin(), wheels_.end(), [&](const Wheel& wheel) {
+    const Vector3& at = wheel.part.frame.origin;
+    const Vector3& own = wheel.part.shape.size;
+    return !wheel.joint.steered && std::abs(at.x) + 0.5 * own.x <= 0.5 * size.x &&
+           std::abs(at.y) + 0.5 * own.y <= 0.5 * size.y + kFlush && at.z + 0.5 * own.z <= top;
+  });
+}
+
+void OdeVehicle::add_wheel(dWorldID world, const Part& part, const WheelJoint& joint) {
+  const double radius = part.shape.radius(), width = part.shape.length();
+  Wheel& wheel = wheels_.emplace_back();
+  wheel.part = part;
+  wheel.joint = joint;
+  wheel.rest_rad = std::atan2(part.frame.forward.y, part.frame.forward.x);
+  wheel.geom.reset(dCreateCylinder(nullptr, radius, width));
+  if (joint.torque > 0.0) {
+    dMass mass;
+    dMassSetCylinderTotal(&mass, part.mass, 3, radius, width);
+    wheel.about_axle = mass.I[10];
+    wheel.motor = Motor{make_body(world, wheel.geom.get(), mass), nullptr};
+  } else {
+    dGeomSetBody(wheel.geom.get(), chassis_);
+    const Vector3 at = part.frame.origin - middle_;
+    dGeomSetOffsetPosition(wheel.geom.get(), at.x, at.y, at.z);
+  }
+  wheel_shapes_.push_back({{}, {}, radius, 0.5 * width});
+  solids_.wheels.push_back({wheel.motor ? wheel.motor->body : chassis_,
+                            wheel.geom.get(),
+                            SolidKind::wheel,
+                            {{}, {}, {radius, 0.5 * width, radius}}});
+}
+
+void OdeVehicle::add_caster(dWorldID world, const Part& part) {
+  const double radius = part.shape.radius();
+  dMass mass;
+  dMassSetSphereTotal(&mass, part.mass, radius);
+  const dGeomID geom = dCreateSphere(nullptr, radius);
+  caster_geoms_.emplace_back(geom);
+  casters_.push_back(make_body(world, geom, mass));
+  caster_places_.push_back(part.frame.origin);
+  caster_radii_.push_back(radius);
+  solids_.casters.push_back({casters_.back(), geom, SolidKind::box, {}});
+}
+
+void OdeVehicle::put(const Frame& frame, double heading_rad) {
+  const Vector3 center = frame.point(middle_);
+  dBodySetPosition(chassis_, center.x, center.y, center.z);
+  dQuaternion facing{std::cos(0.5 * heading_rad), 0.0, 0.0, std::sin(0.5 * heading_rad)};
+  if (hitch_) {
+    set_rotation(chassis_, frame);
+    std::copy_n(dBodyGetQuaternion(chassis_), 4, facing);
+  } else {
+    dBodySetQuaternion(chassis_, facing);
+  }
+  stop(chassis_);
+  velocity_ = turning_ = {};
+  hitch_state_.yaw_rad = hitch_state_.pitch_rad = 0.0;
+  for (Wheel& wheel : wheels_) {
+    wheel.now = {};
+    wheel.turned = 0.0;
+    if (!wheel.motor) {
+      turn_geom(wheel);
+      continue;
+    }
+    const Vector3 at = frame.point(wheel.part.frame.origin);
+    dBodySetPosition(wheel.motor->body, at.x, at.y, at.z);
+    turn_wheel(wheel, facing);
+    stop(wheel.motor->body);
+  }
+  for (std::size_t i = 0; i < casters_.size(); ++i) {
+    const Vector3 at = frame.point(caster_places_[i]);
+    dBodySetPosition(casters_[i], at.x, at.y, at.z);
+    dBodySetQuaternion(casters_[i], facing);
+    stop(casters_[i]);
+  }
+  read_frame();
+  read_shapes();
+}
+
+/// Where a wheel points in the vehicle's frame, rad.
+double OdeVehicle::heading_of(const Wheel& wheel) { return wheel.rest_rad + wheel.now.angle_rad; }
+
+void OdeVehicle::turn_wheel(const Wheel& wheel, const dQuaternion chassis) const {
+  dQuaternion own, q;
+  wheel_rotation(wheel.turned, own);
+  if (const double heading = heading_of(wheel); heading != 0.0) {
+    const dQuaternion steered{std::cos(0.5 * heading), 0.0, 0.0, std::sin(0.5 * heading)};
+    multiply(own, steered, own);
+  }
+  dQMultiply0(q, chassis, own);
+  dBodySetQuaternion(wheel.motor->body, q);
+}
+
+/// A wheel without a body of its own.
+void OdeVehicle::turn_geom(const Wheel& wheel) const {
+  dQuaternion along_axle, turned;
+  dQFromAxisAndAngle(along_axle, 1.0, 0.0, 0.0, 0.5 * std::numbers::pi);
+  const double half = 0.5 * heading_of(wheel);
+  const dQuaternion steered{std::cos(half), 0.0, 0.0, std::sin(half)};
+  dQMultiply0(turned, steered, along_axle);
+  dGeomSetOffsetQuaternion(wheel.geom.get(), turned);
+}
+
+void OdeVehicle::link(dWorldID world, dBodyID front, const Frame& frame) {
+  link_wheels(world, frame);
+  for (std::size_t i = 0; i < casters_.size(); ++i) {
+    const dJointID ball = dJointCreateBall(world, nullptr);
+    dJointAttach(ball, casters_[i], chassis_);
+    const Vector3 at = frame.point(caster_places_[i]);
+    dJointSetBallAnchor(ball, at.x, at.y, at.z);
+  }
+  if (hitch_) link_hitch(world, front);
+}
+
+void OdeVehicle::link_wheels(dWorldID world, const Frame& frame) {
+  double number = 0.0;
+  for (Wheel& wheel : wheels_) {
+    if (!wheel.motor) continue;
+    const dJointID hinge = dJointCreateHinge(world, nullptr);
+    dJointAttach(hinge, wheel.motor->body, chassis_);
+    const Vector3 at = frame.point(wheel.part.frame.origin);
+    const Vector3 axis = frame.direction(wheel.part.frame.left);
+    dJointSetHingeAnchor(hinge, at.x, at.y, at.z);
+    dJointSetHingeAxis(hinge, axis.x, axis.y, axis.z);
+    dJointSetHingeParam(hinge, dParamFMax, wheel.joint.torque * (1.0 + number * kTieBreaker));
+    dJointSetHingeParam(hinge, dParamVel, 0.0);
+    wheel.motor->hinge = hinge;
+    number += 1.0;
+  }
+}
+
+void OdeVehicle::link_hitch(dWorldID world, dBodyID front) {
+  const dJointID joint = dJointCreateUniversal(world, nullptr);
+  hitch_state_.joint = joint;
+  dJointAttach(joint, front, chassis_);
+  const Vector3 at = hitch_place();
+  dJointSetUniversalAnchor(joint, at.x, at.y, at.z);
+  dJointSetUniversalAxis1(joint, frame_.up.x, frame_.up.y, frame_.up.z);
+  dJointSetUniversalAxis2(joint, frame_.left.x, frame_.left.y, frame_.left.z);
+  dJointSetUniversalParam(joint, dParamLoStop1, kStopSlack - hitch_->max_yaw_rad);
+  dJointSetUniversalParam(joint, dParamHiStop1, hitch_->max_yaw_rad - kStopSlack);
+  dJointSetUniversalParam(joint, dParamLoStop2, -hitch_->max_pitch_rad);
+  dJointSetUniversalParam(joint, dParamHiStop2, hitch_->max_pitch_rad);
+}
+
+std::span<const JointSetting> OdeVehicle::set(std::span<const JointSetting> settings) {
+  if (hitch_ && hitch_->torque > 0.0) {
+    hitch_state_.wanted_yaw_rad =
+        std::clamp(settings.front().angle_rad, -hitch_->max_yaw_rad, hitch_->max_yaw_rad);
+    settings = settings.subspan(1);
+  }
+  for (Wheel& wheel : wheels_) {
+    if (!wheel.motor && !wheel.joint.steered) continue;
+    wheel.wanted = settings.front();
+    settings = settings.subspan(1);
+    if (wheel.motor) dJointSetHingeParam(wheel.motor->hinge, dParamVel, wheel.wanted.rate_rad_s);
+  }
+  return settings;
+}
+
+void OdeVehicle::begin_step(double step) {
+  for (Wheel& wheel : wheels_) {
+    if (wheel.joint.steered) steer(wheel, step);
+  }
+  if (hitch_) begin_hitch(step);
+}
+
+void OdeVehicle::steer(Wheel& wheel, double step) {
+  const WheelJoint& joint = wheel.joint;
+  double wanted = wheel.wanted.angle_rad;
+  const bool all_round = joint.max_steer_rad >= std::numbers::pi;
+  if (all_round) {
+    wanted = wheel.now.angle_rad + wrap_angle(wanted - wheel.now.angle_rad);  // the shorter way
+  } else {
+    wanted = std::clamp(wanted, -joint.max_steer_rad, joint.max_steer_rad);
+  }
+  const double angle = approach(wheel.now.angle_rad, wanted, step * joint.steer_rate_rad_s);
+  if (angle == wheel.now.angle_rad) return;
+  wheel.now.angle_rad = all_round ? wrap_angle(angle) : angle;
+  read_shapes();
+  if (wheel.motor) {
+    turn_wheel(wheel, dBodyGetQuaternion(chassis_));
+    const Vector3& axis = wheel_shapes_[static_cast<std::size_t>(&wheel - wheels_.data())].axis;
+    dJointSetHingeAxis(wheel.motor->hinge, axis.x, axis.y, axis.z);
+  } else {
+    turn_geom(wheel);
+  }
+}
+
+void OdeVehicle::begin_hitch(double step) {
+  // ODE's angles of this joint count the other way round: of the front against the one behind.
+  const dJointID joint = hitch_state_.joint;
+  if (hitch_->torque > 0.0) {
+    const double off = hitch_state_.wanted_yaw_rad - hitch_state_.yaw_rad;
+    hitch_state_.rate = std::clamp(off / step, -hitch_->yaw_rate_rad_s, hitch_->yaw_rate_rad_s);
+    dJointSetUniversalParam(joint, dParamVel1, -hitch_state_.rate);
+    dJointSetUniversalParam(joint, dParamFMax1, hitch_->torque);
+    return;
+  }
+  const double rate = -dJointGetUniversalAngle1Rate(joint);
+  const double limit = std::copysign(hitch_->max_yaw_rad, rate);
+  const double room = limit - hitch_state_.yaw_rad;
+  // ODE would add the torque of a motor to that of an active limit.
+  const bool is_there = std::abs(room) <= 2.0 * kStopSlack;
+  const bool reaches_it = !is_there && std::abs(rate) * step > std::abs(room);
+  if (reaches_it) dJointSetUniversalParam(joint, dParamVel1, -room / step);
+  if (reaches_it != hitch_state_.stopping) {
+    dJointSetUniversalParam(joint, dParamFMax1, reaches_it ? dInfinity : 0.0);
+  }
+  hitch_state_.stopping = reaches_it;
+}
+
+void OdeVehicle::meet_floor(OdeContacts& contacts, dGeomID floor) const {
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    const Wheel& wheel = wheels_[i];
+    const Cylinder& shape = wheel_shapes_[i];
+    if (wheel.motor) {
+      const double sinking = -dBodyGetLinearVel(wheel.motor->body)[2];
+      contacts.wheel_on_floor(wheel.motor->body, wheel.geom.get(), shape, sinking, wheel.joint,
+                              floor);
+    } else {
+      const double sinking =
+          -(velocity_ + cross(turning_, shape.center - solids_.chassis.shape.center)).z;
+      contacts.wheel_on_floor(chassis_, wheel.geom.get(), shape, sinking, wheel.joint, floor);
+    }
+  }
+  for (std::size_t i = 0; i < casters_.size(); ++i) {
+    Vector3 lowest = to_vector(dBodyGetPosition(casters_[i]));
+    lowest.z -= caster_radii_[i];
+    if (lowest.z <= contacts.margin(-dBodyGetLinearVel(casters_[i])[2])) {
+      contacts.caster_on_floor(casters_[i], lowest);
+    }
+  }
+  contacts.box_on_floor(chassis_, solids_.chassis.shape);
+}
+
+bool OdeVehicle::settle(double step, const Frame* front) {
+  velocity_ = to_vector(dBodyGetLinearVel(chassis_));
+  turning_ = to_vector(dBodyGetAngularVel(chassis_));
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    Wheel& wheel = wheels_[i];
+    if (!wheel.motor) continue;
+    const Vector3 spin = to_vector(dBodyGetAngularVel(wheel.motor->body));
+    wheel.now.rate_rad_s = dot(wheel_shapes_[i].axis, spin - turning_);
+    if (!std::isfinite(wheel.now.rate_rad_s)) return false;
+    wheel.turned =
+        std::remainder(wheel.turned + step * wheel.now.rate_rad_s, 2.0 * std::numbers::pi);
+  }
+  if (hitch_) {
+    if (!settle_at_hitch(*front)) return false;
+  } else {
+    read_frame();
+  }
+  if (!is_finite(frame_.origin) || !is_finite(velocity_) || !is_finite(turning_) ||
+      !is_finite(frame_.forward)) {
+    return false;
+  }
+  read_shapes();
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    const Wheel& wheel = wheels_[i];
+    if (!wheel.motor) continue;
+    carry(wheel.motor->body, wheel_shapes_[i].center);
+    turn_wheel(wheel, dBodyGetQuaternion(chassis_));
+    const Vector3 w = turning_ + wheel.now.rate_rad_s * wheel_shapes_[i].axis;
+    dBodySetAngularVel(wheel.motor->body, w.x, w.y, w.z);
+  }
+  for (std::size_t i = 0; i < casters_.size(); ++i) {
+    carry(casters_[i], frame_.point(caster_places_[i]));
+  }
+  return true;
+}
+
+void OdeVehicle::carry(dBodyID body, const Vector3& at) const {
+  const Vector3 v = velocity_ + cross(turning_, at - solids_.chassis.shape.center);
+  dBodySetPosition(body, at.x, at.y, at.z);
+  dBodySetLinearVel(body, v.x, v.y, v.z);
+}
+
+bool OdeVehicle::settle_at_hitch(const Frame& front) {
+  const Vector3 joint = front.point({-hitch_->behind, 0.0, hitch_->height});
+  const dReal* r = dBodyGetRotation(chassis_);
+  // Its transverse axis stays at right angles to the vertical of the body in front: no roll.
+  const Vector3 left{r[1], r[5], r[9]};
+  frame_.left = unit(left - dot(left, front.up) * front.up, left);
+  const Vector3 forward{r[0], r[4], r[8]};
+  frame_.forward = unit(forward - dot(forward, frame_.left) * frame_.left, forward);
+  frame_.up = cross(frame_.forward, frame_.left);
+  limit_hitch(front);
+
+  const Vector3 origin = joint - hitch_->ahead * frame_.forward - hitch_->height * frame_.up;
+  const Vector3 center = origin + middle_.z * frame_.up;
+  if (!is_finite(center) || !is_finite(frame_.forward) || !is_finite(frame_.left)) return false;
+  set_rotation(chassis_, frame_);
+  dBodySetPosition(chassis_, center.x, center.y, center.z);
+  read_frame();
+  return true;
+}
+
+void OdeVehicle::limit_hitch(const Frame& front) {
+  HitchState& state = hitch_state_;
+  const double yaw =
+      std::atan2(dot(frame_.forward, front.left), dot(frame_.forward, front.forward));
+  // From where it was, so that it does not come round the back.
+  const double turned = state.yaw_rad + wrap_angle(yaw - state.yaw_rad);
+  const double pitch = std::asin(std::clamp(dot(frame_.forward, front.up), -1.0, 1.0));
+  state.yaw_rad = std::clamp(turned, -hitch_->max_yaw_rad, hitch_->max_yaw_rad);
+  state.pitch_rad = std::clamp(pitch, -hitch_->max_pitch_rad, hitch_->max_pitch_rad);
+  if (state.yaw_rad == turned && state.pitch_rad == pitch) return;
+  const Frame limited = front.frame(Frame::turned({}, state.yaw_rad, state.pitch_rad));
+  frame_.forward = limited.forward;
+  frame_.left = limited.left;
+  frame_.up = limited.up;
+}
+
+/// Where ODE has the chassis, from which all else follows.
+void OdeVehicle::read_frame() {
+  const dReal* r = dBodyGetRotation(chassis_);
+  frame_.forward = {r[0], r[4], r[8]};
+  frame_.left = {r[1], r[5], r[9]};
+  frame_.up = {r[2], r[6], r[10]};
+  frame_.origin = to_vector(dBodyGetPosition(chassis_)) - middle_.z * frame_.up;
+}
+
+void OdeVehicle::read_shapes() {
+  OrientedBox& box = solids_.chassis.shape;
+  box.center = to_vector(dBodyGetPosition(chassis_));
+  box.axes = {frame_.forward, frame_.left, frame_.up};
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    const Wheel& wheel = wheels_[i];
+    Solid& solid = solids_.wheels[i];
+    solid.shape.center = frame_.point(wheel.part.frame.origin);
+    solid.shape.axes = box.axes;
+    if (const double angle = heading_of(wheel); angle != 0.0) {
+      const double c = std::cos(angle), s = std::sin(angle);
+      solid.shape.axes[0] = c * frame_.forward + s * frame_.left;
+      solid.shape.axes[1] = c * frame_.left - s * frame_.forward;
+    }
+    wheel_shapes_[i].center = solid.shape.center;
+    wheel_shapes_[i].axis = solid.shape.axes[1];
+  }
+}
+
+void OdeVehicle::place_in(Scene& scene, Scene::Id id, double step) const {
+  place_vehicle(scene, id, solids_.chassis.shape, wheel_shapes_, {frame_, velocity_, turning_},
+                step);
+}
+
+}  // namespace elsie::physics

@@ -1,0 +1,148 @@
+// The bodies of one vehicle in ODE.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "elsie/api/body.h"
+#include "elsie/physics/engine.h"
+
+#include "lump.h"
+#include "ode_contacts.h"
+#include "ode_handles.h"
+#include "scene.h"
+#include "vehicle.h"
+
+namespace elsie::physics {
+
+/// A chassis; wheels with motors, which are bodies on hinges; wheels without, which have neither
+/// mass nor spin of their own: each is a contact that holds its place sideways and lets it roll
+/// freely; and casters on ball joints. One that is pulled has a universal joint at its front.
+///
+/// The chassis is the master: after every step the wheels and casters are put back to where their
+/// joints hold them, with the velocities that go with that, and keep only the turning of the wheels
+/// as their own. ODE moves each body along a straight line in a step; a wheel of a robot that turns
+/// in place at 11 rad/s would leave its circle by a millimetre in a step of 0.02 s, and the
+/// joint's error reduction would only pull it back by a fifth of that. Steered wheels are turned at
+/// the rate of their steering, whatever they touch: that motor is as strong as it must be.
+///
+/// Of a vehicle that is pulled the one in front is the master: it is put back to where its joint
+/// holds it, and turned no further than the joint's limits. It keeps its velocity, unlike a wheel:
+/// it may be heavier than the robot, and a velocity that follows from the robot's would add
+/// momentum from nowhere. ODE brings the velocities together in the next step. Three points of
+/// support are never one too many, and the solver has a dozen rows less for each segment than with
+/// wheels on hinges, none of which could drift apart.
+class OdeVehicle {
+ public:
+  /// `parts` are those of one vehicle, the chassis first.
+  OdeVehicle(dWorldID world, std::span<const Part> parts);
+
+  /// Puts it there, upright and at rest, its steering straight ahead.
+  void put(const Frame& frame, double heading_rad);
+  /// Links wheels and casters to the chassis, and the chassis to that in front, if there is one.
+  /// All stand where they belong; `frame` is where it was put.
+  void link(dWorldID world, dBodyID front, const Frame& frame);
+
+  /// One for each joint of the plan that can be set (Engine::set_joints()), in order; returns those
+  /// of the vehicles behind.
+  std::span<const JointSetting> set(std::span<const JointSetting> settings);
+  /// Before a step of this length: steering turns; a hitch that the step would bring past its limit
+  /// is stopped there. ODE notices a limit of a joint in the step after it was passed, which at
+  /// 10 rad/s may be 10 degrees later.
+  void begin_step(double step);
+  /// Contacts of all parts with the floor, of which `floor` is the geometry.
+  void meet_floor(OdeContacts& contacts, dGeomID floor) const;
+  /// After a step of `step` s: joints to their places, and the new state. `front` is the frame of
+  /// the vehicle in front. False if a number is not finite.
+  bool settle(double step, const Frame* front);
+  void place_in(Scene& scene, Scene::Id id, double step) const;
+
+  /// A wheel with a motor.
+  struct Motor {
+    dBodyID body;
+    dJointID hinge;
+  };
+  struct Wheel {
+    Part part;
+    WheelJoint joint;
+    std::optional<Motor> motor;
+    OdeGeom geom;
+    double about_axle = 0.0;  // kg m2, of one with a motor
+    double rest_rad = 0.0;    // where it points when it is not steered, in the vehicle's frame
+    JointSetting wanted;
+    JointSetting now;     // rates and angles, measured
+    double turned = 0.0;  // rad, about its axle, in [-pi, pi]
+  };
+
+  const Frame& frame() const { return frame_; }
+  const Vector3& velocity() const { return velocity_; }
+  const Vector3& turning() const { return turning_; }
+  double yaw_rad() const { return hitch_state_.yaw_rad; }
+  double pitch_rad() const { return hitch_state_.pitch_rad; }
+  dBodyID chassis() const { return chassis_; }
+  const std::vector<Wheel>& wheels() const { return wheels_; }
+  const std::vector<Cylinder>& wheel_shapes() const { return wheel_shapes_; }
+  std::span<const dBodyID> casters() const { return casters_; }
+  const std::optional<HitchJoint>& hitch() const { return hitch_; }
+  /// Where its joint is.
+  Vector3 hitch_place() const { return frame_.point({hitch_->ahead, 0.0, hitch_->height}); }
+  /// How fast its motor is to turn the hitch in this step, rad/s.
+  double hitch_rate() const { return hitch_state_.rate; }
+  /// All that moves as one with the chassis.
+  const Lump& lump() const { return lump_; }
+  const Vehicle& solids() const { return solids_; }
+
+  /// Calls it with every dBodyID, always in the same order.
+  template <class Call>
+  void for_each_body(Call call) const {
+    call(chassis_);
+    for (const Wheel& wheel : wheels_) {
+      if (wheel.motor) call(wheel.motor->body);
+    }
+    for (const dBodyID caster : casters_) call(caster);
+  }
+
+ private:
+  struct HitchState {
+    double yaw_rad = 0.0, pitch_rad = 0.0;
+    double wanted_yaw_rad = 0.0;
+    double rate = 0.0;  // rad/s, of its motor in this step
+    bool stopping = false;
+    dJointID joint = nullptr;
+  };
+
+  void add_wheel(dWorldID world, const Part& part, const WheelJoint& joint);
+  void add_caster(dWorldID world, const Part& part);
+  void link_wheels(dWorldID world, const Frame& frame);
+  static double heading_of(const Wheel& wheel);
+  void turn_geom(const Wheel& wheel) const;
+  void link_hitch(dWorldID world, dBodyID front);
+  void steer(Wheel& wheel, double step);
+  void turn_wheel(const Wheel& wheel, const dQuaternion chassis) const;
+  void begin_hitch(double step);
+  bool settle_at_hitch(const Frame& front);
+  void limit_hitch(const Frame& front);
+  void carry(dBodyID body, const Vector3& at) const;
+  void read_frame();
+  void read_shapes();
+
+  Lump lump_;
+  Vector3 middle_;  // of the chassis, in the vehicle's frame
+  dBodyID chassis_ = nullptr;
+  OdeGeom chassis_geom_;
+  std::vector<Wheel> wheels_;
+  std::vector<Vector3> caster_places_;
+  std::vector<dBodyID> casters_;
+  std::vector<OdeGeom> caster_geoms_;
+  std::vector<double> caster_radii_;
+  std::optional<HitchJoint> hitch_;
+  HitchState hitch_state_;
+  Frame frame_;
+  Vector3 velocity_;
+  Vector3 turning_;
+  Vehicle solids_;
+  std::vector<Cylinder> wheel_shapes_;
+};
+
+}  // namespace elsie::physics
