@@ -31,7 +31,7 @@ Drive drive(PhysicsContext& context, std::size_t robot, const MotorCommand& rate
     result.highest = std::max(result.highest, frame.origin.z);
     result.steepest_rad = std::max(result.steepest_rad, std::acos(std::min(1.0, frame.up.z)));
   };
-  context.drive(robot, rates);
+  context.drive(robot, {rates.left, rates.right});
   context.run(seconds, [&] {
     const Pose now = context.pose(robot);
     result.distance += distance(last, now);
