@@ -1,5 +1,6 @@
 #include "checks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -63,6 +64,27 @@ void check(const HitchJoint& hitch) {
           "The motor of a segment's joint must turn at a rate that is positive and finite.");
 }
 
+/// Whether two wheels of a vehicle that point straight ahead are in each other.
+bool overlap(const Part& a, const Part& b) {
+  const Vector3 apart = a.frame.origin - b.frame.origin;
+  const Vector3 sizes = 0.5 * (a.shape.size + b.shape.size);
+  return std::abs(apart.x) < sizes.x && std::abs(apart.y) < sizes.y && std::abs(apart.z) < sizes.z;
+}
+
+void check_wheels(const BodyPlan& plan) {
+  const auto is_wheel = [](const Part& part) {
+    return part.role == PartRole::wheel && part.frame.forward == Vector3{1.0, 0.0, 0.0};
+  };
+  for (auto a = plan.parts.begin(); a != plan.parts.end(); ++a) {
+    if (!is_wheel(*a)) continue;
+    const auto hits = [&](const Part& b) {
+      return b.vehicle == a->vehicle && is_wheel(b) && overlap(*a, b);
+    };
+    require(std::none_of(a + 1, plan.parts.end(), hits),
+            "A vehicle must be wide enough for its wheels: two of them are inside each other.");
+  }
+}
+
 }  // namespace
 
 void check(const BodyPlan& plan) {
@@ -89,6 +111,7 @@ void check(const BodyPlan& plan) {
     require(!std::holds_alternative<CasterJoint>(part.joint) || is_positive(part.mass),
             "All lengths, masses and the torque of a robot's body must be positive and finite.");
   }
+  check_wheels(plan);
 }
 
 void check(const Pose& pose, double z) {
