@@ -7,7 +7,7 @@ namespace elsie::physics {
 namespace {
 
 // How much further it may come in a step than at its present speed, by being accelerated.
-constexpr double kSlack = 1e-3;  // m
+constexpr double kRobotSlack = 1e-3;  // m
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void place_vehicle(Scene& scene, Scene::Id id, const MovingVehicle& vehicle, dou
   const double size = enclosing.half.x + enclosing.half.y + 2.0 * enclosing.half.z;
   const double speed = std::sqrt(dot(vehicle.velocity, vehicle.velocity)) +
                        size * std::sqrt(dot(vehicle.turning, vehicle.turning));
-  scene.place_robot(id, sensed, vehicle.wheels, enclosing, step * speed + kSlack);
+  scene.place_robot(id, sensed, vehicle.wheels, enclosing, step * speed + kRobotSlack);
 }
 
 }  // namespace elsie::physics
