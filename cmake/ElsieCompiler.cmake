@@ -14,6 +14,10 @@ target_compile_options(
             -Werror
             # GCC 12 sees overlaps and overruns in "text" + std::string that are none (GCC bug 105651).
             "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>"
+            # GCC takes a source of a batch for a header, whose classes should have no members of unnamed namespaces.
+            "$<$<AND:$<BOOL:${ELSIE_UNITY}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>"
+            # Not a part of GCC's -Wconversion.
+            "$<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>"
             # Bit-identical runs: no fused multiply-add that one compiler makes and another does not.
             -ffp-contract=off)
 if(ELSIE_SANITIZE)

@@ -1,10 +1,11 @@
-# elsie_module(NAME SOURCES file... [USES module...] [LIBRARIES target...])
+# elsie_module(NAME SOURCES file... [ALONE file...] [USES module...] [LIBRARIES target...])
 #
 # Adds a module. Its public headers are in include/elsie/NAME/. It sees the headers of the modules under USES, and of theirs, and no
-# others, which separates the layers of docs/architecture.md.
+# others, which separates the layers of docs/architecture.md. Sources under ALONE are in no batch (ELSIE_UNITY).
 function(elsie_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;USES;LIBRARIES")
-  add_library(elsie_module_${name} OBJECT ${arg_SOURCES})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;ALONE;USES;LIBRARIES")
+  add_library(elsie_module_${name} OBJECT ${arg_SOURCES} ${arg_ALONE})
+  set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_include_directories(
     elsie_module_${name}
     PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/include"

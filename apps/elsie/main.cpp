@@ -24,7 +24,7 @@ namespace elsie::program {
 
 namespace {
 
-constexpr const char* kExamples = R"(
+constexpr const char* kProgramExamples = R"(
 Examples:
   elsie run worlds/clutter.xml --seed 7 --picture clutter.png
   elsie run worlds/maze.xml --set 'robot[r1]/@max_speed=0.3' --json
@@ -84,7 +84,7 @@ int work(int argc, char** argv) {
   CLI::App program("Elsie: behaviour-based mobile robot control", "elsie");
   program.set_version_flag("--version", "elsie " ELSIE_VERSION);
   program.require_subcommand(1);
-  program.footer(kExamples);
+  program.footer(kProgramExamples);
   program.failure_message(usage_message);
   Job job;
   add_run_command(program, job);

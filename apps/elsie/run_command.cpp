@@ -45,7 +45,7 @@ struct RunOptions {
   bool quiet = false;
 };
 
-constexpr const char* kExamples = R"(
+constexpr const char* kRunExamples = R"(
 Examples:
   elsie run worlds/clutter.xml
   elsie run worlds/clutter.xml --seed 7 --duration 60 --picture clutter.png
@@ -217,7 +217,7 @@ int run(const RunOptions& options) {
 
 void add_run_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand("run", "Run a world until its goals or limits end it");
-  command->footer(kExamples);
+  command->footer(kRunExamples);
   auto options = std::make_shared<RunOptions>();
   command->add_option("WORLD", options->world, "World file")->required();
   command->add_option("--seed", options->seed, "Seed of all randomness in the run")

@@ -7,7 +7,7 @@
 namespace elsie::supervisor {
 namespace {
 
-constexpr const char* kVariable = "GLIBC_TUNABLES";
+constexpr const char* kTunables = "GLIBC_TUNABLES";
 
 #if defined(__x86_64__) && defined(__GLIBC__)
 /// The C library chooses versions of its mathematical functions by this setting.
@@ -33,9 +33,9 @@ std::string others(std::string_view all) {
 
 void fix_arithmetic() {
 #if defined(__x86_64__) && defined(__GLIBC__)
-  const char* const given = std::getenv(kVariable);
+  const char* const given = std::getenv(kTunables);
   const std::string setting = others(given ? given : "") + std::string(kSetting);
-  setenv(kVariable, setting.c_str(), 1);
+  setenv(kTunables, setting.c_str(), 1);
 #endif
 }
 

@@ -30,7 +30,7 @@ using batch::ResultsDatabase;
 
 namespace {
 
-constexpr const char* kExamples = R"(
+constexpr const char* kBatchExamples = R"(
 Examples:
   elsie batch experiments/top_speed.xml
   elsie batch experiments/top_speed.xml --workers 4 --database speed.sqlite
@@ -183,7 +183,7 @@ int run(BatchOptions options) {
 void add_batch_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "batch", "Do all runs of an experiment and write a database of results");
-  command->footer(kExamples);
+  command->footer(kBatchExamples);
   auto options = std::make_shared<BatchOptions>();
   command->add_option("EXPERIMENT", options->experiment, "Experiment file")->required();
   command

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct BuildOptions {
   std::string source;
   std::string output;
 };
@@ -44,7 +44,7 @@ void copy_whole(const fs::path& from, const fs::path& file) {
   }
 }
 
-int build(const Options& options) {
+int build(const BuildOptions& options) {
   const fs::path output =
       options.output.empty() ? fs::path(options.source).stem().string() + ".so" : options.output;
   if (output.extension() != ".so") {
@@ -79,7 +79,7 @@ void add_build_command(CLI::App& program, Job& job) {
       "The compiler is $CXX, else c++; $CXXFLAGS are added to its flags. `elsie run WORLD "
       "--plugin\n"
       "my_behavior.cpp` compiles and runs in one go.\n");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BuildOptions>();
   command->add_option("SOURCE", options->source, "C++ source file")->required();
   command
       ->add_option("-o,--output", options->output,

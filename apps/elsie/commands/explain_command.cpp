@@ -42,7 +42,7 @@ struct ExplainOptions {
   bool json = false;
 };
 
-constexpr const char* kExamples = R"(
+constexpr const char* kExplainExamples = R"(
 Examples:
   elsie run worlds/clutter.xml --record clutter.mcap
   elsie explain clutter.mcap
@@ -50,7 +50,7 @@ Examples:
   elsie explain clutter.mcap --robot r1 --from 30 --to 45 --all
 )";
 
-Trace read(const std::string& file) {
+Trace read_recorded(const std::string& file) {
   if (base::why_unreadable(file).empty() && !mcap::may_be_mcap(file)) {
     throw BadInput("'" + file +
                    "' is no recording with decisions; expected a file that `elsie run WORLD "
@@ -100,7 +100,7 @@ int explain(const ExplainOptions& options) {
   if (options.picture) {
     require_picture(*options.picture, "--picture");
   }
-  const Trace trace = read(options.recording);
+  const Trace trace = read_recorded(options.recording);
   const std::vector<std::size_t> places = chosen(trace, options.robots);
   const TimeSpan span = span_of(trace, options);
   std::vector<ExplainedRobot> robots;
@@ -141,7 +141,7 @@ int explain(const ExplainOptions& options) {
 void add_explain_command(CLI::App& program, Job& job) {
   CLI::App* command =
       program.add_subcommand("explain", "Show who decided when in a run, from its recording");
-  command->footer(kExamples);
+  command->footer(kExplainExamples);
   auto options = std::make_shared<ExplainOptions>();
   command
       ->add_option("RECORDING", options->recording,

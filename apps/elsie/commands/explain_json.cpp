@@ -10,8 +10,6 @@ using traces::Trace;
 using traces::TraceRobot;
 using Json = nlohmann::ordered_json;
 
-std::size_t place(int index) { return static_cast<std::size_t>(index); }
-
 /// Sums of times carry rounding errors that nobody wants to read.
 double tidy(double value) {
   constexpr double kDecimals = 1e6;
@@ -39,7 +37,7 @@ Json member(const TraceRobot& robot, std::size_t index, const traces::MemberAcco
               {"strength", tidy(account.strength)}};
   object["silenced"] = Json::array();
   for (const auto& inhibition : account.inhibited) {
-    object["silenced"].push_back({{"by", robot.members[place(inhibition.by)].path},
+    object["silenced"].push_back({{"by", robot.members[index_of(inhibition.by)].path},
                                   {"times", inhibition.times},
                                   {"time_s", tidy(inhibition.time_s)}});
   }
@@ -55,7 +53,7 @@ Json episode(const Trace& trace, const TraceRobot& robot, const traces::Episode&
   const auto& part = shown.parts[0];
   Json object{{"from_s", tidy(shown.from_s)}, {"to_s", tidy(shown.to_s)}};
   if (part.decider >= 0) {
-    object["decider"] = robot.members[place(part.decider)].path;
+    object["decider"] = robot.members[index_of(part.decider)].path;
     object["share"] = tidy(part.share);
     object["weight"] = tidy(part.weight);
     object["began"] = trace.reasons[part.first_reason];
@@ -71,7 +69,7 @@ Json episode(const Trace& trace, const TraceRobot& robot, const traces::Episode&
 
 Json coordinator(const Trace& trace, const TraceRobot& robot,
                  const traces::CoordinatorAccount& account) {
-  Json object{{"inside", account.parent >= 0 ? Json(robot.members[place(account.parent)].path)
+  Json object{{"inside", account.parent >= 0 ? Json(robot.members[index_of(account.parent)].path)
                                              : Json(nullptr)},
               {"coordinator", account.coordinator},
               {"asked_s", tidy(account.asked_s)},

@@ -22,12 +22,10 @@ using traces::TraceRobot;
 
 constexpr double kShort = 0.05;  // s; from there on, two decimals say too little
 
-std::size_t place(int index) { return static_cast<std::size_t>(index); }
-
 std::string seconds(double time_s) { return base::fixed_text(time_s, 2); }
 
 /// As short as it says what is to be said: 0.5, 0.125.
-std::string number(double value) { return base::number_text(value, 3); }
+std::string short_number(double value) { return base::number_text(value, 3); }
 
 /// Whether one decider had so much of the episode that the others need no names.
 bool is_nearly_all(const Episode& episode) {
@@ -57,14 +55,14 @@ std::string name_of(const TraceRobot& robot, Decider decider) {
     case traces::kIdle:
       return "(not asked)";
     default:
-      return robot.members[place(decider)].path;
+      return robot.members[index_of(decider)].path;
   }
 }
 
 std::string weights(const MemberAccount& member) {
-  const std::string mean = number(member.weight);
-  const std::string least = number(member.least_weight);
-  const std::string largest = number(member.largest_weight);
+  const std::string mean = short_number(member.weight);
+  const std::string least = short_number(member.least_weight);
+  const std::string largest = short_number(member.largest_weight);
   return least == largest ? mean : mean + " (" + least + " to " + largest + ")";
 }
 
@@ -82,7 +80,7 @@ std::string priorities_of(const TraceRobot& robot, const TraceMember& member,
                           const traces::TimeSpan& span) {
   std::string text;
   for (const auto& from : traces::priorities(robot, member, span)) {
-    text += (text.empty() ? "" : ", ") + number(from.priority);
+    text += (text.empty() ? "" : ", ") + short_number(from.priority);
   }
   return text;
 }
@@ -109,7 +107,7 @@ std::string table(const ExplainedRobot& explained) {
   for (std::size_t i = 0; i < members.size(); ++i) {
     const MemberAccount& account = explained.account.members[i];
     const CoordinatorAccount& coordinator = coordinator_of(explained, members[i]);
-    std::vector<std::string> row{std::string(2 * place(members[i].depth), ' ') +
+    std::vector<std::string> row{std::string(2 * index_of(members[i].depth), ' ') +
                                      members[i].path.substr(members[i].path.rfind('/') + 1),
                                  priorities_of(robot, members[i], explained.account.span),
                                  per_cent(account.decided_s, coordinator.asked_s),
@@ -118,14 +116,15 @@ std::string table(const ExplainedRobot& explained) {
       row.push_back(per_cent(account.robot_share, 1.0));
     }
     row.push_back(coordinator.asked_s > 0.0 ? weights(account) : "-");
-    row.push_back(account.asked_s > 0.0 ? number(account.activation) : "-");
+    row.push_back(account.asked_s > 0.0 ? short_number(account.activation) : "-");
     row.push_back(per_cent(account.asked_s, length));
     row.push_back(std::to_string(account.periods));
     row.push_back(account.periods > 0
                       ? seconds(account.longest_s) + " s at " + seconds(account.longest_at_s) + " s"
                       : "-");
     if (measured) {
-      row.push_back(members[i].times.answers > 0 ? number(1e6 * members[i].times.mean_s) : "-");
+      row.push_back(members[i].times.answers > 0 ? short_number(1e6 * members[i].times.mean_s)
+                                                 : "-");
     }
     rows.push_back(std::move(row));
   }
@@ -141,7 +140,7 @@ std::string inhibitions(const ExplainedRobot& explained) {
     const double asked_s = coordinator_of(explained, robot.members[i]).asked_s;
     for (std::size_t n = 0; n < std::min(inhibited.size(), kNamed); ++n) {
       rows.push_back({n == 0 ? "  " + robot.members[i].path : "",
-                      "by " + robot.members[place(inhibited[n].by)].path,
+                      "by " + robot.members[index_of(inhibited[n].by)].path,
                       base::counted(inhibited[n].times, "time"),
                       seconds(inhibited[n].time_s) + " s", per_cent(inhibited[n].time_s, asked_s)});
     }
@@ -208,7 +207,7 @@ std::string why(const Trace& trace, const Episode& episode) {
   }
   const std::string& began = trace.reasons[part.first_reason];
   const std::string& mostly = trace.reasons[part.reason];
-  std::string text = "share " + number(part.share) + ", weight " + number(part.weight);
+  std::string text = "share " + short_number(part.share) + ", weight " + short_number(part.weight);
   if (!began.empty()) {
     text += ": " + began;
   }
@@ -223,7 +222,7 @@ std::string episodes(const Trace& trace, const TraceRobot& robot,
   const std::vector<Episode> shown = traces::condensed(coordinator.episodes, most);
   std::string title = "\nwho decided";
   if (coordinator.parent >= 0) {
-    title += " inside " + robot.members[place(coordinator.parent)].path + " (" +
+    title += " inside " + robot.members[index_of(coordinator.parent)].path + " (" +
              coordinator.coordinator + ")";
   }
   title += ": " + base::counted(coordinator.switches, "change");
@@ -286,7 +285,7 @@ std::string report(const Trace& trace, const ExplainedRobot& explained, std::siz
   std::string out = "robot " + robot.id + ", team " + robot.team + ", " +
                     (robot.coordinator.empty() ? "no coordinator" : robot.coordinator) + ", " +
                     seconds(account.span.from_s) + " to " + seconds(account.span.to_s) +
-                    " s, a decision every " + number(trace.period_s) + " s\n\n";
+                    " s, a decision every " + short_number(trace.period_s) + " s\n\n";
   if (robot.members.empty()) {
     return out + "It has no behaviours.\n" + events(explained);
   }

@@ -9,6 +9,9 @@
 
 namespace elsie::program {
 
+/// An index that is not negative, as traces hold them.
+inline std::size_t index_of(int number) { return static_cast<std::size_t>(number); }
+
 /// A robot of the trace, and its sums.
 struct ExplainedRobot {
   const traces::TraceRobot* robot;

@@ -41,7 +41,7 @@ struct Evaluation {
   std::vector<double> degrees;  // of the rules
 };
 
-std::string number(double value) { return base::number_text(value, 6); }
+std::string digits(double value) { return base::number_text(value, 6); }
 
 std::string names_of(std::span<const Variable> variables) {
   std::string names;
@@ -97,25 +97,25 @@ Evaluation evaluate(const Model& model, const std::vector<double>& inputs) {
 }
 
 void print_variable(const char* kind, const Variable& variable) {
-  out() << kind << ' ' << variable.name << " in [" << number(variable.range.low) << ", "
-        << number(variable.range.high) << "]\n";
+  out() << kind << ' ' << variable.name << " in [" << digits(variable.range.low) << ", "
+        << digits(variable.range.high) << "]\n";
   for (const fuzzy::Term& term : variable.terms) {
     out() << "  " << term.name << ":";
     if (!term.formula.empty()) {
       out() << ' ' << term.formula;
     } else if (!term.linear.empty()) {
       for (std::size_t i = 0; i + 1 < term.linear.size(); ++i) {
-        out() << (i > 0 ? " + " : " ") << number(term.linear[i]) << " x" << i + 1;
+        out() << (i > 0 ? " + " : " ") << digits(term.linear[i]) << " x" << i + 1;
       }
-      out() << " + " << number(term.linear.back());
+      out() << " + " << digits(term.linear.back());
     } else if (term.singleton) {
-      out() << ' ' << number(*term.singleton);
+      out() << ' ' << digits(*term.singleton);
     } else if (constexpr std::size_t kShown = 12; term.set.points.size() > kShown) {
-      out() << " a curve from " << number(term.set.points.front().x) << " to "
-            << number(term.set.points.back().x);
+      out() << " a curve from " << digits(term.set.points.front().x) << " to "
+            << digits(term.set.points.back().x);
     } else {
       for (const auto& point : term.set.points) {
-        out() << " (" << number(point.x) << ", " << number(point.degree) << ')';
+        out() << " (" << digits(point.x) << ", " << digits(point.degree) << ')';
       }
     }
     out() << '\n';
@@ -135,17 +135,17 @@ void print(const Model& model, const std::optional<Evaluation>& evaluation) {
     const fuzzy::Rule& rule = model.rules()[i];
     out() << "  " << rule.label << ": " << rule.text;
     if (rule.weight != 1.0) {
-      out() << " WITH " << number(rule.weight);
+      out() << " WITH " << digits(rule.weight);
     }
     if (evaluation) {
-      out() << "   [" << number(evaluation->degrees[i]) << ']';
+      out() << "   [" << digits(evaluation->degrees[i]) << ']';
     }
     out() << '\n';
   }
   if (evaluation) {
     out() << "result\n";
     for (std::size_t i = 0; i < model.outputs().size(); ++i) {
-      out() << "  " << model.outputs()[i].name << " = " << number(evaluation->outputs[i]) << '\n';
+      out() << "  " << model.outputs()[i].name << " = " << digits(evaluation->outputs[i]) << '\n';
     }
   }
 }
@@ -245,7 +245,7 @@ picture::MembershipPanel panel(const Variable& variable) {
   return panel;
 }
 
-void draw(const Model& model, const std::string& file) {
+void draw_model(const Model& model, const std::string& file) {
   picture::FuzzyPicture picture;
   picture.title = model.name();
   for (const Variable& input : model.inputs()) {
@@ -272,7 +272,7 @@ int fuzzy(const FuzzyOptions& options) {
     evaluation = evaluate(model, parse_inputs(model, options.inputs));
   }
   if (options.picture) {
-    draw(model, *options.picture);
+    draw_model(model, *options.picture);
   }
   options.json ? print_json(model, evaluation) : print(model, evaluation);
   return kSuccess;

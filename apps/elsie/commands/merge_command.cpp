@@ -22,13 +22,13 @@ using process::shell_word;
 
 namespace {
 
-struct Options {
+struct MergeOptions {
   std::string into;
   std::vector<std::string> databases;
   bool quiet = false;
 };
 
-constexpr const char* kExamples = R"(
+constexpr const char* kMergeExamples = R"(
 Example:
   elsie merge beams.sqlite beams-1of2.sqlite beams-2of2.sqlite
 )";
@@ -38,7 +38,7 @@ std::string experiment_of(const std::string& database) {
   return results::open_to_read(database).text("SELECT file FROM about");
 }
 
-int merge(const Options& options) {
+int merge(const MergeOptions& options) {
   require_database_name(options.into, "OUT");  // otherwise no batch could resume it
   require_writable(options.into, "OUT");
   const batch::Merged merged =
@@ -67,8 +67,8 @@ int merge(const Options& options) {
 void add_merge_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "merge", "Merge the databases of an experiment's shards (elsie batch --shard)");
-  command->footer(kExamples);
-  auto options = std::make_shared<Options>();
+  command->footer(kMergeExamples);
+  auto options = std::make_shared<MergeOptions>();
   command->add_option("OUT", options->into, "Database to make")->required();
   command->add_option("DATABASE", options->databases, "Databases of results")->required();
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");

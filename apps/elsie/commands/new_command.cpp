@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using elsie::PluginKind;
 
-struct Options {
+struct NewOptions {
   std::string kind;
   std::string name;
   std::string folder;
@@ -111,7 +111,7 @@ void check_name(const std::string& name) {
   }
 }
 
-void check_free(const Options& options) {
+void check_free(const NewOptions& options) {
   const plugin::Host host = load_plugins(options.plugins);
   for (const PluginKind kind : plugin::kPluginKinds) {
     if (plugin::kind_name(kind) == options.kind && host.find(kind, options.name)) {
@@ -141,7 +141,7 @@ void replace_all(std::string& text, std::string_view from, const std::string& to
   }
 }
 
-std::string filled_in(std::string text, const Options& options) {
+std::string filled_in(std::string text, const NewOptions& options) {
   replace_all(text, "@name@", options.name);
   replace_all(text, "@Class@", class_name(options.name));
   replace_all(text, "@kind@", options.kind);
@@ -170,7 +170,7 @@ void write_file(const fs::path& file, const std::string& text) {
 }
 
 /// Writes all files or none.
-void write_project(const Options& options, const fs::path& folder) {
+void write_project(const NewOptions& options, const fs::path& folder) {
   fs::path scratch = folder;
   scratch += ".new";
   std::error_code error;
@@ -194,7 +194,7 @@ void write_project(const Options& options, const fs::path& folder) {
   }
 }
 
-int make_project(const Options& options) {
+int make_project(const NewOptions& options) {
   check_name(options.name);
   const fs::path folder = options.folder.empty() ? options.name : options.folder;
   std::error_code error;
@@ -226,7 +226,7 @@ void add_new_command(CLI::App& program, Job& job) {
       "\nExamples:\n  elsie new behavior circle_around\n"
       "  elsie new coordinator my_arbiter --folder plugins/my_arbiter\n"
       "  elsie new sensor light\n  elsie new measure detour\n");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<NewOptions>();
   command->add_option("KIND", options->kind, "behavior, coordinator, sensor or measure")
       ->required();
   command->add_option("NAME", options->name, "Its name: small letters, digits, underscores")

@@ -26,7 +26,7 @@ namespace elsie::program {
 
 namespace {
 
-constexpr const char* kExamples = R"(
+constexpr const char* kReplayExamples = R"(
 Examples:
   elsie run worlds/clutter.xml --record clutter.mcap
   elsie replay clutter.mcap
@@ -135,7 +135,7 @@ int replay(const CLI::App& command, const ReplayOptions& options) {
 void add_replay_command(CLI::App& program, Job& job) {
   CLI::App* command =
       program.add_subcommand("replay", "Show a recording of a run, or repeat a run of a database");
-  command->footer(kExamples);
+  command->footer(kReplayExamples);
   auto options = std::make_shared<ReplayOptions>();
   command
       ->add_option("FILE", options->file,

@@ -30,7 +30,7 @@ using report::ResultsFile;
 
 namespace {
 
-struct Options {
+struct ReportOptions {
   std::string database;
   std::optional<std::string> csv;
   std::optional<std::string> junit;
@@ -40,7 +40,7 @@ struct Options {
   bool quiet = false;
 };
 
-constexpr const char* kExamples = R"(
+constexpr const char* kReportExamples = R"(
 Examples:
   elsie report beams.sqlite
   elsie report beams.sqlite --html beams.html
@@ -134,7 +134,7 @@ void require_cells(const Findings& findings, const std::string& part) {
   }
 }
 
-int report(const Options& options) {
+int report(const ReportOptions& options) {
   require_output(options.csv, "--csv", ".csv", options.database);
   require_output(options.junit, "--junit", ".xml", options.database);
   require_output(options.html, "--html", ".html", options.database);
@@ -164,8 +164,8 @@ int report(const Options& options) {
 void add_report_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "report", "Report the results of an experiment: tables, a page, tests for CI");
-  command->footer(kExamples);
-  auto options = std::make_shared<Options>();
+  command->footer(kReportExamples);
+  auto options = std::make_shared<ReportOptions>();
   command->add_option("DATABASE", options->database, "Results, written by `elsie batch`")
       ->required();
   CLI::Option* html =

@@ -47,7 +47,7 @@ struct TrainOptions {
   bool quiet = false;
 };
 
-constexpr const char* kExamples = R"(
+constexpr const char* kTrainExamples = R"(
 Examples:
   elsie train worlds/learned_priorities.xml --robot r1 --weights r1.weights
   elsie train worlds/learned_priorities.xml --hidden '4 4' --seed 3 --curve curve.png
@@ -306,7 +306,7 @@ int train(const TrainOptions& options) {
 void add_train_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "train", "Train the network of a robot's coordinator and write its weights");
-  command->footer(kExamples);
+  command->footer(kTrainExamples);
   auto options = std::make_shared<TrainOptions>();
   command->add_option("WORLD", options->world, "World file")->required();
   command->add_option("--robot", options->place.robot,

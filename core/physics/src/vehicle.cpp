@@ -7,7 +7,7 @@ namespace elsie::physics {
 namespace {
 
 // How much further it may come in a step than at its present speed, by being accelerated.
-constexpr double kSlack = 1e-3;  // m
+constexpr double kRobotSlack = 1e-3;  // m
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void place_vehicle(Scene& scene, Scene::Id id, const OrientedBox& chassis,
   const double size = enclosing.half.x + enclosing.half.y + 2.0 * enclosing.half.z;
   const double speed = std::sqrt(dot(motion.velocity, motion.velocity)) +
                        size * std::sqrt(dot(motion.turning, motion.turning));
-  scene.place_robot(id, sensed, wheels, enclosing, step * speed + kSlack);
+  scene.place_robot(id, sensed, wheels, enclosing, step * speed + kRobotSlack);
 }
 
 }  // namespace elsie::physics

@@ -12,12 +12,12 @@
 namespace elsie::plugin {
 namespace {
 
-using Entry = std::pair<std::string_view, std::string_view>;  // key and value
+using KeyAndValue = std::pair<std::string_view, std::string_view>;
 
 constexpr std::string_view kInterface = "api";
 
-std::vector<Entry> entries_of(std::string_view word) {
-  std::vector<Entry> entries;
+std::vector<KeyAndValue> entries_of(std::string_view word) {
+  std::vector<KeyAndValue> entries;
   while (!word.empty()) {
     const std::string_view item = word.substr(0, word.find(';'));
     word.remove_prefix(std::min(item.size() + 1, word.size()));
@@ -29,9 +29,10 @@ std::vector<Entry> entries_of(std::string_view word) {
   return entries;
 }
 
-std::optional<std::string_view> value_of(const std::vector<Entry>& entries, std::string_view key) {
+std::optional<std::string_view> value_of(const std::vector<KeyAndValue>& entries,
+                                         std::string_view key) {
   const auto at = std::find_if(entries.begin(), entries.end(),
-                               [key](const Entry& entry) { return entry.first == key; });
+                               [key](const KeyAndValue& entry) { return entry.first == key; });
   return at == entries.end() ? std::nullopt : std::optional(at->second);
 }
 
@@ -76,8 +77,8 @@ std::string with_value(std::string_view key, std::optional<std::string_view> val
 std::string_view host_abi_word() { return ELSIE_ABI_WORD; }
 
 std::optional<std::string> abi_mismatch(std::string_view host, std::string_view library) {
-  const std::vector<Entry> ours = entries_of(host);
-  const std::vector<Entry> theirs = entries_of(library);
+  const std::vector<KeyAndValue> ours = entries_of(host);
+  const std::vector<KeyAndValue> theirs = entries_of(library);
   std::vector<std::string> differences;
   const auto compare = [&](std::string_view key) {
     const auto mine = value_of(ours, key);
@@ -91,10 +92,10 @@ std::optional<std::string> abi_mismatch(std::string_view host, std::string_view 
                             with_value(key, mine));
     }
   };
-  for (const Entry& entry : ours) {
+  for (const KeyAndValue& entry : ours) {
     compare(entry.first);
   }
-  for (const Entry& entry : theirs) {
+  for (const KeyAndValue& entry : theirs) {
     if (!value_of(ours, entry.first)) {
       compare(entry.first);
     }

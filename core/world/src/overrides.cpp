@@ -38,12 +38,12 @@ Element element_of(const std::string& text, const Location& where) {
   return element;
 }
 
-bool is_override(const Location& where) { return where.file.starts_with("--set "); }
+bool is_from_set(const Location& where) { return where.file.starts_with("--set "); }
 
 // An override in the element that did not come with the element itself; or null.
 const Location* set_in(const Element& element, const Location& own) {
   const auto foreign = [&](const Location& where) {
-    return is_override(where) && where.file != own.file;
+    return is_from_set(where) && where.file != own.file;
   };
   if (element.removed_by) {
     return &*element.removed_by;

@@ -19,7 +19,7 @@ const ElementSpec& nested_element() {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& message) { throw std::invalid_argument(message); }
+[[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
 // The elements that the vocabulary allows in an element; any behaviour may hold others.
 const std::vector<ElementSpec>& specs_below(const ElementSpec& spec) {
@@ -123,8 +123,8 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
     if (places.size() == 1) {
       return places;
     }
-    fail("'" + step.name + "' could be any of " + count + "; say which, as in " + step.name + "[" +
-         (ids.empty() ? "1" : ids.front()) + "], or " + step.name + "[*] for all of them");
+    refuse("'" + step.name + "' could be any of " + count + "; say which, as in " + step.name +
+           "[" + (ids.empty() ? "1" : ids.front()) + "], or " + step.name + "[*] for all of them");
   }
   std::size_t number = 0;
   const char* end = step.key.data() + step.key.size();
@@ -134,12 +134,12 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
     return {places[number - 1]};
   }
   if (is_number || ids.empty()) {
-    fail("there is no " + text_of(step) + "; they are numbered from 1 to " + count);
+    refuse("there is no " + text_of(step) + "; they are numbered from 1 to " + count);
   }
   // Few ids are listed; of many, only the nearest.
-  fail("there is no " + text_of(step) +
-       (ids.size() > 10 ? base::near_or_all(step.key, ids, "there are")
-                        : "; there are: " + base::listed(ids)));
+  refuse("there is no " + text_of(step) +
+         (ids.size() > 10 ? base::near_or_all(step.key, ids, "there are")
+                          : "; there are: " + base::listed(ids)));
 }
 
 std::vector<Place> step_from(const Place& place, const PathStep& step) {
@@ -190,7 +190,7 @@ Path parse_path(std::string_view text) {
     if (text.starts_with('@')) {
       path.attribute = text.substr(1);
       if (path.attribute.empty() || path.attribute.find_first_of("/[]@") != std::string::npos) {
-        fail("expected the name of an attribute after \"@\", at the end of the path");
+        refuse("expected the name of an attribute after \"@\", at the end of the path");
       }
       return path;
     }
@@ -201,20 +201,20 @@ Path parse_path(std::string_view text) {
     if (text.starts_with('[')) {
       const std::size_t close = text.find(']');
       if (close == std::string_view::npos || close == 1) {
-        fail("expected an id, a number or * in the brackets after '" + step.name + "'");
+        refuse("expected an id, a number or * in the brackets after '" + step.name + "'");
       }
       step.key = text.substr(1, close - 1);
       text.remove_prefix(close + 1);
     }
     if (step.name.empty()) {
-      fail("a step of the path is empty; a path looks like robot[r1]/@max_speed");
+      refuse("a step of the path is empty; a path looks like robot[r1]/@max_speed");
     }
     path.steps.push_back(std::move(step));
     if (text.empty()) {
       return path;
     }
     if (!text.starts_with('/')) {
-      fail("expected \"/\" before '" + std::string(text) + "'");
+      refuse("expected \"/\" before '" + std::string(text) + "'");
     }
     text.remove_prefix(1);
   }
@@ -237,8 +237,8 @@ std::vector<Place> find_places(Element& world, const Path& path) {
     if (next.empty()) {
       const auto names = names_at(places.front());
       const bool known = std::find(names.begin(), names.end(), step.name) != names.end();
-      fail("there is no '" + step.name + "' in <" + places.front().element->name + ">" +
-           (known ? " of this world" : base::near_or_all(step.name, names, "there are")));
+      refuse("there is no '" + step.name + "' in <" + places.front().element->name + ">" +
+             (known ? " of this world" : base::near_or_all(step.name, names, "there are")));
     }
     places = std::move(next);
   }

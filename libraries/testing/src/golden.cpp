@@ -31,7 +31,7 @@ std::string joined(const std::vector<Event>& events) {
 /// Numbers that differ by rounding have the same text.
 std::string short_text(double value) { return number_text(value, 10); }
 
-bool near(double value, double expected, double tolerance) {
+bool is_same(double value, double expected, double tolerance) {
   if (std::isnan(value) || std::isnan(expected)) {
     return std::isnan(value) == std::isnan(expected);
   }
@@ -57,11 +57,11 @@ void compare_rows(const Trace& now, const Trace& then, std::size_t step, double 
   const Trace::Row& is = now.rows[step];
   const Trace::Row& was = then.rows[step];
   const std::string where = "in " + step_text(step, was.time_s) + " ";
-  if (!near(is.time_s, was.time_s, tolerance)) {
+  if (!is_same(is.time_s, was.time_s, tolerance)) {
     differences.push_back(where + "the time is " + number_text(is.time_s) + " s");
   }
   for (std::size_t i = 0; i < then.columns.size(); ++i) {
-    if (!near(is.values[i], was.values[i], tolerance)) {
+    if (!is_same(is.values[i], was.values[i], tolerance)) {
       differences.push_back(where + then.columns[i] + " is " + number_text(is.values[i]) +
                             ", expected " + number_text(was.values[i]) + " within " +
                             number_text(tolerance));

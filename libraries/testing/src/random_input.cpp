@@ -13,13 +13,8 @@
 namespace elsie::testing {
 namespace {
 
-constexpr std::size_t kInstants = 64;
 constexpr double kPeriod = 0.01;  // s
 constexpr double kPi = std::numbers::pi;
-
-std::size_t index(Random& random, std::size_t size) {
-  return static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(size)));
-}
 
 Colour random_colour(Random& random) {
   const std::array colours{kRed, kGreen, kBlue, Colour{255, 255, 255}, Colour{230, 200, 20}};

@@ -1,6 +1,7 @@
 // Random but possible input for plugins of all kinds.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,14 @@
 #include "elsie/testing/sensor.h"
 
 namespace elsie::testing {
+
+/// The instants of an input.
+inline constexpr std::size_t kInstants = 64;
+
+/// A random index into something of this size.
+inline std::size_t index(Random& random, std::size_t size) {
+  return static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(size)));
+}
 
 /// A robot with its random input at each instant.
 struct Input {

@@ -10,12 +10,6 @@
 namespace elsie::testing {
 namespace {
 
-constexpr std::size_t kInstants = 64;
-
-std::size_t index(Random& random, std::size_t size) {
-  return static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(size)));
-}
-
 /// Robots r1, r2...; usually r1 is the leader.
 Scene random_world(int number, Random& random) {
   Scene made;

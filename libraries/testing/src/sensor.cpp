@@ -8,7 +8,7 @@
 namespace elsie::testing {
 namespace {
 
-constexpr double kPeriod = 0.01;  // s
+constexpr double kSensorPeriod = 0.01;  // s
 
 }  // namespace
 
@@ -59,14 +59,14 @@ void Sensor::update(const elsie::Surroundings& surroundings, const Image* pictur
   }
   SensorContext now;
   now.time_s = time_s_;
-  now.period_s = kPeriod;
+  now.period_s = kSensorPeriod;
   now.frame = frame_at(surroundings.pose());
   now.mounting = &mounting_;
   now.world = &surroundings;
   now.random = &random_;
   now.image = picture;
   object_->update(now);
-  time_s_ += kPeriod;
+  time_s_ += kSensorPeriod;
 }
 
 void Sensor::equip(const elsie::Surroundings& surroundings) {

@@ -5,7 +5,7 @@ namespace elsie::fuzzy {
 namespace {
 
 /// After so many mistakes, the rest of the file is not read.
-constexpr std::size_t kMostProblems = 100;
+constexpr std::size_t kMostMistakes = 100;
 
 }  // namespace
 
@@ -23,7 +23,7 @@ std::string StatementReader::found() const {
 
 void StatementReader::note(int line, const std::string& message) {
   problems_.add(line, message);
-  if (problems_.size() >= kMostProblems) {
+  if (problems_.size() >= kMostMistakes) {
     throw FileLost();
   }
 }

@@ -17,7 +17,7 @@
 namespace elsie::neural {
 namespace {
 
-constexpr const char* kExpected = "a weight file, as elsie train writes it";
+constexpr const char* kExpectedFile = "a weight file, as elsie train writes it";
 constexpr std::string_view kFirstWords = "elsie network";
 
 std::string trimmed_after(std::string_view line, std::string_view word) {
@@ -224,12 +224,12 @@ std::string weights_text(const Weights& weights) {
 }
 
 Weights parse_weights(std::string_view text, const std::string& name) {
-  require_text(text, name, kExpected);
+  require_text(text, name, kExpectedFile);
   return Reader(text, name).read();
 }
 
 Weights read_weights(const std::string& path) {
-  return parse_weights(read_text_file(path, kExpected), path);
+  return parse_weights(read_text_file(path, kExpectedFile), path);
 }
 
 bool looks_like_weights(const std::string& path) {

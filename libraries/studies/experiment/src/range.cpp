@@ -45,13 +45,13 @@ Decimal decimal(double value) {
   return result;
 }
 
-[[noreturn]] void fail(const std::string& message) { throw std::invalid_argument(message); }
+[[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
 // The digits in units of 10^exponent, which is not above the number's own.
 std::int64_t digits_at(Decimal number, int exponent) {
   while (number.digits != 0 && number.exponent > exponent) {
     if (__builtin_mul_overflow(number.digits, 10, &number.digits)) {
-      fail("its numbers are too far apart in size");
+      refuse("its numbers are too far apart in size");
     }
     --number.exponent;
   }
@@ -71,8 +71,8 @@ std::string text_of(double value) { return world::format_value(ParameterValue(va
 
 std::vector<std::string> range(double from, double to, double step) {
   if (from > to) {
-    fail("there is nothing from " + text_of(from) + " to " + text_of(to) +
-         "; give the smaller number first");
+    refuse("there is nothing from " + text_of(from) + " to " + text_of(to) +
+           "; give the smaller number first");
   }
   const Decimal first = decimal(from), last = decimal(to), by = decimal(step);
   const int exponent = std::min({first.exponent, last.exponent, by.exponent});
@@ -80,16 +80,16 @@ std::vector<std::string> range(double from, double to, double step) {
                      stride = digits_at(by, exponent);
   std::int64_t length = 0;
   if (__builtin_sub_overflow(end, begin, &length)) {
-    fail("its numbers are too far apart in size");
+    refuse("its numbers are too far apart in size");
   }
   const std::int64_t steps = length / stride;
   if (steps >= static_cast<std::int64_t>(kMostLevels)) {
-    fail("it has " + std::to_string(steps + 1) + " levels; a factor has at most " +
-         std::to_string(kMostLevels));
+    refuse("it has " + std::to_string(steps + 1) + " levels; a factor has at most " +
+           std::to_string(kMostLevels));
   }
   if (steps * stride != length) {
-    fail("from " + text_of(from) + ", steps of " + text_of(step) + " do not meet " + text_of(to) +
-         "; the last one before it is " + text_of(begin + steps * stride, exponent));
+    refuse("from " + text_of(from) + ", steps of " + text_of(step) + " do not meet " + text_of(to) +
+           "; the last one before it is " + text_of(begin + steps * stride, exponent));
   }
   std::vector<std::string> texts;
   for (std::int64_t i = 0; i <= steps; ++i) {

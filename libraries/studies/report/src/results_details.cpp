@@ -12,7 +12,7 @@ namespace elsie::report {
 
 namespace {
 
-using Json = nlohmann::json;
+using JsonValue = nlohmann::json;
 
 std::string query(const std::string& columns, const std::string& table, const std::string& order) {
   return "SELECT run_id, " + columns + " FROM " + table +
@@ -20,17 +20,17 @@ std::string query(const std::string& columns, const std::string& table, const st
 }
 
 // A number in a row of a list of lists; NaN if it is none.
-double number(const Json& row, std::size_t place) {
+double number(const JsonValue& row, std::size_t place) {
   return row.is_array() && place < row.size() && row[place].is_number() ? row[place].get<double>()
                                                                         : std::nan("");
 }
 
-std::string text_of(const Json& object, const char* member) {
+std::string text_of(const JsonValue& object, const char* member) {
   const auto found = object.find(member);
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-double number_of(const Json& object, const char* member) {
+double number_of(const JsonValue& object, const char* member) {
   const auto found = object.find(member);
   return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
 }
@@ -39,11 +39,11 @@ double number_of(const Json& object, const char* member) {
 template <class Visitor>
 void each(const std::string& text, const std::filesystem::path& file, const char* table,
           Visitor visit) {
-  const Json list = Json::parse(text, nullptr, false);
+  const JsonValue list = JsonValue::parse(text, nullptr, false);
   if (!list.is_array()) {
     throw results::damaged(file, "in `" + std::string(table) + "` stands what is no JSON list");
   }
-  for (const Json& element : list) visit(element);
+  for (const JsonValue& element : list) visit(element);
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ std::vector<Trajectory> ResultsFile::trajectories(std::int64_t cell) const {
     rows.bind(1, cell);
     while (rows.next()) {
       Trajectory way{rows.integer(0), rows.text(1), rows.number(2), {}};
-      each(rows.text(3), file, "trajectories", [&](const Json& pose) {
+      each(rows.text(3), file, "trajectories", [&](const JsonValue& pose) {
         way.poses.push_back({number(pose, 0), number(pose, 1), number(pose, 2)});
       });
       if (!rows.is_null(4)) {  // null for failed runs
@@ -86,7 +86,7 @@ std::vector<Curve> ResultsFile::curves(std::int64_t cell) const {
                   rows.text(4),
                   rows.text(5),
                   {}};
-      each(rows.text(6), state_->file, "curves", [&](const Json& point) {
+      each(rows.text(6), state_->file, "curves", [&](const JsonValue& point) {
         curve.points.push_back({number(point, 0), number(point, 1)});
       });
       all.push_back(std::move(curve));
@@ -104,11 +104,11 @@ std::vector<Timeline> ResultsFile::timelines(std::int64_t cell) const {
     rows.bind(1, cell);
     while (rows.next()) {
       Timeline timeline{rows.integer(0), rows.text(1), {}, {}};
-      each(rows.text(2), file, "timelines", [&](const Json& behavior) {
+      each(rows.text(2), file, "timelines", [&](const JsonValue& behavior) {
         timeline.behaviors.push_back({text_of(behavior, "path"), number_of(behavior, "share"),
                                       number_of(behavior, "decided_s")});
       });
-      each(rows.text(3), file, "timelines", [&](const Json& episode) {
+      each(rows.text(3), file, "timelines", [&](const JsonValue& episode) {
         Timeline::Episode& last =
             timeline.episodes.emplace_back(Timeline::Episode{number_of(episode, "from_s"),
                                                              number_of(episode, "to_s"),
@@ -117,7 +117,7 @@ std::vector<Timeline> ResultsFile::timelines(std::int64_t cell) const {
                                                              {}});
         const auto parts = episode.find("parts");
         if (parts == episode.end() || !parts->is_array()) return;
-        for (const Json& part : *parts) {
+        for (const JsonValue& part : *parts) {
           last.parts.emplace_back(text_of(part, "decider"), number_of(part, "time_s"));
         }
       });

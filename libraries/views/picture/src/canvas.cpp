@@ -30,8 +30,6 @@ void check(cairo_status_t status) {
 // Within the range of cairo's 24.8 fixed-point numbers after zooming.
 double near(double coordinate) { return std::clamp(coordinate, -1e5, 1e5); }
 
-bool finite(const Vector2& point) { return std::isfinite(point.x) && std::isfinite(point.y); }
-
 // cairo names the sheet by a counter of the process. Nothing refers to it; without the number, the
 // same drawing gives the same file.
 void forget_number(std::string& svg) {

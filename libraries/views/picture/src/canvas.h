@@ -6,6 +6,7 @@
 // earlier drawings.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string>
@@ -17,6 +18,10 @@
 #include "file.h"
 
 namespace elsie::picture {
+
+inline bool finite(const Vector2& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y);
+}
 
 struct Rect {
   double x = 0.0, y = 0.0;  // upper left corner

@@ -18,7 +18,7 @@ struct SurfaceDeleter {
 };
 using Surface = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
 
-cairo_status_t append(void* sink, const unsigned char* data, unsigned length) {
+cairo_status_t append_bytes(void* sink, const unsigned char* data, unsigned length) {
   static_cast<std::string*>(sink)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;
 }
@@ -40,7 +40,7 @@ void check(const Image& image) {
                               "channel or of three.");
 }
 
-void check(cairo_status_t status) {
+void check_written(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS) {
     throw std::runtime_error(std::string("The image could not be written: ") +
                              cairo_status_to_string(status) + ".");
@@ -51,7 +51,7 @@ Surface surface_of(const Image& image) {
   const bool grey = image.channels == 1;
   Surface surface(cairo_image_surface_create(grey ? CAIRO_FORMAT_A8 : CAIRO_FORMAT_RGB24,
                                              image.width, image.height));
-  check(cairo_surface_status(surface.get()));
+  check_written(cairo_surface_status(surface.get()));
   unsigned char* const rows = cairo_image_surface_get_data(surface.get());
   const int stride = cairo_image_surface_get_stride(surface.get());
   for (int row = 0; row < image.height; ++row) {
@@ -77,7 +77,7 @@ std::string png(const Image& image) {
   check(image);
   const Surface surface = surface_of(image);
   std::string content;
-  check(cairo_surface_write_to_png_stream(surface.get(), append, &content));
+  check_written(cairo_surface_write_to_png_stream(surface.get(), append_bytes, &content));
   return content;
 }
 

@@ -11,8 +11,6 @@ constexpr double kLegendRow = 20.0;
 constexpr double kNameRow = 16.0;
 constexpr double kSwatch = 26.0;
 
-bool finite(const Vector2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-
 Interval data_range(const LineChart& chart, double Vector2::*coordinate, bool margin) {
   bool any = false;
   Interval range{0.0, 0.0};

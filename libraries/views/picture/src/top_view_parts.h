@@ -4,6 +4,7 @@
 // robots, touches, walls, labels.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -39,6 +40,10 @@ struct Scene {
   PathChoice paths{};
 };
 Scene complete(const TopView& view);
+
+inline bool finite(const Pose& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading_rad);
+}
 
 /// The colour of a team; see world::team_colour().
 Ink team_ink(const world::World& world, const std::string& team);

@@ -8,10 +8,6 @@
 namespace elsie::picture {
 namespace {
 
-bool finite(const Pose& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.heading_rad);
-}
-
 Vector2 at(const Layout& layout, const Pose& pose) { return layout.map.pixel({pose.x, pose.y}); }
 
 double length(const Vector2& a, const Vector2& b) { return std::hypot(b.x - a.x, b.y - a.y); }

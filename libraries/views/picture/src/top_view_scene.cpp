@@ -32,10 +32,6 @@ std::vector<Vector2> box_outline(const Layout& layout, const world::Box& box, co
                  std::max(box.width, least / scale));
 }
 
-bool finite(const Pose& pose) {
-  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading_rad);
-}
-
 void draw_way(Canvas& canvas, const Layout& layout, const world::Box& box) {
   std::vector<Vector2> way{layout.map.pixel({box.x, box.y})};
   for (const Vector2& point : box.waypoints) way.push_back(layout.map.pixel(point));

@@ -28,10 +28,10 @@ int place_of(const TraceRobot& robot, std::string_view path) {
   throw Unexpected("robot '" + robot.id + "' has no behaviour '" + one_line(path) + "'");
 }
 
-double number(const Json& row, const char* name) { return row.value(name, 0.0); }
+double number_or_zero(const Json& row, const char* name) { return row.value(name, 0.0); }
 
 double degree(const Json& row, const char* name) {
-  const double value = number(row, name);
+  const double value = number_or_zero(row, name);
   if (!(value >= 0.0 && value <= 1.0)) {
     throw Unexpected(std::string(name) + " is " + base::number_text(value) +
                      "; expected a number from 0 to 1");
@@ -119,8 +119,8 @@ class TraceBuilder final : public Visitor {
       if (note.asked && row.contains("time_s")) {
         // The mean is a sum until the end of the file.
         ++member.times.answers;
-        member.times.mean_s += number(row, "time_s");
-        member.times.longest_s = std::max(member.times.longest_s, number(row, "time_s"));
+        member.times.mean_s += number_or_zero(row, "time_s");
+        member.times.longest_s = std::max(member.times.longest_s, number_or_zero(row, "time_s"));
       }
     }
   }
@@ -132,7 +132,7 @@ class TraceBuilder final : public Visitor {
     read.command = {row.at("left_rad_s").get<double>(), row.at("right_rad_s").get<double>()};
     read.activation = degree(row, "activation");
     read.strength = degree(row, "strength");
-    read.weight = number(row, "weight");
+    read.weight = number_or_zero(row, "weight");
     read.share = degree(row, "share");
     const auto inhibitor = row.at("inhibited_by").get<std::string>();
     const int by = inhibitor.empty() ? -1 : place_of(robot, inhibitor);

@@ -23,9 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The fingerprints of the files that exist.
-using Sight = std::map<fs::path, plugin::Fingerprint>;
+using Prints = std::map<fs::path, plugin::Fingerprint>;
 
-void look_at(const fs::path& file, Sight& sight) {
+void look_at(const fs::path& file, Prints& sight) {
   if (const auto fingerprint = plugin::fingerprint_of(file)) {
     sight.insert_or_assign(file, *fingerprint);
   }
@@ -49,7 +49,7 @@ std::vector<fs::path> files_in(const fs::path& folder, Wanted wanted) {
   return files;
 }
 
-bool has_changed(const fs::path& file, const Sight& before, const Sight& now) {
+bool has_changed(const fs::path& file, const Prints& before, const Prints& now) {
   const auto old = before.find(file), fresh = now.find(file);
   return (old == before.end()) != (fresh == now.end()) ||
          (old != before.end() && old->second != fresh->second);
@@ -90,8 +90,8 @@ class Places {
   }
 
   /// The present state of the files.
-  Sight look() const {
-    Sight sight;
+  Prints look() const {
+    Prints sight;
     for (const Place& place : places_) {
       for (const fs::path& file : files_of(place)) {
         look_at(file, sight);
@@ -102,7 +102,7 @@ class Places {
 
   /// Compiles changed sources; adds those that fail to the kept files, and the compiler's messages
   /// to the problems.
-  void rebuild(const Sight& before, const Sight& now, const std::stop_token& stop,
+  void rebuild(const Prints& before, const Prints& now, const std::stop_token& stop,
                Renewal& renewal) {
     for (Place& place : places_) {
       if (place.build.library.empty() || stop.stop_requested()) {
@@ -254,7 +254,7 @@ class Watch::Impl {
  private:
   void follow() {
     constexpr int kPause = 25;  // periods after a failure
-    Sight last = seen_;
+    Prints last = seen_;
     std::string reported;
     for (bool failed = false;;) {
       {
@@ -263,7 +263,7 @@ class Watch::Impl {
           return;
         }
       }
-      Sight now = places_.look();
+      Prints now = places_.look();
       failed = failed && now != seen_;
       // Two equal looks: the writer has finished.
       if (now != seen_ && now == last) {
@@ -284,7 +284,7 @@ class Watch::Impl {
     }
   }
 
-  void renew(const Sight& now) {
+  void renew(const Prints& now) {
     Renewal renewal;
     places_.rebuild(seen_, now, stop_.get_token(), renewal);
     if (stop_.stop_requested()) {
@@ -346,7 +346,7 @@ class Watch::Impl {
   }
 
   Places places_;  // used by the thread only, once it runs
-  Sight seen_;     // likewise
+  Prints seen_;    // likewise
   const std::chrono::milliseconds period_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;

@@ -35,7 +35,7 @@ namespace {
 
 // Signal handlers can only reach globals.
 std::atomic<int> status_of_crash{0};
-std::atomic<pid_t> process{0};  // not that of its children
+std::atomic<pid_t> own_process{0};  // not that of its children
 std::atomic<int> crash_signal{0};
 
 constexpr std::size_t kStackSize = 256 * 1024;
@@ -236,7 +236,7 @@ namespace {
 }
 
 void crashed(int signal, siginfo_t* info, void* context) {
-  if (getpid() != process) {
+  if (getpid() != own_process) {
     end_by(signal);  // a child that a plugin made with fork(): nothing here belongs to it
   }
   if (may_report()) {
@@ -275,7 +275,7 @@ void ended(int signal, siginfo_t* info, void*) {
 }
 
 void left_by_exit() {
-  if (is_plugin_at_work() && getpid() == process && may_report()) {
+  if (is_plugin_at_work() && getpid() == own_process && may_report()) {
     write_report("ended the program by calling exit()", {});
     end_with(status_of_crash);
   }
@@ -289,7 +289,7 @@ void end_copy() noexcept { end_with(status_of_crash); }
 
 void report_crashes(int exit_status) {
   status_of_crash = exit_status;
-  process = getpid();
+  own_process = getpid();
   Call::watch_for_copies(end_copy);
   prepare_stack_trace();
   alignas(16) static char stack[kStackSize];
@@ -313,7 +313,7 @@ void report_crashes(int exit_status) {
 }
 
 void report_exit(const char* function, int exit_code, const void* caller) noexcept {
-  if (getpid() != process) {
+  if (getpid() != own_process) {
     for (;;) {
       syscall(SYS_exit_group, exit_code);
     }

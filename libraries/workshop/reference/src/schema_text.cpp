@@ -15,7 +15,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-std::string number(double value) { return world::format_value(ParameterValue(value)); }
+std::string value_text(double value) { return world::format_value(ParameterValue(value)); }
 
 std::string facet(const std::string& name, const std::string& value) {
   return "<xs:" + name + " value=\"" + world::escaped_attribute(value) + "\"/>";
@@ -31,11 +31,11 @@ std::string range_facets(const world::Field& field) {
   const double high = std::min(facts.max, field.highest);
   std::string range;
   if (facts.above > -kInfinity && facts.above >= low) {
-    range += facet("minExclusive", number(facts.above));
+    range += facet("minExclusive", value_text(facts.above));
   } else if (low > -kInfinity) {
-    range += facet("minInclusive", number(low));
+    range += facet("minInclusive", value_text(low));
   }
-  return high < kInfinity ? range + facet("maxInclusive", number(high)) : range;
+  return high < kInfinity ? range + facet("maxInclusive", value_text(high)) : range;
 }
 
 // The same for whole numbers, whose bounds must be whole: a bound between two of them equals the
@@ -95,8 +95,8 @@ std::string basic_types() {
   };
   const std::string digits = "-?([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][+\\-]?[0-9]+)?";
   return type("number", restriction("xs:double", facet("pattern", digits) +
-                                                     facet("minInclusive", number(-kLargest)) +
-                                                     facet("maxInclusive", number(kLargest)))) +
+                                                     facet("minInclusive", value_text(-kLargest)) +
+                                                     facet("maxInclusive", value_text(kLargest)))) +
          type("whole_number", restriction("xs:long", facet("pattern", "-?[0-9]+"))) +
          type("truth", restriction("xs:string",
                                    facet("enumeration", "true") + facet("enumeration", "false"))) +

@@ -26,7 +26,7 @@ struct Image {
 
   bool empty() const { return bytes.empty(); }
   const std::uint8_t* pixel(int column, int row) const {
-    return &bytes[static_cast<std::size_t>((row * width + column) * channels)];
+    return bytes.data() + (static_cast<std::ptrdiff_t>(row) * width + column) * channels;
   }
 };
 
