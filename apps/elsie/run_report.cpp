@@ -8,7 +8,7 @@
 
 #include "elsie/api/geometry.h"
 #include "elsie/base/number_text.h"
-#include "elsie/base/text_table.h"
+#include "elsie/process/text_table.h"
 #include "elsie/simulation/measures.h"
 
 namespace elsie::program {
@@ -44,7 +44,7 @@ std::string measures(const RunResult& result) {
                     measured.value ? base::number_text(*measured.value, 6) : "none",
                     measured.unit});
   }
-  return '\n' + base::laid_out(rows, kMeasureTextColumns);
+  return '\n' + process::laid_out(rows, kMeasureTextColumns);
 }
 
 /// JSON must be UTF-8; ids come from XML, which is UTF-8.
@@ -74,7 +74,7 @@ std::string table(const RunResult& result) {
     for (const RobotResult& robot : result.robots) {
       rows.push_back(row(robot));
     }
-    out += '\n' + base::laid_out(rows, kTextColumns);
+    out += '\n' + process::laid_out(rows, kTextColumns);
   }
   out += measures(result);
   if (!result.notes.empty()) {

@@ -1,4 +1,4 @@
-// UTF-8 out of bytes that may be anything. The cases are those of RFC 3629 and of table 3-7 of the
+// The cases are those of RFC 3629 and of table 3-7 of the
 // Unicode standard.
 #include <string>
 
@@ -9,8 +9,6 @@
 using namespace elsie;
 
 namespace {
-
-const std::string kBad = "\xef\xbf\xbd";
 
 // What the standard's own bit layout makes of a code point.
 std::string encoded(std::uint32_t code) {
@@ -43,29 +41,8 @@ TEST_CASE("What is no UTF-8 is no character") {
                                    "\xf5\x80\x80\x80", "\xff", "\xe2\x82", "\xf0\x9f\x90", "\xc3(");
   CHECK(base::character_at(bad, 0).bytes == 0);
   CHECK(base::first_invalid("a\xc3\xa4" + bad) == 3);
-  CHECK(base::first_invalid(base::clean("a" + bad + "b")) == base::clean("a" + bad + "b").size());
 }
 
-TEST_CASE("Cleaned text keeps what can be read") {
-  CHECK(base::clean("a\tb\nc \xc3\xa4\xf0\x9f\x90\xa2") == "a\tb\nc \xc3\xa4\xf0\x9f\x90\xa2");
-  CHECK(base::clean("a\xff"
-                    "b\xe2\x82") == "a" + kBad + "b" + kBad + kBad);
-  CHECK(base::clean("\x1b[31m\x7f\r") == kBad + "[31m" + kBad + kBad);
-  // Of two bytes, and a control character: some terminals take U+009B for the beginning of a
-  // colour.
-  CHECK(base::clean("\xc2\x9b"
-                    "31m") == kBad + "31m");
-  CHECK(base::clean("\xef\xbf\xbe\xef\xbf\xbf") == kBad + kBad);
-  CHECK(base::clean(std::string("\0", 1)) == kBad);
-  CHECK(base::one_line("a\n\tb\x01") == "a  b" + kBad);
-}
-
-TEST_CASE("Long text is shortened in its middle, by characters") {
+TEST_CASE("Characters are counted, not bytes") {
   CHECK(base::characters("\xc3\xa4\xf0\x9f\x90\xa2z") == 3);
-  CHECK(base::shortened("turtle", 6) == "turtle");
-  CHECK(base::shortened("turtles", 6) ==
-        "tur\xe2\x80\xa6"
-        "es");
-  CHECK(base::shortened("\xc3\xa4\xc3\xb6\xc3\xbc\xc3\x9f", 3) == "\xc3\xa4\xe2\x80\xa6\xc3\x9f");
-  CHECK(base::shortened("turtle", 1) == "\xe2\x80\xa6");
 }

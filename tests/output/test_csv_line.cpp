@@ -15,3 +15,12 @@ TEST_CASE("A line is put together cell by cell") {
   line.number(2.0);
   CHECK(line.take() == "2");
 }
+
+TEST_CASE("A cell is quoted when readers would take it for something else") {
+  CHECK(output::csv_cell("plain text") == "plain text");
+  CHECK(output::csv_cell("a,b") == "\"a,b\"");
+  CHECK(output::csv_cell("say \"so\"") == "\"say \"\"so\"\"\"");
+  CHECK(output::csv_cell("two\nlines") == "\"two\nlines\"");
+  CHECK(output::csv_cell("#1") == "\"#1\"");
+  CHECK(output::csv_cell("") == "");
+}

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/plugin/parameters.h"
 #include "elsie/world/attributes.h"
 
 #include "world_builder.h"
@@ -35,7 +36,7 @@ inline Simulation run_of(const ScriptedHost& scripted, std::vector<world::Robot>
 
 inline simulation::Change change_of(std::size_t robot, const char* attribute,
                                     const ParameterValue& value) {
-  return {"robot[" + std::to_string(robot + 1) + "]/@" + attribute, world::text_of(value)};
+  return {"robot[" + std::to_string(robot + 1) + "]/@" + attribute, plugin::format_value(value)};
 }
 
 /// Changes an attribute of the robot of this index.

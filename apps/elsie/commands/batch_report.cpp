@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "elsie/base/number_text.h"
-#include "elsie/base/text_table.h"
 #include "elsie/base/words.h"
 #include "elsie/process/shell_word.h"
+#include "elsie/process/text_table.h"
 
 #include "command.h"
 #include "progress.h"
@@ -169,7 +169,7 @@ std::string BatchReport::table() {
   if (cells.size() > 1) {
     rows.push_back(row("all", sum));
   }
-  out += base::laid_out(rows, 1);
+  out += process::laid_out(rows, 1);
   const auto failed = database_.failed(kShownFailures);
   if (!failed.empty()) {
     out += "\nfailed:\n";

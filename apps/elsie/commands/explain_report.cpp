@@ -4,8 +4,8 @@
 #include <map>
 
 #include "elsie/base/number_text.h"
-#include "elsie/base/text_table.h"
 #include "elsie/base/words.h"
+#include "elsie/process/text_table.h"
 
 namespace elsie::program {
 
@@ -128,7 +128,7 @@ std::string table(const ExplainedRobot& explained) {
     }
     rows.push_back(std::move(row));
   }
-  return base::laid_out(rows, 1);
+  return process::laid_out(rows, 1);
 }
 
 std::string inhibitions(const ExplainedRobot& explained) {
@@ -148,7 +148,7 @@ std::string inhibitions(const ExplainedRobot& explained) {
       rows.push_back({"", "and by " + std::to_string(inhibited.size() - kNamed) + " more"});
     }
   }
-  return rows.empty() ? "" : "\nsilenced\n" + base::laid_out(rows, 2);
+  return rows.empty() ? "" : "\nsilenced\n" + process::laid_out(rows, 2);
 }
 
 std::string events(const ExplainedRobot& explained) {
@@ -244,7 +244,7 @@ std::string episodes(const Trace& trace, const TraceRobot& robot,
     row.resize(4);
   }
   std::string text = title + '\n';
-  const std::string times = base::laid_out(rows, 0), reasons = base::laid_out(names, 2);
+  const std::string times = process::laid_out(rows, 0), reasons = process::laid_out(names, 2);
   std::size_t from = 0, name_from = 0;
   while (from < times.size()) {
     const std::size_t end = times.find('\n', from), name_end = reasons.find('\n', name_from);

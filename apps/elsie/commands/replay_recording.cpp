@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "elsie/base/number_text.h"
-#include "elsie/base/text_table.h"
 #include "elsie/mcap/records.h"
+#include "elsie/process/text_table.h"
 #include "elsie/recording/recorded_run.h"
 
 #include "command.h"
@@ -71,7 +71,7 @@ std::string report(const RecordedRun& run) {
     rows.push_back({channel.topic, channel.schema, std::to_string(channel.messages)});
   }
   constexpr std::size_t kTextColumns = 2;
-  return out + '\n' + base::laid_out(rows, kTextColumns);
+  return out + '\n' + process::laid_out(rows, kTextColumns);
 }
 
 void draw(const RecordedRun& run, const RecordingOptions& options) {

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "elsie/api/behavior.h"
 #include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
 #include "elsie/plugin/error.h"
@@ -144,49 +145,48 @@ std::string refusal_of(const ParameterDeclaration& parameter, const ParameterVal
   return finite ? "" : ", of which not every number is finite";
 }
 
+template <class Declared>
+std::vector<std::string_view> names_of(const std::vector<Declared>& list) {
+  std::vector<std::string_view> names;
+  for (const Declared& declared : list) {
+    names.push_back(declared.name);
+  }
+  return names;
+}
+
 /// Adds what is wrong with the names and values given to `whose` parameters.
 void check_values(const std::string& whose, const std::vector<ParameterDeclaration>& declared,
                   const std::map<std::string, ParameterValue>& given,
                   std::vector<std::string>& errors) {
-  std::vector<std::string_view> names;
-  for (const ParameterDeclaration& parameter : declared) {
-    names.push_back(parameter.name);
-  }
   for (const auto& [name, value] : given) {
-    const auto at = std::find(names.begin(), names.end(), name);
-    if (at == names.end()) {
+    const ParameterDeclaration* const parameter = find_declared(declared, name);
+    if (!parameter) {
       errors.push_back(whose + " has no parameter '" + name + "'" +
-                       base::did_you_mean(name, names));
+                       base::did_you_mean(name, names_of(declared)));
       continue;
     }
-    const auto& parameter = declared[static_cast<std::size_t>(at - names.begin())];
-    if (auto error = check_value(parameter, value)) {
+    if (auto error = check_value(*parameter, value)) {
       errors.push_back(std::move(*error));
     }
   }
 }
 
-const ElementDeclaration* find_element(const Declaration& declaration, const std::string& name,
-                                       std::vector<std::string>& errors) {
-  std::vector<std::string_view> names;
-  for (const ElementDeclaration& element : declaration.elements) {
-    if (element.name == name) {
-      return &element;
-    }
-    names.push_back(element.name);
+/// Held by a behaviour that is only tried out.
+class NothingInside final : public Coordination {
+ public:
+  Response respond(const Perception&) override { return {}; }
+  void rate(std::span<const MotorCommand>, std::span<double> desirability) override {
+    std::fill(desirability.begin(), desirability.end(), 0.0);
   }
-  errors.push_back("it has no element <" + name + ">" + base::did_you_mean(name, names));
-  return nullptr;
-}
+  CommandSets command_sets() override { return {}; }
+};
 
 /// All names are known and all values right.
 void set_elements(const Declaration& declaration, Component& object,
                   const std::vector<ElementValue>& elements) {
   std::set<std::size_t> cleared;
   for (const ElementValue& value : elements) {
-    const auto element = std::find_if(
-        declaration.elements.begin(), declaration.elements.end(),
-        [&](const ElementDeclaration& declared) { return declared.name == value.element; });
+    const ElementDeclaration* const element = find_declared(declaration.elements, value.element);
     if (cleared.insert(element->list).second) {
       element->clear(object);
     }
@@ -252,14 +252,24 @@ std::optional<std::string> check_value(const ParameterDeclaration& parameter,
   return sentence;
 }
 
+void hold_nothing(const Declaration& declaration, Component& object) {
+  static NothingInside nothing;
+  if (declaration.hold) {
+    declaration.hold(object, nothing);
+  }
+}
+
 void apply_parameters(const Declaration& declaration, Component& object,
                       const std::map<std::string, ParameterValue>& parameters,
                       const std::vector<ElementValue>& elements) {
   std::vector<std::string> errors;
   check_values("it", declaration.parameters, parameters, errors);
   for (const ElementValue& element : elements) {
-    if (const ElementDeclaration* known = find_element(declaration, element.element, errors)) {
+    if (const auto* known = find_declared(declaration.elements, element.element)) {
       check_values("<" + element.element + ">", known->parameters, element.parameters, errors);
+    } else {
+      errors.push_back("it has no element <" + element.element + ">" +
+                       base::did_you_mean(element.element, names_of(declaration.elements)));
     }
   }
   const auto fail = [&declaration](const std::string& why) {

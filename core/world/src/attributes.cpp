@@ -1,7 +1,5 @@
 #include "elsie/world/attributes.h"
 
-#include <algorithm>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -13,108 +11,9 @@
 #include "elsie/world/values.h"
 
 #include "path.h"
+#include "world_tree.h"
 
 namespace elsie::world {
-
-namespace {
-
-// What an element of the tree stands for.
-struct Meaning {
-  const ElementSpec* spec = nullptr;  // none for an element that a plugin declares
-  std::string path;                   // without a "/" at its end
-  const Robot* robot = nullptr;
-  const PluginUse* use = nullptr;
-  std::optional<PluginKind> kind;  // of that plugin
-  std::optional<std::size_t> nested;
-};
-
-// "robot[r1]/sensor[2]", where the brackets are needed.
-std::string joined(const std::string& path, const std::string& step, const std::string& key) {
-  return (path.empty() ? "" : path + "/") + step + (key.empty() ? "" : "[" + key + "]");
-}
-
-std::string id_of(const ElementSpec& spec, const void* object) {
-  const AttributeSpec* id = spec.attribute("id");
-  const auto value = id && id->get ? id->get(object) : std::nullopt;
-  return value ? std::get<std::string>(*value) : "";
-}
-
-// The world as the tree of a file that says everything, so that paths mean here what they mean
-// there. Element::object is the place of its meaning in the list.
-class Tree {
- public:
-  explicit Tree(const World& world) : root_(make(vocabulary(), &world, {})) {}
-
-  Element& root() { return root_; }
-  const std::vector<Meaning>& meanings() const { return meanings_; }
-
- private:
-  Element make(const ElementSpec& spec, const void* object, Meaning meaning) {
-    meaning.spec = &spec;
-    if (spec.plugins) {
-      meaning.use = spec.use(object);
-      meaning.kind = spec.plugins;
-    } else if (spec.name == "robot") {
-      meaning.robot = static_cast<const Robot*>(object);
-    }
-    Element element;
-    element.name = meaning.use ? meaning.use->plugin : spec.name;
-    element.object = meanings_.size();
-    if (const std::string id = id_of(spec, object); !id.empty()) {
-      element.set("id", id, {});
-    }
-    meanings_.push_back(meaning);
-    if (spec.plugins) {
-      add_declared(element, meaning);
-      if (const Coordination* held = spec.inside ? spec.inside(object) : nullptr) {
-        add_children(element, coordination_vocabulary(), held, meaning);
-      }
-    } else {
-      add_children(element, spec, object, meaning);
-    }
-    return element;
-  }
-
-  void add_children(Element& element, const ElementSpec& spec, const void* object,
-                    const Meaning& meaning) {
-    std::size_t number = 0;
-    for (const auto& [part, child] : spec.parts_of(object)) {
-      Meaning of_child = meaning;
-      of_child.use = nullptr;
-      of_child.kind.reset();
-      if (!child->group) {
-        const std::string id = id_of(*child, part.object);
-        const bool is_listed = child->at_most > 1;
-        of_child.path = joined(meaning.path, spec.group ? spec.members : child->name,
-                               !is_listed   ? ""
-                               : id.empty() ? std::to_string(++number)
-                                            : id);
-      }
-      element.children.push_back(make(*child, part.object, std::move(of_child)));
-    }
-  }
-
-  void add_declared(Element& element, const Meaning& meaning) {
-    std::map<std::string, std::size_t> count;
-    for (std::size_t i = 0; i < meaning.use->elements.size(); ++i) {
-      const std::string& name = meaning.use->elements[i].element;
-      Meaning of_child = meaning;
-      of_child.spec = nullptr;
-      of_child.nested = i;
-      of_child.path = joined(meaning.path, name, std::to_string(++count[name]));
-      Element child;
-      child.name = name;
-      child.object = meanings_.size();
-      meanings_.push_back(std::move(of_child));
-      element.children.push_back(std::move(child));
-    }
-  }
-
-  std::vector<Meaning> meanings_;
-  Element root_;
-};
-
-}  // namespace
 
 class Attributes::Impl {
  public:
@@ -141,8 +40,7 @@ class Attributes::Impl {
         tree_.reset();
         throw std::invalid_argument("there is no such element in this world");
       }
-      places.push_back(
-          place(*found.element, tree_->meanings()[*found.element->object], path.attribute));
+      places.push_back(place(*found.element, tree_->meaning(*found.element), path.attribute));
     }
     return places;
   }
@@ -164,10 +62,10 @@ class Attributes::Impl {
   }
 
  private:
-  AttributePlace place(const Element& element, const Meaning& meaning,
+  AttributePlace place(const Element& element, const WorldTree::Meaning& meaning,
                        const std::string& name) const {
     AttributePlace place;
-    place.path = joined(meaning.path, "@" + name, "");
+    place.path = meaning.path + (meaning.path.empty() ? "@" : "/@") + name;
     place.element = element.name;
     place.robot = meaning.robot;
     place.use = meaning.use;
@@ -204,7 +102,7 @@ class Attributes::Impl {
   }
 
   // Those that the plugin declares for its element, or for one in it.
-  std::vector<ParameterDeclaration> parameters(const Meaning& meaning) const {
+  std::vector<ParameterDeclaration> parameters(const WorldTree::Meaning& meaning) const {
     const Declaration* plugin =
         meaning.use ? host_.find(*meaning.kind, meaning.use->plugin) : nullptr;
     if (!plugin) {
@@ -213,18 +111,15 @@ class Attributes::Impl {
     if (!meaning.nested) {
       return plugin->parameters;
     }
-    for (const ElementDeclaration& element : plugin->elements) {
-      if (element.name == meaning.use->elements[*meaning.nested].element) {
-        return element.parameters;
-      }
-    }
-    return {};
+    const auto* element =
+        plugin::find_declared(plugin->elements, meaning.use->elements[*meaning.nested].element);
+    return element ? element->parameters : std::vector<ParameterDeclaration>();
   }
 
   const World& world_;
   const plugin::Host& host_;
   Files files_;
-  std::optional<Tree> tree_;  // once it was needed
+  std::optional<WorldTree> tree_;  // once it was needed
 };
 
 Attributes::Attributes(const World& world, const plugin::Host& host,
@@ -241,7 +136,5 @@ std::vector<AttributePlace> Attributes::find(std::string_view path) const {
 ParameterValue Attributes::read(const AttributePlace& place, std::string_view text) const {
   return impl_->read(place, text);
 }
-
-std::string text_of(const ParameterValue& value) { return format_value(value); }
 
 }  // namespace elsie::world

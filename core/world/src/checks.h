@@ -4,7 +4,7 @@
 #include "elsie/world/error.h"
 #include "elsie/world/markup.h"
 
-#include "tree_reader.h"
+#include "reading.h"
 
 namespace elsie::plugin {
 class Host;

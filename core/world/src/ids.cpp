@@ -8,7 +8,7 @@ namespace elsie::world {
 namespace {
 
 // `numbered`: ids always have a number, that among all elements of the name.
-void complete_ids(Element& list, bool numbered) {
+void number(Element& list, bool numbered) {
   std::set<std::string> taken;
   for (const Element& child : list.children) {
     if (const Attribute* id = child.find("id")) {
@@ -34,34 +34,18 @@ void complete_ids(Element& list, bool numbered) {
 
 }  // namespace
 
-void complete_robot_ids(Element& robot) {
-  if (Element* segments = robot.child("segments")) {
-    complete_ids(*segments, true);
-  }
-  for (const char* list : {"sensors", "behaviors", "coordinator"}) {
-    if (Element* found = robot.child(list)) {
-      complete_ids(*found, false);
+void complete_ids(Element& element, const ElementSpec& spec) {
+  for (const ElementSpec& group : spec.below()) {
+    Element* list = group.group ? element.child(group.name) : nullptr;
+    if (!list) {
+      continue;
     }
-  }
-  if (Element* behaviors = robot.child("behaviors")) {
-    for (Element& holder : behaviors->children) {
-      complete_robot_ids(holder);
+    const ElementSpec& member = group.children.front();
+    if (const AttributeSpec* id = member.attribute("id"); id && !id->required) {
+      number(*list, !member.plugins);
     }
-  }
-}
-
-void complete_world_ids(Element& world) {
-  for (const char* list : {"obstacles", "resources", "chargers"}) {
-    if (Element* found = world.child(list)) {
-      complete_ids(*found, true);
-    }
-  }
-  if (Element* measures = world.child("measures")) {
-    complete_ids(*measures, false);
-  }
-  if (Element* robots = world.child("robots")) {
-    for (Element& robot : robots->children) {
-      complete_robot_ids(robot);
+    for (Element& child : list->children) {
+      complete_ids(child, member);
     }
   }
 }

@@ -2,14 +2,13 @@
 #pragma once
 
 #include "elsie/world/markup.h"
+#include "elsie/world/vocabulary.h"
 
 namespace elsie::world {
 
-/// Gives ids to the obstacles, resources, chargers, measures, sensors, behaviours and coordinators
-/// of a world that have none: the element's name, the next of that name the name with _2, and so
-/// on; obstacles, resources, chargers and segments always with a number. Ids in use are skipped.
-void complete_world_ids(Element& world);
-/// ... and of a robot, a template, or a behaviour that holds others, to any depth.
-void complete_robot_ids(Element& robot);
+/// Gives ids to the members of lists that may have one and have none, to any depth. `spec`: the
+/// element's. A plugin's element gets its name, the next of that name the name with _2, and so on;
+/// other elements always get a number. Ids in use are skipped.
+void complete_ids(Element& element, const ElementSpec& spec);
 
 }  // namespace elsie::world

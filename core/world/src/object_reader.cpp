@@ -1,147 +1,424 @@
 #include "elsie/world/object_reader.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <map>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "elsie/base/near_name.h"
+#include "elsie/plugin/call.h"
+#include "elsie/plugin/error.h"
+#include "elsie/plugin/host.h"
+#include "elsie/plugin/parameters.h"
+#include "elsie/world/files.h"
 #include "elsie/world/values.h"
+
+#include "reading.h"
+#include "refusals.h"
 
 namespace elsie::world {
 
-bool ObjectReader::read_object(const ElementSpec& spec, const Element& element, void* object) {
-  refuse_text(element);
-  bool sound = true;
-  for (const Attribute& attribute : element.attributes) {
-    sound &= read_attribute(spec, element, attribute, object);
+namespace {
+
+using plugin::find_declared;
+
+template <class Declared>
+void append_names(const std::vector<Declared>& list, std::vector<std::string>& names) {
+  for (const Declared& declared : list) {
+    names.push_back(declared.name);
   }
-  sound &= has_required({spec.attributes.begin(), spec.attributes.end()}, element);
-  return read_children(spec, element, object) && sound;
 }
 
-bool ObjectReader::read_children(const ElementSpec& spec, const Element& element, void* object) {
-  bool sound = true;
-  std::map<const ElementSpec*, std::size_t> count;
-  for (const Element& child : element.children) {
-    if (spec.take && !spec.child(child.name)) {
-      if (++count[nullptr] > 1) {
-        problems_.add(child.where, "<" + element.name + "> holds more than one element of a world");
-        sound = false;
-      } else {
-        spec.take(object, markup_of(child));
+// Walks the tree and the vocabulary in parallel. What a plugin's element may hold is in the
+// plugin's declaration.
+class ObjectReader {
+ public:
+  ObjectReader(const plugin::Host* host, const Files* files, bool check_plugins, Reading& reading,
+               Problems& problems)
+      : host_(host),
+        files_(files),
+        check_plugins_(check_plugins),
+        reading_(reading),
+        problems_(problems) {}
+
+  // Those that read something return whether the element had no mistakes.
+  bool read_object(const ElementSpec& spec, const Element& element, void* object) {
+    refuse_text(element);
+    bool sound = true;
+    for (const Attribute& attribute : element.attributes) {
+      sound &= read_attribute(spec, element, attribute, object);
+    }
+    sound &= has_required({spec.attributes.begin(), spec.attributes.end()}, element);
+    return read_children(spec, element, object) && sound;
+  }
+
+ private:
+  // The declared parameters of an element; see PluginUse.
+  struct Values {
+    std::map<std::string, ParameterValue>& parameters;
+    std::map<std::string, FileName>& file_names;
+  };
+
+  bool read_children(const ElementSpec& spec, const Element& element, void* object) {
+    bool sound = true;
+    std::map<const ElementSpec*, std::size_t> count;
+    for (const Element& child : element.children) {
+      if (spec.take && !spec.child(child.name)) {
+        if (++count[nullptr] > 1) {
+          problems_.add(child.where,
+                        "<" + element.name + "> holds more than one element of a world");
+          sound = false;
+        } else {
+          spec.take(object, markup_of(child));
+        }
+        continue;
       }
-      continue;
+      const ElementSpec* child_spec = spec_of(spec, child);
+      if (!child_spec) {
+        sound = false;
+        continue;
+      }
+      if (++count[child_spec] > child_spec->at_most) {
+        problems_.add(child.where,
+                      "<" + element.name + "> holds more than one " +
+                          (child_spec->plugins ? child_spec->name : "<" + child_spec->name + ">"));
+        continue;
+      }
+      const bool child_sound = read_child(*child_spec, child, object);
+      sound &= child_sound || child_spec->group || spec.group;
     }
-    const ElementSpec* child_spec = spec_of(spec, child);
-    if (!child_spec) {
+    for (const ElementSpec& child : spec.children) {
+      if (child.at_least > count[&child]) {
+        problems_.add(element.where, "<" + element.name + "> lacks a <" + child.name + ">");
+        sound = false;
+      }
+    }
+    return sound;
+  }
+
+  bool read_child(const ElementSpec& spec, const Element& element, void* parent) {
+    void* object = spec.make(parent, element.where);
+    if (element.incomplete) {
+      mark_robot_incomplete();
+    }
+    const bool sound =
+        spec.plugins ? read_use(spec, element, object) : read_object(spec, element, object);
+    if (!sound) {
+      reading_.flawed.push_back({&spec, element.where});
+    }
+    return sound;
+  }
+
+  void refuse_text(const Element& element) {
+    if (!element.text.empty()) {
+      const std::string line = element.text.substr(0, element.text.find_first_of("\r\n"));
+      problems_.add({element.where.file, element.text_line},
+                    "found the text '" + line + "' in <" + element.name +
+                        ">; expected elements and comments only");
+    }
+  }
+
+  // The description of a child, or null and a problem when there may be no such child.
+  const ElementSpec* spec_of(const ElementSpec& parent, const Element& child) {
+    if (!parent.children.empty() && parent.children.front().plugins) {
+      return &parent.children.front();
+    }
+    const ElementSpec* spec = parent.child(child.name);
+    if (!spec) {
+      std::vector<std::string> names;
+      for (const ElementSpec& known : parent.children) {
+        names.push_back("<" + known.name + ">");
+      }
+      problems_.add(child.where, "<" + parent.name + "> may not hold <" + child.name + ">" +
+                                     (names.empty() ? "; expected nothing in it"
+                                                    : base::near_or_all("<" + child.name + ">",
+                                                                        names, "it may hold")));
+    }
+    return spec;
+  }
+
+  bool has_required(const std::vector<Field>& fields, const Element& element) {
+    bool complete = true;
+    for (const Field& field : fields) {
+      if (field.required && !element.find(field.name)) {
+        problems_.add(element.where, "<" + element.name + "> lacks the attribute '" + field.name +
+                                         "'; expected " + expectation(field));
+        complete = false;
+      }
+    }
+    return complete;
+  }
+
+  void refuse_attribute(const Element& element, const Attribute& attribute,
+                        const std::vector<std::string>& names) {
+    problems_.add(attribute.where, "<" + element.name + "> has no attribute '" + attribute.name +
+                                       "'" +
+                                       base::near_or_all(attribute.name, names, "it may have"));
+  }
+
+  bool read_attribute(const ElementSpec& spec, const Element& element, const Attribute& attribute,
+                      void* object) {
+    const AttributeSpec* known = spec.attribute(attribute.name);
+    if (!known) {
+      // Editors associate the schema through these.
+      if (spec.root &&
+          (attribute.name == "xmlns:xsi" || attribute.name == "xsi:noNamespaceSchemaLocation")) {
+        return true;
+      }
+      std::vector<std::string> names;
+      for (const AttributeSpec& each : spec.attributes) {
+        names.push_back(each.name);
+      }
+      refuse_attribute(element, attribute, names);
+      return false;
+    }
+    const Parsed parsed = parse_value(*known, attribute.value);
+    if (!parsed.value) {
+      problems_.add(attribute.where, in_words(attribute, element) + ": " + parsed.problem);
+      return false;
+    }
+    if (known->refers_to != Reference::none) {
+      reading_.mentions.push_back(
+          {known->refers_to, attribute.value, attribute.where, in_words(attribute, element)});
+    }
+    if (known->set) {
+      known->set(object, *parsed.value);
+    }
+    return true;
+  }
+
+  // The robot that is being read.
+  void mark_robot_incomplete() {
+    reading_.incomplete_robots.insert(reading_.world.robots.size() - 1);
+  }
+
+  bool read_use(const ElementSpec& spec, const Element& element, void* object) {
+    if (!host_) {
+      throw std::logic_error("this vocabulary has plugins (" + spec.name + "), its reader none");
+    }
+    PluginUse& use = const_cast<PluginUse&>(*spec.use(object));
+    use.plugin = element.name;
+    use.id = element.value("id");
+    const Declaration* declaration = host_->find(*spec.plugins, element.name);
+    if (!declaration) {
+      problems_.add(element.where, explain_missing(*host_, *spec.plugins, element.name));
+      if (*spec.plugins != PluginKind::measure) {
+        mark_robot_incomplete();
+      }
+      return false;
+    }
+    refuse_text(element);
+    bool sound = true;
+    for (const ParameterDeclaration& parameter : declaration->parameters) {
+      if (spec.attribute(parameter.name)) {
+        problems_.add(element.where, "the plugin '" + element.name + "' declares a parameter '" +
+                                         parameter.name + "', which is an attribute of every " +
+                                         spec.name + "; rename the parameter in the plugin");
+        sound = false;
+      }
+    }
+    const Values values{use.parameters, use.file_names};
+    for (const Attribute& attribute : element.attributes) {
+      const ParameterDeclaration* parameter =
+          find_declared(declaration->parameters, attribute.name);
+      if (spec.attribute(attribute.name)) {
+        sound &= read_attribute(spec, element, attribute, object);
+      } else if (parameter) {
+        sound &= read_parameter(*parameter, element, attribute, values);
+      } else {
+        std::vector<std::string> names;
+        append_names(declaration->parameters, names);
+        append_names(spec.attributes, names);
+        refuse_attribute(element, attribute, names);
+        sound = false;
+      }
+    }
+    sound &= complete(declaration->parameters, element, values);
+    sound &= read_inside(spec, *declaration, element, object);
+    if (sound && check_plugins_) {
+      sound = try_out(*declaration, element, use);
+    }
+    return sound;
+  }
+
+  // Reads the elements in a plugin's element. Mistakes in what a behaviour holds do not count as
+  // its.
+  bool read_inside(const ElementSpec& spec, const Declaration& declaration, const Element& element,
+                   void* object) {
+    PluginUse& use = const_cast<PluginUse&>(*spec.use(object));
+    Coordination* inside = declaration.hold ? &spec.make_inside(object) : nullptr;
+    bool sound = true;
+    std::set<std::string> held;
+    for (const Element& child : element.children) {
+      const ElementSpec* group = inside ? coordination_vocabulary().child(child.name) : nullptr;
+      if (const ElementDeclaration* declared = find_declared(declaration.elements, child.name)) {
+        ElementUse& nested = use.elements.emplace_back();
+        sound &= read_element(*declared, child, nested);
+      } else if (!group) {
+        problems_.add(child.where, "<" + element.name + "> may not hold <" + child.name + ">" +
+                                       explain_child(*host_, declaration, child));
+        sound = false;
+      } else if (!held.insert(child.name).second) {
+        problems_.add(child.where,
+                      "<" + element.name + "> holds more than one <" + child.name + ">");
+      } else {
+        read_child(*group, child, inside);
+      }
+    }
+    return sound;
+  }
+
+  bool read_element(const ElementDeclaration& declared, const Element& element, ElementUse& use) {
+    use.element = element.name;
+    use.location = element.where;
+    refuse_text(element);
+    bool sound = true;
+    for (const Element& child : element.children) {
+      problems_.add(child.where, "<" + element.name + "> may not hold <" + child.name + ">; " +
+                                     (find_declared(declared.parameters, child.name)
+                                          ? "its parameters are attributes"
+                                          : "expected nothing in it"));
       sound = false;
-      continue;
     }
-    if (++count[child_spec] > child_spec->at_most) {
-      problems_.add(child.where,
-                    "<" + element.name + "> holds more than one " +
-                        (child_spec->plugins ? child_spec->name : "<" + child_spec->name + ">"));
-      continue;
+    const Values values{use.parameters, use.file_names};
+    for (const Attribute& attribute : element.attributes) {
+      if (const ParameterDeclaration* parameter =
+              find_declared(declared.parameters, attribute.name)) {
+        sound &= read_parameter(*parameter, element, attribute, values);
+      } else {
+        std::vector<std::string> names;
+        append_names(declared.parameters, names);
+        refuse_attribute(element, attribute, names);
+        sound = false;
+      }
     }
-    const bool child_sound = read_child(*child_spec, child, object);
-    sound &= child_sound || child_spec->group || spec.group;
+    return complete(declared.parameters, element, values) && sound;
   }
-  for (const ElementSpec& child : spec.children) {
-    if (child.at_least > count[&child]) {
-      problems_.add(element.where, "<" + element.name + "> lacks a <" + child.name + ">");
-      sound = false;
+
+  bool read_parameter(const ParameterDeclaration& parameter, const Element& element,
+                      const Attribute& attribute, Values values) {
+    Parsed parsed = parse_value(field_of(parameter), attribute.value);
+    if (!parsed.value) {
+      problems_.add(attribute.where, in_words(attribute, element) + ": " + parsed.problem);
+      return false;
     }
-  }
-  return sound;
-}
-
-bool ObjectReader::read_child(const ElementSpec& spec, const Element& element, void* parent) {
-  void* object = spec.make(parent, element.where);
-  begin(element);
-  const bool sound =
-      spec.plugins ? read_use(spec, element, object) : read_object(spec, element, object);
-  end(spec, element, sound);
-  return sound;
-}
-
-bool ObjectReader::read_use(const ElementSpec& spec, const Element&, void*) {
-  throw std::logic_error("this vocabulary has plugins (" + spec.name + "), and its reader has not");
-}
-
-void ObjectReader::refuse_text(const Element& element) {
-  if (!element.text.empty()) {
-    const std::string line = element.text.substr(0, element.text.find_first_of("\r\n"));
-    problems_.add({element.where.file, element.text_line},
-                  "found the text '" + line + "' in <" + element.name +
-                      ">; expected elements and comments only");
-  }
-}
-
-// The description of a child, or null and a problem when there may be no such child.
-const ElementSpec* ObjectReader::spec_of(const ElementSpec& parent, const Element& child) {
-  if (!parent.children.empty() && parent.children.front().plugins) {
-    return &parent.children.front();
-  }
-  const ElementSpec* spec = parent.child(child.name);
-  if (!spec) {
-    std::vector<std::string> names;
-    for (const ElementSpec& known : parent.children) {
-      names.push_back("<" + known.name + ">");
+    if (parameter.type == ParameterType::file &&
+        (!attribute.value.empty() || parameter.facts.required)) {
+      return read_file(parameter, element, attribute, values);
     }
-    problems_.add(child.where, "<" + parent.name + "> may not hold <" + child.name + ">" +
-                                   (names.empty() ? "; expected nothing in it"
-                                                  : base::near_or_all("<" + child.name + ">", names,
-                                                                      "it may hold")));
+    values.parameters[parameter.name] = std::move(*parsed.value);
+    return true;
   }
-  return spec;
-}
 
-bool ObjectReader::has_required(const std::vector<Field>& fields, const Element& element) {
-  bool complete = true;
-  for (const Field& field : fields) {
-    if (field.required && !element.find(field.name)) {
-      problems_.add(element.where, "<" + element.name + "> lacks the attribute '" + field.name +
-                                       "'; expected " + expectation(field));
-      complete = false;
+  bool read_file(const ParameterDeclaration& parameter, const Element& element,
+                 const Attribute& attribute, Values values) {
+    if (attribute.value.empty()) {
+      problems_.add(attribute.where,
+                    in_words(attribute, element) + ": expected the path of a file");
+      return false;
     }
+    const auto file = files_->find(attribute.value, attribute.where);
+    if (!file) {
+      problems_.add(attribute.where,
+                    in_words(attribute, element) + ": " +
+                        files_->why_not(attribute.where, attribute.name, attribute.value));
+      return false;
+    }
+    const std::string path = Files::absolute(*file);
+    values.file_names[parameter.name] = {path, files_->name_for_world(*file, attribute.value)};
+    values.parameters[parameter.name] = path;
+    return true;
   }
-  return complete;
-}
 
-void ObjectReader::refuse_attribute(const Element& element, const Attribute& attribute,
-                                    const std::vector<std::string>& names) {
-  problems_.add(attribute.where, "<" + element.name + "> has no attribute '" + attribute.name +
-                                     "'" + base::near_or_all(attribute.name, names, "it may have"));
-}
+  // Checks the parameters without an attribute: they must not be required, and default files must
+  // exist.
+  bool complete(const std::vector<ParameterDeclaration>& parameters, const Element& element,
+                Values values) {
+    std::vector<Field> fields;
+    bool complete = true;
+    for (const ParameterDeclaration& parameter : parameters) {
+      fields.push_back(field_of(parameter));
+      if (parameter.type == ParameterType::file && !parameter.facts.required &&
+          !element.find(parameter.name)) {
+        complete &= find_default(parameter, element, values);
+      }
+    }
+    return has_required(fields, element) && complete;
+  }
 
-bool ObjectReader::read_attribute(const ElementSpec& spec, const Element& element,
-                                  const Attribute& attribute, void* object) {
-  const AttributeSpec* known = spec.attribute(attribute.name);
-  if (!known) {
-    // Editors associate the schema through these.
-    if (spec.root &&
-        (attribute.name == "xmlns:xsi" || attribute.name == "xsi:noNamespaceSchemaLocation")) {
+  // A default file is looked for in the data directories.
+  bool find_default(const ParameterDeclaration& parameter, const Element& element, Values values) {
+    const std::string& name = std::get<std::string>(parameter.default_value);
+    if (name.empty()) {
       return true;
     }
-    std::vector<std::string> names;
-    for (const AttributeSpec& each : spec.attributes) {
-      names.push_back(each.name);
+    if (const auto file = files_->find_data(name)) {
+      const std::string path = Files::absolute(*file);
+      values.parameters[parameter.name] = path;
+      values.file_names[parameter.name] = {path, ""};
+      return true;
     }
-    refuse_attribute(element, attribute, names);
+    problems_.add(element.where, "<" + element.name + "> takes '" + name + "' for its parameter '" +
+                                     parameter.name + "', but there is no such file " +
+                                     files_->data_places() + "; give the parameter another file");
     return false;
   }
-  const Parsed parsed = parse_value(*known, attribute.value);
-  if (!parsed.value) {
-    problems_.add(attribute.where, in_words(attribute, element) + ": " + parsed.problem);
+
+  // Makes the plugin's object once, so that it checks its parameters.
+  bool try_out(const Declaration& declaration, const Element& element, const PluginUse& use) {
+    plugin::Call call({.plugin = use.plugin.c_str(),
+                       .id = use.id.c_str(),
+                       .file = element.where.file.c_str(),
+                       .line = element.where.line,
+                       .doing = "while it was given its parameters"});
+    try {
+      const auto object = host_->create<Component>(declaration.kind, declaration.name);
+      plugin::hold_nothing(declaration, *object);
+      plugin::apply_parameters(declaration, *object, use.parameters,
+                               {use.elements.begin(), use.elements.end()});
+      if (const char* const changed = call.restore_arithmetic()) {
+        problems_.add(element.where,
+                      "plugin '" + use.plugin + "': it changed " + changed +
+                          " for the whole program while it was given its parameters",
+                      true);
+        return false;
+      }
+      return true;
+    } catch (const plugin::CreateError& error) {
+      problems_.add(element.where, error.what(), true);
+    } catch (const std::exception& error) {
+      problems_.add(element.where, error.what());
+    }
     return false;
   }
-  if (known->refers_to != Reference::none) {
-    mention(*known, attribute, element);
+
+  const plugin::Host* host_;  // null: the vocabulary has no plugins
+  const Files* files_;
+  const bool check_plugins_;
+  Reading& reading_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+std::vector<Flawed> read_object(const ElementSpec& spec, const Element& root, void* object,
+                                Problems& problems) {
+  Reading reading;
+  if (!ObjectReader(nullptr, nullptr, false, reading, problems).read_object(spec, root, object)) {
+    reading.flawed.push_back({&spec, root.where});
   }
-  if (known->set) {
-    known->set(object, *parsed.value);
-  }
-  return true;
+  return std::move(reading.flawed);
+}
+
+Reading read_tree(const Element& root, const plugin::Host& host, const Files& files,
+                  bool check_plugins, Problems& problems) {
+  Reading reading;
+  ObjectReader(&host, &files, check_plugins, reading, problems)
+      .read_object(vocabulary(), root, &reading.world);
+  return reading;
 }
 
 void check_root(const Element& root, const std::string& name, int format,

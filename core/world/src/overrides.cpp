@@ -159,7 +159,7 @@ void apply_override(Element& world, const std::string& override, Problems& probl
       for (const Place& place : find_places(world, path)) {
         replace(*place.element, given);
       }
-      complete_world_ids(world);  // of what stands in the new element
+      complete_ids(world, vocabulary());  // of what stands in the new element
       return;
     }
     for (const Place& place : find_places(world, path)) {

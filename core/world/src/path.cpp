@@ -21,11 +21,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
-// The elements that the vocabulary allows in an element; any behaviour may hold others.
-const std::vector<ElementSpec>& specs_below(const ElementSpec& spec) {
-  return spec.inside ? coordination_vocabulary().children : spec.children;
-}
-
 bool is_among(const std::vector<ElementSpec>& specs, const std::string& name) {
   return std::any_of(specs.begin(), specs.end(),
                      [&](const ElementSpec& spec) { return spec.name == name; });
@@ -49,7 +44,7 @@ std::vector<Place> children(const Place& place, const std::string& name) {
     collect_members(*place.element, *place.spec, name, found);
     return found;
   }
-  for (const ElementSpec& spec : specs_below(*place.spec)) {
+  for (const ElementSpec& spec : place.spec->below()) {
     for (Element& child : place.element->children) {
       if (child.name != spec.name) {
         continue;
@@ -63,7 +58,7 @@ std::vector<Place> children(const Place& place, const std::string& name) {
   }
   if (place.spec->plugins) {
     for (Element& child : place.element->children) {
-      if (child.name == name && !is_among(specs_below(*place.spec), name)) {
+      if (child.name == name && !is_among(place.spec->below(), name)) {
         found.push_back({&child, &nested_element()});
       }
     }
@@ -78,7 +73,7 @@ std::vector<Place> children(const Place& place, const std::string& name) {
 // The names that a step may have here.
 std::vector<std::string> names_at(const Place& place) {
   std::vector<std::string> names;
-  for (const ElementSpec& spec : specs_below(*place.spec)) {
+  for (const ElementSpec& spec : place.spec->below()) {
     // What a plugin's element may hold is known by what is there.
     if (place.spec->plugins && !place.element->child(spec.name)) {
       continue;
@@ -147,7 +142,7 @@ std::vector<Place> step_from(const Place& place, const PathStep& step) {
   if (!found.empty()) {
     return chosen(found, step);
   }
-  for (const ElementSpec& spec : specs_below(*place.spec)) {
+  for (const ElementSpec& spec : place.spec->below()) {
     if (spec.name != step.name || spec.name == spec.members || spec.plugins || spec.at_most > 1 ||
         !step.key.empty()) {
       continue;

@@ -14,8 +14,8 @@
 #include "checks.h"
 #include "ids.h"
 #include "overrides.h"
+#include "reading.h"
 #include "templates.h"
-#include "tree_reader.h"
 
 namespace elsie::world {
 
@@ -73,7 +73,7 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
               {"experiment", "this file is an experiment, which names worlds; " + right}},
              problems);
 
-  complete_world_ids(root);
+  complete_ids(root, vocabulary());
   for (const bool before_templates : {true, false}) {
     if (!before_templates) {
       Templates(host, files, problems).merge_all(root);
@@ -89,7 +89,7 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
     leave_bodies_only(root);
   }
 
-  Reading reading = TreeReader(host, files, options.check_plugins, problems).read(root);
+  Reading reading = read_tree(root, host, files, options.check_plugins, problems);
   World& world = reading.world;
   world.file = file;
   add_default_teams(world.teams);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "elsie/plugin/host.h"
+#include "elsie/plugin/parameters.h"
 #include "elsie/world/vocabulary.h"
 
 #include "ids.h"
@@ -30,40 +31,9 @@ std::optional<PluginKind> kind_in(const std::string& list) {
 
 // The plugin's list that an element belongs to; an unknown element has a list of its own.
 std::string list_of(const Declaration* declaration, const std::string& element) {
-  if (declaration) {
-    for (const ElementDeclaration& declared : declaration->elements) {
-      if (declared.name == element) {
-        return std::to_string(declared.list);
-      }
-    }
-  }
-  return element;
-}
-
-// Removes the entries of a list that have remove="true", to any depth, and all such attributes.
-// Calls `on_removal` with each entry, the attribute's place and the list's name.
-template <class OnRemoval>
-void take_out_removed(Element& list, Problems& problems, const OnRemoval& on_removal) {
-  std::erase_if(list.children, [&](Element& entry) {
-    for (Element& child : entry.children) {
-      if (list.name == "behaviors" && is_held(child.name)) {
-        take_out_removed(child, problems, on_removal);
-      }
-    }
-    const Attribute* remove = entry.find("remove");
-    if (!remove) {
-      return false;
-    }
-    const Attribute found = *remove;
-    entry.erase("remove");
-    if (found.value != "true" && found.value != "false") {
-      problems.add(found.where, in_words(found, entry) + ": expected true or false");
-    }
-    if (found.value == "true") {
-      on_removal(entry, found.where, list.name);
-    }
-    return found.value == "true";
-  });
+  const auto* declared =
+      declaration ? plugin::find_declared(declaration->elements, element) : nullptr;
+  return declared ? std::to_string(declared->list) : element;
 }
 
 void inherit_attributes(Element& over, const Element& base) {
@@ -81,7 +51,7 @@ void inherit_attributes(Element& over, const Element& base) {
 void Templates::merge_all(Element& world) {
   if (Element* robots = world.child("robots")) {
     for (Element& robot : robots->children) {
-      complete_robot_ids(robot);
+      complete_ids(robot, template_vocabulary());
       merge(robot);
     }
   }
@@ -150,7 +120,7 @@ const Element* Templates::load(const std::string& file, const Location& from) {
       problems_.add(id->where, "a template has no id; the robots that use it have");
       root.erase("id");
     }
-    complete_robot_ids(root);
+    complete_ids(root, template_vocabulary());
     open_.push_back(file);
     merge(root);
     open_.pop_back();
@@ -271,13 +241,29 @@ void Templates::overlay_list(Element& list, const Element& base) {
                        std::make_move_iterator(merged.end()));
 }
 
-// Reports removals where there is nothing to remove.
+// Takes out the entries of a list that have remove="true", to any depth, and all such attributes.
+// Here there is nothing that they could remove.
 void Templates::drop_removals(Element& list) {
-  take_out_removed(list, problems_,
-                   [&](const Element& entry, const Location& where, const std::string& in) {
-                     problems_.add(where, "there is nothing to remove: the template has no '" +
-                                              entry.value("id") + "' in its <" + in + ">");
-                   });
+  std::erase_if(list.children, [&](Element& entry) {
+    for (Element& child : entry.children) {
+      if (list.name == "behaviors" && is_held(child.name)) {
+        drop_removals(child);
+      }
+    }
+    const Attribute* remove = entry.find("remove");
+    if (!remove) {
+      return false;
+    }
+    const Attribute found = *remove;
+    entry.erase("remove");
+    if (found.value == "true") {
+      problems_.add(found.where, "there is nothing to remove: the template has no '" +
+                                     entry.value("id") + "' in its <" + list.name + ">");
+    } else if (found.value != "false") {
+      problems_.add(found.where, in_words(found, entry) + ": expected true or false");
+    }
+    return found.value == "true";
+  });
 }
 
 }  // namespace elsie::world

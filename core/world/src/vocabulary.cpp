@@ -277,6 +277,10 @@ const ElementSpec* ElementSpec::child(const std::string& child_name) const {
   return found == children.end() ? nullptr : &*found;
 }
 
+const std::vector<ElementSpec>& ElementSpec::below() const {
+  return inside ? coordination_vocabulary().children : children;
+}
+
 std::vector<std::pair<Part, const ElementSpec*>> ElementSpec::parts_of(const void* object) const {
   std::vector<std::pair<Part, const ElementSpec*>> found;
   for (const ElementSpec& child : children) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "elsie/base/number_text.h"
 #include "elsie/world/footprint.h"
 #include "elsie/world/live_robot.h"
 
@@ -13,7 +14,7 @@
 namespace elsie::simulation {
 namespace {
 
-std::string number(double value) { return world::text_of(value); }
+std::string number(double value) { return base::number_text(value); }
 
 [[noreturn]] void refuse(const std::string& change, const std::string& problem) {
   throw ChangeRefused(change + ": " + problem);

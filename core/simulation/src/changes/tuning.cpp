@@ -8,16 +8,6 @@
 namespace elsie::simulation {
 namespace {
 
-/// What a behaviour that holds others is given while its parameters are only tried out.
-class NothingInside final : public Coordination {
- public:
-  Response respond(const Perception&) override { return {}; }
-  void rate(std::span<const MotorCommand>, std::span<double> desirability) override {
-    std::fill(desirability.begin(), desirability.end(), 0.0);
-  }
-  CommandSets command_sets() override { return {}; }
-};
-
 void apply(const TunedObject& tuned, Component& object, const Setup& setup,
            const Perception& example) {
   plugin::apply_parameters(*tuned.declaration, object, setup.parameters, setup.elements);
@@ -75,11 +65,8 @@ Setup Tuning::setup(const world::PluginUse& use) const {
 
 std::optional<Camera> Tuning::try_out(const TunedObject& tuned, const Setup& setup,
                                       const Perception& example) {
-  NothingInside nothing;  // outlives the object that may point to it
   const std::unique_ptr<Component> object = tuned.declaration->create();
-  if (tuned.declaration->hold) {
-    tuned.declaration->hold(*object, nothing);
-  }
+  plugin::hold_nothing(*tuned.declaration, *object);
   apply(tuned, *object, setup, example);
   return tuned.kind == PluginKind::sensor ? static_cast<Sensor&>(*object).camera() : std::nullopt;
 }

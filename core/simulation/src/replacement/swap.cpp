@@ -1,42 +1,38 @@
 #include "replacement/swap.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <stdexcept>
 #include <variant>
 
 #include "elsie/api/remember.h"
 #include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/parameters.h"
+#include "elsie/world/files.h"
 
 namespace elsie::simulation {
 namespace {
 
-template <class Declared>
-const Declared* find(const std::vector<Declared>& declared, const std::string& name) {
-  const auto at = std::find_if(declared.begin(), declared.end(),
-                               [&](const Declared& other) { return other.name == name; });
-  return at == declared.end() ? nullptr : &*at;
-}
+using plugin::find_declared;
 
 /// Removes what the declaration does not have; calls `removed` for each.
 template <class Elements>
 void strip(const Declaration& declaration, std::map<std::string, ParameterValue>& parameters,
            Elements& elements, const std::function<void(const std::string&)>& removed) {
   std::erase_if(parameters, [&](const auto& given) {
-    const bool gone = !find(declaration.parameters, given.first);
+    const bool gone = !find_declared(declaration.parameters, given.first);
     if (gone) {
       removed("the parameter '" + given.first + "'");
     }
     return gone;
   });
   std::erase_if(elements, [&](auto& given) {
-    const ElementDeclaration* const known = find(declaration.elements, given.element);
+    const ElementDeclaration* const known = find_declared(declaration.elements, given.element);
     if (!known) {
       removed("the element <" + given.element + ">");
       return true;
     }
     std::erase_if(given.parameters, [&](const auto& parameter) {
-      const bool gone = !find(known->parameters, parameter.first);
+      const bool gone = !find_declared(known->parameters, parameter.first);
       if (gone) {
         removed("the parameter '" + parameter.first + "' of <" + given.element + ">");
       }
@@ -93,7 +89,7 @@ Setup Swap::setup_for(Exchanged& exchanged) {
   });
   require(declaration.parameters, setup.parameters, "");
   for (const ElementValue& element : setup.elements) {
-    require(find(declaration.elements, element.element)->parameters, element.parameters,
+    require(find_declared(declaration.elements, element.element)->parameters, element.parameters,
             " of <" + element.element + ">");
   }
   exchanged.described = setup;
@@ -106,22 +102,19 @@ Setup Swap::setup_for(Exchanged& exchanged) {
 
 /// A file that a parameter names by default is looked for as when the world was read.
 void Swap::add_default_files(const Declaration& declaration, Setup& setup) const {
-  namespace fs = std::filesystem;
+  const world::Files files("", data_directories_);
   for (const ParameterDeclaration& parameter : declaration.parameters) {
     const auto* const name = std::get_if<std::string>(&parameter.default_value);
     if (parameter.type != ParameterType::file || setup.parameters.contains(parameter.name) ||
         name->empty()) {
       continue;
     }
-    const auto folder = std::find_if(data_directories_.begin(), data_directories_.end(),
-                                     [&](const std::string& directory) {
-                                       return fs::is_regular_file(fs::path(directory) / *name);
-                                     });
-    if (folder == data_directories_.end()) {
+    const auto file = files.find_data(*name);
+    if (!file) {
       throw std::invalid_argument("it takes '" + *name + "' for its parameter '" + parameter.name +
                                   "', but there is no such file in the data directories");
     }
-    setup.parameters[parameter.name] = fs::absolute(fs::path(*folder) / *name).string();
+    setup.parameters[parameter.name] = world::Files::absolute(*file);
   }
 }
 

@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "elsie/base/utf8.h"
+#include "elsie/output/clean_text.h"
 
 #include "last_words.h"
 #include "post_mortem.h"
@@ -288,7 +288,7 @@ RunRecord WorkerPool::Worker::record() {
     record.exit_code = WEXITSTATUS(status_);
   }
   if (record.state != RunState::done) {
-    record.log = (log_is_cut_ ? "[...]\n" : "") + base::clean(log_);
+    record.log = (log_is_cut_ ? "[...]\n" : "") + output::clean(log_);
   }
   return record;
 }

@@ -27,14 +27,14 @@ using base::Problems;
 using world::Element;
 using world::ElementSpec;
 
-// Notes which elements have mistakes: their attributes are defaults, which must not be judged.
-class DraftReader final : private world::ObjectReader {
+// Leaves out what has mistakes: its attributes are defaults, which must not be judged.
+class DraftReader {
  public:
-  explicit DraftReader(Problems& problems) : ObjectReader(problems) {}
+  explicit DraftReader(Problems& problems) : problems_(problems) {}
 
   ExperimentDraft read(const Element& root) {
     ExperimentDraft draft;
-    grid_is_sound_ &= read_object(vocabulary(), root, &draft);
+    flawed_ = world::read_object(vocabulary(), root, &draft, problems_);
     drop(draft.worlds);
     drop(draft.settings);
     drop(draft.factors);
@@ -44,27 +44,27 @@ class DraftReader final : private world::ObjectReader {
   }
 
   /// Whether worlds, settings and factors could all be read.
-  bool grid_is_sound() const { return grid_is_sound_; }
+  bool grid_is_sound() const {
+    return std::all_of(flawed_.begin(), flawed_.end(), [](const world::Flawed& each) {
+      const std::string& name = each.spec->name;
+      return name == "measure" || name == "measures" || name == "expect" || name == "expectations";
+    });
+  }
   bool is_sound(const Location& where) const {
-    return !unsound_.contains({where.file, where.line});
+    return std::none_of(flawed_.begin(), flawed_.end(), [&](const world::Flawed& each) {
+      return each.spec != &vocabulary() && each.where.file == where.file &&
+             each.where.line == where.line;
+    });
   }
 
  private:
-  void end(const ElementSpec& spec, const Element& element, bool sound) override {
-    if (!sound) {
-      unsound_.insert({element.where.file, element.where.line});
-      grid_is_sound_ &= spec.name == "measure" || spec.name == "measures" ||
-                        spec.name == "expect" || spec.name == "expectations";
-    }
-  }
-
   template <class Draft>
   void drop(std::vector<Draft>& drafts) const {
     std::erase_if(drafts, [&](const Draft& draft) { return !is_sound(draft.location); });
   }
 
-  std::set<std::pair<std::string, int>> unsound_;
-  bool grid_is_sound_ = true;
+  Problems& problems_;
+  std::vector<world::Flawed> flawed_;
 };
 
 struct Worlds {

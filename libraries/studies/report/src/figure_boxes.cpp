@@ -191,7 +191,7 @@ std::string box_figure(const Findings& findings, std::size_t measure, const Inks
     const MeasureFindings& found = findings.cells[i].measures[measure];
     const std::string& label = findings.results.cells[i].label;
     text += "<g class=\"row " + inks.cell_class(i) + "\"><text class=\"name\" x=\"2\" y=\"" +
-            y(from + kLabelAt) + "\">" + escaped(base::shortened(label, kLabel)) + "</text>";
+            y(from + kLabelAt) + "\">" + escaped(output::shortened(label, kLabel)) + "</text>";
     if (found.all) {
       text += box(found, span, from + kMiddle) +
               dots(findings, findings.cells[i], measure, span, from + kMiddle, all) +

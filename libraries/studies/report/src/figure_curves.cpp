@@ -115,7 +115,7 @@ std::string axes(const Panel& panel, const Curve& about) {
               picture::tick_label(tick, ticks.step) + "</text>";
   }
   labels += "<text class=\"last\" x=\"" + n(kWidth - kRight) + "\" y=\"" + n(kHeight - 4.0) +
-            "\">" + escaped(base::shortened(about.x_label, 50)) + "</text>";
+            "\">" + escaped(output::shortened(about.x_label, 50)) + "</text>";
   return lines + "</g>" + labels + "</g>";
 }
 

@@ -200,7 +200,7 @@ std::string key(const std::vector<Row>& rows, const Inks& inks) {
     const Mean& mean = means[path];
     const auto count = static_cast<double>(mean.count);
     text += "<li><i class=\"swatch " + inks.behavior_class(path) + "\"></i>" +
-            escaped(base::shortened(path, 40)) + " <b>" +
+            escaped(output::shortened(path, 40)) + " <b>" +
             fixed_text(100.0 * mean.decided / count, 0) + " %</b> <small>share " +
             fixed_text(mean.share / count, 2) + "</small></li>";
   }
@@ -232,7 +232,7 @@ std::string decision_figure(const Findings& findings, std::size_t cell,
     add_row(*row.timeline, end_s, budget.columns, top, bars);
     labels += "<text y=\"" + fixed_text(scale * (top + 0.5 * kBar) + 4.0, 1) + "\"" +
               (row.missed ? " class=\"missed\"" : "") + ">" +
-              escaped(base::shortened(row.label, 12)) + "</text>";
+              escaped(output::shortened(row.label, 12)) + "</text>";
     top += kRow;
   }
   const std::string height = fixed_text(scale * top, 1);

@@ -134,7 +134,7 @@ std::string robots(const View& view, const world::World& world) {
             escaped(robot.id) + "</title></path>";
     if (world.robots.size() > 1 && world.robots.size() <= kNamedRobots) {
       text += "<text x=\"" + whole(at.x) + "\" y=\"" + whole(at.y - 110.0) + "\">" +
-              escaped(base::shortened(robot.id, 14)) + "</text>";
+              escaped(output::shortened(robot.id, 14)) + "</text>";
     }
   }
   return text;

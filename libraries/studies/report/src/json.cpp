@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "elsie/base/utf8.h"
+#include "elsie/output/clean_text.h"
 #include "elsie/report/report.h"
 
 #include "words.h"
@@ -57,7 +57,7 @@ Json json_of(const Findings& findings, std::size_t place) {
   const CellFindings& cell = findings.cells[place];
   Json levels = Json::object();
   for (std::size_t i = 0; i < results.factors.size(); ++i) {
-    levels[base::clean(results.factors[i].name)] = base::clean(results.cells[place].levels[i]);
+    levels[output::clean(results.factors[i].name)] = output::clean(results.cells[place].levels[i]);
   }
   Json measures = Json::object();
   for (std::size_t i = 0; i < findings.measures.size(); ++i) {
@@ -69,17 +69,17 @@ Json json_of(const Findings& findings, std::size_t place) {
       of_all["fences"] = json_of(found.fences);
       of_all["successes"] = json_of(found.successes);
     }
-    measures[base::clean(results.measures[findings.measures[i]].name)] = std::move(of_all);
+    measures[output::clean(results.measures[findings.measures[i]].name)] = std::move(of_all);
   }
   Json outliers = Json::array();
   for (const Outlier& outlier : cell.outliers) {
     const Run& run = results.runs[outlier.run];
     outliers.push_back({{"run", run.id},
                         {"seed", run.seed},
-                        {"measure", base::clean(results.measures[outlier.measure].name)},
+                        {"measure", output::clean(results.measures[outlier.measure].name)},
                         {"value", outlier.value}});
   }
-  return {{"label", base::clean(results.cells[place].label)},
+  return {{"label", output::clean(results.cells[place].label)},
           {"levels", std::move(levels)},
           {"ended", cell.ended},
           {"goals", cell.goals},
@@ -94,17 +94,18 @@ Json json_of(const Findings& findings, std::size_t place) {
 Json json_of(const Findings& findings, const Verdict& verdict) {
   Json claims = Json::array();
   for (const Claim& claim : verdict.claims) {
-    claims.push_back({{"cell", base::clean(findings.results.cells[claim.cell].label)},
+    claims.push_back({{"cell", output::clean(findings.results.cells[claim.cell].label)},
                       {"met", claim.holds},
                       {"value", or_null(claim.value)},
                       {"interval", json_of(claim.interval)},
-                      {"sentence", base::clean(claim.sentence)}});
+                      {"sentence", output::clean(claim.sentence)}});
   }
-  return {{"name", base::clean(verdict.name)},
-          {"met", verdict.met()},
-          {"expected", base::clean(verdict.expected)},
-          {"trouble", verdict.trouble.empty() ? Json(nullptr) : Json(base::clean(verdict.trouble))},
-          {"cells", std::move(claims)}};
+  return {
+      {"name", output::clean(verdict.name)},
+      {"met", verdict.met()},
+      {"expected", output::clean(verdict.expected)},
+      {"trouble", verdict.trouble.empty() ? Json(nullptr) : Json(output::clean(verdict.trouble))},
+      {"cells", std::move(claims)}};
 }
 
 }  // namespace
@@ -114,9 +115,9 @@ std::string json_report(const Findings& findings) {
   Json measures = Json::array();
   for (const std::size_t place : findings.measures) {
     const Measure& measure = results.measures[place];
-    measures.push_back({{"name", base::clean(measure.name)},
-                        {"unit", base::clean(measure.unit)},
-                        {"meaning", base::clean(measure.meaning)}});
+    measures.push_back({{"name", output::clean(measure.name)},
+                        {"unit", output::clean(measure.unit)},
+                        {"meaning", output::clean(measure.meaning)}});
   }
   Json cells = Json::array();
   for (std::size_t i = 0; i < findings.cells.size(); ++i) {
@@ -132,10 +133,10 @@ std::string json_report(const Findings& findings) {
       continue;
     }
     failures.push_back({{"run", run.id},
-                        {"cell", base::clean(results.cells[run.cell].label)},
+                        {"cell", output::clean(results.cells[run.cell].label)},
                         {"seed", run.seed},
                         {"state", to_string(run.state)},
-                        {"told", base::clean(ending_in_words(run))}});
+                        {"told", output::clean(ending_in_words(run))}});
   }
   Json disagreements = Json::array();
   for (const Disagreement& disagreement : findings.disagreements) {
@@ -149,17 +150,17 @@ std::string json_report(const Findings& findings) {
   for (const Run& run : results.runs) {
     if (run.solver_gave_up.value_or(0) > 0) {
       give_ups.push_back({{"run", run.id},
-                          {"cell", base::clean(results.cells[run.cell].label)},
+                          {"cell", output::clean(results.cells[run.cell].label)},
                           {"seed", run.seed},
                           {"gave_up_steps", *run.solver_gave_up},
                           {"unsolved_steps", run.solver_unsolved.value_or(0)}});
     }
   }
-  const Json all = {{"experiment", base::clean(results.experiment)},
-                    {"description", base::clean(results.description)},
-                    {"file", base::clean(results.file)},
-                    {"fingerprint", base::clean(results.fingerprint)},
-                    {"shard", base::clean(results.shard)},
+  const Json all = {{"experiment", output::clean(results.experiment)},
+                    {"description", output::clean(results.description)},
+                    {"file", output::clean(results.file)},
+                    {"fingerprint", output::clean(results.fingerprint)},
+                    {"shard", output::clean(results.shard)},
                     {"good", findings.good()},
                     {"runs", findings.runs()},
                     {"broken", findings.broken()},

@@ -4,8 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/base/text_table.h"
 #include "elsie/base/utf8.h"
+#include "elsie/output/clean_text.h"
+#include "elsie/process/text_table.h"
 #include "elsie/report/report.h"
 
 #include "numbers.h"
@@ -37,11 +38,11 @@ std::string table(const std::vector<const Column*>& columns) {
       rows[row].push_back((*column)[row]);
     }
   }
-  return base::laid_out(rows, 1, kGap);
+  return process::laid_out(rows, 1, kGap);
 }
 
 std::string shown_name(const std::string& name) {
-  return base::shortened(base::one_line(name), 60);
+  return output::shortened(output::one_line(name), 60);
 }
 
 Column labels(const Findings& findings) {
@@ -169,14 +170,14 @@ std::string expectations(const Findings& findings) {
   }
   std::string text = "\nExpectations\n";
   for (const Verdict& verdict : findings.verdicts) {
-    text += (verdict.met() ? "  met      " : "  NOT MET  ") + base::one_line(verdict.name) +
-            (verdict.expected.empty() ? "" : ": " + base::one_line(verdict.expected)) + '\n';
+    text += (verdict.met() ? "  met      " : "  NOT MET  ") + output::one_line(verdict.name) +
+            (verdict.expected.empty() ? "" : ": " + output::one_line(verdict.expected)) + '\n';
     if (!verdict.trouble.empty()) {
-      text += "           " + base::one_line(verdict.trouble) + '\n';
+      text += "           " + output::one_line(verdict.trouble) + '\n';
     }
     for (const Claim& claim : verdict.claims) {
       if (!claim.holds) {
-        text += "           " + base::one_line(claim.sentence) + '\n';
+        text += "           " + output::one_line(claim.sentence) + '\n';
       }
     }
   }
@@ -190,9 +191,9 @@ std::string troubles(const Findings& findings, const std::string& database) {
     if (!run.broken() || ++listed > kMostRuns) {
       continue;
     }
-    text += "  " + base::one_line(name_of(findings.results, run)) + ": " +
-            base::one_line(ending_in_words(run)) + "\n    " +
-            base::one_line(replay_command(database, run.id)) + '\n';
+    text += "  " + output::one_line(name_of(findings.results, run)) + ": " +
+            output::one_line(ending_in_words(run)) + "\n    " +
+            output::one_line(replay_command(database, run.id)) + '\n';
   }
   if (listed > kMostRuns) {
     text += "  and " + counted(listed - kMostRuns, "more", "more") + '\n';
@@ -204,7 +205,7 @@ std::string troubles(const Findings& findings, const std::string& database) {
     text += "\nEqual seeds, different runs\n";
   }
   for (const Disagreement& disagreement : findings.disagreements) {
-    text += "  " + base::one_line(in_words(findings.results, disagreement)) + '\n';
+    text += "  " + output::one_line(in_words(findings.results, disagreement)) + '\n';
   }
   return text;
 }
@@ -213,11 +214,11 @@ std::string troubles(const Findings& findings, const std::string& database) {
 
 std::string terminal_report(const Findings& findings, const std::string& database,
                             std::size_t width) {
-  std::string text = base::one_line(findings.results.experiment);
+  std::string text = output::one_line(findings.results.experiment);
   if (!findings.results.description.empty()) {
-    text += ": " + base::one_line(findings.results.description);
+    text += ": " + output::one_line(findings.results.description);
   }
-  text += '\n' + base::one_line(size_in_words(findings));
+  text += '\n' + output::one_line(size_in_words(findings));
   if (findings.broken() > 0) {
     text += "; " + std::to_string(findings.broken()) + " did not end by " +
             (findings.broken() == 1 ? "itself" : "themselves");
@@ -231,10 +232,10 @@ std::string terminal_report(const Findings& findings, const std::string& databas
   }
   text += legend(findings);
   if (const std::string note = one_run_in_words(findings); !note.empty()) {
-    text += '\n' + base::one_line(note) + '\n';
+    text += '\n' + output::one_line(note) + '\n';
   }
   if (const std::string note = give_ups_in_words(findings); !note.empty()) {
-    text += '\n' + base::one_line(note) + '\n';
+    text += '\n' + output::one_line(note) + '\n';
   }
   return text + expectations(findings) + troubles(findings, database);
 }

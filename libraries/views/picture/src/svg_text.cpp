@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "elsie/base/utf8.h"
+#include "elsie/output/clean_text.h"
 #include "elsie/world/escaped.h"
 
 namespace elsie::picture {
@@ -81,7 +81,7 @@ Ink SvgTexts::add(const std::string& text, const Vector2& at, double drop, const
                number(2.0 * style.halo) + "\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
   }
   const std::size_t index = elements_.size();
-  elements_.push_back(element + ">" + world::escaped(base::clean(text)) + "</text>");
+  elements_.push_back(element + ">" + world::escaped(output::clean(text)) + "</text>");
   const auto part = [&](unsigned shift) {
     return static_cast<double>((index >> shift) & 0xffU) / 255.0;
   };

@@ -4,6 +4,7 @@
 
 #include "elsie/base/number_text.h"
 #include "elsie/base/utf8.h"
+#include "elsie/output/clean_text.h"
 
 namespace elsie::picture {
 namespace {
@@ -19,11 +20,11 @@ std::string clean_text(std::string_view text, std::size_t max_characters) {
   std::string result;
   std::size_t characters = 0;
   while (!text.empty()) {
-    if (characters == max_characters) return result.append(base::kEllipsis);
+    if (characters == max_characters) return result.append(output::kEllipsis);
     const base::Character next = base::character_at(text, 0);
     const std::size_t bytes = next.bytes == 0 ? 1 : next.bytes;
     if (next.bytes == 0) {
-      result.append(base::kReplacement);
+      result.append(output::kReplacement);
     } else if (is_control(next.code)) {
       result.push_back(' ');
     } else {

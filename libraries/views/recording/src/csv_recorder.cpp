@@ -10,8 +10,8 @@
 
 #include "elsie/output/csv_line.h"
 #include "elsie/output/record_file.h"
-#include "elsie/simulation/sampling.h"
 #include "elsie/simulation/simulation.h"
+#include "elsie/traces/sampling.h"
 
 namespace elsie::recording {
 namespace {
@@ -47,7 +47,7 @@ class CsvRecorder::Impl {
   }
 
   void start(const simulation::Simulation& simulation) {
-    every_ = simulation::steps_in(1.0 / rate_hz_, simulation.world().physics.step);
+    every_ = traces::steps_in(1.0 / rate_hz_, simulation.world().physics.step);
     lay_out(simulation);
     std::string all = kBodyColumns;
     for (const std::string& name : reading_columns_) {

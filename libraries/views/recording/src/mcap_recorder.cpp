@@ -11,8 +11,8 @@
 #include "elsie/base/emergency.h"
 #include "elsie/base/number_text.h"
 #include "elsie/mcap/writer.h"
-#include "elsie/simulation/sampling.h"
 #include "elsie/simulation/simulation.h"
+#include "elsie/traces/sampling.h"
 #include "elsie/traces/trace_rows.h"
 #include "elsie/world/writer.h"
 
@@ -49,7 +49,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
 
   void start(const Simulation& simulation) {
     const world::Physics& physics = simulation.world().physics;
-    every_ = simulation::steps_in(1.0 / options_.rate_hz, physics.step);
+    every_ = traces::steps_in(1.0 / options_.rate_hz, physics.step);
     control_steps_ = static_cast<std::uint64_t>(physics.control_steps);
     write_head(simulation);
     out_.set_last_words(

@@ -1,13 +1,13 @@
 #include "elsie/traces/tracks.h"
 
-#include "elsie/simulation/sampling.h"
 #include "elsie/simulation/simulation.h"
+#include "elsie/traces/sampling.h"
 
 namespace elsie::traces {
 
 void TrackRecorder::started(const simulation::Simulation& simulation) {
   const double step = simulation.world().physics.step;
-  every_ = simulation::steps_in(asked_period_s_, step);
+  every_ = traces::steps_in(asked_period_s_, step);
   period_s_ = static_cast<double>(every_) * step;
   tracks_.assign(simulation.robots(), {});
   collisions_.assign(simulation.robots(), 0);

@@ -4,11 +4,26 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "elsie/api/declaration.h"
 
 namespace elsie::plugin {
+
+/// The parameter or element of this name in a declaration's list, or null.
+template <class Declared>
+const Declared* find_declared(const std::vector<Declared>& list, std::string_view name) {
+  for (const Declared& declared : list) {
+    if (declared.name == name) {
+      return &declared;
+    }
+  }
+  return nullptr;
+}
+
+/// Gives a behaviour that may hold others none, so that its parameters can be tried out.
+void hold_nothing(const Declaration& declaration, Component& object);
 
 /// The shortest text that reads back as the same value.
 std::string format_value(const ParameterValue& value);

@@ -57,7 +57,4 @@ class Attributes {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The text that reads back as the same value.
-std::string text_of(const ParameterValue& value);
-
 }  // namespace elsie::world

@@ -6,8 +6,8 @@
 
 namespace elsie::world {
 
-/// Text for between two tags: & < > and " are replaced. Characters that XML does not allow stay;
-/// see base::clean().
+/// Text for between two tags: & < > and " are replaced. Characters that XML does not allow
+/// stay.
 std::string escaped(std::string_view text);
 
 /// Text for an attribute in double quotes: escaped(), also with tabs and line ends replaced, which

@@ -50,6 +50,8 @@ Element parse_markup(std::string_view text, const std::string& file,
 /// `speed="5" of <roam>`
 std::string in_words(const Attribute& attribute, const Element& element);
 
+/// `<roam speed="5"`, without its end.
+std::string start_tag(const Element& element);
 /// The element as text on one line that parse_markup() reads as the same element.
 std::string markup_of(const Element& element);
 

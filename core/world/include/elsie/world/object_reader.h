@@ -11,43 +11,18 @@
 
 namespace elsie::world {
 
-/// Walks the tree and the vocabulary in parallel. Unknown elements and attributes, values that are
-/// not allowed and missing ones become problems; their members keep the defaults.
-class ObjectReader {
- public:
-  explicit ObjectReader(Problems& problems) : problems_(problems) {}
-  virtual ~ObjectReader() = default;
-  ObjectReader(const ObjectReader&) = delete;
-  ObjectReader& operator=(const ObjectReader&) = delete;
-
-  /// Returns whether the attributes of the element, and of the elements that describe the object
-  /// further, have no mistakes.
-  bool read_object(const ElementSpec& spec, const Element& element, void* object);
-
- protected:
-  // For readers of vocabularies in which plugins are used.
-  virtual bool read_use(const ElementSpec& spec, const Element& element, void* object);
-  // Called before and after the object of a child is read.
-  virtual void begin(const Element&) {}
-  virtual void end(const ElementSpec&, const Element&, bool /*sound*/) {}
-  // Called for an attribute that names something that must exist elsewhere.
-  virtual void mention(const AttributeSpec&, const Attribute&, const Element&) {}
-
-  bool read_child(const ElementSpec& spec, const Element& element, void* parent);
-  bool read_attribute(const ElementSpec& spec, const Element& element, const Attribute& attribute,
-                      void* object);
-  bool has_required(const std::vector<Field>& fields, const Element& element);
-  void refuse_text(const Element& element);
-  void refuse_attribute(const Element& element, const Attribute& attribute,
-                        const std::vector<std::string>& names);
-  Problems& problems() { return problems_; }
-
- private:
-  bool read_children(const ElementSpec& spec, const Element& element, void* object);
-  const ElementSpec* spec_of(const ElementSpec& parent, const Element& child);
-
-  Problems& problems_;
+/// An element with mistakes in its attributes, or in the elements that describe its object further:
+/// the object has defaults instead.
+struct Flawed {
+  const ElementSpec* spec;
+  Location where;
 };
+
+/// Reads an element without plugins. Unknown elements and attributes, values that are not allowed
+/// and missing ones become problems; their members keep the defaults. Returns the elements with
+/// mistakes, those inside of others first.
+std::vector<Flawed> read_object(const ElementSpec& spec, const Element& root, void* object,
+                                Problems& problems);
 
 /// Adds a problem and raises all of them when the root element is not `name` in this format: a file
 /// of another format has another vocabulary. `hints` has a sentence for other root elements.

@@ -108,6 +108,8 @@ struct ElementSpec {
 
   const AttributeSpec* attribute(const std::string& attribute_name) const;
   const ElementSpec* child(const std::string& child_name) const;
+  /// Its children or, of a behaviour, those of the coordination that it may hold.
+  const std::vector<ElementSpec>& below() const;
   /// The parts of an object with the elements that describe them, in the order of the file:
   /// elements of several kinds may describe the objects of one list.
   std::vector<std::pair<Part, const ElementSpec*>> parts_of(const void* object) const;

@@ -5,15 +5,18 @@
 #include <string_view>
 #include <utility>
 
-#include "elsie/base/csv.h"
 #include "elsie/base/number_text.h"
 
 namespace elsie::output {
 
+/// The text as one cell (RFC 4180). It is quoted when it holds a comma, a quote, an end of line, or
+/// '#', which some readers take for the start of a comment.
+std::string csv_cell(std::string_view text);
+
 /// Builds one line after the other. Numbers are the same in every locale.
 class CsvLine {
  public:
-  void text(std::string_view value) { cells(base::csv_cell(value)); }
+  void text(std::string_view value) { cells(csv_cell(value)); }
   /// The shortest text that reads as this number, bit for bit.
   void number(double value) { cells(base::NumberText(value).view()); }
   void empty() { separate(); }

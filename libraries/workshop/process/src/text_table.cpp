@@ -1,10 +1,10 @@
-#include "elsie/base/text_table.h"
+#include "elsie/process/text_table.h"
 
 #include <algorithm>
 
 #include "elsie/base/utf8.h"
 
-namespace elsie::base {
+namespace elsie::process {
 
 std::string laid_out(const std::vector<std::vector<std::string>>& rows, std::size_t text_columns,
                      std::size_t gap) {
@@ -12,14 +12,14 @@ std::string laid_out(const std::vector<std::vector<std::string>>& rows, std::siz
   for (const auto& cells : rows) {
     widths.resize(std::max(widths.size(), cells.size()), 0);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      widths[i] = std::max(widths[i], characters(cells[i]));
+      widths[i] = std::max(widths[i], base::characters(cells[i]));
     }
   }
   std::string text;
   for (const auto& cells : rows) {
     std::string line;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const std::string padding(widths[i] - characters(cells[i]), ' ');
+      const std::string padding(widths[i] - base::characters(cells[i]), ' ');
       line += std::string(i > 0 ? gap : 0, ' ');
       line += i < text_columns ? cells[i] + padding : padding + cells[i];
     }
@@ -29,4 +29,4 @@ std::string laid_out(const std::vector<std::vector<std::string>>& rows, std::siz
   return text;
 }
 
-}  // namespace elsie::base
+}  // namespace elsie::process

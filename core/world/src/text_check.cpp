@@ -1,13 +1,17 @@
-#include "tags.h"
+#include "text_check.h"
 
 #include <algorithm>
 #include <vector>
 
+#include "elsie/base/utf8.h"
 #include "elsie/world/error.h"
 
 namespace elsie::world {
 
 namespace {
+
+constexpr std::size_t kDeepest = 50;          // levels: all later steps use recursion
+constexpr std::size_t kMostAttributes = 500;  // of an element: each is compared with the rest
 
 bool is_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -20,6 +24,7 @@ class Scanner {
       : text_(text), file_(file), kind_(kind) {}
 
   void check() {
+    check_characters();
     while (at_ < text_.size()) {
       if (text_[at_] != '<') {
         check_entity();
@@ -66,6 +71,24 @@ class Scanner {
     throw WorldError({{file_, line_of(place), message}});
   }
   [[noreturn]] void fail(const std::string& message) const { fail(message, at_); }
+
+  void check_characters() const {
+    if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")) {
+      throw WorldError({{file_, 0, "this file is in UTF-16; save it as UTF-8"}});
+    }
+    if (const std::size_t zero = text_.find('\0'); zero != std::string_view::npos) {
+      fail("this is not an XML file: it holds a zero byte", zero);
+    }
+    if (const std::size_t bad = base::first_invalid(text_); bad < text_.size()) {
+      fail("this is not UTF-8 text; save the file as UTF-8", bad);
+    }
+    for (std::size_t i = 0; i < text_.size(); ++i) {
+      const auto c = static_cast<unsigned char>(text_[i]);
+      if (c < 0x20 && c != '\t' && c != '\n' && c != '\r') {
+        fail("this is not an XML file: it holds the control character " + std::to_string(c), i);
+      }
+    }
+  }
 
   void skip_past(std::string_view end, const std::string& what) {
     const std::size_t found = text_.find(end, at_);
@@ -229,7 +252,7 @@ class Scanner {
 
 }  // namespace
 
-void check_tags(std::string_view text, const std::string& file, const std::string& kind) {
+void check_text(std::string_view text, const std::string& file, const std::string& kind) {
   Scanner(text, file, kind).check();
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace elsie::base {
+namespace elsie::process {
 
 /// Lays rows of cells out in columns that are `gap` blanks apart. The first `text_columns` are
 /// aligned left, the others, numbers, right. Rows may have different lengths. Width counts
@@ -13,4 +13,4 @@ namespace elsie::base {
 std::string laid_out(const std::vector<std::vector<std::string>>& rows, std::size_t text_columns,
                      std::size_t gap = 2);
 
-}  // namespace elsie::base
+}  // namespace elsie::process

@@ -1,6 +1,6 @@
-#include "elsie/base/csv.h"
+#include "elsie/output/csv_line.h"
 
-namespace elsie::base {
+namespace elsie::output {
 
 std::string csv_cell(std::string_view text) {
   if (text.find_first_of(",\"\n\r#") == std::string_view::npos) {
@@ -16,4 +16,4 @@ std::string csv_cell(std::string_view text) {
   return cell + '"';
 }
 
-}  // namespace elsie::base
+}  // namespace elsie::output

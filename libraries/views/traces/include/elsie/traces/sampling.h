@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace elsie::simulation {
+namespace elsie::traces {
 
 /// The number of steps nearest to a period, at least one. Periods of any length are fine.
 inline std::uint64_t steps_in(double period_s, double step_s) {
@@ -13,4 +13,4 @@ inline std::uint64_t steps_in(double period_s, double step_s) {
   return static_cast<std::uint64_t>(std::clamp(std::round(period_s / step_s), 1.0, kForever));
 }
 
-}  // namespace elsie::simulation
+}  // namespace elsie::traces

@@ -1,0 +1,52 @@
+// A world that was read from a tree, with what its checks need.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "elsie/world/object_reader.h"
+
+namespace elsie::plugin {
+class Host;
+}
+
+namespace elsie::world {
+
+class Files;
+
+/// An attribute that names a thing that must exist.
+struct Mention {
+  Reference kind = Reference::none;
+  std::string id;
+  Location where;
+  std::string in_words;  // `team="red" of <robot>`
+};
+
+struct Reading {
+  World world;
+  std::vector<Mention> mentions;
+  /// Later checks must not judge the objects of these elements.
+  std::vector<Flawed> flawed;
+  /// Robots, by their places in World::robots, with a template or a plugin that could not be found.
+  std::set<std::size_t> incomplete_robots;
+
+  bool sound(const Location& where) const {
+    return std::none_of(flawed.begin(), flawed.end(), [&](const Flawed& each) {
+      return !each.spec->plugins && each.where.file == where.file && each.where.line == where.line;
+    });
+  }
+  bool sound_with_segments(const Robot& robot) const {
+    return sound(robot.location) &&
+           std::all_of(robot.segments.begin(), robot.segments.end(),
+                       [&](const Segment& segment) { return sound(segment.location); });
+  }
+};
+
+/// `check_plugins`: ReadOptions::check_plugins.
+Reading read_tree(const Element& root, const plugin::Host& host, const Files& files,
+                  bool check_plugins, Problems& problems);
+
+}  // namespace elsie::world

@@ -1,0 +1,17 @@
+// What is wrong with the text of an XML file. tinyxml2 builds the tree, but says little about a
+// text that it refuses, and lets some mistakes pass.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace elsie::world {
+
+/// Throws WorldError for the first mistake: bytes that are not UTF-8, control characters, a
+/// document type declaration, an entity other than XML's five and character references, markup that
+/// is cut off, attributes that are not separated, not quoted, given twice or more than 500,
+/// elements that are not closed by their own tags or nested deeper than 50 levels, more than one
+/// root element, or none. `kind` is the root element that the file should have.
+void check_text(std::string_view text, const std::string& file, const std::string& kind);
+
+}  // namespace elsie::world
