@@ -135,7 +135,7 @@ std::string json_report(const Findings& findings) {
                         {"cell", base::clean(results.cells[run.cell].label)},
                         {"seed", run.seed},
                         {"state", to_string(run.state)},
-                        {"told", base::clean(ending_in_words(run))}});
+                        {"ending", base::clean(ending_in_words(run))}});
   }
   Json disagreements = Json::array();
   for (const Disagreement& disagreement : findings.disagreements) {

@@ -143,7 +143,7 @@ class Judge {
       others += (others.empty() ? "" : ", and ") + counted(pending, "run is", "runs are") +
                 " still to be done";
     }
-    return (others.empty() ? "no run has " : "no run that ended by itself has ") + what +
+    return (others.empty() ? "no run has " : "no run that ended normally has ") + what +
            base::did_you_mean(name, names) + (others.empty() ? "" : "; " + others);
   }
 
@@ -265,7 +265,7 @@ class Judge {
     return std::to_string(hits) + " of " + std::to_string(values.size());
   }
 
-  // Reservations about the values of a cell: "; 2 runs did not end by themselves".
+  // Reservations about the values of a cell: "; 2 runs ended abnormally".
   std::string reservations(std::size_t cell) const {
     if (findings_.cells[cell].one_run) {
       return ", all the same run";
@@ -277,8 +277,7 @@ class Judge {
     if (broken == 0 || expectation_.runs == Runs::successes) {
       return "";
     }
-    return "; " + counted(broken, "run") + " did not end by " +
-           (broken == 1 ? "itself" : "themselves");
+    return "; " + counted(broken, "run") + " ended abnormally";
   }
 
   std::string interval_in_words(const std::optional<Interval>& interval) const {
@@ -294,7 +293,7 @@ class Judge {
 
   std::string unknown(std::size_t cell, const std::vector<double>& values) const {
     const std::string who =
-        expectation_.runs == Runs::successes ? "successful run" : "run that ended by itself";
+        expectation_.runs == Runs::successes ? "successful run" : "run that ended normally";
     return (values.empty() ? "no " : "only one ") + who + " of " + label(cell) + " has a value";
   }
 
