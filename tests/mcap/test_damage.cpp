@@ -111,7 +111,7 @@ TEST_CASE("Any byte that is changed is found, or changes nothing that is read") 
   }
 }
 
-TEST_CASE("Damage is told of with the kind of record and its place") {
+TEST_CASE("Damage is reported with the kind of record and its place") {
   McapFile file;
   write_small(file.path, 2, {.compression = mcap::Compression::none});
   std::string bytes = file.bytes();

@@ -332,15 +332,15 @@ TEST_CASE("Segments are stopped by walls and boxes, and push what can be pushed"
   CHECK(parked.segment(1).pose.y > 0.01);
 }
 
-TEST_CASE("A train that curls up is stopped by itself, and nobody is told") {
+TEST_CASE("A train that curls up is stopped by its own segments, which is no touch") {
   PhysicsContext context;
   std::vector<world::Segment> segments(9);
   Train curling = train(context, segments);
   curling.drive(4, 14);
-  bool told = false;
+  bool touched = false;
   double nearest = 1.0;
   context.run(30.0, [&] {
-    told = told || !context.engine->touches().empty();
+    touched = touched || !context.engine->touches().empty();
     for (std::size_t i = 0; i < 9; ++i) {
       if (i > 0) nearest = std::min(nearest, distance(context.pose(0), curling.segment(i).pose));
       for (std::size_t k = i + 2; k < 9; ++k) {
@@ -348,7 +348,7 @@ TEST_CASE("A train that curls up is stopped by itself, and nobody is told") {
       }
     }
   });
-  CHECK_FALSE(told);
+  CHECK_FALSE(touched);
   CHECK(nearest > 0.0595);  // they are 0.06 m wide
   CHECK(nearest < 0.13);
 }

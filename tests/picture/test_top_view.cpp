@@ -121,7 +121,7 @@ TEST_CASE(
   CHECK(image.at(scene.place(3, 3)).reddish());
 }
 
-TEST_CASE("Robots of one team are told apart by their tints") {
+TEST_CASE("Robots of one team differ by their tints") {
   Scene scene;
   std::vector<Pixel> tints;
   for (int i = 0; i < 10; ++i) {

@@ -1,4 +1,4 @@
-// A bad file in the path never stops a run, and is told of with what is wrong and what to do.
+// A bad file in the path never stops a run, and is reported with what is wrong and what to do.
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -66,7 +66,7 @@ TEST_CASE("A library that cannot be used is refused with a sentence, and not lef
   }
 }
 
-TEST_CASE("The ABI word of a refused library is told too") {
+TEST_CASE("The ABI word of a refused library is reported too") {
   CHECK_THAT(verdict("other_abi").abi_word, Contains("containers=debug"));
 }
 

@@ -202,7 +202,7 @@ TEST_CASE("One library must not declare a plugin twice") {
   CHECK(faults[0] == "behavior 'plain' is declared twice");
 }
 
-TEST_CASE("All faults are told at once") {
+TEST_CASE("All faults are reported at once") {
   Declaration declaration = behavior();
   declaration.version = "";
   declaration.events[0].name = "Stuck";

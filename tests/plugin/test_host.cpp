@@ -98,7 +98,7 @@ TEST_CASE("A search path may name one library, and then no other of its folder i
   CHECK(host.report().directories[0].problem.empty());
 }
 
-TEST_CASE("Directories that cannot be searched are told with the reason") {
+TEST_CASE("Directories that cannot be searched are reported with the reason") {
   Folder folder;
   folder.with("good");
   write(folder / "notes.txt", std::string_view("no folder"));

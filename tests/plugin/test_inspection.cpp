@@ -94,7 +94,7 @@ TEST_CASE("A library whose end is zeros, as after a power cut, is found out") {
   CHECK_THAT(inspect_bytes(bytes).sentence, Contains("end was never written"));
 }
 
-TEST_CASE("Libraries for other kinds of processor are told apart") {
+TEST_CASE("Libraries for other kinds of processor are recognised") {
   const Bytes good = bytes_of(fixture("good"));
   Bytes foreign = good;
   const bool is_x86 = header_of(good).e_machine == EM_X86_64;

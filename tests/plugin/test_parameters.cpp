@@ -151,7 +151,7 @@ TEST_CASE("What is given is set, the rest keeps its default, and the object is c
   CHECK(untouched.times_configured == 1);
 }
 
-TEST_CASE("All wrong parameters are told at once, and nothing is set then") {
+TEST_CASE("All wrong parameters are reported at once, and nothing is set then") {
   Walker object;
   CHECK_THROWS_MATCHES(
       apply_parameters(walker(), object, {{"gain", 3.0}, {"speed", 51.0}, {"moed", true}}),
@@ -168,7 +168,7 @@ TEST_CASE("What configured() throws is passed on with the plugin's name") {
                        Message("behavior 'walker': speed must not be above twice the gain"));
 }
 
-TEST_CASE("What a parameter takes is told in words") {
+TEST_CASE("What a parameter takes is described in words") {
   const Declaration declaration = walker();
   CHECK(allowed_values(named(declaration, "speed")) == "a number at least 0 and at most 50 rad/s");
   CHECK(allowed_values(named(declaration, "factor")) == "a number");

@@ -234,7 +234,7 @@ TEST_CASE("The cache keeps the newest libraries of a source, and nothing that no
   CHECK(fs::exists(cache / "strange/x.so"));
 }
 
-TEST_CASE("What cannot be compiled is told in a sentence") {
+TEST_CASE("What cannot be compiled is reported in a sentence") {
   Folder here, cache;
   CHECK(refusal("notes.txt", cache.path()) ==
         "'notes.txt' is no C++ source: its name should end in .cpp, .cc or .cxx");

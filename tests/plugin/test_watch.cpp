@@ -287,7 +287,7 @@ TEST_CASE("Of a source whose library is refused the old one goes on, not another
 
 TEST_CASE("What was not taken is not lost; a watch ends a compiler that is at work") {
   Folder here, cache, others;
-  // A compiler that says when it has read all, and never comes to an end if it is told so.
+  // A compiler that says when it has read all, and on request never ends.
   const std::string done = (here / "done").string(), endless = (here / "endless").string();
   write_text(here / "compiler",
              "#!/bin/sh\nc++ \"$@\"; result=$?\n"

@@ -56,7 +56,7 @@ TEST_CASE("Bad input ends with exit code 2, a sentence, and nothing on standard 
   expect("check ''", "'': the name of a file is missing");
   expect("run worlds/maze.xml --record ''", "must end in .csv");
   expect("run worlds/maze.xml --record-rate 5", "--record");
-  expect("describe world --json", "not to be had as JSON");
+  expect("describe world --json", "--json is for plugins");
   expect("run worlds/maze.xml --set physics/@step=1e-300", "1e-300");
   expect("run worlds/maze.xml --plugin-path nowhere", "'nowhere' is not a directory");
   expect("chek worlds/maze.xml", "there is no subcommand 'chek'; did you mean 'check'?");

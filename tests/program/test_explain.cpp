@@ -132,7 +132,7 @@ TEST_CASE("A long list of episodes is condensed to as many lines as wanted, or s
   const auto few = here.elsie("explain turns.mcap --episodes 5");
   CHECK(few.exit_code == 0);
   CHECK(lines(few.out) < 15);
-  CHECK_THAT(few.out, Catch::Contains("who decided: 599 changes, 600 episodes told in 1 "));
+  CHECK_THAT(few.out, Catch::Contains("who decided: 599 changes, 600 episodes shown as 1 "));
   CHECK_THAT(few.out, Catch::Contains("a 50.0 %, b 50.0 %, 599 changes"));
   const auto all = here.elsie("explain turns.mcap --all");
   CHECK(lines(all.out) > 600);

@@ -105,7 +105,7 @@ TEST_CASE("A replay can be limited whatever the result of the run was; most are 
              "step = 51, outcome = NULL");
   const auto unlimited = here.elsie("replay faulty.sqlite 1 --quiet --wall-limit 0");
   CHECK(unlimited.exit_code == 1);
-  CHECK_THAT(unlimited.out, Contains("not the same: it ended by itself"));
+  CHECK_THAT(unlimited.out, Contains("not the same: it ended normally"));
 }
 
 TEST_CASE("A run that crashes again as before says so; the report and the exit code stay") {

@@ -86,7 +86,7 @@ TEST_CASE("When every run crashed, an expectation says so") {
         "seed 1)");
   CHECK(findings.verdicts[1].trouble.empty());
   CHECK(findings.verdicts[1].claims[0].sentence ==
-        "success rate of a is 0 (0 of 3; 3 runs did not end by themselves), expected at least 1");
+        "success rate of a is 0 (0 of 3; 3 runs ended abnormally), expected at least 1");
 }
 
 TEST_CASE("Runs that ended badly in several ways are counted by these") {
@@ -101,16 +101,16 @@ TEST_CASE("Runs that ended badly in several ways are counted by these") {
     return Made(experiment, edge_questions()).findings().verdicts[0].trouble;
   };
   CHECK(trouble() ==
-        "no run has a measure 'path_length_m': all 5 runs did not end by themselves (3 crashed, 2 "
+        "no run has a measure 'path_length_m': all 5 runs ended abnormally (3 crashed, 2 "
         "hung), the first of them run 1 (a, seed 1)");
   experiment.cells[1].runs[1].state = "pending";
   CHECK(trouble() ==
-        "no run has a measure 'path_length_m': 4 of 5 runs did not end by themselves (2 crashed, 2 "
+        "no run has a measure 'path_length_m': 4 of 5 runs ended abnormally (2 crashed, 2 "
         "hung), the first of them run 1 (a, seed 1), and 1 is still to be done");
   experiment.cells[1].runs[1].state = "done";
   CHECK(trouble() ==
-        "no run that ended by itself has a measure 'path_length_m'; 4 of 5 runs did not end by "
-        "themselves (2 crashed, 2 hung), the first of them run 1 (a, seed 1)");
+        "no run that ended normally has a measure 'path_length_m'; 4 of 5 runs ended abnormally "
+        "(2 crashed, 2 hung), the first of them run 1 (a, seed 1)");
   experiment.cells = {experiment.cells[0]};
   experiment.cells[0].runs = {experiment.cells[0].runs[0]};
   CHECK(trouble() == "no run has a measure 'path_length_m': the only run hung: run 1 (a, seed 1)");
@@ -135,7 +135,7 @@ TEST_CASE("A page of runs that are pending, or crashed, claims no more than is k
                                  "100\xc2\xa0%"));
     } else if (edge.name == "all crashed") {
       const std::string plain = Made(edge.experiment).html();
-      CHECK_THAT(plain, Contains("<span>No run ended by itself</span></h2>"));
+      CHECK_THAT(plain, Contains("<span>No run ended normally</span></h2>"));
     } else if (edge.name == "one run") {
       CHECK_THAT(html, !Contains("id=\"distributions\"") && Contains("id=\"comparison\""));
     }

@@ -59,7 +59,7 @@ TEST_CASE("A run that crashed counts as not successful, and is mentioned") {
   const Verdict verdict = judged(made_up, success_at_least(0.95));
   CHECK_FALSE(verdict.met());
   CHECK(verdict.claims[0].sentence ==
-        "success rate of fusion is 0.9 (18 of 20; 1 run did not end by itself), expected at least "
+        "success rate of fusion is 0.9 (18 of 20; 1 run ended abnormally), expected at least "
         "0.95");
 }
 
@@ -85,13 +85,13 @@ TEST_CASE("A run that crashed has no other value: nothing is met by crashes") {
     const Verdict verdict = judged(made_up, expectation);
     CHECK_FALSE(verdict.met());
     CHECK(verdict.claims[0].sentence ==
-          "rate of collisions of a is 0.33333 (1 of 3; 1 run did not end by itself), expected at "
+          "rate of collisions of a is 0.33333 (1 of 3; 1 run ended abnormally), expected at "
           "most 0");
   }
   SECTION("all but one crashed") {
     for (std::size_t i = 1; i < 4; ++i) crash(runs[i]);
     CHECK(judged(made_up, expectation).claims[0].found ==
-          "rate of collisions of a is 0 (0 of 1; 3 runs did not end by themselves)");
+          "rate of collisions of a is 0 (0 of 1; 3 runs ended abnormally)");
   }
   SECTION("all of them crashed") {
     for (auto& run : runs) crash(run);
@@ -99,7 +99,7 @@ TEST_CASE("A run that crashed has no other value: nothing is met by crashes") {
     CHECK_FALSE(verdict.met());
     REQUIRE(verdict.claims.size() == 1);
     CHECK(verdict.claims[0].sentence ==
-          "rate of collisions of a is not known: no run that ended by itself of a has a value; "
+          "rate of collisions of a is not known: no run that ended normally of a has a value; "
           "expected at most 0");
     expectation.measure = "success";
     expectation.per = "time_s";

@@ -27,7 +27,7 @@ TEST_CASE("A cell's measures are summed up over its runs") {
   CHECK(findings.good());
 }
 
-TEST_CASE("Runs that did not end by themselves are no success and have no values") {
+TEST_CASE("Runs that ended abnormally are no success and have no values") {
   MadeExperiment made_up = made_from({{1, 2, 3, 4}});
   elsie::test::MadeRun& crash = made_up.cells[0].runs[3];
   crash.state = "crash";

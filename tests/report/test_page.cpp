@@ -299,11 +299,11 @@ TEST_CASE("The page is green when all is well, not only what was expected") {
     run.measures.clear();
   };
   CHECK(answer(true) == "good: What was expected came true");
-  CHECK(answer(false) == "good: Every run ended by itself");
+  CHECK(answer(false) == "good: Every run ended normally");
   SECTION("a run crashed") {
     crash(runs[0]);
-    CHECK(answer(true) == "bad: What was expected came true, but 1 run did not end by itself");
-    CHECK(answer(false) == "bad: Not all runs ended by themselves");
+    CHECK(answer(true) == "bad: What was expected came true, but 1 run ended abnormally");
+    CHECK(answer(false) == "bad: Not all runs ended normally");
   }
   SECTION("runs crashed, and one is still to be done in a cell that nothing is expected of") {
     crash(runs[0]);
@@ -312,7 +312,7 @@ TEST_CASE("The page is green when all is well, not only what was expected") {
     made_up.cells[1].runs[2].measures.clear();
     expectation.where = {{"scheme", {"a"}}};
     CHECK(answer(true) ==
-          "bad: What was expected came true, but 2 runs did not end by themselves and 1 is still "
+          "bad: What was expected came true, but 2 runs ended abnormally and 1 is still "
           "to be done");
     CHECK(answer(false) == "bad: Not all runs are done");
   }

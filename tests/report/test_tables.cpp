@@ -113,13 +113,13 @@ TEST_CASE("JUnit: a test case for each expectation and one for the runs") {
   CHECK_THAT(xml,
              Contains("<failure message=\"mean path_length_m of a is 2 m (3 runs), expected at "
                       "most 1.5 m (and 1 more)\" type=\"expectation\">"));
-  CHECK_THAT(xml, Contains("name=\"every run ended by itself\" time=\"0\"/>"));
+  CHECK_THAT(xml, Contains("name=\"every run ended normally\" time=\"0\"/>"));
   const std::string schema =
       "--schema '" + elsie::test::source_path("tests/report/junit.xsd") + "'";
   CHECK(xmllint(xml, schema).empty());
 }
 
-TEST_CASE("JUnit: runs that crashed, and those still to be done, are a failure") {
+TEST_CASE("JUnit and JSON: runs that crashed, and those still to be done, are a failure") {
   MadeExperiment made_up = made_from({{1, 2, 3}});
   made_up.cells[0].runs[0].state = "crash";
   made_up.cells[0].runs[0].signal = "SIGSEGV";
@@ -127,8 +127,10 @@ TEST_CASE("JUnit: runs that crashed, and those still to be done, are a failure")
   made_up.cells[0].runs[0].measures.clear();
   made_up.cells[0].runs[1].state = "pending";
   made_up.cells[0].runs[1].measures.clear();
+  CHECK_THAT(json_report(Made(made_up).findings()),
+             Contains("\"ending\": \"crash by SIGSEGV in plugin 'wander'\""));
   const std::string xml = junit_report(Made(made_up).findings(), "my results.db");
-  CHECK_THAT(xml, Contains("1 of 3 runs did not end by itself; 1 of 3 runs is still to be done"));
+  CHECK_THAT(xml, Contains("1 of 3 runs ended abnormally; 1 of 3 runs is still to be done"));
   CHECK_THAT(xml, Contains("run 1 (a, seed 1): crash by SIGSEGV in plugin 'wander'; elsie "
                            "replay 'my results.db' 1"));
 }
@@ -150,13 +152,13 @@ TEST_CASE("Runs that are in no database, or all equal, are reported in every for
 
 TEST_CASE("JUnit: a check of every experiment is distinct from an expectation of the same name") {
   elsie::experiment::Expectation expectation;
-  expectation.name = "every run ended by itself";
+  expectation.name = "every run ended normally";
   expectation.measure = "path_length_m";
   expectation.at_most = 10.0;
   const std::string xml =
       junit_report(Made(made_from({{1, 2}}), expecting(expectation)).findings(), "x.sqlite");
-  CHECK_THAT(xml, Contains("classname=\"made up\" name=\"every run ended by itself\"") &&
-                      Contains("classname=\"made up (runs)\" name=\"every run ended by itself\""));
+  CHECK_THAT(xml, Contains("classname=\"made up\" name=\"every run ended normally\"") &&
+                      Contains("classname=\"made up (runs)\" name=\"every run ended normally\""));
 }
 
 TEST_CASE("The message of a run is not repeated") {
@@ -227,21 +229,21 @@ TEST_CASE("The terminal shows cells, measures, what was expected, what went wron
       terminal_report(Made(made_up, expecting(expectation)).findings(), "results.db");
   CHECK(text ==
         "made up\n"
-        "6 runs: 2 cells, 3 seeds; 1 did not end by itself\n"
+        "6 runs: 2 cells, 3 seeds; 1 ended abnormally\n"
         "\n"
         "cell   success   failed         path_length_m\n"
         "a          3/3        0   29.50 +- 0.10\n"
         "b          2/3        1   65.50 +- 0.71 (n 2)\n"
         "\n"
-        "mean +- standard deviation over the runs of a cell that ended by themselves\n"
+        "mean +- standard deviation over the runs of a cell that ended normally\n"
         "(n 2): over 2 runs, as the others of the cell have no value\n"
         "\n"
         "Expectations\n"
         "  NOT MET  short: mean path_length_m: at most 40 m\n"
-        "           mean path_length_m of b is 65.5 m (2 runs; 1 run did not end by itself), "
+        "           mean path_length_m of b is 65.5 m (2 runs; 1 run ended abnormally), "
         "expected at most 40 m\n"
         "\n"
-        "Runs that did not end by themselves\n"
+        "Runs that ended abnormally\n"
         "  run 4 (b, seed 1): hang: It did not end within 600 s.\n"
         "    elsie replay results.db 4\n");
 }

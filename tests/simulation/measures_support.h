@@ -62,7 +62,7 @@ inline world::PluginUse measure(const std::string& plugin, Parameters parameters
   return use;
 }
 
-/// A robot that drives as it is told, in a world with measures.
+/// A robot that drives as commanded, in a world with measures.
 struct Run {
   explicit Run(Script script = {},
                std::vector<world::PluginUse> measures = {measure("scripted_measure")})

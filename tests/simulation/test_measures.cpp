@@ -166,7 +166,7 @@ TEST_CASE("A run is the same with measures and without") {
   }
 }
 
-TEST_CASE("What a measure has to say is told without a robot") {
+TEST_CASE("What a measure says is reported without a robot") {
   Run run;
   const RunResult result = run.run();
   REQUIRE(result.notes.size() == 1);
@@ -175,14 +175,14 @@ TEST_CASE("What a measure has to say is told without a robot") {
   CHECK(result.notes[0].text == "It watches.");
 }
 
-TEST_CASE("What a measure is told cannot be changed while the world runs") {
+TEST_CASE("Parameters of a measure cannot be changed while the world runs") {
   Run run({}, {measure("path_length", {{"robot", "r1"}})});
   Simulation simulation(run.world, run.scripted.host);
   CHECK_THROWS_WITH(simulation.change("measure[path_length]/@robot", "r2"),
                     Catch::Contains("'robot' of <path_length> is settled before a run"));
 }
 
-TEST_CASE("Measures stay when plugins are replaced, and the user is told") {
+TEST_CASE("Measures stay when plugins are replaced, which is reported") {
   Run run;
   Simulation simulation(run.world, run.scripted.host);
   simulation.step();

@@ -85,7 +85,7 @@ TEST_CASE("A robot that gets out of the arena ends the run") {
                  Contains("likely cause: "));
 }
 
-TEST_CASE("Steps in which the solver gave up are counted, and told") {
+TEST_CASE("Steps in which the solver gave up are counted and reported") {
   const std::string boxes = "<obstacles><dynamic_box x='-0.3' y='0' mass='0.01'/></obstacles>";
   const std::string two =
       "<robots><robot id='r1'><behaviors><wander speed='20'/></behaviors><coordinator>"

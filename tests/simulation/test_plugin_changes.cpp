@@ -33,7 +33,7 @@ std::pair<double, double> spread(Simulation& simulation, int steps) {
   return {mean, std::sqrt(std::max(0.0, squares / steps - mean * mean))};
 }
 
-/// Counts its steps, and what it is told of its parameters.
+/// Counts its steps, and the calls of configured() and equipped().
 class Counting final : public Behavior {
  public:
   double low = 1.0;

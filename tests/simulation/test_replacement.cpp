@@ -177,7 +177,7 @@ TEST_CASE("Parameters stay as the world sets them and as they were changed since
   CHECK(simulation.robot(1).command.left == Approx(0.04));
 }
 
-TEST_CASE("A parameter that is gone is left out and told, a new one has its default") {
+TEST_CASE("A parameter that is gone is left out and reported, a new one has its default") {
   Stage stage(behavior("numbered", 1.0, {{"gain", 2.0}, {"stale", 1.0}}));
   Simulation& simulation = stage.start();
   simulation.change("robot[r1]/behavior[numbered]/@gain", "5");

@@ -50,13 +50,13 @@ class Shelf {
   Versions folder_;
 };
 
-struct Told {
+struct History {
   std::uint64_t hash = 0;
   std::vector<std::string> events;  // but for those of the replacement itself
-  bool operator==(const Told&) const = default;
+  bool operator==(const History&) const = default;
 };
 
-Told run(const std::string& file, const std::vector<std::string>& overrides, bool replaces) {
+History run(const std::string& file, const std::vector<std::string>& overrides, bool replaces) {
   const Shelf shelf;
   auto host = std::make_unique<plugin::Host>(shelf.host());
   world::ReadOptions options;
@@ -77,20 +77,21 @@ Told run(const std::string& file, const std::vector<std::string>& overrides, boo
     }
     simulation.step();
   }
-  Told told;
-  told.hash = simulation.state_hash();
+  History history;
+  history.hash = simulation.state_hash();
   for (const auto& event : simulation.events()) {
     if (event.name() != "replaced") {
-      told.events.push_back(event.name() + " " + event.robot + " " + std::to_string(event.time_s));
+      history.events.push_back(event.name() + " " + event.robot + " " +
+                               std::to_string(event.time_s));
     }
   }
-  return told;
+  return history;
 }
 
 void check(const std::string& file, const std::vector<std::string>& overrides = {}) {
   CAPTURE(file, overrides);
-  const Told undisturbed = run(file, overrides, false);
-  const Told replaced = run(file, overrides, true);
+  const History undisturbed = run(file, overrides, false);
+  const History replaced = run(file, overrides, true);
   CHECK(replaced.hash == undisturbed.hash);
   CHECK(replaced.events == undisturbed.events);
 }

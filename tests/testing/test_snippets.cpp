@@ -78,7 +78,7 @@ TEST_CASE("Members on the page") {
   CHECK(team.asked("seek") == 0);
 }
 
-TEST_CASE("A coordinator that asks further hears what its members are told to say") {
+TEST_CASE("A coordinator that asks further gets the answers given to its members") {
   const auto likes_to_turn_left = [](const elsie::MotorCommand& command) {
     return command.right > command.left ? 1.0 : 0.2;
   };

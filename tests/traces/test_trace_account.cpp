@@ -49,7 +49,7 @@ TEST_CASE("A priority is what it was at first, and what the user made of it in t
                   {6, "changed", "robot[r1]/behavior[aa]/@priority=7"},
                   {7, "changed", "robot[r1]/sensor[a]/@priority=7"},
                   {8, "changed", "robot[r1]/behavior[a]/@priority=0"}};
-  const auto told = [&](std::size_t member, double from_s, double to_s) {
+  const auto priorities_of = [&](std::size_t member, double from_s, double to_s) {
     std::vector<std::pair<double, double>> list;
     for (const auto& from : traces::priorities(robot, robot.members[member], {from_s, to_s})) {
       list.emplace_back(from.time_s, from.priority);
@@ -57,18 +57,18 @@ TEST_CASE("A priority is what it was at first, and what the user made of it in t
     return list;
   };
   using List = std::vector<std::pair<double, double>>;
-  CHECK(told(0, 0, 10) == List{{0, 2}, {6, -1000}, {8, 0}});
-  CHECK(told(0, 1, 7) == List{{1, 2}, {6, -1000}});
-  CHECK(told(0, 8, 9) == List{{8, 0}});
-  CHECK(told(1, 0, 10) == List{{0, 1}});
-  CHECK(told(2, 0, 10) == List{{0, 0.75}, {4, 0.5}});
+  CHECK(priorities_of(0, 0, 10) == List{{0, 2}, {6, -1000}, {8, 0}});
+  CHECK(priorities_of(0, 1, 7) == List{{1, 2}, {6, -1000}});
+  CHECK(priorities_of(0, 8, 9) == List{{8, 0}});
+  CHECK(priorities_of(1, 0, 10) == List{{0, 1}});
+  CHECK(priorities_of(2, 0, 10) == List{{0, 0.75}, {4, 0.5}});
 }
 
 TEST_CASE("Who has the largest share decides; means are over time") {
   const Trace trace = trace_of(two(), 10);
-  const RobotAccount told = account(trace.robots[0], within({}, trace));
-  const auto& a = told.members[0];
-  const auto& b = told.members[1];
+  const RobotAccount found = account(trace.robots[0], within({}, trace));
+  const auto& a = found.members[0];
+  const auto& b = found.members[1];
   CHECK(a.decided_s == Approx(9));
   CHECK(a.periods == 2);
   CHECK(a.longest_s == Approx(5));
@@ -82,16 +82,16 @@ TEST_CASE("Who has the largest share decides; means are over time") {
   CHECK(a.activation == Approx(1));
   CHECK(b.decided_s == Approx(1));
   CHECK(b.periods == 1);
-  REQUIRE(told.coordinators.size() == 1);
-  CHECK(told.coordinators[0].coordinator == "outer");
-  CHECK(told.coordinators[0].switches == 2);
-  CHECK(told.coordinators[0].asked_s == Approx(10));
+  REQUIRE(found.coordinators.size() == 1);
+  CHECK(found.coordinators[0].coordinator == "outer");
+  CHECK(found.coordinators[0].switches == 2);
+  CHECK(found.coordinators[0].asked_s == Approx(10));
 }
 
 TEST_CASE("Episodes follow each other without gaps, each with share, weight and reason") {
   const Trace trace = trace_of(two(), 10);
-  const RobotAccount told = account(trace.robots[0], within({}, trace));
-  const auto& episodes = told.coordinators[0].episodes;
+  const RobotAccount found = account(trace.robots[0], within({}, trace));
+  const auto& episodes = found.coordinators[0].episodes;
   REQUIRE(episodes.size() == 3);
   CHECK(episodes[0].from_s == 0);
   CHECK(episodes[1].from_s == episodes[0].to_s);
@@ -111,8 +111,8 @@ TEST_CASE("An episode tells why it began, and the reason of its longest stretch"
   note(robot, 0, 5, 0.0);
   note(robot, 1, 5, 1.0).reason = 1;
   const Trace trace = trace_of(robot, 10);
-  const RobotAccount told = account(trace.robots[0], within({}, trace));
-  const auto& episodes = told.coordinators[0].episodes;
+  const RobotAccount found = account(trace.robots[0], within({}, trace));
+  const auto& episodes = found.coordinators[0].episodes;
   REQUIRE(episodes.size() == 2);
   CHECK(episodes[0].parts.at(0).first_reason == 1);
   CHECK(episodes[0].parts[0].reason == 2);
@@ -129,11 +129,11 @@ TEST_CASE("A span takes a part of the run; it begins with the first decision at 
   CHECK(within({}, trace).from_s == 1);
   CHECK(within({}, trace).to_s == 10);
   const auto span = within({4.5, 6}, trace);
-  const RobotAccount told = account(trace.robots[0], span);
-  CHECK(told.members[0].decided_s == Approx(1));
-  CHECK(told.members[1].decided_s == Approx(0.5));
-  CHECK(told.coordinators[0].episodes.front().from_s == 4.5);
-  CHECK(told.coordinators[0].episodes.back().to_s == 6);
+  const RobotAccount found = account(trace.robots[0], span);
+  CHECK(found.members[0].decided_s == Approx(1));
+  CHECK(found.members[1].decided_s == Approx(0.5));
+  CHECK(found.coordinators[0].episodes.front().from_s == 4.5);
+  CHECK(found.coordinators[0].episodes.back().to_s == 6);
   const auto nothing = within({20, 30}, trace);
   CHECK(nothing.from_s == nothing.to_s);
   CHECK(account(trace.robots[0], nothing).coordinators[0].episodes.empty());
@@ -148,11 +148,11 @@ TEST_CASE("Equal shares are decided together, no share by nobody") {
     }
   }
   const Trace trace = trace_of(std::move(robot), 4);
-  const RobotAccount told = account(trace.robots[0], within({}, trace));
-  CHECK(told.coordinators[0].together_s == Approx(1));
-  CHECK(told.coordinators[0].nobody_s == Approx(2));
-  CHECK(told.members[2].decided_s == Approx(1));
-  const auto& episodes = told.coordinators[0].episodes;
+  const RobotAccount found = account(trace.robots[0], within({}, trace));
+  CHECK(found.coordinators[0].together_s == Approx(1));
+  CHECK(found.coordinators[0].nobody_s == Approx(2));
+  CHECK(found.members[2].decided_s == Approx(1));
+  const auto& episodes = found.coordinators[0].episodes;
   REQUIRE(episodes.size() == 3);
   CHECK(episodes[0].parts[0].decider == traces::kTogether);
   CHECK(episodes[1].parts[0].decider == traces::kNobody);
@@ -170,9 +170,9 @@ TEST_CASE(
   note(robot, 2, 6, 0.8);
   note(robot, 3, 6, 0.2);
   const Trace trace = trace_of(std::move(robot), 10);
-  const RobotAccount told = account(trace.robots[0], within({}, trace));
-  REQUIRE(told.coordinators.size() == 2);
-  const auto& inner = told.coordinators[1];
+  const RobotAccount found = account(trace.robots[0], within({}, trace));
+  REQUIRE(found.coordinators.size() == 2);
+  const auto& inner = found.coordinators[1];
   CHECK(inner.parent == 1);
   CHECK(inner.coordinator == "inner");
   CHECK(inner.asked_s == Approx(4));
@@ -180,10 +180,10 @@ TEST_CASE(
   REQUIRE(inner.episodes.size() == 2);
   CHECK(inner.episodes[0].parts[0].decider == traces::kIdle);
   CHECK(inner.episodes[1].parts[0].decider == 2);
-  CHECK(told.members[2].share == Approx(0.8));
-  CHECK(told.members[2].robot_share == Approx(0.8 * 0.5 * 0.4));
-  CHECK(told.members[1].robot_share == Approx(0.5 * 0.4));
-  CHECK(told.members[2].decided_s == Approx(4));
+  CHECK(found.members[2].share == Approx(0.8));
+  CHECK(found.members[2].robot_share == Approx(0.8 * 0.5 * 0.4));
+  CHECK(found.members[1].robot_share == Approx(0.5 * 0.4));
+  CHECK(found.members[2].decided_s == Approx(4));
 }
 
 TEST_CASE("Who silenced whom is counted and timed") {
@@ -197,8 +197,8 @@ TEST_CASE("Who silenced whom is counted and timed") {
   note(robot, 2, 7, 0.0).inhibited_by = 0;
   note(robot, 1, 8, 0.0);  // changes nothing about the third
   const Trace trace = trace_of(std::move(robot), 9);
-  const auto told = account(trace.robots[0], within({}, trace));
-  const auto& inhibited = told.members[2].inhibited;
+  const auto found = account(trace.robots[0], within({}, trace));
+  const auto& inhibited = found.members[2].inhibited;
   REQUIRE(inhibited.size() == 2);
   CHECK(inhibited[0].by == 0);  // both 4 s: the one that came first
   CHECK(inhibited[0].times == 3);
@@ -206,7 +206,7 @@ TEST_CASE("Who silenced whom is counted and timed") {
   CHECK(inhibited[1].by == 1);
   CHECK(inhibited[1].times == 1);
   CHECK(inhibited[1].time_s == Approx(4));
-  CHECK(told.members[0].inhibited.empty());
+  CHECK(found.members[0].inhibited.empty());
 }
 
 TEST_CASE("A walk sees every moment in which nothing changes, in order and without gaps") {
@@ -223,33 +223,33 @@ TEST_CASE("A walk sees every moment in which nothing changes, in order and witho
   CHECK(last == 8);
 }
 
-TEST_CASE("Episodes that are few enough are told as they are") {
+TEST_CASE("Episodes that are few enough are shown as they are") {
   const std::vector<Episode> all{episode(0, 5, 0), episode(5, 5.01, 1), episode(5.01, 9, 0)};
   CHECK(condensed(all, 3).size() == 3);
   CHECK(condensed({}, 5).empty());
 }
 
 TEST_CASE("A short episode between two of one decider is joined with both") {
-  const std::vector<Episode> told =
+  const std::vector<Episode> shown =
       condensed({episode(0, 5, 0), episode(5, 5.5, 1), episode(5.5, 9, 0), episode(9, 20, 1)}, 2);
-  REQUIRE(told.size() == 2);
-  CHECK(told[0].from_s == 0);
-  CHECK(told[0].to_s == 9);
-  CHECK(told[0].switches == 2);
-  REQUIRE(told[0].parts.size() == 2);
-  CHECK(told[0].parts[0].decider == 0);
-  CHECK(told[0].parts[0].time_s == Approx(8.5));
-  CHECK(told[0].parts[1].time_s == Approx(0.5));
-  CHECK(told[1].parts.size() == 1);
+  REQUIRE(shown.size() == 2);
+  CHECK(shown[0].from_s == 0);
+  CHECK(shown[0].to_s == 9);
+  CHECK(shown[0].switches == 2);
+  REQUIRE(shown[0].parts.size() == 2);
+  CHECK(shown[0].parts[0].decider == 0);
+  CHECK(shown[0].parts[0].time_s == Approx(8.5));
+  CHECK(shown[0].parts[1].time_s == Approx(0.5));
+  CHECK(shown[1].parts.size() == 1);
 }
 
 TEST_CASE("A short episode between two deciders goes to the longer one") {
-  const auto told = condensed({episode(0, 5, 0), episode(5, 5.1, 2), episode(5.1, 20, 1)}, 2);
-  REQUIRE(told.size() == 2);
-  CHECK(told[0].to_s == 5);
-  CHECK(told[0].parts.size() == 1);
-  CHECK(told[1].parts[0].decider == 1);
-  CHECK(told[1].parts[1].decider == 2);
+  const auto shown = condensed({episode(0, 5, 0), episode(5, 5.1, 2), episode(5.1, 20, 1)}, 2);
+  REQUIRE(shown.size() == 2);
+  CHECK(shown[0].to_s == 5);
+  CHECK(shown[0].parts.size() == 1);
+  CHECK(shown[1].parts[0].decider == 1);
+  CHECK(shown[1].parts[1].decider == 2);
   const auto other = condensed({episode(0, 15, 0), episode(15, 15.1, 2), episode(15.1, 20, 1)}, 2);
   REQUIRE(other.size() == 2);
   CHECK(other[0].to_s == 15.1);
@@ -261,18 +261,18 @@ TEST_CASE("Quick turns become one episode of several deciders; long ones beside 
     all.push_back(episode(20 + 0.1 * i, 20 + 0.1 * (i + 1), i % 2 == 0 ? 1 : 0));
   }
   all.push_back(episode(26, 40, 1));
-  const auto told = condensed(all, 5);
-  REQUIRE(told.size() == 3);
-  CHECK(told[0].parts.size() == 1);
-  CHECK(told[1].from_s == 20);
-  CHECK(told[1].to_s == Approx(26));
-  CHECK(told[1].switches == 59);
-  CHECK(told[1].parts.size() == 2);
-  CHECK(told[1].parts[0].time_s == Approx(3));
-  CHECK(told[2].parts.size() == 1);
+  const auto shown = condensed(all, 5);
+  REQUIRE(shown.size() == 3);
+  CHECK(shown[0].parts.size() == 1);
+  CHECK(shown[1].from_s == 20);
+  CHECK(shown[1].to_s == Approx(26));
+  CHECK(shown[1].switches == 59);
+  CHECK(shown[1].parts.size() == 2);
+  CHECK(shown[1].parts[0].time_s == Approx(3));
+  CHECK(shown[2].parts.size() == 1);
 }
 
-TEST_CASE("However wild a run was, it is told in as many episodes as wanted, and no time is lost") {
+TEST_CASE("However wild a run was, few enough episodes are shown, and no time is lost") {
   Random random(3, "episodes");
   for (int run = 0; run < 200; ++run) {
     std::vector<Episode> all;
@@ -290,22 +290,22 @@ TEST_CASE("However wild a run was, it is told in as many episodes as wanted, and
       now += length;
     }
     const auto most = static_cast<std::size_t>(random.uniform(1, 30));
-    const auto told = condensed(all, most);
-    REQUIRE_FALSE(told.empty());
-    CHECK(told.size() <= most);
-    CHECK(told.front().from_s == 0);
-    CHECK(told.back().to_s == now);
+    const auto shown = condensed(all, most);
+    REQUIRE_FALSE(shown.empty());
+    CHECK(shown.size() <= most);
+    CHECK(shown.front().from_s == 0);
+    CHECK(shown.back().to_s == now);
     int switches = 0;
-    for (std::size_t i = 0; i < told.size(); ++i) {
-      switches += told[i].switches;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      switches += shown[i].switches;
       double parts = 0.0;
-      for (const auto& part : told[i].parts) {
+      for (const auto& part : shown[i].parts) {
         parts += part.time_s;
-        CHECK(part.time_s <= told[i].parts[0].time_s);
+        CHECK(part.time_s <= shown[i].parts[0].time_s);
       }
-      CHECK(parts == Approx(told[i].length_s()));
-      CHECK((i == 0 || told[i].from_s == told[i - 1].to_s));
+      CHECK(parts == Approx(shown[i].length_s()));
+      CHECK((i == 0 || shown[i].from_s == shown[i - 1].to_s));
     }
-    CHECK(switches + static_cast<int>(told.size()) == count);
+    CHECK(switches + static_cast<int>(shown.size()) == count);
   }
 }

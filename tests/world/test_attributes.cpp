@@ -171,7 +171,7 @@ TEST_CASE("Only attributes of robots, and of what is on them, are live") {
   CHECK(live == 10);
 }
 
-TEST_CASE("A path that leads nowhere is told as in an override") {
+TEST_CASE("A path that leads nowhere is reported as in an override") {
   const Found found;
   const auto wrong = [&](const std::string& path) -> std::string {
     try {

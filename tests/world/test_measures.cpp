@@ -67,7 +67,7 @@ TEST_CASE("Paths lead to measures and to what is in them") {
              Contains("there is no measure[hom]; there are: way, hits, home, way_2"));
 }
 
-TEST_CASE("What a measure is told is settled before a run") {
+TEST_CASE("Parameters of a measure are fixed before a run") {
   const world::World w = read(kMeasures);
   const world::Attributes attributes(w, host(), {});
   for (const char* path : {"measure[home]/@from_s", "measure[home]/gate[1]/@x"}) {

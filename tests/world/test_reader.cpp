@@ -122,7 +122,7 @@ TEST_CASE("A team without a colour gets one of a hue that nothing else in the wo
   CHECK(apart_deg(hue_deg(*taken.teams[2].colour), hue_deg({0xb8, 0x30, 0xd0})) > 30);
 }
 
-TEST_CASE("Ten teams without colours can be told apart by their hues, and from all else") {
+TEST_CASE("Ten teams without colours differ in their hues, and from all else") {
   std::string teams;
   for (int i = 0; i < 10; ++i) {
     teams += "<team id='t" + std::to_string(i) + "'/>";

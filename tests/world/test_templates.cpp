@@ -113,7 +113,7 @@ TEST_CASE("Another coordinator replaces the template's") {
   CHECK(w.robots[0].coordinator->parameters.empty());
 }
 
-TEST_CASE("Sensors without ids are told apart by their default ids, also after one was removed") {
+TEST_CASE("Sensors without ids differ by their default ids, also after one was removed") {
   const Files files{{"robots/ring.xml",
                      "<robot_template format='1'><sensors><beam yaw_deg='1'/><beam yaw_deg='2'/>"
                      "<beam yaw_deg='3'/></sensors></robot_template>"}};

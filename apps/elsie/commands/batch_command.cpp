@@ -38,7 +38,7 @@ Examples:
   elsie batch experiments/top_speed.xml --shard 2/5 --database part2.sqlite
   elsie batch experiments/top_speed.xml --cluster slurm --shards 100 --sbatch=--partition=short
 
-Exit codes: 0 all runs ended by themselves, 2 bad input (nothing was begun), 3 a plugin failed in
+Exit codes: 0 all runs ended normally, 2 bad input (nothing was begun), 3 a plugin failed in
 some run, 4 interrupted, or an error.
 )";
 

@@ -227,8 +227,8 @@ std::string episodes(const Trace& trace, const TraceRobot& robot,
   }
   title += ": " + base::counted(coordinator.switches, "change");
   if (shown.size() < coordinator.episodes.size()) {
-    title += ", " + std::to_string(coordinator.episodes.size()) + " episodes told in " +
-             std::to_string(shown.size()) + " (--all tells them all)";
+    title += ", " + std::to_string(coordinator.episodes.size()) + " episodes shown as " +
+             std::to_string(shown.size()) + " (--all shows each)";
   }
   std::vector<std::vector<std::string>> rows;
   for (const Episode& episode : shown) {

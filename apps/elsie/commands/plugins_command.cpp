@@ -289,9 +289,8 @@ int plugins(const PluginsOptions& options) {
 int describe(const DescribeOptions& options) {
   if (options.name == "world" || options.name == "experiment") {
     if (options.json) {
-      throw BadInput("the vocabulary of " + options.name +
-                     " files is not to be had as JSON; `elsie schema " + options.name +
-                     "` prints its schema");
+      throw BadInput("--json is for plugins and events, but '" + options.name +
+                     "' is a kind of file; `elsie schema " + options.name + "` prints its schema");
     }
     out() << (options.name == "world" ? reference::world_reference()
                                       : experiment::experiment_reference());

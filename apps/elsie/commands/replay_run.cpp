@@ -98,7 +98,7 @@ bool compare(const StoredRun& run, const RunResult& result, const RestoredRun& r
       out() << (&line == &different.front() ? kNot : "              ") << line << '\n';
     }
   } else {
-    out() << kNot << "it ended by itself, " << hash << '\n';
+    out() << kNot << "it ended normally, " << hash << '\n';
   }
   if (!restored.differences().empty()) {
     out() << "the differences from the original run, listed above, may be the reason\n";

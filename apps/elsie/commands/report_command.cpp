@@ -46,7 +46,7 @@ Examples:
   elsie report beams.sqlite --html beams.html
   elsie report beams.sqlite --csv runs.csv --junit results.xml --quiet
 
-Exit codes: 0 everything is as expected; 1 an expectation is not met, a run did not end by itself or
+Exit codes: 0 everything is as expected; 1 an expectation is not met, a run ended abnormally or
 is still to be done, or equal seeds gave different runs; 2 bad input; 4 anything else: a full disk.
 )";
 

@@ -136,7 +136,7 @@ std::string json_report(const Findings& findings) {
                         {"cell", output::clean(results.cells[run.cell].label)},
                         {"seed", run.seed},
                         {"state", to_string(run.state)},
-                        {"told", output::clean(ending_in_words(run))}});
+                        {"ending", output::clean(ending_in_words(run))}});
   }
   Json disagreements = Json::array();
   for (const Disagreement& disagreement : findings.disagreements) {

@@ -38,7 +38,7 @@ TestCase case_of(const Verdict& verdict) {
 }
 
 TestCase every_run_ended(const Findings& findings, const std::string& database) {
-  TestCase test{"every run ended by itself", "", "", "run"};
+  TestCase test{"every run ended normally", "", "", "run"};
   for (const Run& run : findings.results.runs) {
     if (!run.broken()) {
       continue;
@@ -48,7 +48,7 @@ TestCase every_run_ended(const Findings& findings, const std::string& database) 
   }
   if (findings.broken() > 0) {
     test.failure = std::to_string(findings.broken()) + " of " + counted(findings.runs(), "run") +
-                   " did not end by " + (findings.broken() == 1 ? "itself" : "themselves");
+                   " ended abnormally";
   }
   if (findings.pending() > 0) {
     test.failure += (test.failure.empty() ? "" : "; ") + std::to_string(findings.pending()) +

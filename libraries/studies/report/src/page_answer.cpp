@@ -53,7 +53,7 @@ std::string tiles(const Findings& findings) {
                findings.cells.size() == 1 ? "cell" : "cells");
   text += tile(std::to_string(seeds.size()), "", seeds.size() == 1 ? "seed" : "seeds");
   if (findings.broken() > 0) {
-    text += tile(std::to_string(findings.broken()), "", "did not end by themselves");
+    text += tile(std::to_string(findings.broken()), "", "ended abnormally");
   }
   if (findings.pending() > 0) {
     text += tile(std::to_string(findings.pending()), "", "still to be done");
@@ -66,13 +66,12 @@ std::string tiles(const Findings& findings) {
   return text + "</dl>\n";
 }
 
-// Reservations about an answer besides its expectations: "2 runs did not end by themselves and 1 is
+// Reservations about an answer besides its expectations: "2 runs ended abnormally and 1 is
 // still to be done"; "" for none.
 std::string reservations(const Findings& findings) {
   std::vector<std::string> parts;
   if (const std::size_t broken = findings.broken(); broken > 0) {
-    parts.push_back(counted(broken, "run") + " did not end by " +
-                    (broken == 1 ? "itself" : "themselves"));
+    parts.push_back(counted(broken, "run") + " ended abnormally");
   }
   if (const std::size_t pending = findings.pending(); pending > 0) {
     parts.push_back(
@@ -103,9 +102,9 @@ std::string headline(const Findings& findings) {
   } else if (verdicts.empty()) {
     words = findings.pending() > 0                 ? "Not all runs are done"
             : findings.partial()                   ? "Not all runs are in this database"
-            : findings.broken() == findings.runs() ? "No run ended by itself"
-            : findings.broken() > 0                ? "Not all runs ended by themselves"
-            : findings.good()                      ? "Every run ended by itself"
+            : findings.broken() == findings.runs() ? "No run ended normally"
+            : findings.broken() > 0                ? "Not all runs ended normally"
+            : findings.good()                      ? "Every run ended normally"
                                                    : "Equal seeds gave different runs";
   } else if (met == verdicts.size()) {
     words = verdicts.size() == 1 ? "What was expected came true"
@@ -169,7 +168,7 @@ std::string troubles(const PageContext& page) {
   std::string text;
   if (!rows.empty()) {
     text +=
-        "<section id=\"broken\"><h2>Runs that did not end by themselves</h2><p class=\"lead\">"
+        "<section id=\"broken\"><h2>Runs that ended abnormally</h2><p class=\"lead\">"
         "They count as not successful and have no values.</p><div class=\"scroll\">"
         "<table class=\"runs\"><thead><tr><th class=\"n\">run</th><th class=\"n\">seed</th>"
         "<th>cell</th><th>what happened</th><th>again</th></tr></thead><tbody>" +

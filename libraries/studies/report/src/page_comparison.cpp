@@ -19,11 +19,11 @@ constexpr const char* kSuccessLead =
 constexpr const char* kNoGoalsLead =
     "No world of this experiment has goals, so a run can neither succeed nor fail.";
 constexpr const char* kTableLead =
-    "Mean \xc2\xb1 standard deviation over the runs that ended by themselves; below, the "
+    "Mean \xc2\xb1 standard deviation over the runs that ended normally; below, the "
     "95\xc2\xa0% interval of the mean. n: number of runs with a value, where others "
     "have none. &gt;: stopped by the time limit, so that the time is at least this.";
 constexpr const char* kNoValues =
-    "No run that ended by itself has a value: there is nothing to compare but success.";
+    "No run that ended normally has a value: there is nothing to compare but success.";
 constexpr const char* kBoxesLead =
     "A dot is a run, a cross one without success. The box has the middle half of the runs, its "
     "line is the median; whiskers go to the farthest run within 1.5 box lengths, what has a ring "
@@ -145,7 +145,7 @@ std::string table(const PageContext& page) {
   text += head(label_head(results), "", false, "");
   text += head("success", "", true, "runs that reached their goals, of those that ended");
   if (findings.broken() > 0) {
-    text += head("failed", "", true, "runs that did not end by themselves");
+    text += head("failed", "", true, "runs that ended abnormally");
   }
   if (findings.pending() > 0) {
     text += head("to do", "", true, "runs that are still to be done");

@@ -18,7 +18,7 @@ std::vector<std::string> notes() {
   return {
       "A cell\xe2\x80\x99s sample has one run for each seed; repetitions of a seed are compared, "
       "not counted again.",
-      "Runs that did not end by themselves count as not successful; means, quartiles and boxes "
+      "Runs that ended abnormally count as not successful; means, quartiles and boxes "
       "are over the others, whether these reached their goals or not.",
       "Standard deviation: n \xe2\x88\x92 1 below the line. Quartiles: linear between order "
       "statistics (definition 7 of Hyndman and Fan, 1996).",

@@ -199,7 +199,7 @@ std::string troubles(const Findings& findings, const std::string& database) {
     text += "  and " + counted(listed - kMostRuns, "more", "more") + '\n';
   }
   if (listed > 0) {
-    text = "\nRuns that did not end by themselves\n" + text;
+    text = "\nRuns that ended abnormally\n" + text;
   }
   if (!findings.disagreements.empty()) {
     text += "\nEqual seeds, different runs\n";
@@ -220,15 +220,14 @@ std::string terminal_report(const Findings& findings, const std::string& databas
   }
   text += '\n' + output::one_line(size_in_words(findings));
   if (findings.broken() > 0) {
-    text += "; " + std::to_string(findings.broken()) + " did not end by " +
-            (findings.broken() == 1 ? "itself" : "themselves");
+    text += "; " + std::to_string(findings.broken()) + " ended abnormally";
   }
   if (findings.pending() > 0) {
     text += "; " + std::to_string(findings.pending()) + " still to be done";
   }
   text += "\n\n" + tables(findings, width);
   if (!findings.measures.empty()) {
-    text += "\nmean +- standard deviation over the runs of a cell that ended by themselves\n";
+    text += "\nmean +- standard deviation over the runs of a cell that ended normally\n";
   }
   text += legend(findings);
   if (const std::string note = one_run_in_words(findings); !note.empty()) {

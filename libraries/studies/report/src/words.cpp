@@ -208,7 +208,7 @@ std::string broken_in_words(const Findings& findings) {
   if (states.size() == 1) {
     text += std::string(" ") + verb_of(states.begin()->first);
   } else {
-    text += " did not end by themselves (";
+    text += " ended abnormally (";
     for (const auto& [state, count] : states) {
       text += (text.ends_with('(') ? "" : ", ") + std::to_string(count) + " " + verb_of(state);
     }

@@ -43,8 +43,8 @@ std::optional<int> decimals_of(const Findings& findings, std::size_t measure);
 /// SIGKILL in plugin 'x': ...". Unknown parts are left out.
 std::string ending_in_words(const Run& run);
 
-/// "all 6 runs crashed, the first of them run 1 (fusion, seed 3)", "2 of 6 runs did not end by
-/// themselves (1 crashed, 1 hung), the first of them ..."; "" if no run failed.
+/// "all 6 runs crashed, the first of them run 1 (fusion, seed 3)", "2 of 6 runs ended abnormally
+/// (1 crashed, 1 hung), the first of them ..."; "" if no run failed.
 std::string broken_in_words(const Findings& findings);
 
 /// As ending_in_words(), but without the first word.

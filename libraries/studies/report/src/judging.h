@@ -1,0 +1,85 @@
+// What the judgements of single cells and of pairs of cells share.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elsie/experiment/grid.h"
+#include "elsie/report/findings.h"
+
+namespace elsie::report {
+
+// The measures of an expectation as indices into Results::measures; kSuccess has none.
+struct Subject {
+  std::optional<std::size_t> measure, per;
+  std::string words;
+  std::string unit;  // of the statistic
+};
+
+// An expectation with the results by which it is judged.
+struct Judging {
+  const experiment::Expectation& expectation;
+  const Findings& findings;
+  const Subject& subject;
+  const Results& results = findings.results;
+
+  // Whether a value, or all values of an interval, keep the limits.
+  bool keeps(double value) const;
+  bool keeps(const std::optional<Interval>& interval) const;
+
+  // Whether it is about success, which has no meaning in a world without goals.
+  bool asks_for_success() const;
+
+  // The value of one run; none: it has none.
+  std::optional<double> value_of(const Run& run) const;
+
+  // `infinite`: values that are only known to be larger than a limit count as infinite.
+  std::vector<double> values_of(std::size_t cell, bool infinite = false) const;
+
+  // The number of values that are only lower bounds, from runs that the time limit stopped.
+  std::size_t censored(std::size_t cell) const;
+
+  // The same draws for all cells: equal values have equal intervals.
+  const std::string& stream() const { return expectation.name; }
+
+  std::string label(std::size_t cell) const { return results.cells[cell].label; }
+
+  // "at least 0.9, with 95 % confidence"
+  std::string limits() const;
+
+  // As few digits as are readable, but enough to tell the value from the limit.
+  std::string shown(double value) const;
+  std::string with_unit(double value) const;
+
+  // "19 of 20", "20 runs"
+  std::string basis(const std::vector<double>& values) const;
+
+  // Reservations about the values of a cell: "; 2 runs ended abnormally".
+  std::string reservations(std::size_t cell) const;
+
+  // "; 95 % interval from 2 to 3"; "" without a confidence.
+  std::string interval_in_words(const std::optional<Interval>& interval) const;
+
+  // Why a cell with these few values has no statistic.
+  std::string unknown(std::size_t cell, const std::vector<double>& values) const;
+
+  // Why nothing can be said of a cell whatever its values: runs that are still to be done, or a
+  // world without goals; "" if nothing is in the way.
+  std::string obstacle(std::size_t cell) const;
+
+  Claim not_known(std::size_t cell, const std::string& why) const;
+
+  // "3 runs were stopped by the time limit"
+  static std::string stopped(std::size_t runs);
+};
+
+// Judges a cell alone.
+Claim judge_cell(const Judging& judging, std::size_t cell);
+
+// Judges a cell relative to its reference.
+Claim judge_pair(const Judging& judging, std::size_t cell, std::optional<std::size_t> reference);
+
+}  // namespace elsie::report
