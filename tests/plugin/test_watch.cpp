@@ -306,6 +306,26 @@ TEST_CASE("What was not taken is not lost; a watch ends a compiler that is at wo
     }
     REQUIRE(bytes_of(here / "done").size() == count);
   };
+  // A source that is saved before the build looks at it again is compiled again at once, and what
+  // was wrong with the first text is forgotten. A build that has ended has removed its own files.
+  const auto wait_for_builds = [&](std::size_t count) {
+    wait_for_compilers(count);
+    const auto is_at_work = [&] {
+      std::error_code ignored;  // a file may vanish under the iterator
+      fs::recursive_directory_iterator at(cache.path(), ignored), end;
+      for (; !ignored && at != end; at.increment(ignored)) {
+        if (at->path().filename().string().starts_with("new.")) {
+          return true;
+        }
+      }
+      return false;
+    };
+    for (int i = 0; i < 12000 && is_at_work(); ++i) {
+      std::this_thread::sleep_for(milliseconds(10));
+    }
+    REQUIRE_FALSE(is_at_work());
+    REQUIRE(bytes_of(here / "done").size() == count);
+  };
   write_text(here / "mine.cpp", own_good("4.0"));
   others.with("twin_a", "twin.so");
   std::optional<Watch> watch;
@@ -313,11 +333,11 @@ TEST_CASE("What was not taken is not lost; a watch ends a compiler that is at wo
       std::vector<SearchDirectory>{{here / "mine.cpp", "--plugin"}, {others.path(), "given"}},
       milliseconds(20));
   write_text(here / "mine.cpp", own_good("nothing_known"));
-  wait_for_compilers(2);
+  wait_for_builds(2);
   // What comes from here on is noticed after what the compiler says was left to be taken.
   write_text(here / "mine.cpp", own_good("nothing_either"));
   write(others / "twin.so", bytes_of(fixture("twin_b")));
-  wait_for_compilers(3);
+  wait_for_builds(3);
   write_text(here / "endless", "");
   write_text(here / "mine.cpp", own_good("6.0"));
   wait_for_compilers(4);
