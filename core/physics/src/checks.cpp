@@ -1,6 +1,7 @@
 #include "checks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -14,6 +15,19 @@ void require(bool holds, const std::string& sentence) {
 namespace {
 
 bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
+
+/// Whether the box around a shape is one that fits it.
+bool is_sound(const Shape& shape) {
+  const Vector3& size = shape.size;
+  if (!is_positive(size.x) || !is_positive(size.y) || !is_positive(size.z)) return false;
+  if (shape.kind == Shape::Kind::box) return true;
+  const std::array sizes{size.x, size.y, size.z};
+  const auto axis = static_cast<std::size_t>(shape.axis);
+  const double across = sizes[(axis + 1) % 3], along = sizes[axis];
+  if (sizes[(axis + 2) % 3] != across) return false;
+  return shape.kind == Shape::Kind::cylinder || along == across ||
+         (shape.kind == Shape::Kind::capsule && along > across);
+}
 
 }  // namespace
 
@@ -37,6 +51,8 @@ void check(const world::Arena& arena, const world::Physics& physics) {
 namespace {
 
 void check(const WheelJoint& wheel, const Part& part) {
+  require(part.shape.kind == Shape::Kind::cylinder && part.shape.axis == Shape::Axis::left,
+          "A wheel must be a cylinder about the left axis of its frame.");
   const bool is_driven = wheel.torque != 0.0;
   require(
       std::isfinite(wheel.torque) && wheel.torque >= 0.0 &&
@@ -92,9 +108,9 @@ void check(const BodyPlan& plan) {
   std::size_t vehicles = 0;
   for (const Part& part : plan.parts) {
     const Vector3 &at = part.frame.origin, &size = part.shape.size;
-    require(is_positive(size.x) && is_positive(size.y) && is_positive(size.z) &&
-                std::isfinite(dot(at, at)) && (at.z > 0.0 || part.role != PartRole::wheel) &&
-                std::isfinite(part.mass) && part.mass >= 0.0,
+    require(is_sound(part.shape) && std::isfinite(dot(at, at)) &&
+                (at.z > 0.0 || part.role != PartRole::wheel) && std::isfinite(part.mass) &&
+                part.mass >= 0.0,
             "All lengths, masses and the torque of a robot's body must be positive and finite.");
     const bool is_first = part.vehicle == vehicles;
     if (is_first) ++vehicles;
@@ -106,10 +122,13 @@ void check(const BodyPlan& plan) {
       require(std::holds_alternative<HitchJoint>(part.joint) == (vehicles > 1),
               "Each vehicle but the first hangs on a joint.");
     }
+    require(is_first || !std::holds_alternative<FixedJoint>(part.joint),
+            "Only the chassis of a vehicle is fixed; its other parts are wheels and casters.");
     if (const auto* wheel = std::get_if<WheelJoint>(&part.joint)) check(*wheel, part);
     if (const auto* hitch = std::get_if<HitchJoint>(&part.joint)) check(*hitch);
-    require(!std::holds_alternative<CasterJoint>(part.joint) || is_positive(part.mass),
-            "All lengths, masses and the torque of a robot's body must be positive and finite.");
+    require(!std::holds_alternative<CasterJoint>(part.joint) ||
+                (part.shape.kind == Shape::Kind::sphere && is_positive(part.mass)),
+            "A caster must be a ball with a mass that is positive and finite.");
   }
   check_wheels(plan);
 }

@@ -22,6 +22,16 @@ Eigen::Matrix3d own_inertia(const Part& part) {
     return (m / 12.0 * (squares.sum() - squares)).matrix().asDiagonal();
   }
   const double r = part.shape.radius(), l = part.shape.length();
+  if (part.shape.kind == Shape::Kind::capsule) {
+    // A cylinder between two halves of a ball, whose middles are 3/8 r away from it.
+    const double h = l - 2.0 * r;
+    const double balls = m * 4.0 * r / (3.0 * h + 4.0 * r), between = m - balls;
+    Eigen::Vector3d capsule =
+        Eigen::Vector3d::Constant(between * (3.0 * r * r + h * h) / 12.0 +
+                                  balls * (0.4 * r * r + 0.25 * h * h + 0.375 * h * r));
+    capsule(static_cast<int>(part.shape.axis)) = (0.5 * between + 0.4 * balls) * r * r;
+    return capsule.asDiagonal();
+  }
   Eigen::Vector3d moments = Eigen::Vector3d::Constant(m * (3.0 * r * r + l * l) / 12.0);
   // Spinning wheels keep this to themselves.
   const bool spins = std::holds_alternative<WheelJoint>(part.joint);

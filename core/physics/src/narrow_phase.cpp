@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <variant>
 
 #include "prism_contact.h"
 
@@ -30,14 +31,26 @@ Span height_of(const Solid& solid) {
   return {s.center.z - up, s.center.z + up};
 }
 
-bool is_upright(const Solid& solid) { return solid.shape.axes[2].z > kUpright; }
+/// Whether it meets others that are upright in the plane. A ball always does, a capsule never.
+bool is_upright(const Solid& solid) {
+  return solid.kind != SolidKind::capsule && solid.shape.axes[2].z > kUpright;
+}
 
-Rectangle seen_from_above(const OrientedBox& box) {
+/// Whether it stands out furthest at the height of its middle.
+bool bulges(const Solid& solid) {
+  return solid.kind == SolidKind::wheel || solid.kind == SolidKind::ball;
+}
+
+std::variant<Rectangle, Disc> seen_from_above(const Solid& solid) {
+  const OrientedBox& box = solid.shape;
+  if (solid.kind == SolidKind::pillar || solid.kind == SolidKind::ball) {
+    return Disc{{box.center.x, box.center.y}, box.half.x};
+  }
   const double level = std::hypot(box.axes[0].x, box.axes[0].y);
-  return {{box.center.x, box.center.y},
-          {box.axes[0].x / level, box.axes[0].y / level},
-          box.half.x,
-          box.half.y};
+  return Rectangle{{box.center.x, box.center.y},
+                   {box.axes[0].x / level, box.axes[0].y / level},
+                   box.half.x,
+                   box.half.y};
 }
 
 Vector3 velocity_at(const Solid& solid, const Vector3& point) {
@@ -73,12 +86,12 @@ bool meet_in_space(OdeContacts& contacts, const Solid& a, const Solid& b) {
 /// Two upright bodies side by side.
 bool meet_in_plane(OdeContacts& contacts, const Solid& a, const Solid& b, const Span& common,
                    const PlanarManifold& manifold) {
-  // A wheel stands out furthest at the height of its axle. Flat faces meet along their whole
+  // A wheel stands out furthest at the height of its axle. Upright faces meet along their whole
   // height, so that neither tips over the other.
   std::array<double, 2> heights{common.lower, common.upper};
   std::size_t levels = common.upper - common.lower > 1e-3 ? 2 : 1;
   for (const Solid* solid : {&a, &b}) {
-    if (solid->kind == SolidKind::wheel) {
+    if (bulges(*solid)) {
       heights[0] = solid->shape.center.z;
       levels = 1;
     }
@@ -129,12 +142,14 @@ bool meet_solids(OdeContacts& contacts, const Solid& a, const Solid& b) {
   const Span common{std::max(of_a.lower, of_b.lower), std::min(of_a.upper, of_b.upper)};
   if (common.upper <= common.lower) return false;
   for (const Solid* solid : {&a, &b}) {
-    const double axle = solid->shape.center.z;
-    const bool low = axle < common.lower || axle > common.upper;
-    if (solid->kind == SolidKind::wheel && low) return meet_in_space(contacts, a, b);
+    const double middle = solid->shape.center.z;
+    const bool low = middle < common.lower || middle > common.upper;
+    if (bulges(*solid) && low) return meet_in_space(contacts, a, b);
   }
-  const PlanarManifold manifold = meet(seen_from_above(a.shape), seen_from_above(b.shape),
-                                       contacts.margin(greatest_closing_speed(a, b)));
+  const double margin = contacts.margin(greatest_closing_speed(a, b));
+  const PlanarManifold manifold = std::visit(
+      [&](const auto& from_a, const auto& from_b) { return meet(from_a, from_b, margin); },
+      seen_from_above(a), seen_from_above(b));
   if (manifold.count == 0) return false;
   // Further into each other from the side than from above: one stands on the other.
   const double depth = -std::min(manifold.points[0].gap,

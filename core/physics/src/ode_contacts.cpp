@@ -19,6 +19,9 @@ constexpr double kLeastCfm = 1e-10;
 // as they do on anything symmetrical. So no two contacts that follow each other are quite equal.
 constexpr std::size_t kTies = 7;
 
+// The sine of a tilt up to which the end of a cylinder counts as level.
+constexpr double kLevel = 1e-3;
+
 }  // namespace
 
 OdeContacts::OdeContacts(dWorldID world, const world::Physics& physics)
@@ -126,13 +129,18 @@ void OdeContacts::caster_on_floor(dBodyID caster, const Vector3& lowest) {
   attach(caster, nullptr, contact, lowest.z);
 }
 
-void OdeContacts::box_on_floor(dBodyID body, const OrientedBox& box) {
-  const auto& [a, b, c] = box.axes;
-  const Vector3 &half = box.half, w = to_vector(dBodyGetAngularVel(body));
+/// How far above the floor a point of a body of this size may be that reaches it in this step.
+double OdeContacts::floor_reach(dBodyID body, const Vector3& half) const {
+  const Vector3 w = to_vector(dBodyGetAngularVel(body));
   // As fast as any corner can sink.
   const double size = half.x + half.y + half.z;
-  const double sinking = -dBodyGetLinearVel(body)[2] + size * (std::abs(w.x) + std::abs(w.y));
-  const double reach = margin(sinking);
+  return margin(-dBodyGetLinearVel(body)[2] + size * (std::abs(w.x) + std::abs(w.y)));
+}
+
+void OdeContacts::box_on_floor(dBodyID body, const OrientedBox& box) {
+  const auto& [a, b, c] = box.axes;
+  const Vector3& half = box.half;
+  const double reach = floor_reach(body, half);
   const double lowest =
       box.center.z - std::abs(a.z) * half.x - std::abs(b.z) * half.y - std::abs(c.z) * half.z;
   if (lowest > reach) return;
@@ -146,6 +154,43 @@ void OdeContacts::box_on_floor(dBodyID body, const OrientedBox& box) {
         dContact contact = on_floor(corner, friction_);
         attach(body, nullptr, contact, corner.z);
       }
+    }
+  }
+}
+
+void OdeContacts::solid_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box) {
+  if (shape.kind == Shape::Kind::box) return box_on_floor(body, box);
+  const double highest = std::min(floor_reach(body, box.half), box.center.z);
+  if (shape.kind == Shape::Kind::cylinder) return rims_on_floor(body, shape, box, highest);
+  const double radius = shape.radius();
+  const double core = std::max(0.0, 0.5 * shape.length() - radius);
+  const Vector3 along = core * box.axes[static_cast<std::size_t>(shape.axis)];
+  const auto ball_on_floor = [&](const Vector3& center) {
+    const Vector3 lowest = center - Vector3{0.0, 0.0, radius};
+    if (lowest.z > highest) return;
+    dContact contact = on_floor(lowest, friction_);
+    attach(body, nullptr, contact, lowest.z);
+  };
+  ball_on_floor(box.center + along);
+  if (core > 0.0) ball_on_floor(box.center - along);
+}
+
+void OdeContacts::rims_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box,
+                                double highest) {
+  const auto index = static_cast<std::size_t>(shape.axis);
+  const Vector3& axis = box.axes[index];
+  // Down the slope of an end; anywhere if there is none.
+  const Vector3 slope{axis.z * axis.x, axis.z * axis.y, axis.z * axis.z - 1.0};
+  const double steepness = std::sqrt(dot(slope, slope));
+  const Vector3 down = steepness > kLevel ? (1.0 / steepness) * slope : box.axes[(index + 1) % 3];
+  const Vector3 aside = cross(axis, down);
+  for (const double end : {-1.0, 1.0}) {
+    const Vector3 middle = box.center + 0.5 * end * shape.length() * axis;
+    for (const Vector3& spoke : {down, aside, -1.0 * down, -1.0 * aside}) {
+      const Vector3 point = middle + shape.radius() * spoke;
+      if (point.z > highest) continue;
+      dContact contact = on_floor(point, friction_);
+      attach(body, nullptr, contact, point.z);
     }
   }
 }

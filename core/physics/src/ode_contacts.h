@@ -41,6 +41,10 @@ class OdeContacts {
   void caster_on_floor(dBodyID caster, const Vector3& lowest);
   /// The corners of a box that are on the floor or about to reach it.
   void box_on_floor(dBodyID body, const OrientedBox& box);
+  /// The same for a body of any shape, of which `box` is the box around it: the rims of a cylinder
+  /// at their lowest points and at three more each, so that it can stand; the lowest points of
+  /// balls.
+  void solid_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box);
   /// Two bodies, of which `b` may be null for one that stands fast. `normal` points from b into a.
   void between(dBodyID a, dBodyID b, const Vector3& point, const Vector3& normal, double gap);
   /// The same as found by one of ODE's colliders.
@@ -57,6 +61,8 @@ class OdeContacts {
  private:
   static constexpr double kSlack = 1e-4;  // m
 
+  double floor_reach(dBodyID body, const Vector3& half) const;
+  void rims_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box, double highest);
   void attach(dBodyID a, dBodyID b, dContact& contact, double gap);
   dContact on_floor(const Vector3& point, double friction) const;
 

@@ -1,6 +1,7 @@
 #include "ode_vehicle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -62,6 +63,65 @@ dBodyID make_body(dWorldID world, dGeomID geom, const dMass& mass) {
   return made;
 }
 
+/// ODE's cylinders and capsules lie along their z axis; a capsule's length is without its caps.
+OdeGeom make_geom(const Shape& shape) {
+  const Vector3& size = shape.size;
+  const double radius = shape.radius(), length = shape.length();
+  switch (shape.kind) {
+    case Shape::Kind::box:
+      return OdeGeom(dCreateBox(nullptr, size.x, size.y, size.z));
+    case Shape::Kind::sphere:
+      return OdeGeom(dCreateSphere(nullptr, radius));
+    case Shape::Kind::cylinder:
+      return OdeGeom(dCreateCylinder(nullptr, radius, length));
+    default:
+      return OdeGeom(dCreateCapsule(nullptr, radius, length - 2.0 * radius));
+  }
+}
+
+/// Lays the geometry of a body along the axis of its shape.
+void lay(dGeomID geom, const Shape& shape) {
+  if (shape.kind == Shape::Kind::box || shape.axis == Shape::Axis::up) return;
+  const bool is_ahead = shape.axis == Shape::Axis::forward;
+  const dQuaternion turned{kHalfSqrt2, is_ahead ? 0.0 : kHalfSqrt2, is_ahead ? kHalfSqrt2 : 0.0,
+                           0.0};
+  dGeomSetOffsetQuaternion(geom, turned);
+}
+
+dMass mass_of(const Part& part) {
+  const Shape& shape = part.shape;
+  const double radius = shape.radius(), length = shape.length();
+  const int direction = static_cast<int>(shape.axis) + 1;
+  dMass mass;
+  switch (shape.kind) {
+    case Shape::Kind::box:
+      dMassSetBoxTotal(&mass, part.mass, shape.size.x, shape.size.y, shape.size.z);
+      break;
+    case Shape::Kind::sphere:
+      dMassSetSphereTotal(&mass, part.mass, radius);
+      break;
+    case Shape::Kind::cylinder:
+      dMassSetCylinderTotal(&mass, part.mass, direction, radius, length);
+      break;
+    default:
+      dMassSetCapsuleTotal(&mass, part.mass, direction, radius, length - 2.0 * radius);
+  }
+  return mass;
+}
+
+SolidKind kind_of(const Shape& shape) {
+  switch (shape.kind) {
+    case Shape::Kind::box:
+      return SolidKind::box;
+    case Shape::Kind::sphere:
+      return SolidKind::ball;
+    case Shape::Kind::cylinder:
+      return shape.axis == Shape::Axis::up ? SolidKind::pillar : SolidKind::wheel;
+    default:
+      return SolidKind::capsule;
+  }
+}
+
 /// Towards a value, by no more than `most`.
 double approach(double from, double to, double most) {
   return std::abs(to - from) <= most ? to : from + std::copysign(most, to - from);
@@ -71,14 +131,13 @@ double approach(double from, double to, double most) {
 
 OdeVehicle::OdeVehicle(dWorldID world, std::span<const Part> parts) {
   const Part& chassis = parts.front();
+  shape_ = chassis.shape;
   middle_ = chassis.frame.origin;
-  const Vector3& size = chassis.shape.size;
-  chassis_geom_.reset(dCreateBox(nullptr, size.x, size.y, size.z));
-  dMass mass;
-  dMassSetBoxTotal(&mass, chassis.mass, size.x, size.y, size.z);
-  chassis_ = make_body(world, chassis_geom_.get(), mass);
+  chassis_geom_ = make_geom(shape_);
+  chassis_ = make_body(world, chassis_geom_.get(), mass_of(chassis));
+  lay(chassis_geom_.get(), shape_);
   if (const auto* hitch = std::get_if<HitchJoint>(&chassis.joint)) hitch_ = *hitch;
-  solids_.chassis = {chassis_, chassis_geom_.get(), SolidKind::box, {{}, {}, 0.5 * size}};
+  solids_.chassis = {chassis_, chassis_geom_.get(), kind_of(shape_), {{}, {}, 0.5 * shape_.size}};
   for (const Part& part : parts) {
     if (const auto* wheel = std::get_if<WheelJoint>(&part.joint)) add_wheel(world, part, *wheel);
   }
@@ -86,12 +145,23 @@ OdeVehicle::OdeVehicle(dWorldID world, std::span<const Part> parts) {
     if (std::holds_alternative<CasterJoint>(part.joint)) add_caster(world, part);
   }
   lump_ = lump_of(parts);
+  solids_.wheels_inside = wheels_are_inside();
+}
+
+bool OdeVehicle::wheels_are_inside() const {
+  if (solids_.chassis.kind != SolidKind::box && solids_.chassis.kind != SolidKind::pillar) {
+    return false;
+  }
+  const Vector3& size = shape_.size;
   const double top = middle_.z + 0.5 * size.z;
-  solids_.wheels_inside = std::all_of(wheels_.begin(), wheels_.end(), [&](const Wheel& wheel) {
+  return std::all_of(wheels_.begin(), wheels_.end(), [&](const Wheel& wheel) {
     const Vector3& at = wheel.part.frame.origin;
     const Vector3& own = wheel.part.shape.size;
-    return !wheel.joint.steered && std::abs(at.x) + 0.5 * own.x <= 0.5 * size.x &&
-           std::abs(at.y) + 0.5 * own.y <= 0.5 * size.y + kFlush && at.z + 0.5 * own.z <= top;
+    const double ahead = std::abs(at.x) + 0.5 * own.x, aside = std::abs(at.y) + 0.5 * own.y;
+    const bool is_within = shape_.is_round()
+                               ? std::hypot(ahead, aside) <= shape_.radius() + kFlush
+                               : ahead <= 0.5 * size.x && aside <= 0.5 * size.y + kFlush;
+    return !wheel.joint.steered && is_within && at.z + 0.5 * own.z <= top;
   });
 }
 
@@ -320,7 +390,7 @@ void OdeVehicle::meet_floor(OdeContacts& contacts, dGeomID floor) const {
       contacts.caster_on_floor(casters_[i], lowest);
     }
   }
-  contacts.box_on_floor(chassis_, solids_.chassis.shape);
+  contacts.solid_on_floor(chassis_, shape_, solids_.chassis.shape);
 }
 
 bool OdeVehicle::settle(double step, const Frame* front) {
@@ -413,12 +483,13 @@ void OdeVehicle::read_frame() {
 void OdeVehicle::read_shapes() {
   OrientedBox& box = solids_.chassis.shape;
   box.center = to_vector(dBodyGetPosition(chassis_));
-  box.axes = {frame_.forward, frame_.left, frame_.up};
+  const std::array axes{frame_.forward, frame_.left, frame_.up};
+  if (solids_.chassis.kind != SolidKind::ball) box.axes = axes;
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     const Wheel& wheel = wheels_[i];
     Solid& solid = solids_.wheels[i];
     solid.shape.center = frame_.point(wheel.part.frame.origin);
-    solid.shape.axes = box.axes;
+    solid.shape.axes = axes;
     if (const double angle = heading_of(wheel); angle != 0.0) {
       const double c = std::cos(angle), s = std::sin(angle);
       solid.shape.axes[0] = c * frame_.forward + s * frame_.left;
@@ -430,8 +501,8 @@ void OdeVehicle::read_shapes() {
 }
 
 void OdeVehicle::place_in(Scene& scene, Scene::Id id, double step) const {
-  place_vehicle(scene, id, solids_.chassis.shape, wheel_shapes_, {frame_, velocity_, turning_},
-                step);
+  place_vehicle(scene, id, shape_, solids_.chassis.shape.center, wheel_shapes_,
+                {frame_, velocity_, turning_}, step);
 }
 
 }  // namespace elsie::physics

@@ -112,6 +112,7 @@ class OdeVehicle {
     dJointID joint = nullptr;
   };
 
+  bool wheels_are_inside() const;
   void add_wheel(dWorldID world, const Part& part, const WheelJoint& joint);
   void add_caster(dWorldID world, const Part& part);
   void link_wheels(dWorldID world, const Frame& frame);
@@ -128,6 +129,7 @@ class OdeVehicle {
   void read_shapes();
 
   Lump lump_;
+  Shape shape_;     // of the chassis
   Vector3 middle_;  // of the chassis, in the vehicle's frame
   dBodyID chassis_ = nullptr;
   OdeGeom chassis_geom_;

@@ -95,4 +95,61 @@ PlanarManifold meet(const Rectangle& a, const Rectangle& b, double margin) {
   return manifold;
 }
 
+PlanarManifold meet(const Disc& a, const Rectangle& b, double margin) {
+  const Vector2 between{a.center.x - b.center.x, a.center.y - b.center.y};
+  const Vector2 side = left_of(b.along);
+  // In the rectangle's frame: the middle of the disc, and the nearest point of the rectangle.
+  const Vector2 middle{dot(between, b.along), dot(between, side)};
+  Vector2 nearest{std::clamp(middle.x, -b.half_length, b.half_length),
+                  std::clamp(middle.y, -b.half_width, b.half_width)};
+  Vector2 out{middle.x - nearest.x, middle.y - nearest.y};
+  double distance = std::hypot(out.x, out.y);
+  if (distance > 0.0) {
+    out = {out.x / distance, out.y / distance};
+  } else {
+    const double to_front = b.half_length - std::abs(middle.x);
+    const double to_flank = b.half_width - std::abs(middle.y);
+    if (to_front < to_flank) {
+      out = {std::copysign(1.0, middle.x), 0.0};
+      nearest.x = out.x * b.half_length;
+      distance = -to_front;
+    } else {
+      out = {0.0, std::copysign(1.0, middle.y)};
+      nearest.y = out.y * b.half_width;
+      distance = -to_flank;
+    }
+  }
+  const double gap = distance - a.radius;
+  if (gap > margin) return {};
+  const Vector2 at{nearest.x + 0.5 * gap * out.x, nearest.y + 0.5 * gap * out.y};
+  PlanarManifold manifold;
+  manifold.normal = {out.x * b.along.x + out.y * side.x, out.x * b.along.y + out.y * side.y};
+  manifold.points[0] = {{b.center.x + at.x * b.along.x + at.y * side.x,
+                         b.center.y + at.x * b.along.y + at.y * side.y},
+                        gap};
+  manifold.count = 1;
+  return manifold;
+}
+
+PlanarManifold meet(const Rectangle& a, const Disc& b, double margin) {
+  PlanarManifold manifold = meet(b, a, margin);
+  manifold.normal = {-manifold.normal.x, -manifold.normal.y};
+  return manifold;
+}
+
+PlanarManifold meet(const Disc& a, const Disc& b, double margin) {
+  const Vector2 between{a.center.x - b.center.x, a.center.y - b.center.y};
+  const double distance = std::hypot(between.x, between.y);
+  const double gap = distance - a.radius - b.radius;
+  if (gap > margin) return {};
+  PlanarManifold manifold;
+  manifold.normal =
+      distance > 0.0 ? Vector2{between.x / distance, between.y / distance} : Vector2{1.0, 0.0};
+  const double from_b = b.radius + 0.5 * gap;
+  manifold.points[0] = {
+      {b.center.x + from_b * manifold.normal.x, b.center.y + from_b * manifold.normal.y}, gap};
+  manifold.count = 1;
+  return manifold;
+}
+
 }  // namespace elsie::physics

@@ -1,4 +1,4 @@
-// Where two upright prisms meet, gaps included.
+// Where two upright prisms or cylinders meet, gaps included.
 //
 // Nearly everything in a world stands upright: walls, boxes, the chassis and wheels of a robot. Two
 // of these meet in the plane. Unlike a collider for boxes in space this one also tells of bodies
@@ -20,12 +20,18 @@ struct Rectangle {
   double half_width = 0.0;
 };
 
+/// An upright cylinder seen from above.
+struct Disc {
+  Vector2 center;
+  double radius = 0.0;
+};
+
 struct PlanarContact {
   Vector2 point;
   double gap = 0.0;  // m, negative where they overlap
 };
 
-/// Up to two points at which rectangles meet.
+/// Up to two points at which rectangles meet; discs meet anything at one.
 struct PlanarManifold {
   Vector2 normal;  // unit vector, from b into a
   std::array<PlanarContact, 2> points;
@@ -35,5 +41,10 @@ struct PlanarManifold {
 /// Points of contact with a gap of at most `margin` m (separating axes, then clipping of the facing
 /// edges).
 PlanarManifold meet(const Rectangle& a, const Rectangle& b, double margin);
+/// The same for the nearest points of a disc and another shape; a disc whose middle is inside of a
+/// rectangle leaves it by the nearest face.
+PlanarManifold meet(const Disc& a, const Rectangle& b, double margin);
+PlanarManifold meet(const Rectangle& a, const Disc& b, double margin);
+PlanarManifold meet(const Disc& a, const Disc& b, double margin);
 
 }  // namespace elsie::physics

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace elsie::physics {
 namespace {
@@ -10,6 +11,66 @@ Vector3 normalized(const Vector3& v) {
   const double length = std::sqrt(dot(v, v));
   return length > 0.0 ? (1.0 / length) * v : v;
 }
+
+/// The corners and the cut edges of a pyramid, seen along an axis.
+class Shadow {
+ public:
+  void add(const Vector2& point) { points_[count_++] = point; }
+
+  /// Whether their convex hull comes within this distance of the origin.
+  bool comes_within(double radius) {
+    const auto corners = static_cast<std::ptrdiff_t>(hull());
+    if (corners == 0) return false;
+    bool is_inside = corners > 2;
+    for (std::ptrdiff_t i = 0; i < corners; ++i) {
+      const Vector2& from = hull_[static_cast<std::size_t>(i)];
+      const Vector2& to = hull_[static_cast<std::size_t>((i + 1) % corners)];
+      if (distance_to_edge(from, to) <= radius) return true;
+      is_inside = is_inside && from.x * to.y - from.y * to.x >= 0.0;
+    }
+    return is_inside;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 5 + 2 * 8;  // corners, and edges cut by two planes
+
+  /// Its corners, counter-clockwise (monotone chain, Andrew 1979); returns their number.
+  std::size_t hull() {
+    const auto end = points_.begin() + static_cast<std::ptrdiff_t>(count_);
+    std::sort(points_.begin(), end, [](const Vector2& a, const Vector2& b) {
+      return a.x != b.x ? a.x < b.x : a.y < b.y;
+    });
+    if (count_ < 3) {
+      std::copy(points_.begin(), end, hull_.begin());
+      return count_;
+    }
+    std::size_t size = 0;
+    const auto extend = [&](const Vector2& point, std::size_t least) {
+      while (size >= least && turn(hull_[size - 2], hull_[size - 1], point) <= 0.0) --size;
+      hull_[size++] = point;
+    };
+    for (std::size_t i = 0; i < count_; ++i) extend(points_[i], 2);
+    const std::size_t least = size + 1;
+    for (std::size_t i = count_ - 1; i-- > 0;) extend(points_[i], least);
+    return size - 1;  // the last one is the first
+  }
+
+  static double turn(const Vector2& a, const Vector2& b, const Vector2& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  }
+
+  static double distance_to_edge(const Vector2& from, const Vector2& to) {
+    const Vector2 edge{to.x - from.x, to.y - from.y};
+    const double square = edge.x * edge.x + edge.y * edge.y;
+    const double along = -(from.x * edge.x + from.y * edge.y);
+    const double part = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+    return std::hypot(from.x + part * edge.x, from.y + part * edge.y);
+  }
+
+  std::array<Vector2, kMost> points_;
+  std::array<Vector2, 2 * kMost> hull_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -68,6 +129,35 @@ bool PyramidTest::meets(const OrientedBox& box) const {
     }
   }
   return true;
+}
+
+bool PyramidTest::meets(const Cylinder& cylinder) const {
+  const Vector3& axis = cylinder.axis;
+  const Vector3 other = std::abs(axis.z) < 0.5 ? Vector3{0.0, 0.0, 1.0} : Vector3{1.0, 0.0, 0.0};
+  const Vector3 u = normalized(cross(other, axis)), v = cross(axis, u);
+  std::array<double, 5> along{};
+  std::array<Vector2, 5> across;
+  Shadow shadow;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Vector3 at = points_[i] - cylinder.center;
+    along[i] = dot(axis, at);
+    across[i] = {dot(u, at), dot(v, at)};
+    if (std::abs(along[i]) <= cylinder.half_length) shadow.add(across[i]);
+  }
+  const auto cut = [&](std::size_t i, std::size_t j) {
+    for (const double plane : {-cylinder.half_length, cylinder.half_length}) {
+      const double from = along[i] - plane, to = along[j] - plane;
+      if (!(from * to < 0.0)) continue;
+      const double part = from / (from - to);
+      shadow.add({across[i].x + part * (across[j].x - across[i].x),
+                  across[i].y + part * (across[j].y - across[i].y)});
+    }
+  };
+  for (std::size_t corner = 1; corner <= 4; ++corner) {
+    cut(0, corner);
+    cut(corner, corner % 4 + 1);
+  }
+  return shadow.comes_within(cylinder.radius);
 }
 
 }  // namespace elsie::physics

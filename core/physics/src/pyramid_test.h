@@ -18,6 +18,9 @@ class PyramidTest {
   const Aabb& bounds() const { return bounds_; }
   /// Exact test by separating axes (Gottschalk, Lin and Manocha 1996). Touching counts.
   bool meets(const OrientedBox& box) const;
+  /// Exact as well: what of the pyramid lies between the planes of the cylinder's ends is a convex
+  /// polygon when seen along the axis, and the cylinder a disc.
+  bool meets(const Cylinder& cylinder) const;
 
  private:
   bool separated_along(const Vector3& axis, const OrientedBox& box) const;

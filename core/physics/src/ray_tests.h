@@ -85,4 +85,24 @@ inline double distance_to_cylinder(const Ray& ray, const Cylinder& cylinder) {
   return enter <= leave ? enter : kMiss;
 }
 
+/// Distance at which the ray enters the ball, or kMiss.
+inline double distance_to_ball(const Ray& ray, const Vector3& center, double radius) {
+  const Vector3 from = ray.origin - center;
+  const double b = dot(ray.direction, from), c = dot(from, from) - radius * radius;
+  if (c <= 0.0) return 0.0;
+  const double discriminant = b * b - c;
+  return b > 0.0 || discriminant < 0.0 ? kMiss : std::max(0.0, -b - std::sqrt(discriminant));
+}
+
+/// Distance at which the ray enters the capsule within this cylinder, or kMiss. If the cylinder is
+/// as long as it is wide: the ball.
+inline double distance_to_capsule(const Ray& ray, const Cylinder& around) {
+  Cylinder between = around;  // the two balls
+  between.half_length = std::max(0.0, around.half_length - around.radius);
+  const Vector3 away = between.half_length * around.axis;
+  const double ends = std::min(distance_to_ball(ray, around.center + away, around.radius),
+                               distance_to_ball(ray, around.center - away, around.radius));
+  return between.half_length > 0.0 ? std::min(ends, distance_to_cylinder(ray, between)) : ends;
+}
+
 }  // namespace elsie::physics

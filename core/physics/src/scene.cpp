@@ -11,9 +11,20 @@ namespace {
 
 constexpr double kHair = 1e-9;  // m
 
-double distance_to_robot(const Ray& ray, const OrientedBox& chassis,
+double distance_to_chassis(const Ray& ray, const SensedSolid& chassis) {
+  switch (chassis.kind) {
+    case Shape::Kind::box:
+      return distance_to_box(ray, chassis.box);
+    case Shape::Kind::cylinder:
+      return distance_to_cylinder(ray, chassis.round);
+    default:
+      return distance_to_capsule(ray, chassis.round);
+  }
+}
+
+double distance_to_robot(const Ray& ray, const SensedSolid& chassis,
                          const std::vector<Cylinder>& wheels, double wheels_top) {
-  double nearest = distance_to_box(ray, chassis);
+  double nearest = distance_to_chassis(ray, chassis);
   // Most beams are level and above the wheels.
   if (ray.direction.z < 0.0 || ray.origin.z <= wheels_top) {
     for (const Cylinder& wheel : wheels) {
@@ -21,6 +32,11 @@ double distance_to_robot(const Ray& ray, const OrientedBox& chassis,
     }
   }
   return nearest;
+}
+
+bool is_in(const PyramidTest& pyramid, const SensedSolid& chassis) {
+  return chassis.kind == Shape::Kind::cylinder ? pyramid.meets(chassis.round)
+                                               : pyramid.meets(chassis.box);
 }
 
 OrientedBox box_around(const Cylinder& wheel, const OrientedBox& chassis) {
@@ -57,14 +73,14 @@ void Scene::place(Id id, const Aabb& bounds, double reach) {
 }
 
 void Scene::place_box(Id id, const OrientedBox& box, double reach) {
-  entries_[id].box = box;
+  entries_[id].solid.box = box;
   place(id, bounds(box), reach);
 }
 
-void Scene::place_robot(Id id, const OrientedBox& sensed, const std::vector<Cylinder>& wheels,
+void Scene::place_robot(Id id, const SensedSolid& sensed, const std::vector<Cylinder>& wheels,
                         const OrientedBox& enclosing, double reach) {
   Entry& entry = entries_[id];
-  entry.box = sensed;
+  entry.solid = sensed;
   entry.wheels = wheels;
   entry.wheels_top = 0.0;
   for (const Cylinder& wheel : wheels) {
@@ -131,8 +147,8 @@ std::optional<RayHit> Scene::cast_ray(const Vector3& origin, const Vector3& dire
       const Entry& entry = entries_[id];
       if (!is_seen(entry, except) || !meets_bounds(ray, entry.bounds, best.distance)) continue;
       const double distance =
-          entry.is_robot ? distance_to_robot(ray, entry.box, entry.wheels, entry.wheels_top)
-                         : distance_to_box(ray, entry.box);
+          entry.is_robot ? distance_to_robot(ray, entry.solid, entry.wheels, entry.wheels_top)
+                         : distance_to_box(ray, entry.solid.box);
       if (distance > best.distance) continue;
       const bool wins = distance < best.distance || !found || best.floor || entry.body < best.body;
       if (!wins) continue;
@@ -160,9 +176,9 @@ bool Scene::anything_in(const Pyramid& pyramid, std::size_t except) const {
       for (const Id id : grid_.cell(x, y)) {
         const Entry& entry = entries_[id];
         if (!is_seen(entry, except) || !entry.bounds.overlaps(test.bounds(), 0.0)) continue;
-        if (test.meets(entry.box)) return true;
+        if (is_in(test, entry.solid)) return true;
         const auto is_met = [&](const Cylinder& wheel) {
-          return test.meets(box_around(wheel, entry.box));
+          return test.meets(box_around(wheel, entry.solid.box));
         };
         if (std::any_of(entry.wheels.begin(), entry.wheels.end(), is_met)) return true;
       }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "elsie/api/body.h"
 #include "elsie/api/sensor.h"
 #include "elsie/physics/engine.h"
 
@@ -14,6 +15,13 @@
 #include "shapes.h"
 
 namespace elsie::physics {
+
+/// A chassis as sensors see it.
+struct SensedSolid {
+  Shape::Kind kind = Shape::Kind::box;
+  OrientedBox box;  // around it
+  Cylinder round;   // of all but a box; that of a ball or capsule is around it, too
+};
 
 class Scene {
  public:
@@ -28,7 +36,7 @@ class Scene {
   void place_box(Id id, const OrientedBox& box, double reach);
   /// Puts a robot or a segment somewhere: what sensors see of it (chassis with sensor deck, and
   /// wheels), and a box that encloses all of it.
-  void place_robot(Id id, const OrientedBox& sensed, const std::vector<Cylinder>& wheels,
+  void place_robot(Id id, const SensedSolid& sensed, const std::vector<Cylinder>& wheels,
                    const OrientedBox& enclosing, double reach);
   void remove(Id id);
 
@@ -52,7 +60,7 @@ class Scene {
     bool sensed = false;
     bool placed = false;
     bool is_robot = false;
-    OrientedBox box;               // as sensors see it
+    SensedSolid solid;             // as sensors see it
     std::vector<Cylinder> wheels;  // of a robot
     double wheels_top = 0.0;
     Grid::Block block;

@@ -1,6 +1,7 @@
 #include "vehicle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace elsie::physics {
@@ -9,14 +10,27 @@ namespace {
 // How much further it may come in a step than at its present speed, by being accelerated.
 constexpr double kRobotSlack = 1e-3;  // m
 
+/// As range sensors see it, with the sensor deck.
+SensedSolid sensed_chassis(const Shape& shape, const OrientedBox& box) {
+  SensedSolid sensed{shape.kind, box, {}};
+  const bool is_flat = shape.kind == Shape::Kind::box ||
+                       (shape.kind == Shape::Kind::cylinder && shape.axis == Shape::Axis::up);
+  if (is_flat) {
+    sensed.box.center = box.center + 0.5 * kSensorDeck * box.axes[2];
+    sensed.box.half.z += 0.5 * kSensorDeck;
+  }
+  const auto axis = static_cast<std::size_t>(shape.axis);
+  const std::array halves{sensed.box.half.x, sensed.box.half.y, sensed.box.half.z};
+  sensed.round = {sensed.box.center, box.axes[axis], shape.radius(), halves[axis]};
+  return sensed;
+}
+
 }  // namespace
 
-void place_vehicle(Scene& scene, Scene::Id id, const OrientedBox& chassis,
+void place_vehicle(Scene& scene, Scene::Id id, const Shape& shape, const Vector3& middle,
                    const std::vector<Cylinder>& wheels, const VehicleMotion& motion, double step) {
   const Frame& frame = motion.frame;
-  OrientedBox sensed = chassis;
-  sensed.center = sensed.center + 0.5 * kSensorDeck * frame.up;
-  sensed.half.z += 0.5 * kSensorDeck;
+  const OrientedBox chassis{middle, {frame.forward, frame.left, frame.up}, 0.5 * shape.size};
   // From the floor to the deck, and as wide and long as chassis and wheels together.
   double top = dot(chassis.center - frame.origin, frame.up) + chassis.half.z + kSensorDeck;
   double half_length = chassis.half.x, half_width = chassis.half.y;
@@ -35,7 +49,8 @@ void place_vehicle(Scene& scene, Scene::Id id, const OrientedBox& chassis,
   const double size = enclosing.half.x + enclosing.half.y + 2.0 * enclosing.half.z;
   const double speed = std::sqrt(dot(motion.velocity, motion.velocity)) +
                        size * std::sqrt(dot(motion.turning, motion.turning));
-  scene.place_robot(id, sensed, wheels, enclosing, step * speed + kRobotSlack);
+  scene.place_robot(id, sensed_chassis(shape, chassis), wheels, enclosing,
+                    step * speed + kRobotSlack);
 }
 
 }  // namespace elsie::physics

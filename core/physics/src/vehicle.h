@@ -10,10 +10,11 @@
 
 namespace elsie::physics {
 
-enum class SolidKind { box, wheel };
+/// A wheel is a cylinder on its side, a pillar one that stands upright.
+enum class SolidKind { box, wheel, pillar, ball, capsule };
 
-/// One convex part of a body. Of a wheel `shape` is the box around it, with the axle along its
-/// second axis.
+/// One convex part of a body. `shape` is the box around it; of a wheel the axle lies along its
+/// second axis, and that of a ball stands upright however the ball is turned.
 struct Solid {
   dBodyID body = nullptr;  // none: it stands fast
   dGeomID geom = nullptr;
@@ -32,7 +33,7 @@ struct Vehicle {
 };
 
 /// Sensors at the top of the chassis look level over it. So that robots of one size see each other,
-/// range sensors see a chassis that is higher by what a sensor on it would stand out.
+/// range sensors see a chassis that is flat on top higher by what a sensor on it would stand out.
 inline constexpr double kSensorDeck = 0.02;  // m
 
 /// How a vehicle moves.
@@ -42,9 +43,9 @@ struct VehicleMotion {
   Vector3 turning;   // rad/s
 };
 
-/// Puts a vehicle where it is, for sensors and neighbours; it may come as far as its speed carries
-/// it in a step.
-void place_vehicle(Scene& scene, Scene::Id id, const OrientedBox& chassis,
+/// Puts a vehicle where it is, for sensors and neighbours: a chassis of this shape with its middle
+/// there, and wheels. It may come as far as its speed carries it in a step.
+void place_vehicle(Scene& scene, Scene::Id id, const Shape& shape, const Vector3& middle,
                    const std::vector<Cylinder>& wheels, const VehicleMotion& motion, double step);
 
 }  // namespace elsie::physics

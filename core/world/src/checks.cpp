@@ -216,6 +216,16 @@ void check_events(const Robot& robot, const PluginUse& use, PluginKind kind,
   }
 }
 
+void check_body(const Robot& robot, Problems& problems) {
+  const RobotBody& body = robot.body;
+  if (body.round && body.length != body.width) {
+    problems.add(robot.location, in_words(robot) + " has a round body that is " +
+                                     number_text(body.length) + " m long and " +
+                                     number_text(body.width) +
+                                     " m wide; expected its diameter as both");
+  }
+}
+
 // Whether there is room for the wheels of the segments, and for their joints ahead of their axles.
 void check_segments(const Reading& reading, const Robot& robot, Problems& problems) {
   if (!reading.sound_with_segments(robot)) {
@@ -272,6 +282,9 @@ void check_robot(const Reading& reading, std::size_t index, const plugin::Host& 
     problems.add(robot.location, in_words(robot) + " starts with energy " +
                                      number_text(*robot.energy) + ", but its battery holds " +
                                      number_text(robot.battery));
+  }
+  if (reading.sound(robot.location)) {
+    check_body(robot, problems);
   }
   check_segments(reading, robot, problems);
   if (reading.incomplete_robots.contains(index)) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "elsie/base/number_text.h"
-#include "elsie/world/train.h"
 
 namespace elsie::world {
 
@@ -13,73 +12,22 @@ namespace {
 using base::number_text;
 
 constexpr double kTouching = 1e-6;  // m: this much overlap is none
+constexpr double kHair = 1e-9;      // m: what reaches past a chassis by rounding
 
 // A length in a message: to the tenth of a millimetre.
 std::string rounded(double metres) { return number_text(std::round(metres * 1e4) / 1e4); }
 
-}  // namespace
-
-double Footprint::reach(double ux, double uy) const {
-  const double c = std::cos(heading_rad), s = std::sin(heading_rad);
-  return half_length * std::abs(ux * c + uy * s) + half_width * std::abs(-ux * s + uy * c);
+/// Whether a disc overlaps a rectangle, seen from above.
+bool disc_overlaps(const Footprint& disc, const Footprint& rectangle) {
+  const double c = std::cos(rectangle.heading_rad), s = std::sin(rectangle.heading_rad);
+  const double dx = disc.x - rectangle.x, dy = disc.y - rectangle.y;
+  // From the nearest point of the rectangle.
+  const double along = std::max(0.0, std::abs(c * dx + s * dy) - rectangle.half_length);
+  const double across = std::max(0.0, std::abs(c * dy - s * dx) - rectangle.half_width);
+  return std::hypot(along, across) < disc.half_length - kTouching;
 }
 
-Footprint footprint_of(const Box& box) {
-  return {box.x,           box.y, radians(box.heading_deg), 0.5 * box.length,
-          0.5 * box.width, box.z, box.z + box.height};
-}
-
-Footprint footprint_of(const Box& box, const Frame& now) {
-  const Vector3 half{0.5 * box.length, 0.5 * box.width, 0.5 * box.height};
-  const Vector3 middle = now.origin + half.z * now.up;
-  const auto extent = [&](const Vector3& axis) {
-    return half.x * std::abs(dot(now.forward, axis)) + half.y * std::abs(dot(now.left, axis)) +
-           half.z * std::abs(dot(now.up, axis));
-  };
-  const double heading = std::atan2(now.forward.y, now.forward.x);
-  const double c = std::cos(heading), s = std::sin(heading);
-  const double up = extent({0.0, 0.0, 1.0});
-  return {middle.x,      middle.y,     heading, extent({c, s, 0.0}), extent({-s, c, 0.0}),
-          middle.z - up, middle.z + up};
-}
-
-Footprint footprint_of(const RobotBody& body, const Pose& pose, double z) {
-  return {pose.x,
-          pose.y,
-          pose.heading_rad,
-          std::max(0.5 * body.length, body.wheel_radius),
-          std::max(0.5 * body.width, body.half_axle() + 0.5 * body.wheel_width),
-          z,
-          z + std::max(body.top(), 2.0 * body.wheel_radius)};
-}
-
-Footprint footprint_of(const Segment& segment, const Pose& pose, double z) {
-  return {pose.x,
-          pose.y,
-          pose.heading_rad,
-          std::max(0.5 * segment.length, segment.wheel_radius),
-          0.5 * segment.width,
-          z,
-          z + std::max(segment.top(), 2.0 * segment.wheel_radius)};
-}
-
-std::vector<Footprint> footprints_of(const RobotBody& body, std::span<const Segment> segments,
-                                     const Pose& pose, double z) {
-  std::vector<Footprint> footprints{footprint_of(body, pose, z)};
-  const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
-  const std::vector<Coupling> chain = couplings(body, segments);
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const double place = chain[i].place;
-    footprints.push_back(
-        footprint_of(segments[i], {pose.x - place * c, pose.y - place * s, pose.heading_rad}, z));
-  }
-  return footprints;
-}
-
-bool overlap(const Footprint& a, const Footprint& b) {
-  if (a.bottom >= b.top - kTouching || b.bottom >= a.top - kTouching) {
-    return false;
-  }
+bool rectangles_overlap(const Footprint& a, const Footprint& b) {
   const double dx = b.x - a.x, dy = b.y - a.y;
   if (std::hypot(dx, dy) >=
       std::hypot(a.half_length, a.half_width) + std::hypot(b.half_length, b.half_width)) {
@@ -94,6 +42,102 @@ bool overlap(const Footprint& a, const Footprint& b) {
     }
   }
   return true;
+}
+
+}  // namespace
+
+double Footprint::reach(double ux, double uy) const {
+  if (round) {
+    return half_length;
+  }
+  const double c = std::cos(heading_rad), s = std::sin(heading_rad);
+  return half_length * std::abs(ux * c + uy * s) + half_width * std::abs(-ux * s + uy * c);
+}
+
+Vector3 extents_of(std::span<const Part> vehicle) {
+  Vector3 extents;
+  const auto widen = [](double& extent, double reach) {
+    if (extent == 0.0 || reach > extent + kHair) {
+      extent = reach;
+    }
+  };
+  for (const Part& part : vehicle) {
+    const Vector3 reach = reach_of(part);
+    const Vector3& at = part.frame.origin;
+    widen(extents.x, std::abs(at.x) + reach.x);
+    widen(extents.y, std::abs(at.y) + reach.y);
+    widen(extents.z, at.z + reach.z);
+  }
+  return extents;
+}
+
+double radius_of(std::span<const Part> vehicle) {
+  if (!vehicle.front().shape.is_round()) {
+    return 0.0;
+  }
+  double radius = vehicle.front().shape.radius();
+  for (const Part& part : vehicle.subspan(1)) {
+    const Vector3& at = part.frame.origin;
+    const Vector3 reach = reach_of(part);
+    const double farthest = part.shape.is_round()
+                                ? std::hypot(at.x, at.y) + part.shape.radius()
+                                : std::hypot(std::abs(at.x) + reach.x, std::abs(at.y) + reach.y);
+    radius = std::max(radius, farthest);
+  }
+  return radius;
+}
+
+Footprint footprint_of(const Shape& shape, const Frame& middle) {
+  const Vector3 half = 0.5 * shape.size;
+  const auto extent = [&](const Vector3& axis) {
+    return half.x * std::abs(dot(middle.forward, axis)) +
+           half.y * std::abs(dot(middle.left, axis)) + half.z * std::abs(dot(middle.up, axis));
+  };
+  const Vector3& at = middle.origin;
+  const double heading = std::atan2(middle.forward.y, middle.forward.x);
+  const double c = std::cos(heading), s = std::sin(heading);
+  const double up = extent({0.0, 0.0, 1.0});
+  return {at.x,      at.y,      heading,         extent({c, s, 0.0}), extent({-s, c, 0.0}),
+          at.z - up, at.z + up, shape.is_round()};
+}
+
+Footprint footprint_of(const Box& box) {
+  const Fixture fixture = fixture_of(box);
+  return footprint_of(fixture.shape, fixture.frame);
+}
+
+Footprint footprint_of(std::span<const Part> vehicle, const Pose& pose, double z) {
+  const Vector3 extents = extents_of(vehicle);
+  const double radius = radius_of(vehicle);
+  const bool round = radius > 0.0;
+  return {pose.x,
+          pose.y,
+          pose.heading_rad,
+          round ? radius : extents.x,
+          round ? radius : extents.y,
+          z,
+          z + extents.z,
+          round};
+}
+
+std::vector<Footprint> footprints_of(const BodyPlan& plan, const Pose& pose, double z) {
+  std::vector<Footprint> footprints;
+  for (const Frame& frame : in_line(plan)) {
+    const Vector2 at = point_of(pose, {frame.origin.x, frame.origin.y});
+    footprints.push_back(
+        footprint_of(vehicle_of(plan, footprints.size()), {at.x, at.y, pose.heading_rad}, z));
+  }
+  return footprints;
+}
+
+bool overlap(const Footprint& a, const Footprint& b) {
+  if (a.bottom >= b.top - kTouching || b.bottom >= a.top - kTouching) {
+    return false;
+  }
+  if (a.round && b.round) {
+    return std::hypot(b.x - a.x, b.y - a.y) < a.half_length + b.half_length - kTouching;
+  }
+  return a.round ? disc_overlaps(a, b) : b.round ? disc_overlaps(b, a) : rectangles_overlap(a, b);
 }
 
 std::optional<std::string> outside(const Arena& arena, const std::string& what, double x,

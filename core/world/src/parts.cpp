@@ -1,5 +1,9 @@
 #include "elsie/world/parts.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "elsie/world/engine_facts.h"
 #include "elsie/world/train.h"
 
@@ -14,25 +18,25 @@ Fixture upright(Fixture::Kind kind, std::size_t index, const Vector3& bottom, do
 
 /// The chassis of a vehicle, and two wheels flush with its sides or outside of them.
 template <class Vehicle>
-void add_vehicle(std::vector<Part>& parts, const Vehicle& d, const std::string& prefix,
-                 std::size_t index, const Joint& chassis, const WheelJoint& wheel,
-                 double wheel_mass) {
-  parts.push_back({prefix + "chassis",
-                   PartRole::chassis,
-                   Shape::box({d.length, d.width, d.height}),
-                   {.origin = {0.0, 0.0, d.clearance + 0.5 * d.height}},
-                   d.mass,
-                   index,
-                   chassis});
+std::vector<Part> chassis_on_wheels(const Vehicle& d, const Shape& chassis, const WheelJoint& wheel,
+                                    double wheel_mass) {
+  std::vector<Part> parts{{"chassis",
+                           PartRole::chassis,
+                           chassis,
+                           {.origin = {0.0, 0.0, d.clearance + 0.5 * d.height}},
+                           d.mass,
+                           0,
+                           FixedJoint{}}};
   for (const bool left : {true, false}) {
-    parts.push_back({prefix + (left ? "left_wheel" : "right_wheel"),
+    parts.push_back({left ? "left_wheel" : "right_wheel",
                      PartRole::wheel,
                      Shape::wheel(d.wheel_radius, d.wheel_width),
                      {.origin = {0.0, (left ? 1.0 : -1.0) * d.half_axle(), d.wheel_radius}},
                      wheel_mass,
-                     index,
+                     0,
                      wheel});
   }
+  return parts;
 }
 
 }  // namespace
@@ -73,24 +77,42 @@ std::vector<Fixture> fixtures_of(const World& world) {
   return all;
 }
 
-BodyPlan plan_of(const RobotBody& body, std::span<const Segment> segments) {
-  BodyPlan all;
-  add_vehicle(all.parts, body, "", 0, FixedJoint{}, {.torque = body.wheel_torque}, body.wheel_mass);
+std::vector<Part> parts_of(const RobotBody& body) {
+  std::vector<Part> parts =
+      chassis_on_wheels(body,
+                        body.round ? Shape::pillar(0.5 * body.length, body.height)
+                                   : Shape::box({body.length, body.width, body.height}),
+                        {.torque = body.wheel_torque}, body.wheel_mass);
   const double radius = caster_radius(body);
   for (const bool front : {true, false}) {
-    all.parts.push_back({front ? "front_caster" : "rear_caster",
-                         PartRole::caster,
-                         Shape::sphere(radius),
-                         {.origin = {(front ? 1.0 : -1.0) * half_base(body), 0.0, radius}},
-                         kCasterMass * body.mass,
-                         0,
-                         CasterJoint{}});
+    parts.push_back({front ? "front_caster" : "rear_caster",
+                     PartRole::caster,
+                     Shape::sphere(radius),
+                     {.origin = {(front ? 1.0 : -1.0) * half_base(body), 0.0, radius}},
+                     kCasterMass * body.mass,
+                     0,
+                     CasterJoint{}});
   }
+  return parts;
+}
+
+std::vector<Part> parts_of(const Segment& segment) {
+  return chassis_on_wheels(segment, Shape::box({segment.length, segment.width, segment.height}), {},
+                           0.0);
+}
+
+BodyPlan plan_of(const RobotBody& body, std::span<const Segment> segments) {
+  BodyPlan all{parts_of(body)};
   const std::vector<Coupling> chain = couplings(body, segments);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Coupling& c = chain[i];
-    add_vehicle(all.parts, segments[i], segments[i].id + "/", i + 1,
-                HitchJoint{c.behind, c.ahead, c.height, c.max_yaw_rad, c.max_pitch_rad}, {}, 0.0);
+    std::vector<Part> parts = parts_of(segments[i]);
+    parts[0].joint = HitchJoint{c.behind, c.ahead, c.height, c.max_yaw_rad, c.max_pitch_rad};
+    for (Part& part : parts) {
+      part.name = segments[i].id + "/" + part.name;
+      part.vehicle = i + 1;
+      all.parts.push_back(std::move(part));
+    }
   }
   return all;
 }
@@ -108,6 +130,27 @@ std::vector<Frame> in_line(const BodyPlan& plan) {
     frames.push_back({.origin = {-place, 0.0, 0.0}});
   }
   return frames;
+}
+
+std::span<const Part> vehicle_of(const BodyPlan& plan, std::size_t vehicle) {
+  const auto of_vehicle = [&](const Part& part) { return part.vehicle == vehicle; };
+  const auto first = std::find_if(plan.parts.begin(), plan.parts.end(), of_vehicle);
+  return {first, std::find_if_not(first, plan.parts.end(), of_vehicle)};
+}
+
+Vector3 reach_of(const Part& part) {
+  const Vector3 half = 0.5 * part.shape.size;
+  const auto& [origin, forward, left, up] = part.frame;
+  const auto along = [&](double f, double l, double u) {
+    return std::abs(f) * half.x + std::abs(l) * half.y + std::abs(u) * half.z;
+  };
+  const auto* wheel = std::get_if<WheelJoint>(&part.joint);
+  if (wheel && wheel->steered) {
+    const double around = std::hypot(half.x, half.y);
+    return {around, around, half.z};
+  }
+  return {along(forward.x, left.x, up.x), along(forward.y, left.y, up.y),
+          along(forward.z, left.z, up.z)};
 }
 
 }  // namespace elsie::world

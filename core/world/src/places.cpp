@@ -29,9 +29,10 @@ Block block_of(const Box& box) {
 // A robot, and its segments in line behind it if wanted.
 std::vector<Block> blocks_of(const Robot& robot, bool with_segments) {
   const std::string in_words = "the robot '" + robot.id + "'";
-  const auto footprints = footprints_of(
-      robot.body, with_segments ? std::span(robot.segments) : std::span<const Segment>(),
-      {robot.x, robot.y, radians(robot.heading_deg)}, robot.z);
+  const BodyPlan plan =
+      plan_of(robot.body, with_segments ? std::span(robot.segments) : std::span<const Segment>());
+  const auto footprints =
+      footprints_of(plan, {robot.x, robot.y, radians(robot.heading_deg)}, robot.z);
   std::vector<Block> blocks{{footprints[0], in_words, robot.location}};
   for (std::size_t i = 1; i < footprints.size(); ++i) {
     const Segment& segment = robot.segments[i - 1];

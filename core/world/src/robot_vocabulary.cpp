@@ -7,7 +7,18 @@ namespace elsie::world {
 namespace {
 
 ElementSpec body() {
-  return Describe<RobotBody>("body", "A box chassis on two driven wheels and two casters")
+  return Describe<RobotBody>("body", "A chassis on two driven wheels and two casters")
+      .attribute(
+          "shape", ParameterType::text,
+          {.choices = {"box", "round"},
+           .meaning = "of the chassis; one that is round is as long as it is wide"},
+          {},
+          [](void* object, const ParameterValue& value) {
+            static_cast<RobotBody*>(object)->round = std::get<std::string>(value) == "round";
+          },
+          [](const void* object) -> std::optional<ParameterValue> {
+            return static_cast<const RobotBody*>(object)->round ? "round" : "box";
+          })
       .attribute("length", &RobotBody::length, size("chassis, along the heading", 10))
       .attribute("width", &RobotBody::width, size("chassis, across", 10))
       .attribute("height", &RobotBody::height, size("chassis", 10))

@@ -17,31 +17,61 @@ double angle_of_touch(double half_width, double back, double front) {
   return std::atan2(back, half_width) + std::asin(front / radius);
 }
 
+/// The same for a disc in front: its middle lies `middle` m before the joint, and the corner is one
+/// of a face `back` m behind the joint. The disc may also meet that face between its corners.
+double angle_of_touch_with_disc(double radius, double middle, double half_width, double back) {
+  const double square_angle = 0.5 * std::numbers::pi;
+  const double reach = std::hypot(half_width, back);
+  // Where the corner is on the disc's edge, by the law of cosines.
+  const double at_corner =
+      (radius * radius - middle * middle - reach * reach) / (2.0 * middle * reach);
+  double angle = at_corner > -1.0
+                     ? std::acos(std::min(at_corner, 1.0)) - std::atan2(half_width, back)
+                     : square_angle;
+  const double at_face = (radius - back) / middle;
+  if (std::abs(at_face) < 1.0) {
+    const double tangent = std::acos(at_face);
+    if (middle * std::sin(tangent) <= half_width) angle = std::min(angle, tangent);
+  }
+  return std::clamp(angle, 0.0, square_angle);
+}
+
+/// How far the two can turn against each other until they touch.
+double free_angle(const Coupling& joint, const Vector3& front, double front_radius,
+                  const Vector3& own) {
+  const double ahead_of_face = joint.ahead - own.x;
+  if (front_radius > 0.0) {
+    return angle_of_touch_with_disc(front_radius, joint.behind, own.y, ahead_of_face);
+  }
+  const double half_width = std::max(front.y, own.y);
+  const double behind_face = joint.behind - front.x;
+  return std::min({angle_of_touch(half_width, ahead_of_face, behind_face),
+                   angle_of_touch(half_width, behind_face, ahead_of_face), 0.5 * std::numbers::pi});
+}
+
 }  // namespace
 
 std::vector<Coupling> couplings(const RobotBody& body, std::span<const Segment> segments) {
   std::vector<Coupling> result;
-  Footprint front = footprint_of(body, {}, 0.0);
+  const std::vector<Part> robot = parts_of(body);
+  Vector3 front = extents_of(robot);
+  double front_radius = radius_of(robot);
   double place = 0.0;
   for (const Segment& segment : segments) {
-    const Footprint own = footprint_of(segment, {}, 0.0);
-    const double apart = front.half_length + segment.gap + own.half_length;
+    const Vector3 own = extents_of(parts_of(segment));
+    const double apart = front.x + segment.gap + own.x;
     Coupling coupling;
-    coupling.behind = segment.hitch.value_or(front.half_length + 0.5 * segment.gap);
+    coupling.behind = segment.hitch.value_or(front.x + 0.5 * segment.gap);
     coupling.ahead = apart - coupling.behind;
     coupling.height = segment.hitch_height.value_or(segment.wheel_radius);
-    const double half_width = std::max(front.half_width, own.half_width);
-    const double behind_face = coupling.behind - front.half_length;
-    const double ahead_of_face = coupling.ahead - own.half_length;
-    const double free =
-        std::min({angle_of_touch(half_width, ahead_of_face, behind_face),
-                  angle_of_touch(half_width, behind_face, ahead_of_face), 0.5 * std::numbers::pi});
+    const double free = free_angle(coupling, front, front_radius, own);
     coupling.max_yaw_rad = segment.max_yaw_deg ? radians(*segment.max_yaw_deg) : free;
     coupling.max_pitch_rad = radians(segment.max_pitch_deg);
     place += apart;
     coupling.place = place;
     result.push_back(coupling);
     front = own;
+    front_radius = 0.0;
   }
   return result;
 }

@@ -12,33 +12,38 @@ double height(const Frame& frame) {
 Room::Room(const world::World& world, Robots robots, const physics::Engine& engine)
     : world_(world) {
   for (std::size_t i = 0; i < world.boxes.size(); ++i) {
-    if (engine.has_box(i)) {
-      boxes_.push_back({world::footprint_of(world.boxes[i], engine.box(i)),
-                        "the box '" + world.boxes[i].id + "'"});
+    if (!engine.has_box(i)) {
+      continue;
     }
+    const Shape shape = world::fixture_of(world.boxes[i]).shape;
+    Frame middle = engine.box(i);
+    middle.origin = middle.point({0.0, 0.0, 0.5 * shape.size.z});
+    boxes_.push_back({world::footprint_of(shape, middle), "the box '" + world.boxes[i].id + "'"});
   }
   for (const world::Charger& charger : world.chargers) {
     if (charger.seen_by_range_sensors) {
-      constexpr double kHalf = 0.5 * world::Charger::kBoxEdge;
-      boxes_.push_back({{charger.x, charger.y, 0.0, kHalf, kHalf, 0.0, world::Charger::kBoxEdge},
-                        "the charger '" + charger.id + "'"});
+      const world::Fixture fixture = world::fixture_of(charger);
+      boxes_.push_back(
+          {world::footprint_of(fixture.shape, fixture.frame), "the charger '" + charger.id + "'"});
     }
   }
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    const world::Robot& robot = world.robots[i];
-    auto& parts = robots_.emplace_back();
-    parts.push_back(
-        world::footprint_of(robot.body, robots[i]->state().pose, height(engine.robot(i).frame)));
-    for (std::size_t k = 0; k < robot.segments.size(); ++k) {
+    const BodyPlan& plan = plans_.emplace_back(world::plan_of(world.robots[i]));
+    auto& vehicles = robots_.emplace_back();
+    const auto add = [&](const Pose& pose, const Frame& frame) {
+      vehicles.push_back(
+          world::footprint_of(world::vehicle_of(plan, vehicles.size()), pose, height(frame)));
+    };
+    add(robots[i]->state().pose, engine.robot(i).frame);
+    for (std::size_t k = 0; k < engine.segments(i); ++k) {
       const physics::SegmentState segment = engine.segment(i, k);
-      parts.push_back(world::footprint_of(robot.segments[k], segment.pose, height(segment.frame)));
+      add(segment.pose, segment.frame);
     }
   }
 }
 
 void Room::place(std::size_t robot, const Pose& pose, double z) {
-  robots_[robot] =
-      world::footprints_of(world_.robots[robot].body, world_.robots[robot].segments, pose, z);
+  robots_[robot] = world::footprints_of(plans_[robot], pose, z);
 }
 
 std::optional<std::string> Room::problem_of(std::size_t robot) const {

@@ -36,6 +36,7 @@ class Room {
 
   const world::World& world_;
   std::vector<Block> boxes_;
+  std::vector<BodyPlan> plans_;                        // of the robots
   std::vector<std::vector<world::Footprint>> robots_;  // each, then what it pulls
 };
 

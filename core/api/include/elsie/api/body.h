@@ -36,6 +36,17 @@ struct Shape {
   static Shape wheel(double radius, double width) {
     return {Kind::cylinder, {2.0 * radius, width, 2.0 * radius}, Axis::left};
   }
+  /// A cylinder with half a ball on each end; `length` is with them, at least twice the radius.
+  static Shape capsule(double radius, double length, Axis axis = Axis::up) {
+    const double across = 2.0 * radius;
+    return {Kind::capsule,
+            {axis == Axis::forward ? length : across, axis == Axis::left ? length : across,
+             axis == Axis::up ? length : across},
+            axis};
+  }
+
+  /// Whether it is a disc from above: a ball, and a cylinder or capsule that stands upright.
+  bool is_round() const { return kind != Kind::box && axis == Axis::up; }
 
   /// Of a cylinder, capsule or sphere.
   double radius() const { return 0.5 * (axis == Axis::forward ? size.y : size.x); }
@@ -44,6 +55,19 @@ struct Shape {
     return axis == Axis::forward ? size.x : axis == Axis::left ? size.y : size.z;
   }
 };
+
+/// The frame of a cylinder or capsule, turned so that its axis is `up`.
+inline Frame along_axis(const Frame& frame, Shape::Axis axis) {
+  const auto& [origin, forward, left, up] = frame;
+  switch (axis) {
+    case Shape::Axis::forward:
+      return {origin, -1.0 * up, left, forward};
+    case Shape::Axis::left:
+      return {origin, forward, -1.0 * up, left};
+    default:
+      return frame;
+  }
+}
 
 /// What a part is, for those who draw it.
 enum class PartRole : std::uint8_t { chassis, wheel, caster };

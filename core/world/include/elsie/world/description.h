@@ -140,13 +140,15 @@ struct Coordination {
   std::optional<PluginUse> coordinator;
 };
 
-/// The body of a two-wheel differential drive: a box on two wheels and two casters. The origin of
-/// its frame is on the floor below the middle of the axle, which is also the middle of the chassis.
+/// The body of a two-wheel differential drive: a chassis on two wheels and two casters. The origin
+/// of its frame is on the floor below the middle of the axle, which is also the middle of the
+/// chassis.
 struct RobotBody {
-  double length = 0.08;        // m, chassis along the heading
-  double width = 0.08;         // m, chassis
-  double height = 0.08;        // m, chassis
-  double clearance = 0.01;     // m, from the floor to the chassis
+  bool round = false;       // the chassis is an upright cylinder, as long as it is wide; or a box
+  double length = 0.08;     // m, chassis along the heading
+  double width = 0.08;      // m, chassis
+  double height = 0.08;     // m, chassis
+  double clearance = 0.01;  // m, from the floor to the chassis
   double wheel_radius = 0.02;  // m
   double wheel_width = 0.01;   // m
   std::optional<double> axle;  // m between the wheels' middles; default: just outside the chassis

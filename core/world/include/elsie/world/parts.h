@@ -30,10 +30,19 @@ Fixture fixture_of(const Charger& charger, std::size_t index = 0);
 /// All of them: walls, then boxes (resources among them), then chargers, each in file order.
 std::vector<Fixture> fixtures_of(const World& world);
 
+/// The parts of a robot without its segments, and of a segment that stands by itself.
+std::vector<Part> parts_of(const RobotBody& body);
+std::vector<Part> parts_of(const Segment& segment);
 /// The parts of a robot and of the segments that it pulls, which are its further vehicles.
 BodyPlan plan_of(const RobotBody& body, std::span<const Segment> segments);
 BodyPlan plan_of(const Robot& robot);
 /// The frames of a body's vehicles in the robot's, in line behind each other.
 std::vector<Frame> in_line(const BodyPlan& plan);
+/// The parts of one of a body's vehicles, the chassis first.
+std::span<const Part> vehicle_of(const BodyPlan& plan, std::size_t vehicle);
+
+/// How far a part reaches from its middle along the axes of its vehicle's frame, m; a wheel that is
+/// steered, wherever it points.
+Vector3 reach_of(const Part& part);
 
 }  // namespace elsie::world

@@ -25,7 +25,8 @@ struct Coupling {
 /// With the joint b m behind the front body's rear face and f m ahead of the segment's front face,
 /// and h half the width of the wider of the two, that is the smallest angle t > 0 for which
 ///     h sin t - f cos t = b  or  h sin t - b cos t = f,
-/// but at most 90 degrees.
+/// but at most 90 degrees. Behind a round robot it turns until the segment would reach the disc
+/// around it.
 std::vector<Coupling> couplings(const RobotBody& body, std::span<const Segment> segments);
 
 }  // namespace elsie::world
