@@ -20,7 +20,7 @@ Scene busy_scene() {
                                 : kBlue);
     box.frame = Frame::turned(box.frame.origin, 0.3 * i, 0.2 * (i % 5));
     scene.boxes.push_back(box);
-    scene.wheels.push_back(
+    scene.cylinders.push_back(
         {Frame::turned({away * std::sin(angle), away * std::cos(angle), 0.1}, 0.4 * i, 0.0), 0.1,
          0.05, kBlue});
     scene.marks.push_back({{away * std::sin(angle), -away * std::cos(angle)}, 0.2, kGreen});

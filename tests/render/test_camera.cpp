@@ -157,7 +157,7 @@ TEST_CASE("Surfaces a millimetre apart at three metres do not shine through each
 TEST_CASE("A camera that is carried does not see its carrier, and one that is not sees all") {
   Scene scene = with({cube({1, 0, 1}, 0.2, kRed), cube({2, 0, 1}, 0.3, kBlue)});
   scene.boxes[0].carrier = 7;
-  scene.wheels.push_back({{.origin = {1, 0.12, 1}}, 0.05, 0.02, kGreen, 7});
+  scene.cylinders.push_back({{.origin = {1, 0.12, 1}}, 0.05, 0.02, kGreen, 7});
   View view = view_from({0, 0, 1});
   CHECK(find(take(scene, view), kRed).area > 0);
   CHECK(find(take(scene, view), kGreen).area > 0);

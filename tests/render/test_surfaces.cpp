@@ -72,12 +72,12 @@ TEST_CASE("A box that floats or is tilted is seen as such") {
 
 TEST_CASE("A wheel is round from the side and a bar from the front") {
   Scene scene;
-  Wheel wheel;
+  Cylinder wheel;
   wheel.frame = Frame::turned({0, 0, 1}, 0.0, 0.0);
   wheel.radius = 0.3;
   wheel.width = 0.1;
   wheel.colour = kGreen;
-  scene.wheels = {wheel};
+  scene.cylinders = {wheel};
   const double scale = 50.0 / std::tan(radians(15));  // px for a unit of slope
 
   for (const double side : {1.0, -1.0}) {

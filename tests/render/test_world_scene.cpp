@@ -173,7 +173,7 @@ TEST_CASE("A robot is a chassis on two dark wheels, tilted as its frame is") {
   const Image tilted = side_view();
   const Scene& drawn = scene.scene();
   CHECK(drawn.boxes.back().frame.up == on_its_nose.up);
-  CHECK(drawn.wheels[0].frame.origin.x == Approx(0.05));
+  CHECK(drawn.cylinders[0].frame.origin.x == Approx(0.05));
   CHECK(differing_pixels(level, tilted) > 300);
 }
 
@@ -186,7 +186,7 @@ TEST_CASE("A robot's segments are drawn behind it, and are not in its own pictur
   WorldScene scene(world, {.team_coloured_robots = true});
   const auto& boxes = scene.scene().boxes;
   REQUIRE(boxes.size() == 4 + 3);
-  CHECK(scene.scene().wheels.size() == 6);
+  CHECK(scene.scene().cylinders.size() == 6);
   for (std::size_t i = 0; i < 2; ++i) {
     CHECK(boxes[5 + i].frame.origin.x == Approx(0).margin(1e-12));
     CHECK(boxes[5 + i].frame.origin.y == Approx(-couplings[i].place));

@@ -114,9 +114,7 @@ void draw_vehicle(Canvas& canvas, const DrawnRobot& robot, const Layout& layout,
       if (part.vehicle != vehicle || part.role != role) continue;
       const Vector2 middle = point_of(pose, {part.frame.origin.x, part.frame.origin.y});
       const double turned = std::atan2(part.frame.forward.y, part.frame.forward.x);
-      const bool is_round =
-          part.shape.kind != Shape::Kind::box && part.shape.axis != Shape::Axis::left;
-      if (is_round) {
+      if (part.shape.is_round()) {
         canvas.circle(layout.map.pixel(middle), layout.map.scale_x * part.shape.radius());
       } else {
         canvas.polygon(outline(layout.map, {middle.x, middle.y, pose.heading_rad + turned},

@@ -93,26 +93,34 @@ Json box(std::uint64_t time_ns, const World& world, const world::Box& box) {
   return made;
 }
 
-/// The frame of a cylinder about its own left axis, turned so that its up lies along the axle.
-Frame on_its_side(const Frame& wheel) {
-  return {wheel.origin, wheel.forward, -1.0 * wheel.up, wheel.left};
+Json ball(const Vector3& middle, double radius, const Colour& colour) {
+  const double across = 2.0 * radius;
+  return {{"pose", pose_json({.origin = middle})},
+          {"size", position_json({across, across, across})},
+          {"color", colour_json(colour)}};
 }
 
 void add_part(Json& entity, const Part& part, const Colour& colour) {
-  switch (part.shape.kind) {
-    case Shape::Kind::box:
-      entity["cubes"].push_back(cube(part.frame, part.shape.size, colour));
-      break;
-    case Shape::Kind::sphere:
-      entity["spheres"].push_back({{"pose", pose_json(part.frame)},
-                                   {"size", position_json(part.shape.size)},
-                                   {"color", colour_json(colour)}});
-      break;
-    default:
-      entity["cylinders"].push_back(
-          cylinder(part.shape.axis == Shape::Axis::left ? on_its_side(part.frame) : part.frame,
-                   part.shape.radius(), part.shape.length(), colour));
+  const Shape& shape = part.shape;
+  const double radius = shape.radius();
+  if (shape.kind == Shape::Kind::box) {
+    entity["cubes"].push_back(cube(part.frame, shape.size, colour));
+    return;
   }
+  if (shape.kind == Shape::Kind::sphere) {
+    entity["spheres"].push_back(ball(part.frame.origin, radius, colour));
+    return;
+  }
+  const Frame along = along_axis(part.frame, shape.axis);
+  double length = shape.length();
+  if (shape.kind == Shape::Kind::capsule) {
+    length -= 2.0 * radius;
+    for (const double end : {0.5, -0.5}) {
+      const Vector3 middle = along.point({0.0, 0.0, end * length});
+      entity["spheres"].push_back(ball(middle, radius, colour));
+    }
+  }
+  entity["cylinders"].push_back(cylinder(along, radius, length, colour));
 }
 
 void add_robot(Json& entities, std::uint64_t time_ns, const World& world,

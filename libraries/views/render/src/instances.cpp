@@ -95,7 +95,8 @@ void DrawList::clear() {
   floors.clear();
   marks.clear();
   boxes.clear();
-  wheels.clear();
+  cylinders.clear();
+  balls.clear();
 }
 
 void add_view(const Scene& scene, const View& view, const Atlas& atlas, const Tile& tile,
@@ -120,15 +121,26 @@ void add_view(const Scene& scene, const View& view, const Atlas& atlas, const Ti
           light_in(box.frame), box.colour));
     }
   }
-  for (const Wheel& wheel : scene.wheels) {
-    if (wheel.carrier == view.carrier && view.carrier != kNobody) {
+  for (const Cylinder& cylinder : scene.cylinders) {
+    if (cylinder.carrier == view.carrier && view.carrier != kNobody) {
       continue;
     }
-    if (eye.may_see(wheel.frame.origin, std::hypot(wheel.radius, 0.5 * wheel.width))) {
-      list.wheels.push_back(
-          eye.instance({wheel.frame.origin, wheel.radius * wheel.frame.forward,
-                        wheel.width * wheel.frame.left, wheel.radius * wheel.frame.up},
-                       light_in(wheel.frame), wheel.colour));
+    const Frame& frame = cylinder.frame;
+    if (eye.may_see(frame.origin, std::hypot(cylinder.radius, 0.5 * cylinder.length))) {
+      list.cylinders.push_back(
+          eye.instance({frame.origin, cylinder.radius * frame.forward, cylinder.length * frame.left,
+                        cylinder.radius * frame.up},
+                       light_in(frame), cylinder.colour));
+    }
+  }
+  for (const Ball& ball : scene.balls) {
+    if (ball.carrier == view.carrier && view.carrier != kNobody) {
+      continue;
+    }
+    if (eye.may_see(ball.middle, ball.radius)) {
+      const double r = ball.radius;
+      list.balls.push_back(eye.instance({ball.middle, {r, 0.0, 0.0}, {0.0, r, 0.0}, {0.0, 0.0, r}},
+                                        kLight, ball.colour));
     }
   }
 }

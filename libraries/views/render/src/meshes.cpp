@@ -7,7 +7,9 @@
 namespace elsie::render {
 namespace {
 
-constexpr int kWheelSides = 20;
+constexpr int kCylinderSides = 20;
+constexpr int kBallSides = 20;
+constexpr int kBallRings = 10;
 constexpr int kDiscSides = 32;
 
 Vertex vertex(double x, double y, double z) {
@@ -47,9 +49,9 @@ Mesh box_mesh() {
   return mesh;
 }
 
-Mesh wheel_mesh() {
+Mesh cylinder_mesh() {
   Mesh mesh;
-  const int n = kWheelSides;
+  const int n = kCylinderSides;
   for (const double y : {-0.5, 0.5}) {
     for (int i = 0; i < n; ++i) {
       mesh.vertices.push_back(vertex(std::cos(turn(i, n)), y, std::sin(turn(i, n))));
@@ -68,6 +70,30 @@ Mesh wheel_mesh() {
   mesh.vertices.push_back(mesh.vertices[0]);
   right[0] = 2 * n;
   add_face(mesh, right, 0, -1, 0);
+  return mesh;
+}
+
+Mesh ball_mesh() {
+  Mesh mesh;
+  const auto place = [](double ring, double side) {
+    const double up = std::numbers::pi * (ring / kBallRings - 0.5);
+    const double round = 2.0 * std::numbers::pi * side / kBallSides;
+    return vertex(std::cos(up) * std::cos(round), std::cos(up) * std::sin(round), std::sin(up));
+  };
+  for (int ring = 0; ring <= kBallRings; ++ring) {  // the first and the last one are the poles
+    for (int side = 0; side < kBallSides; ++side) mesh.vertices.push_back(place(ring, side));
+  }
+  for (int ring = 0; ring < kBallRings; ++ring) {
+    for (int side = 0; side < kBallSides; ++side) {
+      const auto corner = [&](int r, int s) { return r * kBallSides + s % kBallSides; };
+      const auto own = static_cast<int>(mesh.vertices.size());
+      mesh.vertices.push_back(place(ring, side));
+      const Vertex out = place(ring + 0.5, side + 0.5);
+      add_face(mesh,
+               {own, corner(ring, side + 1), corner(ring + 1, side + 1), corner(ring + 1, side)},
+               out.position[0], out.position[1], out.position[2]);
+    }
+  }
   return mesh;
 }
 

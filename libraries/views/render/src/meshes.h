@@ -23,7 +23,9 @@ struct Mesh {
 /// x and y from -1/2 to 1/2, z from 0 to 1.
 Mesh box_mesh();
 /// A cylinder of radius 1 about the y axis, from y = -1/2 to 1/2.
-Mesh wheel_mesh();
+Mesh cylinder_mesh();
+/// A ball of radius 1 around the origin.
+Mesh ball_mesh();
 /// x and y from -1 to 1 at z = 0, facing up.
 Mesh square_mesh();
 /// A disc of radius 1 at z = 0, facing up.

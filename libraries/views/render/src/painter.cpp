@@ -94,7 +94,8 @@ Painter::Painter() : program_(link()) {
   glUniform1f(glGetUniformLocation(program_, "nearest"), static_cast<float>(kNearest));
   glUniform1f(glGetUniformLocation(program_, "darkest"), static_cast<float>(kDarkestShade));
   box_ = make(box_mesh());
-  wheel_ = make(wheel_mesh());
+  cylinder_ = make(cylinder_mesh());
+  ball_ = make(ball_mesh());
   square_ = make(square_mesh());
   disc_ = make(disc_mesh());
 }
@@ -172,7 +173,7 @@ void Painter::paint(const DrawList& list, const Colour& sky, int width, int heig
     return static_cast<GLsizeiptr>(some.size() * sizeof(Instance));
   };
   const std::vector<Instance>* const lists[] = {&list.floors, &list.marks, &list.boxes,
-                                                &list.wheels};
+                                                &list.cylinders, &list.balls};
   GLsizeiptr total = 0;
   for (const auto* some : lists) {
     total += bytes(*some);
@@ -192,7 +193,8 @@ void Painter::paint(const DrawList& list, const Colour& sky, int width, int heig
   draw(disc_, first += list.floors.size(), list.marks.size());
   glEnable(GL_DEPTH_TEST);
   draw(box_, first += list.marks.size(), list.boxes.size());
-  draw(wheel_, first += list.boxes.size(), list.wheels.size());
+  draw(cylinder_, first += list.boxes.size(), list.cylinders.size());
+  draw(ball_, first += list.cylinders.size(), list.balls.size());
 }
 
 }  // namespace elsie::render

@@ -58,22 +58,43 @@ void WorldScene::add_robot(const world::Robot& robot, const Colour& colour) {
   std::vector<Vehicle>& vehicles = robots_.emplace_back(plan.vehicles());
   for (const Part& part : plan.parts) {
     if (part.role == PartRole::caster) continue;  // out of sight below the chassis
-    Vehicle& vehicle = vehicles[part.vehicle];
-    if (part.shape.kind == Shape::Kind::box) {
-      vehicle.push_back({true, scene_.boxes.size(), part.frame});
-      scene_.boxes.push_back(box_of({}, part.shape.size, colour, index));
-    } else {
-      vehicle.push_back({false, scene_.wheels.size(), part.frame});
-      scene_.wheels.push_back({{},
-                               part.shape.radius(),
-                               part.shape.length(),
-                               part.role == PartRole::wheel ? kTyre : colour,
-                               index});
-    }
+    add_part(vehicles[part.vehicle], part, part.role == PartRole::wheel ? kTyre : colour, index);
   }
   const Frame start = Frame::turned({robot.x, robot.y, robot.z}, radians(robot.heading_deg), 0.0);
   const std::vector<Frame> frames = world::in_line(plan);
   for (std::size_t i = 0; i < frames.size(); ++i) place(vehicles[i], start.frame(frames[i]));
+}
+
+void WorldScene::add_part(Vehicle& vehicle, const Part& part, const Colour& colour,
+                          std::size_t carrier) {
+  const Shape& shape = part.shape;
+  const double radius = shape.radius();
+  const bool is_capsule = shape.kind == Shape::Kind::capsule;
+  const Frame along = along_axis(part.frame, shape.axis);
+  const auto add_ball = [&](double away) {
+    vehicle.push_back(
+        {Placed::List::balls, scene_.balls.size(), {.origin = along.point({0.0, 0.0, away})}});
+    scene_.balls.push_back({{}, radius, colour, carrier});
+  };
+  switch (shape.kind) {
+    case Shape::Kind::box:
+      vehicle.push_back({Placed::List::boxes, scene_.boxes.size(), part.frame});
+      scene_.boxes.push_back(box_of({}, shape.size, colour, carrier));
+      break;
+    case Shape::Kind::sphere:
+      add_ball(0.0);
+      break;
+    default:
+      const double length = shape.length() - (is_capsule ? 2.0 * radius : 0.0);
+      // The scene's cylinders lie along their left axis.
+      const Frame frame{along.origin, along.forward, along.up, -1.0 * along.left};
+      vehicle.push_back({Placed::List::cylinders, scene_.cylinders.size(), frame});
+      scene_.cylinders.push_back({{}, radius, length, colour, carrier});
+      if (is_capsule) {
+        add_ball(0.5 * length);
+        add_ball(-0.5 * length);
+      }
+  }
 }
 
 void WorldScene::place_robot(std::size_t robot, const Frame& frame) {
@@ -87,11 +108,18 @@ void WorldScene::place_segment(std::size_t robot, std::size_t segment, const Fra
 void WorldScene::place(const Vehicle& vehicle, const Frame& frame) {
   for (const Placed& part : vehicle) {
     const Frame middle = frame.frame(part.frame);
-    if (part.is_box) {
-      Box& box = scene_.boxes[part.index];
-      box = box_of(middle, box.size, box.colour, box.carrier);
-    } else {
-      scene_.wheels[part.index].frame = middle;
+    switch (part.list) {
+      case Placed::List::boxes: {
+        Box& box = scene_.boxes[part.index];
+        box = box_of(middle, box.size, box.colour, box.carrier);
+        break;
+      }
+      case Placed::List::cylinders:
+        scene_.cylinders[part.index].frame = middle;
+        break;
+      case Placed::List::balls:
+        scene_.balls[part.index].middle = middle.origin;
+        break;
     }
   }
 }

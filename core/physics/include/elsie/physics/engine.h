@@ -125,14 +125,15 @@ class Engine {
   /// The first surface along a ray (`direction` a unit vector), no further away than `max_range`,
   /// as range sensors see the world: floor (from above), walls, boxes that are visible to them, and
   /// robots: wheels, and the chassis; one that is flat on top has a sensor deck of 2 cm there, so
-  /// that sensors at the top of a chassis see robots of the same size; segments likewise. The robot `except` is left
-  /// out, with all its segments. Of bodies at the same distance the first in their order is met.
+  /// that sensors at the top of a chassis see robots of the same size; segments likewise. The robot
+  /// `except` is left out, with all its segments. Of bodies at the same distance the first in their
+  /// order is met.
   virtual std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction,
                                          double max_range, std::size_t except) const = 0;
   /// Whether a wall, a visible box or a robot other than `except` reaches into the pyramid, whose
   /// far face is flat, at the distance `range_m` along its axis. Robots are seen as by rays, but
-  /// with the boxes around their wheels, and around a chassis that is a ball or a capsule. The floor
-  /// does not count.
+  /// with the boxes around their wheels, and around a chassis that is a ball or a capsule. The
+  /// floor does not count.
   virtual bool anything_in(const Pyramid& pyramid, std::size_t except) const = 0;
   /// No robot is left out of a query.
   static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);

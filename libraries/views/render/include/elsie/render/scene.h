@@ -1,4 +1,4 @@
-// A scene as plain data: boxes, wheels and marks on a floor.
+// A scene as plain data: boxes, cylinders, balls and marks on a floor.
 //
 // Lengths are in m, frames in the world. Colours are those in full light; faces turned away from it
 // are darker, down to kDarkestShade, with the same hue and saturation.
@@ -27,10 +27,17 @@ struct Box {
 };
 
 /// A cylinder about the left axis of its frame, whose origin is in its middle.
-struct Wheel {
+struct Cylinder {
   Frame frame;
   double radius = 0.0;
-  double width = 0.0;
+  double length = 0.0;
+  Colour colour;
+  std::size_t carrier = kNobody;
+};
+
+struct Ball {
+  Vector3 middle;
+  double radius = 0.0;
   Colour colour;
   std::size_t carrier = kNobody;
 };
@@ -46,7 +53,8 @@ struct Scene {
   Colour floor{80, 80, 80};   // unlimited, at z = 0; invisible from below
   Colour sky{140, 140, 140};  // everywhere else
   std::vector<Box> boxes;
-  std::vector<Wheel> wheels;
+  std::vector<Cylinder> cylinders;
+  std::vector<Ball> balls;
   std::vector<Mark> marks;
 };
 

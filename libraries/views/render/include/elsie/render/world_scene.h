@@ -40,15 +40,17 @@ class WorldScene {
   const Scene& scene() const { return scene_; }
 
  private:
-  /// A part of a vehicle: its place in one of the scene's lists, and its frame in the vehicle's.
+  /// A solid of a vehicle: its place in one of the scene's lists, and its frame in the vehicle's.
   struct Placed {
-    bool is_box;
+    enum class List { boxes, cylinders, balls };
+    List list;
     std::size_t index;
     Frame frame;
   };
   using Vehicle = std::vector<Placed>;
 
   void add_robot(const world::Robot& robot, const Colour& colour);
+  void add_part(Vehicle& vehicle, const Part& part, const Colour& colour, std::size_t carrier);
   void place(const Vehicle& vehicle, const Frame& frame);
 
   Scene scene_;
