@@ -95,6 +95,25 @@ inline world::Physics with_step(double step) {
   return physics;
 }
 
+/// A robot with a round chassis and its wheels within the chassis' outline.
+inline world::RobotBody round_body(double diameter = 0.12) {
+  world::RobotBody body;
+  body.round = true;
+  body.length = body.width = diameter;
+  body.axle = diameter - 0.04;
+  return body;
+}
+
+/// A body that is nothing but a chassis, a millimetre above the floor.
+inline BodyPlan alone(const Shape& shape, double mass = 0.1) {
+  Part chassis;
+  chassis.name = "chassis";
+  chassis.shape = shape;
+  chassis.frame.origin.z = 0.5 * shape.size.z + 1e-3;
+  chassis.mass = mass;
+  return {{chassis}};
+}
+
 inline world::Arena open_field(double size = 40.0) {
   world::Arena arena;
   arena.length = arena.width = size;

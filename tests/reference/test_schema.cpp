@@ -31,6 +31,7 @@ const std::map<std::string, std::string> kBeyondSchemas = {
     {"kp_without_kd", "attributes that depend on each other"},
     {"kp_beside_erp", "attributes that depend on each other"},
     {"energy_above_battery", "attributes that depend on each other"},
+    {"round_but_not_as_wide", "attributes that depend on each other"},
     {"number_with_blanks", "numbers are stripped of blanks before they are judged"},
     {"parameter_missing_file", "files"},
     {"parameter_file_elsewhere", "files"},

@@ -75,7 +75,7 @@ TEST_CASE("A wheel is round from the side and a bar from the front") {
   Cylinder wheel;
   wheel.frame = Frame::turned({0, 0, 1}, 0.0, 0.0);
   wheel.radius = 0.3;
-  wheel.width = 0.1;
+  wheel.length = 0.1;
   wheel.colour = kGreen;
   scene.cylinders = {wheel};
   const double scale = 50.0 / std::tan(radians(15));  // px for a unit of slope

@@ -41,8 +41,8 @@ inline auto members(const world::BehaviorUse& u) {
   return std::tuple_cat(members(static_cast<const world::PluginUse&>(u)), std::tie(u.priority));
 }
 inline auto members(const world::RobotBody& b) {
-  return std::tie(b.length, b.width, b.height, b.clearance, b.wheel_radius, b.wheel_width, b.axle,
-                  b.mass, b.wheel_mass, b.wheel_torque);
+  return std::tie(b.round, b.length, b.width, b.height, b.clearance, b.wheel_radius, b.wheel_width,
+                  b.axle, b.mass, b.wheel_mass, b.wheel_torque);
 }
 inline auto members(const world::Segment& s) {
   return std::tie(s.id, s.length, s.width, s.height, s.clearance, s.mass, s.wheel_radius,

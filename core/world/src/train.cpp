@@ -41,6 +41,8 @@ double free_angle(const Coupling& joint, const Vector3& front, double front_radi
                   const Vector3& own) {
   const double ahead_of_face = joint.ahead - own.x;
   if (front_radius > 0.0) {
+    // Its wheels may stand out further to the sides than the segment is away.
+    front_radius = std::min(front_radius, joint.behind + ahead_of_face);
     return angle_of_touch_with_disc(front_radius, joint.behind, own.y, ahead_of_face);
   }
   const double half_width = std::max(front.y, own.y);

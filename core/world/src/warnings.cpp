@@ -29,8 +29,13 @@ using base::number_text;
 
 std::string about(double value) { return number_text(value, 3); }
 
-double total_mass(const RobotBody& body) {
-  return body.mass * (1.0 + 2.0 * kCasterMass) + 2.0 * body.wheel_mass;
+/// Of a robot without its segments.
+double total_mass(const std::vector<Part>& parts) {
+  double mass = 0.0;
+  for (const Part& part : parts) {
+    mass += part.mass;
+  }
+  return mass;
 }
 
 /// The body that a warning is about.
@@ -45,6 +50,9 @@ class Search {
   explicit Search(const World& world) : world_(world), gravity_(std::abs(world.physics.gravity)) {}
 
   std::vector<Warning> find() {
+    for (const Robot& robot : world_.robots) {
+      masses_.push_back(total_mass(parts_of(robot.body)));
+    }
     physics();
     for (index_ = 0; index_ < world_.robots.size(); ++index_) {
       robot(world_.robots[index_]);
@@ -146,7 +154,7 @@ class Search {
       add(Warning::About::robot, robot.location, std::move(message));
     };
     const RobotBody& body = robot.body;
-    const double mass = total_mass(body);
+    const double mass = masses_[index_];
     const Subject subject{Warning::About::robot, robot.location, whose};
     sinking(subject, mass, std::min(body.wheel_radius, body.clearance));
     crossing(subject, robot.max_speed, std::min(body.length, body.width));
@@ -200,14 +208,12 @@ class Search {
     const Subject subject{Warning::About::box, box.location, "the box '" + box.id + "'"};
     if (box.kind == BoxKind::dynamic) {
       sinking(subject, box.mass, box.height);
-      const Robot* least = nullptr;
-      for (const Robot& robot : world_.robots) {
-        if (!least || unlike(box, robot) > unlike(box, *least)) {
-          least = &robot;
-        }
-      }
-      if (least) {
-        ratio(subject, box.mass, "the robot '" + least->id + "'", total_mass(least->body));
+      const auto least = std::max_element(masses_.begin(), masses_.end(), [&](double a, double b) {
+        return unlike(box.mass, a) < unlike(box.mass, b);
+      });
+      if (least != masses_.end()) {
+        const Robot& robot = world_.robots[static_cast<std::size_t>(least - masses_.begin())];
+        ratio(subject, box.mass, "the robot '" + robot.id + "'", *least);
       }
     }
     if (box.kind == BoxKind::moving && !box.waypoints.empty()) {
@@ -216,9 +222,7 @@ class Search {
     }
   }
 
-  static double unlike(const Box& box, const Robot& robot) {
-    return std::abs(std::log(box.mass / total_mass(robot.body)));
-  }
+  static double unlike(double mass, double other) { return std::abs(std::log(mass / other)); }
 
   /// Nothing stops a moving box: it presses what stands between it and a wall through the wall.
   void reaching(const Box& box, const Subject& subject) {
@@ -245,6 +249,7 @@ class Search {
 
   const World& world_;
   double gravity_;
+  std::vector<double> masses_;  // of the robots
   std::size_t index_ = 0;
   std::vector<Warning> found_;
 };
