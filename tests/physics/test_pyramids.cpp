@@ -203,3 +203,57 @@ TEST_CASE("Pyramids against random boxes agree with cutting them to pieces") {
   CHECK(in > 500);
   CHECK(out > 500);
 }
+
+TEST_CASE("A round chassis is in the pyramid from its nearest point on, not the box around it") {
+  const double near = GENERATE(-1e-6, 1e-6);
+  // The left face of a pyramid at the origin is the plane y = x; the disc touches it at (0.5, 0.5).
+  const double r = 0.1, aside = r * std::sqrt(0.5) + near;
+  PhysicsContext context;
+  context.engine->add_robot(alone(Shape::pillar(r, 0.3)), {0.5 - aside, 0.5 + aside, 0.0});
+  CHECK(context.engine->anything_in(wide({0, 0, 0.2}), kNobody) == (near < 0.0));
+  context.engine->add_robot(alone(Shape::box({2 * r, 2 * r, 0.3})), {0.5 - aside, 0.5 + aside, 0});
+  CHECK(context.engine->anything_in(wide({0, 0, 0.2}), kNobody));
+}
+
+TEST_CASE("Pyramids against cylinders agree with boxes in and around them") {
+  Random random(5);
+  int in = 0, out = 0;
+  for (int world = 0; world < 40; ++world) {
+    PhysicsContext context({}, open_field(6.0));
+    const double r = random.uniform(0.05, 0.6), height = random.uniform(0.05, 1.0);
+    const double z = random.uniform(0.0, 1.0);
+    const Pose pose{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-3, 3)};
+    context.engine->add_robot(alone(Shape::pillar(r, height)), pose, z);
+    const double top = height + 0.02;  // with the sensor deck
+    for (int i = 0; i < 60; ++i) {
+      const Vector3 apex{random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0),
+                         random.uniform(0.0, 2.0)};
+      const double yaw = std::atan2(pose.y - apex.y, pose.x - apex.x) + random.uniform(-1, 1);
+      const Pyramid pyramid{Frame::turned(apex, yaw, random.uniform(-1, 1)),
+                            random.uniform(0.01, 2.0), random.uniform(0.01, 2.0),
+                            random.uniform(0.1, 2.0)};
+      // The squares in a disc, turned in small steps, leave no more than a rim of 1 % of it out.
+      const auto any_square = [&](double radius) {
+        constexpr int kTurns = 80;
+        for (int k = 0; k < kTurns; ++k) {
+          const Frame middle = Frame::turned({pose.x, pose.y, z + 1e-3 + 0.5 * top},
+                                             0.5 * std::numbers::pi * k / kTurns, 0.0);
+          const double half = radius * std::sqrt(0.5);
+          if (overlap(pyramid, middle, {half, half, 0.5 * top})) return true;
+        }
+        return false;
+      };
+      const bool found = context.engine->anything_in(pyramid, kNobody);
+      CAPTURE(world, i);
+      if (any_square(r)) {
+        CHECK(found);
+        ++in;
+      } else if (!any_square(1.015 * r)) {
+        CHECK_FALSE(found);
+        ++out;
+      }
+    }
+  }
+  CHECK(in > 100);
+  CHECK(out > 100);
+}

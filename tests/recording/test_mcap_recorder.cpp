@@ -350,3 +350,33 @@ TEST_CASE("A recording that cannot be made says so") {
   CHECK_THROWS_WITH(recording::McapRecorder(file.path, {.rate_hz = 0}),
                     "a recording needs a positive number of samples a second");
 }
+
+TEST_CASE("A round robot is a cylinder that stands, on two that lie") {
+  McapFile file;
+  world::World world;
+  world.robots.push_back(
+      robot("r1", 0, 0, 0, behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}})));
+  world.robots[0].body.round = true;
+  world.limits.time = 0.1;
+  Simulation simulation(world, shipped());
+  record(simulation, file.path);
+  const auto all = recorded(file.path);
+  const auto& drawn = all.at("/scene").at(0).content.at("entities").back();
+  CHECK(drawn.at("cubes").empty());
+  CHECK(drawn.at("spheres").size() == 2);  // casters
+  const auto& cylinders = drawn.at("cylinders");
+  REQUIRE(cylinders.size() == 3);
+  // The direction of a cylinder's axis is up, turned by its orientation; its z is 1 - 2 (x2 + y2).
+  const auto upwards = [](const nlohmann::json& cylinder) {
+    const auto& q = cylinder.at("pose").at("orientation");
+    const double x = q.at("x"), y = q.at("y");
+    return 1.0 - 2.0 * (x * x + y * y);
+  };
+  CHECK(cylinders[0].at("size").at("x") == 0.08);
+  CHECK(cylinders[0].at("size").at("z") == 0.08);
+  CHECK(upwards(cylinders[0]) == Approx(1.0));
+  for (const std::size_t wheel : {1U, 2U}) {
+    CHECK(cylinders[wheel].at("size").at("z") == 0.01);
+    CHECK(upwards(cylinders[wheel]) == Approx(0.0).margin(1e-9));
+  }
+}

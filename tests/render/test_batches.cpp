@@ -9,7 +9,7 @@ using namespace elsie::render::test;
 
 namespace {
 
-/// Boxes, wheels and marks all around.
+/// Boxes, cylinders, balls and marks all around.
 Scene busy_scene() {
   Scene scene;
   for (int i = 0; i < 60; ++i) {
@@ -23,6 +23,7 @@ Scene busy_scene() {
     scene.cylinders.push_back(
         {Frame::turned({away * std::sin(angle), away * std::cos(angle), 0.1}, 0.4 * i, 0.0), 0.1,
          0.05, kBlue});
+    scene.balls.push_back({{-away * std::sin(angle), away * std::cos(angle), 0.2}, 0.07, kRed});
     scene.marks.push_back({{away * std::sin(angle), -away * std::cos(angle)}, 0.2, kGreen});
   }
   return scene;

@@ -95,6 +95,26 @@ TEST_CASE("A wheel is round from the side and a bar from the front") {
   CHECK(front.bottom - front.top + 1 == Approx(scale * 0.6 / 2.3).margin(3));
 }
 
+TEST_CASE("A ball is round from every side, and lighter above") {
+  Scene scene;
+  scene.balls = {{{0, 0, 1}, 0.3, kGreen}};
+  const double radius = 50.0 / std::tan(radians(15)) * 0.3 / 2.0;  // px
+  for (const double side : {0.0, 30.0, 90.0, 215.0}) {
+    CAPTURE(side);
+    const Vector3 at{-2 * std::cos(radians(side)), -2 * std::sin(radians(side)), 1};
+    const Image picture = take(scene, view_from(at, side));
+    const Patch seen = find(picture, kGreen);
+    CHECK(seen.right - seen.left + 1 == Approx(2 * radius).margin(3));
+    CHECK(seen.bottom - seen.top + 1 == Approx(2 * radius).margin(3));
+    CHECK(seen.area == Approx(std::numbers::pi * radius * radius).epsilon(0.06));
+    CHECK(colour_at(picture, 50, 35).green > colour_at(picture, 50, 65).green);
+  }
+  View own = view_from({-2, 0, 1});
+  own.carrier = 3;
+  scene.balls[0].carrier = 3;
+  CHECK(find(take(scene, own), kGreen).area == 0);
+}
+
 TEST_CASE("A mark is a disc on the floor, below whatever stands there") {
   Scene scene;
   scene.marks = {{{0, 0}, 0.5, kGreen}, {{0.5, 0}, 0.2, kBlue}};

@@ -1,4 +1,6 @@
 // Worlds as cameras see them.
+#include <numbers>
+
 #include <catch2/catch.hpp>
 
 #include "elsie/render/world_scene.h"
@@ -175,6 +177,29 @@ TEST_CASE("A robot is a chassis on two dark wheels, tilted as its frame is") {
   CHECK(drawn.boxes.back().frame.up == on_its_nose.up);
   CHECK(drawn.cylinders[0].frame.origin.x == Approx(0.05));
   CHECK(differing_pixels(level, tilted) > 300);
+}
+
+TEST_CASE("A round robot is as wide from every side, and round from above") {
+  world::World world = empty_world();
+  world.robots.resize(1);
+  world::RobotBody& body = world.robots[0].body;
+  body.round = true;
+  body.length = body.width = 0.1;
+  body.axle = 0.08;
+  WorldScene scene(world, {.team_coloured_robots = true});
+  const auto width_from = [&](double degrees_) {
+    const Vector3 at{-std::cos(radians(degrees_)), -std::sin(radians(degrees_)), 0.06};
+    const Patch seen = find(take(scene.scene(), view_from(at, degrees_)), world::kRedTeam);
+    return seen.right - seen.left + 1;
+  };
+  const double scale = 50.0 / std::tan(radians(15));  // px for a unit of slope
+  const double expected = scale * 0.1;                // at a distance of 1 m
+  for (const double degrees_ : {0.0, 20.0, 45.0, 90.0, 200.0}) {
+    CAPTURE(degrees_);
+    CHECK(width_from(degrees_) == Approx(expected).margin(2));
+  }
+  const Patch top = find(take(scene.scene(), view_from({0, 0, 1.09}, 0, -90)), world::kRedTeam);
+  CHECK(top.area == Approx(0.25 * std::numbers::pi * expected * expected).epsilon(0.08));
 }
 
 TEST_CASE("A robot's segments are drawn behind it, and are not in its own pictures") {
