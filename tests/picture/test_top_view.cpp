@@ -89,6 +89,19 @@ TEST_CASE("Places keep their meaning at every size and shape of the arena") {
   }
 }
 
+TEST_CASE("A round robot has no corners") {
+  const bool round = GENERATE(true, false);
+  Scene scene;
+  scene.world.arena.length = scene.world.arena.width = 2.0;
+  world::RobotBody& body = scene.add_robot("", "red", {}).body;
+  body.round = round;
+  body.length = body.width = 0.3;
+  body.axle = 0.2;
+  const Bitmap image = scene.image();
+  CHECK(image.at(scene.place(-0.1, 0.08)).reddish());
+  CHECK(image.at(scene.place(-0.13, 0.13)).reddish() == !round);
+}
+
 TEST_CASE("A robot shows where it is and where it looks, however large the arena") {
   for (const double edge : {2.0, 10.0, 30.0, 100.0}) {
     Scene scene;
