@@ -137,7 +137,8 @@ OdeVehicle::OdeVehicle(dWorldID world, std::span<const Part> parts) {
   chassis_ = make_body(world, chassis_geom_.get(), mass_of(chassis));
   lay(chassis_geom_.get(), shape_);
   if (const auto* hitch = std::get_if<HitchJoint>(&chassis.joint)) hitch_ = *hitch;
-  solids_.chassis = {chassis_, chassis_geom_.get(), kind_of(shape_), {{}, {}, 0.5 * shape_.size}};
+  solids_.chassis = {chassis_, chassis_geom_.get(), kind_of(shape_), {}};
+  solids_.chassis.shape.half = 0.5 * shape_.size;
   for (const Part& part : parts) {
     if (const auto* wheel = std::get_if<WheelJoint>(&part.joint)) add_wheel(world, part, *wheel);
   }

@@ -72,7 +72,7 @@ inline Frame along_axis(const Frame& frame, Shape::Axis axis) {
 /// What a part is, for those who draw it.
 enum class PartRole : std::uint8_t { chassis, wheel, caster };
 
-/// A part that is one with the chassis of its vehicle.
+/// Of a chassis that nothing pulls; other parts hang on a joint.
 struct FixedJoint {};
 
 /// A wheel, which turns about the left axis of its frame.
