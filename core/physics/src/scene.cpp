@@ -78,7 +78,7 @@ void Scene::place_box(Id id, const OrientedBox& box, double reach) {
 }
 
 void Scene::place_robot(Id id, const SensedSolid& sensed, const std::vector<Cylinder>& wheels,
-                        const OrientedBox& enclosing, double reach) {
+                        const Aabb& enclosing, double reach) {
   Entry& entry = entries_[id];
   entry.solid = sensed;
   entry.wheels = wheels;
@@ -87,7 +87,7 @@ void Scene::place_robot(Id id, const SensedSolid& sensed, const std::vector<Cyli
     entry.wheels_top =
         std::max(entry.wheels_top, wheel.center.z + wheel.radius + wheel.half_length);
   }
-  place(id, bounds(enclosing), reach);
+  place(id, enclosing, reach);
 }
 
 void Scene::remove(Id id) {

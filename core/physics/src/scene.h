@@ -35,9 +35,9 @@ class Scene {
   /// Puts a box somewhere. `reach` is how far it may come in the next step, m.
   void place_box(Id id, const OrientedBox& box, double reach);
   /// Puts a robot or a segment somewhere: what sensors see of it (chassis with sensor deck, and
-  /// wheels), and a box that encloses all of it.
+  /// wheels), and bounds that enclose all of it.
   void place_robot(Id id, const SensedSolid& sensed, const std::vector<Cylinder>& wheels,
-                   const OrientedBox& enclosing, double reach);
+                   const Aabb& enclosing, double reach);
   void remove(Id id);
 
   const Body& body(Id id) const { return entries_[id].body; }

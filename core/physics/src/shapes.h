@@ -1,6 +1,7 @@
 // The shapes of bodies as queries and collision detection see them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -46,6 +47,16 @@ inline Aabb bounds(const OrientedBox& box) {
                   std::abs(a.y) * h.x + std::abs(b.y) * h.y + std::abs(c.y) * h.z,
                   std::abs(a.z) * h.x + std::abs(b.z) * h.y + std::abs(c.z) * h.z};
   return {box.center - e, box.center + e};
+}
+
+inline Aabb bounds(const Cylinder& cylinder) {
+  const auto extent = [&](double along) {
+    return std::abs(along) * cylinder.half_length +
+           std::sqrt(std::max(0.0, 1.0 - along * along)) * cylinder.radius;
+  };
+  const Vector3& axis = cylinder.axis;
+  const Vector3 e{extent(axis.x), extent(axis.y), extent(axis.z)};
+  return {cylinder.center - e, cylinder.center + e};
 }
 
 }  // namespace elsie::physics

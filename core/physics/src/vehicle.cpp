@@ -34,19 +34,25 @@ void place_vehicle(Scene& scene, Scene::Id id, const Shape& shape, const Vector3
   // From the floor to the deck, and as wide and long as chassis and wheels together.
   double top = dot(chassis.center - frame.origin, frame.up) + chassis.half.z + kSensorDeck;
   double half_length = chassis.half.x, half_width = chassis.half.y;
+  double radius = shape.radius();  // of what is round
   for (const Cylinder& wheel : wheels) {
     const Vector3 at = wheel.center - frame.origin;
     const double along = std::abs(dot(wheel.axis, frame.forward));  // 0: it rolls straight ahead
     const double ahead = along == 0.0 ? wheel.radius : wheel.radius + along * wheel.half_length;
     const double aside =
         along == 0.0 ? wheel.half_length : wheel.half_length + along * wheel.radius;
-    half_length = std::max(half_length, std::abs(dot(at, frame.forward)) + ahead);
-    half_width = std::max(half_width, std::abs(dot(at, frame.left)) + aside);
+    const double front = std::abs(dot(at, frame.forward)) + ahead;
+    const double side = std::abs(dot(at, frame.left)) + aside;
+    half_length = std::max(half_length, front);
+    half_width = std::max(half_width, side);
+    radius = std::max(radius, std::hypot(front, side));
     top = std::max(top, 2.0 * wheel.radius);
   }
-  const OrientedBox enclosing{
-      frame.point({0.0, 0.0, 0.5 * top}), chassis.axes, {half_length, half_width, 0.5 * top}};
-  const double size = enclosing.half.x + enclosing.half.y + 2.0 * enclosing.half.z;
+  const Vector3 half{half_length, half_width, 0.5 * top};
+  const Vector3 center = frame.point({0.0, 0.0, half.z});
+  const Aabb enclosing = shape.is_round() ? bounds(Cylinder{center, frame.up, radius, half.z})
+                                          : bounds(OrientedBox{center, chassis.axes, half});
+  const double size = half.x + half.y + 2.0 * half.z;
   const double speed = std::sqrt(dot(motion.velocity, motion.velocity)) +
                        size * std::sqrt(dot(motion.turning, motion.turning));
   scene.place_robot(id, sensed_chassis(shape, chassis), wheels, enclosing,
