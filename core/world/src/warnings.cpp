@@ -29,13 +29,27 @@ using base::number_text;
 
 std::string about(double value) { return number_text(value, 3); }
 
-/// Of a robot without its segments.
-double total_mass(const std::vector<Part>& parts) {
-  double mass = 0.0;
-  for (const Part& part : parts) {
-    mass += part.mass;
+/// A robot without its segments: what it weighs, and what it stands and drives on.
+struct Stance {
+  double mass = 0.0;        // kg
+  double half_base = 0.0;   // m, of its wheels and casters, ahead and behind
+  double half_track = 0.0;  // m, to either side
+  int motors = 0;           // of wheels
+};
+
+Stance stance_of(const Robot& robot) {
+  const BodyPlan plan = plan_of(robot);
+  Stance stance;
+  for (const Part& part : vehicle_of(plan, 0)) {
+    stance.mass += part.mass;
+    if (part.role != PartRole::chassis) {
+      stance.half_base = std::max(stance.half_base, std::abs(part.frame.origin.x));
+      stance.half_track = std::max(stance.half_track, std::abs(part.frame.origin.y));
+    }
+    const auto* wheel = std::get_if<WheelJoint>(&part.joint);
+    stance.motors += wheel && wheel->torque > 0.0 ? 1 : 0;
   }
-  return mass;
+  return stance;
 }
 
 /// The body that a warning is about.
@@ -51,7 +65,7 @@ class Search {
 
   std::vector<Warning> find() {
     for (const Robot& robot : world_.robots) {
-      masses_.push_back(total_mass(parts_of(robot.body)));
+      stances_.push_back(stance_of(robot));
     }
     physics();
     for (index_ = 0; index_ < world_.robots.size(); ++index_) {
@@ -154,16 +168,18 @@ class Search {
       add(Warning::About::robot, robot.location, std::move(message));
     };
     const RobotBody& body = robot.body;
-    const double mass = masses_[index_];
+    const Stance& stance = stances_[index_];
+    const double mass = stance.mass;
     const Subject subject{Warning::About::robot, robot.location, whose};
     sinking(subject, mass, std::min(body.wheel_radius, body.clearance));
     crossing(subject, robot.max_speed, std::min(body.length, body.width));
-    const double holds = mass * gravity_ * half_base(body);
-    if (2.0 * body.wheel_torque > kStrongest * holds) {
+    // What each motor may give.
+    const double holds = mass * gravity_ * stance.half_base / std::max(stance.motors, 1);
+    if (body.wheel_torque > kStrongest * holds) {
       warn(whose + " has motors of " + number_text(body.wheel_torque) +
-           " N m, and its weight holds only " + about(0.5 * holds) +
+           " N m, and its weight holds only " + about(holds) +
            " N m of each before the chassis turns over instead of the wheels; expected at most " +
-           about(0.5 * kStrongest * holds) + " N m");
+           about(kStrongest * holds) + " N m");
     }
     const double inertia = 0.5 * body.wheel_mass * body.wheel_radius * body.wheel_radius;
     const double gained = body.wheel_torque * world_.physics.step / inertia;
@@ -185,7 +201,7 @@ class Search {
       sinking(pulled, segment.mass, std::min(segment.wheel_radius, segment.clearance));
     }
     const double height = body.clearance + 0.5 * body.height;
-    const double base = std::min(half_base(body), body.half_axle());
+    const double base = std::min(stance.half_base, stance.half_track);
     if (height > kSteepest * base) {
       const double most = 2.0 * (kSteepest * base - body.clearance);
       warn(whose + " has its middle " + number_text(height) + " m above the floor on a base of " +
@@ -208,12 +224,13 @@ class Search {
     const Subject subject{Warning::About::box, box.location, "the box '" + box.id + "'"};
     if (box.kind == BoxKind::dynamic) {
       sinking(subject, box.mass, box.height);
-      const auto least = std::max_element(masses_.begin(), masses_.end(), [&](double a, double b) {
-        return unlike(box.mass, a) < unlike(box.mass, b);
-      });
-      if (least != masses_.end()) {
-        const Robot& robot = world_.robots[static_cast<std::size_t>(least - masses_.begin())];
-        ratio(subject, box.mass, "the robot '" + robot.id + "'", *least);
+      const auto least =
+          std::max_element(stances_.begin(), stances_.end(), [&](const Stance& a, const Stance& b) {
+            return unlike(box.mass, a.mass) < unlike(box.mass, b.mass);
+          });
+      if (least != stances_.end()) {
+        const Robot& robot = world_.robots[static_cast<std::size_t>(least - stances_.begin())];
+        ratio(subject, box.mass, "the robot '" + robot.id + "'", least->mass);
       }
     }
     if (box.kind == BoxKind::moving && !box.waypoints.empty()) {
@@ -249,7 +266,7 @@ class Search {
 
   const World& world_;
   double gravity_;
-  std::vector<double> masses_;  // of the robots
+  std::vector<Stance> stances_;  // of the robots
   std::size_t index_ = 0;
   std::vector<Warning> found_;
 };
