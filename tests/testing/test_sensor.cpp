@@ -25,6 +25,12 @@ TEST_CASE("Boxes and robots are seen as in a simulation") {
   Sensor beam("beam_range");
   CHECK(beam.sense<RangeReading>(Surroundings().box(0.5, 0)).distance_m == Approx(0.36));
   CHECK(beam.sense<RangeReading>(Surroundings().robot("mate", 0.5, 0)).distance_m == Approx(0.42));
+  elsie::world::Robot round;
+  round.x = 0.5;
+  round.y = 0.03;
+  round.body.round = true;
+  CHECK(beam.sense<RangeReading>(Surroundings().robot(round)).distance_m ==
+        Approx(0.46 - std::sqrt(0.04 * 0.04 - 0.03 * 0.03)));
   Sensor proximity("proximity");
   CHECK(proximity.sense<ProximityReading>(Surroundings().box(0.3, 0)).detected);
   CHECK_FALSE(proximity.sense<ProximityReading>(Surroundings().box(-0.3, 0)).detected);

@@ -85,6 +85,18 @@ Image random_picture(int width, int height, Random& random) {
   return picture.image();
 }
 
+/// Every other one is round.
+world::Robot random_robot(int number, const Vector2& at, Random& random) {
+  world::Robot robot;
+  robot.id = "robot" + std::to_string(number);
+  robot.x = at.x;
+  robot.y = at.y;
+  robot.leader = random.chance(0.3);
+  robot.heading_deg = random.uniform(-180, 180);
+  robot.body.round = number % 2 == 1;
+  return robot;
+}
+
 Surroundings random_surroundings(const Colour& colour, Random& random) {
   const auto place = [&] {
     const double angle = random.uniform(-kPi, kPi), distance = random.uniform(0.3, 3.0);
@@ -100,8 +112,7 @@ Surroundings random_surroundings(const Colour& colour, Random& random) {
         around.wall(at.x, at.y, at.x + random.uniform(0.1, 2.0), at.y + random.uniform(-1.0, 1.0));
         break;
       case 1:
-        around.robot("robot" + std::to_string(i), at.x, at.y, random.uniform(-180, 180),
-                     random.chance(0.3));
+        around.robot(random_robot(i, at, random));
         break;
       case 2:
         around.resource(at.x, at.y, colour);

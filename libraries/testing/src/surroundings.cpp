@@ -77,7 +77,12 @@ Surroundings& Surroundings::robot(const std::string& id, double x, double y, dou
   robot.y = y;
   robot.heading_deg = heading_deg;
   robot.leader = is_leader;
-  engine_->bodies->add_robot(world::plan_of(robot), {x, y, wrap_angle(radians(heading_deg))});
+  return this->robot(robot);
+}
+
+Surroundings& Surroundings::robot(const world::Robot& robot) {
+  engine_->bodies->add_robot(world::plan_of(robot),
+                             {robot.x, robot.y, wrap_angle(radians(robot.heading_deg))}, robot.z);
   world_.robots.push_back(robot);
   return *this;
 }

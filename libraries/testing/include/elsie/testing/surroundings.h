@@ -36,6 +36,8 @@ class Surroundings final : public elsie::Surroundings {
   /// Adds another robot.
   Surroundings& robot(const std::string& id, double x, double y, double heading_deg = 0.0,
                       bool is_leader = false);
+  /// The same with a body that is not the default one: round, say, or with segments.
+  Surroundings& robot(const world::Robot& robot);
 
   std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
                                  double max_range_m) const override;
