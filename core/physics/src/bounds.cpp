@@ -56,12 +56,7 @@ double lever_of(const BodyPlan& plan) {
   double reach = 0.0, nearest = std::numeric_limits<double>::infinity();
   for (const Part& part : plan.parts) {
     const Vector3 at = frames[part.vehicle].point(part.frame.origin);
-    const Vector3& size = part.shape.size;
-    const bool aslant = part.frame.forward != Vector3{1.0, 0.0, 0.0};
-    const double along = aslant ? std::hypot(size.x, size.y) : size.x;
-    const double across = aslant ? along : size.y;
-    reach =
-        std::max(reach, std::hypot(std::abs(at.x) + 0.5 * along, std::abs(at.y) + 0.5 * across));
+    reach = std::max(reach, world::farthest_of(part, at));
     const auto* wheel = std::get_if<WheelJoint>(&part.joint);
     if (wheel && wheel->torque > 0.0) nearest = std::min(nearest, std::hypot(at.x, at.y));
   }

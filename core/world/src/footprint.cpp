@@ -75,14 +75,9 @@ double radius_of(std::span<const Part> vehicle) {
   if (!vehicle.front().shape.is_round()) {
     return 0.0;
   }
-  double radius = vehicle.front().shape.radius();
-  for (const Part& part : vehicle.subspan(1)) {
-    const Vector3& at = part.frame.origin;
-    const Vector3 reach = reach_of(part);
-    const double farthest = part.shape.is_round()
-                                ? std::hypot(at.x, at.y) + part.shape.radius()
-                                : std::hypot(std::abs(at.x) + reach.x, std::abs(at.y) + reach.y);
-    radius = std::max(radius, farthest);
+  double radius = 0.0;
+  for (const Part& part : vehicle) {
+    radius = std::max(radius, farthest_of(part, part.frame.origin));
   }
   return radius;
 }

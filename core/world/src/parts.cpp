@@ -153,4 +153,10 @@ Vector3 reach_of(const Part& part) {
           along(forward.z, left.z, up.z)};
 }
 
+double farthest_of(const Part& part, const Vector3& middle) {
+  if (part.shape.is_round()) return std::hypot(middle.x, middle.y) + part.shape.radius();
+  const Vector3 reach = reach_of(part);
+  return std::hypot(std::abs(middle.x) + reach.x, std::abs(middle.y) + reach.y);
+}
+
 }  // namespace elsie::world

@@ -44,5 +44,7 @@ std::span<const Part> vehicle_of(const BodyPlan& plan, std::size_t vehicle);
 /// How far a part reaches from its middle along the axes of its vehicle's frame, m; a wheel that is
 /// steered, wherever it points.
 Vector3 reach_of(const Part& part);
+/// How far a part reaches from the origin, m, seen from above, when its middle is there.
+double farthest_of(const Part& part, const Vector3& middle);
 
 }  // namespace elsie::world
