@@ -161,7 +161,7 @@ OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
 }
 
 std::size_t OdeEngine::add_robot(const BodyPlan& plan, const Pose& pose, double z) {
-  check(plan);
+  world::check(plan);
   check(pose, z);
   prepare_ode();
   const std::size_t index = robots_.size();

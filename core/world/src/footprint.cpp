@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "elsie/base/number_text.h"
-#include "elsie/world/train.h"
+#include "elsie/world/parts.h"
 
 namespace elsie::world {
 
@@ -63,15 +64,29 @@ Footprint footprint_of(const Segment& segment, const Pose& pose, double z) {
           z + std::max(segment.top(), 2.0 * segment.wheel_radius)};
 }
 
-std::vector<Footprint> footprints_of(const RobotBody& body, std::span<const Segment> segments,
-                                     const Pose& pose, double z) {
-  std::vector<Footprint> footprints{footprint_of(body, pose, z)};
+Footprint footprint_of(const BodyPlan& plan, std::size_t vehicle, const Pose& pose, double z) {
+  Footprint footprint{pose.x, pose.y, pose.heading_rad, 0.0, 0.0, z, z};
+  for (const Part& part : plan.parts) {
+    if (part.vehicle != vehicle || part.role == PartRole::caster) continue;
+    const Vector3 &at = part.frame.origin, &size = part.shape.size;
+    const auto* wheel = std::get_if<WheelJoint>(&part.joint);
+    const bool turns = part.frame.forward != Vector3{1.0, 0.0, 0.0} || (wheel && wheel->steered);
+    const double along = 0.5 * (turns ? std::hypot(size.x, size.y) : size.x);
+    const double across = turns ? along : 0.5 * size.y;
+    footprint.half_length = std::max(footprint.half_length, std::abs(at.x) + along);
+    footprint.half_width = std::max(footprint.half_width, std::abs(at.y) + across);
+    footprint.top = std::max(footprint.top, z + at.z + 0.5 * size.z);
+  }
+  return footprint;
+}
+
+std::vector<Footprint> footprints_of(const BodyPlan& plan, const Pose& pose, double z) {
+  std::vector<Footprint> footprints;
   const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
-  const std::vector<Coupling> chain = couplings(body, segments);
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const double place = chain[i].place;
-    footprints.push_back(
-        footprint_of(segments[i], {pose.x - place * c, pose.y - place * s, pose.heading_rad}, z));
+  for (const Frame& frame : in_line(plan)) {
+    const double x = frame.origin.x;
+    footprints.push_back(footprint_of(plan, footprints.size(),
+                                      {pose.x + x * c, pose.y + x * s, pose.heading_rad}, z));
   }
   return footprints;
 }

@@ -1,7 +1,10 @@
 #include "elsie/world/parts.h"
 
-#include "elsie/world/engine_facts.h"
+#include <string>
+
 #include "elsie/world/train.h"
+
+#include "differential.h"
 
 namespace elsie::world {
 namespace {
@@ -12,27 +15,46 @@ Fixture upright(Fixture::Kind kind, std::size_t index, const Vector3& bottom, do
   return {kind, index, shape, Frame::turned(middle, heading_rad, 0.0)};
 }
 
-/// The chassis of a vehicle, and two wheels flush with its sides or outside of them.
-template <class Vehicle>
-void add_vehicle(std::vector<Part>& parts, const Vehicle& d, const std::string& prefix,
-                 std::size_t index, const Joint& chassis, const WheelJoint& wheel,
-                 double wheel_mass) {
-  parts.push_back({prefix + "chassis",
-                   PartRole::chassis,
-                   Shape::box({d.length, d.width, d.height}),
-                   {.origin = {0.0, 0.0, d.clearance + 0.5 * d.height}},
-                   d.mass,
-                   index,
-                   chassis});
+Part chassis_part(const std::string& name, const Vector3& size, double clearance, double mass) {
+  return {name,
+          PartRole::chassis,
+          Shape::box(size),
+          {.origin = {0.0, 0.0, clearance + 0.5 * size.z}},
+          mass,
+          0,
+          FixedJoint{}};
+}
+
+BodyPlan unchecked_plan(const Chassis& chassis, Drive& drive) {
+  BodyPlan plan;
+  plan.parts.push_back(chassis_part("chassis", {chassis.length, chassis.width, chassis.height},
+                                    chassis.clearance, chassis.mass));
+  drive.build(chassis, plan);
+  return plan;
+}
+
+/// A segment: a chassis on a joint, and two wheels that roll freely, flush with its sides.
+void add_segment(BodyPlan& plan, const Segment& d, const Coupling& c) {
+  const std::size_t vehicle = plan.vehicles();
+  const std::string prefix = d.id + "/";
+  Part& chassis = plan.parts.emplace_back(
+      chassis_part(prefix + "chassis", {d.length, d.width, d.height}, d.clearance, d.mass));
+  chassis.vehicle = vehicle;
+  chassis.joint = HitchJoint{c.behind, c.ahead, c.height, c.max_yaw_rad, c.max_pitch_rad};
   for (const bool left : {true, false}) {
-    parts.push_back({prefix + (left ? "left_wheel" : "right_wheel"),
-                     PartRole::wheel,
-                     Shape::wheel(d.wheel_radius, d.wheel_width),
-                     {.origin = {0.0, (left ? 1.0 : -1.0) * d.half_axle(), d.wheel_radius}},
-                     wheel_mass,
-                     index,
-                     wheel});
+    plan.parts.push_back({prefix + (left ? "left_wheel" : "right_wheel"),
+                          PartRole::wheel,
+                          Shape::wheel(d.wheel_radius, d.wheel_width),
+                          {.origin = {0.0, (left ? 1.0 : -1.0) * d.half_axle(), d.wheel_radius}},
+                          0.0,
+                          vehicle,
+                          WheelJoint{}});
   }
+}
+
+void add_segments(BodyPlan& plan, std::span<const Segment> segments) {
+  const std::vector<Coupling> chain = couplings(plan, segments);
+  for (std::size_t i = 0; i < chain.size(); ++i) add_segment(plan, segments[i], chain[i]);
 }
 
 }  // namespace
@@ -73,29 +95,41 @@ std::vector<Fixture> fixtures_of(const World& world) {
   return all;
 }
 
-BodyPlan plan_of(const RobotBody& body, std::span<const Segment> segments) {
-  BodyPlan all;
-  add_vehicle(all.parts, body, "", 0, FixedJoint{}, {.torque = body.wheel_torque}, body.wheel_mass);
-  const double radius = caster_radius(body);
-  for (const bool front : {true, false}) {
-    all.parts.push_back({front ? "front_caster" : "rear_caster",
-                         PartRole::caster,
-                         Shape::sphere(radius),
-                         {.origin = {(front ? 1.0 : -1.0) * half_base(body), 0.0, radius}},
-                         kCasterMass * body.mass,
-                         0,
-                         CasterJoint{}});
-  }
-  const std::vector<Coupling> chain = couplings(body, segments);
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const Coupling& c = chain[i];
-    add_vehicle(all.parts, segments[i], segments[i].id + "/", i + 1,
-                HitchJoint{c.behind, c.ahead, c.height, c.max_yaw_rad, c.max_pitch_rad}, {}, 0.0);
-  }
-  return all;
+Chassis chassis_of(const RobotBody& body) {
+  return {.length = body.length,
+          .width = body.width,
+          .height = body.height,
+          .clearance = body.clearance,
+          .mass = body.mass,
+          .wheel_radius = body.wheel_radius,
+          .wheel_width = body.wheel_width,
+          .half_axle = body.half_axle(),
+          .wheel_mass = body.wheel_mass,
+          .wheel_torque = body.wheel_torque};
 }
 
-BodyPlan plan_of(const Robot& robot) { return plan_of(robot.body, robot.segments); }
+BodyPlan plan_of(const Chassis& chassis, Drive& drive) {
+  BodyPlan plan = unchecked_plan(chassis, drive);
+  check(plan);
+  return plan;
+}
+
+BodyPlan plan_of(const RobotBody& body, std::span<const Segment> segments) {
+  Differential differential;
+  BodyPlan plan = unchecked_plan(chassis_of(body), differential);
+  add_segments(plan, segments);
+  return plan;
+}
+
+BodyPlan driven_plan(const Robot& robot) {
+  return robot.driven.parts.empty() ? plan_of(robot.body, {}) : robot.driven;
+}
+
+BodyPlan plan_of(const Robot& robot) {
+  BodyPlan plan = driven_plan(robot);
+  add_segments(plan, robot.segments);
+  return plan;
+}
 
 std::vector<Frame> in_line(const BodyPlan& plan) {
   std::vector<Frame> frames;

@@ -17,12 +17,9 @@ double angle_of_touch(double half_width, double back, double front) {
   return std::atan2(back, half_width) + std::asin(front / radius);
 }
 
-}  // namespace
-
-std::vector<Coupling> couplings(const RobotBody& body, std::span<const Segment> segments) {
+/// Behind a vehicle whose middle is `place` m behind the robot's.
+std::vector<Coupling> behind(Footprint front, double place, std::span<const Segment> segments) {
   std::vector<Coupling> result;
-  Footprint front = footprint_of(body, {}, 0.0);
-  double place = 0.0;
   for (const Segment& segment : segments) {
     const Footprint own = footprint_of(segment, {}, 0.0);
     const double apart = front.half_length + segment.gap + own.half_length;
@@ -44,6 +41,18 @@ std::vector<Coupling> couplings(const RobotBody& body, std::span<const Segment> 
     front = own;
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<Coupling> couplings(const RobotBody& body, std::span<const Segment> segments) {
+  return behind(footprint_of(body, {}, 0.0), 0.0, segments);
+}
+
+std::vector<Coupling> couplings(const BodyPlan& plan, std::span<const Segment> segments) {
+  if (segments.empty()) return {};
+  const std::vector<Footprint> own = footprints_of(plan, {}, 0.0);
+  return behind(own.back(), -own.back().x, segments);
 }
 
 }  // namespace elsie::world

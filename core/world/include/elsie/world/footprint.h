@@ -1,6 +1,7 @@
 // Areas of bodies on the floor: whether they overlap, and whether they are in the arena.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,9 +30,10 @@ Footprint footprint_of(const Box& box, const Frame& now);
 /// A robot without its segments, its wheels `z` m above the floor.
 Footprint footprint_of(const RobotBody& body, const Pose& pose, double z);
 Footprint footprint_of(const Segment& segment, const Pose& pose, double z);
-/// A robot, then its segments in line behind it.
-std::vector<Footprint> footprints_of(const RobotBody& body, std::span<const Segment> segments,
-                                     const Pose& pose, double z);
+/// One vehicle of a body, at its pose.
+Footprint footprint_of(const BodyPlan& plan, std::size_t vehicle, const Pose& pose, double z);
+/// All vehicles of a body (plan_of()) in line behind the first.
+std::vector<Footprint> footprints_of(const BodyPlan& plan, const Pose& pose, double z);
 
 /// Whether they overlap by more than a micrometre, in height and by the separating axis theorem on
 /// the four axes of the two rectangles.

@@ -27,5 +27,7 @@ struct Coupling {
 ///     h sin t - f cos t = b  or  h sin t - b cos t = f,
 /// but at most 90 degrees.
 std::vector<Coupling> couplings(const RobotBody& body, std::span<const Segment> segments);
+/// The same behind any body, whose last vehicle pulls them.
+std::vector<Coupling> couplings(const BodyPlan& plan, std::span<const Segment> segments);
 
 }  // namespace elsie::world
