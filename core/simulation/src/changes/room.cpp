@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "elsie/world/parts.h"
+
 namespace elsie::simulation {
 
 double height(const Frame& frame) {
@@ -27,18 +29,18 @@ Room::Room(const world::World& world, Robots robots, const physics::Engine& engi
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const world::Robot& robot = world.robots[i];
     auto& parts = robots_.emplace_back();
-    parts.push_back(
-        world::footprint_of(robot.body, robots[i]->state().pose, height(engine.robot(i).frame)));
-    for (std::size_t k = 0; k < robot.segments.size(); ++k) {
+    const BodyPlan plan = world::plan_of(robot);
+    const physics::RobotState state = engine.robot(i);
+    parts.push_back(world::footprint_of(plan, 0, state.pose, height(state.frame)));
+    for (std::size_t k = 0; k < engine.segments(i); ++k) {
       const physics::SegmentState segment = engine.segment(i, k);
-      parts.push_back(world::footprint_of(robot.segments[k], segment.pose, height(segment.frame)));
+      parts.push_back(world::footprint_of(plan, k + 1, segment.pose, height(segment.frame)));
     }
   }
 }
 
 void Room::place(std::size_t robot, const Pose& pose, double z) {
-  robots_[robot] =
-      world::footprints_of(world_.robots[robot].body, world_.robots[robot].segments, pose, z);
+  robots_[robot] = world::footprints_of(world::plan_of(world_.robots[robot]), pose, z);
 }
 
 std::optional<std::string> Room::problem_of(std::size_t robot) const {
@@ -66,8 +68,9 @@ std::optional<std::string> Room::problem_of(std::size_t robot) const {
 
 std::string Room::name_of(std::size_t robot, std::size_t part) const {
   const world::Robot& described = world_.robots[robot];
-  return (part == 0 ? "" : "the segment '" + described.segments[part - 1].id + "' of ") +
-         ("the robot '" + described.id + "'");
+  const std::string name = "the robot '" + described.id + "'";
+  const std::size_t own = robots_[robot].size() - described.segments.size();
+  return part < own ? name : "the segment '" + described.segments[part - own].id + "' of " + name;
 }
 
 }  // namespace elsie::simulation
