@@ -7,6 +7,7 @@
 //     r w4 = vx - vy + (a + b) w    rear right
 // with half the wheelbase a and half the track b.
 #include <numbers>
+#include <string>
 
 #include "rolling.h"
 

@@ -43,7 +43,6 @@ class Omnidirectional final : public elsie::Drive {
  private:
   static constexpr const char* kNames[] = {"left_wheel", "rear_wheel", "right_wheel"};
 
- private:
   drives::Rolling rolling_;
 };
 
