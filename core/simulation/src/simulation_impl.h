@@ -45,6 +45,7 @@ class Simulation::Impl {
       try {
         robots_.push_back(
             std::make_unique<Robot>(world_.robots[i], Robot::membership(world_, i), host, options));
+        world_.robots[i].driven = robots_.back()->take_driven();
       } catch (const world::WorldError& error) {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());
       }

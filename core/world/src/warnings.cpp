@@ -7,6 +7,7 @@
 #include "elsie/base/number_text.h"
 #include "elsie/world/engine_facts.h"
 #include "elsie/world/footprint.h"
+#include "elsie/world/parts.h"
 
 namespace elsie::world {
 
@@ -39,6 +40,20 @@ struct Subject {
   const Location& location;
   std::string name;
 };
+
+/// How far from the middle of a robot what it stands on is, ahead and aside; m.
+struct Base {
+  double half_length = 0.0, half_width = 0.0;
+};
+Base base_of(const Robot& robot) {
+  Base base;
+  for (const auto& part : driven_plan(robot).parts) {
+    if (part.role == PartRole::chassis) continue;
+    base.half_length = std::max(base.half_length, std::abs(part.frame.origin.x));
+    base.half_width = std::max(base.half_width, std::abs(part.frame.origin.y));
+  }
+  return base;
+}
 
 class Search {
  public:
@@ -150,7 +165,8 @@ class Search {
     const Subject subject{Warning::About::robot, robot.location, whose};
     sinking(subject, mass, std::min(body.wheel_radius, body.clearance));
     crossing(subject, robot.max_speed, std::min(body.length, body.width));
-    const double holds = mass * gravity_ * half_base(body);
+    const Base stands = base_of(robot);
+    const double holds = mass * gravity_ * stands.half_length;
     if (2.0 * body.wheel_torque > kStrongest * holds) {
       warn(whose + " has motors of " + number_text(body.wheel_torque) +
            " N m, and its weight holds only " + about(0.5 * holds) +
@@ -177,7 +193,7 @@ class Search {
       sinking(pulled, segment.mass, std::min(segment.wheel_radius, segment.clearance));
     }
     const double height = body.clearance + 0.5 * body.height;
-    const double base = std::min(half_base(body), body.half_axle());
+    const double base = std::min(stands.half_length, stands.half_width);
     if (height > kSteepest * base) {
       const double most = 2.0 * (kSteepest * base - body.clearance);
       warn(whose + " has its middle " + number_text(height) + " m above the floor on a base of " +

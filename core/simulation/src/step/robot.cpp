@@ -97,12 +97,13 @@ void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& pro
   if (!drive_) return;
   blaming(use, problems, [&] {
     const Chassis chassis = world::chassis_of(description_.body);
-    const BodyPlan plan = world::plan_of(chassis, *drive_);
+    BodyPlan plan = world::plan_of(chassis, *drive_);
     wheels_ = drive_->wheels(chassis);
     const auto settable = std::count_if(plan.parts.begin(), plan.parts.end(),
                                         [](const Part& part) { return can_be_set(part.joint); });
     joints_.resize(static_cast<std::size_t>(settable));
     wanted_joints_ = joints_;
+    if (description_.drive) driven_ = std::move(plan);
   });
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elsie/api/drive.h"
@@ -122,6 +123,8 @@ class Robot final : private Wishes {
   std::vector<TeamMate>& mates() { return mates_; }
   bool empty() const { return empty_; }
   const MotorCommand& command() const { return state_.commanded; }
+  /// The parts of its drive, for Robot::driven of the description; once. None: of the default one.
+  BodyPlan take_driven() { return std::move(driven_); }
   /// What its drive makes of the command, for the joints that can be set.
   std::span<const JointSetting> wanted_joints() const { return wanted_joints_; }
   std::span<const Member> members() const { return controller_->members(); }
@@ -182,6 +185,7 @@ class Robot final : private Wishes {
   const Declaration* drive_declaration_ = nullptr;
   plugin::Object<Drive> drive_;
   Random drive_random_;
+  BodyPlan driven_;
   WheelPair wheels_;
   std::vector<JointSetting> joints_;         // measured
   std::vector<JointSetting> wanted_joints_;  // as many
