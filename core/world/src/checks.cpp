@@ -222,7 +222,7 @@ void check_segments(const Reading& reading, const Robot& robot, Problems& proble
   if (!reading.sound_with_segments(robot)) {
     return;
   }
-  const std::vector<Coupling> chain = couplings(driven_plan(robot), robot.segments);
+  const std::vector<Coupling> chain = couplings_behind(driven_plan(robot), robot.segments);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Segment& segment = robot.segments[i];
     const std::string what = "the segment '" + segment.id + "' of " + in_words(robot);

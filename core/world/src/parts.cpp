@@ -53,7 +53,7 @@ void add_segment(BodyPlan& plan, const Segment& d, const Coupling& c) {
 }
 
 void add_segments(BodyPlan& plan, std::span<const Segment> segments) {
-  const std::vector<Coupling> chain = couplings(plan, segments);
+  const std::vector<Coupling> chain = couplings_behind(plan, segments);
   for (std::size_t i = 0; i < chain.size(); ++i) add_segment(plan, segments[i], chain[i]);
 }
 

@@ -49,7 +49,7 @@ std::vector<Coupling> couplings(const RobotBody& body, std::span<const Segment> 
   return behind(footprint_of(body, {}, 0.0), 0.0, segments);
 }
 
-std::vector<Coupling> couplings(const BodyPlan& plan, std::span<const Segment> segments) {
+std::vector<Coupling> couplings_behind(const BodyPlan& plan, std::span<const Segment> segments) {
   if (segments.empty()) return {};
   const std::vector<Footprint> own = footprints_of(plan, {}, 0.0);
   return behind(own.back(), -own.back().x, segments);

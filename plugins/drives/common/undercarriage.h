@@ -35,11 +35,10 @@ inline Part wheel(const std::string& name, const Chassis& chassis, double x, dou
           joint};
 }
 
-/// What is given, or else as long as wheels fit below the chassis, but never so short that they
-/// would be in each other.
+/// What is given, or else the length of the chassis, but never so short that wheels would be in
+/// each other. Axles below its ends keep a chassis from rearing up when it starts and stops.
 inline double wheelbase_or_default(double given, const Chassis& chassis) {
-  const double r = chassis.wheel_radius;
-  return given > 0.0 ? given : std::max(chassis.length - 2.0 * r, 2.5 * r);
+  return given > 0.0 ? given : std::max(chassis.length, 2.5 * chassis.wheel_radius);
 }
 
 /// Refuses wheels that are nearer to each other than `least`.

@@ -37,22 +37,21 @@ class FrontRearSteering final : public elsie::Drive {
   drives::Steering steering_;
 };
 
-ELSIE_DRIVE(FrontRearSteering, "front_rear_steering",
-            "Four driven wheels, the front and the rear ones steered",
-            elsie::parameter("wheelbase", &FrontRearSteering::wheelbase,
-                             {.unit = "m",
-                              .min = 0,
-                              .max = 10,
-                              .meaning = "between front and rear axle; 0: as the chassis allows"}),
-            elsie::parameter("max_steer_deg", &FrontRearSteering::max_steer_deg,
-                             {.unit = "deg",
-                              .min = 1,
-                              .max = 80,
-                              .meaning = "how far a wheel is steered to either side"}),
-            elsie::parameter("steer_rate_deg_s", &FrontRearSteering::steer_rate_deg_s,
-                             {.unit = "deg/s",
-                              .min = 1,
-                              .max = 10000,
-                              .meaning = "how fast the steering turns"}));
+ELSIE_DRIVE(
+    FrontRearSteering, "front_rear_steering",
+    "Four driven wheels, the front and the rear ones steered",
+    elsie::parameter("wheelbase", &FrontRearSteering::wheelbase,
+                     {.unit = "m",
+                      .min = 0,
+                      .max = 10,
+                      .meaning = "between front and rear axle; 0: the length of the chassis"}),
+    elsie::parameter("max_steer_deg", &FrontRearSteering::max_steer_deg,
+                     {.unit = "deg",
+                      .min = 1,
+                      .max = 80,
+                      .meaning = "how far a wheel is steered to either side"}),
+    elsie::parameter(
+        "steer_rate_deg_s", &FrontRearSteering::steer_rate_deg_s,
+        {.unit = "deg/s", .min = 1, .max = 10000, .meaning = "how fast the steering turns"}));
 
 }  // namespace

@@ -45,11 +45,12 @@ class Mecanum final : public elsie::Drive {
   drives::Rolling rolling_;
 };
 
-ELSIE_DRIVE(Mecanum, "mecanum", "Four wheels with rollers at 45 degrees: moves in every direction",
-            elsie::parameter("wheelbase", &Mecanum::wheelbase,
-                             {.unit = "m",
-                              .min = 0,
-                              .max = 10,
-                              .meaning = "between front and rear axle; 0: as the chassis allows"}));
+ELSIE_DRIVE(
+    Mecanum, "mecanum", "Four wheels with rollers at 45 degrees: moves in every direction",
+    elsie::parameter("wheelbase", &Mecanum::wheelbase,
+                     {.unit = "m",
+                      .min = 0,
+                      .max = 10,
+                      .meaning = "between front and rear axle; 0: the length of the chassis"}));
 
 }  // namespace

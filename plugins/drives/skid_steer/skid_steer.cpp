@@ -15,7 +15,8 @@ class SkidSteer final : public elsie::Drive {
   double wheelbase = 0.0;
 
   void build(const elsie::Chassis& chassis, elsie::BodyPlan& plan) override {
-    const double base = drives::wheelbase_or_default(wheelbase, chassis);
+    const double base =
+        wheelbase > 0.0 ? wheelbase : std::max(chassis.half_axle, 2.5 * chassis.wheel_radius);
     drives::require(base < 2.0 * chassis.half_axle,
                     "its wheelbase is " + std::to_string(base) + " m and its track " +
                         std::to_string(2.0 * chassis.half_axle) +
@@ -50,12 +51,13 @@ class SkidSteer final : public elsie::Drive {
   elsie::WheelPair pair_;
 };
 
-ELSIE_DRIVE(SkidSteer, "skid_steer", "Four driven wheels; those of a side turn alike",
-            elsie::parameter("wheelbase", &SkidSteer::wheelbase,
-                             {.unit = "m",
-                              .min = 0,
-                              .max = 10,
-                              .meaning = "between front and rear axle, less than the track; 0: as "
-                                         "the chassis allows"}));
+ELSIE_DRIVE(
+    SkidSteer, "skid_steer", "Four driven wheels; those of a side turn alike",
+    elsie::parameter(
+        "wheelbase", &SkidSteer::wheelbase,
+        {.unit = "m",
+         .min = 0,
+         .max = 10,
+         .meaning = "between front and rear axle, less than the track; 0: half the track"}));
 
 }  // namespace

@@ -28,6 +28,6 @@ struct Coupling {
 /// but at most 90 degrees.
 std::vector<Coupling> couplings(const RobotBody& body, std::span<const Segment> segments);
 /// The same behind any body, whose last vehicle pulls them.
-std::vector<Coupling> couplings(const BodyPlan& plan, std::span<const Segment> segments);
+std::vector<Coupling> couplings_behind(const BodyPlan& plan, std::span<const Segment> segments);
 
 }  // namespace elsie::world
