@@ -17,7 +17,7 @@ void require_body(bool holds, const std::string& sentence) {
 
 bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
 
-void check(const WheelJoint& wheel, const Part& part) {
+void check_wheel(const WheelJoint& wheel, const Part& part) {
   const bool is_driven = wheel.torque != 0.0;
   require_body(
       std::isfinite(wheel.torque) && wheel.torque >= 0.0 &&
@@ -31,7 +31,7 @@ void check(const WheelJoint& wheel, const Part& part) {
                "The rollers of a wheel must not stand across the direction in which it rolls.");
 }
 
-void check(const HitchJoint& hitch) {
+void check_hitch(const HitchJoint& hitch) {
   require_body(
       is_positive(hitch.ahead) && std::isfinite(hitch.behind) && std::isfinite(hitch.height) &&
           hitch.behind >= 0.0 && hitch.height >= 0.0,
@@ -99,8 +99,8 @@ void check(const BodyPlan& plan) {
       require_body(std::holds_alternative<HitchJoint>(part.joint) == (vehicles > 1),
                    "Each vehicle but the first hangs on a joint.");
     }
-    if (const auto* wheel = std::get_if<WheelJoint>(&part.joint)) check(*wheel, part);
-    if (const auto* hitch = std::get_if<HitchJoint>(&part.joint)) check(*hitch);
+    if (const auto* wheel = std::get_if<WheelJoint>(&part.joint)) check_wheel(*wheel, part);
+    if (const auto* hitch = std::get_if<HitchJoint>(&part.joint)) check_hitch(*hitch);
     require_body(!std::holds_alternative<CasterJoint>(part.joint) || is_positive(part.mass),
                  positive);
     constexpr double kRounding = 1e-9;  // m

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
 #include <string>
 
 #include "elsie/api/drive.h"
@@ -20,7 +21,7 @@ bool is_sound(const Reading& reading, const Robot& robot) {
       return each.where.file == where.file && each.where.line == where.line;
     });
   };
-  return !is_flawed(robot.location) && !is_flawed(robot.drive->location);
+  return !is_flawed(robot.location) && !(robot.drive && is_flawed(robot.drive->location));
 }
 
 void build(Robot& robot, const plugin::Host& host, Problems& problems) {
@@ -52,11 +53,24 @@ void build(Robot& robot, const plugin::Host& host, Problems& problems) {
   }
 }
 
+void check_default(const Robot& robot, Problems& problems) {
+  try {
+    check(plan_of(robot.body, {}));
+  } catch (const std::invalid_argument& error) {
+    problems.add(robot.location, "the robot '" + robot.id + "': " + error.what());
+  }
+}
+
 }  // namespace
 
 void build_bodies(Reading& reading, const plugin::Host& host, Problems& problems) {
   for (Robot& robot : reading.world.robots) {
-    if (robot.drive && is_sound(reading, robot)) build(robot, host, problems);
+    if (!is_sound(reading, robot)) continue;
+    if (robot.drive) {
+      build(robot, host, problems);
+    } else {
+      check_default(robot, problems);
+    }
   }
 }
 
