@@ -1,4 +1,5 @@
 // Robots on drives: what the simulation makes of their commands.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -34,28 +35,52 @@ const std::string kAll[] = {"articulated",   "car",
                             "rear_steering", "skid_steer",
                             "synchro",       "tricycle"};
 
-/// Two wheels, and numbers that are none after a while.
-class Failing final : public Drive {
+class TwoWheels : public Drive {
  public:
   void build(const Chassis& chassis, BodyPlan& plan) override {
+    pair_ = {chassis.wheel_radius, half_track(chassis)};
     for (const double side : {1.0, -1.0}) {
       plan.parts.push_back({side > 0 ? "left_wheel" : "right_wheel",
                             PartRole::wheel,
                             Shape::wheel(chassis.wheel_radius, chassis.wheel_width),
-                            {.origin = {0.0, side * chassis.half_axle, chassis.wheel_radius}},
+                            {.origin = {0.0, side * pair_.half_axle, chassis.wheel_radius}},
                             chassis.wheel_mass,
                             0,
                             WheelJoint{.torque = chassis.wheel_torque}});
     }
   }
   Motion command(const Motion& asked, const DriveState&, std::span<JointSetting> joints) override {
-    if (++count_ == 5) joints[0] = {std::numeric_limits<double>::quiet_NaN()};
+    const WheelRates rates = pair_.wheel_rates(asked);
+    joints[0] = {rates.left};
+    joints[1] = {rates.right};
     return asked;
   }
-  Motion odometry(std::span<const JointSetting>) const override { return {}; }
+  Motion odometry(std::span<const JointSetting> joints) const override {
+    return pair_.motion({joints[0].rate_rad_s, joints[1].rate_rad_s});
+  }
+
+ protected:
+  virtual double half_track(const Chassis& chassis) const { return chassis.half_axle; }
+
+  WheelPair pair_;
+};
+
+/// Gives no number after a while.
+class Failing final : public TwoWheels {
+ public:
+  Motion command(const Motion& asked, const DriveState& now,
+                 std::span<JointSetting> joints) override {
+    const Motion possible = TwoWheels::command(asked, now, joints);
+    if (++count_ == 5) joints[0] = {std::numeric_limits<double>::quiet_NaN()};
+    return possible;
+  }
 
  private:
   int count_ = 0;
+};
+
+class Wider final : public TwoWheels {
+  double half_track(const Chassis& chassis) const override { return 2.0 * chassis.half_axle; }
 };
 
 }  // namespace
@@ -154,4 +179,24 @@ TEST_CASE("A drive that does not fit its chassis is refused when the simulation 
   world.robots.push_back(driven("mecanum"));
   world.robots[0].drive->parameters["wheelbase"] = 0.01;
   CHECK_THROWS_AS(Simulation(world, scripted.host), world::WorldError);
+}
+
+TEST_CASE("A drive is replaced while it runs, unless it would build another body") {
+  const auto answer = [](const Perception&) { return rates(0.2, 0.0); };
+  ScriptedHost first(answer), same(answer), other(answer);
+  first.host.add(declare<TwoWheels>(PluginKind::drive, "pair", "For a test"));
+  same.host.add(declare<TwoWheels>(PluginKind::drive, "pair", "For a test"));
+  other.host.add(declare<Wider>(PluginKind::drive, "pair", "For a test"));
+  world::World world;
+  world.robots.push_back(driven("pair"));
+  Simulation simulation(world, first.host);
+  for (int i = 0; i < 100; ++i) simulation.step();
+  CHECK_THROWS_WITH(simulation.replace_plugins(other.host),
+                    Catch::Contains("robot 'r1', drive: it would build another body now"));
+  for (int i = 0; i < 100; ++i) simulation.step();
+  const auto replaced = simulation.replace_plugins(same.host);
+  CHECK(std::any_of(replaced.objects.begin(), replaced.objects.end(),
+                    [](const auto& object) { return object.path == "drive"; }));
+  for (int i = 0; i < 100; ++i) simulation.step();
+  CHECK(simulation.robot(0).state->pose.x == Approx(0.6).epsilon(0.03));
 }
