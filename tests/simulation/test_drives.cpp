@@ -48,6 +48,16 @@ class TwoWheels : public Drive {
                             0,
                             WheelJoint{.torque = chassis.wheel_torque}});
     }
+    const double radius = 0.4 * chassis.clearance;
+    for (const double end : {0.4, -0.4}) {
+      plan.parts.push_back({end > 0 ? "front_caster" : "rear_caster",
+                            PartRole::caster,
+                            Shape::sphere(radius),
+                            {.origin = {end * chassis.length, 0.0, radius}},
+                            0.02 * chassis.mass,
+                            0,
+                            CasterJoint{}});
+    }
   }
   Motion command(const Motion& asked, const DriveState&, std::span<JointSetting> joints) override {
     const WheelRates rates = pair_.wheel_rates(asked);
