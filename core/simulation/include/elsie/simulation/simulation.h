@@ -71,8 +71,8 @@ struct SensorView {
 /// One segment that a robot pulls, at this instant.
 struct SegmentView {
   const world::Segment* description;  // none: it is part of the robot's drive
-  Frame frame;       // origin below the middle of its axle, at wheel-bottom height
-  Pose pose;         // the same on the floor
+  Frame frame;                        // origin below the middle of its axle, at wheel-bottom height
+  Pose pose;                          // the same on the floor
   double yaw_rad;    // of its joint, from in line with the body in front, counter-clockwise
   double pitch_rad;  // likewise; positive where its front points up
 };
