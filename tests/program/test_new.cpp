@@ -61,6 +61,8 @@ TEST_CASE("elsie new leaves existing files alone, and makes all or nothing") {
                Contains("'" + word + "' is a word of C++ or one that the generated files use"));
   }
   CHECK_THAT(refused("behavior wander"), Contains("there is a behavior 'wander' already"));
+  CHECK(refused("drive differential") ==
+        "elsie: there is a drive 'differential' already (built in); choose another name");
   CHECK_THAT(refused("sensor light --folder notes/light"), Contains("cannot be made"));
   CHECK(refused("sensor") == "elsie: NAME is missing");
   for (const auto& entry : std::filesystem::directory_iterator(here.file(""))) {

@@ -115,8 +115,9 @@ void check_free(const NewOptions& options) {
   const plugin::Host host = load_plugins(options.plugins);
   for (const PluginKind kind : plugin::kPluginKinds) {
     if (plugin::kind_name(kind) == options.kind && host.find(kind, options.name)) {
+      const std::string file = host.file_of(kind, options.name).string();
       throw BadInput("there is a " + options.kind + " '" + options.name + "' already (" +
-                     host.file_of(kind, options.name).string() + "); choose another name");
+                     (file.empty() ? "built in" : file) + "); choose another name");
     }
   }
 }
