@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: configure-program transcript api install package all demo test sanitize fuzz fuzz-check bench figures four-resources tables reference format lint lint-changed dependencies configure clean
+.PHONY: configure-program transcript api install package all demo test sanitize fuzz fuzz-check bench figures four-resources pictures tables reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -68,6 +68,11 @@ bench: all
 # Results of the shipped worlds over 20 seeds: docs/shipped-worlds.md.
 figures: all
 	scripts/world-figures $(BUILD)
+
+# The pictures of worlds in docs/.
+pictures: configure-program
+	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
+	$(ELSIE) picture worlds/drives.xml docs/pictures/drives.png
 
 # The four-resource world with every coordinator, 20 seeds each: docs/four-resources.md.
 four-resources: all

@@ -56,7 +56,7 @@ class Crowd : public PhysicsContext {
       // In the middle of the chassis: some lean by a few degrees.
       const RobotState state = engine->robot(i);
       const Vector3 middle = state.frame.point({0.0, 0.0, 0.05});
-      footprints.push_back(world::footprint_of(world::parts_of(body),
+      footprints.push_back(world::footprint_of(world::plan_of(body, {}).parts,
                                                {middle.x, middle.y, state.pose.heading_rad},
                                                state.frame.origin.z));
     }

@@ -14,6 +14,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/base/random.h"
+#include "elsie/world/parts.h"
 #include "elsie/world/train.h"
 
 #include "physics_context.h"
@@ -40,7 +41,7 @@ struct Train {
   PhysicsContext& context;
   std::size_t robot;
   std::vector<world::Segment> segments;
-  std::vector<world::Coupling> joints = world::couplings({}, segments);
+  std::vector<world::Coupling> joints = world::couplings(world::plan_of({}, {}), segments);
 
   SegmentState segment(std::size_t i) const { return context.engine->segment(robot, i); }
   void drive(double left, double right) { context.drive(robot, {left, right}); }

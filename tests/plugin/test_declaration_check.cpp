@@ -64,6 +64,20 @@ TEST_CASE("Each fault of a declaration is found and named") {
       {"it has no description", [](Declaration& d) { d.description = ""; }},
       {"it has no function that makes", [](Declaration& d) { d.create = nullptr; }},
       {"neither a sensor nor", [](Declaration& d) { d.kind = static_cast<PluginKind>(7); }},
+      {"a drive only carries out motions, so it raises no events",
+       [](Declaration& d) {
+         d.kind = PluginKind::drive;
+         d.needs.clear();
+         d.events = {{"turned", "it has turned"}};
+         d.reacts_to.clear();
+       }},
+      {"a drive is not given readings",
+       [](Declaration& d) {
+         d.kind = PluginKind::drive;
+         d.events.clear();
+         d.reacts_to.clear();
+         d.needs = {{"range", 8}};
+       }},
       {"the name of parameter 'max speed' must be",
        [](Declaration& d) { d.parameters[0].name = "max speed"; }},
       {"parameter 'speed' is declared twice",

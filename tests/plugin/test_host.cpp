@@ -248,3 +248,12 @@ TEST_CASE("An object of the wrong class is refused") {
       Message("behavior 'nothing' could not be made: its class is not derived from "
               "that of a behavior"));
 }
+
+TEST_CASE("The plugins of the core are in every host, and stay the same in a renewed one") {
+  Host host;
+  const Declaration* const built_in = host.find(PluginKind::drive, "differential");
+  REQUIRE(built_in);
+  CHECK(host.file_of(PluginKind::drive, "differential").empty());
+  CHECK(host.renewed({}).find(PluginKind::drive, "differential") == built_in);
+  CHECK_THROWS_WITH(host.add(*built_in), Catch::Contains("drive 'differential' is there already"));
+}

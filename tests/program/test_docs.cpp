@@ -487,3 +487,13 @@ TEST_CASE("The citation has the program's version") {
   CHECK_THAT(read(elsie::test::source_path("CITATION.cff")),
              Catch::Contains("\nversion: " + version.substr(6)));
 }
+
+TEST_CASE("The page on drives quotes what elsie new makes") {
+  const std::string page = read(fs::path(elsie::test::source_path("docs")) / "writing-a-drive.md");
+  const auto code = blocks(page, "cpp");
+  REQUIRE(code.size() == 2);
+  Workplace here;
+  REQUIRE(here.elsie("new drive wide_track").exit_code == 0);
+  CHECK(code[0] == here.read("wide_track/wide_track.cpp"));
+  CHECK(code[1] == here.read("wide_track/test_wide_track.cpp"));
+}

@@ -10,7 +10,7 @@ using elsie::test::Workplace;
 
 TEST_CASE("What elsie new makes runs as it is, without a build system") {
   Workplace here;
-  for (const std::string kind : {"behavior", "coordinator", "sensor", "measure"}) {
+  for (const std::string kind : {"behavior", "coordinator", "sensor", "measure", "drive"}) {
     CAPTURE(kind);
     const std::string name = "my_first_" + kind;
     const auto made = here.elsie("new " + kind + " " + name);
@@ -48,7 +48,8 @@ TEST_CASE("elsie new leaves existing files alone, and makes all or nothing") {
         "elsie: 'notes' exists already; choose another name, or --folder");
   CHECK(here.read("notes") == "mine");
   CHECK(refused("robot r1") ==
-        "elsie: 'robot' is no kind of plugin; there are behavior, coordinator, sensor and measure");
+        "elsie: 'robot' is no kind of plugin; there are behavior, coordinator, sensor, measure and "
+        "drive");
   CHECK_THAT(refused("behavior Wall"), Contains("'Wall' is no name for a plugin"));
   CHECK_THAT(refused("behavior 2nd"), Contains("'2nd' is no name for a plugin"));
   CHECK_THAT(refused("behavior a-b"), Contains("'a-b' is no name for a plugin"));
@@ -60,6 +61,8 @@ TEST_CASE("elsie new leaves existing files alone, and makes all or nothing") {
                Contains("'" + word + "' is a word of C++ or one that the generated files use"));
   }
   CHECK_THAT(refused("behavior wander"), Contains("there is a behavior 'wander' already"));
+  CHECK(refused("drive differential") ==
+        "elsie: there is a drive 'differential' already (built in); choose another name");
   CHECK_THAT(refused("sensor light --folder notes/light"), Contains("cannot be made"));
   CHECK(refused("sensor") == "elsie: NAME is missing");
   for (const auto& entry : std::filesystem::directory_iterator(here.file(""))) {

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path kDocs = elsie::test::source_path("docs");
-const std::vector<std::string> kKinds{"sensor", "behavior", "coordinator", "measure"};
+const std::vector<std::string> kKinds{"sensor", "behavior", "coordinator", "measure", "drive"};
 
 std::string read(const fs::path& file) {
   std::ifstream in(file);

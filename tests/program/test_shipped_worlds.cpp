@@ -16,7 +16,7 @@ int exit_code(const std::string& world, int seed, const std::string& options = "
 
 TEST_CASE("The shipped worlds reach their goals") {
   for (const char* world : {"open_arena", "corridor", "maze", "clutter", "clutter_moving",
-                            "pushing", "ten_robots", "train", "khepera"}) {
+                            "pushing", "ten_robots", "train", "khepera", "drives"}) {
     CAPTURE(world);
     CHECK(exit_code(world, 1) == 0);
   }

@@ -5,6 +5,7 @@
 
 #include "elsie/render/world_scene.h"
 #include "elsie/world/colours.h"
+#include "elsie/world/parts.h"
 #include "elsie/world/train.h"
 
 #include "darkroom.h"
@@ -207,7 +208,8 @@ TEST_CASE("A robot's segments are drawn behind it, and are not in its own pictur
   world.robots.resize(1);
   world.robots[0].heading_deg = 90;
   world.robots[0].segments.resize(2);
-  const auto couplings = world::couplings(world.robots[0].body, world.robots[0].segments);
+  const auto couplings =
+      world::couplings(world::plan_of(world.robots[0].body, {}), world.robots[0].segments);
   WorldScene scene(world, {.team_coloured_robots = true});
   const auto& boxes = scene.scene().boxes;
   REQUIRE(boxes.size() == 4 + 3);

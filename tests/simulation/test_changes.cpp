@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/world/parts.h"
 #include "elsie/world/train.h"
 
 #include "change_support.h"
@@ -61,7 +62,7 @@ TEST_CASE("What a robot pulls comes with it, in line behind it") {
   ScriptedHost scripted([](const Perception&) { return MotorCommand{12, 8}; });
   world::Robot train = robot("train", 0, 0, 0, behavior("scripted"));
   train.segments = {segment("a"), segment("b"), segment("c")};
-  const auto chain = world::couplings(train.body, train.segments);
+  const auto chain = world::couplings(world::plan_of(train.body, {}), train.segments);
   Simulation simulation = run_of(scripted, {train});
   advance(simulation, 200);
   REQUIRE(std::abs(simulation.segment(0, 0).yaw_rad) > 0.05);  // not in line any more

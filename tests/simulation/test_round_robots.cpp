@@ -25,8 +25,8 @@ TEST_CASE("Kheperas have the sizes and weights of their data sheets") {
     CHECK(mass == Approx(sheets[i].mass).epsilon(0.001));
   }
   // The wheels of the first one stand out by half a millimetre to either side.
-  CHECK(world::extents_of(world::parts_of(world.robots[0].body)).y == Approx(0.028));
-  CHECK(world::radius_of(world::parts_of(world.robots[1].body)) == Approx(0.035));
+  CHECK(world::extents_of(world::plan_of(world.robots[0].body, {}).parts).y == Approx(0.028));
+  CHECK(world::radius_of(world::plan_of(world.robots[1].body, {}).parts) == Approx(0.035));
 }
 
 TEST_CASE("A round robot may be put as near to a wall as its radius, whatever its heading") {

@@ -13,6 +13,7 @@
 
 #include "elsie/api/behavior.h"
 #include "elsie/api/coordinator.h"
+#include "elsie/api/drive.h"
 #include "elsie/api/measure.h"
 #include "elsie/api/remember.h"
 #include "elsie/api/sensor.h"
@@ -495,5 +496,73 @@ class Choosy final : public Counting {
 ELSIE_MEASURE(Choosy, "choosy", "Watches a robot that is not there");
 class Lasting final : public Counting {};
 ELSIE_MEASURE(Lasting, "lasting", "Counts instants, and nothing is wrong with it");
+
+class Wheeled : public elsie::Drive {
+ public:
+  void build(const elsie::Chassis& chassis, elsie::BodyPlan& plan) override {
+    pair_ = wheels(chassis);
+    for (const double side : {1.0, -1.0}) {
+      plan.parts.push_back({side > 0 ? "left_wheel" : "right_wheel",
+                            elsie::PartRole::wheel,
+                            elsie::Shape::wheel(chassis.wheel_radius, chassis.wheel_width),
+                            {.origin = {0.0, side * chassis.half_axle, height(chassis)}},
+                            chassis.wheel_mass,
+                            0,
+                            elsie::WheelJoint{.torque = chassis.wheel_torque}});
+    }
+  }
+  elsie::Motion command(const elsie::Motion& asked, const elsie::DriveState& now,
+                        std::span<elsie::JointSetting> joints) override {
+    elsie::WheelRates rates = pair_.wheel_rates(asked);
+    const double largest = std::max(std::abs(rates.left), std::abs(rates.right));
+    const double most = now.max_speed / pair_.radius;
+    if (largest > most) rates = most / largest * rates;
+    joints[0] = {rates.left};
+    joints[1] = {rates.right};
+    return pair_.motion(rates);
+  }
+  elsie::Motion odometry(std::span<const elsie::JointSetting> joints) const override {
+    return pair_.motion({joints[0].rate_rad_s, joints[1].rate_rad_s});
+  }
+
+ protected:
+  virtual double height(const elsie::Chassis& chassis) const { return chassis.wheel_radius; }
+
+  elsie::WheelPair pair_;
+};
+class SoundDrive final : public Wheeled {};
+ELSIE_DRIVE(SoundDrive, "sound", "Two wheels, and nothing is wrong with them");
+class Deep final : public Wheeled {
+  double height(const elsie::Chassis& chassis) const override { return 0.5 * chassis.wheel_radius; }
+};
+ELSIE_DRIVE(Deep, "deep", "Has wheels that reach into the floor");
+class Racing final : public Wheeled {
+ public:
+  elsie::Motion command(const elsie::Motion& asked, const elsie::DriveState&,
+                        std::span<elsie::JointSetting> joints) override {
+    const elsie::WheelRates rates = pair_.wheel_rates(asked);
+    joints[0] = {rates.left};
+    joints[1] = {rates.right};
+    return pair_.motion(rates);
+  }
+};
+ELSIE_DRIVE(Racing, "racing", "Knows no maximum speed");
+class Boasting final : public Wheeled {
+ public:
+  elsie::Motion command(const elsie::Motion& asked, const elsie::DriveState& now,
+                        std::span<elsie::JointSetting> joints) override {
+    Wheeled::command(asked, now, joints);
+    return asked;
+  }
+};
+ELSIE_DRIVE(Boasting, "boasting", "Says that it does what it was asked for");
+class Creeping final : public Wheeled {
+ public:
+  elsie::Motion command(const elsie::Motion& asked, const elsie::DriveState& now,
+                        std::span<elsie::JointSetting> joints) override {
+    return Wheeled::command(0.5 * asked, now, joints);
+  }
+};
+ELSIE_DRIVE(Creeping, "creeping", "Does half of what it can");
 
 }  // namespace

@@ -36,8 +36,13 @@ constexpr PluginKind kBehavior = PluginKind::behavior;
 constexpr PluginKind kCoordinator = PluginKind::coordinator;
 constexpr PluginKind kSensor = PluginKind::sensor;
 constexpr PluginKind kMeasure = PluginKind::measure;
+constexpr PluginKind kDrive = PluginKind::drive;
 
 const Fault kFaults[] = {
+    {kDrive, "deep", "The part 'left_wheel' of a robot's body is below the floor."},
+    {kDrive, "racing", "m/s, and the most is 0.5 m/s"},
+    {kDrive, "boasting", "odometry() of the joints that command() set is"},
+    {kDrive, "creeping", "command() for the motion that it returned is"},
     {kMeasure, "counts_on", "reset() must forget"},
     {kMeasure, "keeps_all", "its memory grows with the number of steps"},
     {kMeasure, "counts_calls", "report() answers differently when it is called once more"},
@@ -104,7 +109,7 @@ TEST_CASE("Each plugin that is broken on purpose is in the list") {
   for (const Fault& fault : kFaults) {
     listed.insert(fault.name);
   }
-  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor}) {
+  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor, kDrive}) {
     for (const Declaration* declaration : broken().host().all(kind)) {
       if (broken().host().file_of(kind, declaration->name).stem() == "broken_plugins") {
         CHECK(listed.count(declaration->name) == 1);
@@ -118,6 +123,7 @@ TEST_CASE("The checker finds nothing in a sound plugin, whatever the seed") {
     CheckOptions options;
     options.seed = seed;
     CHECK_THAT(check_plugin(kBehavior, "sound", options, broken()), finds_nothing());
+    CHECK_THAT(check_plugin(kDrive, "sound", options, broken()), finds_nothing());
   }
 }
 
@@ -145,7 +151,7 @@ TEST_CASE("A plugin that is not there is no finding") {
 }
 
 TEST_CASE("All shipped plugins pass the checker") {
-  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor}) {
+  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor, kDrive}) {
     for (const Declaration* declaration : Plugins::found().host().all(kind)) {
       const std::string& name = declaration->name;
       CAPTURE(name);

@@ -114,7 +114,8 @@ inline bool same(const world::Robot& a, const world::Robot& b) {
                     r.battery, r.energy);
   };
   return own(a) == own(b) && same(a.body, b.body) && same(a.segments, b.segments) &&
-         same(a.sensors, b.sensors) &&
+         same(a.sensors, b.sensors) && a.drive.has_value() == b.drive.has_value() &&
+         (!a.drive || same(*a.drive, *b.drive)) &&
          same(static_cast<const world::Coordination&>(a),
               static_cast<const world::Coordination&>(b));
 }

@@ -9,6 +9,7 @@
 
 #include "elsie/api/behavior.h"
 #include "elsie/api/coordinator.h"
+#include "elsie/api/drive.h"
 #include "elsie/api/measure.h"
 #include "elsie/api/sensor.h"
 #include "elsie/plugin/host.h"
@@ -34,6 +35,32 @@ class OldBeam final : public SensorOf<OldRangeReading> {
 class Bumper final : public SensorOf<ProximityReading> {
  public:
   ProximityReading sense(const SensorContext&) override { return {}; }
+};
+
+/// Four wheels, those of a side `gauge` apart.
+class Cart final : public Drive {
+ public:
+  double gauge = 0.0;    // m
+  double deeper = 0.0;   // m, below where wheels belong
+  bool steered = false;  // by wheels without a limit
+
+  void build(const Chassis& chassis, BodyPlan& plan) override {
+    if (gauge > 5.0) throw std::invalid_argument("that is no cart but a bridge");
+    for (int i = 0; i < 4; ++i) {
+      WheelJoint joint{.torque = chassis.wheel_torque, .steered = steered};
+      if (steered) joint.max_steer_rad = 0.0;
+      plan.parts.push_back({"wheel" + std::to_string(i),
+                            PartRole::wheel,
+                            Shape::wheel(chassis.wheel_radius, chassis.wheel_width),
+                            {.origin = {i < 2 ? 0.1 : -0.1, (i % 2 ? -0.5 : 0.5) * gauge,
+                                        chassis.wheel_radius - deeper}},
+                            chassis.wheel_mass,
+                            0,
+                            joint});
+    }
+  }
+  Motion command(const Motion&, const DriveState&, std::span<JointSetting>) override { return {}; }
+  Motion odometry(std::span<const JointSetting>) const override { return {}; }
 };
 
 class Avoid final : public Behavior {
@@ -259,6 +286,11 @@ inline plugin::Host make_host() {
                element<Gate>("gate", "A place on the way",
                              parameter("x", &Gate::x, {.unit = "m", .meaning = "east"}),
                              parameter("y", &Gate::y, {.unit = "m", .meaning = "north"})))));
+  host.add(declare<Cart>(
+      PluginKind::drive, "cart", "Four wheels",
+      parameter("gauge", &Cart::gauge, {.unit = "m", .min = 0, .meaning = "between its sides"}),
+      parameter("deeper", &Cart::deeper, {.unit = "m", .meaning = "below where wheels belong"}),
+      parameter("steered", &Cart::steered, {.meaning = "without a limit"})));
   host.add(declare<Hits>(PluginKind::measure, "hits", "How often robots touched something"));
   host.add(declare<Pick>(PluginKind::coordinator, "pick", "Runs the first behaviour"));
   host.add(declare<Sum>(PluginKind::coordinator, "sum", "Adds the commands",

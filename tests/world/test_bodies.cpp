@@ -88,16 +88,16 @@ TEST_CASE("The axis of a shape says how it lies") {
 
 TEST_CASE("A robot reaches as far as its chassis and its wheels") {
   const world::RobotBody box;
-  const Vector3 extents = world::extents_of(world::parts_of(box));
+  const Vector3 extents = world::extents_of(world::plan_of(box, {}).parts);
   CHECK(extents.x == 0.5 * box.length);
   CHECK(extents.y == box.half_axle() + 0.5 * box.wheel_width);
   CHECK(extents.z == Approx(box.top()));
-  CHECK(world::radius_of(world::parts_of(box)) == 0.0);
+  CHECK(world::radius_of(world::plan_of(box, {}).parts) == 0.0);
 
   world::RobotBody round = round_body();
-  CHECK(world::radius_of(world::parts_of(round)) == 0.05);  // the wheels are within
+  CHECK(world::radius_of(world::plan_of(round, {}).parts) == 0.05);  // the wheels are within
   round.axle = 0.1;
-  CHECK(world::radius_of(world::parts_of(round)) == Approx(std::hypot(0.055, 0.02)));
+  CHECK(world::radius_of(world::plan_of(round, {}).parts) == Approx(std::hypot(0.055, 0.02)));
 }
 
 TEST_CASE("A steered wheel reaches as far wherever it points") {
@@ -167,7 +167,8 @@ TEST_CASE("Behind a round robot a joint turns until the segment would touch, and
   world::Segment segment;
   segment.gap = gap;
   segment.hitch = hitch;
-  const world::Coupling joint = world::couplings(round_body(), std::vector{segment})[0];
+  const world::Coupling joint =
+      world::couplings(world::plan_of(round_body(), {}), std::vector{segment})[0];
   CHECK(joint.behind + joint.ahead == Approx(radius + gap + 0.5 * segment.length));
   // From the disc to the segment, whose frame has its origin in the joint.
   const double front = 0.5 * segment.length - joint.ahead;  // its front face, behind the joint
@@ -189,5 +190,5 @@ TEST_CASE("Wheels that stand out do not stop a segment before it turns") {
   segment.gap = 0.005;
   world::RobotBody body = round_body();
   body.axle = 0.12;
-  CHECK(world::couplings(body, std::vector{segment})[0].max_yaw_rad > 0.01);
+  CHECK(world::couplings(world::plan_of(body, {}), std::vector{segment})[0].max_yaw_rad > 0.01);
 }

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/world/parts.h"
 #include "elsie/world/train.h"
 #include "elsie/world/writer.h"
 
@@ -78,7 +79,7 @@ TEST_CASE("The parts of a train stand in line behind the robot") {
   segments[1].length = 0.06;
   segments[1].gap = 0.03;
   segments[1].hitch = 0.0;
-  const auto chain = world::couplings(body, segments);
+  const auto chain = world::couplings(world::plan_of(body, {}), segments);
   CHECK(chain[0].place == Approx(0.05 + 0.04 + 0.04));
   CHECK(chain[0].behind == Approx(0.07));  // in the middle of the gap
   CHECK(chain[0].ahead == Approx(0.06));
@@ -96,7 +97,7 @@ TEST_CASE("By default a joint turns until the two bodies would touch, and no fur
   world::Segment segment;
   segment.gap = gap;
   segment.hitch = hitch;
-  const world::Coupling joint = world::couplings(body, std::vector{segment})[0];
+  const world::Coupling joint = world::couplings(world::plan_of(body, {}), std::vector{segment})[0];
   const double behind = hitch - 0.5 * body.length;
   const double ahead = joint.ahead - 0.5 * segment.length;
   CHECK(behind + ahead == Approx(gap));
@@ -113,9 +114,11 @@ TEST_CASE("By default a joint turns until the two bodies would touch, and no fur
 TEST_CASE("A joint turns no further than 90 degrees unless the file says so") {
   world::Segment segment;
   segment.gap = 0.5;
-  CHECK(world::couplings({}, std::vector{segment})[0].max_yaw_rad == 0.5 * std::numbers::pi);
+  CHECK(world::couplings(world::plan_of({}, {}), std::vector{segment})[0].max_yaw_rad ==
+        0.5 * std::numbers::pi);
   segment.max_yaw_deg = 120.0;
-  CHECK(world::couplings({}, std::vector{segment})[0].max_yaw_rad == radians(120.0));
+  CHECK(world::couplings(world::plan_of({}, {}), std::vector{segment})[0].max_yaw_rad ==
+        radians(120.0));
 }
 
 TEST_CASE("A train must be free of walls, boxes and other robots over its whole length") {

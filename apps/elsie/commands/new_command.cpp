@@ -115,8 +115,9 @@ void check_free(const NewOptions& options) {
   const plugin::Host host = load_plugins(options.plugins);
   for (const PluginKind kind : plugin::kPluginKinds) {
     if (plugin::kind_name(kind) == options.kind && host.find(kind, options.name)) {
+      const std::string file = host.file_of(kind, options.name).string();
       throw BadInput("there is a " + options.kind + " '" + options.name + "' already (" +
-                     host.file_of(kind, options.name).string() + "); choose another name");
+                     (file.empty() ? "built in" : file) + "); choose another name");
     }
   }
 }
@@ -225,9 +226,9 @@ void add_new_command(CLI::App& program, Job& job) {
   command->footer(
       "\nExamples:\n  elsie new behavior circle_around\n"
       "  elsie new coordinator my_arbiter --folder plugins/my_arbiter\n"
-      "  elsie new sensor light\n  elsie new measure detour\n");
+      "  elsie new sensor light\n  elsie new measure detour\n  elsie new drive tracks\n");
   auto options = std::make_shared<NewOptions>();
-  command->add_option("KIND", options->kind, "behavior, coordinator, sensor or measure")
+  command->add_option("KIND", options->kind, "behavior, coordinator, sensor, measure or drive")
       ->required();
   command->add_option("NAME", options->name, "Its name: small letters, digits, underscores")
       ->required();
@@ -244,7 +245,7 @@ void add_new_command(CLI::App& program, Job& job) {
                        [&](PluginKind kind) { return options->kind == plugin::kind_name(kind); })) {
         throw BadInput(
             "'" + options->kind +
-            "' is no kind of plugin; there are behavior, coordinator, sensor and measure");
+            "' is no kind of plugin; there are behavior, coordinator, sensor, measure and drive");
       }
       return make_project(*options);
     };

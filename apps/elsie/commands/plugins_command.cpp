@@ -383,9 +383,10 @@ void add_describe_command(CLI::App& program, Job& job) {
       "  elsie describe wander --kind behavior --declaration\n");
   auto options = std::make_shared<DescribeOptions>();
   command
-      ->add_option("PLUGIN", options->name,
-                   "Name of a sensor, behavior, coordinator or measure; or 'events', 'world' or "
-                   "'experiment'")
+      ->add_option(
+          "PLUGIN", options->name,
+          "Name of a sensor, behavior, coordinator, measure or drive; or 'events', 'world' or "
+          "'experiment'")
       ->required();
   command
       ->add_option_function<std::string>(

@@ -28,7 +28,7 @@ void draw(const simulation::Simulation& simulation, const traces::TrackRecorder*
     picture::RobotTrack track;
     track.id = robot.description->id;
     track.now = robot.state->pose;
-    for (std::size_t k = 0; k < robot.description->segments.size(); ++k) {
+    for (std::size_t k = 0; k < simulation.segments(i); ++k) {
       track.segments.push_back(simulation.segment(i, k).pose);
     }
     track.beams = beams(simulation, i);

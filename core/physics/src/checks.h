@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "elsie/api/body.h"
 #include "elsie/api/geometry.h"
 #include "elsie/world/description.h"
 
@@ -16,7 +15,6 @@ void require(bool holds, const std::string& sentence);
 
 void check(const world::Arena& arena, const world::Physics& physics);
 void check(const Pose& pose, double z);
-void check(const BodyPlan& plan);
 void check(const world::Box& box);
 
 }  // namespace elsie::physics

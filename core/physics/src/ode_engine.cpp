@@ -161,7 +161,7 @@ OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
 }
 
 std::size_t OdeEngine::add_robot(const BodyPlan& plan, const Pose& pose, double z) {
-  check(plan);
+  world::check(plan);
   check(pose, z);
   prepare_ode();
   const std::size_t index = robots_.size();
@@ -261,7 +261,8 @@ void OdeEngine::set_joints(std::size_t robot, std::span<const JointSetting> sett
   require(settings.size() == set.joints().size(),
           "A robot needs one setting for each joint with a motor or steering.");
   for (const JointSetting& setting : settings) {
-    require(std::isfinite(setting.rate_rad_s) && std::isfinite(setting.angle_rad),
+    require(std::isfinite(setting.rate_rad_s) && std::isfinite(setting.angle_rad) &&
+                std::isfinite(setting.turn_rad_s),
             "The rates and angles that a robot's joints are to hold must be finite.");
   }
   set.set_joints(settings);

@@ -334,7 +334,11 @@ void OdeVehicle::steer(Wheel& wheel, double step) {
   } else {
     wanted = std::clamp(wanted, -joint.max_steer_rad, joint.max_steer_rad);
   }
-  const double angle = approach(wheel.now.angle_rad, wanted, step * joint.steer_rate_rad_s);
+  const double rate = wheel.wanted.turn_rad_s == 0.0
+                          ? joint.steer_rate_rad_s
+                          : std::min(std::abs(wheel.wanted.turn_rad_s), joint.steer_rate_rad_s);
+  const double angle = approach(wheel.now.angle_rad, wanted, step * rate);
+  wheel.now.turn_rad_s = (angle - wheel.now.angle_rad) / step;
   if (angle == wheel.now.angle_rad) return;
   wheel.now.angle_rad = all_round ? wrap_angle(angle) : angle;
   read_shapes();

@@ -78,7 +78,7 @@ class Checker {
   void check_plugin() {
     if (std::find(kPluginKinds.begin(), kPluginKinds.end(), declaration_.kind) ==
         kPluginKinds.end()) {
-      fault("it is neither a sensor nor a behavior nor a coordinator nor a measure");
+      fault("it is neither a sensor nor a behavior nor a coordinator nor a measure nor a drive");
     }
     check_name("the plugin", declaration_.name);
     if (declaration_.version.empty()) {
@@ -195,6 +195,14 @@ class Checker {
       }
       if (!declaration_.events.empty()) {
         fault("a measure only watches, so it raises no events");
+      }
+    }
+    if (declaration_.kind == PluginKind::drive) {
+      if (!declaration_.needs.empty()) {
+        fault("a drive is not given readings, so it cannot need any");
+      }
+      if (!declaration_.events.empty()) {
+        fault("a drive only carries out motions, so it raises no events");
       }
     }
     if (!declaration_.reacts_to.empty() && declaration_.kind != PluginKind::behavior &&

@@ -11,6 +11,7 @@
 
 #include <sys/stat.h>
 
+#include "elsie/api/registration.h"
 #include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
 #include "elsie/plugin/abi_word.h"
@@ -50,6 +51,20 @@ using FileId = std::pair<dev_t, ino_t>;  // the same whatever the path
 
 std::string title(PluginKind kind, std::string_view name) {
   return std::string(kind_name(kind)) + " '" + std::string(name) + "'";
+}
+
+/// The plugins that the core registers itself: every host has them, and before all others.
+const std::vector<EntryRef>& built_in() {
+  static const std::vector<EntryRef> entries = [] {
+    std::vector<Declaration> declarations;
+    elsie::detail::declare_plugins(declarations);
+    std::vector<EntryRef> made;
+    for (Declaration& declaration : declarations) {
+      made.push_back(std::make_shared<const Entry>(Entry{nullptr, {}, std::move(declaration)}));
+    }
+    return made;
+  }();
+  return entries;
 }
 
 }  // namespace
@@ -250,7 +265,7 @@ std::optional<LoadedFile> Host::State::load_anew(FileReport& file) {
   } else if (library.declarations.empty()) {
     file.sentence =
         "declares no plugin; is an ELSIE_SENSOR, ELSIE_BEHAVIOR, "
-        "ELSIE_COORDINATOR or ELSIE_MEASURE missing?";
+        "ELSIE_COORDINATOR, ELSIE_MEASURE or ELSIE_DRIVE missing?";
   } else if (const auto faults = check_declarations(library.declarations); !faults.empty()) {
     file.sentence = "is declared wrongly: " + joined(faults, "; ");
   } else {
@@ -273,7 +288,7 @@ void Host::State::enter(LoadedFile found, FileReport& file) {
     plugin.name = declaration.name;
     plugin.version = declaration.version;
     if (const Entry* const first = entry(plugin.kind, plugin.name)) {
-      plugin.shadowed_by = known_as(first->file);
+      plugin.shadowed_by = first->library ? known_as(first->file) : fs::path("the program itself");
       report.warnings.push_back(title(plugin.kind, plugin.name) + " is in both " +
                                 plugin.shadowed_by.string() + " and " +
                                 known_as(file.path).string() + "; the first one is used");
@@ -300,7 +315,11 @@ void Release::operator()(Component* object) {
   delete object;
 }
 
-Host::Host() : state_(std::make_unique<State>()) {}
+Host::Host() : state_(std::make_unique<State>()) {
+  for (const EntryRef& entry : built_in()) {
+    state_->registry(entry->declaration.kind).emplace(entry->declaration.name, entry);
+  }
+}
 
 Host::Host(std::vector<SearchDirectory> directories, Loading loading) : Host() {
   state_->loading = loading;

@@ -4,6 +4,7 @@
 
 #include "elsie/base/number_text.h"
 #include "elsie/base/words.h"
+#include "elsie/world/parts.h"
 #include "elsie/world/warnings.h"
 
 namespace elsie::simulation {
@@ -22,10 +23,11 @@ std::string name_of(const world::World& world, const physics::Failure& failure) 
   if (failure.body->kind == physics::BodyKind::robot) {
     const world::Robot& robot = world.robots.at(index);
     const std::string name = "the robot '" + robot.id + "'";
-    if (!failure.segment) {
+    const std::size_t of_drive = failure.segment ? world::driven_plan(robot).vehicles() - 1 : 0;
+    if (!failure.segment || *failure.segment < of_drive) {
       return name + place_of(robot.location);
     }
-    const world::Segment& segment = robot.segments.at(*failure.segment);
+    const world::Segment& segment = robot.segments.at(*failure.segment - of_drive);
     return "the segment '" + segment.id + "' of " + name + place_of(segment.location);
   }
   const world::Box& box = world.boxes.at(index);

@@ -155,6 +155,7 @@ void Simulation::list_values(std::size_t robot, std::size_t sensor,
 Frame Simulation::sensor_frame(std::size_t robot, std::size_t index) const {
   return impl_->robots_[robot]->sensor_frame(index);
 }
+std::size_t Simulation::segments(std::size_t robot) const { return impl_->segments(robot); }
 SegmentView Simulation::segment(std::size_t robot, std::size_t index) const {
   return impl_->segment(robot, index);
 }

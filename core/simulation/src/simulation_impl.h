@@ -45,6 +45,7 @@ class Simulation::Impl {
       try {
         robots_.push_back(
             std::make_unique<Robot>(world_.robots[i], Robot::membership(world_, i), host, options));
+        world_.robots[i].driven = robots_.back()->take_driven();
       } catch (const world::WorldError& error) {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());
       }
@@ -184,10 +185,13 @@ class Simulation::Impl {
     return hash.value();
   }
 
+  std::size_t segments(std::size_t robot) const { return engine_->segments(robot); }
   SegmentView segment(std::size_t robot, std::size_t index) const {
     const physics::SegmentState state = engine_->segment(robot, index);
-    return {&world_.robots[robot].segments[index], state.frame, state.pose, state.yaw_rad,
-            state.pitch_rad};
+    const auto& own = world_.robots[robot].segments;
+    const std::size_t of_drive = segments(robot) - own.size();
+    return {index < of_drive ? nullptr : &own[index - of_drive], state.frame, state.pose,
+            state.yaw_rad, state.pitch_rad};
   }
 
   std::optional<Pose> box(std::size_t index) const {
@@ -242,9 +246,7 @@ class Simulation::Impl {
   /// Motors, physics.
   void move() {
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      const MotorCommand& command = robots_[i]->command();
-      const std::array<JointSetting, 2> joints{{{command.left}, {command.right}}};
-      engine_->set_joints(i, joints);
+      engine_->set_joints(i, robots_[i]->wanted_joints());
     }
     drive_boxes();
     try {

@@ -84,7 +84,7 @@ class Attributes::Impl {
     };
     for (const ParameterDeclaration& parameter : parameters(meaning)) {
       Field field = field_of(parameter);
-      if (meaning.kind == PluginKind::measure) {
+      if (meaning.kind == PluginKind::measure || meaning.kind == PluginKind::drive) {
         field.change = nullptr;
       }
       add(field);

@@ -12,6 +12,7 @@
 #include "elsie/base/near_name.h"
 #include "elsie/base/number_text.h"
 #include "elsie/plugin/host.h"
+#include "elsie/world/parts.h"
 #include "elsie/world/train.h"
 
 namespace elsie::world {
@@ -231,7 +232,7 @@ void check_segments(const Reading& reading, const Robot& robot, Problems& proble
   if (!reading.sound_with_segments(robot)) {
     return;
   }
-  const std::vector<Coupling> chain = couplings(robot.body, robot.segments);
+  const std::vector<Coupling> chain = couplings(driven_plan(robot), robot.segments);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Segment& segment = robot.segments[i];
     const std::string what = "the segment '" + segment.id + "' of " + in_words(robot);

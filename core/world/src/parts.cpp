@@ -4,8 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "elsie/world/engine_facts.h"
 #include "elsie/world/train.h"
+
+#include "differential.h"
 
 namespace elsie::world {
 namespace {
@@ -16,27 +17,36 @@ Fixture upright(Fixture::Kind kind, std::size_t index, const Vector3& bottom, do
   return {kind, index, shape, Frame::turned(middle, heading_rad, 0.0)};
 }
 
-/// The chassis of a vehicle, and two wheels flush with its sides or outside of them.
-template <class Vehicle>
-std::vector<Part> chassis_on_wheels(const Vehicle& d, const Shape& chassis, const WheelJoint& wheel,
-                                    double wheel_mass) {
-  std::vector<Part> parts{{"chassis",
-                           PartRole::chassis,
-                           chassis,
-                           {.origin = {0.0, 0.0, d.clearance + 0.5 * d.height}},
-                           d.mass,
-                           0,
-                           FixedJoint{}}};
-  for (const bool left : {true, false}) {
-    parts.push_back({left ? "left_wheel" : "right_wheel",
-                     PartRole::wheel,
-                     Shape::wheel(d.wheel_radius, d.wheel_width),
-                     {.origin = {0.0, (left ? 1.0 : -1.0) * d.half_axle(), d.wheel_radius}},
-                     wheel_mass,
-                     0,
-                     wheel});
+Part chassis_part(const Shape& shape, double clearance, double mass) {
+  return {"chassis",   PartRole::chassis,
+          shape,       {.origin = {0.0, 0.0, clearance + 0.5 * shape.size.z}},
+          mass,        0,
+          FixedJoint{}};
+}
+
+BodyPlan unchecked_plan(const Chassis& chassis, Drive& drive) {
+  BodyPlan plan;
+  plan.parts.push_back(
+      chassis_part(chassis.round ? Shape::pillar(0.5 * chassis.length, chassis.height)
+                                 : Shape::box({chassis.length, chassis.width, chassis.height}),
+                   chassis.clearance, chassis.mass));
+  drive.build(chassis, plan);
+  return plan;
+}
+
+void add_segments(BodyPlan& plan, std::span<const Segment> segments) {
+  const std::vector<Coupling> chain = couplings(plan, segments);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Coupling& c = chain[i];
+    const std::size_t vehicle = plan.vehicles();
+    std::vector<Part> parts = parts_of(segments[i]);
+    parts[0].joint = HitchJoint{c.behind, c.ahead, c.height, c.max_yaw_rad, c.max_pitch_rad};
+    for (Part& part : parts) {
+      part.name = segments[i].id + "/" + part.name;
+      part.vehicle = vehicle;
+      plan.parts.push_back(std::move(part));
+    }
   }
-  return parts;
 }
 
 }  // namespace
@@ -77,47 +87,57 @@ std::vector<Fixture> fixtures_of(const World& world) {
   return all;
 }
 
-std::vector<Part> parts_of(const RobotBody& body) {
-  std::vector<Part> parts =
-      chassis_on_wheels(body,
-                        body.round ? Shape::pillar(0.5 * body.length, body.height)
-                                   : Shape::box({body.length, body.width, body.height}),
-                        {.torque = body.wheel_torque}, body.wheel_mass);
-  const double radius = caster_radius(body);
-  for (const bool front : {true, false}) {
-    parts.push_back({front ? "front_caster" : "rear_caster",
-                     PartRole::caster,
-                     Shape::sphere(radius),
-                     {.origin = {(front ? 1.0 : -1.0) * half_base(body), 0.0, radius}},
-                     kCasterMass * body.mass,
+Chassis chassis_of(const RobotBody& body) {
+  return {.round = body.round,
+          .length = body.length,
+          .width = body.width,
+          .height = body.height,
+          .clearance = body.clearance,
+          .mass = body.mass,
+          .wheel_radius = body.wheel_radius,
+          .wheel_width = body.wheel_width,
+          .half_axle = body.half_axle(),
+          .wheel_mass = body.wheel_mass,
+          .wheel_torque = body.wheel_torque};
+}
+
+std::vector<Part> parts_of(const Segment& d) {
+  std::vector<Part> parts{
+      chassis_part(Shape::box({d.length, d.width, d.height}), d.clearance, d.mass)};
+  for (const bool left : {true, false}) {
+    parts.push_back({left ? "left_wheel" : "right_wheel",
+                     PartRole::wheel,
+                     Shape::wheel(d.wheel_radius, d.wheel_width),
+                     {.origin = {0.0, (left ? 1.0 : -1.0) * d.half_axle(), d.wheel_radius}},
+                     0.0,
                      0,
-                     CasterJoint{}});
+                     WheelJoint{}});
   }
   return parts;
 }
 
-std::vector<Part> parts_of(const Segment& segment) {
-  return chassis_on_wheels(segment, Shape::box({segment.length, segment.width, segment.height}), {},
-                           0.0);
+BodyPlan plan_of(const Chassis& chassis, Drive& drive) {
+  BodyPlan plan = unchecked_plan(chassis, drive);
+  check(plan);
+  return plan;
 }
 
 BodyPlan plan_of(const RobotBody& body, std::span<const Segment> segments) {
-  BodyPlan all{parts_of(body)};
-  const std::vector<Coupling> chain = couplings(body, segments);
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const Coupling& c = chain[i];
-    std::vector<Part> parts = parts_of(segments[i]);
-    parts[0].joint = HitchJoint{c.behind, c.ahead, c.height, c.max_yaw_rad, c.max_pitch_rad};
-    for (Part& part : parts) {
-      part.name = segments[i].id + "/" + part.name;
-      part.vehicle = i + 1;
-      all.parts.push_back(std::move(part));
-    }
-  }
-  return all;
+  Differential differential;
+  BodyPlan plan = unchecked_plan(chassis_of(body), differential);
+  add_segments(plan, segments);
+  return plan;
 }
 
-BodyPlan plan_of(const Robot& robot) { return plan_of(robot.body, robot.segments); }
+BodyPlan driven_plan(const Robot& robot) {
+  return robot.driven.parts.empty() ? plan_of(robot.body, {}) : robot.driven;
+}
+
+BodyPlan plan_of(const Robot& robot) {
+  BodyPlan plan = driven_plan(robot);
+  add_segments(plan, robot.segments);
+  return plan;
+}
 
 std::vector<Frame> in_line(const BodyPlan& plan) {
   std::vector<Frame> frames;

@@ -6,6 +6,7 @@
 #include "elsie/api/geometry.h"
 #include "elsie/base/number_text.h"
 #include "elsie/world/footprint.h"
+#include "elsie/world/parts.h"
 
 #include "checks.h"
 
@@ -29,13 +30,16 @@ Block block_of(const Box& box) {
 // A robot, and its segments in line behind it if wanted.
 std::vector<Block> blocks_of(const Robot& robot, bool with_segments) {
   const std::string in_words = "the robot '" + robot.id + "'";
-  const BodyPlan plan =
-      plan_of(robot.body, with_segments ? std::span(robot.segments) : std::span<const Segment>());
-  const auto footprints =
-      footprints_of(plan, {robot.x, robot.y, radians(robot.heading_deg)}, robot.z);
-  std::vector<Block> blocks{{footprints[0], in_words, robot.location}};
-  for (std::size_t i = 1; i < footprints.size(); ++i) {
-    const Segment& segment = robot.segments[i - 1];
+  const BodyPlan driven = driven_plan(robot);
+  const auto footprints = footprints_of(with_segments ? plan_of(robot) : driven,
+                                        {robot.x, robot.y, radians(robot.heading_deg)}, robot.z);
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < footprints.size(); ++i) {
+    if (i < driven.vehicles()) {
+      blocks.push_back({footprints[i], in_words, robot.location});
+      continue;
+    }
+    const Segment& segment = robot.segments[i - driven.vehicles()];
     blocks.push_back(
         {footprints[i], "the segment '" + segment.id + "' of " + in_words, segment.location});
   }

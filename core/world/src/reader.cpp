@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "elsie/plugin/host.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/data_directories.h"
 #include "elsie/world/error.h"
@@ -12,6 +13,7 @@
 #include "elsie/world/vocabulary.h"
 
 #include "checks.h"
+#include "drives.h"
 #include "ids.h"
 #include "overrides.h"
 #include "reading.h"
@@ -37,7 +39,8 @@ void add_default_teams(std::vector<Team>& teams) {
 }
 
 // Leaves only what a picture of the arena shows, goals at places included.
-void leave_bodies_only(Element& root) {
+// A drive whose plugin is not there is drawn as the default one.
+void leave_bodies_only(Element& root, const plugin::Host& host) {
   const auto drop = [](Element& from, std::initializer_list<std::string_view> parts) {
     std::erase_if(from.children, [&](const Element& part) {
       return std::find(parts.begin(), parts.end(), part.name) != parts.end();
@@ -50,6 +53,11 @@ void leave_bodies_only(Element& root) {
   if (Element* robots = root.child("robots")) {
     for (Element& robot : robots->children) {
       drop(robot, {"sensors", "behaviors", "coordinator"});
+      const Element* drive = robot.child("drive");
+      if (drive && !drive->children.empty() &&
+          !host.find(PluginKind::drive, drive->children.front().name)) {
+        drop(robot, {"drive"});
+      }
     }
   }
 }
@@ -86,7 +94,7 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
   }
   remove_overridden(root);
   if (options.bodies_only) {
-    leave_bodies_only(root);
+    leave_bodies_only(root, host);
   }
 
   Reading reading = read_tree(root, host, files, options.check_plugins, problems);
@@ -94,6 +102,7 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
   world.file = file;
   add_default_teams(world.teams);
   colour_teams(world);
+  build_bodies(reading, host, problems);
   std::stable_partition(world.boxes.begin(), world.boxes.end(),
                         [](const Box& box) { return box.kind != BoxKind::resource; });
   check_world(reading, root, host, problems);

@@ -14,10 +14,10 @@ namespace {
 constexpr const char* kAttributesOfItsElement =
     "; the parameters of a plugin are attributes of its element";
 
-// <sensors>, <behaviors>, <coordinator>, <measures>.
+// <sensors>, <behaviors>, <coordinator>, <measures>, <drive>.
 std::string group_of(PluginKind kind) {
-  return kind == PluginKind::coordinator ? "coordinator"
-                                         : std::string(plugin::kind_name(kind)) + "s";
+  const std::string name(plugin::kind_name(kind));
+  return kind == PluginKind::coordinator || kind == PluginKind::drive ? name : name + "s";
 }
 
 // The plugins that declare an element of this name.
@@ -69,9 +69,9 @@ std::string explain_child(const plugin::Host& host, const Declaration& declarati
     for (const PluginKind kind : plugin::kPluginKinds) {
       if (host.find(kind, child.name)) {
         return "; a " + std::string(plugin::kind_name(kind)) + " belongs in " +
-               (kind == PluginKind::sensor    ? "the robot's"
-                : kind == PluginKind::measure ? "the world's"
-                                              : "its") +
+               (kind == PluginKind::sensor || kind == PluginKind::drive ? "the robot's"
+                : kind == PluginKind::measure                           ? "the world's"
+                                                                        : "its") +
                " <" + group_of(kind) + ">";
       }
     }

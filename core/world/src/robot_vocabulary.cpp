@@ -7,7 +7,7 @@ namespace elsie::world {
 namespace {
 
 ElementSpec body() {
-  return Describe<RobotBody>("body", "A chassis on two driven wheels and two casters")
+  return Describe<RobotBody>("body", "A chassis and the wheels that its drive puts below it")
       .attribute(
           "shape", ParameterType::text,
           {.choices = {"box", "round"},
@@ -32,7 +32,10 @@ ElementSpec body() {
       .attribute("mass", &RobotBody::mass, mass("of the chassis"))
       .attribute("wheel_mass", &RobotBody::wheel_mass, mass("of each wheel"))
       .attribute("wheel_torque", &RobotBody::wheel_torque,
-                 {.unit = "N m", .above = 0, .max = 1e4, .meaning = "what each motor can give"});
+                 {.unit = "N m",
+                  .above = 0,
+                  .max = 1e4,
+                  .meaning = "what the motor of each wheel can give"});
 }
 
 ParameterFacts removal() {
@@ -138,6 +141,18 @@ Describe<Coordination> coordinator() {
       .optional(std::move(use), &Coordination::coordinator);
 }
 
+Describe<Robot> drive() {
+  ElementSpec use =
+      Describe<PluginUse>("drive", "A drive: the element has the name of its plugin")
+          .plugins(PluginKind::drive)
+          .attribute("id", &PluginUse::id, fact("its name; by default the plugin's"), kId)
+          .attribute_before_reading("remove", ParameterType::boolean, removal());
+  return Describe<Robot>("drive",
+                         "What moves the robot; by default two wheels on one axle (differential)")
+      .members("drive")
+      .optional(std::move(use), &Robot::drive);
+}
+
 // What robots and templates of robots have in common.
 ElementSpec with_robot_content(Describe<Robot> robot) {
   return std::move(robot)
@@ -174,6 +189,7 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
                   .meaning = "in the battery at the start; by default it is full"},
                  kLive<&LiveRobot::set_energy>)
       .one(body(), &Robot::body)
+      .group(drive())
       .group(segments())
       .group(sensors())
       .group(behaviors())
@@ -183,8 +199,9 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
 }  // namespace
 
 ElementSpec robot_element() {
-  return with_robot_content(Describe<Robot>("robot", "A two-wheel differential drive")
-                                .attribute("id", &Robot::id, fact("its name"), kRequiredId));
+  return with_robot_content(
+      Describe<Robot>("robot", "A chassis on a drive, with sensors and behaviours")
+          .attribute("id", &Robot::id, fact("its name"), kRequiredId));
 }
 
 const ElementSpec& template_vocabulary() {

@@ -15,7 +15,8 @@ namespace elsie::world {
 namespace {
 
 bool is_list(const std::string& name) {
-  return name == "segments" || name == "sensors" || name == "behaviors" || name == "coordinator";
+  return name == "segments" || name == "sensors" || name == "behaviors" || name == "coordinator" ||
+         name == "drive";
 }
 
 // The lists in a behaviour that holds others.
@@ -26,6 +27,7 @@ std::optional<PluginKind> kind_in(const std::string& list) {
   return list == "sensors"       ? std::optional(PluginKind::sensor)
          : list == "behaviors"   ? std::optional(PluginKind::behavior)
          : list == "coordinator" ? std::optional(PluginKind::coordinator)
+         : list == "drive"       ? std::optional(PluginKind::drive)
                                  : std::nullopt;
 }
 
@@ -157,17 +159,19 @@ void Templates::overlay_group(Element& holder, const Element& base) {
   Element* own = holder.child(base.name);
   if (!own) {
     holder.children.push_back(base);
-  } else if (base.name == "coordinator" && !own->children.empty() && !base.children.empty()) {
-    overlay_coordinator(*own, base);
+  } else if ((base.name == "coordinator" || base.name == "drive") && !own->children.empty() &&
+             !base.children.empty()) {
+    overlay_only(*own, base);
   } else {
     overlay_list(*own, base);
   }
 }
 
-void Templates::overlay_coordinator(Element& group, const Element& base) {
+// Of a group with one element.
+void Templates::overlay_only(Element& group, const Element& base) {
   Element& own = group.children.front();
   if (own.name != base.children.front().name) {
-    drop_removals(group);  // another coordinator replaces the template's
+    drop_removals(group);  // another plugin replaces the template's
     return;
   }
   // There is one, whatever it is called: by default as in the template.

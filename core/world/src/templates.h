@@ -36,7 +36,7 @@ class Templates {
   const Element* load(const std::string& file, const Location& from);
   void overlay(Element& robot, const Element& base);
   void overlay_group(Element& holder, const Element& base);
-  void overlay_coordinator(Element& group, const Element& base);
+  void overlay_only(Element& group, const Element& base);
   void overlay_use(PluginKind kind, Element& use, const Element& base);
   void overlay_list(Element& list, const Element& base);
   void drop_removals(Element& list);

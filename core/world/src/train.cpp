@@ -53,12 +53,13 @@ double free_angle(const Coupling& joint, const Vector3& front, double front_radi
 
 }  // namespace
 
-std::vector<Coupling> couplings(const RobotBody& body, std::span<const Segment> segments) {
+std::vector<Coupling> couplings(const BodyPlan& plan, std::span<const Segment> segments) {
+  if (segments.empty()) return {};
   std::vector<Coupling> result;
-  const std::vector<Part> robot = parts_of(body);
-  Vector3 front = extents_of(robot);
-  double front_radius = radius_of(robot);
-  double place = 0.0;
+  const std::span<const Part> last = vehicle_of(plan, plan.vehicles() - 1);
+  Vector3 front = extents_of(last);
+  double front_radius = radius_of(last);
+  double place = -in_line(plan).back().origin.x;
   for (const Segment& segment : segments) {
     const Vector3 own = extents_of(parts_of(segment));
     const double apart = front.x + segment.gap + own.x;

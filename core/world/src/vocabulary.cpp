@@ -281,10 +281,11 @@ const std::vector<ElementSpec>& ElementSpec::below() const {
   return inside ? coordination_vocabulary().children : children;
 }
 
-std::vector<std::pair<Part, const ElementSpec*>> ElementSpec::parts_of(const void* object) const {
-  std::vector<std::pair<Part, const ElementSpec*>> found;
+std::vector<std::pair<DescribedObject, const ElementSpec*>> ElementSpec::parts_of(
+    const void* object) const {
+  std::vector<std::pair<DescribedObject, const ElementSpec*>> found;
   for (const ElementSpec& child : children) {
-    for (const Part& part : child.parts(object)) {
+    for (const DescribedObject& part : child.parts(object)) {
       found.push_back({part, &child});
     }
   }

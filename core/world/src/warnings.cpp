@@ -18,9 +18,9 @@ constexpr double kLeastCfm = 1e-8;
 constexpr double kLeastSlip = 1e-6;  // m/(s N)
 constexpr double kLeastErp = 0.01;
 constexpr double kGreatestErp = 0.8;
-constexpr double kDeepest = 0.1;     // of a wheel's radius, or of a box' height
-constexpr double kStrongest = 10.0;  // times the torque that tips the robot over
-constexpr double kSpinUp = 100.0;    // times the highest wheel rate, in a step
+constexpr double kDeepestSinking = 0.1;  // of a wheel's radius, or of a box' height
+constexpr double kStrongest = 10.0;      // times the torque that tips the robot over
+constexpr double kSpinUp = 100.0;        // times the highest wheel rate, in a step
 constexpr double kMassRatio = 1e4;
 constexpr double kFarthest = 0.5;  // of a body's length, in a step
 constexpr double kSteepest = 5.0;  // height of the middle over half the base
@@ -38,9 +38,8 @@ struct Stance {
 };
 
 Stance stance_of(const Robot& robot) {
-  const BodyPlan plan = plan_of(robot);
   Stance stance;
-  for (const Part& part : vehicle_of(plan, 0)) {
+  for (const auto& part : driven_plan(robot).parts) {
     stance.mass += part.mass;
     if (part.role != PartRole::chassis) {
       stance.half_base = std::max(stance.half_base, std::abs(part.frame.origin.x));
@@ -135,7 +134,7 @@ class Search {
     // An erp that is too small has a warning of its own.
     const double erp = std::max(p.effective_erp(), kLeastErp);
     const double depth = p.effective_cfm() * p.step / erp * force;
-    const double deepest = kDeepest * size;
+    const double deepest = kDeepestSinking * size;
     const double speed = p.effective_cfm() * force;
     if (depth <= deepest && speed < kMaxCorrectingSpeed) {
       return;

@@ -163,6 +163,8 @@ class Checker {
         return make_coordinator_trial(setting);
       case PluginKind::measure:
         return make_measure_trial(setting);
+      case PluginKind::drive:
+        return make_drive_trial(setting);
       case PluginKind::sensor:
         break;
     }

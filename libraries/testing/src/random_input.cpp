@@ -235,9 +235,43 @@ void InputMaker::add_own_kinds(Situation& now, Random& random) const {
   }
 }
 
+Input InputMaker::make_driven(int robot, Random& random) {
+  Input input;
+  input.robot = robot == 0 ? "a robot of the usual size" : "a robot of another size";
+  if (robot > 0) {
+    Chassis& chassis = input.chassis;
+    const double scale = random.uniform(0.5, 10.0);
+    chassis.length = scale * random.uniform(0.06, 0.16);
+    chassis.width = scale * random.uniform(0.06, 0.16);
+    chassis.height = scale * random.uniform(0.02, 0.1);
+    chassis.clearance = scale * random.uniform(0.005, 0.015);
+    chassis.wheel_radius = scale * random.uniform(0.012, 0.02);
+    chassis.wheel_width = scale * random.uniform(0.004, 0.01);
+    chassis.half_axle = 0.5 * (chassis.width + chassis.wheel_width);
+    input.max_speed = random.uniform(0.05, 3.0);
+  }
+  for (std::size_t i = 0; i < kInstants; ++i) {
+    const double most = 3.0 * input.max_speed;
+    const bool stops = random.chance(0.1);
+    Motion asked;
+    if (!stops) {
+      asked = {random.uniform(-most, most), random.uniform(-most, most), random.uniform(-20, 20)};
+    }
+    // Each channel alone, too.
+    if (random.chance(0.2)) asked.forward = 0.0;
+    if (random.chance(0.3)) asked.lateral = 0.0;
+    if (random.chance(0.2)) asked.turn = 0.0;
+    input.asked.push_back(asked);
+  }
+  return input;
+}
+
 Input InputMaker::make(int robot, Random& random) const {
   if (declaration_.kind == PluginKind::measure) {
     return make_watched(robot, random);
+  }
+  if (declaration_.kind == PluginKind::drive) {
+    return make_driven(robot, random);
   }
   Input input;
   input.mounting = {

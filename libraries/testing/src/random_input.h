@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "elsie/api/behavior.h"
+#include "elsie/api/drive.h"
 #include "elsie/testing/checker.h"
 #include "elsie/testing/scene.h"
 #include "elsie/testing/sensor.h"
@@ -37,6 +38,10 @@ struct Input {
   /// For measures: the start and the instants after it, and the boxes that are removed by the end.
   std::vector<Scene> watched;
   std::vector<std::string> gone;
+  /// For drives: the chassis above, the motions that are asked for, and the limit of rim speeds.
+  Chassis chassis;
+  std::vector<Motion> asked;
+  double max_speed = 0.5;  // m/s
 };
 
 class InputMaker {
@@ -54,6 +59,7 @@ class InputMaker {
   struct Layout;
   Layout layout(int robot, Random& random) const;
   Input make_watched(int number, Random& random) const;
+  static Input make_driven(int robot, Random& random);
   void add_own_kinds(Situation& now, Random& random) const;
 
   const Declaration& declaration_;

@@ -76,6 +76,7 @@ std::unique_ptr<Trial> make_behavior_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_coordinator_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_sensor_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_measure_trial(const TrialSetting& setting);
+std::unique_ptr<Trial> make_drive_trial(const TrialSetting& setting);
 
 /// Runs equipped(); turns a std::exception into Refused.
 template <class Action>

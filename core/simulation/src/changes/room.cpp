@@ -71,7 +71,9 @@ std::optional<std::string> Room::problem_of(std::size_t robot) const {
 
 std::string Room::name_of(std::size_t robot, std::size_t part) const {
   const world::Robot& described = world_.robots[robot];
-  return (part == 0 ? "" : "the segment '" + described.segments[part - 1].id + "' of ") +
+  const std::size_t of_drive = plans_[robot].vehicles() - described.segments.size();
+  return (part < of_drive ? ""
+                          : "the segment '" + described.segments[part - of_drive].id + "' of ") +
          ("the robot '" + described.id + "'");
 }
 

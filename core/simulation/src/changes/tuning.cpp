@@ -40,7 +40,7 @@ void Tuning::equip(const TunedObject& tuned, Component& object, const Perception
     static_cast<Behavior&>(object).equipped(example);
   } else if (tuned.kind == PluginKind::coordinator) {
     static_cast<Coordinator&>(object).equipped(tuned.members, example);
-  } else {
+  } else if (tuned.kind == PluginKind::sensor) {
     static_cast<Sensor&>(object).equipped(tuned.carrier);
   }
 }

@@ -3,12 +3,29 @@
 #include <optional>
 #include <string>
 
+#include "elsie/world/parts.h"
+
 #include "replacement/swap.h"
 #include "step/cameras.h"
 #include "step/controller.h"
 #include "step/robot.h"
 
 namespace elsie::simulation {
+namespace {
+
+/// As far as the joints that a drive sets depend on it.
+bool same_body(const BodyPlan& a, const BodyPlan& b) {
+  return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
+                    [](const Part& one, const Part& other) {
+                      return one.vehicle == other.vehicle &&
+                             one.frame.origin == other.frame.origin &&
+                             one.shape.size == other.shape.size &&
+                             one.joint.index() == other.joint.index() &&
+                             can_be_set(one.joint) == can_be_set(other.joint);
+                    });
+}
+
+}  // namespace
 
 void Controller::replace(Swap& swap, const std::string& path) {
   for (Slot& slot : slots_) {
@@ -61,6 +78,7 @@ void Robot::replace(Swap& swap, const Cameras& cameras) {
   for (SensorSlot& slot : sensors_) {
     replace(swap, slot, cameras);
   }
+  replace_drive(swap);
   controller_->replace(swap, "");
   if (swap.all().size() == first) {
     return;
@@ -100,6 +118,21 @@ void Robot::replace(Swap& swap, SensorSlot& slot, const Cameras& cameras) {
   }
   if (const auto problem = slot.camera ? cameras.problem_of(*slot.camera) : std::nullopt) {
     refuse(*problem);
+  }
+}
+
+void Robot::replace_drive(Swap& swap) {
+  if (!swap.exchange<Drive>(PluginKind::drive, drive_use(), "drive", drive_, drive_declaration_,
+                            drive_random_)) {
+    return;
+  }
+  BodyPlan plan;
+  const Chassis chassis = world::chassis_of(description_.body);
+  swap.run(swap.all().back(), [&] { plan = world::plan_of(chassis, *drive_); });
+  if (!same_body(plan, world::driven_plan(description_))) {
+    Swap::refuse(description_.id, "drive",
+                 "it would build another body now, which is settled before a run; run the world "
+                 "anew");
   }
 }
 

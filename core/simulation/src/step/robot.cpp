@@ -7,6 +7,7 @@
 
 #include "elsie/plugin/call.h"
 #include "elsie/world/error.h"
+#include "elsie/world/parts.h"
 
 #include "plugins/make_plugin.h"
 #include "step/teams.h"
@@ -24,11 +25,6 @@ Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) 
   return {{use.x.value_or(0.5 * body.length), use.y.value_or(0.0), use.z.value_or(body.top())},
           wrap_angle(radians(use.yaw_deg)),
           radians(use.pitch_deg)};
-}
-
-MotorCommand limited(const MotorCommand& command, double max_rate) {
-  const double largest = std::max(std::abs(command.left), std::abs(command.right));
-  return largest > max_rate ? (max_rate / largest) * command : command;
 }
 
 }  // namespace
@@ -65,12 +61,13 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
       description, Controller::Setting{host, guard_, *this, names_, options.measure_time},
       problems);
   controller_->list_members("", 0, -1, trace_);
+  make_drive(host, problems);
   throw_if_any(problems);
   group_readings();
 
   state_.id = description.id;
-  state_.wheel_radius_m = description.body.wheel_radius;
-  state_.half_axle_m = description.body.half_axle();
+  state_.wheel_radius_m = wheels_.radius;
+  state_.half_axle_m = wheels_.half_axle;
   state_.length_m = description.body.length;
   state_.width_m = description.body.width;
   take_description();
@@ -89,6 +86,40 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
   }
   controller_->equip(Perception(perception_, unused_random_), problems);
   throw_if_any(problems);
+}
+
+void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& problems) {
+  drive_use_.plugin = drive_use_.id = "differential";
+  drive_use_.location = description_.location;
+  const world::PluginUse& use = drive_use();
+  drive_declaration_ = host.find(PluginKind::drive, use.plugin);
+  drive_ = make<Drive>(host, PluginKind::drive, use, problems);
+  if (!drive_) return;
+  blaming(use, problems, [&] {
+    const Chassis chassis = world::chassis_of(description_.body);
+    BodyPlan plan = world::plan_of(chassis, *drive_);
+    wheels_ = drive_->wheels(chassis);
+    const auto settable = std::count_if(plan.parts.begin(), plan.parts.end(),
+                                        [](const Part& part) { return can_be_set(part.joint); });
+    joints_.resize(static_cast<std::size_t>(settable));
+    wanted_joints_ = joints_;
+    if (description_.drive) driven_ = std::move(plan);
+  });
+}
+
+void Robot::carry_out(const MotorCommand& asked) {
+  const Motion motion = wheels_.motion({asked.left, asked.right});
+  const Motion possible = guard_.run(drive_use(), [&] {
+    return drive_->command(motion, {joints_, state_.max_speed_m_s, period_s_}, wanted_joints_);
+  });
+  const bool is_finite =
+      possible.is_finite() &&
+      std::all_of(wanted_joints_.begin(), wanted_joints_.end(), [](const JointSetting& joint) {
+        return std::isfinite(joint.rate_rad_s + joint.angle_rad + joint.turn_rad_s);
+      });
+  if (!is_finite) guard_.fail(drive_use(), "command() gives numbers that are not finite");
+  const WheelRates rates = wheels_.wheel_rates(possible);
+  state_.commanded = {rates.left, rates.right};
 }
 
 /// What may have changed since.
@@ -150,6 +181,10 @@ void Robot::reset(std::uint64_t seed) {
     slot.picture = {};
     guard_.run(*slot.use, [&] { slot.object->reset(slot.random); });
   }
+  drive_random_ = Random(seed, path + "drive");
+  guard_.run(drive_use(), [&] { drive_->reset(drive_random_); });
+  std::fill(joints_.begin(), joints_.end(), JointSetting{});
+  wanted_joints_ = joints_;
   controller_->reset(seed, path);
   state_.energy = description_.energy.value_or(description_.battery);
   state_.charging = false;
@@ -190,16 +225,16 @@ void Robot::decide(const Instant& now) {
   raised_.clear();
   logged_ = 0;
   controller_->begin_step();
+  period_s_ = now.period_s;
   if (empty_) {
-    state_.commanded = {};
+    carry_out({});
     return;
   }
   perception_.time_s = now.time_s;
   perception_.period_s = now.period_s;
   perception_.events = perceived_events_;
   team_.mates = mates_;
-  state_.commanded = limited(controller_->decide(Perception(perception_, unused_random_)),
-                             state_.max_wheel_rate());
+  carry_out(controller_->decide(Perception(perception_, unused_random_)));
 }
 
 void Robot::ask(Statements& said) {
@@ -226,14 +261,14 @@ void Robot::use_energy(double period_s) {
 void Robot::stop_when_empty() {
   if (state_.energy <= 0.0) {
     empty_ = true;
-    state_.commanded = {};
+    carry_out({});
     raise(events::BatteryEmpty{});
   }
 }
 
 void Robot::set_max_speed(double max_speed) {
   state_.max_speed_m_s = max_speed;
-  state_.commanded = limited(state_.commanded, state_.max_wheel_rate());
+  carry_out(state_.commanded);
 }
 
 void Robot::set_energy(double units) {
@@ -262,6 +297,9 @@ std::optional<TunedObject> Robot::find_object(const world::PluginUse& use) {
       return TunedObject{PluginKind::sensor, &use, slot.declaration,
                          slot.object.get(),  {},   {&slot.mounting, resource_colours_}};
     }
+  }
+  if (&use == &drive_use()) {
+    return TunedObject{PluginKind::drive, &use, drive_declaration_, drive_.get(), {}, {}};
   }
   return controller_->object_of(use);
 }
@@ -319,11 +357,24 @@ void Robot::moved(const physics::RobotState& state, std::span<const JointSetting
 }
 
 void Robot::set_body(const physics::RobotState& state, std::span<const JointSetting> joints) {
+  std::copy(joints.begin(), joints.end(), joints_.begin());
+  Turret turret;
+  const Motion motion = guard_.run(drive_use(), [&] {
+    turret = drive_->turret(joints_);
+    return drive_->odometry(joints_);
+  });
+  const WheelRates rates = wheels_.wheel_rates(motion);
+  state_.wheel_rates = {rates.left, rates.right};
   body_frame_ = state.frame;
   state_.pose = state.pose;
-  state_.wheel_rates = {joints[0].rate_rad_s, joints[1].rate_rad_s};
   state_.speed_m_s = state.speed;
-  state_.turn_rate_rad_s = state.turn_rate;
+  state_.turn_rate_rad_s = state.turn_rate + turret.turn_rad_s;
+  if (turret.angle_rad != 0.0) {
+    const double c = std::cos(turret.angle_rad), s = std::sin(turret.angle_rad);
+    body_frame_ = state.frame.frame(Frame::turned({}, turret.angle_rad, 0.0));
+    state_.pose.heading_rad = wrap_angle(state.pose.heading_rad + turret.angle_rad);
+    state_.speed_m_s = c * state.speed + s * state.lateral;
+  }
 }
 
 void Robot::collect(double energy) {

@@ -6,8 +6,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "elsie/api/drive.h"
 #include "elsie/api/perception.h"
 #include "elsie/api/sensor.h"
 #include "elsie/physics/engine.h"
@@ -121,6 +123,10 @@ class Robot final : private Wishes {
   std::vector<TeamMate>& mates() { return mates_; }
   bool empty() const { return empty_; }
   const MotorCommand& command() const { return state_.commanded; }
+  /// The parts of its drive, for Robot::driven of the description; once. None: of the default one.
+  BodyPlan take_driven() { return std::move(driven_); }
+  /// What its drive makes of the command, for the joints that can be set.
+  std::span<const JointSetting> wanted_joints() const { return wanted_joints_; }
   std::span<const Member> members() const { return controller_->members(); }
   std::span<const TracedMember> trace() const { return trace_; }
   double distance_m() const { return distance_m_; }
@@ -162,11 +168,28 @@ class Robot final : private Wishes {
   TunedObject object_of(const world::PluginUse& use) { return find_object(use).value(); }
   Perception example();
   void stop_when_empty();
+  void make_drive(const plugin::Host& host, std::vector<base::Problem>& problems);
+  /// Hands the command to the drive; what it can make of it is the command then.
+  void carry_out(const MotorCommand& asked);
+  const world::PluginUse& drive_use() const {
+    return description_.drive ? *description_.drive : drive_use_;
+  }
+  void replace_drive(Swap& swap);
 
   const world::Robot& description_;
   mutable Guard guard_;  // looking at a plugin's numbers can fail, too
   Names names_;
   double sensor_cost_ = 0.0;  // units per second, of all sensors together
+
+  world::PluginUse drive_use_;  // of a world that names none
+  const Declaration* drive_declaration_ = nullptr;
+  plugin::Object<Drive> drive_;
+  Random drive_random_;
+  BodyPlan driven_;
+  WheelPair wheels_;
+  std::vector<JointSetting> joints_;         // measured
+  std::vector<JointSetting> wanted_joints_;  // as many
+  double period_s_ = 0.01;                   // of the last decision
 
   std::vector<SensorSlot> sensors_;
   std::unique_ptr<Controller> controller_;

@@ -27,6 +27,9 @@ void for_each_use(world::World& world, const See& see) {
       see(PluginKind::sensor, sensor);
     }
     for_each_use(static_cast<world::Coordination&>(robot), see);
+    if (robot.drive) {
+      see(PluginKind::drive, *robot.drive);
+    }
   }
   for (world::PluginUse& measure : world.measures) {
     see(PluginKind::measure, measure);

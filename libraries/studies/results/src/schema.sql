@@ -36,7 +36,7 @@ CREATE TABLE files (                  -- world files, models, training sets, lib
 
 CREATE TABLE plugins (
   id      INTEGER PRIMARY KEY,
-  kind    TEXT NOT NULL,              -- "behavior", "coordinator", "sensor", "measure"
+  kind    TEXT NOT NULL,              -- "behavior", "coordinator", "sensor", "measure", "drive"
   name    TEXT NOT NULL,
   version TEXT NOT NULL,
   file_id INTEGER REFERENCES files(id),

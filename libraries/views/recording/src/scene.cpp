@@ -123,13 +123,21 @@ void add_part(Json& entity, const Part& part, const Colour& colour) {
   entity["cylinders"].push_back(cylinder(along, radius, length, colour));
 }
 
+/// "wagon" of the part "wagon/chassis".
+std::string vehicle_name(const BodyPlan& plan, std::size_t vehicle) {
+  for (const Part& part : plan.parts) {
+    if (part.vehicle == vehicle) return part.name.substr(0, part.name.rfind('/'));
+  }
+  return {};
+}
+
 void add_robot(Json& entities, std::uint64_t time_ns, const World& world,
                const world::Robot& robot) {
   const Colour colour = world::team_colour(world, robot.team);
   const BodyPlan plan = world::plan_of(robot);
   std::vector<Json> vehicles{entity(time_ns, robot_frame(robot.id), robot_frame(robot.id))};
-  for (const world::Segment& segment : robot.segments) {
-    const std::string frame = segment_frame(robot.id, segment.id);
+  for (std::size_t i = 1; i < plan.vehicles(); ++i) {
+    const std::string frame = segment_frame(robot.id, vehicle_name(plan, i));
     vehicles.push_back(entity(time_ns, frame, frame));
   }
   for (const Part& part : plan.parts) {
@@ -180,9 +188,12 @@ Json transforms_message(std::uint64_t time_ns, const simulation::Simulation& sim
     const Pose& pose = simulation.robot(i).state->pose;
     transforms.push_back(
         transform_json(time_ns, robot_frame(robot.id), frame_of(pose), pose.heading_rad));
-    for (std::size_t k = 0; k < robot.segments.size(); ++k) {
+    if (simulation.segments(i) == 0) continue;
+    const BodyPlan plan = world::plan_of(robot);
+    for (std::size_t k = 0; k < simulation.segments(i); ++k) {
       const simulation::SegmentView segment = simulation.segment(i, k);
-      transforms.push_back(transform_json(time_ns, segment_frame(robot.id, robot.segments[k].id),
+      transforms.push_back(transform_json(time_ns,
+                                          segment_frame(robot.id, vehicle_name(plan, k + 1)),
                                           segment.frame, segment.pose.heading_rad));
     }
   }

@@ -109,6 +109,9 @@ using Joint = std::variant<FixedJoint, WheelJoint, CasterJoint, HitchJoint>;
 struct JointSetting {
   double rate_rad_s = 0.0;
   double angle_rad = 0.0;
+  /// How fast the angle changes. To hold: how fast it is to be reached, whatever the sign; 0: as
+  /// fast as the joint can.
+  double turn_rad_s = 0.0;
 
   friend bool operator==(const JointSetting&, const JointSetting&) = default;
 };

@@ -9,7 +9,7 @@
 
 namespace elsie {
 
-/// A sensor, behaviour, coordinator or measure at run time. Life of one:
+/// A sensor, behaviour, coordinator, measure or drive at run time. Life of one:
 ///
 ///   constructed -> parameters and nested elements set -> configured() -> equipped()
 ///     -> { reset() -> notes(), curves() -> many steps }... -> destroyed

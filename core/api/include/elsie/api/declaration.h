@@ -23,7 +23,7 @@ namespace elsie {
 
 class Coordination;
 
-enum class PluginKind { sensor, behavior, coordinator, measure };
+enum class PluginKind { sensor, behavior, coordinator, measure, drive };
 
 /// A parameter that names a data file. In a world file the path is resolved against the folder of
 /// the file that it stands in, then against the data directories; the member holds the resolved

@@ -14,8 +14,10 @@
 
 namespace elsie {
 
-/// What a world's file says of a robot's body, whatever its drive.
+/// What a world's file says of a robot's body, whatever its drive. Its frame: on the floor below
+/// the middle of the chassis, x ahead.
 struct Chassis {
+  bool round = false;          // an upright cylinder, as long as it is wide; or a box
   double length = 0.08;        // m, along the heading
   double width = 0.08;         // m
   double height = 0.08;        // m
@@ -30,9 +32,15 @@ struct Chassis {
 
 /// The present state of a drive, for its next command.
 struct DriveState {
-  std::span<const JointSetting> joints;  // measured
+  std::span<const JointSetting> joints;  // measured, those that can be set
   double max_speed = 0.5;                // m/s, the most of any wheel's rim
   double period_s = 0.01;                // to the next command
+};
+
+/// What turns above a body, counter-clockwise.
+struct Turret {
+  double angle_rad = 0.0;  // against the body
+  double turn_rad_s = 0.0;
 };
 
 class Drive : public Component {
@@ -57,12 +65,13 @@ class Drive : public Component {
                          std::span<JointSetting> joints) = 0;
   /// The motion that these rates and angles of its joints make: odometry.
   virtual Motion odometry(std::span<const JointSetting> joints) const = 0;
-  /// Of a body that does not turn with its direction of travel, like that of a synchro drive: by
-  /// how much the robot's heading, and with it its sensors, is turned against the body, rad.
-  virtual double turret_rad() const { return 0.0; }
+  /// Of a body that does not turn with its direction of travel, like that of a synchro drive: how
+  /// the robot's heading, and with it its sensors, is turned against the body.
+  virtual Turret turret(std::span<const JointSetting> /*joints*/) const { return {}; }
 };
 
 /// Makes a drive class a plugin; see ELSIE_BEHAVIOR.
-#define ELSIE_DRIVE(Class, ...) ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::drive, Class, __VA_ARGS__)
+#define ELSIE_DRIVE(Class, ...) \
+  ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::drive, Class, __VA_ARGS__)
 
 }  // namespace elsie

@@ -47,7 +47,7 @@ enum class Loading {
 /// several may call the const members.
 class Host {
  public:
-  /// A host without plugins; see add().
+  /// A host with the plugins that are built into the core, and no others; see add().
   Host();
   /// Loads every plugin library in the directories. Of several plugins of one kind and name the
   /// first is used, in the order of directories and of the file names in each; the report warns of
@@ -77,7 +77,7 @@ class Host {
   std::string explain_missing(PluginKind kind, std::string_view name) const;
 
   /// Makes an object of a plugin with default parameters; apply_parameters() calls configured().
-  /// T is Component or the kind's class (Sensor, Behavior, Coordinator, Measure). Throws
+  /// T is Component or the kind's class (Sensor, Behavior, Coordinator, Measure, Drive). Throws
   /// PluginError when there is no such plugin or its class is not T, CreateError when its
   /// constructor throws.
   template <class T>

@@ -9,9 +9,10 @@ namespace elsie::plugin {
 
 /// All kinds, in the order in which they are listed.
 inline constexpr std::array kPluginKinds{PluginKind::sensor, PluginKind::behavior,
-                                         PluginKind::coordinator, PluginKind::measure};
+                                         PluginKind::coordinator, PluginKind::measure,
+                                         PluginKind::drive};
 
-/// "sensor", "behavior", "coordinator" or "measure": as written in a world file.
+/// "sensor", "behavior", "coordinator", "measure" or "drive": as written in a world file.
 constexpr std::string_view kind_name(PluginKind kind) {
   switch (kind) {
     case PluginKind::sensor:
@@ -22,6 +23,8 @@ constexpr std::string_view kind_name(PluginKind kind) {
       return "coordinator";
     case PluginKind::measure:
       return "measure";
+    case PluginKind::drive:
+      return "drive";
   }
   return "plugin";  // a kind made up by a faulty library
 }

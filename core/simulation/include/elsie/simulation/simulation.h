@@ -70,9 +70,9 @@ struct SensorView {
 
 /// One segment that a robot pulls, at this instant.
 struct SegmentView {
-  const world::Segment* description;
-  Frame frame;       // origin below the middle of its axle, at wheel-bottom height
-  Pose pose;         // the same on the floor
+  const world::Segment* description;  // none: it is part of the robot's drive
+  Frame frame;                        // origin below the middle of its axle, at wheel-bottom height
+  Pose pose;                          // the same on the floor
   double yaw_rad;    // of its joint, from in line with the body in front, counter-clockwise
   double pitch_rad;  // likewise; positive where its front points up
 };
@@ -184,7 +184,9 @@ class Simulation {
   void list_values(std::size_t robot, std::size_t sensor, std::vector<NamedValue>& values) const;
   /// Where a sensor is in the world now.
   Frame sensor_frame(std::size_t robot, std::size_t index) const;
-  /// A segment that a robot pulls, counted from the robot backwards.
+  /// How many vehicles a robot pulls: those of its drive, then its segments.
+  std::size_t segments(std::size_t robot) const;
+  /// One of them, counted from the robot backwards.
   SegmentView segment(std::size_t robot, std::size_t index) const;
   /// Where a box is now; none when it was collected.
   std::optional<Pose> box(std::size_t index) const;

@@ -111,7 +111,7 @@ class Describe {
       return &made;
     };
     child.parts = [member](const void* parent) {
-      return std::vector<Part>{{0, &(static_cast<const Object*>(parent)->*member)}};
+      return std::vector<DescribedObject>{{0, &(static_cast<const Object*>(parent)->*member)}};
     };
     spec_.children.push_back(std::move(child));
     return std::move(*this);
@@ -128,7 +128,8 @@ class Describe {
       return static_cast<Base*>(static_cast<Object*>(parent));
     };
     spec.parts = [](const void* parent) {
-      return std::vector<Part>{{0, static_cast<const Base*>(static_cast<const Object*>(parent))}};
+      return std::vector<DescribedObject>{
+          {0, static_cast<const Base*>(static_cast<const Object*>(parent))}};
     };
     spec_.children.push_back(std::move(spec));
     return std::move(*this);
@@ -151,7 +152,7 @@ class Describe {
     };
     child.parts = [list, is](const void* parent) {
       const auto& objects = static_cast<const Object*>(parent)->*list;
-      std::vector<Part> parts;
+      std::vector<DescribedObject> parts;
       for (std::size_t i = 0; i < objects.size(); ++i) {
         if (is(objects[i])) {
           parts.push_back({i, &objects[i]});
@@ -175,7 +176,7 @@ class Describe {
     };
     child.parts = [list](const void* parent) {
       const auto& objects = static_cast<const Object*>(parent)->*list;
-      std::vector<Part> parts;
+      std::vector<DescribedObject> parts;
       for (std::size_t i = 0; i < objects.size(); ++i) {
         if (const auto* object = std::get_if<Alternative>(&objects[i])) {
           parts.push_back({i, object});
@@ -197,7 +198,7 @@ class Describe {
     };
     child.parts = [member](const void* parent) {
       const auto& held = static_cast<const Object*>(parent)->*member;
-      return held ? std::vector<Part>{{0, &*held}} : std::vector<Part>{};
+      return held ? std::vector<DescribedObject>{{0, &*held}} : std::vector<DescribedObject>{};
     };
     spec_.children.push_back(std::move(child));
     return std::move(*this);

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "elsie/api/body.h"
 #include "elsie/api/declaration.h"
 #include "elsie/api/geometry.h"
 #include "elsie/api/image.h"
@@ -140,9 +141,8 @@ struct Coordination {
   std::optional<PluginUse> coordinator;
 };
 
-/// The body of a two-wheel differential drive: a chassis on two wheels and two casters. The origin
-/// of its frame is on the floor below the middle of the axle, which is also the middle of the
-/// chassis.
+/// The chassis of a robot and its wheels, which its drive puts below it: by default two driven ones
+/// on one axle. The origin of its frame is on the floor below the middle of the chassis.
 struct RobotBody {
   bool round = false;       // the chassis is an upright cylinder, as long as it is wide; or a box
   double length = 0.08;     // m, chassis along the heading
@@ -194,6 +194,8 @@ struct Robot : Coordination {
   double battery = 5000.0;       // units when full
   std::optional<double> energy;  // units at the start; default: full
   RobotBody body;
+  std::optional<PluginUse> drive;  // default: differential
+  BodyPlan driven;  // the chassis on the parts of its drive; empty: of the default one. See parts.h
   std::vector<Segment> segments;  // from the robot backwards
   std::vector<SensorUse> sensors;
   Location location;

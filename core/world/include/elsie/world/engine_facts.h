@@ -14,12 +14,14 @@ inline constexpr double kCasterMass = 0.02;
 inline constexpr double kMaxCorrectingSpeed = 0.5;
 
 /// The radius of a caster, a ball below the chassis; m.
-inline double caster_radius(const RobotBody& body) {
+template <class Body>  // RobotBody or Chassis
+double caster_radius(const Body& body) {
   return std::min({0.5 * body.clearance, 0.125 * body.length, body.wheel_radius});
 }
 
 /// The distance of the casters, one in front and one at the rear, from the middle of the axle; m.
-inline double half_base(const RobotBody& body) {
+template <class Body>
+double half_base(const Body& body) {
   return 0.5 * body.length - 1.2 * caster_radius(body);
 }
 

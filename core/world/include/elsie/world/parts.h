@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "elsie/api/body.h"
+#include "elsie/api/drive.h"
 #include "elsie/world/description.h"
 
 namespace elsie::world {
@@ -30,12 +31,23 @@ Fixture fixture_of(const Charger& charger, std::size_t index = 0);
 /// All of them: walls, then boxes (resources among them), then chargers, each in file order.
 std::vector<Fixture> fixtures_of(const World& world);
 
-/// The parts of a robot without its segments, and of a segment that stands by itself.
-std::vector<Part> parts_of(const RobotBody& body);
-std::vector<Part> parts_of(const Segment& segment);
-/// The parts of a robot and of the segments that it pulls, which are its further vehicles.
+/// What a drive gets to know of a body.
+Chassis chassis_of(const RobotBody& body);
+/// The chassis on the parts of a drive, which is built by this. Throws what the drive throws, and
+/// as check() does.
+BodyPlan plan_of(const Chassis& chassis, Drive& drive);
+
+/// The parts of a robot and of the segments that it pulls, which are its last vehicles. A robot
+/// whose drive has not been asked (Robot::driven) has the default one.
 BodyPlan plan_of(const RobotBody& body, std::span<const Segment> segments);
 BodyPlan plan_of(const Robot& robot);
+/// Without the segments.
+BodyPlan driven_plan(const Robot& robot);
+/// The parts of a segment that stands by itself.
+std::vector<Part> parts_of(const Segment& segment);
+/// Throws std::invalid_argument with a sentence about the first thing that no body can be: wheels
+/// inside each other, a part below the floor...
+void check(const BodyPlan& plan);
 /// The frames of a body's vehicles in the robot's, in line behind each other.
 std::vector<Frame> in_line(const BodyPlan& plan);
 /// The parts of one of a body's vehicles, the chassis first.

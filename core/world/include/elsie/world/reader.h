@@ -53,10 +53,11 @@ struct ReadOptions {
   /// Paths of files by their names in the text. They are used before any search.
   std::map<std::string, std::string> files{};
   /// Whether to make an object of every plugin, so that errors of Component::configured() are
-  /// reported, too.
+  /// reported, too. Drives are made in any case: they say which parts a body has.
   bool check_plugins = false;
   /// Whether to ignore sensors, behaviours, coordinators, measures, limits, and goals about time.
-  /// The rest needs no plugin and is enough for a picture.
+  /// The rest needs no plugin and is enough for a picture; a robot whose drive is not there stands
+  /// on the default one.
   bool bodies_only = false;
 };
 

@@ -64,7 +64,7 @@ struct AttributeSpec : Field {
 };
 
 /// An object that an element describes, and its place in a list.
-struct Part {
+struct DescribedObject {
   std::size_t order = 0;
   const void* object = nullptr;
 };
@@ -88,7 +88,7 @@ struct ElementSpec {
   /// Makes the object of a new element under `parent` and sets its location.
   std::function<void*(void* parent, const Location& where)> make;
   /// All such objects of the parent, in order.
-  std::function<std::vector<Part>(const void* parent)> parts;
+  std::function<std::vector<DescribedObject>(const void* parent)> parts;
   /// The base of an object that uses a plugin.
   std::function<const PluginUse*(const void* object)> use;
   /// For behaviours: the coordination that the behaviour holds, if any. coordination_vocabulary()
@@ -112,7 +112,7 @@ struct ElementSpec {
   const std::vector<ElementSpec>& below() const;
   /// The parts of an object with the elements that describe them, in the order of the file:
   /// elements of several kinds may describe the objects of one list.
-  std::vector<std::pair<Part, const ElementSpec*>> parts_of(const void* object) const;
+  std::vector<std::pair<DescribedObject, const ElementSpec*>> parts_of(const void* object) const;
 };
 
 /// <world> with all its elements.

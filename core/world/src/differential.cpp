@@ -1,0 +1,51 @@
+#include "differential.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "elsie/world/engine_facts.h"
+
+namespace elsie::world {
+
+void Differential::build(const Chassis& chassis, BodyPlan& plan) {
+  pair_ = wheels(chassis);
+  for (const bool left : {true, false}) {
+    plan.parts.push_back(
+        {left ? "left_wheel" : "right_wheel",
+         PartRole::wheel,
+         Shape::wheel(chassis.wheel_radius, chassis.wheel_width),
+         {.origin = {0.0, (left ? 1.0 : -1.0) * chassis.half_axle, chassis.wheel_radius}},
+         chassis.wheel_mass,
+         0,
+         WheelJoint{.torque = chassis.wheel_torque}});
+  }
+  const double radius = caster_radius(chassis);
+  for (const bool front : {true, false}) {
+    plan.parts.push_back({front ? "front_caster" : "rear_caster",
+                          PartRole::caster,
+                          Shape::sphere(radius),
+                          {.origin = {(front ? 1.0 : -1.0) * half_base(chassis), 0.0, radius}},
+                          kCasterMass * chassis.mass,
+                          0,
+                          CasterJoint{}});
+  }
+}
+
+Motion Differential::command(const Motion& asked, const DriveState& now,
+                             std::span<JointSetting> joints) {
+  WheelRates rates = pair_.wheel_rates(asked);
+  const double most = now.max_speed / pair_.radius;
+  const double largest = std::max(std::abs(rates.left), std::abs(rates.right));
+  if (largest > most) rates = (most / largest) * rates;
+  joints[0] = {rates.left};
+  joints[1] = {rates.right};
+  return pair_.motion(rates);
+}
+
+Motion Differential::odometry(std::span<const JointSetting> joints) const {
+  return pair_.motion({joints[0].rate_rad_s, joints[1].rate_rad_s});
+}
+
+ELSIE_DRIVE(Differential, "differential", "Two driven wheels on one axle, and two casters");
+
+}  // namespace elsie::world

@@ -1,0 +1,77 @@
+#include "drives.h"
+
+#include <algorithm>
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+#include "elsie/api/drive.h"
+#include "elsie/plugin/call.h"
+#include "elsie/plugin/error.h"
+#include "elsie/plugin/host.h"
+#include "elsie/plugin/parameters.h"
+#include "elsie/world/parts.h"
+
+namespace elsie::world {
+namespace {
+
+bool is_sound(const Reading& reading, const Robot& robot) {
+  const auto is_flawed = [&](const Location& where) {
+    return std::any_of(reading.flawed.begin(), reading.flawed.end(), [&](const Flawed& each) {
+      return each.where.file == where.file && each.where.line == where.line;
+    });
+  };
+  return !is_flawed(robot.location) && !(robot.drive && is_flawed(robot.drive->location));
+}
+
+void build(Robot& robot, const plugin::Host& host, Problems& problems) {
+  const PluginUse& use = *robot.drive;
+  const Declaration* const declaration = host.find(PluginKind::drive, use.plugin);
+  if (!declaration) return;  // a problem already
+  plugin::Call call({.plugin = use.plugin.c_str(),
+                     .id = use.id.c_str(),
+                     .file = use.location.file.c_str(),
+                     .line = use.location.line,
+                     .doing = "while it was asked for the parts of a body"});
+  const auto refuse = [&](const std::string& what, bool is_fault_of_plugin) {
+    problems.add(use.location,
+                 "the drive '" + use.plugin + "' of the robot '" + robot.id + "': " + what,
+                 is_fault_of_plugin);
+  };
+  try {
+    const auto drive = host.create<Drive>(PluginKind::drive, use.plugin);
+    plugin::apply_parameters(*declaration, *drive, use.parameters,
+                             {use.elements.begin(), use.elements.end()});
+    robot.driven = plan_of(chassis_of(robot.body), *drive);
+    if (const char* const changed = call.restore_arithmetic()) {
+      refuse(std::string("it changed ") + changed + " for the whole program", true);
+    }
+  } catch (const plugin::PluginError& error) {
+    refuse(error.what(), true);
+  } catch (const std::exception& error) {
+    refuse(error.what(), false);
+  }
+}
+
+void check_default(const Robot& robot, Problems& problems) {
+  try {
+    check(plan_of(robot.body, {}));
+  } catch (const std::invalid_argument& error) {
+    problems.add(robot.location, "the robot '" + robot.id + "': " + error.what());
+  }
+}
+
+}  // namespace
+
+void build_bodies(Reading& reading, const plugin::Host& host, Problems& problems) {
+  for (Robot& robot : reading.world.robots) {
+    if (!is_sound(reading, robot)) continue;
+    if (robot.drive) {
+      build(robot, host, problems);
+    } else {
+      check_default(robot, problems);
+    }
+  }
+}
+
+}  // namespace elsie::world

@@ -1,0 +1,59 @@
+// Three wheels on a circle, 120 degrees apart, one of them behind the middle. Each rolls along the
+// circle, and rollers on its rim let it glide across:
+//     r w_i = -vx sin a_i + vy cos a_i + R w
+// for the wheel that stands at the angle a_i (Pin and Killough, "A new family of omnidirectional
+// and holonomic wheeled platforms for mobile robots", 1994).
+#include <numbers>
+
+#include "rolling.h"
+
+namespace {
+
+class Omnidirectional final : public elsie::Drive {
+ public:
+  double radius = 0.0;
+
+  void build(const elsie::Chassis& chassis, elsie::BodyPlan& plan) override {
+    const double r = radius > 0.0 ? radius : std::max(chassis.half_axle, drives::sweep(chassis));
+    for (int i = 0; i < 3; ++i) {
+      const double at = (1.0 + 2.0 * i) / 3.0 * std::numbers::pi;
+      const elsie::WheelJoint joint{.torque = chassis.wheel_torque, .rollers_rad = 0.0};
+      plan.parts.push_back(drives::wheel(kNames[i], chassis, r * std::cos(at), r * std::sin(at),
+                                         joint, at + 0.5 * std::numbers::pi));
+    }
+    drives::require_apart(plan, drives::sweep(chassis));
+    rolling_.take(plan);
+  }
+
+  elsie::Channels channels() const override { return {true, true, true}; }
+
+  elsie::Motion command(const elsie::Motion& asked, const elsie::DriveState& now,
+                        std::span<elsie::JointSetting> joints) override {
+    return rolling_.command(asked, now.max_speed, joints);
+  }
+  elsie::Motion odometry(std::span<const elsie::JointSetting> joints) const override {
+    return rolling_.odometry(joints);
+  }
+  /// Of a differential drive that turns alike: its wheels stand on the same circle.
+  elsie::WheelPair wheels(const elsie::Chassis& chassis) const override {
+    return {chassis.wheel_radius,
+            radius > 0.0 ? radius : std::max(chassis.half_axle, drives::sweep(chassis))};
+  }
+
+ private:
+  static constexpr const char* kNames[] = {"left_wheel", "rear_wheel", "right_wheel"};
+
+  drives::Rolling rolling_;
+};
+
+ELSIE_DRIVE(
+    Omnidirectional, "omnidirectional",
+    "Three wheels with rollers, 120 degrees apart: moves in every direction",
+    elsie::parameter("radius", &Omnidirectional::radius,
+                     {.unit = "m",
+                      .min = 0,
+                      .max = 10,
+                      .meaning = "of the circle on which the wheels stand; 0: half the axle "
+                                 "of the body, or more where the wheels need it"}));
+
+}  // namespace

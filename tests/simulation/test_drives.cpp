@@ -1,0 +1,212 @@
+// Robots on drives: what the simulation makes of their commands.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/api/drive.h"
+#include "elsie/world/error.h"
+
+#include "world_builder.h"
+
+using namespace elsie;
+using namespace elsie::test;
+using simulation::Simulation;
+
+namespace {
+
+world::Robot driven(const std::string& drive, double x = 0.0, double y = 0.0) {
+  world::Robot made = robot("r1", x, y, 0, behavior("scripted"));
+  made.drive.emplace();
+  made.drive->plugin = made.drive->id = drive;
+  return made;
+}
+
+/// Wheel rates of a pair 0.09 m apart with wheels of 0.02 m.
+MotorCommand rates(double forward, double turn) {
+  return {(forward - 0.045 * turn) / 0.02, (forward + 0.045 * turn) / 0.02};
+}
+
+const std::string kAll[] = {"articulated",   "car",
+                            "differential",  "front_rear_steering",
+                            "mecanum",       "omnidirectional",
+                            "rear_steering", "skid_steer",
+                            "synchro",       "tricycle"};
+
+class TwoWheels : public Drive {
+ public:
+  void build(const Chassis& chassis, BodyPlan& plan) override {
+    pair_ = {chassis.wheel_radius, half_track(chassis)};
+    for (const double side : {1.0, -1.0}) {
+      plan.parts.push_back({side > 0 ? "left_wheel" : "right_wheel",
+                            PartRole::wheel,
+                            Shape::wheel(chassis.wheel_radius, chassis.wheel_width),
+                            {.origin = {0.0, side * pair_.half_axle, chassis.wheel_radius}},
+                            chassis.wheel_mass,
+                            0,
+                            WheelJoint{.torque = chassis.wheel_torque}});
+    }
+    const double radius = 0.4 * chassis.clearance;
+    for (const double end : {0.4, -0.4}) {
+      plan.parts.push_back({end > 0 ? "front_caster" : "rear_caster",
+                            PartRole::caster,
+                            Shape::sphere(radius),
+                            {.origin = {end * chassis.length, 0.0, radius}},
+                            0.02 * chassis.mass,
+                            0,
+                            CasterJoint{}});
+    }
+  }
+  Motion command(const Motion& asked, const DriveState&, std::span<JointSetting> joints) override {
+    const WheelRates rates = pair_.wheel_rates(asked);
+    joints[0] = {rates.left};
+    joints[1] = {rates.right};
+    return asked;
+  }
+  Motion odometry(std::span<const JointSetting> joints) const override {
+    return pair_.motion({joints[0].rate_rad_s, joints[1].rate_rad_s});
+  }
+
+ protected:
+  virtual double half_track(const Chassis& chassis) const { return chassis.half_axle; }
+
+  WheelPair pair_;
+};
+
+/// Gives no number after a while.
+class Failing final : public TwoWheels {
+ public:
+  Motion command(const Motion& asked, const DriveState& now,
+                 std::span<JointSetting> joints) override {
+    const Motion possible = TwoWheels::command(asked, now, joints);
+    if (++count_ == 5) joints[0] = {std::numeric_limits<double>::quiet_NaN()};
+    return possible;
+  }
+
+ private:
+  int count_ = 0;
+};
+
+class Wider final : public TwoWheels {
+  double half_track(const Chassis& chassis) const override { return 2.0 * chassis.half_axle; }
+};
+
+}  // namespace
+
+TEST_CASE("A behaviour that thinks in wheel rates drives every body along its arc") {
+  for (const std::string& drive : kAll) {
+    CAPTURE(drive);
+    ScriptedHost scripted([](const Perception&) { return rates(0.2, 0.4); });
+    world::World world;
+    world.robots.push_back(driven(drive));
+    Simulation simulation(world, scripted.host);
+    for (int i = 0; i < 200; ++i) simulation.step();  // until the steering is where it is to be
+    const Pose before = simulation.robot(0).state->pose;
+    for (int i = 0; i < 500; ++i) simulation.step();
+    const auto view = simulation.robot(0);
+    CHECK(wrap_angle(view.state->pose.heading_rad - before.heading_rad) ==
+          Approx(2.0).epsilon(0.02));
+    CHECK(view.state->turn_rate_rad_s == Approx(0.4).epsilon(0.03));
+    CHECK(view.state->speed_m_s == Approx(0.2).epsilon(0.03));
+    // What the joints say, as the rates of a pair of wheels.
+    CHECK(view.state->wheel_rates.left == Approx(rates(0.2, 0.4).left).epsilon(0.03));
+    CHECK(view.state->wheel_rates.right == Approx(rates(0.2, 0.4).right).epsilon(0.03));
+    // The chord of an arc of 2 rad with a radius of half a metre, or a little more.
+    CHECK(distance(before, view.state->pose) == Approx(2 * 0.5 * std::sin(1.0)).epsilon(0.03));
+  }
+}
+
+TEST_CASE("The command of a robot is what its drive can make") {
+  ScriptedHost scripted([](const Perception&) { return rates(0.0, 3.0); });
+  world::World world;
+  world.robots.push_back(driven("car"));
+  Simulation simulation(world, scripted.host);
+  for (int i = 0; i < 100; ++i) simulation.step();
+  const auto& command = simulation.robot(0).command;
+  const double forward = 0.5 * 0.02 * (command.left + command.right);
+  const double turn = 0.02 * (command.right - command.left) / 0.09;
+  CHECK(forward > 0.01);
+  CHECK(turn > 0.1);
+  CHECK(turn < 3.0);
+}
+
+TEST_CASE("Every drive runs the same way twice") {
+  for (const std::string& drive : kAll) {
+    CAPTURE(drive);
+    ScriptedHost scripted(
+        [](const Perception& now) { return rates(0.2, 2.0 * std::sin(3.0 * now.time_s())); });
+    world::World world;
+    world.robots.push_back(driven(drive));
+    Simulation one(world, scripted.host), two(world, scripted.host);
+    for (int i = 0; i < 300; ++i) {
+      one.step();
+      two.step();
+    }
+    const auto hash = one.state_hash();
+    CHECK(hash == two.state_hash());
+    one.reset(1);
+    two.reset(1);
+    for (int i = 0; i < 300; ++i) one.step();
+    CHECK(hash == one.state_hash());
+  }
+}
+
+TEST_CASE("Segments hang behind the last vehicle of a drive") {
+  ScriptedHost scripted([](const Perception&) { return rates(0.1, 0.2); });
+  world::World world;
+  world.robots.push_back(driven("articulated"));
+  world.robots[0].segments.emplace_back().id = "wagon";
+  Simulation simulation(world, scripted.host);
+  REQUIRE(simulation.segments(0) == 2);
+  CHECK(simulation.segment(0, 0).description == nullptr);
+  REQUIRE(simulation.segment(0, 1).description);
+  CHECK(simulation.segment(0, 1).description->id == "wagon");
+  const Pose rear = simulation.segment(0, 0).pose, wagon = simulation.segment(0, 1).pose;
+  CHECK(rear.x == Approx(-0.12));  // two halves of 0.08 m, and the gap of 0.04 m
+  CHECK(wagon.x < rear.x - 0.1);
+  for (int i = 0; i < 500; ++i) simulation.step();
+  CHECK(simulation.robot(0).distance_m > 0.45);
+}
+
+TEST_CASE("The drive that fails is named") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{1, 1}; });
+  scripted.host.add(declare<Failing>(PluginKind::drive, "failing", "For a test"));
+  world::World world;
+  world.robots.push_back(driven("failing"));
+  Simulation simulation(world, scripted.host);
+  const auto run = [&] {
+    for (int i = 0; i < 10; ++i) simulation.step();
+  };
+  CHECK_THROWS_WITH(
+      run(), Catch::Contains("plugin 'failing'") && Catch::Contains("numbers that are not finite"));
+}
+
+TEST_CASE("A drive that does not fit its chassis is refused when the simulation is made") {
+  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  world::World world;
+  world.robots.push_back(driven("mecanum"));
+  world.robots[0].drive->parameters["wheelbase"] = 0.01;
+  CHECK_THROWS_AS(Simulation(world, scripted.host), world::WorldError);
+}
+
+TEST_CASE("A drive is replaced while it runs, unless it would build another body") {
+  const auto answer = [](const Perception&) { return rates(0.2, 0.0); };
+  ScriptedHost first(answer), same(answer), other(answer);
+  first.host.add(declare<TwoWheels>(PluginKind::drive, "pair", "For a test"));
+  same.host.add(declare<TwoWheels>(PluginKind::drive, "pair", "For a test"));
+  other.host.add(declare<Wider>(PluginKind::drive, "pair", "For a test"));
+  world::World world;
+  world.robots.push_back(driven("pair"));
+  Simulation simulation(world, first.host);
+  for (int i = 0; i < 100; ++i) simulation.step();
+  CHECK_THROWS_WITH(simulation.replace_plugins(other.host),
+                    Catch::Contains("robot 'r1', drive: it would build another body now"));
+  for (int i = 0; i < 100; ++i) simulation.step();
+  const auto replaced = simulation.replace_plugins(same.host);
+  CHECK(std::any_of(replaced.objects.begin(), replaced.objects.end(),
+                    [](const auto& object) { return object.path == "drive"; }));
+  for (int i = 0; i < 100; ++i) simulation.step();
+  CHECK(simulation.robot(0).state->pose.x == Approx(0.6).epsilon(0.03));
+}
