@@ -83,7 +83,7 @@ class Simulation::Impl {
       const world::Robot& d = world_.robots[i];
       engine_->add_robot(world::plan_of(d), {d.x, d.y, wrap_angle(radians(d.heading_deg))}, d.z);
       robots_[i]->reset(seed);
-      robots_[i]->set_body(engine_->robot(i), engine_->joints(i));
+      robots_[i]->set_body(engine_->robot(i));
     }
     steps_ = 0;
     wall_s_ = 0.0;
@@ -242,9 +242,7 @@ class Simulation::Impl {
   /// Motors, physics.
   void move() {
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      const MotorCommand& command = robots_[i]->command();
-      const std::array<JointSetting, 2> joints{{{command.left}, {command.right}}};
-      engine_->set_joints(i, joints);
+      engine_->set_joints(i, robots_[i]->joints());
     }
     drive_boxes();
     try {
@@ -254,7 +252,7 @@ class Simulation::Impl {
     }
     ++steps_;
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      robots_[i]->moved(engine_->robot(i), engine_->joints(i));
+      robots_[i]->moved(engine_->robot(i));
     }
   }
 

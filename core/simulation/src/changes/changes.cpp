@@ -69,8 +69,7 @@ void Changes::make(std::span<const Change> changes, const Stage& stage,
   events.insert(events.end(), plan.events.begin(), plan.events.end());
   for (const Placed& placed : plan.placed) {
     stage.engine.place_robot(placed.robot, placed.pose, placed.z);
-    stage.robots[placed.robot]->set_body(stage.engine.robot(placed.robot),
-                                         stage.engine.joints(placed.robot));
+    stage.robots[placed.robot]->set_body(stage.engine.robot(placed.robot));
   }
 }
 

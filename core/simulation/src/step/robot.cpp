@@ -26,11 +26,6 @@ Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) 
           radians(use.pitch_deg)};
 }
 
-MotorCommand limited(const MotorCommand& command, double max_rate) {
-  const double largest = std::max(std::abs(command.left), std::abs(command.right));
-  return largest > max_rate ? (max_rate / largest) * command : command;
-}
-
 }  // namespace
 
 Robot::Membership Robot::membership(const world::World& world, std::size_t robot) {
@@ -69,8 +64,7 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
   group_readings();
 
   state_.id = description.id;
-  state_.wheel_radius_m = description.body.wheel_radius;
-  state_.half_axle_m = description.body.half_axle();
+  state_.wheels = {description.body.wheel_radius, description.body.half_axle()};
   state_.length_m = description.body.length;
   state_.width_m = description.body.width;
   take_description();
@@ -153,7 +147,7 @@ void Robot::reset(std::uint64_t seed) {
   controller_->reset(seed, path);
   state_.energy = description_.energy.value_or(description_.battery);
   state_.charging = false;
-  state_.commanded = {};
+  command({});
   perceived_events_.clear();
   raised_.clear();
   logged_ = 0;
@@ -191,15 +185,34 @@ void Robot::decide(const Instant& now) {
   logged_ = 0;
   controller_->begin_step();
   if (empty_) {
-    state_.commanded = {};
+    command({});
     return;
   }
   perception_.time_s = now.time_s;
   perception_.period_s = now.period_s;
   perception_.events = perceived_events_;
   team_.mates = mates_;
-  state_.commanded = limited(controller_->decide(Perception(perception_, unused_random_)),
-                             state_.max_wheel_rate());
+  command(controller_->decide(Perception(perception_, unused_random_)));
+}
+
+void Robot::command(const Motion& asked) {
+  asked_ = asked;
+  state_.commanded = possible(asked);
+}
+
+/// The motion of the drive nearest to this one: two wheels, neither faster than the maximum speed.
+/// A motion that is too fast keeps its direction.
+Motion Robot::possible(const Motion& asked) const {
+  const Motion motion{asked.forward, 0.0, asked.turn};
+  const WheelRates rates = state_.wheels.wheel_rates(motion);
+  const double largest = std::max(std::abs(rates.left), std::abs(rates.right));
+  const double limit = state_.max_wheel_rate();
+  return largest > limit ? (limit / largest) * motion : motion;
+}
+
+std::array<JointSetting, 2> Robot::joints() const {
+  const WheelRates rates = state_.wheels.wheel_rates(state_.commanded);
+  return {{{rates.left}, {rates.right}}};
 }
 
 void Robot::ask(Statements& said) {
@@ -226,14 +239,14 @@ void Robot::use_energy(double period_s) {
 void Robot::stop_when_empty() {
   if (state_.energy <= 0.0) {
     empty_ = true;
-    state_.commanded = {};
+    command({});
     raise(events::BatteryEmpty{});
   }
 }
 
 void Robot::set_max_speed(double max_speed) {
   state_.max_speed_m_s = max_speed;
-  state_.commanded = limited(state_.commanded, state_.max_wheel_rate());
+  state_.commanded = possible(state_.commanded);
 }
 
 void Robot::set_energy(double units) {
@@ -313,17 +326,15 @@ void Robot::charge(double period_s, double rate) {
   }
 }
 
-void Robot::moved(const physics::RobotState& state, std::span<const JointSetting> joints) {
+void Robot::moved(const physics::RobotState& state) {
   distance_m_ += distance(state_.pose, state.pose);
-  set_body(state, joints);
+  set_body(state);
 }
 
-void Robot::set_body(const physics::RobotState& state, std::span<const JointSetting> joints) {
+void Robot::set_body(const physics::RobotState& state) {
   body_frame_ = state.frame;
   state_.pose = state.pose;
-  state_.wheel_rates = {joints[0].rate_rad_s, joints[1].rate_rad_s};
-  state_.speed_m_s = state.speed;
-  state_.turn_rate_rad_s = state.turn_rate;
+  state_.moving = {state.speed, state.lateral, state.turn_rate};
 }
 
 void Robot::collect(double energy) {

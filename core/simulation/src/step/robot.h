@@ -2,6 +2,7 @@
 // other.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -55,7 +56,8 @@ class Robot final : private Wishes {
 
   /// Updates all sensors. Throws PluginFault.
   void sense(const Surroundings& surroundings, const Instant& now);
-  /// Asks the coordinator; the command, limited to the maximum speed, is in command() afterwards.
+  /// Asks the coordinator; its command is in asked() afterwards, what the drive makes of it in
+  /// command() and joints().
   /// Throws PluginFault.
   void decide(const Instant& now);
   /// Discharges by what the sensors cost in a control period.
@@ -64,15 +66,15 @@ class Robot final : private Wishes {
   /// second to be had where the robot is, or 0.
   void charge(double period_s, double rate);
   /// Takes over the body's state.
-  void set_body(const physics::RobotState& state, std::span<const JointSetting> joints);
+  void set_body(const physics::RobotState& state);
   /// The same after a step: counts the way too.
-  void moved(const physics::RobotState& state, std::span<const JointSetting> joints);
+  void moved(const physics::RobotState& state);
   /// Adds energy of a collected resource, up to the capacity.
   void collect(double energy);
 
   // What a user changes between two steps, until the next reset.
 
-  /// m/s; the command that the motors hold is limited to it at once.
+  /// m/s; the motion that the drive is set to is limited to it at once.
   void set_max_speed(double max_speed);
   void set_coverage(double metres) { state_.coverage_m = metres; }
   void set_leader(bool leader) { state_.is_leader = leader; }
@@ -120,7 +122,12 @@ class Robot final : private Wishes {
   std::span<const Colour> resource_colours() const { return resource_colours_; }
   std::vector<TeamMate>& mates() { return mates_; }
   bool empty() const { return empty_; }
-  const MotorCommand& command() const { return state_.commanded; }
+  /// What the coordinator commanded last.
+  const Motion& asked() const { return asked_; }
+  /// The same as the drive can make it.
+  const Motion& command() const { return state_.commanded; }
+  /// What the joints of the body are to hold for that: its two wheels.
+  std::array<JointSetting, 2> joints() const;
   std::span<const Member> members() const { return controller_->members(); }
   std::span<const TracedMember> trace() const { return trace_; }
   double distance_m() const { return distance_m_; }
@@ -162,6 +169,8 @@ class Robot final : private Wishes {
   TunedObject object_of(const world::PluginUse& use) { return find_object(use).value(); }
   Perception example();
   void stop_when_empty();
+  void command(const Motion& asked);
+  Motion possible(const Motion& asked) const;
 
   const world::Robot& description_;
   mutable Guard guard_;  // looking at a plugin's numbers can fail, too
@@ -185,6 +194,7 @@ class Robot final : private Wishes {
   std::vector<Colour> resource_colours_;
   Perception::Data perception_;
   Frame body_frame_;
+  Motion asked_;
 
   bool charge_asked_ = false;
   bool empty_ = false;
