@@ -16,7 +16,7 @@ class Everything final : public Behavior {
   std::string text = "low";
   FilePath file{"a.fcl"};
   std::vector<double> weights{1, 2};
-  Response respond(const Perception&) override { return MotorCommand{real, real}; }
+  Response respond(const Perception&) override { return elsie::WheelPair().motion({real, real}); }
 };
 
 class Light final : public SensorOf<RangeReading> {
@@ -75,8 +75,8 @@ TEST_CASE("A declared parameter reads and writes its member") {
 
 TEST_CASE("By default a behaviour rates candidates by their distance from its command") {
   Everything behavior;
-  const Response given{MotorCommand{10, 10}};
-  const MotorCommand candidates[] = {{10, 10}, {15, 10}, {13, 14}, {-20, -20}};
+  const Response given{elsie::WheelPair().motion({10, 10})};
+  const Motion candidates[] = {{10, 10}, {15, 10}, {13, 14}, {-20, -20}};
   double desirability[4];
   behavior.rate(given, candidates, desirability);
   CHECK(desirability[0] == 1.0);

@@ -42,10 +42,10 @@ TEST_CASE("A frame within a frame") {
 
 TEST_CASE("Inverse kinematics of the differential drive") {
   OwnState self;
-  self.wheel_radius_m = 0.02;
-  self.half_axle_m = 0.05;
-  CHECK(self.command_for(0.4, 0.0) == MotorCommand{20, 20});
-  const MotorCommand turn = self.command_for(0.0, 1.0);
+  self.wheels.radius = 0.02;
+  self.wheels.half_axle = 0.05;
+  CHECK(Motion{0.4, 0, 0.0} == elsie::WheelPair().motion({20, 20}));
+  const Motion turn = Motion{0.0, 0, 1.0};
   CHECK(turn.left == Approx(-2.5));
   CHECK(turn.right == Approx(2.5));
   CHECK(self.max_wheel_rate() == Approx(25));

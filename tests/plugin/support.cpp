@@ -56,7 +56,7 @@ bool is_loaded(const fs::path& file) {
   return handle != nullptr;
 }
 
-MotorCommand answer(Behavior& behavior) {
+Motion answer(Behavior& behavior) {
   Random random;
   const Perception::Data data;
   return behavior.respond(Perception(data, random)).command;

@@ -43,6 +43,6 @@ FileReport report_of(const Host& host, const std::string& file_name);
 bool is_loaded(const std::filesystem::path& file);
 
 /// A behaviour's answer to nothing.
-MotorCommand answer(Behavior& behavior);
+Motion answer(Behavior& behavior);
 
 }  // namespace elsie::plugin::test

@@ -4,8 +4,10 @@
 
 #include "shipped.h"
 #include "situation.h"
+#include "wheels.h"
 
 using namespace elsie;
+using elsie::test::rates;
 using elsie::test::Situation;
 
 namespace {
@@ -20,8 +22,9 @@ Response to(Situation now) { return flee()->respond(now.perception()); }
 struct Motion {
   double forward, turn;
 };
-Motion motion(const MotorCommand& command) {
-  return {0.01 * (command.left + command.right), 0.01 * (command.right - command.left) / 0.045};
+Motion motion(const Motion& command) {
+  return {0.01 * (rates(command).left + rates(command).right),
+          0.01 * (rates(command).right - rates(command).left) / 0.045};
 }
 
 }  // namespace
@@ -29,7 +32,7 @@ Motion motion(const MotorCommand& command) {
 TEST_CASE("What is at the sphere or beyond does not matter") {
   for (const double distance : {0.5, 0.9, 1.0}) {
     const Response response = to(Situation().beam(0, distance).proximity(90, false));
-    CHECK(response.command == MotorCommand{});
+    CHECK(response.command == Motion{});
     CHECK(response.activation == 0.0);
     CHECK(response.strength == 0.0);
     CHECK(response.events.empty());

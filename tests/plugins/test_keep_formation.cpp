@@ -5,8 +5,10 @@
 
 #include "shipped.h"
 #include "situation.h"
+#include "wheels.h"
 
 using namespace elsie;
+using elsie::test::rates;
 using elsie::test::Situation;
 
 namespace {
@@ -20,8 +22,9 @@ struct Motion {
   double forward, turn;
 };
 Motion motion(const Response& response) {
-  const MotorCommand& command = response.command;
-  return {0.01 * (command.left + command.right), 0.01 * (command.right - command.left) / 0.045};
+  const Motion& command = response.command;
+  return {0.01 * (rates(command).left + rates(command).right),
+          0.01 * (rates(command).right - rates(command).left) / 0.045};
 }
 
 bool raised(const Response& response, const char* name) {
@@ -152,7 +155,7 @@ TEST_CASE("Without a leader in reach, or as one itself, it has no place to keep"
   leading.self.is_leader = true;
   for (Situation* now : {&alone, &leading}) {
     const Response response = keeper()->respond(now->perception());
-    CHECK(response.command == MotorCommand{});
+    CHECK(response.command == Motion{});
     CHECK(response.activation == 0.0);
     CHECK(response.strength == 0.0);
     CHECK(response.events.empty());

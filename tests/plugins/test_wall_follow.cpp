@@ -5,8 +5,10 @@
 
 #include "shipped.h"
 #include "situation.h"
+#include "wheels.h"
 
 using namespace elsie;
+using elsie::test::rates;
 using elsie::test::Situation;
 
 namespace {
@@ -37,8 +39,9 @@ Situation nothing() { return seeing(2, 2, 2, 2, 2); }
 struct Motion {
   double forward, turn;
 };
-Motion motion(const MotorCommand& command) {
-  return {0.01 * (command.left + command.right), 0.01 * (command.right - command.left) / 0.045};
+Motion motion(const Motion& command) {
+  return {0.01 * (rates(command).left + rates(command).right),
+          0.01 * (rates(command).right - rates(command).left) / 0.045};
 }
 Motion answer(Situation now, test::Parameters parameters = {}) {
   return motion(wall_follow(std::move(parameters))->respond(now.perception()).command);

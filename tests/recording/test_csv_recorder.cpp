@@ -141,7 +141,7 @@ TEST_CASE("What was recorded until a plugin failed is kept") {
     if (now.time_s() > 0.5) {
       throw std::runtime_error("enough");
     }
-    return MotorCommand{};
+    return Motion{};
   });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));

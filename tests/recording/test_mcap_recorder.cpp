@@ -6,9 +6,11 @@
 #include "elsie/world/writer.h"
 
 #include "recorded.h"
+#include "wheels.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::wheels;
 using simulation::Simulation;
 
 namespace {
@@ -299,7 +301,7 @@ TEST_CASE("A plugin that fails ends the run, and what was recorded is kept, with
     if (now.time_s() > 0.5) {
       throw std::runtime_error("enough");
     }
-    return MotorCommand{};
+    return Motion{};
   });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
@@ -316,7 +318,7 @@ TEST_CASE("A measure that fails in the end fails the run, and the recording is w
   declaration.name = "silent";
   declaration.description = "Has nothing to tell when it is asked";
   declaration.create = [] { return std::make_unique<SilentMeasure>(); };
-  ScriptedHost scripted([](const Perception&) -> Response { return MotorCommand{5, 5}; });
+  ScriptedHost scripted([](const Perception&) -> Response { return wheels(5, 5); });
   scripted.host.add(std::move(declaration));
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));

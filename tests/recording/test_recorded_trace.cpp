@@ -2,9 +2,11 @@
 #include <catch2/catch.hpp>
 
 #include "recorded.h"
+#include "wheels.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::rates;
 using recording::read_trace;
 using simulation::Simulation;
 using traces::Trace;
@@ -97,7 +99,7 @@ TEST_CASE("Decisions are read as they were written; what repeats the last note i
   CHECK(members[2].coordinator == "inner");
   REQUIRE(members[0].notes.size() == 2);
   const auto& note = members[0].notes[0];
-  CHECK(note.command == MotorCommand{1.5, -2});
+  CHECK(rates(note.command) == WheelRates{1.5, -2});
   CHECK(note.activation == 0.5);
   CHECK(note.weight == 2);
   CHECK(note.share == 0.25);
@@ -107,7 +109,7 @@ TEST_CASE("Decisions are read as they were written; what repeats the last note i
   CHECK(trace.reasons[members[0].notes[1].reason] == "so be it");
   REQUIRE(members[1].notes.size() == 1);
   CHECK_FALSE(members[1].notes[0].asked);
-  CHECK(members[1].notes[0].command == MotorCommand{});
+  CHECK(members[1].notes[0].command == Motion{});
   REQUIRE(trace.robots[0].events.size() == 1);
   CHECK(trace.robots[0].events[0].time_s == 0.06);
   CHECK(trace.robots[0].events[0].detail == "wall");

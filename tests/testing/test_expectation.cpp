@@ -3,12 +3,12 @@
 #include "elsie/testing/catch.h"
 
 using namespace elsie::testing;
-using elsie::MotorCommand;
+using elsie::Motion;
 using elsie::Response;
 
 namespace {
 
-Response answer(double left, double right) { return MotorCommand{left, right}; }
+Response answer(double left, double right) { return wheels(left, right); }
 
 }  // namespace
 
@@ -60,12 +60,12 @@ TEST_CASE("Activation, strength, events, charging") {
 }
 
 TEST_CASE("A bare command serves as an answer") {
-  CHECK_THAT(Response(MotorCommand{1, 2}), turns_left());
-  CHECK(turns_left().check(MotorCommand{1, 2}));
+  CHECK_THAT(Response(wheels(1, 2)), turns_left());
+  CHECK(turns_left().check(wheels(1, 2)));
 }
 
 TEST_CASE("An expectation that is not met gives a sentence") {
-  Response r = active(0.5, {3, 2});
+  Response r = active(0.5, wheels(3, 2));
   r.events.push_back({"stuck"});
   const Verdict verdict = (turns_left() && !raises("freed")).check(r);
   CHECK_FALSE(verdict);
@@ -78,5 +78,5 @@ TEST_CASE("An expectation that is not met gives a sentence") {
 
 TEST_CASE("Catch prints answers and commands in words") {
   CHECK(Catch::Detail::stringify(answer(1, 2)) == "command (left 1, right 2) rad/s, activation 1");
-  CHECK(Catch::Detail::stringify(MotorCommand{1, 2}) == "command (left 1, right 2) rad/s");
+  CHECK(Catch::Detail::stringify(wheels(1, 2)) == "command (left 1, right 2) rad/s");
 }

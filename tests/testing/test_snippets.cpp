@@ -68,28 +68,28 @@ TEST_CASE("Expectations on the page") {
 
 TEST_CASE("Members on the page") {
   testing::Team team;
-  team.member("avoid", 2, testing::active(0.5, {10, -10}))
+  team.member("avoid", 2, testing::active(0.5, wheels(10, -10)))
       .member("seek", 1, [](const elsie::Perception& now) {
-        return elsie::Response(elsie::MotorCommand{now.time_s(), now.time_s()});
+        return elsie::Response(elsie::WheelPair().motion({now.time_s(), now.time_s()}));
       });
   testing::Coordinator arbiter("arbiter_suppression", team);
-  CHECK(arbiter.decide() == elsie::MotorCommand{10, -10});
+  CHECK(arbiter.decide() == elsie::WheelPair().motion({10, -10}));
   CHECK(team.trace("seek").reason == std::string("suppressed"));
   CHECK(team.asked("seek") == 0);
 }
 
 TEST_CASE("A coordinator that asks further gets the answers given to its members") {
-  const auto likes_to_turn_left = [](const elsie::MotorCommand& command) {
+  const auto likes_to_turn_left = [](const elsie::Motion& command) {
     return command.right > command.left ? 1.0 : 0.2;
   };
   testing::Team team;
-  team.member("cautious", 1, testing::active(1, {5, 10})).rating(likes_to_turn_left);
-  team.member("lazy", 1, testing::active(1, {0, 0}))
+  team.member("cautious", 1, testing::active(1, wheels(5, 10))).rating(likes_to_turn_left);
+  team.member("lazy", 1, testing::active(1, wheels(0, 0)))
       .sets({elsie::FuzzySet::triangle(0, 2), elsie::FuzzySet::triangle(0, 2)});
   testing::Coordinator vote("arbiter_voting", team);
-  const elsie::MotorCommand command = vote.decide();
+  const elsie::Motion command = vote.decide();
   CHECK(command.right > command.left);
-  const std::vector<double> inside_a_behavior = vote.rate({{0, 10}, {10, 0}});
+  const std::vector<double> inside_a_behavior = vote.rate({wheels(0, 10), wheels(10, 0)});
   CHECK(inside_a_behavior[0] > inside_a_behavior[1]);
 }
 

@@ -1,4 +1,5 @@
 #include "support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using Catch::Matchers::Contains;
@@ -6,16 +7,17 @@ using elsie::test::active;
 using elsie::test::check_near;
 using elsie::test::Coordinated;
 using elsie::test::Team;
+using elsie::test::wheels;
 
 namespace {
 
 /// A wish for a forward speed and a turn, as wheel rates.
 Response wish(double speed, double turn, double strength = 1.0) {
-  Response response(MotorCommand{speed - turn, speed + turn});
+  Response response(wheels(speed - turn, speed + turn));
   response.strength = strength;
   return response;
 }
-MotorCommand command(double speed, double turn) { return {speed - turn, speed + turn}; }
+Motion command(double speed, double turn) { return {speed - turn, speed + turn}; }
 
 }  // namespace
 
@@ -130,5 +132,5 @@ TEST_CASE("A behaviour without strength has no part, and the trace says which it
   CHECK(team.reason(0) == "no strength");
   CHECK(team.reason(2) == "not active");
   team.answer(1).strength = 0.0;
-  CHECK(robot.decide() == MotorCommand{});
+  CHECK(robot.decide() == Motion{});
 }
