@@ -1,4 +1,5 @@
 #include "support.h"
+#include "wheels.h"
 
 #include <fstream>
 #include <iterator>
@@ -56,10 +57,12 @@ bool is_loaded(const fs::path& file) {
   return handle != nullptr;
 }
 
-Motion answer(Behavior& behavior) {
+WheelRates answer(Behavior& behavior) {
   Random random;
-  const Perception::Data data;
-  return behavior.respond(Perception(data, random)).command;
+  const OwnState self;
+  Perception::Data data;
+  data.self = &self;
+  return elsie::test::rates(behavior.respond(Perception(data, random)).command);
 }
 
 }  // namespace elsie::plugin::test

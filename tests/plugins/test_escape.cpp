@@ -28,11 +28,11 @@ class Drive {
     if (event) {
       here.event(event);
     }
-    return ask(here, now.Motion{commanded_m_s, 0, 0}, measured_m_s, 0);
+    return ask(here, {commanded_m_s, 0, 0}, measured_m_s, 0);
   }
   Response turn_step(double commanded_rad_s, double measured_rad_s) {
     Situation here;
-    return ask(here, now.Motion{0, 0, commanded_rad_s}, 0, measured_rad_s);
+    return ask(here, {0, 0, commanded_rad_s}, 0, measured_rad_s);
   }
   /// Held for this many periods; returns the last answer.
   Response held(int steps, double commanded_m_s = 0.2) {
@@ -83,9 +83,8 @@ Manoeuvre carry_out(Drive& drive, Response response, bool moves = true) {
   OwnState& self = drive.now.self;
   const double start = drive.time_s;
   while (response.activation > 0.0 && drive.time_s - start < 100.0) {
-    const double forward = 0.01 * rates((response.command).left + rates(response.command).right);
-    const double turn =
-        0.01 * rates((response.command).right - rates(response.command).left) / 0.045;
+    const double forward = response.command.forward;
+    const double turn = response.command.turn;
     if (moves) {
       manoeuvre.way_m += forward * kPeriod;
       manoeuvre.turned_rad += turn * kPeriod;
@@ -126,8 +125,8 @@ TEST_CASE("Held for as long as its patience, it is stuck") {
   CHECK(response.activation == 1.0);
   CHECK(response.strength == 1.0);
   CHECK(raised(response, "stuck"));
-  rates(CHECK(response.command).left == Approx(-7.5));  // 0.15 m/s backwards
-  rates(CHECK(response.command).right == Approx(-7.5));
+  CHECK(rates(response.command).left == Approx(-7.5));  // 0.15 m/s backwards
+  CHECK(rates(response.command).right == Approx(-7.5));
 }
 
 TEST_CASE("Just too little motion is none, and being pushed back is none either") {
@@ -141,7 +140,7 @@ TEST_CASE("Just too little motion is none, and being pushed back is none either"
   CHECK(a.activation == 1.0);
   CHECK(b.activation == 1.0);
   CHECK(c.activation == 1.0);
-  rates(CHECK(c.command).left == Approx(7.5));  // stuck while backing up: it drives forwards
+  CHECK(rates(c.command).left == Approx(7.5));  // stuck while backing up: it drives forwards
 }
 
 TEST_CASE("A turn on the spot can be stuck, too") {
@@ -227,12 +226,12 @@ TEST_CASE("A manoeuvre that is blocked ends all the same, and the next tries the
   CHECK(blocked.time_s < 2 * 0.15 / 0.15 + 2 * radians(150) / 2.0 + 3 * kPeriod);
   const Response next = drive.held(9);
   REQUIRE(next.activation == 1.0);
-  rates(CHECK(next.command).left == Approx(7.5));  // forwards
+  CHECK(rates(next.command).left == Approx(7.5));  // forwards
   carry_out(drive, next, false);
   for (double start = drive.time_s; drive.time_s < start + 3.0;) {
     drive.step(0.2, 0.2);  // it drives on: getting stuck later is a new trap
   }
-  rates(CHECK(drive.held(9).command).left == Approx(-7.5));
+  CHECK(rates(drive.held(9).command).left == Approx(-7.5));
 }
 
 TEST_CASE("Without progress it is stuck even though it moves, unless it is not to watch that") {
@@ -274,7 +273,7 @@ TEST_CASE("A reset ends the manoeuvre and the watch") {
   Random random;
   drive.behavior->reset(random);
   CHECK(drive.held(8).activation == 0.0);
-  rates(CHECK(drive.held(1).command).left == Approx(-7.5));
+  CHECK(rates(drive.held(1).command).left == Approx(-7.5));
 }
 
 TEST_CASE("A smallest turn above the largest is refused") {

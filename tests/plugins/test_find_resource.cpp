@@ -130,7 +130,7 @@ class Watch {
     seen ? now.blob(50) : now.camera();
     const Response response = behavior->respond(now.perception());
     // Events may wait, commands do not.
-    rates(CHECK(response.command).left == (seen ? Approx(20.0) : Approx(-50.0 / 30)));
+    CHECK(rates(response.command).left == (seen ? Approx(20.0) : Approx(-50.0 / 30)));
     std::string text;
     for (const Event& event : response.events) {
       text += event.name == "resource_in_view"       ? "in"

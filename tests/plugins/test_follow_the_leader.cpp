@@ -67,10 +67,10 @@ TEST_CASE("Up to the threshold it drives straight on, beyond it turns: far, near
   Situation now;
   now.mate("leader", 1.0, 0.2, true);
   const double theta = degrees(now.perception().team().mates[0].bearing_rad);
-  CHECK(follower({{"turn_above", theta}})->respond(now.perception()).command == wheels(40, 40));
-  CHECK(follower({{"turn_above", std::nextafter(theta, 0.0)}})
-            ->respond(now.perception())
-            .command.left == Approx(-0.1 * theta));
+  const auto straight = follower({{"turn_above", theta}});
+  CHECK(straight->respond(now.perception()).command == wheels(40, 40));
+  const auto turning = follower({{"turn_above", std::nextafter(theta, 0.0)}});
+  CHECK(rates(turning->respond(now.perception()).command).left == Approx(-0.1 * theta));
 }
 
 TEST_CASE("The direction is wrapped: it takes the shorter way round") {

@@ -35,7 +35,7 @@ TEST_CASE("It slows down near the place, stops there, and says once that it has 
   Situation now;
   const auto behavior = to(0, 0);
   now.at(-0.15, 0, 0);
-  rates(CHECK(behavior->respond(now.perception()).command).left == Approx(10.0));
+  CHECK(rates(behavior->respond(now.perception()).command).left == Approx(10.0));
   now.at(-0.04, 0, 0);
   const Response first = behavior->respond(now.perception());
   CHECK(first.command == Motion{});

@@ -173,7 +173,7 @@ TEST_CASE("With a control period of several steps there is a decision in each pe
   const auto& notes = trace.robots[0].members[0].notes;
   REQUIRE(notes.size() == 11);
   CHECK(notes[10].time_s == 0.5);
-  rates(CHECK(notes[10].command).left == 0.5);
+  CHECK(rates(notes[10].command).left == 0.5);
   CHECK(trace.end_s == 0.52);
 }
 

@@ -26,7 +26,7 @@ TEST_CASE("A robot that was put elsewhere is there, at rest, and drives on by th
   CHECK(state.pose.heading_rad == Approx(radians(90)).margin(1e-9));
   CHECK(state.moving.forward == Approx(0).margin(1e-9));
   CHECK(state.moving.turn == Approx(0).margin(1e-9));
-  CHECK(rates(state.wheel_rates) == WheelRates{0, 0});
+  CHECK(state.commanded == Motion{});
   CHECK(simulation.robot(0).distance_m == driven);  // it did not drive there
 
   advance(simulation, 20);  // until it is at speed again
@@ -206,13 +206,13 @@ TEST_CASE("Followers turn to whoever has the leader's flag") {
   CHECK(rates(simulation.robot(0).command) == WheelRates{0, 0});  // nobody leads
   set(simulation, 1, "leader", true);
   simulation.step();
-  rates(CHECK(simulation.robot(0).command).right ==
+  CHECK(rates(simulation.robot(0).command).right ==
         Approx(9.0).epsilon(0.01));  // 0.10 x 90 deg, left
   const simulation::Change handover[] = {{"robot[north]/@leader", "false"},
                                          {"robot[south]/@leader", "true"}};
   simulation.change(handover);
   simulation.step();
-  rates(CHECK(simulation.robot(0).command).left == Approx(9.0).epsilon(0.02));
+  CHECK(rates(simulation.robot(0).command).left == Approx(9.0).epsilon(0.02));
   advance(simulation, 2000);
   const Pose& pose = simulation.robot(0).state->pose;
   CHECK(std::hypot(pose.x, pose.y + 2) < 0.31);

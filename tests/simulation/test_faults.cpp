@@ -110,7 +110,7 @@ class Careless final : public Coordinator {
 class Rater final : public Coordinator {
  public:
   Motion coordinate(std::span<Member> members, const Perception&) override {
-    const Motion candidates[] = {{0, 0}};
+    const Motion candidates[] = {{}};
     double desirability[1];
     members[0].rate(candidates, desirability);
     return {};

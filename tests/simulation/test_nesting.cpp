@@ -24,8 +24,8 @@ class Holder final : public Behavior {
     activations.push_back(response.activation);
     return response;
   }
-  CommandSets command_sets(const Response&) const override { return inside->command_sets(); }
-  void rate(const Response&, std::span<const Motion> candidates,
+  CommandSets command_sets(const Perception&, const Response&) const override { return inside->command_sets(); }
+  void rate(const Perception&, const Response&, std::span<const Motion> candidates,
             std::span<double> desirability) const override {
     inside->rate(candidates, desirability);
   }
@@ -38,7 +38,7 @@ class AsksForSets final : public Coordinator {
   Motion coordinate(std::span<Member> members, const Perception&) override {
     const CommandSets sets = members[0].command_sets();
     members[0].trace.share = 1.0;
-    return {sets.left.points.at(1).x, sets.right.points.at(1).x};
+    return WheelPair().motion({sets.left.points.at(1).x, sets.right.points.at(1).x});
   }
 };
 

@@ -263,12 +263,12 @@ TEST_CASE("What a plugin refuses leaves all as it was") {
   advance(simulation, 50);
   advance(untouched, 50);
   CHECK(simulation.state_hash() == untouched.state_hash());
-  rates(CHECK(simulation.robot(0).command).left == 1.0);
+  CHECK(rates(simulation.robot(0).command).left == 1.0);
   // Together they fit.
   const simulation::Change both[] = {{low, "3"}, {high, "4"}};
   simulation.change(both);
   simulation.step();
-  rates(CHECK(simulation.robot(0).command).left == 3.0);
+  CHECK(rates(simulation.robot(0).command).left == 3.0);
 }
 
 TEST_CASE("An object that refuses what another one took is set back, with all changed before it") {
@@ -306,7 +306,7 @@ TEST_CASE("Files that a change names are found as those of the world are") {
   simulation.change(path, "../fuzzy_models/turn_left_left.fcl");
   advance(simulation, 1);
   advance(untouched, 1);
-  rates(CHECK(simulation.robot(0).command).left != rates(untouched.robot(0).command).left);
+  CHECK(rates(simulation.robot(0).command).left != rates(untouched.robot(0).command).left);
 }
 
 TEST_CASE("What a network is trained with is settled before a run; its weights are not") {

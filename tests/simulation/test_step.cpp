@@ -60,7 +60,7 @@ TEST_CASE(
   Simulation simulation(world, scripted.host);
   for (int i = 0; i < 11; ++i) {
     simulation.step();
-    rates(CHECK(simulation.robot(0).command).left == 1 + i / 5);
+    CHECK(rates(simulation.robot(0).command).left == 1 + i / 5);
   }
   REQUIRE(times.size() == 3);
   CHECK(times[1] == Approx(0.05));

@@ -219,7 +219,7 @@ ELSIE_BEHAVIOR(Overactive, "overactive", "Is more active than can be");
 class BadRating final : public elsie::Behavior {
  public:
   Response respond(const Perception&) override { return {}; }
-  void rate(const Response&, std::span<const Motion>,
+  void rate(const Perception&, const Response&, std::span<const Motion>,
             std::span<double> desirability) const override {
     desirability[0] = -0.1;
   }
@@ -229,7 +229,7 @@ ELSIE_BEHAVIOR(BadRating, "bad_rating", "Rates below zero");
 class BadSets final : public elsie::Behavior {
  public:
   Response respond(const Perception&) override { return {}; }
-  elsie::CommandSets command_sets(const Response&) const override {
+  elsie::CommandSets command_sets(const Perception&, const Response&) const override {
     return {{{{1.0, 0.0}, {0.0, 1.0}}}, {}};
   }
 };

@@ -11,7 +11,7 @@ TEST_CASE("A coordinator decides among made-up behaviours, and its trace can be 
   Team team;
   team.member("avoid", 2, active(0.5, wheels(10, -10))).member("seek", 1, wheels(20, 20));
   Coordinator arbiter("arbiter_suppression", team);
-  CHECK(rates(arbiter.decide()) == WheelRates{10, -10});
+  CHECK_THAT(arbiter.decide(), commands_wheels(10, -10));
   CHECK(team.trace("avoid").share == 1.0);
   CHECK(team.trace("seek").inhibited_by == 0);
   CHECK(team.asked("avoid") == 1);
@@ -25,19 +25,19 @@ TEST_CASE("Members may follow a script; they perceive what the coordinator does"
     return Response(wheels(now.readings<RangeReading>()[0]->distance_m, 0));
   });
   Coordinator arbiter("arbiter_suppression", team);
-  CHECK(rates(arbiter.decide(Situation().beam(0, 0.5))) == WheelRates{0.5, 0});
-  CHECK(rates(arbiter.decide(Situation().beam(0, 0.7))) == WheelRates{0.7, 0});
+  CHECK_THAT(arbiter.decide(Situation().beam(0, 0.5)), commands_wheels(0.5, 0));
+  CHECK_THAT(arbiter.decide(Situation().beam(0, 0.7)), commands_wheels(0.7, 0));
   Sequence way;
   way.hold(0.02, Situation().beam(0, 0.1)).hold(0.01, Situation().beam(0, 0.2));
   const auto commands = arbiter.decide(way);
   REQUIRE(commands.size() == 3);
-  CHECK(commands[2].left == 0.2);
+  CHECK_THAT(commands[2], commands_wheels(0.2, 0));
 }
 
 TEST_CASE("A coordinator gets the ratings and sets of the team's members") {
   Team team;
   team.member("picky", 1, wheels(5, 5))
-      .rating([](const Motion& c) { return rates(c).left > 0 ? 0.75 : 0.25; })
+      .rating([](const Motion& c) { return c.forward > 0 ? 0.75 : 0.25; })
       .sets({FuzzySet::triangle(3, 1), FuzzySet::triangle(4, 1)});
   Coordinator arbiter("arbiter_suppression", team);
   arbiter.decide();

@@ -85,7 +85,7 @@ TEST_CASE("A margin keeps two behaviours of about the same activation from flick
     Motion last = kA;
     for (int step = 0; step < 100; ++step) {
       set(team, 0.5, step % 2 == 0 ? 0.45 : 0.55, 0.0);
-      const WheelRates command = rates(robot.decide_at(0.01 * step));
+      const Motion command = robot.decide_at(0.01 * step);
       changes += command != last;
       last = command;
     }

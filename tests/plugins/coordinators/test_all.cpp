@@ -90,7 +90,7 @@ TEST_CASE("Shares add up to one, and everyone has a reason, whatever the priorit
           .member("b", 1, active(0.4, wheels(20, 10)))
           .member("c", 1, active(0.0, wheels(0, 0)));
       Coordinated robot(name, team);
-      const WheelRates command = rates(robot.decide());
+      const Motion command = robot.decide();
       CHECK(command.is_finite());
       CHECK(shares(team) == Approx(1.0));
       for (const Member& member : team.members()) {
@@ -115,7 +115,7 @@ TEST_CASE("A coordinator decides the same again after a reset") {
     Team team;
     team.member("a", 1, active(0.7, wheels(10, 20))).member("b", 1, active(0.7, wheels(20, 10)));
     Coordinated robot(name, team);
-    const WheelRates first = rates(robot.decide());
+    const Motion first = robot.decide();
     team.answer(0).activation = 0.1;
     robot.decide_at(1);
     team.answer(0).activation = 0.7;
@@ -176,7 +176,7 @@ TEST_CASE("Whatever behaviours answer, decisions are finite and traces complete"
       for (int step = 0; step < 10; ++step) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) {
           Response& answer = team.answer(i);
-          answer.command = {number(), number()};
+          answer.command = WheelPair().motion({number(), number()});
           answer.activation = random.chance(0.3) ? 0.0 : random.uniform();
           answer.strength = random.chance(0.3) ? 0.0 : random.uniform();
           answer.speed_strength = random.chance(0.3) ? 0.0 : random.uniform();

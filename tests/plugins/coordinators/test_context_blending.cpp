@@ -138,7 +138,8 @@ TEST_CASE("A behaviour that is not active is left out, however well its context 
 TEST_CASE("The combined sets are passed outwards before defuzzification") {
   Scene scene;
   scene.decide(0.8);
-  const CommandSets sets = scene.coordinator->command_sets(scene.team.members(), {});
+  const CommandSets sets =
+      scene.coordinator->command_sets(scene.team.members(), Situation().perception(), {});
   CHECK(sets.left.degree(-10) == Approx(0.25));
   CHECK(sets.left.degree(20) == Approx(0.75));
   CHECK(sets.left.degree(5) == 0.0);
@@ -268,8 +269,7 @@ TEST_CASE("With several cameras all inputs are about the resource most nearly st
   CHECK(0.01 == word_value(now, "resource_area"));
   // find_resource chooses the same one.
   const auto finder = test::make<Behavior>(PluginKind::behavior, "find_resource");
-  const WheelRates command = rates(finder->respond(now.perception()).command);
-  check_near(command, {45.0 / 20, -45.0 / 20});
+  check_near(finder->respond(now.perception()).command, wheels(45.0 / 20, -45.0 / 20));
   // Of two at equal angles the first camera's counts, in both plugins.
   Situation even;
   even.view(sees(50, 100, 30), 20).view(sees(50, 400, 30), -20);

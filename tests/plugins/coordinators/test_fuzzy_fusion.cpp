@@ -50,7 +50,7 @@ TEST_CASE("Where sets overlap, the operators differ") {
     Team team;
     team.member("a", 1, Motion{}).sets(both(box(0, 2)));
     team.member("b", 1, Motion{}).sets(both(box(1, 4, 0.5)));
-    return fused(team, combination).left;
+    return rates(fused(team, combination)).left;
   };
   CHECK(with("max") == Approx((2 * 1.0 + 1 * 3.0) / 3));                // 1 on [0,2], 1/2 on [2,4]
   CHECK(with("probabilistic_sum") == Approx((2 * 1.0 + 1 * 3.0) / 3));  // 1 + 1/2 - 1/2 = 1
@@ -64,7 +64,7 @@ TEST_CASE("Where sets overlap, the operators differ") {
     Team team;
     team.member("a", 1, Motion{}).sets(both(box(0, 2, 0.5)));
     team.member("b", 1, Motion{}).sets(both(box(1, 4, 0.5)));
-    return fused(team, combination).left;
+    return rates(fused(team, combination)).left;
   };
   CHECK(halves("max") == Approx(2.0));  // 1/2 on [0,4]
   CHECK(halves("probabilistic_sum") ==

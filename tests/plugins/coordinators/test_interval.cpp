@@ -14,7 +14,7 @@ using elsie::test::wheels;
 namespace {
 
 /// A paraboloid with its top, 1, at a command.
-auto paraboloid(Motion top) {
+auto paraboloid(WheelRates top) {
   return [=](const Motion& c) {
     const double left = rates(c).left - top.left;
     const double right = rates(c).right - top.right;
@@ -41,25 +41,24 @@ TEST_CASE("The best command lies between the grid's points where it does") {
 TEST_CASE("A finer tolerance finds it more exactly") {
   Team team;
   team.member("a", 1, Motion{}).rating(paraboloid({M_PI, -M_E}));
-  check_near(Coordinated("fusion_interval", team, {{"tolerance", 1e-4}}).decide(), {M_PI, -M_E},
-             1e-4);
+  check_near(Coordinated("fusion_interval", team, {{"tolerance", 1e-4}}).decide(),
+             wheels(M_PI, -M_E), 1e-4);
 }
 
 TEST_CASE("It finds the highest of many summits, as good as looking everywhere") {
   Random random(7);
   for (int round = 0; round < 50; ++round) {
     Team team;
-    std::vector<std::pair<Motion, double>> wishes;
+    std::vector<std::pair<WheelRates, double>> wishes;
     for (int i = 0; i < 5; ++i) {
-      const Motion wish{random.uniform(-25, 25), random.uniform(-25, 25)};
+      const WheelRates wish{random.uniform(-25, 25), random.uniform(-25, 25)};
       wishes.emplace_back(wish, random.uniform(0.5, 1.5));
-      team.member("m", wishes.back().second, wish);
+      team.member("m", wishes.back().second, wheels(wish.left, wish.right));
     }
-    const auto value = [&](const Motion& c) {
+    const auto value = [&](const WheelRates& c) {
       double sum = 0.0;
       for (const auto& [wish, priority] : wishes) {
-        const double left = (rates(c).left - wish.left) / 5,
-                     right = (rates(c).right - wish.right) / 5;
+        const double left = (c.left - wish.left) / 5, right = (c.right - wish.right) / 5;
         sum += priority * std::exp(-0.5 * (left * left + right * right));
       }
       return sum;
@@ -84,7 +83,7 @@ TEST_CASE("Two equal pulls are not averaged: one is followed, and stays") {
   CHECK(team.trace(0).share == Approx(1.0).margin(0.02));
   CHECK(team.trace(1).share == Approx(0.0).margin(0.02));
   for (int step = 0; step < 20; ++step) {
-    team.answer(0).command = {5 + 0.1 * step, 20};  // both change a little
+    team.answer(0).command = wheels(5 + 0.1 * step, 20);  // both change a little
     team.answer(1).activation = step % 2 == 0 ? 1.0 : 0.99;
     team.answer(0).activation = step % 2 == 0 ? 0.99 : 1.0;
     check_near(robot.decide(), team.answer(0).command, 0.4);

@@ -17,7 +17,7 @@ Response wish(double speed, double turn, double strength = 1.0) {
   response.strength = strength;
   return response;
 }
-Motion command(double speed, double turn) { return {speed - turn, speed + turn}; }
+Motion command(double speed, double turn) { return wheels(speed - turn, speed + turn); }
 
 }  // namespace
 
@@ -111,9 +111,8 @@ TEST_CASE("How far a behaviour is active scales its strength, gates it, or does 
     Response half = wish(10, 0);
     half.activation = how_far;
     team.member("a", 2, half).member("b", 1, wish(20, 0));
-    return Coordinated("arbiter_strength", team, {{"activation", std::string(activation)}})
-        .decide()
-        .left;
+    Coordinated robot("arbiter_strength", team, {{"activation", std::string(activation)}});
+    return rates(robot.decide()).left;
   };
   CHECK(decided("scale", 0.5) == Approx(15));
   CHECK(decided("gate", 0.5) == Approx(10));

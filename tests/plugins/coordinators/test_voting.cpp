@@ -133,9 +133,9 @@ TEST_CASE("A wish beyond the wheels' limit counts at its scaled-down command") {
 }
 
 TEST_CASE("Arcs: forward from turning in place to straight on, at several speeds, and a stop") {
-  const auto decided = [](Motion wish) {
+  const auto decided = [](WheelRates wish) {
     Team team;
-    team.member("a", 1, wish);
+    team.member("a", 1, wheels(wish.left, wish.right));
     return Coordinated("arbiter_voting", team,
                        {{"set", std::string("arcs")},
                         {"steps", std::int64_t{5}},

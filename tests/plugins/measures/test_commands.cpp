@@ -79,7 +79,7 @@ TEST_CASE("A sine has the variation and the jerk that calculus gives") {
   smooth.observe(now);
   for (int i = 1; i <= 10'000; ++i) {
     const double u = a * (1.0 - std::cos(w * 0.001 * i));  // starts at rest
-    now["r1"].command = {u, u};
+    now["r1"].command = wheels(u, u);
     smooth.observe(now.step());
   }
   CHECK(smooth.value("variation") == Approx(4.0 * a).epsilon(0.001));  // 4 amplitudes a second

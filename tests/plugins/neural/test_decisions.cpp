@@ -67,14 +67,16 @@ TEST_CASE("Nested, the arbiter wishes what its winner wishes") {
   Team team;
   add_two_behaviors(team);
   start(*arbiter, team);
-  const WheelRates given = rates(decide(*arbiter, team, 0.4, 0.7));
-  const Motion candidates[] = {{-10, 10}, {20, 20}};
+  const Motion given = decide(*arbiter, team, 0.4, 0.7);
+  const Motion candidates[] = {wheels(-10, 10), wheels(20, 20)};
   double wished[2], of_winner[2];
-  arbiter->rate(team.members(), given, candidates, wished);
+  const Situation now;
+  arbiter->rate(team.members(), now.perception(), given, candidates, wished);
   team.members()[0].rate(candidates, of_winner);
   CHECK(wished[0] == of_winner[0]);
   CHECK(wished[1] == of_winner[1]);
-  CHECK(arbiter->command_sets(team.members(), given).left == team.members()[0].command_sets().left);
+  const CommandSets sets = arbiter->command_sets(team.members(), now.perception(), given);
+  CHECK(sets.left == team.members()[0].command_sets().left);
 }
 
 TEST_CASE("Trained on the reference samples, the network avoids near obstacles and seeks else") {

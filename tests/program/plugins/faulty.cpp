@@ -53,10 +53,10 @@ struct Throws {
   elsie::Motion operator()() { throw std::runtime_error("it gave up"); }
 };
 struct NotANumber {
-  elsie::Motion operator()() { return {std::numeric_limits<double>::quiet_NaN(), 10}; }
+  elsie::Motion operator()() { return {std::numeric_limits<double>::quiet_NaN(), 0, 0}; }
 };
 struct Segfaults {
-  elsie::Motion operator()() { return {*hidden<double*>(nullptr), 10}; }
+  elsie::Motion operator()() { return {*hidden<double*>(nullptr), 0, 0}; }
 };
 struct Divides {
   elsie::Motion operator()() {
@@ -83,7 +83,7 @@ struct Exits {
   elsie::Motion operator()() { std::exit(0); }
 };
 struct Overflows {
-  elsie::Motion operator()() { return {deeper(1), 10}; }
+  elsie::Motion operator()() { return {deeper(1), 0, 0}; }
   static double deeper(int depth) {
     volatile double here[64] = {};
     here[0] = depth;
@@ -112,7 +112,7 @@ struct CallsNowhere {
 };
 /// Overwrites its own return address and those of its callers.
 struct SmashesStack {
-  elsie::Motion operator()() { return {smash(hidden(24)), 0}; }
+  elsie::Motion operator()() { return {smash(hidden(24)), 0, 0}; }
   __attribute__((noinline)) static double smash(int words) {
     volatile std::uintptr_t here[4] = {};
     volatile std::uintptr_t* const beyond = hidden(&here[0]);
@@ -132,20 +132,20 @@ struct CrashesElsewhere {
 struct Dawdles {
   elsie::Motion operator()() {
     std::this_thread::sleep_for(std::chrono::milliseconds(1000));
-    return {10, 10};
+    return elsie::WheelPair().motion({10, 10});
   }
 };
 struct Leaks {
   elsie::Motion operator()() {
     hidden(new char[1000]);
-    return {10, 10};
+    return elsie::WheelPair().motion({10, 10});
   }
 };
 /// Allocates and frees in every call, with constant memory.
 struct Thrifty {
   elsie::Motion operator()() {
     texts_.assign(20, std::string(100, 'x'));
-    return {10, 10};
+    return elsie::WheelPair().motion({10, 10});
   }
   std::vector<std::string> texts_;
 };
