@@ -102,9 +102,9 @@ TEST_CASE("Readings, commands and traces are those of the last decision, and hav
   CHECK(rows[0].at("coordinator") == "arbiter_suppression");
   CHECK(rows[0].at("asked") == true);
   CHECK(rows[0].at("share") == 1.0);
-  CHECK(rows[0].at("left_rad_s") == trace.content.at("left_rad_s"));
-  CHECK(rows[0].at("left_rad_s").get<double>() ==
-        Approx(command.content.at("left_rad_s").get<double>()).margin(0.0005));
+  CHECK(rows[0].at("forward_m_s") == trace.content.at("asked_forward_m_s"));
+  CHECK(rows[0].at("forward_m_s").get<double>() ==
+        Approx(command.content.at("asked_forward_m_s").get<double>()).margin(0.00001));
   CHECK(rows[0].at("reason") == "highest priority");
   CHECK(rows[1].at("asked") == false);
   CHECK(rows[1].at("inhibited_by") == "go_to_point");

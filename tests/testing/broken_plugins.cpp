@@ -158,7 +158,7 @@ class HalfForgets final : public elsie::Behavior, public elsie::Remembers {
   Response respond(const Perception&) override {
     ++left_;
     --right_;
-    return elsie::WheelPair().motion({static_cast<double>(left_), static_cast<double>(right_)});
+    return elsie::Motion{static_cast<double>(left_), 0.0, static_cast<double>(right_)};
   }
 
  private:

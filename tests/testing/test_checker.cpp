@@ -55,7 +55,7 @@ const Fault kFaults[] = {
     {kBehavior, "forgetless", "reset() must forget"},
     {kBehavior, "half_forgets",
      "what remember() names continues differently: remember() must name everything that outlives a "
-     "step: in step 75 its right wheel rate is -1, and was -76"},
+     "step: in step 75 its turn is -1, and was -76"},
     {kBehavior, "refuses_memory", "remember() fails, or what follows it: that is too long ago"},
     {kBehavior, "not_a_number", "nan, which is no finite number"},
     {kBehavior, "at_the_bound",

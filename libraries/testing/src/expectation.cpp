@@ -19,9 +19,11 @@ bool goes_nowhere(const Response& r, double than) {
 }  // namespace
 
 std::string text(const Motion& motion) {
-  return "command (forward " + number_text(motion.forward) + " m/s, " +
-         (motion.lateral != 0.0 ? "lateral " + number_text(motion.lateral) + " m/s, " : "") +
-         "turn " + number_text(motion.turn) + " rad/s)";
+  constexpr int kDigits = 6;
+  return "command (forward " + number_text(motion.forward, kDigits) + " m/s, " +
+         (motion.lateral != 0.0 ? "lateral " + number_text(motion.lateral, kDigits) + " m/s, "
+                                : "") +
+         "turn " + number_text(motion.turn, kDigits) + " rad/s)";
 }
 
 std::string text(const Response& response) {

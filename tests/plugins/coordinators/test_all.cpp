@@ -182,7 +182,7 @@ TEST_CASE("Whatever behaviours answer, decisions are finite and traces complete"
           answer.speed_strength = random.chance(0.3) ? 0.0 : random.uniform();
           answer.turn_strength = random.chance(0.3) ? 0.0 : random.uniform();
         }
-        const WheelRates command = rates(robot.decide_at(0.01 * step));
+        const Motion command = robot.decide_at(0.01 * step);
         REQUIRE(command.is_finite());
         double sum = 0.0;
         for (const Member& member : team.members()) {

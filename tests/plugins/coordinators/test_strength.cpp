@@ -6,6 +6,7 @@ using Catch::Matchers::Contains;
 using elsie::test::active;
 using elsie::test::check_near;
 using elsie::test::Coordinated;
+using elsie::test::rates;
 using elsie::test::Team;
 using elsie::test::wheels;
 
