@@ -32,7 +32,8 @@ TEST_CASE("A behaviour perceives the robot's own state, and its command moves th
   CHECK(view.state->pose.y == Approx(2 + 5 * 0.2).epsilon(0.01));
   CHECK(view.distance_m == Approx(1.0).epsilon(0.02));
   CHECK(view.state->moving.forward == Approx(0.2).epsilon(0.01));
-  CHECK(view.state->wheel_rates.left == Approx(10).epsilon(0.01));
+  CHECK(view.state->moving.lateral == Approx(0).margin(0.01));
+  CHECK(view.state->moving.turn == Approx(0).margin(0.01));
 }
 
 TEST_CASE("A command is scaled, both wheels alike, to the maximum speed") {
@@ -42,7 +43,27 @@ TEST_CASE("A command is scaled, both wheels alike, to the maximum speed") {
   world.robots[0].max_speed = 0.3;
   Simulation simulation(world, scripted.host);
   simulation.step();
+  CHECK(rates(simulation.robot(0).asked) == WheelRates{100, 50});
   CHECK(rates(simulation.robot(0).command) == WheelRates{15, 7.5});
+}
+
+TEST_CASE("Of a motion that the drive cannot make, it makes the nearest; both can be seen") {
+  std::vector<Motion> commanded;
+  ScriptedHost scripted([&](const Perception& now) {
+    CHECK(now.self().channels == Channels{.forward = true, .lateral = false, .turn = true});
+    commanded.push_back(now.self().commanded);
+    return Motion{0.2, 0.3, 1.0};
+  });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  Simulation simulation(world, scripted.host);
+  simulation.step();
+  simulation.step();
+  CHECK(simulation.robot(0).asked == Motion{0.2, 0.3, 1.0});
+  CHECK(simulation.robot(0).command == Motion{0.2, 0.0, 1.0});
+  CHECK(commanded == std::vector<Motion>{{}, {0.2, 0.0, 1.0}});
+  simulation.reset();
+  CHECK(simulation.robot(0).asked == Motion{});
 }
 
 TEST_CASE(
