@@ -131,7 +131,8 @@ class Boaster final : public Coordinator {
 class Enthusiast final : public Behavior {
  public:
   Response respond(const Perception&) override { return Motion{}; }
-  void rate(const Response&, std::span<const Motion>, std::span<double> d) const override {
+  void rate(const Perception&, const Response&, std::span<const Motion>,
+            std::span<double> d) const override {
     d[0] = 2.0;
   }
 };

@@ -234,7 +234,8 @@ TEST_CASE("What a behaviour remembers of the run outlasts a change of its parame
   for (int i = 0; i < 50; ++i) {
     changed.step();
     unchanged.step();
-    const WheelRates a = rates(changed.robot(0).command, b = unchanged.robot(0).command);
+    const WheelRates a = rates(changed.robot(0).command);
+    const WheelRates b = rates(unchanged.robot(0).command);
     CHECK(b.left - a.left == Approx(2));
     CHECK(b.right - a.right == Approx(2));
   }
