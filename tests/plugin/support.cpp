@@ -1,5 +1,4 @@
 #include "support.h"
-#include "wheels.h"
 
 #include <fstream>
 #include <iterator>
@@ -7,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 #include <dlfcn.h>
+
+#include "wheels.h"
 
 namespace elsie::plugin::test {
 

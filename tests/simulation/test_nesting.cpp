@@ -24,7 +24,9 @@ class Holder final : public Behavior {
     activations.push_back(response.activation);
     return response;
   }
-  CommandSets command_sets(const Perception&, const Response&) const override { return inside->command_sets(); }
+  CommandSets command_sets(const Perception&, const Response&) const override {
+    return inside->command_sets();
+  }
   void rate(const Perception&, const Response&, std::span<const Motion> candidates,
             std::span<double> desirability) const override {
     inside->rate(candidates, desirability);

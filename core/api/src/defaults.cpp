@@ -10,10 +10,13 @@ namespace {
 
 constexpr double kBumpWidth = 5.0;  // rad/s
 
-void rate_by_distance(const WheelPair& wheels, const Motion& command,
-                      std::span<const Motion> candidates, std::span<double> desirability) {
+void rate_by_distance(const OwnState& self, Motion command, std::span<const Motion> candidates,
+                      std::span<double> desirability) {
+  if (!self.channels.lateral) {
+    command.lateral = 0.0;  // no candidate has what the drive cannot make
+  }
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    desirability[i] = std::exp(-0.5 * wheels.distance_squared(candidates[i], command) /
+    desirability[i] = std::exp(-0.5 * self.wheels.distance_squared(candidates[i], command) /
                                (kBumpWidth * kBumpWidth));
   }
 }
@@ -34,7 +37,7 @@ void Behavior::equipped(const Perception&) {}
 
 void Behavior::rate(const Perception& now, const Response& given,
                     std::span<const Motion> candidates, std::span<double> desirability) const {
-  rate_by_distance(now.self().wheels, given.command, candidates, desirability);
+  rate_by_distance(now.self(), given.command, candidates, desirability);
 }
 
 CommandSets Behavior::command_sets(const Perception& now, const Response& given) const {
@@ -45,7 +48,7 @@ void Coordinator::equipped(std::span<const Member>, const Perception&) {}
 
 void Coordinator::rate(std::span<Member>, const Perception& now, const Motion& given,
                        std::span<const Motion> candidates, std::span<double> desirability) {
-  rate_by_distance(now.self().wheels, given, candidates, desirability);
+  rate_by_distance(now.self(), given, candidates, desirability);
 }
 
 CommandSets Coordinator::command_sets(std::span<Member>, const Perception& now,

@@ -24,7 +24,8 @@ TEST_CASE("A decision that needs no fuzzy sets allocates nothing after the first
     const auto decide = [&](int times) {
       for (int step = 0; step < times; ++step) {
         for (std::size_t i = 0; i < 3; ++i) {
-          team.answer(i).command = WheelPair().motion({random.uniform(-40, 40), random.uniform(-40, 40)});
+          team.answer(i).command =
+              WheelPair().motion({random.uniform(-40, 40), random.uniform(-40, 40)});
           team.answer(i).activation = random.chance(0.2) ? 0.0 : random.uniform();
         }
         robot.decide_at(0.01 * step);

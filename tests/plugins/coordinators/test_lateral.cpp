@@ -39,6 +39,15 @@ TEST_CASE("Votes are cast on lateral speeds, if the drive has them") {
   check(decided("arbiter_voting", team, true, {{"laterals", std::int64_t{1}}}), {0.2, 0, 0});
 }
 
+TEST_CASE("A lateral wish that the drive cannot make takes nothing from the others in it") {
+  for (const char* coordinator : {"arbiter_voting", "fusion_interval"}) {
+    CAPTURE(coordinator);
+    Team team;
+    team.member("aside", 1.1, Motion{0.2, 0.3, 0}).member("back", 1, Motion{-0.2, 0, 0});
+    check(decided(coordinator, team, false), {0.2, 0, 0}, 1e-3);
+  }
+}
+
 TEST_CASE("A wish beyond the robot's speed is followed along its ray, sideways too") {
   Team team;
   team.member("a", 1, Motion{0, 2, 0});

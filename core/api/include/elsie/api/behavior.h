@@ -88,7 +88,8 @@ class Behavior : public Component {
   /// How good each of the candidate commands would be to this behaviour now, each in [0, 1];
   /// `desirability` has the size of `candidates`. `given` is what respond() answered in this step
   /// to `now`. By default a bump around the given command: 1 at the command, exp(-(d / 5 rad/s)^2 /
-  /// 2) at a distance d in the plane of wheel rates: WheelPair::distance_squared().
+  /// 2) at a distance d in the plane of wheel rates: WheelPair::distance_squared(). A lateral wish
+  /// counts only if the drive has that channel.
   virtual void rate(const Perception& now, const Response& given,
                     std::span<const Motion> candidates, std::span<double> desirability) const;
 
