@@ -134,7 +134,7 @@ class BareOde::Impl {
     for (const Robot& robot : robots_) {
       std::array<double, kBeams> ranges;
       for (std::size_t i = 0; i < kBeams; ++i) ranges[i] = measure(robot, i);
-      const MotorCommand command = rule_(ranges.data());
+      const WheelRates command = rule_(ranges.data());
       dJointSetHingeParam(robot.hinges[0], dParamVel, command.left);
       dJointSetHingeParam(robot.hinges[1], dParamVel, command.right);
     }

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "elsie/api/geometry.h"
-#include "elsie/api/motor_command.h"
+#include "elsie/api/motion.h"
 #include "elsie/world/description.h"
 
 namespace elsie::bench {
@@ -22,7 +22,7 @@ class BareOde {
   static constexpr double kBeamRange = 1.0;  // m
 
   /// Wheel rates from the distances of the eight beams; `kBeamRange` means no hit.
-  using Rule = std::function<MotorCommand(const double ranges[kBeams])>;
+  using Rule = std::function<WheelRates(const double ranges[kBeams])>;
 
   /// One robot with the default body for each pose. Each robot has a beam in each azimuth (rad,
   /// from its heading), which starts on top of the chassis at its front edge.

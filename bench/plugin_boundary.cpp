@@ -48,9 +48,9 @@ std::vector<double> through_ns, directly_ns;
 /// A coordinator that only measures.
 class Stopwatch final : public elsie::Coordinator {
  public:
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception& now) override {
-    elsie::MotorCommand sum;
+  elsie::Motion coordinate(std::span<elsie::Member> members,
+                           const elsie::Perception& now) override {
+    elsie::Motion sum;
     auto start = Clock::now();
     for (int i = 0; i < kCalls; ++i) {
       members[0].begin_step();
@@ -63,7 +63,7 @@ class Stopwatch final : public elsie::Coordinator {
       sum += response.command;
     }
     directly_ns.push_back(nanoseconds_since(start) / kCalls);
-    return sum.is_finite() ? elsie::MotorCommand{1.0, 1.0} : sum;
+    return sum.is_finite() ? elsie::WheelPair().motion({1.0, 1.0}) : sum;
   }
 };
 

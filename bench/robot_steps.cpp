@@ -33,8 +33,8 @@
 
 namespace {
 
-using elsie::MotorCommand;
 using elsie::Pose;
+using elsie::WheelRates;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kAzimuthsDeg[8] = {12, -12, 40, -40, 80, -80, 130, -130};
@@ -44,22 +44,22 @@ constexpr double kMaxRange = 1.0;   // m
 constexpr int kStepsInAll = 40000;  // robot-steps in one measurement
 
 /// The weights of a beam for the left and right wheel, as in the braitenberg behaviour.
-MotorCommand weights(double azimuth_deg) {
+WheelRates weights(double azimuth_deg) {
   const double ahead = std::max(0.0, std::cos(elsie::radians(azimuth_deg)));
   const double own = 0.5 * kWeight * ahead;
   const double other = -1.5 * kWeight * ahead;
-  return azimuth_deg > 0 ? MotorCommand{own, other} : MotorCommand{other, own};
+  return azimuth_deg > 0 ? WheelRates{own, other} : WheelRates{other, own};
 }
 
-MotorCommand rule(const double ranges[8]) {
-  static const std::vector<MotorCommand> matrix = [] {
-    std::vector<MotorCommand> all;
+WheelRates rule(const double ranges[8]) {
+  static const std::vector<WheelRates> matrix = [] {
+    std::vector<WheelRates> all;
     for (const double azimuth : kAzimuthsDeg) {
       all.push_back(weights(azimuth));
     }
     return all;
   }();
-  MotorCommand command{kBase, kBase};
+  WheelRates command{kBase, kBase};
   for (std::size_t i = 0; i < 8; ++i) {
     command += (1.0 - ranges[i] / kMaxRange) * matrix[i];
   }
@@ -169,7 +169,7 @@ void compare(const elsie::plugin::Host& host, int robots, int repeats, double me
   const double top_speed =
       description.robots[0].max_speed / description.robots[0].body.wheel_radius;
   const auto bounded_rule = [top_speed](const double ranges[8]) {
-    const MotorCommand command = rule(ranges);
+    const WheelRates command = rule(ranges);
     const double largest = std::max(std::abs(command.left), std::abs(command.right));
     return largest > top_speed ? (top_speed / largest) * command : command;
   };

@@ -11,7 +11,7 @@ class Numbered final : public elsie::Behavior {
   double speed = 10.0;
 
   elsie::Response respond(const elsie::Perception&) override {
-    return elsie::MotorCommand{speed, speed};
+    return elsie::WheelPair().motion({speed, speed});
   }
 };
 

@@ -15,7 +15,7 @@ class Shy final : public elsie::Behavior {
     }
     // Full speed ahead where all is clear, full speed back where something touches.
     const double rate = speed * (2.0 * nearest / comfort - 1.0);
-    return elsie::MotorCommand{rate, rate};
+    return now.self().wheels.motion({rate, rate});
   }
 };
 

@@ -6,7 +6,7 @@ using testing::Situation;
 
 TEST_CASE("Where all is clear it drives on, and it backs away from what is too near") {
   testing::Behavior shy("shy", {{"comfort", 0.4}});
-  CHECK_THAT(shy.respond(Situation().beam(0, 1.0)), testing::commands(10, 10));
+  CHECK_THAT(shy.respond(Situation().beam(0, 1.0)), testing::commands_wheels(10, 10));
   CHECK_THAT(shy.respond(Situation().beam(0, 0.2)), testing::stands());
   CHECK_THAT(shy.respond(Situation().beam(15, 0.3).beam(-15, 0.1)), testing::backs_up());
 }

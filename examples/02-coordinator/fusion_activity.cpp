@@ -7,8 +7,8 @@ class FusionActivity final : public elsie::Coordinator {
  public:
   double least = 0.05;
 
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception& /*now*/) override {
+  elsie::Motion coordinate(std::span<elsie::Member> members,
+                           const elsie::Perception& /*now*/) override {
     double total = 0.0;
     for (elsie::Member& member : members) {
       const double activation = member.respond().activation;  // runs the behaviour
@@ -18,7 +18,7 @@ class FusionActivity final : public elsie::Coordinator {
       member.trace.reason = weight > 0.0 ? "active" : "not active";
       total += weight;
     }
-    elsie::MotorCommand mean;
+    elsie::Motion mean;
     for (elsie::Member& member : members) {
       if (total > 0.0) {
         member.trace.share = member.trace.weight / total;

@@ -12,7 +12,7 @@ class HoldCourse final : public elsie::Behavior {
   elsie::Response respond(const elsie::Perception& now) override {
     const double heading = now.readings<CompassReading>()[0]->heading_rad;
     const double off = elsie::wrap_angle(elsie::radians(course_deg) - heading);
-    return now.self().command_for(speed, gain * off);
+    return elsie::Motion{speed, 0.0, gain * off};
   }
 };
 

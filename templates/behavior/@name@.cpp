@@ -16,7 +16,7 @@ class @Class@ final : public elsie::Behavior {
     }
     // Slower with nearness; at half the distance it stands still.
     const double rate = speed * std::max(0.0, 2.0 * nearest / distance - 1.0);
-    elsie::Response response = elsie::MotorCommand{rate, rate};
+    elsie::Response response = now.self().wheels.motion({rate, rate});
     response.activation = 1.0 - nearest / distance;  // grows with nearness
     return response;
   }

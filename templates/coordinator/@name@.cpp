@@ -6,8 +6,8 @@ class @Class@ final : public elsie::Coordinator {
   // A parameter of the world file. Its default is set only here.
   double margin = 0.1;
 
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception& /*now*/) override {
+  elsie::Motion coordinate(std::span<elsie::Member> members,
+                           const elsie::Perception& /*now*/) override {
     std::size_t winner = winner_ < members.size() ? winner_ : 0;
     for (std::size_t i = 0; i < members.size(); ++i) {
       // respond() runs the behaviour at most once in a step. Another one must be clearly more active

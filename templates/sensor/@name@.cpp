@@ -43,7 +43,7 @@ class Seek@Class@ final : public elsie::Behavior {
       balance += eye.azimuth_rad() > 0.0 ? eye->brightness : -eye->brightness;
       sum += eye->brightness;
     }
-    return now.self().command_for(speed, gain * balance / sum);
+    return elsie::Motion{speed, 0.0, gain * balance / sum};
   }
 };
 

@@ -16,7 +16,7 @@ class Everything final : public Behavior {
   std::string text = "low";
   FilePath file{"a.fcl"};
   std::vector<double> weights{1, 2};
-  Response respond(const Perception&) override { return MotorCommand{real, real}; }
+  Response respond(const Perception&) override { return elsie::WheelPair().motion({real, real}); }
 };
 
 class Light final : public SensorOf<RangeReading> {
@@ -75,15 +75,25 @@ TEST_CASE("A declared parameter reads and writes its member") {
 
 TEST_CASE("By default a behaviour rates candidates by their distance from its command") {
   Everything behavior;
-  const Response given{MotorCommand{10, 10}};
-  const MotorCommand candidates[] = {{10, 10}, {15, 10}, {13, 14}, {-20, -20}};
+  const Response given{elsie::WheelPair().motion({10, 10})};
+  OwnState self;
+  Perception::Data data;
+  data.self = &self;
+  Random random(1);
+  const Perception now(data, random);
+  const WheelPair& wheels = self.wheels;
+  const Motion candidates[] = {wheels.motion({10, 10}), wheels.motion({15, 10}),
+                               wheels.motion({13, 14}), wheels.motion({-20, -20})};
   double desirability[4];
-  behavior.rate(given, candidates, desirability);
+  behavior.rate(now, given, candidates, desirability);
   CHECK(desirability[0] == 1.0);
   CHECK(desirability[1] == Approx(0.60653066));
   CHECK(desirability[2] == Approx(desirability[1]));
   CHECK(desirability[3] < 1e-10);
-  CHECK(behavior.command_sets(given).left.degree(12.5) == Approx(0.5));
+  CHECK(behavior.command_sets(now, given).left.degree(12.5) == Approx(0.5));
+  CHECK(behavior.command_sets(now, given).lateral.points.empty());
+  self.channels.lateral = true;
+  CHECK(behavior.command_sets(now, given).lateral.degree(0.05) == Approx(0.5));
 }
 
 TEST_CASE("A perception finds the readings of a kind, and none of a kind that is not there") {

@@ -40,13 +40,27 @@ TEST_CASE("A frame within a frame") {
   CHECK(in_world.forward.x == Approx(-1));
 }
 
-TEST_CASE("Inverse kinematics of the differential drive") {
+TEST_CASE("Kinematics of the differential drive, and back") {
   OwnState self;
-  self.wheel_radius_m = 0.02;
-  self.half_axle_m = 0.05;
-  CHECK(self.command_for(0.4, 0.0) == MotorCommand{20, 20});
-  const MotorCommand turn = self.command_for(0.0, 1.0);
+  self.wheels = {.radius = 0.02, .half_axle = 0.05};
+  const Motion straight = self.wheels.motion({20, 20});
+  CHECK(straight.forward == Approx(0.4));
+  CHECK(straight.lateral == 0.0);
+  CHECK(straight.turn == 0.0);
+  const WheelRates turn = self.wheels.wheel_rates({0.0, 0.3, 1.0});
   CHECK(turn.left == Approx(-2.5));
   CHECK(turn.right == Approx(2.5));
+  const WheelRates back = self.wheels.wheel_rates(self.wheels.motion({3, -7}));
+  CHECK(back.left == Approx(3));
+  CHECK(back.right == Approx(-7));
   CHECK(self.max_wheel_rate() == Approx(25));
+}
+
+TEST_CASE("Motions are apart by their wheel rates and their lateral speed") {
+  const WheelPair wheels;
+  CHECK(wheels.distance_squared(wheels.motion({3, 4}), {}) == Approx(25));
+  CHECK(wheels.distance_squared(wheels.motion({10, 10}), wheels.motion({10, 5})) == Approx(25));
+  Motion aside = wheels.motion({3, 4});
+  aside.lateral = 0.1;  // as fast as a wheel of 0.02 m at 5 rad/s
+  CHECK(wheels.distance_squared(aside, {}) == Approx(50));
 }

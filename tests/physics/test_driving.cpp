@@ -22,7 +22,7 @@ struct Drive {
 };
 
 /// Drives from rest for a while, then brakes for a second; the heights are those of both.
-Drive drive(PhysicsContext& context, std::size_t robot, const MotorCommand& rates, double seconds) {
+Drive drive(PhysicsContext& context, std::size_t robot, const WheelRates& rates, double seconds) {
   Drive result;
   Pose last = context.pose(robot);
   const auto watch_height = [&] {
@@ -48,10 +48,10 @@ Drive drive(PhysicsContext& context, std::size_t robot, const MotorCommand& rate
 
 TEST_CASE("Ten seconds from rest follow the kinematics of the differential drive") {
   const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
-  const MotorCommand rates = GENERATE(
-      MotorCommand{25, 25}, MotorCommand{-25, -25}, MotorCommand{10, 10}, MotorCommand{-25, 25},
-      MotorCommand{10, -10}, MotorCommand{5, 25}, MotorCommand{25, 20}, MotorCommand{0, 15},
-      MotorCommand{-10, 25}, MotorCommand{1, 2});
+  const WheelRates rates =
+      GENERATE(WheelRates{25, 25}, WheelRates{-25, -25}, WheelRates{10, 10}, WheelRates{-25, 25},
+               WheelRates{10, -10}, WheelRates{5, 25}, WheelRates{25, 20}, WheelRates{0, 15},
+               WheelRates{-10, 25}, WheelRates{1, 2});
   CAPTURE(step, rates.left, rates.right);
   PhysicsContext context(with_step(step), open_field());
   const world::RobotBody body;

@@ -149,7 +149,7 @@ TEST_CASE("Straight on the segments follow in line, at their distance") {
 TEST_CASE("In a steady circle each axle runs at the radius of the closed form") {
   const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
   const bool hitched_to_axles = GENERATE(false, true);
-  const MotorCommand rates = GENERATE(MotorCommand{18, 24}, MotorCommand{24, 20});
+  const WheelRates rates = GENERATE(WheelRates{18, 24}, WheelRates{24, 20});
   CAPTURE(step, hitched_to_axles, rates.left);
   PhysicsContext context(with_step(step), open_field());
   Train pulled = train(context, hitched_to_axles ? on_axle() : kThree);

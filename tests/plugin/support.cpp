@@ -7,6 +7,8 @@
 #include <catch2/catch.hpp>
 #include <dlfcn.h>
 
+#include "wheels.h"
+
 namespace elsie::plugin::test {
 
 namespace fs = std::filesystem;
@@ -56,10 +58,12 @@ bool is_loaded(const fs::path& file) {
   return handle != nullptr;
 }
 
-MotorCommand answer(Behavior& behavior) {
+WheelRates answer(Behavior& behavior) {
   Random random;
-  const Perception::Data data;
-  return behavior.respond(Perception(data, random)).command;
+  const OwnState self;
+  Perception::Data data;
+  data.self = &self;
+  return elsie::test::rates(behavior.respond(Perception(data, random)).command);
 }
 
 }  // namespace elsie::plugin::test

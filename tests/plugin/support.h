@@ -42,7 +42,7 @@ FileReport report_of(const Host& host, const std::string& file_name);
 /// Whether the file is in memory as a library.
 bool is_loaded(const std::filesystem::path& file);
 
-/// A behaviour's answer to nothing.
-MotorCommand answer(Behavior& behavior);
+/// The wheel rates that a behaviour answers to nothing.
+WheelRates answer(Behavior& behavior);
 
 }  // namespace elsie::plugin::test

@@ -20,7 +20,7 @@ class Plain final : public Behavior {
  public:
   double speed = 1.0;
   std::string mode = "low";
-  Response respond(const Perception&) override { return MotorCommand{}; }
+  Response respond(const Perception&) override { return Motion{}; }
 };
 
 class Ranger final : public SensorOf<RangeReading> {
@@ -148,7 +148,7 @@ struct Step {
 class Stepper final : public Behavior {
  public:
   std::vector<Step> steps{{0.5, "down", {}}};
-  Response respond(const Perception&) override { return MotorCommand{}; }
+  Response respond(const Perception&) override { return Motion{}; }
 };
 
 Declaration stepper() {

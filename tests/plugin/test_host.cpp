@@ -14,19 +14,21 @@
 #include "elsie/plugin/linked.h"
 
 #include "support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using namespace elsie::plugin;
 using namespace elsie::plugin::test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::Message;
+using elsie::test::wheels;
 namespace fs = std::filesystem;
 
 namespace {
 
 class Linked final : public Behavior {
  public:
-  Response respond(const Perception&) override { return MotorCommand{1, 2}; }
+  Response respond(const Perception&) override { return wheels(1, 2); }
 };
 
 class NoBehavior final : public Component {};

@@ -38,7 +38,7 @@ class Walker final : public Behavior {
       throw std::invalid_argument("speed must not be above twice the gain");
     }
   }
-  Response respond(const Perception&) override { return MotorCommand{}; }
+  Response respond(const Perception&) override { return Motion{}; }
 };
 
 Declaration walker() {

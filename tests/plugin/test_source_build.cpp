@@ -29,7 +29,7 @@ constexpr const char* kSource = R"(#include <elsie/api/behavior.h>
 class Straight final : public elsie::Behavior {
  public:
   elsie::Response respond(const elsie::Perception&) override {
-    return elsie::MotorCommand{kSpeed, kSpeed};
+    return elsie::WheelPair().motion({kSpeed, kSpeed});
   }
 };
 ELSIE_BEHAVIOR(Straight, "straight", "Drives straight on");
@@ -185,7 +185,7 @@ TEST_CASE("A missing symbol is found when the plugin is compiled, not when it ru
         std::string_view("#include <elsie/api/behavior.h>\ndouble nowhere();\n"
                          "class A : public elsie::Behavior {\n"
                          "  elsie::Response respond(const elsie::Perception&) override {\n"
-                         "    return elsie::MotorCommand{nowhere(), 0.0};\n  }\n};\n"
+                         "    return elsie::WheelPair().motion({nowhere(), 0.0});\n  }\n};\n"
                          "ELSIE_BEHAVIOR(A, \"a\", \"Asks for what is not there\");\n"));
   if (host_abi_word().find("sanitizer=none") != std::string_view::npos) {
     CHECK_THAT(refusal(here / "unlinked.cpp", cache.path()), Contains("nowhere()"));
@@ -260,7 +260,7 @@ TEST_CASE("Flags of the user's own are part of what is cached") {
         std::string_view("#include <elsie/api/behavior.h>\n"
                          "class S final : public elsie::Behavior {\n"
                          "  elsie::Response respond(const elsie::Perception&) override {\n"
-                         "    return elsie::MotorCommand{SPEED, SPEED};\n  }\n};\n"
+                         "    return elsie::WheelPair().motion({SPEED, SPEED});\n  }\n};\n"
                          "ELSIE_BEHAVIOR(S, \"straight\", \"Drives straight on\");\n"));
   const auto built = [&](const std::string& flags) {
     const Variable variable("CXXFLAGS", flags);
@@ -304,7 +304,7 @@ TEST_CASE("A method that was meant to override and does not is warned of") {
         std::string_view("#include <elsie/api/behavior.h>\n"
                          "class S final : public elsie::Behavior {\n"
                          "  elsie::Response respond(const elsie::Perception&) override {\n"
-                         "    return elsie::MotorCommand{1, 1};\n  }\n"
+                         "    return elsie::WheelPair().motion({1, 1});\n  }\n"
                          "  virtual void equipped() {}\n};\n"
                          "ELSIE_BEHAVIOR(S, \"straight\", \"Drives straight on\");\n"));
   const SourceBuild first = build_source(here / "straight.cpp", cache.path());

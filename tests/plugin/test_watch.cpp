@@ -13,6 +13,7 @@
 #include "elsie/plugin/host.h"
 
 #include "support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using namespace elsie::build;
@@ -23,6 +24,7 @@ using Catch::Contains;
 namespace {
 
 namespace fs = std::filesystem;
+using elsie::test::wheels;
 using std::chrono::milliseconds;
 
 Host copies_of(const Folder& folder) { return Host({{folder.path(), "given"}}, Loading::copies); }
@@ -87,7 +89,7 @@ std::string own_good(const std::string& gain) {
          "class Good final : public elsie::Behavior {\n public:\n  double gain = " +
          gain +
          ";\n  elsie::Response respond(const elsie::Perception&) override {\n"
-         "    return elsie::MotorCommand{gain, gain};\n  }\n};\n"
+         "    return elsie::WheelPair().motion({gain, gain});\n  }\n};\n"
          "ELSIE_BEHAVIOR(Good, \"good\", \"Of the user's own\",\n"
          "    elsie::parameter(\"gain\", &Good::gain, {.max = 10.0, .meaning = \"rate\"}));\n";
 }
@@ -125,7 +127,7 @@ TEST_CASE("The files of copies are not in memory, and the copies go with their l
 
 TEST_CASE("Plugins that are linked into the program are in a renewed host too") {
   class Linked final : public Behavior {
-    Response respond(const Perception&) override { return MotorCommand{8, 8}; }
+    Response respond(const Perception&) override { return wheels(8, 8); }
   };
   Folder folder;
   Host host = copies_of(folder);
@@ -170,7 +172,7 @@ TEST_CASE("A watch compiles a source when it or a header of its own changes") {
   Folder here, cache;
   setenv("ELSIE_CACHE", cache.path().c_str(), 1);
   write_text(here / "speed.h", "constexpr double kSpeed = 3.0;\n");
-  write_text(here / "straight.cpp", source("return elsie::MotorCommand{kSpeed, kSpeed};"));
+  write_text(here / "straight.cpp", source("return elsie::WheelPair().motion({kSpeed, kSpeed});"));
   Watch watch({{here / "straight.cpp", "--plugin"}}, milliseconds(20));
   CHECK(speed(watch.host(), "straight") == 3.0);
   write_text(here / "speed.h", "constexpr double kSpeed = 4.5;\n");
@@ -190,7 +192,7 @@ TEST_CASE("A watch compiles a source when it or a header of its own changes") {
   CHECK_THAT(renewal->problems[0], Contains("straight.cpp:5:") && Contains("nothing_known"));
   CHECK(speed(watch.host(), "straight") == 4.5);
 
-  write_text(here / "straight.cpp", source("return elsie::MotorCommand{kSpeed, 0};"));
+  write_text(here / "straight.cpp", source("return elsie::WheelPair().motion({kSpeed, 0});"));
   renewal = found(watch);
   REQUIRE(renewal);
   REQUIRE(renewal->host);
@@ -198,8 +200,9 @@ TEST_CASE("A watch compiles a source when it or a header of its own changes") {
   watch.accept(*std::move(renewal));
 
   // A header that was not there yet when it was wanted.
-  write_text(here / "straight.cpp",
-             "#include \"turn.h\"\n" + source("return elsie::MotorCommand{kSpeed, kTurn};"));
+  write_text(
+      here / "straight.cpp",
+      "#include \"turn.h\"\n" + source("return elsie::WheelPair().motion({kSpeed, kTurn});"));
   renewal = found(watch);
   REQUIRE(renewal);
   CHECK_FALSE(renewal->host);
@@ -225,7 +228,7 @@ TEST_CASE("A watch builds again what is saved while it compiles, also at its sta
   const Variable compiler("CXX", here / "compiler");
   write_text(here / "speed.h", "constexpr double kSpeed = 3.0;\n");
   write_text(here / "saved.h", "constexpr double kSpeed = 4.0;\n");
-  write_text(here / "straight.cpp", source("return elsie::MotorCommand{kSpeed, kSpeed};"));
+  write_text(here / "straight.cpp", source("return elsie::WheelPair().motion({kSpeed, kSpeed});"));
   Watch watch({{here / "straight.cpp", "--plugin"}}, milliseconds(20));
   CHECK(speed(watch.host(), "straight") == 4.0);
 

@@ -4,8 +4,10 @@
 
 #include "shipped.h"
 #include "situation.h"
+#include "wheels.h"
 
 using namespace elsie;
+using elsie::test::rates;
 using elsie::test::Situation;
 
 namespace {
@@ -14,14 +16,14 @@ plugin::Object<Behavior> behavior(const char* name) {
   return test::make<Behavior>(PluginKind::behavior, name);
 }
 
-MotorCommand answer(const char* name, Situation& now) {
-  return behavior(name)->respond(now.perception()).command;
+WheelRates answer(const char* name, Situation& now) {
+  return rates(behavior(name)->respond(now.perception()).command);
 }
 
-/// The command of the pair of models for one beam.
-MotorCommand pair(const std::string& name, double range, double azimuth) {
+/// The rates by the pair of models for one beam.
+WheelRates pair(const std::string& name, double range, double azimuth) {
   const double inputs[] = {range, azimuth};
-  MotorCommand command;
+  WheelRates command;
   fuzzy::Workspace workspace;
   const auto evaluate = [&](const char* wheel, double& rate) {
     const fuzzy::Model model = fuzzy::read_fcl(test::source_path("fuzzy_models/" + name + wheel));
@@ -33,7 +35,7 @@ MotorCommand pair(const std::string& name, double range, double azimuth) {
   return command;
 }
 
-void check_equal(const MotorCommand& a, const MotorCommand& b) {
+void check_equal(const WheelRates& a, const WheelRates& b) {
   CHECK(a.left == Approx(b.left).margin(1e-9));
   CHECK(a.right == Approx(b.right).margin(1e-9));
 }
@@ -45,8 +47,8 @@ TEST_CASE(
     "one") {
   Situation now;
   now.beam(30, 0.3).beam(-30, 0.8).beam(0, 0.6);
-  const MotorCommand near = pair("avoid_obstacle", 0.3, 30);
-  const MotorCommand sum =
+  const WheelRates near = pair("avoid_obstacle", 0.3, 30);
+  const WheelRates sum =
       near + near + pair("avoid_obstacle", 0.8, -30) + pair("avoid_obstacle", 0.6, 0);
   check_equal(answer("avoid_obstacle", now), sum / 4);
 }
@@ -63,7 +65,7 @@ TEST_CASE("Without beams the command of the three is zero") {
   for (const char* name : {"avoid_obstacle", "turn_left", "turn_right"}) {
     Situation now;
     now.proximity(0, true);
-    CHECK(answer(name, now) == MotorCommand{});
+    CHECK(answer(name, now) == WheelRates{});
   }
 }
 
@@ -75,9 +77,9 @@ TEST_CASE("avoid_obstacle turns away from the nearer side, near and very near") 
       Situation left, right;
       left.beam(azimuth, distance).beam(-azimuth, 1.0);
       right.beam(azimuth, 1.0).beam(-azimuth, distance);
-      const MotorCommand from_left = answer("avoid_obstacle", left);
+      const WheelRates from_left = answer("avoid_obstacle", left);
       CHECK(from_left.left > from_left.right);
-      const MotorCommand from_right = answer("avoid_obstacle", right);
+      const WheelRates from_right = answer("avoid_obstacle", right);
       CHECK(from_right.right > from_right.left);
       if (distance >= 0.3) {  // if it is nearer, the left side is stronger, to get out of corners
         check_equal({from_right.right, from_right.left}, from_left);
@@ -90,10 +92,10 @@ TEST_CASE("avoid_obstacle drives on where all is clear, and slows down with dist
   Situation far, near;
   far.beam(30, 1.0).beam(-30, 1.0);
   near.beam(30, 0.4).beam(-30, 0.4);
-  const MotorCommand ahead = answer("avoid_obstacle", far);
+  const WheelRates ahead = answer("avoid_obstacle", far);
   CHECK(ahead.left == Approx(ahead.right));
   CHECK(ahead.left == Approx(20).margin(2));
-  const MotorCommand slow = answer("avoid_obstacle", near);
+  const WheelRates slow = answer("avoid_obstacle", near);
   CHECK(slow.left + slow.right < ahead.left + ahead.right);
 }
 
@@ -101,7 +103,7 @@ TEST_CASE("avoid_obstacle does not come to rest before a corner") {
   for (const double distance : {0.05, 0.1, 0.15, 0.2, 0.25}) {
     Situation corner;
     corner.beam(30, distance).beam(-30, distance);
-    const MotorCommand command = answer("avoid_obstacle", corner);
+    const WheelRates command = answer("avoid_obstacle", corner);
     CHECK(command.left - command.right > 5.0);
   }
 }
@@ -111,10 +113,10 @@ TEST_CASE("turn_left sees obstacles on the right only, turn_right those on the l
   left.beam(45, 0.2);
   right.beam(-45, 0.2);
   clear.beam(45, 1.0);
-  const MotorCommand turned = answer("turn_left", right);
+  const WheelRates turned = answer("turn_left", right);
   CHECK(turned.right > turned.left);
   check_equal(answer("turn_left", left), answer("turn_left", clear));
-  const MotorCommand mirrored = answer("turn_right", left);
+  const WheelRates mirrored = answer("turn_right", left);
   check_equal({mirrored.right, mirrored.left}, turned);
   check_equal(answer("turn_right", right), answer("turn_right", clear));
 }
@@ -124,7 +126,7 @@ TEST_CASE("The fuzzy behaviours hand over their sets before defuzzification") {
   now.beam(20, 0.3);
   const auto avoid = behavior("avoid_obstacle");
   const Response given = avoid->respond(now.perception());
-  const CommandSets sets = avoid->command_sets(given);
+  const CommandSets sets = avoid->command_sets(now.perception(), given);
   // With one beam the command is the centroid of the sets.
   const fuzzy::Model model =
       fuzzy::read_fcl(test::source_path("fuzzy_models/avoid_obstacle_left.fcl"));

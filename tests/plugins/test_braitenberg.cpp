@@ -2,8 +2,10 @@
 
 #include "shipped.h"
 #include "situation.h"
+#include "wheels.h"
 
 using namespace elsie;
+using elsie::test::rates;
 using elsie::test::Situation;
 
 namespace {
@@ -19,7 +21,7 @@ TEST_CASE("A Braitenberg vehicle sums weight times excitation, range sensors fir
   now.proximity(0, true).beam(30, 0.5).beam(-30, 0.75);
   behavior->equipped(now.perception());
   // 5 + 0.5 x (1, 2) + 0.25 x (3, 4) + 1 x (10, 20)
-  const MotorCommand command = behavior->respond(now.perception()).command;
+  const WheelRates command = rates(behavior->respond(now.perception()).command);
   CHECK(command.left == Approx(16.25));
   CHECK(command.right == Approx(27.0));
 }
@@ -31,12 +33,12 @@ TEST_CASE("Without weights it turns away from the side that sees something") {
   right.beam(30, 1.0).beam(-30, 0.2);
   clear.beam(30, 1.0).beam(-30, 1.0);
   behavior->equipped(left.perception());
-  const MotorCommand away_from_left = behavior->respond(left.perception()).command;
+  const WheelRates away_from_left = rates(behavior->respond(left.perception()).command);
   CHECK(away_from_left.left > away_from_left.right);
-  const MotorCommand away_from_right = behavior->respond(right.perception()).command;
+  const WheelRates away_from_right = rates(behavior->respond(right.perception()).command);
   CHECK(away_from_right.right == Approx(away_from_left.left));
   CHECK(away_from_right.left == Approx(away_from_left.right));
-  CHECK(behavior->respond(clear.perception()).command == MotorCommand{10, 10});
+  CHECK(rates(behavior->respond(clear.perception()).command) == WheelRates{10, 10});
 }
 
 TEST_CASE("Weights that do not fit the robot's sensors are refused before the run") {

@@ -4,8 +4,10 @@
 
 #include "shipped.h"
 #include "situation.h"
+#include "wheels.h"
 
 using namespace elsie;
+using elsie::test::rates;
 using elsie::test::Situation;
 
 namespace {
@@ -26,11 +28,11 @@ class Drive {
     if (event) {
       here.event(event);
     }
-    return ask(here, now.self.command_for(commanded_m_s, 0), measured_m_s, 0);
+    return ask(here, {commanded_m_s, 0, 0}, measured_m_s, 0);
   }
   Response turn_step(double commanded_rad_s, double measured_rad_s) {
     Situation here;
-    return ask(here, now.self.command_for(0, commanded_rad_s), 0, measured_rad_s);
+    return ask(here, {0, 0, commanded_rad_s}, 0, measured_rad_s);
   }
   /// Held for this many periods; returns the last answer.
   Response held(int steps, double commanded_m_s = 0.2) {
@@ -46,11 +48,11 @@ class Drive {
   double time_s = 0.0;
 
  private:
-  Response ask(Situation& here, const MotorCommand& commanded, double speed, double turn_rate) {
+  Response ask(Situation& here, const Motion& commanded, double speed, double turn_rate) {
     here.self = now.self;
     here.self.commanded = commanded;
-    here.self.speed_m_s = speed;
-    here.self.turn_rate_rad_s = turn_rate;
+    here.self.moving.forward = speed;
+    here.self.moving.turn = turn_rate;
     here.time(time_s);
     here.random = now.random;
     const Response response = behavior->respond(here.perception());
@@ -81,8 +83,8 @@ Manoeuvre carry_out(Drive& drive, Response response, bool moves = true) {
   OwnState& self = drive.now.self;
   const double start = drive.time_s;
   while (response.activation > 0.0 && drive.time_s - start < 100.0) {
-    const double forward = 0.01 * (response.command.left + response.command.right);
-    const double turn = 0.01 * (response.command.right - response.command.left) / 0.045;
+    const double forward = response.command.forward;
+    const double turn = response.command.turn;
     if (moves) {
       manoeuvre.way_m += forward * kPeriod;
       manoeuvre.turned_rad += turn * kPeriod;
@@ -105,7 +107,7 @@ TEST_CASE("A robot that moves as commanded, or is to stand, is left alone") {
     const Response response = drive.step(0.2, 0.0401);  // a fifth counts as moving
     REQUIRE(response.activation == 0.0);
     REQUIRE(response.strength == 0.0);
-    REQUIRE(response.command == MotorCommand{});
+    REQUIRE(response.command == Motion{});
     REQUIRE(response.events.empty());
   }
   for (int i = 0; i < 100; ++i) {
@@ -123,8 +125,8 @@ TEST_CASE("Held for as long as its patience, it is stuck") {
   CHECK(response.activation == 1.0);
   CHECK(response.strength == 1.0);
   CHECK(raised(response, "stuck"));
-  CHECK(response.command.left == Approx(-7.5));  // 0.15 m/s backwards
-  CHECK(response.command.right == Approx(-7.5));
+  CHECK(rates(response.command).left == Approx(-7.5));  // 0.15 m/s backwards
+  CHECK(rates(response.command).right == Approx(-7.5));
 }
 
 TEST_CASE("Just too little motion is none, and being pushed back is none either") {
@@ -138,7 +140,7 @@ TEST_CASE("Just too little motion is none, and being pushed back is none either"
   CHECK(a.activation == 1.0);
   CHECK(b.activation == 1.0);
   CHECK(c.activation == 1.0);
-  CHECK(c.command.left == Approx(7.5));  // stuck while backing up: it drives forwards
+  CHECK(rates(c.command).left == Approx(7.5));  // stuck while backing up: it drives forwards
 }
 
 TEST_CASE("A turn on the spot can be stuck, too") {
@@ -224,12 +226,12 @@ TEST_CASE("A manoeuvre that is blocked ends all the same, and the next tries the
   CHECK(blocked.time_s < 2 * 0.15 / 0.15 + 2 * radians(150) / 2.0 + 3 * kPeriod);
   const Response next = drive.held(9);
   REQUIRE(next.activation == 1.0);
-  CHECK(next.command.left == Approx(7.5));  // forwards
+  CHECK(rates(next.command).left == Approx(7.5));  // forwards
   carry_out(drive, next, false);
   for (double start = drive.time_s; drive.time_s < start + 3.0;) {
     drive.step(0.2, 0.2);  // it drives on: getting stuck later is a new trap
   }
-  CHECK(drive.held(9).command.left == Approx(-7.5));
+  CHECK(rates(drive.held(9).command).left == Approx(-7.5));
 }
 
 TEST_CASE("Without progress it is stuck even though it moves, unless it is not to watch that") {
@@ -271,7 +273,7 @@ TEST_CASE("A reset ends the manoeuvre and the watch") {
   Random random;
   drive.behavior->reset(random);
   CHECK(drive.held(8).activation == 0.0);
-  CHECK(drive.held(1).command.left == Approx(-7.5));
+  CHECK(rates(drive.held(1).command).left == Approx(-7.5));
 }
 
 TEST_CASE("A smallest turn above the largest is refused") {

@@ -5,8 +5,10 @@
 
 #include "shipped.h"
 #include "situation.h"
+#include "wheels.h"
 
 using namespace elsie;
+using elsie::test::rates;
 using elsie::test::Situation;
 
 namespace {
@@ -16,7 +18,7 @@ plugin::Object<Behavior> finder(test::Parameters parameters = {}) {
 }
 
 /// The answer to a blob at this column of a picture of 100 x 100 pixels.
-MotorCommand answer(double column, double fov_deg = 30.0, test::Parameters parameters = {}) {
+Motion answer(double column, double fov_deg = 30.0, test::Parameters parameters = {}) {
   return finder(std::move(parameters))
       ->respond(Situation().blob(column, fov_deg).perception())
       .command;
@@ -33,9 +35,9 @@ VisionReading sees(double column, int width = 100, double fov_deg = 30.0, double
   return view;
 }
 
-void check(const MotorCommand& command, double left, double right) {
-  CHECK(command.left == Approx(left).margin(1e-12));
-  CHECK(command.right == Approx(right).margin(1e-12));
+void check(const Motion& command, double left, double right) {
+  CHECK(rates(command).left == Approx(left).margin(1e-12));
+  CHECK(rates(command).right == Approx(right).margin(1e-12));
 }
 
 }  // namespace
@@ -128,7 +130,7 @@ class Watch {
     seen ? now.blob(50) : now.camera();
     const Response response = behavior->respond(now.perception());
     // Events may wait, commands do not.
-    CHECK(response.command.left == (seen ? Approx(20.0) : Approx(-50.0 / 30)));
+    CHECK(rates(response.command).left == (seen ? Approx(20.0) : Approx(-50.0 / 30)));
     std::string text;
     for (const Event& event : response.events) {
       text += event.name == "resource_in_view"       ? "in"

@@ -16,20 +16,12 @@ plugin::Object<Behavior> flee(test::Parameters parameters = {}) {
 
 Response to(Situation now) { return flee()->respond(now.perception()); }
 
-/// The robot's motion by its wheels: speed ahead (m/s) and turn rate (rad/s).
-struct Motion {
-  double forward, turn;
-};
-Motion motion(const MotorCommand& command) {
-  return {0.01 * (command.left + command.right), 0.01 * (command.right - command.left) / 0.045};
-}
-
 }  // namespace
 
 TEST_CASE("What is at the sphere or beyond does not matter") {
   for (const double distance : {0.5, 0.9, 1.0}) {
     const Response response = to(Situation().beam(0, distance).proximity(90, false));
-    CHECK(response.command == MotorCommand{});
+    CHECK(response.command == Motion{});
     CHECK(response.activation == 0.0);
     CHECK(response.strength == 0.0);
     CHECK(response.events.empty());
@@ -47,24 +39,24 @@ TEST_CASE("The nearer something is, the higher the activation: 1 at the margin a
 }
 
 TEST_CASE("Away from something behind it drives straight on, the faster the nearer it is") {
-  const Motion fast = motion(to(Situation().beam(180, 0.1)).command);
+  const Motion fast = to(Situation().beam(180, 0.1)).command;
   CHECK(fast.forward == Approx(0.4));
   CHECK(fast.turn == Approx(0.0).margin(1e-9));
-  CHECK(motion(to(Situation().beam(180, 0.3)).command).forward == Approx(0.2));
+  CHECK(to(Situation().beam(180, 0.3)).command.forward == Approx(0.2));
 }
 
 TEST_CASE("Away from something on one side it turns to the other") {
-  const Motion right = motion(to(Situation().beam(90, 0.1)).command);
+  const Motion right = to(Situation().beam(90, 0.1)).command;
   CHECK(right.turn == Approx(-4.0 * radians(90)));
   CHECK(right.forward == Approx(0.0).margin(1e-9));
-  const Motion left = motion(to(Situation().proximity(-150, true)).command);
+  const Motion left = to(Situation().proximity(-150, true)).command;
   CHECK(left.turn == Approx(4.0 * radians(30)));
   CHECK(left.forward == Approx(0.4 * 0.5 * std::cos(radians(30))));
 }
 
 TEST_CASE("Repulsions add up as vectors, each with its strength") {
   // 1 to the back from ahead, 0.5 to the right from the left.
-  const Motion away = motion(to(Situation().beam(0, 0.1).beam(90, 0.3).beam(-90, 1.0)).command);
+  const Motion away = to(Situation().beam(0, 0.1).beam(90, 0.3).beam(-90, 1.0)).command;
   // 1.5 - |(-1, -0.5)| remains, and adds to the open side.
   const double left_over = 1.5 - std::hypot(1.0, 0.5);
   CHECK(away.turn == Approx(4.0 * std::atan2(-0.5 - left_over, -1.0)));
@@ -72,10 +64,10 @@ TEST_CASE("Repulsions add up as vectors, each with its strength") {
 }
 
 TEST_CASE("Between two threats it runs out to where nothing is, and not to where it is closed") {
-  const Motion out = motion(to(Situation().beam(90, 0.2).beam(-90, 0.2).beam(180, 0.6)).command);
+  const Motion out = to(Situation().beam(90, 0.2).beam(-90, 0.2).beam(180, 0.6)).command;
   CHECK(std::abs(out.turn) == Approx(4.0 * radians(180)));
   const Motion ahead =
-      motion(to(Situation().beam(90, 0.2).beam(-90, 0.2).beam(180, 0.6).beam(0, 1)).command);
+      to(Situation().beam(90, 0.2).beam(-90, 0.2).beam(180, 0.6).beam(0, 1)).command;
   CHECK(ahead.turn == Approx(0.0).margin(1e-9));
   CHECK(ahead.forward == Approx(0.4 * 0.75));
 }
@@ -85,7 +77,7 @@ TEST_CASE("Having begun to turn round it keeps to that side until the way is ahe
   const auto turn = [&](double left_m, double right_m) {
     Situation now;
     now.beam(10, left_m).beam(-10, right_m);
-    return motion(behavior->respond(now.perception()).command).turn;
+    return behavior->respond(now.perception()).command.turn;
   };
   CHECK(turn(0.2, 0.21) < 0.0);
   CHECK(turn(0.21, 0.2) < 0.0);  // noise: on its own it would turn left now

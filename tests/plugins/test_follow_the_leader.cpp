@@ -4,9 +4,12 @@
 
 #include "shipped.h"
 #include "situation.h"
+#include "wheels.h"
 
 using namespace elsie;
+using elsie::test::rates;
 using elsie::test::Situation;
+using elsie::test::wheels;
 
 namespace {
 
@@ -23,22 +26,22 @@ Response answer(double distance_m, double theta_deg, test::Parameters parameters
 }
 
 /// A leader straight ahead, at exactly this distance.
-MotorCommand ahead(double distance_m) { return answer(distance_m, 0.0).command; }
+Motion ahead(double distance_m) { return answer(distance_m, 0.0).command; }
 
-void check(const MotorCommand& command, double left, double right) {
-  CHECK(command.left == Approx(left).margin(1e-12));
-  CHECK(command.right == Approx(right).margin(1e-12));
+void check(const Motion& command, double left, double right) {
+  CHECK(rates(command).left == Approx(left).margin(1e-12));
+  CHECK(rates(command).right == Approx(right).margin(1e-12));
 }
 
 }  // namespace
 
 TEST_CASE("A leader straight ahead is driven to at one of two speeds, and not too near") {
-  CHECK(ahead(2.0) == MotorCommand{40, 40});
-  CHECK(ahead(0.5) == MotorCommand{40, 40});
-  CHECK(ahead(std::nextafter(0.5, 0.0)) == MotorCommand{30, 30});
-  CHECK(ahead(0.3) == MotorCommand{30, 30});
-  CHECK(ahead(std::nextafter(0.3, 0.0)) == MotorCommand{0, 0});
-  CHECK(ahead(0.05) == MotorCommand{0, 0});
+  CHECK(rates(ahead(2.0)) == WheelRates{40, 40});
+  CHECK(rates(ahead(0.5)) == WheelRates{40, 40});
+  CHECK(rates(ahead(std::nextafter(0.5, 0.0))) == WheelRates{30, 30});
+  CHECK(rates(ahead(0.3)) == WheelRates{30, 30});
+  CHECK(rates(ahead(std::nextafter(0.3, 0.0))) == WheelRates{0, 0});
+  CHECK(rates(ahead(0.05)) == WheelRates{0, 0});
 }
 
 TEST_CASE("A leader to the side is turned to, the faster the farther it is off") {
@@ -46,8 +49,8 @@ TEST_CASE("A leader to the side is turned to, the faster the farther it is off")
   check(answer(1.0, -90).command, 9, -9);
   check(answer(0.4, 90).command, -18, 18);
   check(answer(0.4, -45).command, 9, -9);
-  CHECK(answer(0.29, 90).command == MotorCommand{0, 0});
-  CHECK(answer(0.29, 9).command == MotorCommand{0, 0});
+  CHECK(rates(answer(0.29, 90).command) == WheelRates{0, 0});
+  CHECK(rates(answer(0.29, 9).command) == WheelRates{0, 0});
 }
 
 TEST_CASE("Up to the threshold it drives straight on, beyond it turns: far, near, left, right") {
@@ -64,11 +67,10 @@ TEST_CASE("Up to the threshold it drives straight on, beyond it turns: far, near
   Situation now;
   now.mate("leader", 1.0, 0.2, true);
   const double theta = degrees(now.perception().team().mates[0].bearing_rad);
-  CHECK(follower({{"turn_above", theta}})->respond(now.perception()).command ==
-        MotorCommand{40, 40});
-  CHECK(follower({{"turn_above", std::nextafter(theta, 0.0)}})
-            ->respond(now.perception())
-            .command.left == Approx(-0.1 * theta));
+  const auto straight = follower({{"turn_above", theta}});
+  CHECK(straight->respond(now.perception()).command == wheels(40, 40));
+  const auto turning = follower({{"turn_above", std::nextafter(theta, 0.0)}});
+  CHECK(rates(turning->respond(now.perception()).command).left == Approx(-0.1 * theta));
 }
 
 TEST_CASE("The direction is wrapped: it takes the shorter way round") {
@@ -87,7 +89,7 @@ TEST_CASE("Without a leader in reach it stands still and is not active") {
   Situation alone;
   alone.mate("mate", 0.4, 0);
   Response response = follower()->respond(alone.perception());
-  CHECK(response.command == MotorCommand{});
+  CHECK(response.command == Motion{});
   CHECK(response.activation == 0.0);
   CHECK(response.strength == 0.0);
   CHECK(response.events.empty());
@@ -98,7 +100,7 @@ TEST_CASE("A leader follows nobody") {
   now.mate("other", 0.4, 0, true);
   now.self.is_leader = true;
   const Response response = follower()->respond(now.perception());
-  CHECK(response.command == MotorCommand{});
+  CHECK(response.command == Motion{});
   CHECK(response.activation == 0.0);
 }
 

@@ -2,8 +2,10 @@
 
 #include "shipped.h"
 #include "situation.h"
+#include "wheels.h"
 
 using namespace elsie;
+using elsie::test::rates;
 using elsie::test::Situation;
 
 namespace {
@@ -14,18 +16,18 @@ plugin::Object<Behavior> to(double x, double y) {
 
 TEST_CASE("A place far ahead is driven to straight, at full speed") {
   Situation now;
-  const MotorCommand command = to(2, 0)->respond(now.perception()).command;
+  const WheelRates command = rates(to(2, 0)->respond(now.perception()).command);
   CHECK(command.left == Approx(0.4 / 0.02));
   CHECK(command.right == Approx(command.left));
 }
 
 TEST_CASE("It turns towards a place on either side, and in place when it lies behind") {
   Situation now;
-  const MotorCommand left = to(1, 1)->respond(now.perception()).command;
+  const WheelRates left = rates(to(1, 1)->respond(now.perception()).command);
   CHECK(left.right > left.left);
-  const MotorCommand right = to(1, -1)->respond(now.perception()).command;
+  const WheelRates right = rates(to(1, -1)->respond(now.perception()).command);
   CHECK(right.left == Approx(left.right));
-  const MotorCommand behind = to(-1, 0.001)->respond(now.perception()).command;
+  const WheelRates behind = rates(to(-1, 0.001)->respond(now.perception()).command);
   CHECK(behind.left == Approx(-behind.right));
 }
 
@@ -33,10 +35,10 @@ TEST_CASE("It slows down near the place, stops there, and says once that it has 
   Situation now;
   const auto behavior = to(0, 0);
   now.at(-0.15, 0, 0);
-  CHECK(behavior->respond(now.perception()).command.left == Approx(10.0));
+  CHECK(rates(behavior->respond(now.perception()).command).left == Approx(10.0));
   now.at(-0.04, 0, 0);
   const Response first = behavior->respond(now.perception());
-  CHECK(first.command == MotorCommand{});
+  CHECK(first.command == Motion{});
   CHECK(first.activation == 0.0);
   REQUIRE(first.events.size() == 1);
   CHECK(first.events[0].name == "arrived");

@@ -15,15 +15,6 @@ plugin::Object<Behavior> keeper(test::Parameters parameters = {}) {
   return test::make<Behavior>(PluginKind::behavior, "keep_formation", std::move(parameters));
 }
 
-/// The robot's motion by its wheels: speed ahead (m/s) and turn rate (rad/s).
-struct Motion {
-  double forward, turn;
-};
-Motion motion(const Response& response) {
-  const MotorCommand& command = response.command;
-  return {0.01 * (command.left + command.right), 0.01 * (command.right - command.left) / 0.045};
-}
-
 bool raised(const Response& response, const char* name) {
   for (const Event& event : response.events) {
     if (event.name == std::string_view(name)) {
@@ -97,7 +88,7 @@ TEST_CASE("Without a slot, followers count in file order, wherever the leader st
 }
 
 TEST_CASE("The speed grows with the distance between the dead zone and the controlled zone") {
-  const auto forward = [](double behind_m) { return motion(in_column(-0.3 - behind_m)).forward; };
+  const auto forward = [](double behind_m) { return in_column(-0.3 - behind_m).command.forward; };
   CHECK(forward(0.0) == Approx(0.0).margin(1e-9));
   CHECK(forward(0.0199) == Approx(0.0).margin(1e-9));
   CHECK(forward(0.0201) == Approx(0.3 * 0.0201 / 0.3));
@@ -108,22 +99,22 @@ TEST_CASE("The speed grows with the distance between the dead zone and the contr
 }
 
 TEST_CASE("It steers to its place; near it, it backs up, far from it, it turns round") {
-  Motion aside = motion(in_column(-0.3, -1.0));
+  Motion aside = in_column(-0.3, -1.0).command;
   CHECK(aside.forward == Approx(0.0).margin(1e-9));
   CHECK(aside.turn == Approx(4 * radians(90)));
-  Motion slanting = motion(in_column(-1.3, 1.0));
+  Motion slanting = in_column(-1.3, 1.0).command;
   CHECK(slanting.forward == Approx(0.3 * std::cos(radians(45))));
   CHECK(slanting.turn == Approx(-4 * radians(45)));
-  const Motion ahead = motion(in_column(-0.2));
+  const Motion ahead = in_column(-0.2).command;
   CHECK(ahead.forward == Approx(-0.1));
   CHECK(ahead.turn == Approx(0.0).margin(1e-9));
-  const Motion far_ahead = motion(in_column(0.1));
+  const Motion far_ahead = in_column(0.1).command;
   CHECK(far_ahead.forward == 0.0);
   CHECK(std::abs(far_ahead.turn) == Approx(4 * radians(180)));
 }
 
 TEST_CASE("In its place behind a leader that stands it turns as the leader does") {
-  const Motion turn = motion(in_column(-0.3, 0, -40));
+  const Motion turn = in_column(-0.3, 0, -40).command;
   CHECK(turn.forward == Approx(0.0).margin(1e-9));
   CHECK(turn.turn == Approx(4 * radians(40)));
 }
@@ -135,14 +126,14 @@ TEST_CASE("It moves along with the formation instead of lagging behind it") {
     const double x = 0.001 * i;  // 0.1 m/s
     Situation now;
     now.at(x - 0.3, 0, 0).mate("leader", x, 0, true).time(0.01 * i);
-    last = motion(behavior->respond(now.perception()));
+    last = behavior->respond(now.perception()).command;
   }
   CHECK(last.forward == Approx(0.1));
   CHECK(last.turn == Approx(0.0).margin(1e-9));
   // Another leader at another place is not a jump of the first one.
   Situation now;
   now.at(-0.1, 0, 0).mate("other", 0.2, 0, true, 0, 3).time(2.01);
-  CHECK(motion(behavior->respond(now.perception())).forward == Approx(0.0).margin(1e-9));
+  CHECK(behavior->respond(now.perception()).command.forward == Approx(0.0).margin(1e-9));
 }
 
 TEST_CASE("Without a leader in reach, or as one itself, it has no place to keep") {
@@ -152,7 +143,7 @@ TEST_CASE("Without a leader in reach, or as one itself, it has no place to keep"
   leading.self.is_leader = true;
   for (Situation* now : {&alone, &leading}) {
     const Response response = keeper()->respond(now->perception());
-    CHECK(response.command == MotorCommand{});
+    CHECK(response.command == Motion{});
     CHECK(response.activation == 0.0);
     CHECK(response.strength == 0.0);
     CHECK(response.events.empty());

@@ -4,6 +4,7 @@
 
 #include "shipped.h"
 #include "situation.h"
+#include "wheels.h"
 
 using namespace elsie;
 using elsie::test::Situation;
@@ -22,7 +23,7 @@ Situation hungry(double x, double y = 0.0) {
   return now;
 }
 
-MotorCommand command(double distance_m, double theta_deg) {
+Motion command(double distance_m, double theta_deg) {
   return recharge()
       ->respond(hungry(distance_m * std::cos(radians(theta_deg)),
                        distance_m * std::sin(radians(theta_deg)))
@@ -38,10 +39,11 @@ std::vector<std::string> events(const Response& response) {
   return names;
 }
 using Names = std::vector<std::string>;
+using elsie::test::rates;
 
-void check(const MotorCommand& command, double left, double right) {
-  CHECK(command.left == Approx(left).margin(1e-12));
-  CHECK(command.right == Approx(right).margin(1e-12));
+void check(const Motion& command, double left, double right) {
+  CHECK(rates(command).left == Approx(left).margin(1e-12));
+  CHECK(rates(command).right == Approx(right).margin(1e-12));
 }
 
 }  // namespace
@@ -50,7 +52,7 @@ TEST_CASE("With enough energy it only drives on and is not active") {
   Situation now = hungry(1);
   now.self.energy = std::nextafter(500.0, 1000.0);
   const Response response = recharge()->respond(now.perception());
-  CHECK(response.command == MotorCommand{10, 10});
+  CHECK(rates(response.command) == WheelRates{10, 10});
   CHECK(response.activation == 0.0);
   CHECK(response.strength == 0.0);
   CHECK_FALSE(response.charge);
@@ -59,17 +61,17 @@ TEST_CASE("With enough energy it only drives on and is not active") {
 
 TEST_CASE("At a tenth of the capacity it drives to the charger") {
   const Response response = recharge()->respond(hungry(1).perception());
-  CHECK(response.command == MotorCommand{40, 40});
+  CHECK(rates(response.command) == WheelRates{40, 40});
   CHECK(response.activation == 0.5);
   CHECK_FALSE(response.charge);
   CHECK(events(response) == Names{"battery_low"});
 }
 
 TEST_CASE("The law of its turns and straights") {
-  CHECK(command(0.5, 0) == MotorCommand{40, 40});
-  CHECK(command(std::nextafter(0.5, 0.0), 0) == MotorCommand{30, 30});
-  CHECK(command(0.1, 0) == MotorCommand{30, 30});
-  CHECK(command(std::nextafter(0.1, 0.0), 0) == MotorCommand{0, 0});
+  CHECK(rates(command(0.5, 0)) == WheelRates{40, 40});
+  CHECK(rates(command(std::nextafter(0.5, 0.0), 0)) == WheelRates{30, 30});
+  CHECK(rates(command(0.1, 0)) == WheelRates{30, 30});
+  CHECK(rates(command(std::nextafter(0.1, 0.0), 0)) == WheelRates{0, 0});
   check(command(1.0, 9.999), 40, 40);
   check(command(1.0, 10.001), -1.0001, 1.0001);
   check(command(1.0, -10.001), 1.0001, -1.0001);
@@ -89,7 +91,7 @@ TEST_CASE("It becomes more urgent as the battery empties") {
   CHECK(behavior->respond(now.perception()).activation == Approx(1.0));
   now.self.energy = 2000;  // a resource that it found on the way is not enough
   const Response response = behavior->respond(now.perception());
-  CHECK(response.command == MotorCommand{40, 40});
+  CHECK(rates(response.command) == WheelRates{40, 40});
   CHECK(response.activation == 0.5);
 }
 
@@ -97,25 +99,25 @@ TEST_CASE("At the charger it stands and asks to be charged until it is full, the
   const auto behavior = recharge();
   Situation now = hungry(0.05);
   Response response = behavior->respond(now.perception());
-  CHECK(response.command == MotorCommand{});
+  CHECK(response.command == Motion{});
   CHECK(response.charge);
   CHECK(response.activation == 1.0);
   CHECK(events(response) == Names{"battery_low", "at_charger"});
   now.self.charging = true;
   now.self.energy = std::nextafter(5000.0, 0.0);
   response = behavior->respond(now.perception());
-  CHECK(response.command == MotorCommand{});
+  CHECK(response.command == Motion{});
   CHECK(response.charge);
   CHECK(response.events.empty());
   now.self.charging = false;
   now.self.energy = 5000.0;
   response = behavior->respond(now.perception());
-  CHECK(response.command == MotorCommand{10, 10});
+  CHECK(rates(response.command) == WheelRates{10, 10});
   CHECK_FALSE(response.charge);
   CHECK(response.activation == 0.0);
   CHECK(events(response) == Names{"recharged"});
   now.self.energy = 4999;  // a little was used: no reason to return
-  CHECK(behavior->respond(now.perception()).command == MotorCommand{10, 10});
+  CHECK(rates(behavior->respond(now.perception()).command) == WheelRates{10, 10});
 }
 
 TEST_CASE("Pushed aside it stays as long as it is being charged, else comes back") {
@@ -129,7 +131,7 @@ TEST_CASE("Pushed aside it stays as long as it is being charged, else comes back
   now.self.charging = false;
   Response response = behavior->respond(now.perception());
   CHECK_FALSE(response.charge);
-  CHECK(response.command == MotorCommand{30, 30});
+  CHECK(rates(response.command) == WheelRates{30, 30});
   CHECK(response.events.empty());
   now.team.charger = Vector2{0.05, 0};
   CHECK(events(behavior->respond(now.perception())) == Names{"at_charger"});
@@ -149,7 +151,7 @@ TEST_CASE("Without a charger it drives on, and reports it once each time the bat
   Situation now;
   now.self.energy = 400;
   Response response = behavior->respond(now.perception());
-  CHECK(response.command == MotorCommand{10, 10});
+  CHECK(rates(response.command) == WheelRates{10, 10});
   CHECK(response.activation == 0.0);
   CHECK(events(response) == Names{"no_charger"});
   CHECK(behavior->respond(now.perception()).events.empty());
@@ -173,10 +175,10 @@ TEST_CASE("A reset ends its present phase") {
   Situation now = hungry(1);
   behavior->respond(now.perception());
   now.self.energy = 600;
-  CHECK(behavior->respond(now.perception()).command == MotorCommand{40, 40});
+  CHECK(rates(behavior->respond(now.perception()).command) == WheelRates{40, 40});
   Random random;
   behavior->reset(random);
-  CHECK(behavior->respond(now.perception()).command == MotorCommand{10, 10});
+  CHECK(rates(behavior->respond(now.perception()).command) == WheelRates{10, 10});
 }
 
 TEST_CASE(
@@ -184,8 +186,8 @@ TEST_CASE(
   Situation now = hungry(1);
   now.self.energy = 2500;
   const auto behavior = recharge({{"start_level", 0.5}, {"idle_speed", 3.0}});
-  CHECK(behavior->respond(now.perception()).command == MotorCommand{40, 40});
+  CHECK(rates(behavior->respond(now.perception()).command) == WheelRates{40, 40});
   now.self.energy = 5000;
-  CHECK(behavior->respond(now.perception()).command == MotorCommand{3, 3});
+  CHECK(rates(behavior->respond(now.perception()).command) == WheelRates{3, 3});
   CHECK_THROWS_WITH(recharge({{"stop_distance", 0.7}}), Catch::Contains("stop_distance is 0.7 m"));
 }

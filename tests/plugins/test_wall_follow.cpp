@@ -33,15 +33,8 @@ Situation seeing(double left, double front_left, double ahead, double front_righ
 }
 Situation nothing() { return seeing(2, 2, 2, 2, 2); }
 
-/// The robot's motion by its wheels: speed ahead (m/s) and turn rate (rad/s).
-struct Motion {
-  double forward, turn;
-};
-Motion motion(const MotorCommand& command) {
-  return {0.01 * (command.left + command.right), 0.01 * (command.right - command.left) / 0.045};
-}
 Motion answer(Situation now, test::Parameters parameters = {}) {
-  return motion(wall_follow(std::move(parameters))->respond(now.perception()).command);
+  return wall_follow(std::move(parameters))->respond(now.perception()).command;
 }
 void check(const Motion& motion, double forward, double turn) {
   CHECK(motion.forward == Approx(forward).margin(1e-9));
@@ -92,7 +85,7 @@ TEST_CASE("Something nearer ahead than the distance makes it turn away from the 
 TEST_CASE("It drives on once the way is clear by a fifth more") {
   const auto behavior = wall_follow();
   const auto ahead = [&](double distance_m) {
-    return motion(behavior->respond(seeing(2, 2, distance_m, 2, 0.3).perception()).command);
+    return behavior->respond(seeing(2, 2, distance_m, 2, 0.3).perception()).command;
   };
   check(ahead(0.31), 0.2, 0);
   check(ahead(0.29), 0, 1.5);
@@ -190,12 +183,12 @@ TEST_CASE("Where the wall ends it goes round the corner, and after three quarter
       if (response.activation == 0.0) {
         REQUIRE(response.events.size() == 1);
         CHECK(response.events[0].name == "wall_lost");
-        check(motion(response.command), 0.2, 0);
+        check(response.command, 0.2, 0);
         break;
       }
       CHECK(response.activation == 1.0);
       CHECK(response.events.empty());
-      check(motion(response.command), 0.2, side * 0.2 / 0.3);
+      check(response.command, 0.2, side * 0.2 / 0.3);
       heading_deg += side;
     }
     CHECK(steps == Approx(270).margin(1));
@@ -207,14 +200,14 @@ TEST_CASE("A wall that it finds again on its way round is followed on") {
   behavior->respond(beside(0.3, -90).perception());
   behavior->respond(nothing().perception());
   const Response again = behavior->respond(beside(0.3, -90).perception());
-  check(motion(again.command), 0.2, 0);
+  check(again.command, 0.2, 0);
   CHECK(again.events.empty());
 }
 
 TEST_CASE("Without a wall it drives straight on and is not active; finding one raises an event") {
   const auto behavior = wall_follow();
   const Response searching = behavior->respond(nothing().perception());
-  check(motion(searching.command), 0.2, 0);
+  check(searching.command, 0.2, 0);
   CHECK(searching.activation == 0.0);
   CHECK(searching.strength == 0.0);
   CHECK(searching.events.empty());

@@ -2,8 +2,10 @@
 
 #include "shipped.h"
 #include "situation.h"
+#include "wheels.h"
 
 using namespace elsie;
+using elsie::test::rates;
 using elsie::test::Situation;
 
 TEST_CASE("Wander keeps its mean speed and changes its direction now and then") {
@@ -14,7 +16,7 @@ TEST_CASE("Wander keeps its mean speed and changes its direction now and then") 
   double bias = 0.0;
   const int steps = 100000;  // of 0.01 s
   for (int i = 0; i < steps; ++i) {
-    const MotorCommand command = wander->respond(now.perception()).command;
+    const WheelRates command = rates(wander->respond(now.perception()).command);
     REQUIRE(command.left + command.right == Approx(24.0));
     const double new_bias = 0.5 * (command.right - command.left);
     REQUIRE(std::abs(new_bias) <= 4.0);
@@ -29,11 +31,11 @@ TEST_CASE("Wander goes straight on after a reset") {
   const auto wander =
       test::make<Behavior>(PluginKind::behavior, "wander", {{"restlessness", 1000.0}});
   Situation now;
-  CHECK(wander->respond(now.perception()).command.left != 10.0);
+  CHECK(rates(wander->respond(now.perception()).command).left != 10.0);
   const Declaration* declaration = test::shipped().find(PluginKind::behavior, "wander");
   plugin::apply_parameters(*declaration, *wander, {{"restlessness", 0.0}});
-  CHECK(wander->respond(now.perception()).command.left != 10.0);  // it keeps its direction
+  CHECK(rates(wander->respond(now.perception()).command).left != 10.0);  // it keeps its direction
   Random random(1);
   wander->reset(random);
-  CHECK(wander->respond(now.perception()).command == MotorCommand{10, 10});
+  CHECK(rates(wander->respond(now.perception()).command) == WheelRates{10, 10});
 }

@@ -18,9 +18,9 @@ std::string source(const std::string& rates) {
   return "#include <elsie/api/behavior.h>\n"
          "class Straight final : public elsie::Behavior {\n"
          "  elsie::Response respond(const elsie::Perception&) override {\n"
-         "    return elsie::MotorCommand{" +
+         "    return elsie::WheelPair().motion({" +
          rates +
-         "};\n  }\n};\n"
+         "});\n  }\n};\n"
          "ELSIE_BEHAVIOR(Straight, \"straight\", \"Drives straight on\");\n";
 }
 
@@ -143,7 +143,7 @@ TEST_CASE("A crash in a function that was put inline names the plugin's own line
              "class Straight final : public elsie::Behavior {\n"
              "  std::vector<double> rates_;\n"
              "  elsie::Response respond(const elsie::Perception&) override {\n"
-             "    return elsie::MotorCommand{rates_[0], 1.0};\n  }\n};\n"
+             "    return elsie::WheelPair().motion({rates_[0], 1.0});\n  }\n};\n"
              "ELSIE_BEHAVIOR(Straight, \"straight\", \"Reads what is not there\");\n");
   const auto run = here.cached("run world.xml --plugin straight.cpp");
   CHECK(run.exit_code == 3);

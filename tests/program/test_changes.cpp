@@ -70,8 +70,9 @@ TEST_CASE("Runs with the same changes are the same, whether they are recorded or
 TEST_CASE("A change that cannot be made is reported before the run, with exit code 2") {
   Workplace here;
   const std::string before =
-      "time_s,robot,x_m,y_m,heading_rad,speed_m_s,turn_rate_rad_s,distance_m,energy,command_left,"
-      "command_right,what was there before\n";
+      "time_s,robot,x_m,y_m,heading_rad,forward_m_s,lateral_m_s,turn_rad_s,distance_m,energy,"
+      "asked_forward_m_s,asked_lateral_m_s,asked_turn_rad_s,"
+      "command_forward_m_s,command_lateral_m_s,command_turn_rad_s,what was there before\n";
   here.write("run.csv", before);
   const auto expect = [&](const std::string& change, const std::string& sentence) {
     CAPTURE(change);

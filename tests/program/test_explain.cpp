@@ -114,8 +114,9 @@ TEST_CASE("A long list of episodes is condensed to as many lines as wanted, or s
       for (const std::string path : {"a", "b"}) {
         rows.push_back({{"path", path},
                         {"asked", true},
-                        {"left_rad_s", 1},
-                        {"right_rad_s", 1},
+                        {"forward_m_s", 0.02},
+                        {"lateral_m_s", 0},
+                        {"turn_rad_s", 0},
                         {"activation", 1},
                         {"strength", 1},
                         {"weight", 1},

@@ -104,7 +104,8 @@ TEST_CASE("A plugin that crashes is named with robot, step and stack, and the re
     CHECK_THAT(run.err, !Contains("libelsie.so") && !Contains("elsie-program+0x"));
     CHECK_THAT(run.err, Contains("what was recorded until then is kept\nthe stack"));
     CHECK(world.rows() == 51);
-    CHECK_THAT(world.here.read("run.mcap"), Contains(R"("left_rad_s":10,"right_rad_s":10)"));
+    CHECK_THAT(world.here.read("run.mcap"),
+               Contains(R"("forward_m_s":0.2,"lateral_m_s":0,"turn_rad_s":0)"));
     const auto explained = world.here.elsie("explain run.mcap");
     CHECK(explained.exit_code == 0);
     CHECK_THAT(explained.out,

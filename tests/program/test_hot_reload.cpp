@@ -1,4 +1,5 @@
 // elsie run --watch: the test follows its page literally.
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -60,10 +61,10 @@ std::vector<double> rates(const std::string& table) {
   while (std::getline(lines, line)) {
     std::istringstream cells(line);
     std::string cell;
-    for (int i = 0; i < 10; ++i) {  // up to command_left
+    for (int i = 0; i < 14; ++i) {  // up to command_forward_m_s
       std::getline(cells, cell, ',');
     }
-    const double rate = std::abs(std::stod(cell));
+    const double rate = std::round(std::abs(std::stod(cell)) / 0.02 * 1e6) / 1e6;
     if (rates.empty() || rates.back() != rate) {
       rates.push_back(rate);
     }

@@ -31,7 +31,7 @@ TEST_CASE("Faults of a source file are reported in sentences") {
              "class Counts final : public elsie::Behavior {\n"
              "  elsie::Response respond(const elsie::Perception&) override {\n"
              "    static int calls = 0;\n"
-             "    return elsie::MotorCommand{1.0 * ++calls, 0.0};\n"
+             "    return elsie::WheelPair().motion({1.0 * ++calls, 0.0});\n"
              "  }\n"
              "};\n"
              "ELSIE_BEHAVIOR(Counts, \"counts\", \"Counts in a static\");\n");

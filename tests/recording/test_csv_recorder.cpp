@@ -72,6 +72,13 @@ TEST_CASE(
   CHECK(std::stod(last[column(table, "distance_m")]) == result.robots[0].distance_m);
   CHECK(std::stod(last[column(table, "sensor[eye].distance_m")]) == 1.0);
   CHECK(last[column(table, "sensor[eye].hit")] == "0");
+  const simulation::RobotView robot = simulation.robot(0);
+  CHECK(std::stod(last[column(table, "forward_m_s")]) == robot.state->moving.forward);
+  CHECK(std::stod(last[column(table, "lateral_m_s")]) == robot.state->moving.lateral);
+  CHECK(std::stod(last[column(table, "turn_rad_s")]) == robot.state->moving.turn);
+  CHECK(std::stod(last[column(table, "asked_forward_m_s")]) == robot.asked.forward);
+  CHECK(std::stod(last[column(table, "command_forward_m_s")]) == robot.command.forward);
+  CHECK(std::stod(last[column(table, "behavior[go_to_point].turn_rad_s")]) == robot.asked.turn);
   CHECK(last[column(table, "behavior[go_to_point].asked")] == "1");
   CHECK(last[column(table, "behavior[go_to_point].share")] == "1");
   CHECK(last[column(table, "behavior[go_to_point].reason")] == "highest priority");
@@ -141,7 +148,7 @@ TEST_CASE("What was recorded until a plugin failed is kept") {
     if (now.time_s() > 0.5) {
       throw std::runtime_error("enough");
     }
-    return MotorCommand{};
+    return Motion{};
   });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));

@@ -6,9 +6,11 @@
 #include "elsie/world/writer.h"
 
 #include "recorded.h"
+#include "wheels.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::wheels;
 using simulation::Simulation;
 
 namespace {
@@ -100,9 +102,9 @@ TEST_CASE("Readings, commands and traces are those of the last decision, and hav
   CHECK(rows[0].at("coordinator") == "arbiter_suppression");
   CHECK(rows[0].at("asked") == true);
   CHECK(rows[0].at("share") == 1.0);
-  CHECK(rows[0].at("left_rad_s") == trace.content.at("left_rad_s"));
-  CHECK(rows[0].at("left_rad_s").get<double>() ==
-        Approx(command.content.at("left_rad_s").get<double>()).margin(0.0005));
+  CHECK(rows[0].at("forward_m_s") == trace.content.at("asked_forward_m_s"));
+  CHECK(rows[0].at("forward_m_s").get<double>() ==
+        Approx(command.content.at("asked_forward_m_s").get<double>()).margin(0.00001));
   CHECK(rows[0].at("reason") == "highest priority");
   CHECK(rows[1].at("asked") == false);
   CHECK(rows[1].at("inhibited_by") == "go_to_point");
@@ -299,7 +301,7 @@ TEST_CASE("A plugin that fails ends the run, and what was recorded is kept, with
     if (now.time_s() > 0.5) {
       throw std::runtime_error("enough");
     }
-    return MotorCommand{};
+    return Motion{};
   });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
@@ -316,7 +318,7 @@ TEST_CASE("A measure that fails in the end fails the run, and the recording is w
   declaration.name = "silent";
   declaration.description = "Has nothing to tell when it is asked";
   declaration.create = [] { return std::make_unique<SilentMeasure>(); };
-  ScriptedHost scripted([](const Perception&) -> Response { return MotorCommand{5, 5}; });
+  ScriptedHost scripted([](const Perception&) -> Response { return wheels(5, 5); });
   scripted.host.add(std::move(declaration));
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));

@@ -4,9 +4,12 @@
 #include "elsie/recording/csv_recorder.h"
 
 #include "recorded.h"
+#include "wheels.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::rates;
+using elsie::test::wheels;
 using recording::McapRecorder;
 using recording::read_trace;
 using simulation::Simulation;
@@ -30,7 +33,7 @@ class Holder final : public Behavior {
  public:
   Coordination* inside = nullptr;
   Response respond(const Perception& now) override {
-    return now.time_s() < 0.05 ? inside->respond(now) : Response(MotorCommand{});
+    return now.time_s() < 0.05 ? inside->respond(now) : Response(Motion{});
   }
 };
 
@@ -94,13 +97,17 @@ TEST_CASE("A trace tells what each coordinator made of each behaviour, and the c
   CHECK(loser.inhibited_by == 0);
   CHECK(trace.reasons[loser.reason] == "suppressed");
   const auto message = recorded(file.path)["/robots/r1/trace"].at(0);
-  CHECK(message.content.at("left_rad_s") == message.content.at("behaviors")[0].at("left_rad_s"));
+  const auto& row = message.content.at("behaviors")[0];
+  for (const char* channel : {"forward_m_s", "lateral_m_s", "turn_rad_s"}) {
+    CHECK(message.content.at(channel) == row.at(channel));
+    CHECK(message.content.at(std::string("asked_") + channel) == row.at(channel));
+  }
 }
 
 TEST_CASE("What has not changed since the last decision is not written") {
   const McapFile file;
   ScriptedHost scripted([](const Perception& now) {
-    return MotorCommand{now.time_s() < 0.5 ? 3.0 : 4.0, 5.0};
+    return Motion{now.time_s() < 0.5 ? 0.1 : 0.2, 0.0, 0.5};
   });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
@@ -110,23 +117,23 @@ TEST_CASE("What has not changed since the last decision is not written") {
   const auto decisions = recorded(file.path)["/robots/r1/trace"];
   REQUIRE(decisions.size() == 2);
   CHECK(decisions[0].time_s() == 0.0);
-  CHECK(decisions[0].content.at("left_rad_s") == 3);
+  CHECK(decisions[0].content.at("forward_m_s") == 0.1);
   CHECK(decisions[1].time_s() == 0.5);
   CHECK(decisions[1].timestamp_s() == 0.5);
-  CHECK(decisions[1].content.at("left_rad_s") == 4);
+  CHECK(decisions[1].content.at("forward_m_s") == 0.2);
   const auto& row = decisions[1].content.at("behaviors").at(0);
   CHECK(row.at("path") == "scripted");
   CHECK(row.at("asked") == true);
-  CHECK(row.at("left_rad_s") == 4);
+  CHECK(row.at("forward_m_s") == 0.2);
   CHECK(row.at("reason") == "highest priority");
   CHECK(read_trace(file.path).robots[0].members[0].notes.size() == 2);
 }
 
 TEST_CASE(
-    "Numbers are rounded: three decimals, weights four digits; what is smaller is no change") {
+    "Numbers are rounded: commands five decimals, weights four digits, others three decimals") {
   const McapFile file;
   ScriptedHost scripted([](const Perception& now) {
-    Response response = MotorCommand{-0.0001, 1.0 / 3.0};
+    Response response = Motion{-0.000001, 0.0, 1.0 / 3.0};
     response.activation = 0.66666 + 1e-5 * now.time_s();
     return response;
   });
@@ -140,17 +147,17 @@ TEST_CASE(
   const auto decisions = recorded(file.path)["/robots/r1/trace"];
   REQUIRE(decisions.size() == 1);
   const auto& row = decisions[0].content.at("behaviors").at(0);
-  CHECK(row.at("left_rad_s") == 0);
-  CHECK(row.at("right_rad_s") == 0.333);
+  CHECK(row.at("forward_m_s") == 0);
+  CHECK(row.at("turn_rad_s") == 0.33333);
   CHECK(row.at("activation") == 0.667);
   CHECK(row.at("weight") == 1.235e-07);
-  CHECK(decisions[0].content.at("right_rad_s") == 0);
+  CHECK(decisions[0].content.at("turn_rad_s") == 0);
   const Trace trace = read_trace(file.path);
   CHECK(trace.robots[0].members[0].priority == 1.23456789e-7);
   REQUIRE(trace.robots[0].members[0].notes.size() == 1);
   const auto& note = trace.robots[0].members[0].notes[0];
-  CHECK(note.command == MotorCommand{0, 0.333});
-  CHECK_FALSE(std::signbit(note.command.left));
+  CHECK(note.command == Motion{0, 0, 0.33333});
+  CHECK_FALSE(std::signbit(note.command.forward));
   CHECK(note.activation == 0.667);
   CHECK(note.strength == 1);
   CHECK(note.weight == 1.235e-07);
@@ -160,7 +167,7 @@ TEST_CASE(
 
 TEST_CASE("With a control period of several steps there is a decision in each period") {
   const McapFile file;
-  ScriptedHost scripted([](const Perception& now) { return MotorCommand{now.time_s(), 0}; });
+  ScriptedHost scripted([](const Perception& now) { return Motion{now.time_s(), 0, 0}; });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   world.physics.control_steps = 5;
@@ -171,13 +178,13 @@ TEST_CASE("With a control period of several steps there is a decision in each pe
   const auto& notes = trace.robots[0].members[0].notes;
   REQUIRE(notes.size() == 11);
   CHECK(notes[10].time_s == 0.5);
-  CHECK(notes[10].command.left == 0.5);
+  CHECK(notes[10].command.forward == 0.5);
   CHECK(trace.end_s == 0.52);
 }
 
 TEST_CASE("Behaviours inside others are traced, also when they are not asked") {
   const McapFile file;
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{1, 2}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(1, 2); });
   scripted.host.add(declare<Holder>(PluginKind::behavior, "holder", "holds others",
                                     holds_behaviors(&Holder::inside)));
   Simulation simulation(nested(), scripted.host);
@@ -256,7 +263,7 @@ TEST_CASE("A run that a plugin ended has a whole trace with the outcome 'stopped
     if (now.time_s() > 0.495) {
       throw std::runtime_error("enough");
     }
-    return MotorCommand{now.time_s(), 0};
+    return Motion{now.time_s(), 0, 0};
   });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
@@ -270,7 +277,7 @@ TEST_CASE("A run that a plugin ended has a whole trace with the outcome 'stopped
 
 TEST_CASE("The file grows during the run, a second at a time") {
   const McapFile file;
-  ScriptedHost scripted([](const Perception& now) { return MotorCommand{now.time_s(), 0}; });
+  ScriptedHost scripted([](const Perception& now) { return Motion{now.time_s(), 0, 0}; });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   Simulation simulation(std::move(world), scripted.host);
@@ -290,7 +297,7 @@ TEST_CASE("The file grows during the run, a second at a time") {
 
 TEST_CASE("A recording in which nothing changes still shows that the run goes on") {
   const McapFile file;
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{0, 0}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(0, 0); });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   Simulation simulation(std::move(world), scripted.host);

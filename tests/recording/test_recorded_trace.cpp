@@ -2,9 +2,11 @@
 #include <catch2/catch.hpp>
 
 #include "recorded.h"
+#include "wheels.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::rates;
 using recording::read_trace;
 using simulation::Simulation;
 using traces::Trace;
@@ -17,7 +19,8 @@ const std::string kBehaviors = R"([
     {"path": "b/c", "plugin": "flee", "coordinator": "inner", "priority": 0.5}])";
 
 std::string row(const std::string& path, const std::string& members = "") {
-  return R"({"path": ")" + path + R"(", "asked": true, "left_rad_s": 1.5, "right_rad_s": -2,
+  return R"({"path": ")" + path + R"(", "asked": true, "forward_m_s": 0.15, "lateral_m_s": 0.5,
+      "turn_rad_s": -2,
       "activation": 0.5, "strength": 1, "weight": 2, "share": 0.25, "inhibited_by": "",
       "reason": "first")" +
          members + "}";
@@ -97,7 +100,7 @@ TEST_CASE("Decisions are read as they were written; what repeats the last note i
   CHECK(members[2].coordinator == "inner");
   REQUIRE(members[0].notes.size() == 2);
   const auto& note = members[0].notes[0];
-  CHECK(note.command == MotorCommand{1.5, -2});
+  CHECK(note.command == Motion{0.15, 0.5, -2});
   CHECK(note.activation == 0.5);
   CHECK(note.weight == 2);
   CHECK(note.share == 0.25);
@@ -107,7 +110,7 @@ TEST_CASE("Decisions are read as they were written; what repeats the last note i
   CHECK(trace.reasons[members[0].notes[1].reason] == "so be it");
   REQUIRE(members[1].notes.size() == 1);
   CHECK_FALSE(members[1].notes[0].asked);
-  CHECK(members[1].notes[0].command == MotorCommand{});
+  CHECK(members[1].notes[0].command == Motion{});
   REQUIRE(trace.robots[0].events.size() == 1);
   CHECK(trace.robots[0].events[0].time_s == 0.06);
   CHECK(trace.robots[0].events[0].detail == "wall");
@@ -174,8 +177,8 @@ TEST_CASE("A decision that cannot be is named by channel and time, with what is 
   says(R"({"path": 7})", "type must be string");
   says(row("z"), "robot 'r1' has no behaviour 'z'");
   says(row("a", R"(, "asked": 2)"), "type must be boolean");
-  says(row("a", R"(, "left_rad_s": null)"), "type must be number");
-  says(row("a", R"(, "right_rad_s": 1e999)"), "number overflow");
+  says(row("a", R"(, "forward_m_s": null)"), "type must be number");
+  says(row("a", R"(, "turn_rad_s": 1e999)"), "number overflow");
   says(row("a", R"(, "activation": 1.5)"), "activation is 1.5; expected a number from 0 to 1");
   says(row("a", R"(, "strength": -1)"), "strength is -1; expected a number from 0 to 1");
   says(row("a", R"(, "share": "all")"), "type must be number");

@@ -16,6 +16,7 @@
 #include "elsie/world/error.h"
 #include "elsie/world/reader.h"
 
+#include "wheels.h"
 #include "world_builder.h"
 
 namespace elsie::test {
@@ -82,9 +83,7 @@ struct Run {
     }
   }
 
-  std::function<MotorCommand(const Perception&)> drive = [](const Perception&) {
-    return MotorCommand{10, 10};
-  };
+  std::function<Motion(const Perception&)> drive = [](const Perception&) { return wheels(10, 10); };
   ScriptedHost scripted;
   world::World world;
 };

@@ -5,10 +5,12 @@
 
 #include <catch2/catch.hpp>
 
+#include "wheels.h"
 #include "world_builder.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::wheels;
 using simulation::PluginFault;
 using simulation::Simulation;
 
@@ -34,7 +36,7 @@ TEST_CASE("Who takes longer than the time budget is named, not who asked it") {
     if (now.time_s() > 0.025) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1500));
     }
-    return MotorCommand{1, 1};
+    return wheels(1, 1);
   });
   Simulation simulation(one_robot(), scripted.host, with({.time_s = 1.2, .memory = 0}));
   CHECK_THROWS_WITH(

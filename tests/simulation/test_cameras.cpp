@@ -9,10 +9,12 @@
 #include "elsie/world/colours.h"
 #include "elsie/world/error.h"
 
+#include "wheels.h"
 #include "world_builder.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::wheels;
 using simulation::Simulation;
 
 namespace {
@@ -44,7 +46,7 @@ world::World world_with(std::vector<world::Box> boxes) {
 }
 
 ScriptedHost driving(double rate) {
-  return ScriptedHost([rate](const Perception&) { return MotorCommand{rate, rate}; });
+  return ScriptedHost([rate](const Perception&) { return wheels(rate, rate); });
 }
 
 const VisionReading& reading(const Simulation& simulation, std::size_t robot = 0,

@@ -8,12 +8,15 @@
 #include "elsie/world/train.h"
 
 #include "change_support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::rates;
+using elsie::test::wheels;
 
 TEST_CASE("A robot that was put elsewhere is there, at rest, and drives on by the kinematics") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{10, 14}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(10, 14); });
   Simulation simulation = run_of(scripted, {robot("r1", 0, 0, 0, behavior("scripted"))});
   advance(simulation, 100);
   const double driven = simulation.robot(0).distance_m;
@@ -22,9 +25,9 @@ TEST_CASE("A robot that was put elsewhere is there, at rest, and drives on by th
   CHECK(state.pose.x == Approx(1).margin(1e-9));
   CHECK(state.pose.y == Approx(-2).margin(1e-9));
   CHECK(state.pose.heading_rad == Approx(radians(90)).margin(1e-9));
-  CHECK(state.speed_m_s == Approx(0).margin(1e-9));
-  CHECK(state.turn_rate_rad_s == Approx(0).margin(1e-9));
-  CHECK(state.wheel_rates == MotorCommand{0, 0});
+  CHECK(state.moving.forward == Approx(0).margin(1e-9));
+  CHECK(state.moving.turn == Approx(0).margin(1e-9));
+  CHECK(state.commanded == Motion{});
   CHECK(simulation.robot(0).distance_m == driven);  // it did not drive there
 
   advance(simulation, 20);  // until it is at speed again
@@ -42,7 +45,7 @@ TEST_CASE("A robot that was put elsewhere is there, at rest, and drives on by th
 }
 
 TEST_CASE("One coordinate may be changed by itself; the others stay") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{}; });
   Simulation simulation = run_of(scripted, {robot("r1", 1, 2, 30, behavior("scripted"))});
   advance(simulation, 10);
   simulation.change("robot[r1]/@x", "-3");
@@ -59,7 +62,7 @@ TEST_CASE("One coordinate may be changed by itself; the others stay") {
 }
 
 TEST_CASE("What a robot pulls comes with it, in line behind it") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{12, 8}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(12, 8); });
   world::Robot train = robot("train", 0, 0, 0, behavior("scripted"));
   train.segments = {segment("a"), segment("b"), segment("c")};
   const auto chain = world::couplings(world::plan_of(train.body, {}), train.segments);
@@ -78,7 +81,7 @@ TEST_CASE("What a robot pulls comes with it, in line behind it") {
 
 TEST_CASE("A place that is not free is refused with a sentence, and nothing has changed") {
   ScriptedHost scripted([](const Perception& now) {
-    return now.self().id == "pusher" ? MotorCommand{10, 10} : MotorCommand{3, 4};
+    return now.self().id == "pusher" ? wheels(10, 10) : wheels(3, 4);
   });
   world::World world;
   world.robots = {robot("r1", 0, 0, 0, behavior("scripted")),
@@ -128,7 +131,7 @@ TEST_CASE("A place that is not free is refused with a sentence, and nothing has 
 }
 
 TEST_CASE("What is changed together is judged together") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{}; });
   Simulation simulation = run_of(scripted, {robot("a", -1, 0, 0, behavior("scripted")),
                                             robot("b", 1, 0, 0, behavior("scripted"))});
   CHECK_THAT(why_not([&] { simulation.change("robot[a]/@x", "1"); }),
@@ -149,23 +152,23 @@ TEST_CASE("What is changed together is judged together") {
 }
 
 TEST_CASE("A lowered maximum speed scales both wheels alike, at once") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{100, 50}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(100, 50); });
   world::World world;
   world.physics.control_steps = 10;
   world.robots = {robot("r1", 0, 0, 0, behavior("scripted"))};
   Simulation simulation(world, scripted.host);
   advance(simulation, 3);
-  CHECK(simulation.robot(0).command == MotorCommand{25, 12.5});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{25, 12.5});
   set(simulation, 0, "max_speed", 0.3);
-  CHECK(simulation.robot(0).command == MotorCommand{15, 7.5});  // in mid-period
+  CHECK(rates(simulation.robot(0).command) == WheelRates{15, 7.5});  // in mid-period
   advance(simulation, 20);
-  CHECK(simulation.robot(0).command == MotorCommand{15, 7.5});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{15, 7.5});
   set(simulation, 0, "max_speed", 1.0);
-  CHECK(simulation.robot(0).command == MotorCommand{15, 7.5});  // until it decides anew
+  CHECK(rates(simulation.robot(0).command) == WheelRates{15, 7.5});  // until it decides anew
   advance(simulation, 10);
-  CHECK(simulation.robot(0).command == MotorCommand{50, 25});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{50, 25});
   set(simulation, 0, "max_speed", 0.0);
-  CHECK(simulation.robot(0).command == MotorCommand{0, 0});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{0, 0});
 }
 
 TEST_CASE("Coverage decides who is in reach") {
@@ -177,7 +180,7 @@ TEST_CASE("Coverage decides who is in reach") {
         reached.emplace_back(mate.id);
       }
     }
-    return MotorCommand{};
+    return Motion{};
   });
   Simulation simulation = run_of(scripted, {robot("watcher", 0, 0, 0, behavior("scripted")),
                                             robot("near", 0.4, 0, 0, behavior("scripted")),
@@ -198,36 +201,37 @@ TEST_CASE("Followers turn to whoever has the leader's flag") {
   world.robots = {follower, robot("north", 0, 2, 0, behavior("scripted")),
                   robot("south", 0, -2, 0, behavior("scripted"))};
   world.robots[1].coverage = world.robots[2].coverage = 5;
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{}; });
   Simulation simulation(world, scripted.host);
   simulation.step();
-  CHECK(simulation.robot(0).command == MotorCommand{0, 0});  // nobody leads
+  CHECK(rates(simulation.robot(0).command) == WheelRates{0, 0});  // nobody leads
   set(simulation, 1, "leader", true);
   simulation.step();
-  CHECK(simulation.robot(0).command.right == Approx(9.0).epsilon(0.01));  // 0.10 x 90 deg, left
+  CHECK(rates(simulation.robot(0).command).right ==
+        Approx(9.0).epsilon(0.01));  // 0.10 x 90 deg, left
   const simulation::Change handover[] = {{"robot[north]/@leader", "false"},
                                          {"robot[south]/@leader", "true"}};
   simulation.change(handover);
   simulation.step();
-  CHECK(simulation.robot(0).command.left == Approx(9.0).epsilon(0.02));
+  CHECK(rates(simulation.robot(0).command).left == Approx(9.0).epsilon(0.02));
   advance(simulation, 2000);
   const Pose& pose = simulation.robot(0).state->pose;
   CHECK(std::hypot(pose.x, pose.y + 2) < 0.31);
 }
 
 TEST_CASE("Energy can be taken and given: an empty robot stops, with power it goes on") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{10, 10}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(10, 10); });
   Simulation simulation = run_of(scripted, {robot("r1", 0, 0, 0, behavior("scripted"))});
   advance(simulation, 10);
   set(simulation, 0, "energy", 0.0);
   CHECK(simulation.robot(0).empty);
   advance(simulation, 10);
-  CHECK(simulation.robot(0).command == MotorCommand{0, 0});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{0, 0});
   simulation.change("robot[r1]/@energy", "2500");
   CHECK_FALSE(simulation.robot(0).empty);
   CHECK(simulation.robot(0).state->energy == 2500.0);
   simulation.step();
-  CHECK(simulation.robot(0).command == MotorCommand{10, 10});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{10, 10});
   CHECK(events_of(simulation) == std::vector<std::string>{"0.1 changed robot[r1]/@energy=0",
                                                           "0.1 battery_empty ",
                                                           "0.2 changed robot[r1]/@energy=2500"});
@@ -237,7 +241,7 @@ TEST_CASE("Energy can be taken and given: an empty robot stops, with power it go
 }
 
 TEST_CASE("What is settled before a run is refused, and so is what a path does not lead to") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{}; });
   world::World world;
   world.robots = {robot("r1", 0, 0, 0, behavior("wander"))};
   world.robots[0].sensors = {beam("left", 15)};
@@ -288,7 +292,7 @@ TEST_CASE("What is settled before a run is refused, and so is what a path does n
 }
 
 TEST_CASE("Changes are forgotten by a reset") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{100, 80}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(100, 80); });
   world::World world;
   world.limits.time = 2;
   world.robots = {robot("r1", 0, 0, 0, behavior("scripted"))};

@@ -89,7 +89,7 @@ TEST_CASE("Another sensor does not change the noise of the first") {
           distance = beam->distance_m;
         }
       }
-      return MotorCommand{};
+      return Motion{};
     });
     world::World world;
     world.boxes.push_back(box("b", world::BoxKind::fixed, 0.6, 0));

@@ -24,9 +24,10 @@ world::Robot driven(const std::string& drive, double x = 0.0, double y = 0.0) {
   return made;
 }
 
-/// Wheel rates of a pair 0.09 m apart with wheels of 0.02 m.
-MotorCommand rates(double forward, double turn) {
-  return {(forward - 0.045 * turn) / 0.02, (forward + 0.045 * turn) / 0.02};
+/// Through the wheels of a differential drive, as a behaviour does that thinks in their rates.
+Motion by_wheels(const Perception& now, double forward, double turn) {
+  const WheelPair& wheels = now.self().wheels;
+  return wheels.motion(wheels.wheel_rates({forward, 0.0, turn}));
 }
 
 const std::string kAll[] = {"articulated",   "car",
@@ -98,7 +99,7 @@ class Wider final : public TwoWheels {
 TEST_CASE("A behaviour that thinks in wheel rates drives every body along its arc") {
   for (const std::string& drive : kAll) {
     CAPTURE(drive);
-    ScriptedHost scripted([](const Perception&) { return rates(0.2, 0.4); });
+    ScriptedHost scripted([](const Perception& now) { return by_wheels(now, 0.2, 0.4); });
     world::World world;
     world.robots.push_back(driven(drive));
     Simulation simulation(world, scripted.host);
@@ -108,35 +109,49 @@ TEST_CASE("A behaviour that thinks in wheel rates drives every body along its ar
     const auto view = simulation.robot(0);
     CHECK(wrap_angle(view.state->pose.heading_rad - before.heading_rad) ==
           Approx(2.0).epsilon(0.02));
-    CHECK(view.state->turn_rate_rad_s == Approx(0.4).epsilon(0.03));
-    CHECK(view.state->speed_m_s == Approx(0.2).epsilon(0.03));
-    // What the joints say, as the rates of a pair of wheels.
-    CHECK(view.state->wheel_rates.left == Approx(rates(0.2, 0.4).left).epsilon(0.03));
-    CHECK(view.state->wheel_rates.right == Approx(rates(0.2, 0.4).right).epsilon(0.03));
+    for (const Motion& motion : {view.state->moving, view.state->odometry}) {
+      CHECK(motion.forward == Approx(0.2).epsilon(0.03));
+      CHECK(motion.turn == Approx(0.4).epsilon(0.03));
+    }
     // The chord of an arc of 2 rad with a radius of half a metre, or a little more.
     CHECK(distance(before, view.state->pose) == Approx(2 * 0.5 * std::sin(1.0)).epsilon(0.03));
   }
 }
 
 TEST_CASE("The command of a robot is what its drive can make") {
-  ScriptedHost scripted([](const Perception&) { return rates(0.0, 3.0); });
+  ScriptedHost scripted([](const Perception&) { return Motion{0.0, 0.0, 3.0}; });
   world::World world;
   world.robots.push_back(driven("car"));
   Simulation simulation(world, scripted.host);
   for (int i = 0; i < 100; ++i) simulation.step();
-  const auto& command = simulation.robot(0).command;
-  const double forward = 0.5 * 0.02 * (command.left + command.right);
-  const double turn = 0.02 * (command.right - command.left) / 0.09;
-  CHECK(forward > 0.01);
-  CHECK(turn > 0.1);
-  CHECK(turn < 3.0);
+  const Motion& command = simulation.robot(0).command;
+  CHECK(command.forward > 0.01);
+  CHECK(command.turn > 0.1);
+  CHECK(command.turn < 3.0);
+  CHECK(simulation.robot(0).asked == Motion{0.0, 0.0, 3.0});
+}
+
+TEST_CASE("A drive that can move sideways is asked for it, another one leaves it out") {
+  const auto sideways = [](const std::string& drive) {
+    ScriptedHost scripted([](const Perception&) { return Motion{0.1, 0.1, 0.0}; });
+    world::World world;
+    world.robots.push_back(driven(drive));
+    Simulation simulation(world, scripted.host);
+    for (int i = 0; i < 500; ++i) simulation.step();
+    CHECK(simulation.robot(0).state->channels.lateral == (simulation.robot(0).command.lateral > 0));
+    return simulation.robot(0).state->pose.y;
+  };
+  CHECK(sideways("mecanum") == Approx(0.5).epsilon(0.05));
+  CHECK(sideways("omnidirectional") == Approx(0.5).epsilon(0.05));
+  CHECK(sideways("differential") == Approx(0.0).margin(0.005));
 }
 
 TEST_CASE("Every drive runs the same way twice") {
   for (const std::string& drive : kAll) {
     CAPTURE(drive);
-    ScriptedHost scripted(
-        [](const Perception& now) { return rates(0.2, 2.0 * std::sin(3.0 * now.time_s())); });
+    ScriptedHost scripted([](const Perception& now) {
+      return Motion{0.2, 0.0, 2.0 * std::sin(3.0 * now.time_s())};
+    });
     world::World world;
     world.robots.push_back(driven(drive));
     Simulation one(world, scripted.host), two(world, scripted.host);
@@ -154,7 +169,7 @@ TEST_CASE("Every drive runs the same way twice") {
 }
 
 TEST_CASE("Segments hang behind the last vehicle of a drive") {
-  ScriptedHost scripted([](const Perception&) { return rates(0.1, 0.2); });
+  ScriptedHost scripted([](const Perception&) { return Motion{0.1, 0.0, 0.2}; });
   world::World world;
   world.robots.push_back(driven("articulated"));
   world.robots[0].segments.emplace_back().id = "wagon";
@@ -171,7 +186,7 @@ TEST_CASE("Segments hang behind the last vehicle of a drive") {
 }
 
 TEST_CASE("The drive that fails is named") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{1, 1}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{0.02, 0.0, 0.0}; });
   scripted.host.add(declare<Failing>(PluginKind::drive, "failing", "For a test"));
   world::World world;
   world.robots.push_back(driven("failing"));
@@ -184,7 +199,7 @@ TEST_CASE("The drive that fails is named") {
 }
 
 TEST_CASE("A drive that does not fit its chassis is refused when the simulation is made") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{}; });
   world::World world;
   world.robots.push_back(driven("mecanum"));
   world.robots[0].drive->parameters["wheelbase"] = 0.01;
@@ -192,7 +207,7 @@ TEST_CASE("A drive that does not fit its chassis is refused when the simulation 
 }
 
 TEST_CASE("A drive is replaced while it runs, unless it would build another body") {
-  const auto answer = [](const Perception&) { return rates(0.2, 0.0); };
+  const auto answer = [](const Perception&) { return Motion{0.2, 0.0, 0.0}; };
   ScriptedHost first(answer), same(answer), other(answer);
   first.host.add(declare<TwoWheels>(PluginKind::drive, "pair", "For a test"));
   same.host.add(declare<TwoWheels>(PluginKind::drive, "pair", "For a test"));

@@ -1,9 +1,11 @@
 #include <catch2/catch.hpp>
 
+#include "wheels.h"
 #include "world_builder.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::wheels;
 using simulation::Simulation;
 
 namespace {
@@ -21,7 +23,7 @@ world::World with_charger(double start_energy) {
 }  // namespace
 
 TEST_CASE("Every sensor costs its energy per second") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{}; });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   world.robots[0].sensors.push_back(beam("a", 0));
@@ -38,7 +40,7 @@ TEST_CASE("An empty robot stops, is not asked any more, and an event says so onc
   double last_asked = 0;
   ScriptedHost scripted([&](const Perception& now) {
     last_asked = now.time_s();
-    return MotorCommand{10, 10};
+    return wheels(10, 10);
   });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
@@ -88,7 +90,7 @@ TEST_CASE("Nobody is charged away from a charger, at another team's, or without 
 }
 
 TEST_CASE("A robot that starts empty never moves, with or without sensors") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{10, 10}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(10, 10); });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   world.robots[0].energy = 0.0;
@@ -100,7 +102,7 @@ TEST_CASE("A robot that starts empty never moves, with or without sensors") {
 }
 
 TEST_CASE("A resource fills the battery up to its capacity, and one robot only") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{20, 20}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(20, 20); });
   world::World world;
   world.boxes.push_back(box("gold", world::BoxKind::resource, 0, 0));
   world.boxes[0].energy = 900;

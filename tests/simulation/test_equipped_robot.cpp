@@ -44,7 +44,7 @@ class Witness final : public Coordinator {
     }
   }
   void reset(Random&) override { ++seen_->resets; }
-  MotorCommand coordinate(std::span<Member>, const Perception&) override { return {}; }
+  Motion coordinate(std::span<Member>, const Perception&) override { return {}; }
 
  private:
   std::shared_ptr<Seen> seen_;
@@ -95,8 +95,8 @@ TEST_CASE("A robot by itself is equipped as in a simulation, and not reset") {
   const Seen& running = *witness.seen;
   CHECK(running.resets == 1);
 
-  CHECK(alone.self.wheel_radius_m == 0.03);
-  CHECK(alone.self.half_axle_m == running.self.half_axle_m);
+  CHECK(alone.self.wheels.radius == 0.03);
+  CHECK(alone.self.wheels.half_axle == running.self.wheels.half_axle);
   CHECK(alone.self.length_m == 0.2);
   CHECK(alone.self.capacity == 800);
   CHECK(alone.self.coverage_m == 2);

@@ -4,10 +4,12 @@
 
 #include "elsie/world/error.h"
 
+#include "wheels.h"
 #include "world_builder.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::wheels;
 using simulation::PluginFault;
 using simulation::Simulation;
 
@@ -15,7 +17,7 @@ namespace {
 /// Runs a behaviour that misbehaves in step 3.
 void run(std::function<Response()> misbehave) {
   ScriptedHost scripted([&](const Perception& now) {
-    return now.time_s() > 0.025 ? misbehave() : Response(MotorCommand{1, 1});
+    return now.time_s() > 0.025 ? misbehave() : Response(wheels(1, 1));
   });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
@@ -31,13 +33,9 @@ TEST_CASE("A behaviour that throws is named, with its robot and the step") {
 }
 
 TEST_CASE("So is one that answers with something that is not a finite number") {
-  CHECK_THROWS_WITH(run([] {
-                      return Response(MotorCommand{kNan, 0});
-                    }),
+  CHECK_THROWS_WITH(run([] { return Response(wheels(kNan, 0)); }),
                     Catch::Contains("its command is not a finite number"));
-  CHECK_THROWS_AS(run([] {
-                    return Response(MotorCommand{0, std::numeric_limits<double>::infinity()});
-                  }),
+  CHECK_THROWS_AS(run([] { return Response(wheels(0, std::numeric_limits<double>::infinity())); }),
                   PluginFault);
   CHECK_THROWS_WITH(run([] {
                       Response response;
@@ -99,7 +97,7 @@ namespace {
 /// Catches everything that its members throw, and goes on.
 class Careless final : public Coordinator {
  public:
-  MotorCommand coordinate(std::span<Member> members, const Perception&) override {
+  Motion coordinate(std::span<Member> members, const Perception&) override {
     try {
       return members[0].respond().command;
     } catch (...) {
@@ -111,8 +109,8 @@ class Careless final : public Coordinator {
 /// Asks for what it should not get: desirabilities out of range.
 class Rater final : public Coordinator {
  public:
-  MotorCommand coordinate(std::span<Member> members, const Perception&) override {
-    const MotorCommand candidates[] = {{0, 0}};
+  Motion coordinate(std::span<Member> members, const Perception&) override {
+    const Motion candidates[] = {{}};
     double desirability[1];
     members[0].rate(candidates, desirability);
     return {};
@@ -123,7 +121,7 @@ class Rater final : public Coordinator {
 class Boaster final : public Coordinator {
  public:
   static inline double weight = 1.0, share = 1.0;
-  MotorCommand coordinate(std::span<Member> members, const Perception&) override {
+  Motion coordinate(std::span<Member> members, const Perception&) override {
     members[0].trace.weight = weight;
     members[0].trace.share = share;
     return members[0].respond().command;
@@ -132,15 +130,16 @@ class Boaster final : public Coordinator {
 
 class Enthusiast final : public Behavior {
  public:
-  Response respond(const Perception&) override { return MotorCommand{}; }
-  void rate(const Response&, std::span<const MotorCommand>, std::span<double> d) const override {
+  Response respond(const Perception&) override { return Motion{}; }
+  void rate(const Perception&, const Response&, std::span<const Motion>,
+            std::span<double> d) const override {
     d[0] = 2.0;
   }
 };
 
 class Forgetful final : public Behavior {
  public:
-  Response respond(const Perception&) override { return MotorCommand{}; }
+  Response respond(const Perception&) override { return Motion{}; }
   void reset(Random&) override { throw std::runtime_error("cannot forget"); }
 };
 
@@ -163,7 +162,7 @@ TEST_CASE("A coordinator cannot swallow the fault of a member") {
 }
 
 TEST_CASE("A coordinator whose trace has shares outside [0, 1] or weights below 0 is named") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{}; });
   add<Boaster>(scripted.host, PluginKind::coordinator, "boaster");
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
@@ -194,14 +193,14 @@ TEST_CASE("A coordinator whose trace has shares outside [0, 1] or weights below 
 TEST_CASE("A behaviour that asks for a reading that no sensor makes is named, with the kind") {
   CHECK_THROWS_WITH(run([]() -> Response {
                       const Readings<RangeReading> none;
-                      return MotorCommand{none[0]->distance_m, 0.0};
+                      return wheels(none[0]->distance_m, 0.0);
                     }),
                     Catch::Contains("plugin 'scripted' of robot 'r1' failed in step 3: it asks "
                                     "for reading number 0 of kind 'range'"));
 }
 
 TEST_CASE("A behaviour that rates out of range, or throws in reset(), is named") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{}; });
   add<Rater>(scripted.host, PluginKind::coordinator, "rater");
   add<Enthusiast>(scripted.host, PluginKind::behavior, "enthusiast");
   add<Forgetful>(scripted.host, PluginKind::behavior, "forgetful");
@@ -257,7 +256,7 @@ TEST_CASE("Observers hear the end of a run that a plugin ended") {
     if (now.time_s() > 0.045) {
       throw std::runtime_error("enough");
     }
-    return MotorCommand{};
+    return Motion{};
   });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));

@@ -9,9 +9,11 @@
 #include "elsie/render/world_cameras.h"
 
 #include "measures_support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::wheels;
 using simulation::RunResult;
 using simulation::Simulation;
 
@@ -20,7 +22,7 @@ TEST_CASE("A measure sees the start, then every step once it is made") {
     double time_s;
     bool is_start, decided;
     double x, distance_m;
-    MotorCommand command;
+    Motion command;
     bool asked;
     double share;
   };
@@ -45,7 +47,7 @@ TEST_CASE("A measure sees the start, then every step once it is made") {
   };
   Run run(script);
   run.drive = [](const Perception& now) {
-    return now.time_s() > 0.05 ? MotorCommand{5, 5} : MotorCommand{10, 10};
+    return now.time_s() > 0.05 ? wheels(5, 5) : wheels(10, 10);
   };
   run.world.physics.control_steps = 3;
   run.world.limits.time = 0.1;
@@ -53,14 +55,14 @@ TEST_CASE("A measure sees the start, then every step once it is made") {
   REQUIRE(seen.size() == 11);
   CHECK(seen[0].is_start);
   CHECK(seen[0].time_s == 0.0);
-  CHECK(seen[0].command == MotorCommand{});
+  CHECK(seen[0].command == Motion{});
   CHECK_FALSE(seen[0].asked);
   for (std::size_t i = 1; i < seen.size(); ++i) {
     CAPTURE(i);
     CHECK_FALSE(seen[i].is_start);
     CHECK(seen[i].time_s == Approx(0.01 * static_cast<double>(i)));
     CHECK(seen[i].decided == (i % 3 == 1));
-    CHECK(seen[i].command == (i > 6 ? MotorCommand{5, 5} : MotorCommand{10, 10}));
+    CHECK(seen[i].command == (i > 6 ? wheels(5, 5) : wheels(10, 10)));
     CHECK(seen[i].asked);
     CHECK(seen[i].share == 1.0);
     CHECK(seen[i].x > seen[i - 1].x);
@@ -98,7 +100,7 @@ namespace {
 /// Gives its only member a share that rounding took below zero.
 class SharesBelowZero final : public Coordinator {
  public:
-  MotorCommand coordinate(std::span<Member> members, const Perception&) override {
+  Motion coordinate(std::span<Member> members, const Perception&) override {
     members[0].respond();
     members[0].trace.share = -1e-10;
     return {};
@@ -186,7 +188,7 @@ TEST_CASE("Measures stay when plugins are replaced, which is reported") {
   Run run;
   Simulation simulation(run.world, run.scripted.host);
   simulation.step();
-  ScriptedHost other([](const Perception&) { return Response(MotorCommand{1, 1}); });
+  ScriptedHost other([](const Perception&) { return Response(wheels(1, 1)); });
   Script script;
   script.value = [] { return 2.0; };
   other.host.add(measure_declaration(script));

@@ -4,10 +4,13 @@
 
 #include <catch2/catch.hpp>
 
+#include "wheels.h"
 #include "world_builder.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::rates;
+using elsie::test::wheels;
 using simulation::Simulation;
 using simulation::TracedMember;
 
@@ -21,8 +24,10 @@ class Holder final : public Behavior {
     activations.push_back(response.activation);
     return response;
   }
-  CommandSets command_sets(const Response&) const override { return inside->command_sets(); }
-  void rate(const Response&, std::span<const MotorCommand> candidates,
+  CommandSets command_sets(const Perception&, const Response&) const override {
+    return inside->command_sets();
+  }
+  void rate(const Perception&, const Response&, std::span<const Motion> candidates,
             std::span<double> desirability) const override {
     inside->rate(candidates, desirability);
   }
@@ -32,10 +37,10 @@ class Holder final : public Behavior {
 /// Asks the first member for its fuzzy sets, after it answered.
 class AsksForSets final : public Coordinator {
  public:
-  MotorCommand coordinate(std::span<Member> members, const Perception&) override {
+  Motion coordinate(std::span<Member> members, const Perception&) override {
     const CommandSets sets = members[0].command_sets();
     members[0].trace.share = 1.0;
-    return {sets.left.points.at(1).x, sets.right.points.at(1).x};
+    return WheelPair().motion({sets.left.points.at(1).x, sets.right.points.at(1).x});
   }
 };
 
@@ -82,16 +87,16 @@ world::World world_of(const world::BehaviorUse& only) {
 }  // namespace
 
 TEST_CASE("A behaviour that holds others drives as their coordinator decides") {
-  NestingHost scripted([](const Perception&) { return MotorCommand{4, 8}; });
+  NestingHost scripted([](const Perception&) { return wheels(4, 8); });
   world::BehaviorUse second = behavior("scripted");
   second.id = "second";
   Simulation simulation(world_of(holder("pair", {behavior("scripted"), second})), scripted.host);
   simulation.step();
-  CHECK(simulation.robot(0).command == MotorCommand{4, 8});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{4, 8});
 }
 
 TEST_CASE("Nesting goes to any depth, and each member is traced below the one that holds it") {
-  NestingHost scripted([](const Perception&) { return MotorCommand{4, 8}; });
+  NestingHost scripted([](const Perception&) { return wheels(4, 8); });
   Simulation simulation(world_of(holder("outer", {holder("inner", {behavior("scripted")})})),
                         scripted.host);
   simulation.step();
@@ -107,24 +112,24 @@ TEST_CASE("Nesting goes to any depth, and each member is traced below the one th
   CHECK(trace[2].depth == 2);
   for (const TracedMember& member : trace) {
     CHECK(member.member->trace.asked);
-    CHECK(member.member->trace.command == MotorCommand{4, 8});
+    CHECK(rates(member.member->trace.command) == WheelRates{4, 8});
   }
 }
 
 TEST_CASE("An outer coordinator may ask further once the holder has answered") {
-  NestingHost scripted([](const Perception&) { return MotorCommand{4, 8}; });
+  NestingHost scripted([](const Perception&) { return wheels(4, 8); });
   world::World world = world_of(holder("pair", {behavior("scripted")}, "asks_for_sets"));
   world.robots[0].coordinator = coordinator("asks_for_sets");
   Simulation simulation(std::move(world), scripted.host);
   simulation.step();
-  CHECK(simulation.robot(0).command == MotorCommand{4, 8});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{4, 8});
 }
 
 TEST_CASE("Members inside draw from streams of their own, named by where they stand") {
   std::vector<double> drawn;
   NestingHost scripted([&](const Perception& now) {
     drawn.push_back(now.random().uniform(0, 1));
-    return MotorCommand{1, 1};
+    return wheels(1, 1);
   });
   const auto draws_of = [&](const world::BehaviorUse& only) {
     drawn.clear();
@@ -141,7 +146,7 @@ TEST_CASE("Members inside draw from streams of their own, named by where they st
 
 TEST_CASE("What a member inside asks of the robot is done") {
   NestingHost scripted([](const Perception&) {
-    Response response(MotorCommand{0, 0});
+    Response response(wheels(0, 0));
     response.charge = true;
     response.events.push_back({"hello"});
     return response;
@@ -163,10 +168,10 @@ TEST_CASE("A fault inside names the plugin that failed, not the ones around it")
 }
 
 TEST_CASE("A holder with nothing in it stands still and is not active") {
-  NestingHost scripted([](const Perception&) { return MotorCommand{4, 8}; });
+  NestingHost scripted([](const Perception&) { return wheels(4, 8); });
   Simulation simulation(world_of(behavior("holder")), scripted.host);
   simulation.step();
-  CHECK(simulation.robot(0).command == MotorCommand{0, 0});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{0, 0});
   CHECK(simulation.robot(0).trace[0].member->trace.activation == 0.0);
 }
 
@@ -174,10 +179,10 @@ TEST_CASE("Plugins tell the user how they are prepared, once a run") {
   struct Talker final : Behavior {
     double luck = 0.0;
     void reset(Random& random) override { luck = random.uniform(0, 1); }
-    Response respond(const Perception&) override { return MotorCommand{}; }
+    Response respond(const Perception&) override { return Motion{}; }
     std::vector<std::string> notes() const override { return {"luck " + std::to_string(luck)}; }
   };
-  NestingHost scripted([](const Perception&) { return MotorCommand{}; });
+  NestingHost scripted([](const Perception&) { return Motion{}; });
   scripted.host.add(
       declaration_of(PluginKind::behavior, "talker", [] { return std::make_unique<Talker>(); }));
   Simulation simulation(world_of(holder("outer", {behavior("talker")})), scripted.host);

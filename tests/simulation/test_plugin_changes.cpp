@@ -8,9 +8,12 @@
 #include "elsie/render/world_cameras.h"
 
 #include "change_support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::rates;
+using elsie::test::wheels;
 
 namespace {
 
@@ -53,7 +56,7 @@ class Counting final : public Behavior {
     ++times_equipped;
   }
   void reset(Random&) override { steps = 0; }
-  Response respond(const Perception&) override { return MotorCommand{low, 0.1 * ++steps}; }
+  Response respond(const Perception&) override { return wheels(low, 0.1 * ++steps); }
 
   int steps = 0;
   int times_configured = 0, times_equipped = 0;
@@ -72,7 +75,7 @@ class Stubborn final : public Behavior {
   }
   Response respond(const Perception&) override {
     has_run = true;
-    return MotorCommand{value, value};
+    return wheels(value, value);
   }
 };
 
@@ -102,7 +105,7 @@ world::BehaviorUse named(world::BehaviorUse use, const std::string& id) {
 }  // namespace
 
 TEST_CASE("The error of a sensor decides how far its readings spread") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{}; });
   world::World world = one_robot(behavior("scripted"));
   world.robots[0].sensors = {beam("ahead", 0, {{"max_range", 20.0}})};
   Simulation simulation(world, scripted.host);
@@ -123,7 +126,7 @@ TEST_CASE("The error of a sensor decides how far its readings spread") {
 }
 
 TEST_CASE("What a sensor costs may change") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{}; });
   world::World world = one_robot(behavior("scripted"));
   world.robots[0].sensors = {beam("a", 0), beam("b", 90)};
   Simulation simulation(world, scripted.host);
@@ -138,7 +141,7 @@ TEST_CASE("A behaviour of higher priority wins from the next decision on") {
   world::World world = one_robot(named(behavior("scripted", 2), "first"));
   world.robots[0].behaviors.push_back(
       named(behavior("wander", 1, {{"restlessness", 0.0}}), "second"));
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{3, 3}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(3, 3); });
   Simulation simulation(world, scripted.host);
   simulation.step();
   CHECK(simulation.robot(0).members[0].trace.share == 1.0);
@@ -148,10 +151,10 @@ TEST_CASE("A behaviour of higher priority wins from the next decision on") {
   simulation.step();
   CHECK(simulation.robot(0).members[0].trace.share == 0.0);
   CHECK(simulation.robot(0).members[1].trace.share == 1.0);
-  CHECK(simulation.robot(0).command == MotorCommand{10, 10});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{10, 10});
   simulation.reset();
   simulation.step();
-  CHECK(simulation.robot(0).command == MotorCommand{3, 3});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{3, 3});
 }
 
 TEST_CASE("Parameters of coordinators, of the elements in them, and of what is nested may change") {
@@ -160,14 +163,14 @@ TEST_CASE("Parameters of coordinators, of the elements in them, and of what is n
   r1.behaviors.push_back(behavior("scripted", 3));
   r1.behaviors[1].id = "other";
   r1.coordinator->plugin = "fusion_vector_summation";
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{4, 4}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(4, 4); });
   {
     Simulation simulation(world, scripted.host);
     simulation.step();
-    CHECK(simulation.robot(0).command == MotorCommand{4, 4});
+    CHECK(rates(simulation.robot(0).command) == WheelRates{4, 4});
     simulation.change("robot[r1]/coordinator/@weighted", "true");
     simulation.step();
-    CHECK(simulation.robot(0).command == MotorCommand{8, 8});  // (1 x 4 + 3 x 4) / 2
+    CHECK(rates(simulation.robot(0).command) == WheelRates{8, 8});  // (1 x 4 + 3 x 4) / 2
   }
   SECTION("an element in a coordinator's") {
     r1.coordinator->plugin = "arbiter_voting";
@@ -179,15 +182,15 @@ TEST_CASE("Parameters of coordinators, of the elements in them, and of what is n
     }
     Simulation simulation(world, scripted.host);
     simulation.step();
-    CHECK(simulation.robot(0).command == MotorCommand{4, 4});
+    CHECK(rates(simulation.robot(0).command) == WheelRates{4, 4});
     simulation.change("robot[r1]/coordinator/candidate[1]/@left", "5");
     simulation.step();
-    CHECK(simulation.robot(0).command == MotorCommand{5, 4});
+    CHECK(rates(simulation.robot(0).command) == WheelRates{5, 4});
     CHECK_THAT(why_not([&] { simulation.change("coordinator/candidate[3]/@left", "5"); }),
                Catch::Contains("there is no candidate[3]; they are numbered from 1 to 2"));
     simulation.reset();
     simulation.step();
-    CHECK(simulation.robot(0).command == MotorCommand{4, 4});
+    CHECK(rates(simulation.robot(0).command) == WheelRates{4, 4});
   }
   SECTION("inside a behaviour that holds others") {
     world::BehaviorUse blend = behavior("blend");
@@ -198,13 +201,13 @@ TEST_CASE("Parameters of coordinators, of the elements in them, and of what is n
     r1.behaviors = {blend};
     Simulation simulation(world, scripted.host);
     simulation.step();
-    CHECK(simulation.robot(0).command == MotorCommand{10, 10});
+    CHECK(rates(simulation.robot(0).command) == WheelRates{10, 10});
     simulation.change("robot[r1]/behavior[blend]/behavior[wander]/@speed", "7");
     simulation.step();
-    CHECK(simulation.robot(0).command == MotorCommand{7, 7});
+    CHECK(rates(simulation.robot(0).command) == WheelRates{7, 7});
     simulation.change("robot[r1]/behavior[blend]/behavior[scripted]/@priority", "2");
     simulation.step();
-    CHECK(simulation.robot(0).command == MotorCommand{4, 4});
+    CHECK(rates(simulation.robot(0).command) == WheelRates{4, 4});
     CHECK(events_of(simulation) ==
           std::vector<std::string>{
               "0.01 changed robot[r1]/behavior[blend]/behavior[wander]/@speed=7",
@@ -220,7 +223,7 @@ TEST_CASE("What a behaviour remembers of the run outlasts a change of its parame
   advance(simulation, 5);
   simulation.change("robot[r1]/behavior[counting]/@low", "1.5");
   simulation.step();
-  CHECK(simulation.robot(0).command == MotorCommand{1.5, 0.1 * 6});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{1.5, 0.1 * 6});
 
   // The direction that wander is minded to take, and its random stream.
   Simulation changed(one_robot(behavior("wander", 1, {{"restlessness", 20.0}})), plugins.host);
@@ -231,7 +234,8 @@ TEST_CASE("What a behaviour remembers of the run outlasts a change of its parame
   for (int i = 0; i < 50; ++i) {
     changed.step();
     unchanged.step();
-    const MotorCommand a = changed.robot(0).command, b = unchanged.robot(0).command;
+    const WheelRates a = rates(changed.robot(0).command);
+    const WheelRates b = rates(unchanged.robot(0).command);
     CHECK(b.left - a.left == Approx(2));
     CHECK(b.right - a.right == Approx(2));
   }
@@ -260,12 +264,12 @@ TEST_CASE("What a plugin refuses leaves all as it was") {
   advance(simulation, 50);
   advance(untouched, 50);
   CHECK(simulation.state_hash() == untouched.state_hash());
-  CHECK(simulation.robot(0).command.left == 1.0);
+  CHECK(rates(simulation.robot(0).command).left == 1.0);
   // Together they fit.
   const simulation::Change both[] = {{low, "3"}, {high, "4"}};
   simulation.change(both);
   simulation.step();
-  CHECK(simulation.robot(0).command.left == 3.0);
+  CHECK(rates(simulation.robot(0).command).left == 3.0);
 }
 
 TEST_CASE("An object that refuses what another one took is set back, with all changed before it") {
@@ -279,10 +283,10 @@ TEST_CASE("An object that refuses what another one took is set back, with all ch
   CHECK(why_not([&] { simulation.change(both); }) ==
         "robot[r1]/behavior[stubborn]/@value=2: behavior 'stubborn': not now");
   simulation.step();
-  CHECK(simulation.robot(0).command == MotorCommand{1, 1});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{1, 1});
   simulation.change("robot[r1]/behavior[wander]/@priority", "3");
   simulation.step();
-  CHECK(simulation.robot(0).command == MotorCommand{10, 10});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{10, 10});
   CHECK(simulation.events().size() == 1);
 }
 
@@ -303,7 +307,7 @@ TEST_CASE("Files that a change names are found as those of the world are") {
   simulation.change(path, "../fuzzy_models/turn_left_left.fcl");
   advance(simulation, 1);
   advance(untouched, 1);
-  CHECK(simulation.robot(0).command.left != untouched.robot(0).command.left);
+  CHECK(rates(simulation.robot(0).command).left != rates(untouched.robot(0).command).left);
 }
 
 TEST_CASE("What a network is trained with is settled before a run; its weights are not") {
@@ -321,7 +325,7 @@ TEST_CASE("What a network is trained with is settled before a run; its weights a
 }
 
 TEST_CASE("A camera is not made to look for what no camera can find while a run goes on, either") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{}; });
   world::World world = one_robot(behavior("scripted"));
   world.boxes = {box("food", world::BoxKind::resource, 1, 0)};
   world.boxes[0].colour = Colour{128, 128, 128};
@@ -340,7 +344,7 @@ TEST_CASE("A camera is not made to look for what no camera can find while a run 
 }
 
 TEST_CASE("A camera that is changed goes on looking for the resources' colours") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{}; });
   world::World world = one_robot(behavior("scripted"));
   world.boxes = {box("food", world::BoxKind::resource, 1, 0)};
   world::SensorUse eye;
@@ -355,7 +359,7 @@ TEST_CASE("A camera that is changed goes on looking for the resources' colours")
 }
 
 TEST_CASE("A camera may take other pictures from now on") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{}; });
+  ScriptedHost scripted([](const Perception&) { return Motion{}; });
   world::World world = one_robot(behavior("scripted"));
   world::SensorUse eye;
   eye.plugin = "vision";

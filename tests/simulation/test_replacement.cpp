@@ -13,11 +13,13 @@
 #include "elsie/recording/csv_recorder.h"
 
 #include "versions.h"
+#include "wheels.h"
 #include "world_builder.h"
 
 using namespace elsie;
 using namespace elsie::test;
 using Catch::Contains;
+using elsie::test::rates;
 using simulation::Replacement;
 using simulation::ReplacementRefused;
 using simulation::Simulation;
@@ -63,9 +65,9 @@ class Stage {
     }
     return "it was taken";
   }
-  MotorCommand step() {
+  WheelRates step() {
     simulation->step();
-    return simulation->robot(0).command;
+    return rates(simulation->robot(0).command);
   }
 
   Versions versions;
@@ -155,7 +157,7 @@ TEST_CASE("Objects are replaced on all robots, at any depth, sensors too") {
                      "r1/behavior[holder]/coordinator", "r1/behavior[holder]", "r1/coordinator",
                      "r2/sensor[level]", "r2/behavior[numbered]", "r2/coordinator"});
   CHECK(stage.step().left == Approx(0.03));
-  CHECK(stage.simulation->robot(1).command.left == Approx(0.03));
+  CHECK(rates(stage.simulation->robot(1).command).left == Approx(0.03));
   CHECK(Versions::loaded() == 1);
 }
 
@@ -168,13 +170,13 @@ TEST_CASE("Parameters stay as the world sets them and as they were changed since
   simulation.change("robot[r1]/behavior[numbered]/@gain", "5");
   stage.replace(2);
   CHECK(stage.step().left == Approx(0.10));
-  CHECK(simulation.robot(1).command.left == Approx(0.04));
+  CHECK(rates(simulation.robot(1).command).left == Approx(0.04));
   simulation.change("robot[r2]/behavior[numbered]/@gain", "3");  // of the new library
   stage.step();
-  CHECK(simulation.robot(1).command.left == Approx(0.06));
+  CHECK(rates(simulation.robot(1).command).left == Approx(0.06));
   simulation.reset();
   CHECK(stage.step().left == Approx(0.04));
-  CHECK(simulation.robot(1).command.left == Approx(0.04));
+  CHECK(rates(simulation.robot(1).command).left == Approx(0.04));
 }
 
 TEST_CASE("A parameter that is gone is left out and reported, a new one has its default") {
@@ -202,10 +204,10 @@ TEST_CASE("What an object remembers is handed over; one that hands over nothing 
   for (int i = 1; i <= 5; ++i) {
     CHECK(stage.step().right == Approx(0.01 * i));
   }
-  CHECK(simulation.robot(1).command.left == Approx(0.05));
+  CHECK(rates(simulation.robot(1).command).left == Approx(0.05));
   stage.replace(2);
   CHECK(stage.step().right == Approx(0.06));
-  CHECK(simulation.robot(1).command.left == Approx(0.01));
+  CHECK(rates(simulation.robot(1).command).left == Approx(0.01));
 }
 
 TEST_CASE("Random streams go on: the same code in a new library changes nothing of a run") {
@@ -250,7 +252,7 @@ TEST_CASE("A version that cannot be used leaves the old one in place, on all rob
                                               "camera; whether it does is settled"));
   CHECK(Versions::loaded() == 1);
   CHECK(run(stage, 20) == undisturbed);
-  CHECK(stage.simulation->robot(1).command.left == Approx(0.01));
+  CHECK(rates(stage.simulation->robot(1).command).left == Approx(0.01));
   // And it is not in the way of a good one.
   stage.replace(11);
   CHECK(stage.step().left == Approx(0.22));

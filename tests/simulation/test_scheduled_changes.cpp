@@ -7,9 +7,11 @@
 #include "elsie/traces/trace.h"
 
 #include "change_support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::wheels;
 using simulation::RunResult;
 using simulation::TimedChange;
 
@@ -87,7 +89,7 @@ TEST_CASE("After a reset a run with changes and one without are those of a new s
 }
 
 TEST_CASE("A change is made before the first step at its time or after it") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{20, 20}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(20, 20); });
   world::World world;
   world.limits.time = 1;
   world.robots = {robot("r1", 0, 0, 0, behavior("scripted"))};
@@ -106,7 +108,7 @@ TEST_CASE("A change is made before the first step at its time or after it") {
 }
 
 TEST_CASE("A schedule is checked before the run begins") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{20, 20}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(20, 20); });
   world::World world;
   world.limits.time = 1;
   world.robots = {robot("r1", 0, 0, 0, behavior("escape"))};
@@ -149,9 +151,8 @@ TEST_CASE("A place that is taken when its time comes ends the run, and its obser
     void ended(const Simulation&) override { ended_at = steps; }
     int steps = 0, ended_at = -1;
   } listener;
-  ScriptedHost scripted([](const Perception& now) {
-    return now.self().id == "walker" ? MotorCommand{10, 10} : MotorCommand{};
-  });
+  ScriptedHost scripted(
+      [](const Perception& now) { return now.self().id == "walker" ? wheels(10, 10) : Motion{}; });
   world::World world;
   world.limits.time = 10;
   world.robots = {robot("walker", 0, 0, 0, behavior("scripted")),
@@ -171,7 +172,7 @@ TEST_CASE("Recordings tell what was changed, and observers see the start as it i
     void started(const Simulation& simulation) override { x = simulation.robot(0).state->pose.x; }
     double x = 0;
   } start;
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{5, 5}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(5, 5); });
   world::World world;
   world.limits.time = 1;
   world.robots = {robot("r1", 0, 0, 0, behavior("scripted"))};

@@ -1,9 +1,12 @@
 #include <catch2/catch.hpp>
 
+#include "wheels.h"
 #include "world_builder.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::rates;
+using elsie::test::wheels;
 using simulation::Simulation;
 
 TEST_CASE("A behaviour perceives the robot's own state, and its command moves the robot") {
@@ -13,7 +16,7 @@ TEST_CASE("A behaviour perceives the robot's own state, and its command moves th
     CHECK(now.self().id == "r1");
     CHECK(now.team().name == "red");
     CHECK(now.period_s() == Approx(0.01));
-    return MotorCommand{10, 10};
+    return wheels(10, 10);
   });
   world::World world;
   world.robots.push_back(robot("r1", 1, 2, 90, behavior("scripted")));
@@ -28,18 +31,39 @@ TEST_CASE("A behaviour perceives the robot's own state, and its command moves th
   CHECK(view.state->pose.x == Approx(1).margin(0.01));
   CHECK(view.state->pose.y == Approx(2 + 5 * 0.2).epsilon(0.01));
   CHECK(view.distance_m == Approx(1.0).epsilon(0.02));
-  CHECK(view.state->speed_m_s == Approx(0.2).epsilon(0.01));
-  CHECK(view.state->wheel_rates.left == Approx(10).epsilon(0.01));
+  CHECK(view.state->moving.forward == Approx(0.2).epsilon(0.01));
+  CHECK(view.state->moving.lateral == Approx(0).margin(0.01));
+  CHECK(view.state->moving.turn == Approx(0).margin(0.01));
 }
 
 TEST_CASE("A command is scaled, both wheels alike, to the maximum speed") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{100, 50}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(100, 50); });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   world.robots[0].max_speed = 0.3;
   Simulation simulation(world, scripted.host);
   simulation.step();
-  CHECK(simulation.robot(0).command == MotorCommand{15, 7.5});
+  CHECK(rates(simulation.robot(0).asked) == WheelRates{100, 50});
+  CHECK(rates(simulation.robot(0).command) == WheelRates{15, 7.5});
+}
+
+TEST_CASE("Of a motion that the drive cannot make, it makes the nearest; both can be seen") {
+  std::vector<Motion> commanded;
+  ScriptedHost scripted([&](const Perception& now) {
+    CHECK(now.self().channels == Channels{.forward = true, .lateral = false, .turn = true});
+    commanded.push_back(now.self().commanded);
+    return Motion{0.2, 0.3, 1.0};
+  });
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  Simulation simulation(world, scripted.host);
+  simulation.step();
+  simulation.step();
+  CHECK(simulation.robot(0).asked == Motion{0.2, 0.3, 1.0});
+  CHECK(simulation.robot(0).command == Motion{0.2, 0.0, 1.0});
+  CHECK(commanded == std::vector<Motion>{{}, {0.2, 0.0, 1.0}});
+  simulation.reset();
+  CHECK(simulation.robot(0).asked == Motion{});
 }
 
 TEST_CASE(
@@ -49,7 +73,7 @@ TEST_CASE(
   ScriptedHost scripted([&](const Perception& now) {
     times.push_back(now.time_s());
     CHECK(now.period_s() == Approx(0.05));
-    return MotorCommand{static_cast<double>(++asked), 0};
+    return wheels(static_cast<double>(++asked), 0);
   });
   world::World world;
   world.physics.control_steps = 5;
@@ -57,7 +81,7 @@ TEST_CASE(
   Simulation simulation(world, scripted.host);
   for (int i = 0; i < 11; ++i) {
     simulation.step();
-    CHECK(simulation.robot(0).command.left == 1 + i / 5);
+    CHECK(rates(simulation.robot(0).command).left == 1 + i / 5);
   }
   REQUIRE(times.size() == 3);
   CHECK(times[1] == Approx(0.05));
@@ -69,7 +93,7 @@ TEST_CASE("All robots decide on the same instant, before any of them moves") {
   ScriptedHost scripted([&](const Perception& now) {
     REQUIRE(now.team().mates.size() == 1);
     seen.emplace_back(now.self().id, now.team().mates[0].distance_m);
-    return MotorCommand{20, 20};
+    return wheels(20, 20);
   });
   world::World world;
   world.robots.push_back(robot("a", 0, 0, 180, behavior("scripted")));
@@ -86,10 +110,10 @@ TEST_CASE("All robots decide on the same instant, before any of them moves") {
 }
 
 TEST_CASE("A robot knows what it was commanded last, as far as it obeys") {
-  std::vector<MotorCommand> commanded;
+  std::vector<Motion> commanded;
   ScriptedHost scripted([&](const Perception& now) {
     commanded.push_back(now.self().commanded);
-    return MotorCommand{100, 50};
+    return wheels(100, 50);
   });
   world::World world;
   world.robots.push_back(robot("r", 0, 0, 0, behavior("scripted")));
@@ -98,7 +122,7 @@ TEST_CASE("A robot knows what it was commanded last, as far as it obeys") {
   simulation.step();
   simulation.reset();
   simulation.step();
-  CHECK(commanded == std::vector<MotorCommand>{{0, 0}, {25, 12.5}, {0, 0}});
+  CHECK(commanded == std::vector<Motion>{{0, 0}, {25, 12.5}, {0, 0}});
 }
 
 TEST_CASE("Robots of a team are numbered in file order") {
@@ -108,7 +132,7 @@ TEST_CASE("Robots of a team are numbered in file order") {
       seen.push_back(std::string(now.self().id) + std::to_string(now.self().team_index) + " sees " +
                      std::string(mate.id) + std::to_string(mate.team_index));
     }
-    return MotorCommand{};
+    return Motion{};
   });
   world::World world;
   world.robots.push_back(robot("a", 0, 0, 0, behavior("scripted")));
@@ -136,7 +160,7 @@ TEST_CASE("A robot perceives those of its team whose coverage reaches it, and it
         CHECK(degrees(found->bearing_rad) == Approx(90));
       }
     }
-    return MotorCommand{};
+    return Motion{};
   });
   world::World world;
   world.robots.push_back(robot("watcher", 0, 0, 0, behavior("scripted")));
@@ -162,7 +186,7 @@ TEST_CASE("Beams read the distance from where they are mounted") {
     REQUIRE(beams.size() == 2);
     ahead = beams[0]->distance_m;
     left = beams[1]->distance_m;
-    return MotorCommand{};
+    return Motion{};
   });
   world::World world;
   world.boxes.push_back(box("b", world::BoxKind::fixed, 0.6, 0));
@@ -176,7 +200,7 @@ TEST_CASE("Beams read the distance from where they are mounted") {
 }
 
 TEST_CASE("A resource is collected at a touch: by its team, or by any when it has none") {
-  ScriptedHost scripted([](const Perception&) { return MotorCommand{20, 20}; });
+  ScriptedHost scripted([](const Perception&) { return wheels(20, 20); });
   const auto run = [&](const std::string& team) {
     world::World world;
     world.boxes.push_back(box("gold", world::BoxKind::resource, 0.5, 0));
@@ -211,9 +235,8 @@ TEST_CASE("A resource is collected at a touch: by its team, or by any when it ha
 }
 
 TEST_CASE("A touch that lasts is one collision, and both robots of one count it") {
-  ScriptedHost scripted([](const Perception& now) {
-    return now.self().id == "ram" ? MotorCommand{20, 20} : MotorCommand{};
-  });
+  ScriptedHost scripted(
+      [](const Perception& now) { return now.self().id == "ram" ? wheels(20, 20) : Motion{}; });
   world::World world;
   world.robots.push_back(robot("ram", 0, 0, 0, behavior("scripted")));
   world.robots.push_back(robot("ox", 0.3, 0, 90, behavior("scripted")));
@@ -266,7 +289,7 @@ TEST_CASE("A beam looks from its own place, in its own direction") {
     for (const auto& reading : now.readings<RangeReading>()) {
       read.push_back(reading->distance_m);
     }
-    return MotorCommand{};
+    return Motion{};
   });
   world::World world;
   world.boxes.push_back(box("b", world::BoxKind::fixed, 0, 0.6));
@@ -308,7 +331,7 @@ TEST_CASE("A sensor of a new kind hears the nearest robot, and its reading reach
     if (now.self().id == "r1") {
       heard = *now.readings<BeaconReading>()[0];
     }
-    return MotorCommand{};
+    return Motion{};
   });
   scripted.host.add(
       declare<Beacon>(PluginKind::sensor, "beacon", "For a test", produces<BeaconReading>()));

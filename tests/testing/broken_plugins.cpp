@@ -21,7 +21,7 @@
 // Exists with the address sanitizer, which would report the intended leaks.
 extern "C" __attribute__((weak)) void __lsan_ignore_object(const void* object);
 
-using elsie::MotorCommand;
+using elsie::Motion;
 using elsie::Perception;
 using elsie::Response;
 
@@ -36,7 +36,8 @@ class Sound final : public elsie::Behavior, public elsie::Remembers {
   void reset(elsie::Random&) override { steps_ = 0; }
   void remember(elsie::Memory& memory) override { memory("steps", steps_); }
   Response respond(const Perception& now) override {
-    Response response(MotorCommand{speed + now.random().uniform(), ratio * ++steps_});
+    Response response(
+        elsie::WheelPair().motion({speed + now.random().uniform(), ratio * ++steps_}));
     response.events.push_back({"stepped"});
     return response;
   }
@@ -53,7 +54,7 @@ class SharesStatic final : public elsie::Behavior {
  public:
   Response respond(const Perception&) override {
     static int calls = 0;
-    return MotorCommand{static_cast<double>(++calls), 0.0};
+    return elsie::WheelPair().motion({static_cast<double>(++calls), 0.0});
   }
 };
 ELSIE_BEHAVIOR(SharesStatic, "shares_static", "Counts in a static");
@@ -64,7 +65,7 @@ class SharesQuietly final : public elsie::Behavior {
   void reset(elsie::Random&) override { last = 0.0; }
   Response respond(const Perception& now) override {
     last = 0.5 * last + now.self().pose.x;
-    return MotorCommand{last, last};
+    return elsie::WheelPair().motion({last, last});
   }
   static inline double last = 0.0;
 };
@@ -80,7 +81,7 @@ class Board final : public elsie::Behavior {
     for (const auto& [id, x] : board) {
       others += id == now.self().id ? 0.0 : x;
     }
-    return MotorCommand{others, others};
+    return elsie::WheelPair().motion({others, others});
   }
 };
 ELSIE_BEHAVIOR(Board, "board", "Leaves messages in a static");
@@ -92,9 +93,9 @@ class Follower final : public elsie::Behavior {
     static double goal = 0.0;
     if (now.self().is_leader) {
       goal = now.self().pose.x;
-      return MotorCommand{1.0, 1.0};
+      return elsie::WheelPair().motion({1.0, 1.0});
     }
-    return MotorCommand{goal, goal};
+    return elsie::WheelPair().motion({goal, goal});
   }
 };
 ELSIE_BEHAVIOR(Follower, "follower", "The leader's place is in a static");
@@ -104,7 +105,7 @@ class TurnsByWay final : public elsie::Behavior {
   double turn_deg_m = 5.0;
   double turn_deg_per_m = 5.0;
   double offset_m = 1.0;
-  Response respond(const Perception&) override { return MotorCommand{1.0, 1.0}; }
+  Response respond(const Perception&) override { return elsie::WheelPair().motion({1.0, 1.0}); }
 };
 ELSIE_BEHAVIOR(TurnsByWay, "turns_by_way", "Has units of two parts",
                elsie::parameter("turn_deg_m", &TurnsByWay::turn_deg_m,
@@ -117,7 +118,8 @@ ELSIE_BEHAVIOR(TurnsByWay, "turns_by_way", "Has units of two parts",
 class Address final : public elsie::Behavior {
  public:
   Response respond(const Perception&) override {
-    return MotorCommand{static_cast<double>(reinterpret_cast<std::uintptr_t>(this) % 100003), 0.0};
+    return elsie::WheelPair().motion(
+        {static_cast<double>(reinterpret_cast<std::uintptr_t>(this) % 100003), 0.0});
   }
 };
 ELSIE_BEHAVIOR(Address, "address", "Goes by where it lies in memory");
@@ -126,7 +128,7 @@ class Clock final : public elsie::Behavior {
  public:
   Response respond(const Perception&) override {
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return MotorCommand{std::chrono::duration<double>(now).count(), 0.0};
+    return elsie::WheelPair().motion({std::chrono::duration<double>(now).count(), 0.0});
   }
 };
 ELSIE_BEHAVIOR(Clock, "clock", "Goes by the clock on the wall");
@@ -134,14 +136,16 @@ ELSIE_BEHAVIOR(Clock, "clock", "Goes by the clock on the wall");
 class OtherRandom final : public elsie::Behavior {
  public:
   Response respond(const Perception&) override {
-    return MotorCommand{static_cast<double>(std::rand() % 10), 0.0};
+    return elsie::WheelPair().motion({static_cast<double>(std::rand() % 10), 0.0});
   }
 };
 ELSIE_BEHAVIOR(OtherRandom, "other_random", "Draws from the C library");
 
 class Forgetless final : public elsie::Behavior {
  public:
-  Response respond(const Perception&) override { return MotorCommand{++count_, 0.0}; }
+  Response respond(const Perception&) override {
+    return elsie::WheelPair().motion({++count_, 0.0});
+  }
 
  private:
   double count_ = 0.0;
@@ -155,7 +159,7 @@ class HalfForgets final : public elsie::Behavior, public elsie::Remembers {
   Response respond(const Perception&) override {
     ++left_;
     --right_;
-    return MotorCommand{static_cast<double>(left_), static_cast<double>(right_)};
+    return elsie::Motion{static_cast<double>(left_), 0.0, static_cast<double>(right_)};
   }
 
  private:
@@ -170,14 +174,14 @@ class RefusesMemory final : public elsie::Behavior, public elsie::Remembers {
       throw std::invalid_argument("that is too long ago");
     }
   }
-  Response respond(const Perception&) override { return MotorCommand{1.0, 1.0}; }
+  Response respond(const Perception&) override { return elsie::WheelPair().motion({1.0, 1.0}); }
 };
 ELSIE_BEHAVIOR(RefusesMemory, "refuses_memory", "Does not take what it hands over");
 
 class NotANumber final : public elsie::Behavior {
  public:
   Response respond(const Perception& now) override {
-    return MotorCommand{0.0, std::sqrt(now.self().pose.x)};
+    return elsie::WheelPair().motion({0.0, std::sqrt(now.self().pose.x)});
   }
 };
 ELSIE_BEHAVIOR(NotANumber, "not_a_number", "Takes the root of what may be negative");
@@ -185,7 +189,9 @@ ELSIE_BEHAVIOR(NotANumber, "not_a_number", "Takes the root of what may be negati
 class AtTheBound final : public elsie::Behavior {
  public:
   double distance = 1.0;
-  Response respond(const Perception&) override { return MotorCommand{1.0 / distance, 0.0}; }
+  Response respond(const Perception&) override {
+    return elsie::WheelPair().motion({1.0 / distance, 0.0});
+  }
 };
 ELSIE_BEHAVIOR(AtTheBound, "at_the_bound", "Divides by what its range lets be zero",
                elsie::parameter("distance", &AtTheBound::distance,
@@ -214,7 +220,7 @@ ELSIE_BEHAVIOR(Overactive, "overactive", "Is more active than can be");
 class BadRating final : public elsie::Behavior {
  public:
   Response respond(const Perception&) override { return {}; }
-  void rate(const Response&, std::span<const MotorCommand>,
+  void rate(const Perception&, const Response&, std::span<const Motion>,
             std::span<double> desirability) const override {
     desirability[0] = -0.1;
   }
@@ -224,7 +230,7 @@ ELSIE_BEHAVIOR(BadRating, "bad_rating", "Rates below zero");
 class BadSets final : public elsie::Behavior {
  public:
   Response respond(const Perception&) override { return {}; }
-  elsie::CommandSets command_sets(const Response&) const override {
+  elsie::CommandSets command_sets(const Perception&, const Response&) const override {
     return {{{{1.0, 0.0}, {0.0, 1.0}}}, {}};
   }
 };
@@ -262,7 +268,9 @@ class Leaks final : public elsie::Behavior {
       __lsan_ignore_object(memory_);
     }
   }
-  Response respond(const Perception&) override { return MotorCommand{(*memory_)[3], 0.0}; }
+  Response respond(const Perception&) override {
+    return elsie::WheelPair().motion({(*memory_)[3], 0.0});
+  }
 
  private:
   std::array<double, 20>* memory_ = nullptr;
@@ -273,7 +281,7 @@ class ConfiguredTwice final : public elsie::Behavior {
  public:
   double angle = 10.0;
   void configured() override { used_ += angle; }
-  Response respond(const Perception&) override { return MotorCommand{used_, 0.0}; }
+  Response respond(const Perception&) override { return elsie::WheelPair().motion({used_, 0.0}); }
 
  private:
   double used_ = 0.0;
@@ -316,7 +324,7 @@ struct RareReading {
 class Lonely final : public elsie::Behavior {
  public:
   Response respond(const Perception& now) override {
-    return MotorCommand{now.readings<RareReading>()[0]->value, 0.0};
+    return elsie::WheelPair().motion({now.readings<RareReading>()[0]->value, 0.0});
   }
 };
 ELSIE_BEHAVIOR(Lonely, "lonely", "Needs what no sensor makes", elsie::needs<RareReading>());
@@ -353,7 +361,7 @@ ELSIE_BEHAVIOR(WordlessEvent, "wordless_event", "Raises something, whatever it i
 
 class TooMuch final : public elsie::Coordinator {
  public:
-  MotorCommand coordinate(std::span<elsie::Member> members, const Perception&) override {
+  Motion coordinate(std::span<elsie::Member> members, const Perception&) override {
     for (elsie::Member& member : members) {
       member.respond();
       member.trace.share = 1.0;
@@ -365,8 +373,8 @@ ELSIE_COORDINATOR(TooMuch, "too_much", "Gives away more than there is");
 
 class Divides final : public elsie::Coordinator {
  public:
-  MotorCommand coordinate(std::span<elsie::Member> members, const Perception&) override {
-    MotorCommand sum;
+  Motion coordinate(std::span<elsie::Member> members, const Perception&) override {
+    Motion sum;
     double activation = 0.0;
     for (elsie::Member& member : members) {
       sum += member.respond().command;
@@ -379,7 +387,7 @@ ELSIE_COORDINATOR(Divides, "divides", "Divides by nothing where nobody is active
 
 class KeepsLastRun final : public elsie::Coordinator {
  public:
-  MotorCommand coordinate(std::span<elsie::Member> members, const Perception&) override {
+  Motion coordinate(std::span<elsie::Member> members, const Perception&) override {
     for (elsie::Member& member : members) {
       last_ += member.respond().command;
     }
@@ -387,7 +395,7 @@ class KeepsLastRun final : public elsie::Coordinator {
   }
 
  private:
-  MotorCommand last_;
+  Motion last_;
 };
 ELSIE_COORDINATOR(KeepsLastRun, "remembers", "Remembers the last run");
 

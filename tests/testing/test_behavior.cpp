@@ -1,7 +1,7 @@
 #include "elsie/testing/catch.h"
 
 using namespace elsie::testing;
-using elsie::MotorCommand;
+using elsie::Motion;
 
 TEST_CASE("A behaviour answers what it perceives") {
   Behavior avoid("avoid_obstacle");
@@ -37,16 +37,16 @@ TEST_CASE("Before its first answer it is equipped for the robot, and may refuse"
 
 TEST_CASE("Parameters change while it runs; the others keep their values") {
   Behavior wander("wander", {{"speed", 3}, {"restlessness", 0}});
-  CHECK(wander.respond(Situation()).command == MotorCommand{3, 3});
+  CHECK_THAT(wander.respond(Situation()), commands_wheels(3, 3));
   wander.set({{"speed", 4}});
-  CHECK(wander.respond(Situation()).command == MotorCommand{4, 4});
+  CHECK_THAT(wander.respond(Situation()), commands_wheels(4, 4));
   CHECK_THROWS_WITH(wander.set({{"speed", -1}}), Catch::Contains("speed is -1"));
 }
 
 TEST_CASE("What is inside a behaviour that holds others answers what the test says") {
   Behavior blend("blend");
-  blend.inside().answer = active(0.5, {3, 4});
-  CHECK_THAT(blend.respond(Situation()), commands(3, 4) && has_activation(0.5));
+  blend.inside().answer = active(0.5, wheels(3, 4));
+  CHECK_THAT(blend.respond(Situation()), commands_wheels(3, 4) && has_activation(0.5));
   CHECK(blend.inside().asked == 1);
 }
 

@@ -60,11 +60,11 @@ const Fault kFaults[] = {
     {kBehavior, "forgetless", "reset() must forget"},
     {kBehavior, "half_forgets",
      "what remember() names continues differently: remember() must name everything that outlives a "
-     "step: in step 75 its right wheel rate is -1, and was -76"},
+     "step: in step 75 its turn is -1, and was -76"},
     {kBehavior, "refuses_memory", "remember() fails, or what follows it: that is too long ago"},
     {kBehavior, "not_a_number", "nan, which is no finite number"},
     {kBehavior, "at_the_bound",
-     "its left wheel rate is inf, which is no finite number (distance = 0"},
+     "its forward speed is inf, which is no finite number (distance = 0"},
     {kBehavior, "undeclared", "raises the event 'surprise', which its declaration does not name"},
     {kBehavior, "overactive", "its activation is 1.5, which is not in [0, 1]"},
     {kBehavior, "bad_rating", "its rating of a candidate command is -0.1"},

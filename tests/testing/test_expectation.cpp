@@ -3,12 +3,12 @@
 #include "elsie/testing/catch.h"
 
 using namespace elsie::testing;
-using elsie::MotorCommand;
+using elsie::Motion;
 using elsie::Response;
 
 namespace {
 
-Response answer(double left, double right) { return MotorCommand{left, right}; }
+Response answer(double left, double right) { return wheels(left, right); }
 
 }  // namespace
 
@@ -42,7 +42,7 @@ TEST_CASE("No expectation of a command is met by a NaN") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Expectation& expectation :
        {turns_left(), turns_right(), drives_straight_on(), drives_forward(), backs_up(), stands(),
-        turns_on_the_spot(), commands(0, 0, 1e9)}) {
+        turns_on_the_spot(), commands({}, 1e9), commands_wheels(0, 0, 1e9)}) {
     CHECK_FALSE(expectation.match(answer(nan, nan)));
   }
 }
@@ -56,27 +56,33 @@ TEST_CASE("Activation, strength, events, charging") {
   r.events.push_back({"arrived"});
   r.charge = true;
   CHECK_THAT(r, raises("arrived") && !raises("arrive") && asks_to_be_charged());
-  CHECK_THAT(r, commands(1, 2) || commands(1.05, 1, 0.1));
+  CHECK_THAT(r, commands_wheels(1, 2) || commands_wheels(1.05, 1, 0.1));
+  CHECK_THAT(r, commands({0.02, 0, 0}) && !commands({0.02, 0.01, 0}));
 }
 
 TEST_CASE("A bare command serves as an answer") {
-  CHECK_THAT(Response(MotorCommand{1, 2}), turns_left());
-  CHECK(turns_left().check(MotorCommand{1, 2}));
+  CHECK_THAT(Response(wheels(1, 2)), turns_left());
+  CHECK(turns_left().check(wheels(1, 2)));
 }
 
 TEST_CASE("An expectation that is not met gives a sentence") {
-  Response r = active(0.5, {3, 2});
+  Response r = active(0.5, {0.05, 0, -0.2});
   r.events.push_back({"stuck"});
   const Verdict verdict = (turns_left() && !raises("freed")).check(r);
   CHECK_FALSE(verdict);
   CHECK(verdict.sentence ==
-        "the answer should turn left and not raise freed, but is command (left 3, right 2) rad/s, "
-        "activation 0.5, raises stuck");
+        "the answer should turn left and not raise freed, but is command (forward 0.05 m/s, turn "
+        "-0.2 rad/s), activation 0.5, raises stuck");
   CHECK(turns_right().check(r).sentence.empty());
-  CHECK(commands(1, 2, 0.5).toString() == "should command (left 1, right 2) rad/s within 0.5");
+  CHECK(commands_wheels(1, 2, 0.5).toString() ==
+        "should command wheel rates of 1 and 2 rad/s within 0.5");
+  CHECK(commands({0.1, 0.2, 3}, 0.5).toString() ==
+        "should command (forward 0.1 m/s, lateral 0.2 m/s, turn 3 rad/s) within 0.5");
 }
 
 TEST_CASE("Catch prints answers and commands in words") {
-  CHECK(Catch::Detail::stringify(answer(1, 2)) == "command (left 1, right 2) rad/s, activation 1");
-  CHECK(Catch::Detail::stringify(MotorCommand{1, 2}) == "command (left 1, right 2) rad/s");
+  const Motion motion{0.1, 0, 2};
+  CHECK(Catch::Detail::stringify(Response(motion)) ==
+        "command (forward 0.1 m/s, turn 2 rad/s), activation 1");
+  CHECK(Catch::Detail::stringify(motion) == "command (forward 0.1 m/s, turn 2 rad/s)");
 }

@@ -7,7 +7,7 @@
 #include "places.h"
 
 using namespace elsie::testing;
-using elsie::MotorCommand;
+using elsie::Motion;
 using elsie::Perception;
 using elsie::RangeReading;
 
@@ -119,8 +119,8 @@ TEST_CASE("A behaviour over a scripted way is as it was") {
 
 TEST_CASE("A coordinator over a scripted way is as it was") {
   Team team;
-  team.member("seek", 1, MotorCommand{10, 10}).member("avoid", 1, [](const Perception& now) {
-    return active(1.0 - now.readings<RangeReading>()[0]->distance_m, {-10, 10});
+  team.member("seek", 1, wheels(10, 10)).member("avoid", 1, [](const Perception& now) {
+    return active(1.0 - now.readings<RangeReading>()[0]->distance_m, wheels(-10, 10));
   });
   Coordinator fusion("fusion_fuzzy", team);
   Sequence way(0.1);

@@ -39,7 +39,7 @@ TEST_CASE("A wrong name is reported with the nearest right one") {
 
 TEST_CASE("Whole numbers serve for real parameters, and for whole ones as they are") {
   testing::Behavior wander("wander", {{"speed", 3}, {"restlessness", 0}});
-  CHECK(wander.respond(testing::Situation()).command == MotorCommand{3, 3});
+  CHECK_THAT(wander.respond(testing::Situation()), testing::commands_wheels(3, 3));
   CHECK_NOTHROW(testing::Behavior("keep_formation", {{"slot", 2}, {"formation", "column"}}));
 }
 

@@ -68,11 +68,10 @@ TEST_CASE("Mates are seen from the robot's final position") {
   CHECK(seen.events()[0].name == "collision");
 }
 
-TEST_CASE("Wheel rates go with the speed") {
+TEST_CASE("A moving robot perceives its motion") {
   Situation now;
   now.moving(0.2, 1.0);
-  CHECK(now.self.wheel_rates.left == Approx((0.2 - 0.045) / 0.02));
-  CHECK(now.self.wheel_rates.right == Approx((0.2 + 0.045) / 0.02));
+  CHECK(now.perception().self().moving == elsie::Motion{0.2, 0.0, 1.0});
 }
 
 TEST_CASE("A copy of a situation is independent") {

@@ -63,33 +63,33 @@ TEST_CASE("Expectations on the page") {
   testing::Behavior avoid("avoid_obstacle");
   const elsie::Response response = avoid.respond(Situation().beam(15, 1.0).beam(-15, 0.2));
   CHECK_THAT(response, testing::turns_left() && testing::is_active() && testing::raises_nothing());
-  CHECK_THAT(response, !testing::commands(20, 20, 0.5));
+  CHECK_THAT(response, !testing::commands_wheels(20, 20, 0.5));
 }
 
 TEST_CASE("Members on the page") {
   testing::Team team;
-  team.member("avoid", 2, testing::active(0.5, {10, -10}))
+  team.member("avoid", 2, testing::active(0.5, testing::wheels(10, -10)))
       .member("seek", 1, [](const elsie::Perception& now) {
-        return elsie::Response(elsie::MotorCommand{now.time_s(), now.time_s()});
+        return elsie::Response(elsie::Motion{0.1 * now.time_s(), 0.0, 0.0});
       });
   testing::Coordinator arbiter("arbiter_suppression", team);
-  CHECK(arbiter.decide() == elsie::MotorCommand{10, -10});
+  CHECK_THAT(arbiter.decide(), testing::commands_wheels(10, -10));
   CHECK(team.trace("seek").reason == std::string("suppressed"));
   CHECK(team.asked("seek") == 0);
 }
 
 TEST_CASE("A coordinator that asks further gets the answers given to its members") {
-  const auto likes_to_turn_left = [](const elsie::MotorCommand& command) {
-    return command.right > command.left ? 1.0 : 0.2;
+  const auto likes_to_turn_left = [](const elsie::Motion& command) {
+    return command.turn > 0.0 ? 1.0 : 0.2;
   };
   testing::Team team;
-  team.member("cautious", 1, testing::active(1, {5, 10})).rating(likes_to_turn_left);
-  team.member("lazy", 1, testing::active(1, {0, 0}))
+  team.member("cautious", 1, testing::active(1, testing::wheels(5, 10))).rating(likes_to_turn_left);
+  team.member("lazy", 1, testing::active(1, {}))
       .sets({elsie::FuzzySet::triangle(0, 2), elsie::FuzzySet::triangle(0, 2)});
   testing::Coordinator vote("arbiter_voting", team);
-  const elsie::MotorCommand command = vote.decide();
-  CHECK(command.right > command.left);
-  const std::vector<double> inside_a_behavior = vote.rate({{0, 10}, {10, 0}});
+  CHECK_THAT(vote.decide(), testing::turns_left());
+  const std::vector<double> inside_a_behavior =
+      vote.rate({testing::wheels(0, 10), testing::wheels(10, 0)});
   CHECK(inside_a_behavior[0] > inside_a_behavior[1]);
 }
 

@@ -96,13 +96,13 @@ class Clash final : public Behavior {
 
 class Pick final : public Coordinator {
  public:
-  MotorCommand coordinate(std::span<Member>, const Perception&) override { return {}; }
+  Motion coordinate(std::span<Member>, const Perception&) override { return {}; }
 };
 
 class Sum final : public Coordinator {
  public:
   bool weighted = false;
-  MotorCommand coordinate(std::span<Member>, const Perception&) override { return {}; }
+  Motion coordinate(std::span<Member>, const Perception&) override { return {}; }
 };
 
 // Elements of two lists, one of them with defaults.
@@ -144,7 +144,7 @@ struct Inhibit {
 class Layers final : public Coordinator {
  public:
   std::vector<std::variant<Suppress, Inhibit>> links;
-  MotorCommand coordinate(std::span<Member>, const Perception&) override { return {}; }
+  Motion coordinate(std::span<Member>, const Perception&) override { return {}; }
 };
 
 class Seek final : public Behavior {
@@ -168,7 +168,7 @@ class Blend final : public Behavior {
   Response respond(const Perception& now) override { return inside->respond(now); }
   void configured() override {
     // What it is given must be usable already.
-    std::vector<MotorCommand> candidates(1);
+    std::vector<Motion> candidates(1);
     std::vector<double> desirability(1, 0.5);
     inside->rate(candidates, desirability);
     for (const Rule& rule : rules) {

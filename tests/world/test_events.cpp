@@ -11,11 +11,11 @@ namespace {
 
 class Idle final : public Behavior {
  public:
-  Response respond(const Perception&) override { return MotorCommand{}; }
+  Response respond(const Perception&) override { return Motion{}; }
 };
 class First final : public Coordinator {
  public:
-  MotorCommand coordinate(std::span<Member>, const Perception&) override { return {}; }
+  Motion coordinate(std::span<Member>, const Perception&) override { return {}; }
 };
 
 /// What is wrong with a robot of these behaviours, under a coordinator that reacts to "alarm".

@@ -10,42 +10,50 @@ namespace {
 
 constexpr double kBumpWidth = 5.0;  // rad/s
 
-void rate_by_distance(const MotorCommand& command, std::span<const MotorCommand> candidates,
+void rate_by_distance(const OwnState& self, Motion command, std::span<const Motion> candidates,
                       std::span<double> desirability) {
+  if (!self.channels.lateral) {
+    command.lateral = 0.0;  // no candidate has what the drive cannot make
+  }
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const double left = (candidates[i].left - command.left) / kBumpWidth;
-    const double right = (candidates[i].right - command.right) / kBumpWidth;
-    desirability[i] = std::exp(-0.5 * (left * left + right * right));
+    desirability[i] = std::exp(-0.5 * self.wheels.distance_squared(candidates[i], command) /
+                               (kBumpWidth * kBumpWidth));
   }
 }
 
-CommandSets triangles_around(const MotorCommand& command) {
-  return {FuzzySet::triangle(command.left, kBumpWidth),
-          FuzzySet::triangle(command.right, kBumpWidth)};
+CommandSets triangles_around(const OwnState& self, const Motion& command) {
+  const WheelRates rates = self.wheels.wheel_rates(command);
+  CommandSets sets{FuzzySet::triangle(rates.left, kBumpWidth),
+                   FuzzySet::triangle(rates.right, kBumpWidth)};
+  if (self.channels.lateral) {
+    sets.lateral = FuzzySet::triangle(command.lateral, kBumpWidth * self.wheels.radius);
+  }
+  return sets;
 }
 
 }  // namespace
 
 void Behavior::equipped(const Perception&) {}
 
-void Behavior::rate(const Response& given, std::span<const MotorCommand> candidates,
-                    std::span<double> desirability) const {
-  rate_by_distance(given.command, candidates, desirability);
+void Behavior::rate(const Perception& now, const Response& given,
+                    std::span<const Motion> candidates, std::span<double> desirability) const {
+  rate_by_distance(now.self(), given.command, candidates, desirability);
 }
 
-CommandSets Behavior::command_sets(const Response& given) const {
-  return triangles_around(given.command);
+CommandSets Behavior::command_sets(const Perception& now, const Response& given) const {
+  return triangles_around(now.self(), given.command);
 }
 
 void Coordinator::equipped(std::span<const Member>, const Perception&) {}
 
-void Coordinator::rate(std::span<Member>, const MotorCommand& given,
-                       std::span<const MotorCommand> candidates, std::span<double> desirability) {
-  rate_by_distance(given, candidates, desirability);
+void Coordinator::rate(std::span<Member>, const Perception& now, const Motion& given,
+                       std::span<const Motion> candidates, std::span<double> desirability) {
+  rate_by_distance(now.self(), given, candidates, desirability);
 }
 
-CommandSets Coordinator::command_sets(std::span<Member>, const MotorCommand& given) {
-  return triangles_around(given);
+CommandSets Coordinator::command_sets(std::span<Member>, const Perception& now,
+                                      const Motion& given) {
+  return triangles_around(now.self(), given);
 }
 
 }  // namespace elsie

@@ -175,7 +175,7 @@ void check_values(const std::string& whose, const std::vector<ParameterDeclarati
 class NothingInside final : public Coordination {
  public:
   Response respond(const Perception&) override { return {}; }
-  void rate(std::span<const MotorCommand>, std::span<double> desirability) override {
+  void rate(std::span<const Motion>, std::span<double> desirability) override {
     std::fill(desirability.begin(), desirability.end(), 0.0);
   }
   CommandSets command_sets() override { return {}; }

@@ -139,8 +139,9 @@ std::span<const EventRecord> Simulation::events() const { return impl_->events_;
 std::size_t Simulation::robots() const { return impl_->robots_.size(); }
 RobotView Simulation::robot(std::size_t index) const {
   const Robot& robot = *impl_->robots_[index];
-  return {&robot.description(), &robot.state(),     robot.command(),    robot.members(),
-          robot.trace(),        robot.distance_m(), robot.collisions(), robot.empty()};
+  return {&robot.description(), &robot.state(),     robot.asked(),
+          robot.command(),      robot.members(),    robot.trace(),
+          robot.distance_m(),   robot.collisions(), robot.empty()};
 }
 std::size_t Simulation::sensors(std::size_t robot) const {
   return impl_->robots_[robot]->sensor_count();

@@ -15,7 +15,7 @@ class Hesitate final : public elsie::Behavior {
       nearest = std::min(nearest, beam->distance_m);
     }
     const double rate = speed * std::max(slowest, nearest / caution);
-    return elsie::MotorCommand{rate, rate};
+    return now.self().wheels.motion({rate, rate});
   }
 };
 

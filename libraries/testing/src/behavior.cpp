@@ -11,16 +11,16 @@ Response Inside::respond(const Perception&) {
   return answer;
 }
 
-void Inside::rate(std::span<const MotorCommand> candidates, std::span<double> desirability) {
+void Inside::rate(std::span<const Motion> candidates, std::span<double> desirability) {
   std::transform(candidates.begin(), candidates.end(), desirability.begin(),
-                 [&](const MotorCommand& candidate) {
+                 [&](const Motion& candidate) {
                    return candidate == answer.command ? answer.activation : 0.0;
                  });
 }
 
 CommandSets Inside::command_sets() {
-  return {FuzzySet::triangle(answer.command.left, 5.0),
-          FuzzySet::triangle(answer.command.right, 5.0)};
+  const WheelRates rates = WheelPair().wheel_rates(answer.command);
+  return {FuzzySet::triangle(rates.left, 5.0), FuzzySet::triangle(rates.right, 5.0)};
 }
 
 Behavior::Behavior(const std::string& name, const Settings& settings, const Elements& elements)

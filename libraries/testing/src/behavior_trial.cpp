@@ -11,17 +11,31 @@
 
 namespace elsie::testing {
 
-void Answer::add(const FuzzySet& set) {
-  for (const FuzzySet::Point& point : set.points) {
-    add("a point of its fuzzy sets", point.x);
-    add("a degree in its fuzzy sets", point.degree);
+void Answer::add(const CommandSets& sets) {
+  for (const FuzzySet* set : {&sets.left, &sets.right, &sets.lateral}) {
+    for (const FuzzySet::Point& point : set->points) {
+      add("a point of its fuzzy sets", point.x);
+      add("a degree in its fuzzy sets", point.degree);
+    }
   }
+}
+
+void Answer::add(const Motion& command) {
+  add("its forward speed", command.forward);
+  add("its lateral speed", command.lateral);
+  add("its turn", command.turn);
 }
 
 void require_finite(const char* what, double value) {
   if (!std::isfinite(value)) {
     throw Wrong(std::string(what) + " is " + number_text(value) + ", which is no finite number");
   }
+}
+
+void require_finite(const Motion& command) {
+  require_finite("its forward speed", command.forward);
+  require_finite("its lateral speed", command.lateral);
+  require_finite("its turn", command.turn);
 }
 
 void require_degree(const char* what, double value) {
@@ -37,7 +51,7 @@ void require_rating(std::span<const double> desirability) {
 }
 
 void require_sets(const CommandSets& sets) {
-  for (const FuzzySet* set : {&sets.left, &sets.right}) {
+  for (const FuzzySet* set : {&sets.left, &sets.right, &sets.lateral}) {
     double last = -std::numeric_limits<double>::infinity();
     for (const FuzzySet::Point& point : set->points) {
       require_finite("a point of its fuzzy sets", point.x);
@@ -51,9 +65,9 @@ void require_sets(const CommandSets& sets) {
   }
 }
 
-std::span<const MotorCommand> candidates() {
-  static constexpr std::array<MotorCommand, 5> kCandidates{
-      MotorCommand{0, 0}, {10, 10}, {-5, 5}, {20, -3}, {-1e3, 1e3}};
+std::span<const Motion> candidates() {
+  static constexpr std::array<Motion, 6> kCandidates{Motion{},        {0.2, 0, 0}, {0, 0, 2.2},
+                                                     {0.17, 0, -5.1}, {0, 0.1, 0}, {0, 0, 444}};
   return kCandidates;
 }
 
@@ -88,24 +102,22 @@ class BehaviorTrial final : public Trial {
     const Response response = behavior_.respond(now);
     answer.clear();
     tell(response, answer);
-    std::array<double, 5> desirability{};
-    behavior_->rate(response, candidates(), desirability);
+    std::vector<double> desirability(candidates().size());
+    const Perception perceived = now.perception();
+    behavior_->rate(perceived, response, candidates(), desirability);
     require_rating(desirability);
     for (const double degree : desirability) {
       answer.add("its rating of a candidate command", degree);
     }
-    const CommandSets sets = behavior_->command_sets(response);
+    const CommandSets sets = behavior_->command_sets(perceived, response);
     require_sets(sets);
-    answer.add(sets.left);
-    answer.add(sets.right);
+    answer.add(sets);
   }
 
  private:
   void tell(const Response& response, Answer& answer) const {
-    require_finite("its left wheel rate", response.command.left);
-    require_finite("its right wheel rate", response.command.right);
-    answer.add("its left wheel rate", response.command.left);
-    answer.add("its right wheel rate", response.command.right);
+    require_finite(response.command);
+    answer.add(response.command);
     const auto degree = [&](const char* what, double value) {
       require_degree(what, value);
       answer.add(what, value);
@@ -113,6 +125,7 @@ class BehaviorTrial final : public Trial {
     degree("its activation", response.activation);
     degree("its strength", response.strength);
     degree("its speed_strength", response.speed_strength);
+    degree("its lateral_strength", response.lateral_strength);
     degree("its turn_strength", response.turn_strength);
     answer.add("whether it asks to be charged", response.charge);
     for (const Event& event : response.events) {

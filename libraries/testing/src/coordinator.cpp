@@ -17,7 +17,7 @@ Coordinator::Coordinator(const Plugins& plugins, const std::string& name, Team& 
       object_(make<elsie::Coordinator>(plugins_, *declaration_, settings, elements,
                                        [](elsie::Coordinator&) {})) {}
 
-MotorCommand Coordinator::decide() {
+Motion Coordinator::decide() {
   if (!equipped_) {
     equip(now);
   }
@@ -28,31 +28,34 @@ MotorCommand Coordinator::decide() {
   return given_ = object_->coordinate(team_.members(), now.perception().with_random(random_));
 }
 
-MotorCommand Coordinator::decide(const Situation& situation) {
+Motion Coordinator::decide(const Situation& situation) {
   now = situation;
   return decide();
 }
 
-MotorCommand Coordinator::decide_at(double time_s) {
+Motion Coordinator::decide_at(double time_s) {
   now.time(time_s);
   return decide();
 }
 
-std::vector<MotorCommand> Coordinator::decide(const Sequence& sequence) {
-  std::vector<MotorCommand> commands;
+std::vector<Motion> Coordinator::decide(const Sequence& sequence) {
+  std::vector<Motion> commands;
   for (const Situation& instant : sequence.instants()) {
     commands.push_back(decide(instant));
   }
   return commands;
 }
 
-std::vector<double> Coordinator::rate(const std::vector<MotorCommand>& candidates) {
+std::vector<double> Coordinator::rate(const std::vector<Motion>& candidates) {
   std::vector<double> desirability(candidates.size());
-  object_->rate(team_.members(), given_, candidates, desirability);
+  object_->rate(team_.members(), now.perception().with_random(random_), given_, candidates,
+                desirability);
   return desirability;
 }
 
-CommandSets Coordinator::sets() { return object_->command_sets(team_.members(), given_); }
+CommandSets Coordinator::sets() {
+  return object_->command_sets(team_.members(), now.perception().with_random(random_), given_);
+}
 
 void Coordinator::reset(std::uint64_t seed) {
   seed_ = seed;

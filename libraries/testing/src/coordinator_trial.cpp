@@ -43,12 +43,10 @@ class CoordinatorTrial final : public Trial {
     for (std::size_t i = 0; i < team_.size(); ++i) {
       team_.answer(i) = input_.wishes[at][i];
     }
-    const MotorCommand command = coordinator_->decide(now);
+    const Motion command = coordinator_->decide(now);
     answer.clear();
-    require_finite("its left wheel rate", command.left);
-    require_finite("its right wheel rate", command.right);
-    answer.add("its left wheel rate", command.left);
-    answer.add("its right wheel rate", command.right);
+    require_finite(command);
+    answer.add(command);
     double shares = 0.0;
     for (const Member& member : team_.members()) {
       tell(member.trace, answer);
@@ -65,8 +63,7 @@ class CoordinatorTrial final : public Trial {
     }
     const CommandSets sets = coordinator_->sets();
     require_sets(sets);
-    answer.add(sets.left);
-    answer.add(sets.right);
+    answer.add(sets);
   }
 
  private:

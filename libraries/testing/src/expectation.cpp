@@ -8,19 +8,22 @@
 namespace elsie::testing {
 namespace {
 
-/// The rates of turning left and of driving forward: half the wheels' difference, and their mean.
-double turn(const Response& r) { return 0.5 * (r.command.right - r.command.left); }
-double drive(const Response& r) { return 0.5 * (r.command.right + r.command.left); }
-
 bool near(double value, double expected, double within) {
   return std::abs(value - expected) <= within;  // false for NaN
 }
 
+bool goes_nowhere(const Response& r, double than) {
+  return near(r.command.forward, 0.0, than) && near(r.command.lateral, 0.0, than);
+}
+
 }  // namespace
 
-std::string text(const MotorCommand& command) {
-  return "command (left " + number_text(command.left) + ", right " + number_text(command.right) +
-         ") rad/s";
+std::string text(const Motion& motion) {
+  constexpr int kDigits = 6;
+  return "command (forward " + number_text(motion.forward, kDigits) + " m/s, " +
+         (motion.lateral != 0.0 ? "lateral " + number_text(motion.lateral, kDigits) + " m/s, "
+                                : "") +
+         "turn " + number_text(motion.turn, kDigits) + " rad/s)";
 }
 
 std::string text(const Response& response) {
@@ -59,41 +62,55 @@ Expectation Expectation::operator!() const {
 }
 
 Expectation turns_left(double than) {
-  return {"turn left", [=](const Response& r) { return turn(r) > than; }};
+  return {"turn left", [=](const Response& r) { return r.command.turn > than; }};
 }
 
 Expectation turns_right(double than) {
-  return {"turn right", [=](const Response& r) { return turn(r) < -than; }};
+  return {"turn right", [=](const Response& r) { return r.command.turn < -than; }};
 }
 
 Expectation drives_straight_on(double than) {
-  return {"drive straight on",
-          [=](const Response& r) { return near(turn(r), 0.0, than) && drive(r) > than; }};
+  return {"drive straight on", [=](const Response& r) {
+            return near(r.command.turn, 0.0, than) && near(r.command.lateral, 0.0, than) &&
+                   r.command.forward > than;
+          }};
 }
 
 Expectation drives_forward(double than) {
-  return {"drive forward", [=](const Response& r) { return drive(r) > than; }};
+  return {"drive forward", [=](const Response& r) { return r.command.forward > than; }};
 }
 
 Expectation backs_up(double than) {
-  return {"back up", [=](const Response& r) { return drive(r) < -than; }};
+  return {"back up", [=](const Response& r) { return r.command.forward < -than; }};
 }
 
 Expectation turns_on_the_spot(double than) {
-  return {"turn on the spot",
-          [=](const Response& r) { return near(drive(r), 0.0, than) && std::abs(turn(r)) > than; }};
+  return {"turn on the spot", [=](const Response& r) {
+            return goes_nowhere(r, than) && std::abs(r.command.turn) > than;
+          }};
 }
 
 Expectation stands(double than) {
   return {"stand", [=](const Response& r) {
-            return near(r.command.left, 0.0, than) && near(r.command.right, 0.0, than);
+            return goes_nowhere(r, than) && near(r.command.turn, 0.0, than);
           }};
 }
 
-Expectation commands(double left, double right, double within) {
-  return {text(MotorCommand{left, right}) + " within " + number_text(within),
+Expectation commands(const Motion& motion, double within) {
+  return {text(motion) + " within " + number_text(within), [=](const Response& r) {
+            return near(r.command.forward, motion.forward, within) &&
+                   near(r.command.lateral, motion.lateral, within) &&
+                   near(r.command.turn, motion.turn, within);
+          }};
+}
+
+Expectation commands_wheels(double left, double right, double within, const WheelPair& wheels) {
+  return {"command wheel rates of " + number_text(left) + " and " + number_text(right) +
+              " rad/s within " + number_text(within),
           [=](const Response& r) {
-            return near(r.command.left, left, within) && near(r.command.right, right, within);
+            const WheelRates rates = wheels.wheel_rates(r.command);
+            return near(rates.left, left, within) && near(rates.right, right, within) &&
+                   r.command.lateral == 0.0;
           }};
 }
 

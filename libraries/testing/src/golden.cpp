@@ -104,26 +104,27 @@ std::vector<std::string> words(const std::string& line) {
 }  // namespace
 
 Trace record(Behavior& behavior, const Sequence& sequence) {
-  Trace trace{{"left", "right", "activation", "strength"}, {}};
+  Trace trace{{"forward", "lateral", "turn", "activation", "strength"}, {}};
   for (const Situation& now : sequence.instants()) {
     const Response r = behavior.respond(now);
-    trace.rows.push_back({now.time_s(),
-                          {r.command.left, r.command.right, r.activation, r.strength},
-                          joined(r.events)});
+    trace.rows.push_back(
+        {now.time_s(),
+         {r.command.forward, r.command.lateral, r.command.turn, r.activation, r.strength},
+         joined(r.events)});
   }
   return trace;
 }
 
 Trace record(Coordinator& coordinator, Team& team, const Sequence& sequence) {
-  Trace trace{{"left", "right"}, {}};
+  Trace trace{{"forward", "lateral", "turn"}, {}};
   for (const Member& member : team.members()) {
     trace.columns.push_back("share." + std::string(member.name()));
   }
   for (const Situation& now : sequence.instants()) {
-    const MotorCommand command = coordinator.decide(now);
+    const Motion command = coordinator.decide(now);
     Trace::Row& row = trace.rows.emplace_back();
     row.time_s = now.time_s();
-    row.values = {command.left, command.right};
+    row.values = {command.forward, command.lateral, command.turn};
     for (const Member& member : team.members()) {
       row.values.push_back(member.trace.share);
     }
@@ -135,7 +136,7 @@ Trace record(World& world, double seconds, double interval_s) {
   const simulation::Simulation& simulation = world.simulation();
   Trace trace;
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
-    for (const char* what : {".x", ".y", ".heading", ".left", ".right"}) {
+    for (const char* what : {".x", ".y", ".heading", ".forward", ".lateral", ".turn"}) {
       trace.columns.push_back(simulation.robot(i).description->id + what);
     }
   }
@@ -152,8 +153,8 @@ Trace record(World& world, double seconds, double interval_s) {
     for (std::size_t i = 0; i < simulation.robots(); ++i) {
       const simulation::RobotView robot = simulation.robot(i);
       const Pose& pose = robot.state->pose;
-      now.values.insert(now.values.end(), {pose.x, pose.y, pose.heading_rad, robot.command.left,
-                                           robot.command.right});
+      now.values.insert(now.values.end(), {pose.x, pose.y, pose.heading_rad, robot.command.forward,
+                                           robot.command.lateral, robot.command.turn});
     }
     for (; recorded < simulation.events().size(); ++recorded) {
       const simulation::EventRecord& event = simulation.events()[recorded];

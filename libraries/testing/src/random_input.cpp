@@ -58,8 +58,8 @@ Response random_wish(Random& random) {
 /// Changes a situation from one instant to the next, within what a body can do.
 void move(Situation& now, Random& random) {
   OwnState& self = now.self;
-  const double speed = std::clamp(self.speed_m_s + random.uniform(-0.1, 0.1), -0.5, 0.5);
-  const double turn = std::clamp(self.turn_rate_rad_s + random.uniform(-1.0, 1.0), -5.0, 5.0);
+  const double speed = std::clamp(self.moving.forward + random.uniform(-0.1, 0.1), -0.5, 0.5);
+  const double turn = std::clamp(self.moving.turn + random.uniform(-1.0, 1.0), -5.0, 5.0);
   now.moving(speed, turn);
   if (random.chance(0.02)) {
     now.at(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-180, 180));
@@ -68,7 +68,8 @@ void move(Situation& now, Random& random) {
   self.pose.y += speed * kPeriod * std::sin(self.pose.heading_rad);
   self.pose.heading_rad = wrap_angle(self.pose.heading_rad + turn * kPeriod);
   const double limit = self.max_wheel_rate();
-  self.commanded = {random.uniform(-limit, limit), random.uniform(-limit, limit)};
+  const double left = random.uniform(-limit, limit);
+  self.commanded = self.wheels.motion({left, random.uniform(-limit, limit)});
   self.energy =
       random.chance(0.05) ? random.uniform(1e-3, self.capacity) : std::max(1e-3, self.energy - 1.0);
   self.charging = now.team.charger && random.chance(0.2);

@@ -35,15 +35,16 @@ Scene random_world(int number, Random& random) {
 
 void move(ObservedRobot& robot, double step_s, bool decides, Random& random) {
   if (decides) {
-    robot.command = {random.uniform(-25, 25), random.uniform(-25, 25)};
+    const double left = random.uniform(-25, 25);
+    robot.command = robot.wheels.motion({left, random.uniform(-25, 25)});
+    robot.asked = robot.command;
   }
-  robot.wheel_rates = robot.command;
-  robot.speed_m_s = random.uniform(-0.5, 0.5);
-  robot.turn_rate_rad_s = random.uniform(-5, 5);
-  robot.pose.x += robot.speed_m_s * step_s * std::cos(robot.pose.heading_rad);
-  robot.pose.y += robot.speed_m_s * step_s * std::sin(robot.pose.heading_rad);
-  robot.pose.heading_rad = wrap_angle(robot.pose.heading_rad + robot.turn_rate_rad_s * step_s);
-  robot.distance_m += std::abs(robot.speed_m_s) * step_s;
+  robot.moving.forward = random.uniform(-0.5, 0.5);
+  robot.moving.turn = random.uniform(-5, 5);
+  robot.pose.x += robot.moving.forward * step_s * std::cos(robot.pose.heading_rad);
+  robot.pose.y += robot.moving.forward * step_s * std::sin(robot.pose.heading_rad);
+  robot.pose.heading_rad = wrap_angle(robot.pose.heading_rad + robot.moving.turn * step_s);
+  robot.distance_m += std::abs(robot.moving.forward) * step_s;
   robot.energy_used += 0.03;
   robot.energy = std::max(0.0, robot.energy - 0.03);
   robot.collisions += random.chance(0.05) ? 1 : 0;
@@ -64,7 +65,7 @@ struct Cast {
 };
 
 /// Gives shares to some behaviours at each level; the shares add up to 1 or 0.
-void decide(Scene& scene, const Cast& cast, const MotorCommand& command, Random& random) {
+void decide(Scene& scene, const Cast& cast, const Motion& command, Random& random) {
   std::vector<double> shares;
   std::map<int, double> sums;
   for (const int parent : cast.parents) {
@@ -77,7 +78,7 @@ void decide(Scene& scene, const Cast& cast, const MotorCommand& command, Random&
     behavior.share = sum > 0.0 ? shares[i] / sum : 0.0;
     behavior.asked = behavior.share > 0.0 || random.chance(0.5);
     behavior.activation = behavior.asked ? random.uniform() : 0.0;
-    behavior.command = behavior.asked ? command : MotorCommand{};
+    behavior.command = behavior.asked ? command : Motion{};
   }
 }
 

@@ -64,9 +64,7 @@ Situation& Situation::at(double x, double y, double heading_deg) {
 }
 
 Situation& Situation::moving(double speed_m_s, double turn_rate_rad_s) {
-  self.speed_m_s = speed_m_s;
-  self.turn_rate_rad_s = turn_rate_rad_s;
-  self.wheel_rates = self.command_for(speed_m_s, turn_rate_rad_s);
+  self.moving = {speed_m_s, 0.0, turn_rate_rad_s};
   return *this;
 }
 

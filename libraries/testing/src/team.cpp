@@ -8,7 +8,7 @@
 
 namespace elsie::testing {
 
-Response active(double activation, const MotorCommand& command) {
+Response active(double activation, const Motion& command) {
   Response response(command);
   response.activation = activation;
   return response;
@@ -29,7 +29,7 @@ Team& Team::member(const std::string& name, double priority, Script script) {
   return *this;
 }
 
-Team& Team::rating(std::function<double(const MotorCommand&)> rating) {
+Team& Team::rating(std::function<double(const Motion&)> rating) {
   slots_.at(slots_.size() - 1).behavior.rating = std::move(rating);
   return *this;
 }
@@ -68,17 +68,17 @@ Response MadeUp::respond(const Perception& now) {
   return script ? script(now) : answer;
 }
 
-void MadeUp::rate(const Response& given, std::span<const MotorCommand> candidates,
+void MadeUp::rate(const Perception& now, const Response& given, std::span<const Motion> candidates,
                   std::span<double> desirability) const {
   if (rating) {
     std::transform(candidates.begin(), candidates.end(), desirability.begin(), rating);
   } else {
-    Behavior::rate(given, candidates, desirability);
+    Behavior::rate(now, given, candidates, desirability);
   }
 }
 
-CommandSets MadeUp::command_sets(const Response& given) const {
-  return sets ? *sets : Behavior::command_sets(given);
+CommandSets MadeUp::command_sets(const Perception& now, const Response& given) const {
+  return sets ? *sets : Behavior::command_sets(now, given);
 }
 
 const Response& Team::run(Member& member) {
@@ -86,13 +86,13 @@ const Response& Team::run(Member& member) {
   return slot.last = slot.behavior.respond(now_->perception());
 }
 
-void Team::rate(Member& member, std::span<const MotorCommand> candidates,
+void Team::rate(Member& member, std::span<const Motion> candidates,
                 std::span<double> desirability) {
-  slot_of(member).behavior.rate(member.respond(), candidates, desirability);
+  slot_of(member).behavior.rate(now_->perception(), member.respond(), candidates, desirability);
 }
 
 CommandSets Team::command_sets(Member& member) {
-  return slot_of(member).behavior.command_sets(member.respond());
+  return slot_of(member).behavior.command_sets(now_->perception(), member.respond());
 }
 
 }  // namespace elsie::testing

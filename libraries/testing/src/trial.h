@@ -29,7 +29,8 @@ struct Answer {
     events.clear();
   }
   void add(const char* name, double value) { numbers.push_back({name, value}); }
-  void add(const FuzzySet& set);
+  void add(const CommandSets& sets);
+  void add(const Motion& command);
 };
 
 /// Thrown for a wrong answer; what() continues "in step 3 ".
@@ -93,8 +94,9 @@ void require_finite(const char* what, double value);
 void require_degree(const char* what, double value);
 void require_rating(std::span<const double> desirability);
 void require_sets(const CommandSets& sets);
+void require_finite(const Motion& command);
 
 /// Commands to be rated; the same for all trials.
-std::span<const MotorCommand> candidates();
+std::span<const Motion> candidates();
 
 }  // namespace elsie::testing

@@ -11,11 +11,13 @@ class Blend final : public elsie::Behavior {
 
   // The inner behaviours' ratings are passed outwards before any decision: an outer fusion should
   // not work on a command that an inner one has made of many wishes.
-  void rate(const elsie::Response& /*given*/, std::span<const elsie::MotorCommand> candidates,
+  void rate(const elsie::Perception& /*now*/, const elsie::Response& /*given*/,
+            std::span<const elsie::Motion> candidates,
             std::span<double> desirability) const override {
     inside->rate(candidates, desirability);
   }
-  elsie::CommandSets command_sets(const elsie::Response& /*given*/) const override {
+  elsie::CommandSets command_sets(const elsie::Perception& /*now*/,
+                                  const elsie::Response& /*given*/) const override {
     return inside->command_sets();
   }
 };

@@ -47,10 +47,10 @@ class Braitenberg final : public elsie::Behavior {
   }
 
   elsie::Response respond(const elsie::Perception& now) override {
-    elsie::MotorCommand command{base, base};
+    elsie::WheelRates rates{base, base};
     std::size_t i = 0;
     const auto excite = [&](double excitation) {
-      command += elsie::MotorCommand{excitation * matrix_[i], excitation * matrix_[i + 1]};
+      rates += elsie::WheelRates{excitation * matrix_[i], excitation * matrix_[i + 1]};
       i += 2;
     };
     for (const auto& sensor : now.readings<elsie::RangeReading>()) {
@@ -59,7 +59,7 @@ class Braitenberg final : public elsie::Behavior {
     for (const auto& sensor : now.readings<elsie::ProximityReading>()) {
       excite(sensor->detected ? 1.0 : 0.0);
     }
-    return command;
+    return now.self().wheels.motion(rates);
   }
 
  private:

@@ -35,7 +35,7 @@ class Approach : public elsie::Behavior {
  protected:
   explicit Approach(double stop_distance_m) : stop_distance(stop_distance_m) {}
 
-  elsie::MotorCommand towards(double distance_m, double bearing_rad) const {
+  elsie::WheelRates towards(double distance_m, double bearing_rad) const {
     if (distance_m < stop_distance) {
       return {};
     }

@@ -62,12 +62,12 @@ std::vector<std::string> BeamSteering::notes() const {
 
 elsie::Response BeamSteering::respond(const elsie::Perception& now) {
   beams_.clear();
-  elsie::MotorCommand sum, nearest;
+  elsie::WheelRates sum, nearest;
   double nearest_m = 0.0;
   double activation = 0.0;
   for (const auto& beam : now.readings<elsie::RangeReading>()) {
     const elsie::Vector2 seen{beam->distance_m, elsie::degrees(beam.azimuth_rad())};
-    const elsie::MotorCommand wish{left_->speed(seen.x, seen.y), right_->speed(seen.x, seen.y)};
+    const elsie::WheelRates wish{left_->speed(seen.x, seen.y), right_->speed(seen.x, seen.y)};
     sum += wish;
     if (concerns(beam.azimuth_rad()) && beam->hit && beam->max_range_m > 0.0) {
       activation = std::max(activation, 1.0 - beam->distance_m / beam->max_range_m);
@@ -82,14 +82,16 @@ elsie::Response BeamSteering::respond(const elsie::Perception& now) {
   response.activation = std::clamp(activation, 0.0, 1.0);  // noise may give negative readings
   if (!beams_.empty()) {
     const double beams = static_cast<double>(beams_.size());
-    response.command = nearest_counts_twice_ ? (sum + nearest) / (beams + 1.0) : sum / beams;
+    response.command = now.self().wheels.motion(
+        nearest_counts_twice_ ? (sum + nearest) / (beams + 1.0) : sum / beams);
   }
   return response;
 }
 
-elsie::CommandSets BeamSteering::command_sets(const elsie::Response& given) const {
+elsie::CommandSets BeamSteering::command_sets(const elsie::Perception& now,
+                                              const elsie::Response& given) const {
   if (beams_.empty()) {
-    return Behavior::command_sets(given);
+    return Behavior::command_sets(now, given);
   }
   elsie::CommandSets sets;
   for (const elsie::Vector2& beam : beams_) {

@@ -48,7 +48,8 @@ class BeamSteering : public elsie::Behavior {
   std::vector<std::string> notes() const override;
   elsie::Response respond(const elsie::Perception& now) override;
   /// For each wheel, the union of its controller's output sets over all beams.
-  elsie::CommandSets command_sets(const elsie::Response& given) const override;
+  elsie::CommandSets command_sets(const elsie::Perception& now,
+                                  const elsie::Response& given) const override;
 
  protected:
   BeamSteering(const char* left, const char* right, bool nearest_counts_twice)

@@ -75,7 +75,7 @@ class Escape final : public elsie::Behavior, public elsie::Remembers {
       events.push_back({"stuck"});
     }
     proceed(now, events);
-    elsie::Response response = phase_ == Phase::none ? inactive() : command(now.self());
+    elsie::Response response = phase_ == Phase::none ? inactive() : command();
     response.events = std::move(events);
     return response;
   }
@@ -90,9 +90,8 @@ class Escape final : public elsie::Behavior, public elsie::Remembers {
 
   void begin(const elsie::Perception& now) {
     attempts_ = now.time_s() - ended_s_ < kSameTrap ? attempts_ + 1 : 0;
-    const elsie::MotorCommand& commanded = now.self().commanded;
     // Back to where it came from, or the other way if that has just failed.
-    way_ = commanded.left + commanded.right < 0.0 ? 1.0 : -1.0;
+    way_ = now.self().commanded.forward < 0.0 ? 1.0 : -1.0;
     way_ = attempts_ % 2 == 0 ? way_ : -way_;
     const double distance = back_distance * now.random().uniform(0.5, 1.5);
     const double angle = elsie::radians(now.random().uniform(turn_min, turn_max));
@@ -135,9 +134,9 @@ class Escape final : public elsie::Behavior, public elsie::Remembers {
     }
   }
 
-  elsie::MotorCommand command(const elsie::OwnState& self) const {
-    return phase_ == Phase::back ? self.command_for(way_ * back_speed, 0.0)
-                                 : self.command_for(0.0, side_ * turn_rate);
+  elsie::Motion command() const {
+    return phase_ == Phase::back ? elsie::Motion{way_ * back_speed, 0.0, 0.0}
+                                 : elsie::Motion{0.0, 0.0, side_ * turn_rate};
   }
 
   StuckWatch watch_;

@@ -60,30 +60,30 @@ class StuckWatch {
   static constexpr double kMemory = 1.0;     // s, of a collision
   static constexpr double kRounding = 1e-9;  // s; times are sums of steps
 
-  struct Motion {
-    double forward = 0.0;  // m/s
-    double turning = 0.0;  // m/s, of the wheels along their circle
-  };
-
-  static Motion commanded(const elsie::OwnState& self) {
-    return {0.5 * self.wheel_radius_m * (self.commanded.left + self.commanded.right),
-            0.5 * self.wheel_radius_m * (self.commanded.right - self.commanded.left)};
+  /// The speed that is commanded, whatever its direction, m/s.
+  static double speed(const elsie::Motion& motion) {
+    return std::hypot(motion.forward, motion.lateral);
+  }
+  /// The speed of the wheels along their circle in a turn on the spot, m/s.
+  static double turning_speed(const elsie::OwnState& self) {
+    return self.wheels.half_axle * std::abs(self.commanded.turn);
   }
 
   bool wants_to_move(const elsie::OwnState& self) const {
-    const Motion wish = commanded(self);
-    return std::max(std::abs(wish.forward), std::abs(wish.turning)) >= settings_.least_speed;
+    return std::max(speed(self.commanded), turning_speed(self)) >= settings_.least_speed;
   }
 
   /// Whether the robot moves less than it should: along its way, or around when it turns on the
   /// spot.
   bool is_held(const elsie::OwnState& self) const {
-    const Motion wish = commanded(self);
-    if (std::abs(wish.forward) >= settings_.least_speed) {
-      return self.speed_m_s / wish.forward < settings_.moving;
+    const elsie::Motion& wish = self.commanded;
+    const double wished = speed(wish);
+    if (wished >= settings_.least_speed) {
+      const double along = wish.forward * self.moving.forward + wish.lateral * self.moving.lateral;
+      return along / (wished * wished) < settings_.moving;
     }
-    return std::abs(wish.turning) >= settings_.least_speed &&
-           self.turn_rate_rad_s * self.half_axle_m / wish.turning < settings_.moving;
+    return turning_speed(self) >= settings_.least_speed &&
+           self.moving.turn / wish.turn < settings_.moving;
   }
 
   bool makes_no_progress(const elsie::Perception& now) {

@@ -32,10 +32,10 @@ class FindResource final : public elsie::Behavior, public elsie::Remembers {
     elsie::Response response;
     if (nearest) {
       const Target target = look(*nearest);
-      response.command = steer(target.column, target.fov_deg);
+      response.command = now.self().wheels.motion(steer(target.column, target.fov_deg));
       response.activation = 0.5 + 0.5 * target.size;
     } else if (!views.empty()) {
-      response.command = steer(search_column, fov_of(views[0]));
+      response.command = now.self().wheels.motion(steer(search_column, fov_of(views[0])));
       response.activation = search_activation;
     }
     watch(nearest.has_value(), now.time_s(), response);
@@ -83,7 +83,7 @@ class FindResource final : public elsie::Behavior, public elsie::Remembers {
     return {column, fov_deg, std::clamp(std::sqrt(view->area_px / pixels), 0.0, 1.0)};
   }
 
-  elsie::MotorCommand steer(double column, double fov_deg) const {
+  elsie::WheelRates steer(double column, double fov_deg) const {
     if (std::abs(column) > turn_above) {
       const double rate = gain * column / fov_deg;
       return {rate, -rate};

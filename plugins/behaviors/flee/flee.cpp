@@ -51,7 +51,7 @@ class Flee final : public elsie::Behavior, public elsie::Remembers {
     const Threat threat = perceive(now);
     elsie::Response response = inactive();
     if (threat.nearness > 0.0) {
-      response = run_from(threat, now.self());
+      response = run_from(threat);
       response.activation = threat.nearness;
     } else {
       turns_left_ = 0;
@@ -99,7 +99,7 @@ class Flee final : public elsie::Behavior, public elsie::Remembers {
     return std::clamp((sphere - distance_m) / (sphere - margin), 0.0, 1.0);
   }
 
-  elsie::MotorCommand run_from(const Threat& threat, const elsie::OwnState& self) {
+  elsie::Motion run_from(const Threat& threat) {
     // Pushes that cancel each other add to the most open direction: between two threats the robot
     // runs out sideways instead of standing still.
     const double left_over =
@@ -117,7 +117,7 @@ class Flee final : public elsie::Behavior, public elsie::Remembers {
       off += 2.0 * std::numbers::pi * turns_left_;
     }
     const double forward = speed * threat.nearness * std::max(0.0, std::cos(off));
-    return self.command_for(forward, gain * off);
+    return {forward, 0.0, gain * off};
   }
 
   bool alarmed_ = false;

@@ -19,7 +19,7 @@ class FollowTheLeader final : public Approach, public elsie::Remembers {
     const elsie::TeamMate* leader = now.self().is_leader ? nullptr : now.team().leader();
     elsie::Response response = inactive();
     if (leader) {
-      response = towards(leader->distance_m, leader->bearing_rad);
+      response = now.self().wheels.motion(towards(leader->distance_m, leader->bearing_rad));
       response.activation = std::min(1.0, leader->distance_m / far_distance);
     }
     if (led_ != (leader != nullptr)) {

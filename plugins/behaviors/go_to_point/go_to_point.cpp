@@ -33,7 +33,7 @@ class GoToPoint final : public elsie::Behavior, public elsie::Remembers {
     // turns in place.
     const double off = elsie::bearing(self.pose, x, y);
     const double forward = speed * std::max(0.0, std::cos(off)) * std::min(1.0, away / slow_down);
-    response.command = self.command_for(forward, gain * off);
+    response.command = {forward, 0.0, gain * off};
     return response;
   }
 

@@ -94,8 +94,8 @@ class KeepFormation final : public elsie::Behavior, public elsie::Remembers {
     const elsie::Vector2 wanted{velocity_->x + pull * off.x, velocity_->y + pull * off.y};
     elsie::Response response;
     if (zone == 0.0 && std::hypot(wanted.x, wanted.y) < kStanding) {
-      response = self.command_for(
-          0.0, gain * elsie::wrap_angle(leader.pose.heading_rad - self.pose.heading_rad));
+      response.command.turn =
+          gain * elsie::wrap_angle(leader.pose.heading_rad - self.pose.heading_rad);
     } else {
       response = drive(wanted, zone >= 1.0, self);
     }
@@ -137,8 +137,8 @@ class KeepFormation final : public elsie::Behavior, public elsie::Remembers {
 
   /// Drives with a wanted velocity. Near its place the robot backs up to points behind it instead
   /// of turning around.
-  elsie::MotorCommand drive(const elsie::Vector2& wanted, bool is_far,
-                            const elsie::OwnState& self) const {
+  elsie::Motion drive(const elsie::Vector2& wanted, bool is_far,
+                      const elsie::OwnState& self) const {
     double off = elsie::wrap_angle(std::atan2(wanted.y, wanted.x) - self.pose.heading_rad);
     double forward = std::hypot(wanted.x, wanted.y) * std::cos(off);
     if (forward < 0.0) {
@@ -148,7 +148,7 @@ class KeepFormation final : public elsie::Behavior, public elsie::Remembers {
         off = elsie::wrap_angle(off + std::numbers::pi);
       }
     }
-    return self.command_for(forward, gain * off);
+    return {forward, 0.0, gain * off};
   }
 
   bool led_ = false;

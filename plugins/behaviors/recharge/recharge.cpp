@@ -50,9 +50,9 @@ class Recharge final : public Approach, public elsie::Remembers {
   elsie::Response respond(const elsie::Perception& now) override {
     std::vector<elsie::Event> events;
     decide_status(now, events);
-    elsie::Response response = inactive({idle_speed, idle_speed});
+    elsie::Response response = inactive(now.self().wheels.motion({idle_speed, idle_speed}));
     if (status_ == Status::seeking) {
-      response = towards(distance_m_, bearing_rad_);
+      response = now.self().wheels.motion(towards(distance_m_, bearing_rad_));
       response.activation = urgency(now.self());
     } else if (status_ == Status::charging) {
       response = elsie::Response();

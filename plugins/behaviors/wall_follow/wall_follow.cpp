@@ -86,7 +86,7 @@ class WallFollow final : public elsie::Behavior, public elsie::Remembers {
     sight_.look(now, before == State::following ? kHold * reach : reach);
     const auto wall = sight_.wall();
     state_ = next(before, wall.has_value(), now.self());
-    elsie::Response response = act(wall, now.self());
+    elsie::Response response = act(wall);
     if (before == State::searching && state_ != State::searching) {
       response.events.push_back({"wall_found"});
     } else if (before != State::searching && state_ == State::searching) {
@@ -123,32 +123,32 @@ class WallFollow final : public elsie::Behavior, public elsie::Remembers {
     return rounded_rad_ >= kLost ? State::searching : State::rounding;
   }
 
-  elsie::Response act(const std::optional<WallSight::Wall>& wall, const elsie::OwnState& self) {
+  elsie::Response act(const std::optional<WallSight::Wall>& wall) {
     switch (state_) {
       case State::following:
-        return pursue(*wall, self);
+        return pursue(*wall);
       case State::turning:
-        return self.command_for(0.0, -towards_wall() * turn_rate);
+        return elsie::Motion{0.0, 0.0, -towards_wall() * turn_rate};
       case State::rounding:
-        return drive(speed / distance, self);
+        return drive(speed / distance);
       case State::searching:
         break;
     }
-    return inactive(self.command_for(speed, 0.0));
+    return inactive({speed, 0.0, 0.0});
   }
 
   /// Steers to the point on the wanted line that is `lookahead` ahead of the robot's position along
   /// it.
-  elsie::Response pursue(const WallSight::Wall& wall, const elsie::OwnState& self) {
+  elsie::Response pursue(const WallSight::Wall& wall) {
     const double error = wall.distance - distance;
     is_beside_ = wall.distance <= 0.5 * (distance + reach);
     const double x = lookahead * wall.along.x - error * wall.along.y;
     const double y = lookahead * wall.along.y + error * wall.along.x;
     elsie::Response response;
     if (x <= 0.0) {
-      response = self.command_for(0.0, (y > 0.0 ? 1.0 : -1.0) * towards_wall() * turn_rate);
+      response.command.turn = (y > 0.0 ? 1.0 : -1.0) * towards_wall() * turn_rate;
     } else {
-      response = drive(speed * 2.0 * y / (x * x + y * y), self);
+      response = drive(speed * 2.0 * y / (x * x + y * y));
     }
     response.activation = 0.5 + 0.5 * std::min(1.0, std::abs(error) / distance);
     return response;
@@ -156,9 +156,9 @@ class WallFollow final : public elsie::Behavior, public elsie::Remembers {
 
   /// Drives ahead and turns towards the wall's side at this rate (rad/s); slower if the turn would
   /// be too fast.
-  elsie::MotorCommand drive(double turn, const elsie::OwnState& self) const {
+  elsie::Motion drive(double turn) const {
     const double scale = std::min(1.0, turn_rate / std::max(1e-9, std::abs(turn)));
-    return self.command_for(scale * speed, scale * towards_wall() * turn);
+    return {scale * speed, 0.0, scale * towards_wall() * turn};
   }
 
   double towards_wall() const { return side == "left" ? 1.0 : -1.0; }

@@ -14,7 +14,7 @@ class Wander final : public elsie::Behavior, public elsie::Remembers {
     if (now.random().chance(restlessness * now.period_s())) {
       bias_ = now.random().uniform(-turn, turn);
     }
-    return elsie::MotorCommand{speed - bias_, speed + bias_};
+    return now.self().wheels.motion({speed - bias_, speed + bias_});
   }
 
   void reset(elsie::Random&) override { bias_ = 0.0; }

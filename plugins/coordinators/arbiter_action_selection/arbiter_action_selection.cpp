@@ -25,8 +25,8 @@ class ArbiterActionSelection final : public WinnerTakesAll, public elsie::Rememb
     memory("since_s", since_s_);
   }
 
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception& now) override {
+  elsie::Motion coordinate(std::span<elsie::Member> members,
+                           const elsie::Perception& now) override {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < members.size(); ++i) {
       const double level = level_of(members[i]);
@@ -52,7 +52,7 @@ class ArbiterActionSelection final : public WinnerTakesAll, public elsie::Rememb
     } else if (winner_ != best) {
       since_s_ = now.time_s();
     }
-    const elsie::MotorCommand command = let_decide(members, winner, reason, "lower activation");
+    const elsie::Motion command = let_decide(members, winner, reason, "lower activation");
     for (elsie::Member& member : members) {
       if (&member != &members[winner]) {
         note_loser(member, level_of(members[winner]));

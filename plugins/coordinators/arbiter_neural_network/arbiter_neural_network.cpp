@@ -9,16 +9,16 @@ namespace {
 
 class ArbiterNeuralNetwork final : public WithPriorityNetwork<WinnerTakesAll> {
  public:
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception& now) override {
+  elsie::Motion coordinate(std::span<elsie::Member> members,
+                           const elsie::Perception& now) override {
     if (members.empty()) {
       return nobody(members, "");
     }
     const std::span<const double> priority = priorities(now);
     // The first of equally large ones.
     const auto winner = std::max_element(priority.begin(), priority.end()) - priority.begin();
-    const elsie::MotorCommand command = let_decide(members, static_cast<std::size_t>(winner),
-                                                   "largest priority", "smaller priority");
+    const elsie::Motion command = let_decide(members, static_cast<std::size_t>(winner),
+                                             "largest priority", "smaller priority");
     for (std::size_t i = 0; i < members.size(); ++i) {
       members[i].trace.weight = priority[i];
     }

@@ -77,28 +77,27 @@ class ArbiterSubsumption final : public WinnerTakesAll, public elsie::Remembers 
   }
   void remember(elsie::Memory& memory) override;
 
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception& now) override;
+  elsie::Motion coordinate(std::span<elsie::Member> members, const elsie::Perception& now) override;
 
-  void rate(std::span<elsie::Member> members, const elsie::MotorCommand& given,
-            std::span<const elsie::MotorCommand> candidates,
+  void rate(std::span<elsie::Member> members, const elsie::Perception& now,
+            const elsie::Motion& given, std::span<const elsie::Motion> candidates,
             std::span<double> desirability) override {
     if (held_) {
-      Coordinator::rate(members, given, candidates, desirability);
+      Coordinator::rate(members, now, given, candidates, desirability);
     } else {
-      WinnerTakesAll::rate(members, given, candidates, desirability);
+      WinnerTakesAll::rate(members, now, given, candidates, desirability);
     }
   }
-  elsie::CommandSets command_sets(std::span<elsie::Member> members,
-                                  const elsie::MotorCommand& given) override {
-    return held_ ? Coordinator::command_sets(members, given)
-                 : WinnerTakesAll::command_sets(members, given);
+  elsie::CommandSets command_sets(std::span<elsie::Member> members, const elsie::Perception& now,
+                                  const elsie::Motion& given) override {
+    return held_ ? Coordinator::command_sets(members, now, given)
+                 : WinnerTakesAll::command_sets(members, now, given);
   }
 
  private:
   /// A signal on a line: a command and the layer that it comes from.
   struct Signal {
-    elsie::MotorCommand command;
+    elsie::Motion command;
     std::size_t source;
     bool held;  // the last signal of a source that is silent now
   };
@@ -137,16 +136,17 @@ void ArbiterSubsumption::remember(elsie::Memory& memory) {
         layers_[node.by] + (node.suppresses ? " suppresses " : " inhibits ") + layers_[node.of];
     std::optional<std::vector<double>> held;
     if (node.last) {
-      held = {node.last->command.left, node.last->command.right, node.last_s};
+      const elsie::Motion& command = node.last->command;
+      held = {command.forward, command.lateral, command.turn, node.last_s};
     }
     memory(name, held);
     std::string source = node.last ? layers_[node.last->source] : "";
     memory(name + " from", source);
     const auto from = std::find(layers_.begin(), layers_.end(), source);
-    if (memory.recalls() && held && held->size() == 3 && from != layers_.end()) {
+    if (memory.recalls() && held && held->size() == 4 && from != layers_.end()) {
       const auto layer = static_cast<std::size_t>(from - layers_.begin());
-      node.last = Signal{{(*held)[0], (*held)[1]}, layer, false};
-      node.last_s = (*held)[2];
+      node.last = Signal{{(*held)[0], (*held)[1], (*held)[2]}, layer, false};
+      node.last_s = (*held)[3];
     }
   }
 }
@@ -169,8 +169,8 @@ std::optional<ArbiterSubsumption::Signal> ArbiterSubsumption::tapped(Node& node,
   return std::nullopt;
 }
 
-elsie::MotorCommand ArbiterSubsumption::coordinate(std::span<elsie::Member> members,
-                                                   const elsie::Perception& now) {
+elsie::Motion ArbiterSubsumption::coordinate(std::span<elsie::Member> members,
+                                             const elsie::Perception& now) {
   if (members.size() != layers_.size()) {
     equipped(members, now);
   }
@@ -213,7 +213,7 @@ elsie::MotorCommand ArbiterSubsumption::coordinate(std::span<elsie::Member> memb
     held_ = lines_[0]->held;
   }
   trace(members);
-  return lines_[0] ? lines_[0]->command : elsie::MotorCommand{};
+  return lines_[0] ? lines_[0]->command : elsie::Motion{};
 }
 
 void ArbiterSubsumption::trace(std::span<elsie::Member> members) const {

@@ -5,8 +5,7 @@ namespace {
 
 class ArbiterSuppression final : public WinnerTakesAll {
  public:
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception&) override {
+  elsie::Motion coordinate(std::span<elsie::Member> members, const elsie::Perception&) override {
     if (members.empty()) {
       return nobody(members, "");
     }

@@ -17,6 +17,7 @@ namespace {
 struct Candidate {
   double left = 0.0;
   double right = 0.0;
+  double lateral = 0.0;
 };
 
 class ArbiterVoting final : public elsie::Coordinator, public elsie::Remembers {
@@ -24,6 +25,7 @@ class ArbiterVoting final : public elsie::Coordinator, public elsie::Remembers {
   std::string set = "wheels";
   int steps = 21;
   int speeds = 4;
+  int laterals = 5;
   double max_rate = 0.0;
   double smoothing = 0.0;
   bool interpolate = true;
@@ -40,16 +42,17 @@ class ArbiterVoting final : public elsie::Coordinator, public elsie::Remembers {
   }
   void reset(elsie::Random&) override { forget(); }
   void remember(elsie::Memory& memory) override {
-    memory("last.left", last_.left);
-    memory("last.right", last_.right);
+    memory("last.forward", last_.forward);
+    memory("last.lateral", last_.lateral);
+    memory("last.turn", last_.turn);
     memory("elected", elected_);
     if (elected_ && *elected_ >= candidates_.size()) {  // of another set of candidates
       elected_.reset();
     }
   }
 
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception& now) override {
+  elsie::Motion coordinate(std::span<elsie::Member> members,
+                           const elsie::Perception& now) override {
     build(now);
     if (weigh(members, rule_, "voted") <= 0.0) {
       forget();
@@ -75,13 +78,14 @@ class ArbiterVoting final : public elsie::Coordinator, public elsie::Remembers {
   }
 
   /// The mean vote.
-  void rate(std::span<elsie::Member> members, const elsie::MotorCommand& /*given*/,
-            std::span<const elsie::MotorCommand> candidates,
+  void rate(std::span<elsie::Member> members, const elsie::Perception& /*now*/,
+            const elsie::Motion& /*given*/, std::span<const elsie::Motion> candidates,
             std::span<double> desirability) override {
     outside_.rate(members, candidates, desirability);
   }
   elsie::CommandSets command_sets(std::span<elsie::Member> members,
-                                  const elsie::MotorCommand& /*given*/) override {
+                                  const elsie::Perception& /*now*/,
+                                  const elsie::Motion& /*given*/) override {
     return Desirability::sets(members);
   }
 
@@ -95,22 +99,25 @@ class ArbiterVoting final : public elsie::Coordinator, public elsie::Remembers {
   void build(const elsie::Perception& now) {
     const double robots = now.self().max_wheel_rate();
     const double limit = max_rate > 0.0 ? max_rate : robots;
-    desirability_.set_limit(std::min(limit, robots));
-    if (built_for_ == limit) {
+    const CommandSpace space(now.self());
+    desirability_.set_limit(space, std::min(limit, robots));
+    if (built_for_ == limit && space == space_) {
       return;
     }
     built_for_ = limit;
+    space_ = space;
     if (!listed.empty()) {
-      std::vector<elsie::MotorCommand> commands;
+      std::vector<elsie::Motion> commands;
       for (const Candidate& candidate : listed) {
-        commands.push_back({candidate.left, candidate.right});
+        commands.push_back(now.self().wheels.motion({candidate.left, candidate.right}));
+        commands.back().lateral = candidate.lateral;
       }
       candidates_ = Candidates::list(std::move(commands));
     } else {
-      candidates_ = set == "arcs" ? Candidates::arcs(limit, speeds, steps)
-                                  : Candidates::wheel_rates(limit, steps);
+      candidates_ = set == "arcs" ? Candidates::arcs(space, limit, speeds, steps)
+                                  : Candidates::wheel_rates(space, limit, steps, laterals);
     }
-    smoothing_.prepare(candidates_.commands(), smoothing);
+    smoothing_.prepare(space, candidates_.commands(), smoothing);
     votes_.resize(candidates_.size());
     elected_.reset();
   }
@@ -127,13 +134,15 @@ class ArbiterVoting final : public elsie::Coordinator, public elsie::Remembers {
     // In a tie, the one nearest to the last command, then the first.
     std::size_t best = votes_.size();
     for (std::size_t i = 0; i < votes_.size(); ++i) {
-      if (votes_[i] >= most * (1.0 - kEqual) &&
-          (best == votes_.size() || distance_squared(candidates_.commands()[i], last_) <
-                                        distance_squared(candidates_.commands()[best], last_))) {
+      if (votes_[i] >= most * (1.0 - kEqual) && (best == votes_.size() || away(i) < away(best))) {
         best = i;
       }
     }
     return best;
+  }
+
+  double away(std::size_t candidate) const {
+    return space_.distance_squared(candidates_.commands()[candidate], last_);
   }
 
   /// Moves uphill from candidate to candidate until no neighbour has more votes.
@@ -153,6 +162,7 @@ class ArbiterVoting final : public elsie::Coordinator, public elsie::Remembers {
   }
 
   ActivationRule rule_ = ActivationRule::scale;
+  CommandSpace space_;
   Candidates candidates_;
   Smoothing smoothing_;
   Desirability desirability_;
@@ -160,7 +170,7 @@ class ArbiterVoting final : public elsie::Coordinator, public elsie::Remembers {
   std::optional<double> built_for_;
   std::vector<double> votes_;           // mean over all members, in [0, 1]
   std::optional<std::size_t> elected_;  // the last winner
-  elsie::MotorCommand last_;
+  elsie::Motion last_;
 };
 
 }  // namespace
@@ -179,6 +189,11 @@ ELSIE_COORDINATOR(
                       .meaning = "how many rates of each wheel, or how many arcs of each speed"}),
     elsie::parameter("speeds", &ArbiterVoting::speeds,
                      {.min = 1, .max = 41, .meaning = "how many speeds the arcs are driven at"}),
+    elsie::parameter("laterals", &ArbiterVoting::laterals,
+                     {.min = 1,
+                      .max = 11,
+                      .meaning = "how many lateral speeds for each pair of wheel rates, if the "
+                                 "drive can move sideways"}),
     elsie::parameter("max_rate", &ArbiterVoting::max_rate,
                      {.unit = "rad/s",
                       .min = 0,
@@ -205,5 +220,8 @@ ELSIE_COORDINATOR(
                         elsie::parameter("left", &Candidate::left,
                                          {.unit = "rad/s", .meaning = "rate of the left wheel"}),
                         elsie::parameter("right", &Candidate::right,
-                                         {.unit = "rad/s",
-                                          .meaning = "rate of the right wheel"}))));
+                                         {.unit = "rad/s", .meaning = "rate of the right wheel"}),
+                        elsie::parameter("lateral", &Candidate::lateral,
+                                         {.unit = "m/s",
+                                          .meaning = "speed to the left, if the drive can move "
+                                                     "sideways"}))));

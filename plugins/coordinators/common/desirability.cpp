@@ -18,28 +18,27 @@ double weight_of_all(std::span<const elsie::Member> members) {
 
 }  // namespace
 
-void Desirability::rate_one(elsie::Member& member, std::span<const elsie::MotorCommand> candidates,
+void Desirability::rate_one(elsie::Member& member, std::span<const elsie::Motion> candidates,
                             std::span<double> ratings) {
-  const elsie::MotorCommand wish = member.respond().command;
-  if (fastest_wheel(wish) <= limit_) {
+  const elsie::Motion wish = member.respond().command;
+  if (space_.fastest(wish) <= limit_) {
     member.rate(candidates, ratings);
     return;
   }
   stretched_.assign(candidates.begin(), candidates.end());
-  for (elsie::MotorCommand& candidate : stretched_) {
-    const double fastest = fastest_wheel(candidate);
+  for (elsie::Motion& candidate : stretched_) {
+    const double fastest = space_.fastest(candidate);
     if (fastest > 0.0 && fastest >= limit_ * (1.0 - kEqual)) {
       // The point of the ray nearest to the wish.
-      const double along = (candidate.left * wish.left + candidate.right * wish.right) /
-                           distance_squared(candidate, {});
+      const double along = space_.dot(candidate, wish) / space_.dot(candidate, candidate);
       candidate = std::max(along, limit_ / fastest) * candidate;
     }
   }
   member.rate(stretched_, ratings);
 }
 
-void Desirability::rate(std::span<elsie::Member> members,
-                        std::span<const elsie::MotorCommand> candidates, std::span<double> mean) {
+void Desirability::rate(std::span<elsie::Member> members, std::span<const elsie::Motion> candidates,
+                        std::span<double> mean) {
   std::fill(mean.begin(), mean.end(), 0.0);
   const double all = weight_of_all(members);
   if (ratings_.size() < candidates.size()) {
@@ -60,8 +59,7 @@ void Desirability::rate(std::span<elsie::Member> members,
   }
 }
 
-void Desirability::trace_shares(std::span<elsie::Member> members,
-                                const elsie::MotorCommand& command) {
+void Desirability::trace_shares(std::span<elsie::Member> members, const elsie::Motion& command) {
   for (elsie::Member& member : members) {
     if (member.trace.weight > 0.0) {
       double rating = 0.0;
@@ -81,9 +79,10 @@ elsie::CommandSets Desirability::sets(std::span<elsie::Member> members) {
       const elsie::CommandSets wish = member.command_sets();
       mean.left = elsie::fuzzy::weighted_sum_of(mean.left, 1.0, wish.left, part);
       mean.right = elsie::fuzzy::weighted_sum_of(mean.right, 1.0, wish.right, part);
+      mean.lateral = elsie::fuzzy::weighted_sum_of(mean.lateral, 1.0, wish.lateral, part);
     }
   }
-  for (elsie::FuzzySet* set : {&mean.left, &mean.right}) {
+  for (elsie::FuzzySet* set : {&mean.left, &mean.right, &mean.lateral}) {
     for (elsie::FuzzySet::Point& point : set->points) {
       point.degree = std::min(point.degree, 1.0);
     }

@@ -169,12 +169,11 @@ const std::array kInputs = {
         "heading",
         [](const Perception& now) { return elsie::degrees(now.self().pose.heading_rad); }, "",
         always},
-    PerceptionInput{"speed", [](const Perception& now) { return now.self().speed_m_s; }, "",
+    PerceptionInput{"speed", [](const Perception& now) { return now.self().moving.forward; }, "",
                     always},
-    PerceptionInput{
-        "turn_rate",
-        [](const Perception& now) { return elsie::degrees(now.self().turn_rate_rad_s); }, "",
-        always},
+    PerceptionInput{"turn_rate",
+                    [](const Perception& now) { return elsie::degrees(now.self().moving.turn); },
+                    "", always},
     PerceptionInput{"time", [](const Perception& now) { return now.time_s(); }, "", always},
 };
 

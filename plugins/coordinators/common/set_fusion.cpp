@@ -1,6 +1,7 @@
 #include "set_fusion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -10,7 +11,9 @@ namespace fuzzy = elsie::fuzzy;
 using elsie::CommandSets;
 using elsie::FuzzySet;
 using elsie::Member;
-using elsie::MotorCommand;
+using elsie::Motion;
+using elsie::Perception;
+using elsie::WheelPair;
 
 namespace {
 
@@ -36,9 +39,25 @@ std::vector<FuzzySet> regions_of(const FuzzySet& set) {
   return regions;
 }
 
+std::array<FuzzySet*, 3> sets_of(CommandSets& sets) {
+  return {&sets.left, &sets.right, &sets.lateral};
+}
+
+Motion command_of(const WheelPair& wheels, double left, double right, double lateral) {
+  Motion command = wheels.motion({left, right});
+  command.lateral = lateral;
+  return command;
+}
+
 /// The area of a set below a region of another.
 double area_below(const FuzzySet& set, const FuzzySet& region) {
   return fuzzy::area(fuzzy::restricted(set, region.points.front().x, region.points.back().x));
+}
+
+/// The part of a set's area below a region of another; 1 for a set without area: no wish.
+double part_below(const FuzzySet& set, const FuzzySet& region) {
+  const double all = fuzzy::area(set);
+  return all > 0.0 ? area_below(set, region) / all : 1.0;
 }
 
 }  // namespace
@@ -78,14 +97,15 @@ void SetFusion::configured() {
   activation_rule_ = activation_rule_of(activation);
 }
 
-MotorCommand SetFusion::fuse(std::span<Member> members) {
+Motion SetFusion::fuse(std::span<Member> members, const Perception& now) {
+  const WheelPair& wheels = now.self().wheels;
   collect(members);
   combine(members, operator_);
-  std::optional<MotorCommand> command = settle();
+  std::optional<Motion> command = settle(wheels);
   const bool conflicting = !command && !unites(operator_);
   if (conflicting && conflict == "unite") {
     combine(members, SetOperator::maximum);
-    command = settle();
+    command = settle(wheels);
   }
   const char* reason = !command            ? (conflicting ? "no command suits all" : "no wish")
                        : conflicting       ? "united: no command suits all"
@@ -99,7 +119,7 @@ MotorCommand SetFusion::fuse(std::span<Member> members) {
   if (!command) {
     return {};
   }
-  trace(members, *command);
+  trace(members, wheels, *command);
   return *command;
 }
 
@@ -110,15 +130,16 @@ void SetFusion::collect(std::span<Member> members) {
     if (members[i].trace.weight > 0.0) {
       wishes_[i] = members[i].command_sets();
     } else {
-      wishes_[i].left.points.clear();
-      wishes_[i].right.points.clear();
+      for (FuzzySet* set : sets_of(wishes_[i])) {
+        set->points.clear();
+      }
     }
   }
 }
 
 void SetFusion::combine(std::span<const Member> members, SetOperator by) {
   used_ = by;
-  // A set without points means no wish for its wheel: with AND it must not forbid everything.
+  // A set without points means no wish for its channel: with AND it must not forbid everything.
   const auto add = [&](FuzzySet& sum, const FuzzySet& wish, FuzzySet& weighted_wish,
                        double weight) {
     weighted_wish.points.clear();
@@ -127,20 +148,25 @@ void SetFusion::combine(std::span<const Member> members, SetOperator by) {
       sum = sum.points.empty() ? weighted_wish : combined(sum, weighted_wish, by);
     }
   };
-  together_.left.points.clear();
-  together_.right.points.clear();
-  for (std::size_t i = 0; i < wishes_.size(); ++i) {
-    add(together_.left, wishes_[i].left, weighted_[i].left, members[i].trace.weight);
-    add(together_.right, wishes_[i].right, weighted_[i].right, members[i].trace.weight);
+  const auto together = sets_of(together_);
+  for (FuzzySet* set : together) {
+    set->points.clear();
   }
-  for (FuzzySet* set : {&together_.left, &together_.right}) {
+  for (std::size_t i = 0; i < wishes_.size(); ++i) {
+    const auto wishes = sets_of(wishes_[i]);
+    const auto weighted_wishes = sets_of(weighted_[i]);
+    for (std::size_t channel = 0; channel < together.size(); ++channel) {
+      add(*together[channel], *wishes[channel], *weighted_wishes[channel], members[i].trace.weight);
+    }
+  }
+  for (FuzzySet* set : together) {
     for (FuzzySet::Point& point : set->points) {
       point.degree = std::clamp(point.degree, 0.0, 1.0);  // rounding
     }
   }
 }
 
-std::optional<MotorCommand> SetFusion::settle() const {
+std::optional<Motion> SetFusion::settle(const WheelPair& wheels) const {
   const auto number = [&](const FuzzySet& set) {
     switch (defuzzifier_) {
       case Defuzzifier::mean_of_maximum:
@@ -156,42 +182,57 @@ std::optional<MotorCommand> SetFusion::settle() const {
     return centre_of_gravity(set);
   };
   if (defuzzifier_ == Defuzzifier::centre_of_largest_area) {
-    return centre_of_largest_area();
+    return centre_of_largest_area(wheels);
   }
   const auto left = number(together_.left);
   const auto right = number(together_.right);
-  return left && right ? std::optional(MotorCommand{*left, *right}) : std::nullopt;
+  // Nobody has a lateral wish if the drive has no such channel.
+  const auto lateral =
+      together_.lateral.points.empty() ? std::optional(0.0) : number(together_.lateral);
+  return left && right && lateral ? std::optional(command_of(wheels, *left, *right, *lateral))
+                                  : std::nullopt;
 }
 
-std::optional<MotorCommand> SetFusion::centre_of_largest_area() const {
+std::optional<Motion> SetFusion::centre_of_largest_area(const WheelPair& wheels) const {
   // Computed separately, the wheels could pair one behaviour's left with another one's right. So
-  // pairs of regions are weighted by the wishes for both.
+  // pairs of regions are weighted by the wishes for both, and with the part of the lateral wish in
+  // a third.
   constexpr double kEqualAreas = 1e-9;
-  std::optional<MotorCommand> best;
+  std::optional<Motion> best;
   double most = 0.0;
   std::vector<double> support(weighted_.size());
   std::vector<double> best_support;
   const std::vector<FuzzySet> rights = regions_of(together_.right);
+  std::vector<FuzzySet> laterals = regions_of(together_.lateral);
+  if (together_.lateral.points.empty()) {
+    laterals.push_back(FuzzySet::triangle(0.0, 1.0));  // the drive has no such channel
+  }
   for (const FuzzySet& left : regions_of(together_.left)) {
     for (const FuzzySet& right : rights) {
-      double sum = 0.0;
-      for (std::size_t i = 0; i < weighted_.size(); ++i) {
-        support[i] = area_below(weighted_[i].left, left) * area_below(weighted_[i].right, right);
-        sum += support[i];
-      }
-      // In a tie, that of the first behaviour in the file.
-      const bool equal = best && std::abs(sum - most) <= kEqualAreas * most;
-      if (!best || (equal ? support > best_support : sum > most)) {
-        most = sum;
-        best_support = support;
-        best = MotorCommand{*centre_of_gravity(left), *centre_of_gravity(right)};
+      for (const FuzzySet& lateral : laterals) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < weighted_.size(); ++i) {
+          support[i] = area_below(weighted_[i].left, left) * area_below(weighted_[i].right, right) *
+                       part_below(weighted_[i].lateral, lateral);
+          sum += support[i];
+        }
+        // In a tie, that of the first behaviour in the file.
+        const bool equal = best && std::abs(sum - most) <= kEqualAreas * most;
+        if (!best || (equal ? support > best_support : sum > most)) {
+          most = sum;
+          best_support = support;
+          best = command_of(wheels, *centre_of_gravity(left), *centre_of_gravity(right),
+                            *centre_of_gravity(lateral));
+        }
       }
     }
   }
   return best;
 }
 
-void SetFusion::trace(std::span<Member> members, const MotorCommand& command) const {
+void SetFusion::trace(std::span<Member> members, const WheelPair& wheels,
+                      const Motion& command) const {
+  const elsie::WheelRates rates = wheels.wheel_rates(command);
   const bool by_area =
       defuzzifier_ == Defuzzifier::centre_of_gravity || defuzzifier_ == Defuzzifier::bisector;
   for (std::size_t i = 0; i < members.size(); ++i) {
@@ -200,16 +241,18 @@ void SetFusion::trace(std::span<Member> members, const MotorCommand& command) co
     if (!unites(used_)) {
       row.share = row.weight;
     } else if (by_area) {
-      row.share = fuzzy::area(wish.left) + fuzzy::area(wish.right);
+      row.share = fuzzy::area(wish.left) + fuzzy::area(wish.right) +
+                  fuzzy::area(wish.lateral) / wheels.radius;
     } else {
-      row.share = wish.left.degree(command.left) + wish.right.degree(command.right);
+      row.share = wish.left.degree(rates.left) + wish.right.degree(rates.right) +
+                  wish.lateral.degree(command.lateral);
     }
   }
   normalize_shares(members);
 }
 
-void SetFusion::rate(std::span<Member> members, const MotorCommand& /*given*/,
-                     std::span<const MotorCommand> candidates, std::span<double> desirability) {
+void SetFusion::rate(std::span<Member> members, const Perception& /*now*/, const Motion& /*given*/,
+                     std::span<const Motion> candidates, std::span<double> desirability) {
   std::fill(desirability.begin(), desirability.end(), 0.0);
   if (ratings_.size() < candidates.size()) {
     ratings_.resize(candidates.size());
@@ -230,6 +273,7 @@ void SetFusion::rate(std::span<Member> members, const MotorCommand& /*given*/,
   }
 }
 
-CommandSets SetFusion::command_sets(std::span<Member> /*members*/, const MotorCommand& /*given*/) {
+CommandSets SetFusion::command_sets(std::span<Member> /*members*/, const Perception& /*now*/,
+                                    const Motion& /*given*/) {
   return together_;
 }

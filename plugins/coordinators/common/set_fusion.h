@@ -1,5 +1,6 @@
-// Command fusion on fuzzy sets: the behaviours give their wishes for each wheel as sets, the sets
-// are combined, and the result is defuzzified last.
+// Command fusion on fuzzy sets: the behaviours give their wishes for each wheel, and for the
+// lateral speed of drives that have it, as sets, the sets are combined, and the result is
+// defuzzified last.
 #pragma once
 
 #include <optional>
@@ -30,19 +31,19 @@ class SetFusion : public elsie::Coordinator {
 
   void configured() override;
   /// The members' ratings, combined by the same operator as their sets.
-  void rate(std::span<elsie::Member> members, const elsie::MotorCommand& given,
-            std::span<const elsie::MotorCommand> candidates,
+  void rate(std::span<elsie::Member> members, const elsie::Perception& now,
+            const elsie::Motion& given, std::span<const elsie::Motion> candidates,
             std::span<double> desirability) override;
   /// The sets from which the command was computed.
-  elsie::CommandSets command_sets(std::span<elsie::Member> members,
-                                  const elsie::MotorCommand& given) override;
+  elsie::CommandSets command_sets(std::span<elsie::Member> members, const elsie::Perception& now,
+                                  const elsie::Motion& given) override;
 
  protected:
   SetFusion(const char* default_weighting, const char* default_activation)
       : weighting(default_weighting), activation(default_activation) {}
 
   /// The command of members with weights, in [0, 1], in their traces.
-  elsie::MotorCommand fuse(std::span<elsie::Member> members);
+  elsie::Motion fuse(std::span<elsie::Member> members, const elsie::Perception& now);
   /// The rule that the parameter `activation` names.
   ActivationRule activation_rule() const { return activation_rule_; }
 
@@ -51,9 +52,10 @@ class SetFusion : public elsie::Coordinator {
 
   void collect(std::span<elsie::Member> members);
   void combine(std::span<const elsie::Member> members, SetOperator by);
-  std::optional<elsie::MotorCommand> settle() const;
-  std::optional<elsie::MotorCommand> centre_of_largest_area() const;
-  void trace(std::span<elsie::Member> members, const elsie::MotorCommand& command) const;
+  std::optional<elsie::Motion> settle(const elsie::WheelPair& wheels) const;
+  std::optional<elsie::Motion> centre_of_largest_area(const elsie::WheelPair& wheels) const;
+  void trace(std::span<elsie::Member> members, const elsie::WheelPair& wheels,
+             const elsie::Motion& command) const;
 
   SetOperator operator_ = SetOperator::maximum;
   Defuzzifier defuzzifier_ = Defuzzifier::centre_of_gravity;

@@ -11,8 +11,8 @@
 /// zero, empty sets.
 class WinnerTakesAll : public elsie::Coordinator {
  public:
-  void rate(std::span<elsie::Member> members, const elsie::MotorCommand& /*given*/,
-            std::span<const elsie::MotorCommand> candidates,
+  void rate(std::span<elsie::Member> members, const elsie::Perception& /*now*/,
+            const elsie::Motion& /*given*/, std::span<const elsie::Motion> candidates,
             std::span<double> desirability) override {
     if (winner_) {
       members[*winner_].rate(candidates, desirability);
@@ -22,13 +22,14 @@ class WinnerTakesAll : public elsie::Coordinator {
   }
 
   elsie::CommandSets command_sets(std::span<elsie::Member> members,
-                                  const elsie::MotorCommand& /*given*/) override {
+                                  const elsie::Perception& /*now*/,
+                                  const elsie::Motion& /*given*/) override {
     return winner_ ? members[*winner_].command_sets() : elsie::CommandSets{};
   }
 
  protected:
   /// Nobody decides in this step, for this reason; returns the zero command.
-  elsie::MotorCommand nobody(std::span<elsie::Member> members, const char* reason) {
+  elsie::Motion nobody(std::span<elsie::Member> members, const char* reason) {
     winner_.reset();
     for (elsie::Member& member : members) {
       member.trace.reason = reason;
@@ -37,8 +38,8 @@ class WinnerTakesAll : public elsie::Coordinator {
   }
 
   /// Lets one member decide: writes all traces, and returns its command.
-  elsie::MotorCommand let_decide(std::span<elsie::Member> members, std::size_t winner,
-                                 const char* won, const char* lost) {
+  elsie::Motion let_decide(std::span<elsie::Member> members, std::size_t winner, const char* won,
+                           const char* lost) {
     winner_ = winner;
     for (std::size_t i = 0; i < members.size(); ++i) {
       if (i != winner) {
@@ -46,7 +47,7 @@ class WinnerTakesAll : public elsie::Coordinator {
         members[i].trace.reason = lost;
       }
     }
-    const elsie::MotorCommand command = members[winner].respond().command;
+    const elsie::Motion command = members[winner].respond().command;
     members[winner].trace.weight = 1.0;
     members[winner].trace.share = 1.0;
     members[winner].trace.reason = won;

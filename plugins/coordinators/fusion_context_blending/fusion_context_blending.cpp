@@ -67,8 +67,8 @@ class FusionContextBlending final : public SetFusion, public elsie::Remembers {
 
   std::vector<std::string> notes() const override;
 
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception& now) override {
+  elsie::Motion coordinate(std::span<elsie::Member> members,
+                           const elsie::Perception& now) override {
     if (members.size() != members_.size()) {
       equipped(members, now);
     }
@@ -87,7 +87,7 @@ class FusionContextBlending final : public SetFusion, public elsie::Remembers {
         members[i].trace.reason = "no context known yet";
       }
     }
-    return fuse(members);
+    return fuse(members, now);
   }
 
  private:

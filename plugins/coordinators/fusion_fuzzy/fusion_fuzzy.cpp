@@ -7,10 +7,10 @@ class FusionFuzzy final : public SetFusion {
  public:
   FusionFuzzy() : SetFusion("scale", "scale") {}
 
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception&) override {
+  elsie::Motion coordinate(std::span<elsie::Member> members,
+                           const elsie::Perception& now) override {
     weigh(members, activation_rule(), "");
-    return fuse(members);
+    return fuse(members, now);
   }
 };
 

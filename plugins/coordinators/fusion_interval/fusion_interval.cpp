@@ -1,6 +1,7 @@
 // Multi-objective command fusion: the command that is best for all behaviours together.
 //
-// Every behaviour is an objective function over the plane of wheel rates; the command maximises
+// Every behaviour is an objective function over the plane of wheel rates (and the lateral speed, if
+// the drive has it); the command maximises
 // their sum, weighted with the priorities. After the helm of MOOS-IvP, which solves this by
 // interval programming (Benjamin, 2002); here a grid finds promising regions, and a pattern search
 // (Hooke and Jeeves, 1961) finds their summits.
@@ -20,11 +21,12 @@
 
 namespace {
 
-using elsie::MotorCommand;
+using elsie::Motion;
 
 class FusionInterval final : public elsie::Coordinator, public elsie::Remembers {
  public:
   int steps = 11;
+  int laterals = 5;
   double max_rate = 0.0;
   double tolerance = 0.02;
   int summits = 3;
@@ -45,15 +47,15 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
   void remember(elsie::Memory& memory) override {
     std::optional<std::vector<double>> last;
     if (last_) {
-      last = {last_->left, last_->right};
+      last = {last_->forward, last_->lateral, last_->turn};
     }
     memory("last", last);
-    if (memory.recalls() && last && last->size() == 2) {
-      last_ = MotorCommand{(*last)[0], (*last)[1]};
+    if (memory.recalls() && last && last->size() == 3) {
+      last_ = Motion{(*last)[0], (*last)[1], (*last)[2]};
     }
   }
 
-  MotorCommand coordinate(std::span<elsie::Member> members, const elsie::Perception& now) override {
+  Motion coordinate(std::span<elsie::Member> members, const elsie::Perception& now) override {
     build(now);
     if (weigh(members, rule_, "weighed") <= 0.0) {
       last_.reset();
@@ -89,12 +91,14 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
   }
 
   /// The objective function.
-  void rate(std::span<elsie::Member> members, const MotorCommand& /*given*/,
-            std::span<const MotorCommand> candidates, std::span<double> desirability) override {
+  void rate(std::span<elsie::Member> members, const elsie::Perception& /*now*/,
+            const Motion& /*given*/, std::span<const Motion> candidates,
+            std::span<double> desirability) override {
     outside_.rate(members, candidates, desirability);
   }
   elsie::CommandSets command_sets(std::span<elsie::Member> members,
-                                  const MotorCommand& /*given*/) override {
+                                  const elsie::Perception& /*now*/,
+                                  const Motion& /*given*/) override {
     return Desirability::sets(members);
   }
 
@@ -103,28 +107,30 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
   static constexpr double kRounding = 1e-13;
 
   struct Point {
-    MotorCommand command;
+    Motion command;
     double value;  // mean desirability, in [0, 1]
   };
 
   void build(const elsie::Perception& now) {
     const double robots = now.self().max_wheel_rate();
     const double limit = max_rate > 0.0 ? max_rate : robots;
-    desirability_.set_limit(std::min(limit, robots));
-    if (built_for_ != limit) {
+    const CommandSpace space(now.self());
+    desirability_.set_limit(space, std::min(limit, robots));
+    if (built_for_ != limit || space != space_) {
       built_for_ = limit;
-      candidates_ = Candidates::wheel_rates(limit, steps);
+      space_ = space;
+      candidates_ = Candidates::wheel_rates(space, limit, steps, laterals);
       last_.reset();
     }
   }
 
-  /// Within the wheels' limit: scales both by one factor, as the simulator does.
-  MotorCommand limited(const MotorCommand& command) const {
-    const double fastest = fastest_wheel(command);
+  /// Within the wheels' limit: scaled as a whole, as drives do.
+  Motion limited(const Motion& command) const {
+    const double fastest = space_.fastest(command);
     return fastest > *built_for_ ? *built_for_ / fastest * command : command;
   }
 
-  double value_of(std::span<elsie::Member> members, const MotorCommand& command) {
+  double value_of(std::span<elsie::Member> members, const Motion& command) {
     double value = 0.0;
     desirability_.rate(members, {&command, 1}, {&value, 1});
     return value;
@@ -158,18 +164,28 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
     starts_.resize(kept);
   }
 
-  /// Moves to the best of eight points around while one is better, then halves the step.
+  /// Moves to the best of the points around (8, or 26 in three dimensions) while one is better,
+  /// then halves the step.
   Point climb(std::span<elsie::Member> members, Point at) {
-    std::array<MotorCommand, 8> around;
-    std::array<double, 8> values;
+    std::array<Motion, 26> all_around;
+    std::array<double, 26> all_values;
+    const int sides = space_.dimensions() > 2 ? 1 : 0;
+    const std::size_t points = sides > 0 ? 26 : 8;
+    const std::span around = std::span(all_around).first(points);
+    const std::span values = std::span(all_values).first(points);
     const double limit = *built_for_;
     for (double step = limit / (steps - 1); step > tolerance;) {
       std::size_t n = 0;
-      for (int left = -1; left <= 1; ++left) {
-        for (int right = -1; right <= 1; ++right) {
-          if (left != 0 || right != 0) {
-            around[n++] = {std::clamp(at.command.left + left * step, -limit, limit),
-                           std::clamp(at.command.right + right * step, -limit, limit)};
+      const CommandSpace::Point from = space_.point(at.command);
+      const auto moved = [&](std::size_t axis, int way) {
+        return std::clamp(from[axis] + way * step, -limit, limit);
+      };
+      for (int lateral = -sides; lateral <= sides; ++lateral) {
+        for (int left = -1; left <= 1; ++left) {
+          for (int right = -1; right <= 1; ++right) {
+            if (left != 0 || right != 0 || lateral != 0) {
+              around[n++] = space_.motion({moved(0, left), moved(1, right), moved(2, lateral)});
+            }
           }
         }
       }
@@ -190,19 +206,20 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
     if (std::abs(a.value - b.value) > kEqual * std::max(a.value, b.value)) {
       return a.value > b.value;
     }
-    const MotorCommand last = last_.value_or(MotorCommand{});
-    return distance_squared(a.command, last) < distance_squared(b.command, last);
+    const Motion last = last_.value_or(Motion{});
+    return space_.distance_squared(a.command, last) < space_.distance_squared(b.command, last);
   }
 
   ActivationRule rule_ = ActivationRule::scale;
+  CommandSpace space_;
   Candidates candidates_;
   Desirability desirability_;
   Desirability outside_;  // without a limit
   std::optional<double> built_for_;
-  std::vector<MotorCommand> points_;
+  std::vector<Motion> points_;
   std::vector<double> values_;
   std::vector<std::size_t> starts_;
-  std::optional<MotorCommand> last_;
+  std::optional<Motion> last_;
 };
 
 }  // namespace
@@ -213,6 +230,12 @@ ELSIE_COORDINATOR(
     elsie::parameter(
         "steps", &FusionInterval::steps,
         {.min = 3, .max = 101, .meaning = "number of rates of each wheel on the first grid"}),
+    elsie::parameter(
+        "laterals", &FusionInterval::laterals,
+        {.min = 1,
+         .max = 11,
+         .meaning = "number of lateral speeds on the first grid, if the drive can move "
+                    "sideways"}),
     elsie::parameter(
         "max_rate", &FusionInterval::max_rate,
         {.unit = "rad/s",

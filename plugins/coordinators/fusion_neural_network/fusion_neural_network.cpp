@@ -9,16 +9,16 @@ namespace {
 
 class FusionNeuralNetwork final : public WithPriorityNetwork<elsie::Coordinator> {
  public:
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception& now) override {
+  elsie::Motion coordinate(std::span<elsie::Member> members,
+                           const elsie::Perception& now) override {
     const std::span<const double> priority = priorities(now);
-    elsie::MotorCommand sum;
+    elsie::Motion sum;
     for (std::size_t i = 0; i < members.size(); ++i) {
-      const elsie::MotorCommand wish = priority[i] * members[i].respond().command;
+      const elsie::Motion wish = priority[i] * members[i].respond().command;
       sum += wish;
       members[i].trace.weight = priority[i];
       // Its part in the sum of all commands; if that is zero, in the priorities.
-      members[i].trace.share = std::hypot(wish.left, wish.right);
+      members[i].trace.share = std::sqrt(now.self().wheels.distance_squared(wish, {}));
       members[i].trace.reason = "priority from the network";
     }
     normalize_shares(members);

@@ -11,16 +11,16 @@ class FusionVectorSummation final : public elsie::Coordinator {
  public:
   bool weighted = false;
 
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception&) override {
-    elsie::MotorCommand sum;
+  elsie::Motion coordinate(std::span<elsie::Member> members,
+                           const elsie::Perception& now) override {
+    elsie::Motion sum;
     for (elsie::Member& member : members) {
       const double weight = weighted ? member.priority() : 1.0;
-      const elsie::MotorCommand wish = weight * member.respond().command;
+      const elsie::Motion wish = weight * member.respond().command;
       sum += wish;
       member.trace.weight = weight;
       // Its part in the sum of all commands; if that is zero, in the weights.
-      member.trace.share = std::hypot(wish.left, wish.right);
+      member.trace.share = std::sqrt(now.self().wheels.distance_squared(wish, {}));
       member.trace.reason = weight != 0.0 ? "summed" : "priority zero";
     }
     normalize_shares(members);

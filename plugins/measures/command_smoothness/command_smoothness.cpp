@@ -32,9 +32,10 @@ class CommandSmoothness final : public elsie::Measure, public ChosenRobots {
     ++decisions_;
     const double square = now.period_s * now.period_s;
     for (std::size_t i = 0; i < last_.size(); ++i) {
-      const elsie::MotorCommand& command = now.robots[chosen()[i]].command;
-      const elsie::MotorCommand change = command - last_[i].command;
-      const elsie::MotorCommand jerk = (change - last_[i].change) / square;
+      const elsie::ObservedRobot& observed = now.robots[chosen()[i]];
+      const elsie::WheelRates command = observed.wheels.wheel_rates(observed.command);
+      const elsie::WheelRates change = command - last_[i].command;
+      const elsie::WheelRates jerk = (change - last_[i].change) / square;
       variation_ += 0.5 * (std::abs(change.left) + std::abs(change.right));
       jerk_ += 0.5 * (jerk.left * jerk.left + jerk.right * jerk.right);
       last_[i] = {command, change};
@@ -51,8 +52,8 @@ class CommandSmoothness final : public elsie::Measure, public ChosenRobots {
  private:
   /// From the last decision; robots start at rest.
   struct Last {
-    elsie::MotorCommand command;
-    elsie::MotorCommand change;
+    elsie::WheelRates command;
+    elsie::WheelRates change;
   };
 
   std::vector<Last> last_;

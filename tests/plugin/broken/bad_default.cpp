@@ -4,7 +4,7 @@
 class BadDefault final : public elsie::Behavior {
  public:
   double speed = 60.0;
-  elsie::Response respond(const elsie::Perception&) override { return elsie::MotorCommand{}; }
+  elsie::Response respond(const elsie::Perception&) override { return elsie::Motion{}; }
 };
 
 ELSIE_BEHAVIOR(BadDefault, "bad_default", "Wants more than it may have",

@@ -17,15 +17,14 @@ class Steady final : public elsie::Behavior {
  public:
   double speed = 3.0;
   elsie::Response respond(const elsie::Perception&) override {
-    return elsie::MotorCommand{speed, speed};
+    return elsie::WheelPair().motion({speed, speed});
   }
 };
 
 class First final : public elsie::Coordinator {
  public:
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception&) override {
-    return members.empty() ? elsie::MotorCommand{} : members.front().respond().command;
+  elsie::Motion coordinate(std::span<elsie::Member> members, const elsie::Perception&) override {
+    return members.empty() ? elsie::Motion{} : members.front().respond().command;
   }
 };
 

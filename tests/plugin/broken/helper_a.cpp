@@ -16,7 +16,7 @@ double Helper::answer() const { return 1.0; }
 class UsesHelper final : public elsie::Behavior {
  public:
   elsie::Response respond(const elsie::Perception&) override {
-    return elsie::MotorCommand{Helper().answer(), Helper::shared()};
+    return elsie::WheelPair().motion({Helper().answer(), Helper::shared()});
   }
 };
 

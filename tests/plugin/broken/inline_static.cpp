@@ -11,7 +11,7 @@ class CountsObjects final : public elsie::Behavior {
  public:
   CountsObjects() { ++Counter<int>::count; }
   elsie::Response respond(const elsie::Perception&) override {
-    return elsie::MotorCommand{static_cast<double>(Counter<int>::count), 0};
+    return elsie::WheelPair().motion({static_cast<double>(Counter<int>::count), 0});
   }
 };
 

@@ -6,7 +6,7 @@
 
 class Other final : public elsie::Behavior {
  public:
-  elsie::Response respond(const elsie::Perception&) override { return elsie::MotorCommand{}; }
+  elsie::Response respond(const elsie::Perception&) override { return elsie::Motion{}; }
 };
 
 ELSIE_BEHAVIOR(Other, "old_api", "Stands still");

@@ -5,7 +5,7 @@ extern const char one_of_many_name[];
 
 class OneOfMany final : public elsie::Behavior {
  public:
-  elsie::Response respond(const elsie::Perception&) override { return elsie::MotorCommand{}; }
+  elsie::Response respond(const elsie::Perception&) override { return elsie::Motion{}; }
 };
 
 ELSIE_BEHAVIOR(OneOfMany, one_of_many_name, "One of a hundred");

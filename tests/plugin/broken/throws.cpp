@@ -12,7 +12,7 @@ class OutOfOrder : public std::runtime_error {
 class Throws final : public elsie::Behavior {
  public:
   Throws() { throw OutOfOrder("the model file is " + std::string("missing")); }
-  elsie::Response respond(const elsie::Perception&) override { return elsie::MotorCommand{}; }
+  elsie::Response respond(const elsie::Perception&) override { return elsie::Motion{}; }
 };
 
 ELSIE_BEHAVIOR(Throws, "throws", "Throws while it is declared");

@@ -16,7 +16,7 @@ class Once final : public elsie::Behavior {
       throw SecondTime("there can be only one");
     }
   }
-  elsie::Response respond(const elsie::Perception&) override { return elsie::MotorCommand{}; }
+  elsie::Response respond(const elsie::Perception&) override { return elsie::Motion{}; }
 };
 
 ELSIE_BEHAVIOR(Once, "throws_at_create", "Can be made once");

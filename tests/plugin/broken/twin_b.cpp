@@ -3,7 +3,7 @@
 
 class Twin final : public elsie::Behavior {
  public:
-  elsie::Response respond(const elsie::Perception&) override { return elsie::MotorCommand{}; }
+  elsie::Response respond(const elsie::Perception&) override { return elsie::Motion{}; }
 };
 
 ELSIE_BEHAVIOR(Twin, "twin", "The second twin");

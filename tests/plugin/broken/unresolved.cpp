@@ -8,7 +8,7 @@ double to_be_found(int level);
 class Unresolved final : public elsie::Behavior {
  public:
   elsie::Response respond(const elsie::Perception&) override {
-    return elsie::MotorCommand{nowhere::to_be_found(1), 0};
+    return elsie::WheelPair().motion({nowhere::to_be_found(1), 0});
   }
 };
 

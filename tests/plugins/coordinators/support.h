@@ -11,13 +11,13 @@
 
 #include "shipped.h"
 #include "situation.h"
+#include "wheels.h"
 
 namespace elsie::test {
 
-inline void check_near(const MotorCommand& command, const MotorCommand& expected,
-                       double within = 1e-9) {
-  CHECK(command.left == Approx(expected.left).margin(within));
-  CHECK(command.right == Approx(expected.right).margin(within));
+inline void check_near(const Motion& command, const Motion& expected, double within = 1e-9) {
+  CHECK(rates(command).left == Approx(rates(expected).left).margin(within));
+  CHECK(rates(command).right == Approx(rates(expected).right).margin(within));
 }
 
 /// A team with its shipped coordinator, ready to run; throws at once when they do not fit.

@@ -1,12 +1,15 @@
 #include "support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using elsie::test::active;
 using elsie::test::Coordinated;
+using elsie::test::rates;
 using elsie::test::Team;
+using elsie::test::wheels;
 
 namespace {
-const MotorCommand kA{1, 1}, kB{2, 2}, kC{3, 3};
+const Motion kA{1, 1}, kB{2, 2}, kC{3, 3};
 
 void set(Team& team, double a, double b, double c) {
   team.answer(0).activation = a;
@@ -46,7 +49,7 @@ TEST_CASE("Of equally active behaviours the first in the file decides, whoever d
 TEST_CASE("Activation may count times priority; nobody of priority zero is asked then") {
   Team team;
   fill(team);
-  team.member("d", 0, MotorCommand{4, 4});
+  team.member("d", 0, wheels(4, 4));
   Coordinated robot("arbiter_action_selection", team, {{"by_priority", true}});
   set(team, 0.9, 0.3, 1.0);  // levels 0.9, 1.2, 0.5
   CHECK(robot.decide() == kB);
@@ -79,10 +82,10 @@ TEST_CASE("A margin keeps two behaviours of about the same activation from flick
     fill(team);
     Coordinated robot("arbiter_action_selection", team, {{"margin", margin}});
     int changes = 0;
-    MotorCommand last = kA;
+    Motion last = kA;
     for (int step = 0; step < 100; ++step) {
       set(team, 0.5, step % 2 == 0 ? 0.45 : 0.55, 0.0);
-      const MotorCommand command = robot.decide_at(0.01 * step);
+      const Motion command = robot.decide_at(0.01 * step);
       changes += command != last;
       last = command;
     }
@@ -112,7 +115,7 @@ TEST_CASE("What is not above the threshold takes no part") {
   fill(team);
   Coordinated robot("arbiter_action_selection", team, {{"threshold", 0.2}});
   set(team, 0.2, 0.1, 0.2);
-  CHECK(robot.decide() == MotorCommand{});
+  CHECK(robot.decide() == Motion{});
   CHECK(team.reason(0) == "nobody is active");
   set(team, 0.2, 0.1, 0.21);
   CHECK(robot.decide() == kC);

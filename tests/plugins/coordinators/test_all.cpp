@@ -4,11 +4,14 @@
 #include <utility>
 
 #include "support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using elsie::test::active;
 using elsie::test::Coordinated;
+using elsie::test::rates;
 using elsie::test::Team;
+using elsie::test::wheels;
 
 namespace {
 
@@ -37,8 +40,8 @@ TEST_CASE("Without behaviours the command is zero") {
     CAPTURE(name);
     Team nobody;
     Coordinated robot(name, nobody);
-    CHECK(robot.decide() == MotorCommand{});
-    CHECK(robot.rate({{0, 0}, {5, 5}}).size() == 2);
+    CHECK(robot.decide() == Motion{});
+    CHECK(robot.rate({wheels(0, 0), wheels(5, 5)}).size() == 2);
     robot.sets();
   }
 }
@@ -47,9 +50,9 @@ TEST_CASE("A single active behaviour gets its way") {
   for (const char* name : kAll) {
     CAPTURE(name);
     Team team;
-    team.member("alone", 1, MotorCommand{7.5, 12.5});  // also on the voters' grid
+    team.member("alone", 1, wheels(7.5, 12.5));  // also on the voters' grid
     Coordinated robot(name, team);
-    test::check_near(robot.decide(), {7.5, 12.5});
+    test::check_near(robot.decide(), wheels(7.5, 12.5));
     CHECK(team.trace(0).share == Approx(1.0));
     CHECK(team.trace(0).weight == Approx(1.0));
     CHECK(team.reason(0) != "");
@@ -61,9 +64,9 @@ TEST_CASE("When nobody is active the robot stands still, and the trace says why"
   for (const char* name : kByActivation) {
     CAPTURE(name);
     Team team;
-    team.member("a", 1, active(0.0, {5, 5})).member("b", 2, active(0.0, {-5, 5}));
+    team.member("a", 1, active(0.0, wheels(5, 5))).member("b", 2, active(0.0, wheels(-5, 5)));
     Coordinated robot(name, team);
-    CHECK(robot.decide() == MotorCommand{});
+    CHECK(robot.decide() == Motion{});
     for (const Member& member : team.members()) {
       CHECK(member.trace.share == 0.0);
       CHECK_THAT(member.trace.reason,
@@ -71,7 +74,7 @@ TEST_CASE("When nobody is active the robot stands still, and the trace says why"
     }
     // No command is desirable to anybody.
     if (std::string(name) != "arbiter_strength") {
-      for (const double degree : robot.rate({{0, 0}, {5, 5}})) {
+      for (const double degree : robot.rate({wheels(0, 0), wheels(5, 5)})) {
         CHECK(degree == 0.0);
       }
     }
@@ -83,18 +86,18 @@ TEST_CASE("Shares add up to one, and everyone has a reason, whatever the priorit
     for (const double priority : {2.0, 0.0, -3.0, 1e-300, 1e300}) {
       CAPTURE(name, priority);
       Team team;
-      team.member("a", priority, active(0.7, {10, 20}))
-          .member("b", 1, active(0.4, {20, 10}))
-          .member("c", 1, active(0.0, {0, 0}));
+      team.member("a", priority, active(0.7, wheels(10, 20)))
+          .member("b", 1, active(0.4, wheels(20, 10)))
+          .member("c", 1, active(0.0, wheels(0, 0)));
       Coordinated robot(name, team);
-      const MotorCommand command = robot.decide();
+      const Motion command = robot.decide();
       CHECK(command.is_finite());
       CHECK(shares(team) == Approx(1.0));
       for (const Member& member : team.members()) {
         CHECK(std::string(member.trace.reason) != "");
         CHECK(member.trace.inhibited_by < 3);
       }
-      for (const double degree : robot.rate({{0, 0}, {10, 20}, {1e6, -1e6}})) {
+      for (const double degree : robot.rate({wheels(0, 0), wheels(10, 20), wheels(1e6, -1e6)})) {
         CHECK((degree >= 0.0 && degree <= 1.0));
       }
       for (const FuzzySet& set : {robot.sets().left, robot.sets().right}) {
@@ -110,9 +113,9 @@ TEST_CASE("A coordinator decides the same again after a reset") {
   for (const char* name : kAll) {
     CAPTURE(name);
     Team team;
-    team.member("a", 1, active(0.7, {10, 20})).member("b", 1, active(0.7, {20, 10}));
+    team.member("a", 1, active(0.7, wheels(10, 20))).member("b", 1, active(0.7, wheels(20, 10)));
     Coordinated robot(name, team);
-    const MotorCommand first = robot.decide();
+    const Motion first = robot.decide();
     team.answer(0).activation = 0.1;
     robot.decide_at(1);
     team.answer(0).activation = 0.7;
@@ -126,12 +129,13 @@ TEST_CASE("An arbiter that lets one behaviour decide hands that one's wishes out
        {"arbiter_suppression", "arbiter_action_selection", "arbiter_subsumption"}) {
     CAPTURE(name);
     Team team;
-    team.member("loser", 1, active(0.5, {1, 1})).member("winner", 2, active(0.9, {5, 5}));
-    team.rating([](const MotorCommand& c) { return c.left > 0 ? 0.75 : 0.25; })
+    team.member("loser", 1, active(0.5, wheels(1, 1)))
+        .member("winner", 2, active(0.9, wheels(5, 5)));
+    team.rating([](const Motion& c) { return rates(c).left > 0 ? 0.75 : 0.25; })
         .sets({FuzzySet::triangle(3, 1), FuzzySet::triangle(4, 1)});
     Coordinated robot(name, team);
-    CHECK(robot.decide() == MotorCommand{5, 5});
-    CHECK(robot.rate({{1, 0}, {-1, 0}}) == std::vector<double>{0.75, 0.25});
+    CHECK(rates(robot.decide()) == WheelRates{5, 5});
+    CHECK(robot.rate({wheels(1, 0), wheels(-1, 0)}) == std::vector<double>{0.75, 0.25});
     CHECK(robot.sets().left == FuzzySet::triangle(3, 1));
     CHECK(robot.sets().right == FuzzySet::triangle(4, 1));
   }
@@ -166,19 +170,19 @@ TEST_CASE("Whatever behaviours answer, decisions are finite and traces complete"
       Team team;
       const int size = static_cast<int>(random.uniform(1, 6));
       for (int i = 0; i < size; ++i) {
-        team.member("m", number(), MotorCommand{});
+        team.member("m", number(), Motion{});
       }
       Coordinated robot(name, team, parameters);
       for (int step = 0; step < 10; ++step) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) {
           Response& answer = team.answer(i);
-          answer.command = {number(), number()};
+          answer.command = WheelPair().motion({number(), number()});
           answer.activation = random.chance(0.3) ? 0.0 : random.uniform();
           answer.strength = random.chance(0.3) ? 0.0 : random.uniform();
           answer.speed_strength = random.chance(0.3) ? 0.0 : random.uniform();
           answer.turn_strength = random.chance(0.3) ? 0.0 : random.uniform();
         }
-        const MotorCommand command = robot.decide_at(0.01 * step);
+        const Motion command = robot.decide_at(0.01 * step);
         REQUIRE(command.is_finite());
         double sum = 0.0;
         for (const Member& member : team.members()) {
@@ -189,8 +193,8 @@ TEST_CASE("Whatever behaviours answer, decisions are finite and traces complete"
           sum += member.trace.share;
         }
         // All of it belongs to some member, or nobody decided and the robot stands still.
-        REQUIRE((std::abs(sum - 1.0) < 1e-9 || (sum == 0.0 && command == MotorCommand{})));
-        for (const double degree : robot.rate({{0, 0}, {number(), number()}})) {
+        REQUIRE((std::abs(sum - 1.0) < 1e-9 || (sum == 0.0 && command == Motion{})));
+        for (const double degree : robot.rate({wheels(0, 0), wheels(number(), number())})) {
           REQUIRE((degree >= 0.0 && degree <= 1.0));
         }
         const CommandSets sets = robot.sets();

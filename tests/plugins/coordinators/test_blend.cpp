@@ -3,10 +3,13 @@
 #include <memory>
 
 #include "support.h"
+#include "wheels.h"
 #include "world_builder.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::rates;
+using elsie::test::wheels;
 using simulation::Simulation;
 
 namespace {
@@ -47,8 +50,8 @@ world::BehaviorUse blend(const std::string& id, std::vector<world::BehaviorUse> 
 }
 
 /// The robot's command in its first step.
-MotorCommand decided(const NamedHost& named, std::vector<world::BehaviorUse> behaviors,
-                     world::PluginUse coordinator) {
+Motion decided(const NamedHost& named, std::vector<world::BehaviorUse> behaviors,
+               world::PluginUse coordinator) {
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behaviors.front()));
   world.robots[0].behaviors = std::move(behaviors);
@@ -66,54 +69,55 @@ CommandSets triangle(double centre, double half_width) {
 
 TEST_CASE("A blend is to the outside a behaviour like any other") {
   NamedHost named;
-  named.add("a", active(0.2, {4, 8})).add("b", active(0.8, {8, 4})).add("c", active(0.4, {20, 20}));
+  named.add("a", active(0.2, wheels(4, 8)))
+      .add("b", active(0.8, wheels(8, 4)))
+      .add("c", active(0.4, wheels(20, 20)));
   // Inside, b decides: the blend is as active as b, more than c.
   CHECK(decided(
             named,
             {blend("pair", {behavior("a"), behavior("b")}, coordinator("arbiter_action_selection")),
              behavior("c")},
-            coordinator("arbiter_action_selection")) == MotorCommand{8, 4});
+            coordinator("arbiter_action_selection")) == wheels(8, 4));
   // The same behaviours twice, in two blends, and blends in blends.
   const auto mean = [](std::vector<world::BehaviorUse> behaviors) {
     return blend("mean", std::move(behaviors), coordinator("fusion_vector_summation"));
   };
   world::BehaviorUse outer = mean({mean({behavior("a"), behavior("b")}), behavior("c")});
-  CHECK(decided(named, {outer}, coordinator("arbiter_suppression")) == MotorCommand{13, 13});
+  CHECK(rates(decided(named, {outer}, coordinator("arbiter_suppression"))) == WheelRates{13, 13});
 }
 
 TEST_CASE("A blend passes its members' sets outwards before defuzzification") {
   NamedHost named;
-  named.add("a", MotorCommand{0, 0}, triangle(0, 5))
-      .add("b", MotorCommand{20, 20}, triangle(20, 10))
-      .add("c", MotorCommand{8, 8}, triangle(8, 4));
+  named.add("a", wheels(0, 0), triangle(0, 5))
+      .add("b", wheels(20, 20), triangle(20, 10))
+      .add("c", wheels(8, 8), triangle(8, 4));
   const auto fuzzy = coordinator("fusion_fuzzy");
-  const MotorCommand flat = decided(named, {behavior("a"), behavior("b"), behavior("c")}, fuzzy);
-  const MotorCommand nested =
+  const Motion flat = decided(named, {behavior("a"), behavior("b"), behavior("c")}, fuzzy);
+  const Motion nested =
       decided(named, {blend("pair", {behavior("a"), behavior("b")}, fuzzy), behavior("c")}, fuzzy);
   check_near(nested, flat);
   // If the pair had been decided first, at (0 x 5 + 20 x 10) / 15 = 13.3, the command would differ.
   NamedHost settled;
-  settled.add("pair", MotorCommand{40.0 / 3, 40.0 / 3})
-      .add("c", MotorCommand{8, 8}, triangle(8, 4));
-  const MotorCommand early = decided(settled, {behavior("pair"), behavior("c")}, fuzzy);
-  CHECK(std::abs(early.left - flat.left) > 1.0);
+  settled.add("pair", wheels(40.0 / 3, 40.0 / 3)).add("c", wheels(8, 8), triangle(8, 4));
+  const WheelRates early = rates(decided(settled, {behavior("pair"), behavior("c")}, fuzzy));
+  CHECK(std::abs(early.left - rates(flat).left) > 1.0);
 }
 
 TEST_CASE("A blend of opposite wishes is rated by both, not by their mean") {
   NamedHost named;
-  named.add("left", MotorCommand{-10, 10}).add("right", MotorCommand{10, -10});
-  named.add("prefers_right", active(0.2, {10, -10}));
+  named.add("left", wheels(-10, 10)).add("right", wheels(10, -10));
+  named.add("prefers_right", active(0.2, wheels(10, -10)));
   const auto fusion = coordinator("fusion_interval");
-  const MotorCommand command = decided(
+  const Motion command = decided(
       named,
       {blend("either", {behavior("left"), behavior("right")}, fusion), behavior("prefers_right")},
       fusion);
-  check_near(command, {10, -10}, 0.1);
+  check_near(command, wheels(10, -10), 0.1);
 }
 
 TEST_CASE("Context-dependent blends nest: one is a member of another") {
   NamedHost named;
-  named.add("avoid", MotorCommand{-10, 10}).add("go", MotorCommand{20, 20});
+  named.add("avoid", wheels(-10, 10)).add("go", wheels(20, 20));
   const auto contexts =
       coordinator("fusion_context_blending",
                   {{"model", source_path("tests/plugins/coordinators/contexts.fcl")}});
@@ -134,19 +138,19 @@ TEST_CASE("Context-dependent blends nest: one is a member of another") {
   CHECK(trace[2].path == "go/go");
   CHECK(trace[2].member->trace.weight == 1.0);
   CHECK(trace[1].member->trace.weight == 0.0);
-  check_near(simulation.robot(0).command, {20, 20});
+  check_near(simulation.robot(0).command, wheels(20, 20));
 }
 
 TEST_CASE("A blend with nobody active in it is not active, and wishes nothing") {
   NamedHost named;
-  named.add("idle", active(0.0, {10, 10})).add("c", active(0.1, {5, 5}));
+  named.add("idle", active(0.0, wheels(10, 10))).add("c", active(0.1, wheels(5, 5)));
   for (const char* outer : {"arbiter_action_selection", "arbiter_voting", "fusion_interval",
                             "fusion_fuzzy", "arbiter_strength", "arbiter_subsumption"}) {
     CAPTURE(outer);
     check_near(
         decided(named, {behavior("c"), blend("b", {behavior("idle")}, coordinator("fusion_fuzzy"))},
                 coordinator(outer)),
-        {5, 5}, 1e-6);
+        wheels(5, 5), 1e-6);
   }
 }
 
@@ -154,7 +158,7 @@ namespace {
 
 /// A wish for a forward speed and a turn, with a strength for each.
 Response wish(double speed, double turn, double speed_strength, double turn_strength) {
-  Response response(MotorCommand{speed - turn, speed + turn});
+  Response response(wheels(speed - turn, speed + turn));
   response.speed_strength = speed_strength;
   response.turn_strength = turn_strength;
   return response;
@@ -175,12 +179,12 @@ TEST_CASE("A blend of those that only steer leaves the speed to others, as they 
   for (const char* inside :
        {"arbiter_suppression", "fusion_vector_summation", "arbiter_strength", "fusion_fuzzy"}) {
     CAPTURE(inside);
-    check_near(decided_with(behavior("steers")), {8, 20});
-    check_near(decided_with(blend("b", {behavior("steers")}, coordinator(inside))), {8, 20});
-    check_near(decided_with(blend("b", {behavior("brakes")}, coordinator(inside))), {2, 2});
+    check_near(decided_with(behavior("steers")), wheels(8, 20));
+    check_near(decided_with(blend("b", {behavior("steers")}, coordinator(inside))), wheels(8, 20));
+    check_near(decided_with(blend("b", {behavior("brakes")}, coordinator(inside))), wheels(2, 2));
     // Blends in blends.
     world::BehaviorUse inner = blend("inner", {behavior("steers")}, coordinator(inside));
-    check_near(decided_with(blend("b", {inner}, coordinator(inside))), {8, 20});
+    check_near(decided_with(blend("b", {inner}, coordinator(inside))), wheels(8, 20));
   }
 }
 

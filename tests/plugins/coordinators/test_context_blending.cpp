@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "support.h"
+#include "wheels.h"
 #include "world_builder.h"
 
 using namespace elsie;
@@ -11,8 +12,10 @@ using Catch::Matchers::Contains;
 using elsie::test::active;
 using elsie::test::check_near;
 using elsie::test::Coordinated;
+using elsie::test::rates;
 using elsie::test::Situation;
 using elsie::test::Team;
+using elsie::test::wheels;
 
 namespace {
 
@@ -26,9 +29,9 @@ plugin::Object<Coordinator> blending(const std::string& model, test::Parameters 
 /// A team whose robot looks ahead.
 struct Scene {
   explicit Scene(test::Parameters parameters = {}) : coordinator(blending(kContexts, parameters)) {
-    team.member("avoid", 1, MotorCommand{-10, 10}).member("go", 1, MotorCommand{20, 20});
+    team.member("avoid", 1, wheels(-10, 10)).member("go", 1, wheels(20, 20));
   }
-  MotorCommand decide(double front_m) {
+  Motion decide(double front_m) {
     Situation now;
     now.beam(0, front_m);
     coordinator->equipped(team.members(), now.perception());
@@ -70,7 +73,7 @@ class ModelFile {
 
 std::string refusal(const std::string& model, Situation& now) {
   Team team;
-  team.member("avoid", 1, MotorCommand{}).member("go", 1, MotorCommand{});
+  team.member("avoid", 1, Motion{}).member("go", 1, Motion{});
   try {
     blending(model)->equipped(team.members(), now.perception());
   } catch (const std::invalid_argument& error) {
@@ -86,7 +89,7 @@ Approx word_value(Situation& now, const std::string& word) {
                        "RULE 1 : IF " + word + " IS low THEN go IS no;\nRULE 2 : IF " + word +
                            " IS high THEN go IS yes;");
   Team team;
-  team.member("go", 1, MotorCommand{});
+  team.member("go", 1, Motion{});
   const auto coordinator = blending(file.path);
   coordinator->equipped(team.members(), now.perception());
   coordinator->coordinate(team.members(), now.perception());
@@ -97,12 +100,12 @@ Approx word_value(Situation& now, const std::string& word) {
 
 TEST_CASE("A behaviour counts as far as its context holds") {
   Scene scene;
-  check_near(scene.decide(0.2), {-10, 10});
+  check_near(scene.decide(0.2), wheels(-10, 10));
   CHECK(scene.team.trace(0).weight == 1.0);
   CHECK(scene.team.trace(0).share == 1.0);
   CHECK(scene.team.asked(1) == 0);  // a behaviour that does not apply does not run
   CHECK(scene.team.reason(1) == "not in this context");
-  check_near(scene.decide(1.0), {20, 20});
+  check_near(scene.decide(1.0), wheels(20, 20));
   CHECK(scene.team.trace(1).share == 1.0);
 }
 
@@ -110,7 +113,7 @@ TEST_CASE("In between, the sets are cut off at the degrees and defuzzified last"
   Scene scene;
   // near 1/4, far 3/4. Triangles of half width 5 cut at d have an area of 5 (1 - (1 - d)^2).
   const double near = 5 * (1 - 0.75 * 0.75), far = 5 * (1 - 0.25 * 0.25);
-  const MotorCommand command = scene.decide(0.8);
+  const WheelRates command = rates(scene.decide(0.8));
   CHECK(scene.team.trace(0).weight == Approx(0.25));
   CHECK(scene.team.trace(1).weight == Approx(0.75));
   CHECK(command.left == Approx((near * -10 + far * 20) / (near + far)));
@@ -125,7 +128,7 @@ TEST_CASE("In between, the sets are cut off at the degrees and defuzzified last"
 TEST_CASE("A behaviour that is not active is left out, however well its context holds") {
   Scene scene;
   scene.team.answer(0).activation = 0.0;
-  check_near(scene.decide(0.6), {20, 20});
+  check_near(scene.decide(0.6), wheels(20, 20));
   CHECK(scene.team.reason(0) == "not active");
   scene.team.answer(0).activation = 0.01;  // otherwise only its context decides its weight
   scene.decide(0.6);
@@ -135,7 +138,8 @@ TEST_CASE("A behaviour that is not active is left out, however well its context 
 TEST_CASE("The combined sets are passed outwards before defuzzification") {
   Scene scene;
   scene.decide(0.8);
-  const CommandSets sets = scene.coordinator->command_sets(scene.team.members(), {});
+  const CommandSets sets =
+      scene.coordinator->command_sets(scene.team.members(), Situation().perception(), {});
   CHECK(sets.left.degree(-10) == Approx(0.25));
   CHECK(sets.left.degree(20) == Approx(0.75));
   CHECK(sets.left.degree(5) == 0.0);
@@ -144,7 +148,7 @@ TEST_CASE("The combined sets are passed outwards before defuzzification") {
 TEST_CASE("A behaviour that the model does not name always applies, which a note says") {
   ModelFile file("battery", "go");
   Team team;
-  team.member("avoid", 1, MotorCommand{}).member("go", 1, MotorCommand{});
+  team.member("avoid", 1, Motion{}).member("go", 1, Motion{});
   Situation now;
   const auto coordinator = blending(file.path);
   coordinator->equipped(team.members(), now.perception());
@@ -158,7 +162,7 @@ TEST_CASE("A behaviour that the model does not name always applies, which a note
 TEST_CASE("Degrees beyond 0 and 1 count as these") {
   ModelFile file("battery", "go", "TERM no := 0; TERM yes := 7;");
   Team team;
-  team.member("go", 1, MotorCommand{1, 1});
+  team.member("go", 1, wheels(1, 1));
   Situation now;
   const auto coordinator = blending(file.path);
   coordinator->equipped(team.members(), now.perception());
@@ -179,7 +183,7 @@ TEST_CASE("A model that does not fit the robot is refused with everything that i
                  Contains("did you mean 'avoid'?"));
   ModelFile single("battery", "go", "TERM yes := 1;");
   Team team;
-  team.member("go", 1, MotorCommand{});
+  team.member("go", 1, Motion{});
   const auto coordinator = blending(single.path);
   coordinator->equipped(team.members(), blind.perception());
   REQUIRE(coordinator->notes().size() == 1);
@@ -194,8 +198,8 @@ TEST_CASE("The inputs of contexts have the values that their names say") {
   now.self.capacity = 4000;
   now.self.charging = true;
   now.self.coverage_m = 2;
-  now.self.speed_m_s = 0.25;
-  now.self.turn_rate_rad_s = radians(30);
+  now.self.moving.forward = 0.25;
+  now.self.moving.turn = radians(30);
   now.mate("m", 1, 2.5).mate("boss", 2, 2, true).time(12);
   now.team.charger = Vector2{1, 5};
 
@@ -265,14 +269,13 @@ TEST_CASE("With several cameras all inputs are about the resource most nearly st
   CHECK(0.01 == word_value(now, "resource_area"));
   // find_resource chooses the same one.
   const auto finder = test::make<Behavior>(PluginKind::behavior, "find_resource");
-  const MotorCommand command = finder->respond(now.perception()).command;
-  check_near(command, {45.0 / 20, -45.0 / 20});
+  check_near(finder->respond(now.perception()).command, wheels(45.0 / 20, -45.0 / 20));
   // Of two at equal angles the first camera's counts, in both plugins.
   Situation even;
   even.view(sees(50, 100, 30), 20).view(sees(50, 400, 30), -20);
   CHECK(20.0 == word_value(even, "resource_bearing"));
   CHECK(0.01 == word_value(even, "resource_area"));
-  const MotorCommand left = finder->respond(even.perception()).command;
+  const WheelRates left = rates(finder->respond(even.perception()).command);
   CHECK(left.right > left.left);
 }
 
@@ -293,7 +296,7 @@ ModelFile with_a_gap(const std::string& otherwise) {
 std::vector<double> weights(const ModelFile& file, const std::vector<double>& distances,
                             std::vector<std::string>* reasons = nullptr) {
   Team team;
-  team.member("go", 1, MotorCommand{20, 20});
+  team.member("go", 1, wheels(20, 20));
   const auto coordinator = blending(file.path);
   std::vector<double> all;
   for (const double distance : distances) {
@@ -316,7 +319,7 @@ std::vector<double> weights(const ModelFile& file, const std::vector<double>& di
 
 std::vector<std::string> notes_of(const ModelFile& file) {
   Team team;
-  team.member("go", 1, MotorCommand{});
+  team.member("go", 1, Motion{});
   Situation now;
   now.beam(0, 0.5);
   const auto coordinator = blending(file.path);

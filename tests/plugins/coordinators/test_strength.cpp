@@ -1,21 +1,24 @@
 #include "support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using Catch::Matchers::Contains;
 using elsie::test::active;
 using elsie::test::check_near;
 using elsie::test::Coordinated;
+using elsie::test::rates;
 using elsie::test::Team;
+using elsie::test::wheels;
 
 namespace {
 
 /// A wish for a forward speed and a turn, as wheel rates.
 Response wish(double speed, double turn, double strength = 1.0) {
-  Response response(MotorCommand{speed - turn, speed + turn});
+  Response response(wheels(speed - turn, speed + turn));
   response.strength = strength;
   return response;
 }
-MotorCommand command(double speed, double turn) { return {speed - turn, speed + turn}; }
+Motion command(double speed, double turn) { return wheels(speed - turn, speed + turn); }
 
 }  // namespace
 
@@ -109,9 +112,8 @@ TEST_CASE("How far a behaviour is active scales its strength, gates it, or does 
     Response half = wish(10, 0);
     half.activation = how_far;
     team.member("a", 2, half).member("b", 1, wish(20, 0));
-    return Coordinated("arbiter_strength", team, {{"activation", std::string(activation)}})
-        .decide()
-        .left;
+    Coordinated robot("arbiter_strength", team, {{"activation", std::string(activation)}});
+    return rates(robot.decide()).left;
   };
   CHECK(decided("scale", 0.5) == Approx(15));
   CHECK(decided("gate", 0.5) == Approx(10));
@@ -130,5 +132,5 @@ TEST_CASE("A behaviour without strength has no part, and the trace says which it
   CHECK(team.reason(0) == "no strength");
   CHECK(team.reason(2) == "not active");
   team.answer(1).strength = 0.0;
-  CHECK(robot.decide() == MotorCommand{});
+  CHECK(robot.decide() == Motion{});
 }

@@ -1,14 +1,17 @@
 #include "support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using Catch::Matchers::Contains;
 using elsie::test::active;
 using elsie::test::Coordinated;
+using elsie::test::rates;
 using elsie::test::Team;
+using elsie::test::wheels;
 
 namespace {
 
-const MotorCommand kWander{1, 1}, kSeek{2, 2}, kAvoid{3, 3};
+const Motion kWander{1, 1}, kSeek{2, 2}, kAvoid{3, 3};
 
 void fill(Team& team) {
   team.member("wander", 1, kWander).member("seek", 1, kSeek).member("avoid", 1, kAvoid);
@@ -67,17 +70,17 @@ TEST_CASE("Without links the highest active layer decides: the last in the file"
 TEST_CASE("Suppression replaces a signal; inhibition removes it and puts nothing in its place") {
   for (const bool suppressing : {true, false}) {
     Team team;
-    team.member("drive", 1, MotorCommand{10, 10}).member("alarm", 1, MotorCommand{-5, 5});
+    team.member("drive", 1, wheels(10, 10)).member("alarm", 1, wheels(-5, 5));
     Coordinated robot("arbiter_subsumption", team, {},
                       {suppressing ? suppress("alarm", "drive") : inhibit("alarm", "drive")});
-    CHECK(robot.decide() == (suppressing ? MotorCommand{-5, 5} : MotorCommand{0, 0}));
+    CHECK(robot.decide() == (suppressing ? wheels(-5, 5) : wheels(0, 0)));
     CHECK(team.trace(0).inhibited_by == 1);
     CHECK(team.reason(0) == (suppressing ? "suppressed" : "inhibited"));
     CHECK(team.trace(1).share == (suppressing ? 1.0 : 0.0));
     CHECK(team.reason(1) ==
           (suppressing ? "its signal reaches the motors" : "its signal leads nowhere"));
     team.answer(1).activation = 0.0;  // an inactive layer does neither
-    CHECK(robot.decide() == MotorCommand{10, 10});
+    CHECK(rates(robot.decide()) == WheelRates{10, 10});
   }
 }
 
@@ -112,7 +115,7 @@ TEST_CASE("Of several nodes on one line that of the highest layer is nearest to 
   };
   CHECK(with({suppress("avoid", "wander"), inhibit("seek", "wander")}) == kAvoid);
   CHECK(with({inhibit("seek", "wander"), suppress("avoid", "wander")}) == kAvoid);
-  CHECK(with({suppress("seek", "wander"), inhibit("avoid", "wander")}) == MotorCommand{});
+  CHECK(with({suppress("seek", "wander"), inhibit("avoid", "wander")}) == Motion{});
 }
 
 TEST_CASE("A link stays in effect for its time constant, with the last signal") {
@@ -130,9 +133,9 @@ TEST_CASE("A link stays in effect for its time constant, with the last signal") 
   CHECK(robot.rate({kAvoid})[0] == 1.0);  // outwards it stands for the executed command
   CHECK(robot.decide_at(0.51) == kWander);
   set(team, 1, 1, 0);
-  CHECK(robot.decide_at(1.0) == MotorCommand{});
+  CHECK(robot.decide_at(1.0) == Motion{});
   set(team, 1, 0, 0);
-  CHECK(robot.decide_at(1.2) == MotorCommand{});
+  CHECK(robot.decide_at(1.2) == Motion{});
   CHECK(team.reason(0) == "inhibited");
   CHECK(robot.decide_at(1.21) == kWander);
   robot.reset();

@@ -1,17 +1,20 @@
 #include "support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using elsie::test::active;
 using elsie::test::Coordinated;
+using elsie::test::rates;
 using elsie::test::Team;
+using elsie::test::wheels;
 
 TEST_CASE("Suppression runs only the behaviour of highest priority and passes its command on") {
   Team team;
-  team.member("low", 1, MotorCommand{1, 2})
-      .member("high", 3, MotorCommand{5, 6})
-      .member("middle", 2, MotorCommand{3, 4});
+  team.member("low", 1, wheels(1, 2))
+      .member("high", 3, wheels(5, 6))
+      .member("middle", 2, wheels(3, 4));
   Coordinated robot("arbiter_suppression", team);
-  CHECK(robot.decide() == MotorCommand{5, 6});
+  CHECK(rates(robot.decide()) == WheelRates{5, 6});
   CHECK(team.asked(0) == 0);
   CHECK(team.asked(1) == 1);
   CHECK(team.asked(2) == 0);
@@ -27,7 +30,7 @@ TEST_CASE("Suppression runs only the behaviour of highest priority and passes it
 TEST_CASE(
     "With suppression the first in the file wins a tie, and an inactive winner still decides") {
   Team team;
-  team.member("a", -1, active(0.0, {7, 8})).member("b", -1, MotorCommand{1, 1});
+  team.member("a", -1, active(0.0, wheels(7, 8))).member("b", -1, wheels(1, 1));
   Coordinated robot("arbiter_suppression", team);
-  CHECK(robot.decide() == MotorCommand{7, 8});
+  CHECK(rates(robot.decide()) == WheelRates{7, 8});
 }

@@ -2,10 +2,12 @@
 #include <cmath>
 
 #include "support.h"
+#include "wheels.h"
 
 namespace testing = elsie::testing;
-using elsie::MotorCommand;
+using elsie::Motion;
 using namespace elsie::test;
+using elsie::test::wheels;
 
 namespace {
 
@@ -37,7 +39,7 @@ TEST_CASE("A steady ramp varies by its slope and jerks at its foot alone") {
   Scene now;
   now.robot("r1");
   Measure smooth("command_smoothness");
-  drive(now, smooth, 100, [](double t) { return MotorCommand{2.0 * t, -4.0 * t}; });
+  drive(now, smooth, 100, [](double t) { return wheels(2.0 * t, -4.0 * t); });
   CHECK(smooth.value("variation") == Approx(3.0));  // rad/s2, mean of 2 and 4
   // One second difference is not zero: that of the first command, 0.02 and -0.04 in 0.01 s, twice.
   const double first = 0.5 * (200.0 * 200.0 + 400.0 * 400.0);
@@ -56,7 +58,7 @@ TEST_CASE("A command that flips each time varies the most, whatever the period")
       now.step();
       if (now.observation().decided) {
         ++decisions;
-        now["r1"].command = decisions % 2 == 1 ? MotorCommand{10, 10} : MotorCommand{};
+        now["r1"].command = decisions % 2 == 1 ? wheels(10, 10) : Motion{};
       }
       smooth.observe(now);
     }
@@ -77,7 +79,7 @@ TEST_CASE("A sine has the variation and the jerk that calculus gives") {
   smooth.observe(now);
   for (int i = 1; i <= 10'000; ++i) {
     const double u = a * (1.0 - std::cos(w * 0.001 * i));  // starts at rest
-    now["r1"].command = {u, u};
+    now["r1"].command = wheels(u, u);
     smooth.observe(now.step());
   }
   CHECK(smooth.value("variation") == Approx(4.0 * a).epsilon(0.001));  // 4 amplitudes a second
@@ -88,7 +90,7 @@ TEST_CASE("The smoothness of several robots is their mean") {
   Scene now;
   now.robot("r1").robot("r2");
   Measure smooth("command_smoothness");
-  drive(now, smooth, 50, [](double t) { return MotorCommand{2.0 * t, 2.0 * t}; });
+  drive(now, smooth, 50, [](double t) { return wheels(2.0 * t, 2.0 * t); });
   CHECK(smooth.value("variation") == Approx(1.0));  // the other one stands still
 }
 

@@ -11,6 +11,7 @@
 #include "folder.h"
 #include "shipped.h"
 #include "situation.h"
+#include "wheels.h"
 
 namespace elsie::test {
 
@@ -32,8 +33,7 @@ inline Object coordinator(const char* name, Parameters parameters = {}) {
 
 /// Two behaviours, as in the reference samples.
 inline void add_two_behaviors(Team& team) {
-  team.member("avoid_obstacle", 1, MotorCommand{-10, 10})
-      .member("find_resource", 1, MotorCommand{20, 20});
+  team.member("avoid_obstacle", 1, wheels(-10, 10)).member("find_resource", 1, wheels(20, 20));
 }
 
 inline Situation beams(double left, double right) {
@@ -51,7 +51,7 @@ inline void start(Coordinator& object, Team& team, std::uint64_t seed = 1) {
 }
 
 /// The command for these readings; the trace is in the team.
-inline MotorCommand decide(Coordinator& object, Team& team, double left, double right) {
+inline Motion decide(Coordinator& object, Team& team, double left, double right) {
   for (Member& member : team.members()) {
     member.begin_step();
   }

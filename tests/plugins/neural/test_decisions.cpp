@@ -2,9 +2,11 @@
 #include <catch2/catch.hpp>
 
 #include "support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::rates;
 
 TEST_CASE("Fusion takes each command times the network's output and divides by their number") {
   Files files;
@@ -12,7 +14,7 @@ TEST_CASE("Fusion takes each command times the network's output and divides by t
   Team team;
   add_two_behaviors(team);
   start(*fusion, team);
-  const MotorCommand command = decide(*fusion, team, 0.4, 0.7);
+  const WheelRates command = rates(decide(*fusion, team, 0.4, 0.7));
   const double first = logistic(0.4), second = logistic(1.0 - 2.0 * 0.7);
   CHECK(command.left == Approx((first * -10 + second * 20) / 2));
   CHECK(command.right == Approx((first * 10 + second * 20) / 2));
@@ -30,7 +32,7 @@ TEST_CASE("Arbitration runs the behaviour with the largest output, and no other"
   Team team;
   add_two_behaviors(team);
   start(*arbiter, team);
-  CHECK(decide(*arbiter, team, 0.4, 0.7) == MotorCommand{-10, 10});
+  CHECK(rates(decide(*arbiter, team, 0.4, 0.7)) == WheelRates{-10, 10});
   CHECK(team.asked(0) == 1);
   CHECK(team.asked(1) == 0);
   CHECK(weight(team, 0) == Approx(logistic(0.4)));
@@ -42,7 +44,7 @@ TEST_CASE("Arbitration runs the behaviour with the largest output, and no other"
   CHECK(reason(team, 0) == "largest priority");
   CHECK(reason(team, 1) == "smaller priority");
 
-  CHECK(decide(*arbiter, team, 0.1, 0.2) == MotorCommand{20, 20});
+  CHECK(rates(decide(*arbiter, team, 0.1, 0.2)) == WheelRates{20, 20});
   CHECK(team.asked(1) == 1);
   CHECK(team.members()[0].trace.inhibited_by == 1);
 }
@@ -54,7 +56,7 @@ TEST_CASE("With equal outputs the first behaviour in the file wins") {
   Team team;
   add_two_behaviors(team);
   start(*arbiter, team);
-  CHECK(decide(*arbiter, team, 0.4, 0.7) == MotorCommand{-10, 10});
+  CHECK(rates(decide(*arbiter, team, 0.4, 0.7)) == WheelRates{-10, 10});
   CHECK(weight(team, 0) == 0.5);
   CHECK(weight(team, 1) == 0.5);
 }
@@ -65,14 +67,16 @@ TEST_CASE("Nested, the arbiter wishes what its winner wishes") {
   Team team;
   add_two_behaviors(team);
   start(*arbiter, team);
-  const MotorCommand given = decide(*arbiter, team, 0.4, 0.7);
-  const MotorCommand candidates[] = {{-10, 10}, {20, 20}};
+  const Motion given = decide(*arbiter, team, 0.4, 0.7);
+  const Motion candidates[] = {wheels(-10, 10), wheels(20, 20)};
   double wished[2], of_winner[2];
-  arbiter->rate(team.members(), given, candidates, wished);
+  const Situation now;
+  arbiter->rate(team.members(), now.perception(), given, candidates, wished);
   team.members()[0].rate(candidates, of_winner);
   CHECK(wished[0] == of_winner[0]);
   CHECK(wished[1] == of_winner[1]);
-  CHECK(arbiter->command_sets(team.members(), given).left == team.members()[0].command_sets().left);
+  const CommandSets sets = arbiter->command_sets(team.members(), now.perception(), given);
+  CHECK(sets.left == team.members()[0].command_sets().left);
 }
 
 TEST_CASE("Trained on the reference samples, the network avoids near obstacles and seeks else") {
@@ -82,11 +86,11 @@ TEST_CASE("Trained on the reference samples, the network avoids near obstacles a
     add_two_behaviors(team);
     start(*arbiter, team);
     CAPTURE(hidden);
-    CHECK(decide(*arbiter, team, 1, 1) == MotorCommand{20, 20});
+    CHECK(rates(decide(*arbiter, team, 1, 1)) == WheelRates{20, 20});
     CHECK(weight(team, 1) == Approx(1).margin(0.05));
-    CHECK(decide(*arbiter, team, 0.2, 1) == MotorCommand{-10, 10});
-    CHECK(decide(*arbiter, team, 1, 0.6) == MotorCommand{-10, 10});
-    CHECK(decide(*arbiter, team, 0.2, 0.2) == MotorCommand{-10, 10});
+    CHECK(rates(decide(*arbiter, team, 0.2, 1)) == WheelRates{-10, 10});
+    CHECK(rates(decide(*arbiter, team, 1, 0.6)) == WheelRates{-10, 10});
+    CHECK(rates(decide(*arbiter, team, 0.2, 0.2)) == WheelRates{-10, 10});
     CHECK(weight(team, 0) == Approx(0.3).margin(0.05));
   }
 }
@@ -114,7 +118,7 @@ TEST_CASE("Without behaviours the command is zero, and there is nothing to train
     object->equipped({}, now.perception());
     Random random(1);
     object->reset(random);
-    CHECK(object->coordinate({}, now.perception()) == MotorCommand{});
+    CHECK(object->coordinate({}, now.perception()) == Motion{});
     CHECK(object->notes().empty());
   }
 }
@@ -123,9 +127,9 @@ TEST_CASE("Behaviours that all wish to stand still share by their priorities") {
   Files files;
   const Object fusion = coordinator(kFusion, {{"weights", files.weights({simple_network()})}});
   Team team;
-  team.member("a", 1, MotorCommand{}).member("b", 1, MotorCommand{});
+  team.member("a", 1, Motion{}).member("b", 1, Motion{});
   start(*fusion, team);
-  CHECK(decide(*fusion, team, 0.4, 0.7) == MotorCommand{});
+  CHECK(decide(*fusion, team, 0.4, 0.7) == Motion{});
   CHECK(share(team, 0) == Approx(logistic(0.4)));  // the two outputs add up to 1 here
   CHECK(share(team, 0) + share(team, 1) == Approx(1.0));
 }

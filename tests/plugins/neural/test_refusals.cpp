@@ -2,9 +2,11 @@
 #include <catch2/catch.hpp>
 
 #include "support.h"
+#include "wheels.h"
 
 using namespace elsie;
 using namespace elsie::test;
+using elsie::test::wheels;
 
 TEST_CASE("Samples that do not fit the robot are refused when it is put together") {
   Files files;
@@ -23,7 +25,7 @@ TEST_CASE("Samples that do not fit the robot are refused when it is put together
   CHECK_THAT(refusal(*reference, team, three), Catch::Contains("expected 5: 3 inputs"));
   Situation none;
   CHECK_THAT(refusal(*reference, team, none), Catch::Contains("has none"));
-  team.member("wander", 1, MotorCommand{1, 1});
+  team.member("wander", 1, wheels(1, 1));
   CHECK_THAT(refusal(*reference, team, two), Catch::Contains("3 outputs"));
 
   const Object nothing = coordinator(kFusion, {{"training", std::string()}});

@@ -14,7 +14,7 @@ class BodyLearner final : public elsie::Coordinator, public Trainable {
   void equipped(std::span<const elsie::Member> members, const elsie::Perception& example) override {
     const elsie::OwnState& self = example.self();
     std::ostringstream body, team, sensors;
-    body << self.wheel_radius_m << ' ' << self.half_axle_m << ' ' << self.length_m << ' '
+    body << self.wheels.radius << ' ' << self.wheels.half_axle << ' ' << self.length_m << ' '
          << self.width_m << ' ' << self.max_speed_m_s << ' ' << self.coverage_m << ' '
          << self.capacity;
     team << example.team().name << ' ' << self.team_index << ' ' << self.is_leader;
@@ -28,7 +28,7 @@ class BodyLearner final : public elsie::Coordinator, public Trainable {
               {"team", team.str()},
               {"sensors", sensors.str() + std::string(members[0].name())}};
   }
-  elsie::MotorCommand coordinate(std::span<elsie::Member>, const elsie::Perception&) override {
+  elsie::Motion coordinate(std::span<elsie::Member>, const elsie::Perception&) override {
     return {};
   }
   Lesson learn(elsie::Random&, const TrainingWatch&) const override {

@@ -42,7 +42,7 @@ template <class Fault>
 class Failing final : public elsie::Behavior {
  public:
   elsie::Response respond(const elsie::Perception& now) override {
-    return now.time_s() >= 0.495 ? fault_() : elsie::MotorCommand{10, 10};
+    return now.time_s() >= 0.495 ? fault_() : elsie::WheelPair().motion({10, 10});
   }
 
  private:
@@ -50,40 +50,40 @@ class Failing final : public elsie::Behavior {
 };
 
 struct Throws {
-  elsie::MotorCommand operator()() { throw std::runtime_error("it gave up"); }
+  elsie::Motion operator()() { throw std::runtime_error("it gave up"); }
 };
 struct NotANumber {
-  elsie::MotorCommand operator()() { return {std::numeric_limits<double>::quiet_NaN(), 10}; }
+  elsie::Motion operator()() { return {std::numeric_limits<double>::quiet_NaN(), 0, 0}; }
 };
 struct Segfaults {
-  elsie::MotorCommand operator()() { return {*hidden<double*>(nullptr), 10}; }
+  elsie::Motion operator()() { return {*hidden<double*>(nullptr), 0, 0}; }
 };
 struct Divides {
-  elsie::MotorCommand operator()() {
+  elsie::Motion operator()() {
     raise(SIGFPE);  // 1 / 0 raises it on some processors only
     return {};
   }
 };
 struct Aborts {
-  elsie::MotorCommand operator()() { std::abort(); }
+  elsie::Motion operator()() { std::abort(); }
 };
 struct ThrowsWhereNoneMay {
-  elsie::MotorCommand operator()() noexcept { return Throws()(); }
+  elsie::Motion operator()() noexcept { return Throws()(); }
 };
 struct IllegalInstruction {
-  elsie::MotorCommand operator()() { __builtin_trap(); }
+  elsie::Motion operator()() { __builtin_trap(); }
 };
 struct BusError {
-  elsie::MotorCommand operator()() {
+  elsie::Motion operator()() {
     raise(SIGBUS);
     return {};
   }
 };
 struct Exits {
-  elsie::MotorCommand operator()() { std::exit(0); }
+  elsie::Motion operator()() { std::exit(0); }
 };
 struct Overflows {
-  elsie::MotorCommand operator()() { return {deeper(1), 10}; }
+  elsie::Motion operator()() { return {deeper(1), 0, 0}; }
   static double deeper(int depth) {
     volatile double here[64] = {};
     here[0] = depth;
@@ -98,21 +98,21 @@ void loop() {
   }
 }
 struct Loops {
-  elsie::MotorCommand operator()() {
+  elsie::Motion operator()() {
     loop();
     return {};
   }
 };
 /// Calls an address without code.
 struct CallsNowhere {
-  elsie::MotorCommand operator()() {
+  elsie::Motion operator()() {
     hidden(reinterpret_cast<void (*)()>(0x1234))();
     return {};
   }
 };
 /// Overwrites its own return address and those of its callers.
 struct SmashesStack {
-  elsie::MotorCommand operator()() { return {smash(hidden(24)), 0}; }
+  elsie::Motion operator()() { return {smash(hidden(24)), 0, 0}; }
   __attribute__((noinline)) static double smash(int words) {
     volatile std::uintptr_t here[4] = {};
     volatile std::uintptr_t* const beyond = hidden(&here[0]);
@@ -124,28 +124,28 @@ struct SmashesStack {
 };
 /// A separate thread that crashes while the robot drives.
 struct CrashesElsewhere {
-  elsie::MotorCommand operator()() {
+  elsie::Motion operator()() {
     std::thread([] { *hidden<int*>(nullptr) = 1; }).join();
     return {};
   }
 };
 struct Dawdles {
-  elsie::MotorCommand operator()() {
+  elsie::Motion operator()() {
     std::this_thread::sleep_for(std::chrono::milliseconds(1000));
-    return {10, 10};
+    return elsie::WheelPair().motion({10, 10});
   }
 };
 struct Leaks {
-  elsie::MotorCommand operator()() {
+  elsie::Motion operator()() {
     hidden(new char[1000]);
-    return {10, 10};
+    return elsie::WheelPair().motion({10, 10});
   }
 };
 /// Allocates and frees in every call, with constant memory.
 struct Thrifty {
-  elsie::MotorCommand operator()() {
+  elsie::Motion operator()() {
     texts_.assign(20, std::string(100, 'x'));
-    return {10, 10};
+    return elsie::WheelPair().motion({10, 10});
   }
   std::vector<std::string> texts_;
 };
@@ -219,10 +219,11 @@ class CrashesWhenDestroyed final : public elsie::Behavior {
 
 class CrashingCoordinator final : public elsie::Coordinator {
  public:
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception& now) override {
-    const elsie::MotorCommand command = members[0].respond().command;
-    return now.time_s() >= 0.495 ? elsie::MotorCommand{*hidden<double*>(nullptr), 0} : command;
+  elsie::Motion coordinate(std::span<elsie::Member> members,
+                           const elsie::Perception& now) override {
+    const elsie::Motion command = members[0].respond().command;
+    return now.time_s() >= 0.495 ? elsie::WheelPair().motion({*hidden<double*>(nullptr), 0})
+                                 : command;
   }
 };
 

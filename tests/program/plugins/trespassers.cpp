@@ -52,7 +52,7 @@ class Trespassing final : public elsie::Behavior {
       done_ = true;
       Deed()();
     }
-    return elsie::MotorCommand{10.0, 10.0 + 0.1 * now.time_s()};
+    return elsie::WheelPair().motion({10.0, 10.0 + 0.1 * now.time_s()});
   }
 
  private:
@@ -231,7 +231,7 @@ class Hoards final : public elsie::Behavior {
  public:
   elsie::Response respond(const elsie::Perception&) override {
     kept_.push_back(hidden(new double[1000]));
-    return elsie::MotorCommand{1, 1};
+    return elsie::WheelPair().motion({1, 1});
   }
 
  private:
@@ -242,7 +242,7 @@ class Gulps final : public elsie::Behavior {
  public:
   elsie::Response respond(const elsie::Perception&) override {
     delete[] hidden(new char[hidden(std::size_t{4'000'000'000})]);
-    return elsie::MotorCommand{1, 1};
+    return elsie::WheelPair().motion({1, 1});
   }
 };
 

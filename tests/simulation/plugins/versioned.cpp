@@ -75,7 +75,7 @@ class Numbered final : public elsie::Behavior, public elsie::Remembers {
     ++asked_;
     last_ = draws ? now.random().uniform(-5.0, 5.0) : 0.01 * gain * number();
     elsie::Response response(
-        elsie::MotorCommand{last_, draws ? last_ : 0.01 * static_cast<double>(asked_)});
+        elsie::WheelPair().motion({last_, draws ? last_ : 0.01 * static_cast<double>(asked_)}));
     if (asked_ % 2 == 1) {
       response.events.push_back({mode('e') ? "bong" : "beat"});
     }
@@ -93,7 +93,7 @@ class Forgetful final : public elsie::Behavior {
  public:
   elsie::Response respond(const elsie::Perception&) override {
     ++asked_;
-    return elsie::MotorCommand{0.01 * asked_, number()};
+    return elsie::WheelPair().motion({0.01 * asked_, number()});
   }
 
  private:
@@ -109,8 +109,7 @@ class Holder final : public elsie::Behavior {
 
 class First final : public elsie::Coordinator {
  public:
-  elsie::MotorCommand coordinate(std::span<elsie::Member> members,
-                                 const elsie::Perception&) override {
+  elsie::Motion coordinate(std::span<elsie::Member> members, const elsie::Perception&) override {
     members[0].respond();
     members[0].trace.share = members[0].trace.weight = 1.0;
     members[0].trace.reason = own_text("by number");
@@ -153,7 +152,7 @@ class Leveller final : public elsie::Behavior {
  public:
   elsie::Response respond(const elsie::Perception& now) override {
     const auto levels = now.readings<LevelReading>();
-    return elsie::MotorCommand{levels.empty() ? -1.0 : 0.01 * levels[0]->level, 0.0};
+    return elsie::WheelPair().motion({levels.empty() ? -1.0 : 0.01 * levels[0]->level, 0.0});
   }
 };
 

@@ -29,10 +29,10 @@ bool stays(ObservedBox::Kind kind) {
 void take_over(const Robot& robot, ObservedRobot& seen, std::span<ObservedBehavior> behaviors) {
   const OwnState& state = robot.state();
   seen.pose = state.pose;
+  seen.asked = robot.asked();
   seen.command = state.commanded;
-  seen.wheel_rates = state.wheel_rates;
-  seen.speed_m_s = state.speed_m_s;
-  seen.turn_rate_rad_s = state.turn_rate_rad_s;
+  seen.moving = state.moving;
+  seen.wheels = state.wheels;
   seen.distance_m = robot.distance_m();
   seen.energy = state.energy;
   seen.energy_used = robot.energy_used();

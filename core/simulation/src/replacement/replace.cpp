@@ -122,13 +122,21 @@ void Robot::replace(Swap& swap, SensorSlot& slot, const Cameras& cameras) {
 }
 
 void Robot::replace_drive(Swap& swap) {
+  swap.undo([this, wheels = state_.wheels, channels = state_.channels] {
+    state_.wheels = wheels;
+    state_.channels = channels;
+  });
   if (!swap.exchange<Drive>(PluginKind::drive, drive_use(), "drive", drive_, drive_declaration_,
                             drive_random_)) {
     return;
   }
   BodyPlan plan;
   const Chassis chassis = world::chassis_of(description_.body);
-  swap.run(swap.all().back(), [&] { plan = world::plan_of(chassis, *drive_); });
+  swap.run(swap.all().back(), [&] {
+    plan = world::plan_of(chassis, *drive_);
+    state_.wheels = drive_->wheels(chassis);
+    state_.channels = drive_->channels();
+  });
   if (!same_body(plan, world::driven_plan(description_))) {
     Swap::refuse(description_.id, "drive",
                  "it would build another body now, which is settled before a run; run the world "

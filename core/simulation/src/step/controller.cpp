@@ -12,13 +12,14 @@
 namespace elsie::simulation {
 namespace {
 
-std::string text(const MotorCommand& command) {
-  return "left " + std::to_string(command.left) + ", right " + std::to_string(command.right);
+std::string text(const Motion& motion) {
+  return "forward " + std::to_string(motion.forward) + " m/s, lateral " +
+         std::to_string(motion.lateral) + " m/s, turn " + std::to_string(motion.turn) + " rad/s";
 }
 
 /// Why these are no fuzzy sets, or null.
 const char* fault_of(const CommandSets& sets) {
-  for (const FuzzySet* set : {&sets.left, &sets.right}) {
+  for (const FuzzySet* set : {&sets.left, &sets.right, &sets.lateral}) {
     double last = -std::numeric_limits<double>::infinity();
     for (const FuzzySet::Point& point : set->points) {
       if (!std::isfinite(point.x) || point.x < last ||
@@ -155,7 +156,7 @@ void Controller::begin_step() {
   }
 }
 
-MotorCommand Controller::decide(const Perception& now) {
+Motion Controller::decide(const Perception& now) {
   if (!coordinator_) {
     return {};
   }
@@ -173,7 +174,7 @@ MotorCommand Controller::decide(const Perception& now) {
 
 Response Controller::respond(const Perception& now) {
   Response response = decide(now);
-  double shares = 0.0, activation = 0.0, strength = 0.0, speed = 0.0, turn = 0.0;
+  double shares = 0.0, activation = 0.0, strength = 0.0, speed = 0.0, lateral = 0.0, turn = 0.0;
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const TraceRow& trace = members_[i].trace;
     const Response& answer = slots_[i].response;  // not of this step, and no matter, if not asked:
@@ -183,6 +184,7 @@ Response Controller::respond(const Perception& now) {
     activation += share * trace.activation;
     strength += share_of_strength;
     speed += share_of_strength * answer.speed_strength;
+    lateral += share_of_strength * answer.lateral_strength;
     turn += share_of_strength * answer.turn_strength;
   }
   const auto ratio = [](double part, double whole) {
@@ -192,19 +194,21 @@ Response Controller::respond(const Perception& now) {
   response.strength = ratio(strength, shares);
   if (strength > 0.0) {  // factors of it: so that their products are the means of the products
     response.speed_strength = ratio(speed, strength);
+    response.lateral_strength = ratio(lateral, strength);
     response.turn_strength = ratio(turn, strength);
   }
   return response;
 }
 
-void Controller::rate(std::span<const MotorCommand> candidates, std::span<double> desirability) {
+void Controller::rate(std::span<const Motion> candidates, std::span<double> desirability) {
   if (!coordinator_) {
     std::fill(desirability.begin(), desirability.end(), 0.0);
     return;
   }
   const world::PluginUse& use = *description_.coordinator;
-  setting_.guard.step(use,
-                      [&] { coordinator_->rate(members_, command_, candidates, desirability); });
+  setting_.guard.step(use, [&] {
+    coordinator_->rate(members_, now_->with_random(random_), command_, candidates, desirability);
+  });
   setting_.guard.check();
   if (const std::string fault = fault_of(desirability); !fault.empty()) {
     setting_.guard.fail(use, fault);
@@ -216,8 +220,9 @@ CommandSets Controller::command_sets() {
     return {};
   }
   const world::PluginUse& use = *description_.coordinator;
-  CommandSets sets =
-      setting_.guard.step(use, [&] { return coordinator_->command_sets(members_, command_); });
+  CommandSets sets = setting_.guard.step(use, [&] {
+    return coordinator_->command_sets(members_, now_->with_random(random_), command_);
+  });
   setting_.guard.check();
   if (const char* fault = fault_of(sets)) {
     setting_.guard.fail(use, fault);
@@ -246,20 +251,22 @@ const Response& Controller::run(Member& member) {
   return slot.response;
 }
 
-void Controller::rate(Member& member, std::span<const MotorCommand> candidates,
+void Controller::rate(Member& member, std::span<const Motion> candidates,
                       std::span<double> desirability) {
-  const Slot& slot = slot_of(member);
-  setting_.guard.step(*slot.use,
-                      [&] { slot.object->rate(slot.response, candidates, desirability); });
+  Slot& slot = slot_of(member);
+  setting_.guard.step(*slot.use, [&] {
+    slot.object->rate(now_->with_random(slot.random), slot.response, candidates, desirability);
+  });
   if (const std::string fault = fault_of(desirability); !fault.empty()) {
     setting_.guard.fail(*slot.use, fault);
   }
 }
 
 CommandSets Controller::command_sets(Member& member) {
-  const Slot& slot = slot_of(member);
-  CommandSets sets =
-      setting_.guard.step(*slot.use, [&] { return slot.object->command_sets(slot.response); });
+  Slot& slot = slot_of(member);
+  CommandSets sets = setting_.guard.step(*slot.use, [&] {
+    return slot.object->command_sets(now_->with_random(slot.random), slot.response);
+  });
   if (const char* fault = fault_of(sets)) {
     setting_.guard.fail(*slot.use, fault);
   }
@@ -280,6 +287,7 @@ void Controller::check(const Slot& slot, const Response& response) const {
   check_degree("activation", response.activation);
   check_degree("strength", response.strength);
   check_degree("speed_strength", response.speed_strength);
+  check_degree("lateral_strength", response.lateral_strength);
   check_degree("turn_strength", response.turn_strength);
   for (const Event& event : response.events) {
     const auto& declared = slot.declaration->events;

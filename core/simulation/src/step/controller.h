@@ -64,10 +64,10 @@ class Controller final : public Coordination, private Member::Runner {
   /// Before each decision: forgets the last answers, at every depth.
   void begin_step();
   /// The command of the coordinator, checked; zero when there is none. Throws PluginFault.
-  MotorCommand decide(const Perception& now);
+  Motion decide(const Perception& now);
 
   Response respond(const Perception& now) override;
-  void rate(std::span<const MotorCommand> candidates, std::span<double> desirability) override;
+  void rate(std::span<const Motion> candidates, std::span<double> desirability) override;
   CommandSets command_sets() override;
 
   /// The object that a use of a plugin stands for, at any depth; none when it is not in here.
@@ -100,7 +100,7 @@ class Controller final : public Coordination, private Member::Runner {
   };
 
   const Response& run(Member& member) override;
-  void rate(Member& member, std::span<const MotorCommand> candidates,
+  void rate(Member& member, std::span<const Motion> candidates,
             std::span<double> desirability) override;
   CommandSets command_sets(Member& member) override;
 
@@ -120,7 +120,7 @@ class Controller final : public Coordination, private Member::Runner {
   const Declaration* coordinator_declaration_ = nullptr;
   Random random_;                  // the coordinator's
   std::optional<Perception> now_;  // of the last decision: members may be asked later in a step
-  MotorCommand command_;           // of the last decision
+  Motion command_;                 // of the last decision
 };
 
 }  // namespace elsie::simulation

@@ -66,8 +66,6 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
   group_readings();
 
   state_.id = description.id;
-  state_.wheel_radius_m = wheels_.radius;
-  state_.half_axle_m = wheels_.half_axle;
   state_.length_m = description.body.length;
   state_.width_m = description.body.width;
   take_description();
@@ -98,7 +96,8 @@ void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& pro
   blaming(use, problems, [&] {
     const Chassis chassis = world::chassis_of(description_.body);
     BodyPlan plan = world::plan_of(chassis, *drive_);
-    wheels_ = drive_->wheels(chassis);
+    state_.wheels = drive_->wheels(chassis);
+    state_.channels = drive_->channels();
     const auto settable = std::count_if(plan.parts.begin(), plan.parts.end(),
                                         [](const Part& part) { return can_be_set(part.joint); });
     joints_.resize(static_cast<std::size_t>(settable));
@@ -107,19 +106,22 @@ void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& pro
   });
 }
 
-void Robot::carry_out(const MotorCommand& asked) {
-  const Motion motion = wheels_.motion({asked.left, asked.right});
-  const Motion possible = guard_.run(drive_use(), [&] {
-    return drive_->command(motion, {joints_, state_.max_speed_m_s, period_s_}, wanted_joints_);
+void Robot::command(const Motion& asked) {
+  asked_ = asked;
+  carry_out(asked);
+}
+
+void Robot::carry_out(const Motion& motion) {
+  guard_.run(drive_use(), [&] {
+    state_.commanded =
+        drive_->command(motion, {joints_, state_.max_speed_m_s, period_s_}, wanted_joints_);
   });
   const bool is_finite =
-      possible.is_finite() &&
+      state_.commanded.is_finite() &&
       std::all_of(wanted_joints_.begin(), wanted_joints_.end(), [](const JointSetting& joint) {
         return std::isfinite(joint.rate_rad_s + joint.angle_rad + joint.turn_rad_s);
       });
   if (!is_finite) guard_.fail(drive_use(), "command() gives numbers that are not finite");
-  const WheelRates rates = wheels_.wheel_rates(possible);
-  state_.commanded = {rates.left, rates.right};
 }
 
 /// What may have changed since.
@@ -188,7 +190,7 @@ void Robot::reset(std::uint64_t seed) {
   controller_->reset(seed, path);
   state_.energy = description_.energy.value_or(description_.battery);
   state_.charging = false;
-  state_.commanded = {};
+  command({});
   perceived_events_.clear();
   raised_.clear();
   logged_ = 0;
@@ -227,14 +229,14 @@ void Robot::decide(const Instant& now) {
   controller_->begin_step();
   period_s_ = now.period_s;
   if (empty_) {
-    carry_out({});
+    command({});
     return;
   }
   perception_.time_s = now.time_s;
   perception_.period_s = now.period_s;
   perception_.events = perceived_events_;
   team_.mates = mates_;
-  carry_out(controller_->decide(Perception(perception_, unused_random_)));
+  command(controller_->decide(Perception(perception_, unused_random_)));
 }
 
 void Robot::ask(Statements& said) {
@@ -261,7 +263,7 @@ void Robot::use_energy(double period_s) {
 void Robot::stop_when_empty() {
   if (state_.energy <= 0.0) {
     empty_ = true;
-    carry_out({});
+    command({});
     raise(events::BatteryEmpty{});
   }
 }
@@ -359,21 +361,19 @@ void Robot::moved(const physics::RobotState& state, std::span<const JointSetting
 void Robot::set_body(const physics::RobotState& state, std::span<const JointSetting> joints) {
   std::copy(joints.begin(), joints.end(), joints_.begin());
   Turret turret;
-  const Motion motion = guard_.run(drive_use(), [&] {
+  guard_.run(drive_use(), [&] {
     turret = drive_->turret(joints_);
-    return drive_->odometry(joints_);
+    state_.odometry = drive_->odometry(joints_);
   });
-  const WheelRates rates = wheels_.wheel_rates(motion);
-  state_.wheel_rates = {rates.left, rates.right};
   body_frame_ = state.frame;
   state_.pose = state.pose;
-  state_.speed_m_s = state.speed;
-  state_.turn_rate_rad_s = state.turn_rate + turret.turn_rad_s;
+  state_.moving = {state.speed, state.lateral, state.turn_rate + turret.turn_rad_s};
   if (turret.angle_rad != 0.0) {
     const double c = std::cos(turret.angle_rad), s = std::sin(turret.angle_rad);
     body_frame_ = state.frame.frame(Frame::turned({}, turret.angle_rad, 0.0));
     state_.pose.heading_rad = wrap_angle(state.pose.heading_rad + turret.angle_rad);
-    state_.speed_m_s = c * state.speed + s * state.lateral;
+    state_.moving.forward = c * state.speed + s * state.lateral;
+    state_.moving.lateral = c * state.lateral - s * state.speed;
   }
 }
 

@@ -2,6 +2,7 @@
 // other.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -57,7 +58,8 @@ class Robot final : private Wishes {
 
   /// Updates all sensors. Throws PluginFault.
   void sense(const Surroundings& surroundings, const Instant& now);
-  /// Asks the coordinator; the command, limited to the maximum speed, is in command() afterwards.
+  /// Asks the coordinator; its command is in asked() afterwards, what the drive makes of it in
+  /// command() and joints().
   /// Throws PluginFault.
   void decide(const Instant& now);
   /// Discharges by what the sensors cost in a control period.
@@ -74,7 +76,7 @@ class Robot final : private Wishes {
 
   // What a user changes between two steps, until the next reset.
 
-  /// m/s; the command that the motors hold is limited to it at once.
+  /// m/s; the motion that the drive is set to is limited to it at once.
   void set_max_speed(double max_speed);
   void set_coverage(double metres) { state_.coverage_m = metres; }
   void set_leader(bool leader) { state_.is_leader = leader; }
@@ -122,11 +124,14 @@ class Robot final : private Wishes {
   std::span<const Colour> resource_colours() const { return resource_colours_; }
   std::vector<TeamMate>& mates() { return mates_; }
   bool empty() const { return empty_; }
-  const MotorCommand& command() const { return state_.commanded; }
+  /// What the coordinator commanded last.
+  const Motion& asked() const { return asked_; }
+  /// The same as the drive can make it.
+  const Motion& command() const { return state_.commanded; }
+  /// What the drive makes of it, for the joints of the body that can be set.
+  std::span<const JointSetting> wanted_joints() const { return wanted_joints_; }
   /// The parts of its drive, for Robot::driven of the description; once. None: of the default one.
   BodyPlan take_driven() { return std::move(driven_); }
-  /// What its drive makes of the command, for the joints that can be set.
-  std::span<const JointSetting> wanted_joints() const { return wanted_joints_; }
   std::span<const Member> members() const { return controller_->members(); }
   std::span<const TracedMember> trace() const { return trace_; }
   double distance_m() const { return distance_m_; }
@@ -169,12 +174,13 @@ class Robot final : private Wishes {
   Perception example();
   void stop_when_empty();
   void make_drive(const plugin::Host& host, std::vector<base::Problem>& problems);
-  /// Hands the command to the drive; what it can make of it is the command then.
-  void carry_out(const MotorCommand& asked);
   const world::PluginUse& drive_use() const {
     return description_.drive ? *description_.drive : drive_use_;
   }
   void replace_drive(Swap& swap);
+  void command(const Motion& asked);
+  /// Hands a motion to the drive; what it can make of it is the command then.
+  void carry_out(const Motion& motion);
 
   const world::Robot& description_;
   mutable Guard guard_;  // looking at a plugin's numbers can fail, too
@@ -186,7 +192,6 @@ class Robot final : private Wishes {
   plugin::Object<Drive> drive_;
   Random drive_random_;
   BodyPlan driven_;
-  WheelPair wheels_;
   std::vector<JointSetting> joints_;         // measured
   std::vector<JointSetting> wanted_joints_;  // as many
   double period_s_ = 0.01;                   // of the last decision
@@ -208,6 +213,7 @@ class Robot final : private Wishes {
   std::vector<Colour> resource_colours_;
   Perception::Data perception_;
   Frame body_frame_;
+  Motion asked_;
 
   bool charge_asked_ = false;
   bool empty_ = false;

@@ -17,13 +17,14 @@ namespace elsie::recording {
 namespace {
 
 constexpr const char* kBodyColumns =
-    "time_s,robot,x_m,y_m,heading_rad,speed_m_s,turn_rate_rad_s,distance_m,energy,"
-    "command_left,command_right";
+    "time_s,robot,x_m,y_m,heading_rad,forward_m_s,lateral_m_s,turn_rad_s,distance_m,energy,"
+    "asked_forward_m_s,asked_lateral_m_s,asked_turn_rad_s,"
+    "command_forward_m_s,command_lateral_m_s,command_turn_rad_s";
 constexpr double kFlushEvery = 1.0;  // s, simulated: what a killed program may lose
-constexpr std::size_t kTraceColumns = 9;
-constexpr const char* kTraceNames[kTraceColumns] = {"asked",      "left",         "right",
-                                                    "activation", "strength",     "weight",
-                                                    "share",      "inhibited_by", "reason"};
+constexpr std::size_t kTraceColumns = 10;
+constexpr const char* kTraceNames[kTraceColumns] = {
+    "asked",    "forward_m_s", "lateral_m_s", "turn_rad_s",   "activation",
+    "strength", "weight",      "share",       "inhibited_by", "reason"};
 
 std::size_t place_of(std::vector<std::string>& columns, const std::string& name) {
   const auto at = std::find(columns.begin(), columns.end(), name);
@@ -132,8 +133,9 @@ class CsvRecorder::Impl {
       line_.text(robot.description->id);
       for (const double value :
            {robot.state->pose.x, robot.state->pose.y, robot.state->pose.heading_rad,
-            robot.state->speed_m_s, robot.state->turn_rate_rad_s, robot.distance_m,
-            robot.state->energy, robot.command.left, robot.command.right}) {
+            robot.state->moving.forward, robot.state->moving.lateral, robot.state->moving.turn,
+            robot.distance_m, robot.state->energy, robot.asked.forward, robot.asked.lateral,
+            robot.asked.turn, robot.command.forward, robot.command.lateral, robot.command.turn}) {
         line_.number(value);
       }
       write_readings(simulation, r);
@@ -173,8 +175,8 @@ class CsvRecorder::Impl {
       }
       const TraceRow* trace = &member->member->trace;
       for (const double value :
-           {trace->asked ? 1.0 : 0.0, trace->command.left, trace->command.right, trace->activation,
-            trace->strength, trace->weight, trace->share}) {
+           {trace->asked ? 1.0 : 0.0, trace->command.forward, trace->command.lateral,
+            trace->command.turn, trace->activation, trace->strength, trace->weight, trace->share}) {
         line_.number(value);
       }
       const simulation::TracedMember* inhibitor = simulation::inhibitor_of(*member, robot.trace);

@@ -316,7 +316,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
                       std::uint64_t time_ns) {
     const RobotChannels& channels = robots_[r];
     write_readings(simulation, r, time_ns);
-    write(channels.command, time_ns, command_message(decided_ns_, robot.command));
+    write(channels.command, time_ns, command_message(decided_ns_, robot));
     if (channels.beams) {
       write(*channels.beams, time_ns, beams_message(time_ns, range_beams(simulation, r)));
     }

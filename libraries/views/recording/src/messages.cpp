@@ -80,17 +80,19 @@ Json state_message(std::uint64_t time_ns, const simulation::RobotView& robot) {
           {"x_m", state.pose.x},
           {"y_m", state.pose.y},
           {"heading_rad", state.pose.heading_rad},
-          {"speed_m_s", state.speed_m_s},
-          {"turn_rate_rad_s", state.turn_rate_rad_s},
+          {"forward_m_s", state.moving.forward},
+          {"lateral_m_s", state.moving.lateral},
+          {"turn_rad_s", state.moving.turn},
           {"distance_m", robot.distance_m},
           {"energy", state.energy},
           {"collisions", robot.collisions}};
 }
 
-Json command_message(std::uint64_t decided_ns, const MotorCommand& command) {
-  return {{"timestamp", time_json(decided_ns)},
-          {"left_rad_s", command.left},
-          {"right_rad_s", command.right}};
+Json command_message(std::uint64_t decided_ns, const simulation::RobotView& robot) {
+  return {{"timestamp", time_json(decided_ns)},       {"asked_forward_m_s", robot.asked.forward},
+          {"asked_lateral_m_s", robot.asked.lateral}, {"asked_turn_rad_s", robot.asked.turn},
+          {"forward_m_s", robot.command.forward},     {"lateral_m_s", robot.command.lateral},
+          {"turn_rad_s", robot.command.turn}};
 }
 
 TraceTexts::TraceTexts(const simulation::RobotView& robot) {
@@ -106,16 +108,17 @@ const std::string& TraceTexts::message(std::uint64_t decided_ns, const simulatio
                                        bool with_times) {
   text_ = "{\"timestamp\":{\"sec\":" + std::to_string(decided_ns / kSecond) +
           ",\"nsec\":" + std::to_string(decided_ns % kSecond) + "}";
-  const MotorCommand command = traces::kept(robot.command);
-  add("left_rad_s", command.left);
-  add("right_rad_s", command.right);
+  const Motion asked = traces::kept(robot.asked);
+  add("asked_forward_m_s", asked.forward);
+  add("asked_lateral_m_s", asked.lateral);
+  add("asked_turn_rad_s", asked.turn);
+  add(traces::kept(robot.command));
   text_ += ",\"behaviors\":[";
   for (std::size_t i = 0; i < starts_.size(); ++i) {
     const TraceRow row = traces::kept(robot.trace[i].member->trace);
     text_ += (i > 0 ? "," : "") + starts_[i];
     text_ += row.asked ? ",\"asked\":true" : ",\"asked\":false";
-    add("left_rad_s", row.command.left);
-    add("right_rad_s", row.command.right);
+    add(row.command);
     add("activation", row.activation);
     add("strength", row.strength);
     add("weight", row.weight);
@@ -129,6 +132,12 @@ const std::string& TraceTexts::message(std::uint64_t decided_ns, const simulatio
     text_ += '}';
   }
   return text_ += "]}";
+}
+
+void TraceTexts::add(const Motion& motion) {
+  add("forward_m_s", motion.forward);
+  add("lateral_m_s", motion.lateral);
+  add("turn_rad_s", motion.turn);
 }
 
 void TraceTexts::add(const char* name, double value) {

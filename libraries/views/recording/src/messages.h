@@ -30,7 +30,7 @@ Frame frame_of(const Pose& pose, double z = 0.0);
 
 Json pose_message(std::uint64_t time_ns, const Pose& pose);
 Json state_message(std::uint64_t time_ns, const simulation::RobotView& robot);
-Json command_message(std::uint64_t decided_ns, const MotorCommand& command);
+Json command_message(std::uint64_t decided_ns, const simulation::RobotView& robot);
 /// The messages on a robot's decisions. There may be one for each control period, so their text is
 /// put together by hand. Numbers are rounded by traces::kept(); those that are not finite are left
 /// out.
@@ -42,6 +42,7 @@ class TraceTexts {
                              bool with_times);
 
  private:
+  void add(const Motion& motion);
   void add(const char* name, double value);
 
   std::vector<std::string> starts_;  // of the rows: what does not change

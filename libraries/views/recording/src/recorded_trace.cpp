@@ -129,7 +129,8 @@ class TraceBuilder final : public Visitor {
                     double time_s) {
     TraceRow read;
     read.asked = row.at("asked").get<bool>();
-    read.command = {row.at("left_rad_s").get<double>(), row.at("right_rad_s").get<double>()};
+    read.command = {row.at("forward_m_s").get<double>(), row.at("lateral_m_s").get<double>(),
+                    row.at("turn_rad_s").get<double>()};
     read.activation = degree(row, "activation");
     read.strength = degree(row, "strength");
     read.weight = number_or_zero(row, "weight");

@@ -98,8 +98,9 @@ std::string state() {
                                 {"x_m", number()},
                                 {"y_m", number()},
                                 {"heading_rad", number("counter-clockwise from +x, in (-pi, pi]")},
-                                {"speed_m_s", number("along the heading")},
-                                {"turn_rate_rad_s", number("counter-clockwise")},
+                                {"forward_m_s", number("along the heading")},
+                                {"lateral_m_s", number("to the left")},
+                                {"turn_rad_s", number("counter-clockwise")},
                                 {"distance_m", number("driven since the start")},
                                 {"energy", number("units in the battery")},
                                 {"collisions", integer("since the start")}})
@@ -114,8 +115,12 @@ std::string readings(const Json& sensors) {
 
 std::string command() {
   return object("elsie.Command", {{"timestamp", time("time", kDecided)},
-                                  {"left_rad_s", number("rate of the left wheel")},
-                                  {"right_rad_s", number("rate of the right wheel")}})
+                                  {"asked_forward_m_s", number("by the coordinator")},
+                                  {"asked_lateral_m_s", number()},
+                                  {"asked_turn_rad_s", number()},
+                                  {"forward_m_s", number("that the drive makes of it")},
+                                  {"lateral_m_s", number("to the left")},
+                                  {"turn_rad_s", number("counter-clockwise")}})
       .dump();
 }
 
@@ -126,8 +131,9 @@ std::string trace() {
               {"plugin", text("the behaviour's")},
               {"coordinator", text("the plugin that decides about it")},
               {"asked", boolean("whether it was; otherwise its command is zero")},
-              {"left_rad_s", number("what it wished for")},
-              {"right_rad_s", number()},
+              {"forward_m_s", number("what it wished for")},
+              {"lateral_m_s", number()},
+              {"turn_rad_s", number()},
               {"activation", number()},
               {"strength", number()},
               {"weight", number()},
@@ -136,8 +142,12 @@ std::string trace() {
               {"reason", text("the coordinator's")},
               {"time_s", number("how long it took to answer, where that was measured"), false}});
   return object("elsie.Trace", {{"timestamp", time("time", kDecided)},
-                                {"left_rad_s", number("command to the left motor")},
-                                {"right_rad_s", number()},
+                                {"asked_forward_m_s", number("by the coordinator")},
+                                {"asked_lateral_m_s", number()},
+                                {"asked_turn_rad_s", number()},
+                                {"forward_m_s", number("that the drive makes of it")},
+                                {"lateral_m_s", number()},
+                                {"turn_rad_s", number()},
                                 {"behaviors", list(behavior, "each before those inside it")}})
       .dump();
 }

@@ -10,12 +10,15 @@ namespace elsie::traces {
 namespace {
 
 constexpr int kDecimals = 3;
+constexpr int kMotionDecimals = 5;  // 0.01 mm/s
 constexpr int kWeightDigits = 4;
 
 }  // namespace
 
-MotorCommand kept(const MotorCommand& command) {
-  return {base::rounded(command.left, kDecimals), base::rounded(command.right, kDecimals)};
+Motion kept(const Motion& motion) {
+  return {base::rounded(motion.forward, kMotionDecimals),
+          base::rounded(motion.lateral, kMotionDecimals),
+          base::rounded(motion.turn, kMotionDecimals)};
 }
 
 double shortened(double value) {
@@ -39,7 +42,7 @@ std::string one_line(std::string_view text) {
 }
 
 TraceRow kept(TraceRow row) {
-  row.command = row.asked ? kept(row.command) : MotorCommand{};
+  row.command = row.asked ? kept(row.command) : Motion{};
   row.activation = row.asked ? base::rounded(row.activation, kDecimals) : 0.0;
   row.strength = row.asked ? base::rounded(row.strength, kDecimals) : 0.0;
   row.weight = shortened(row.weight);
@@ -82,8 +85,10 @@ bool TraceRows::changed(const simulation::RobotView& robot) {
     changed = changed || !same(rounded, kept_[i]);
     kept_[i] = rounded;
   }
-  const MotorCommand command = kept(robot.command);
-  changed = changed || command != command_;
+  const Motion asked = kept(robot.asked);
+  const Motion command = kept(robot.command);
+  changed = changed || asked != asked_ || command != command_;
+  asked_ = asked;
   command_ = command;
   return changed;
 }

@@ -1,5 +1,5 @@
-// A coordinator: it decides which behaviours run this step and turns their wishes into one wheel
-// command.
+// A coordinator: it decides which behaviours run this step and turns their wishes into one
+// motion.
 //
 // One per robot. It is handed its members in the order of the world file and asks those that it
 // wants to hear. A member's behaviour runs at most once a step, when first asked; what was not
@@ -11,7 +11,7 @@
 
 #include "elsie/api/behavior.h"
 #include "elsie/api/component.h"
-#include "elsie/api/motor_command.h"
+#include "elsie/api/motion.h"
 #include "elsie/api/perception.h"
 #include "elsie/api/registration.h"
 
@@ -23,7 +23,7 @@ namespace elsie {
 /// coordinator's to fill.
 struct TraceRow {
   bool asked = false;       // whether respond() ran in this step
-  MotorCommand command;     // what it wished for
+  Motion command;           // what it wished for
   double activation = 0.0;  // as the behaviour reported it
   double strength = 0.0;    // likewise
   double weight = 0.0;      // what the coordinator multiplied its wish with; not below 0, unless
@@ -42,7 +42,7 @@ class Member {
   class Runner {
    public:
     virtual const Response& run(Member& member) = 0;
-    virtual void rate(Member& member, std::span<const MotorCommand> candidates,
+    virtual void rate(Member& member, std::span<const Motion> candidates,
                       std::span<double> desirability) = 0;
     virtual CommandSets command_sets(Member& member) = 0;
 
@@ -72,11 +72,11 @@ class Member {
   }
   /// How desirable each candidate is to the behaviour, in [0, 1]: Behavior::rate(). Both spans have
   /// one size.
-  void rate(std::span<const MotorCommand> candidates, std::span<double> desirability) {
+  void rate(std::span<const Motion> candidates, std::span<double> desirability) {
     respond();
     runner_->rate(*this, candidates, desirability);
   }
-  /// The behaviour's fuzzy sets over wheel rates: Behavior::command_sets().
+  /// The behaviour's fuzzy sets: Behavior::command_sets().
   CommandSets command_sets() {
     respond();
     return runner_->command_sets(*this);
@@ -106,17 +106,18 @@ class Coordinator : public Component {
   /// The command for this control period. `members` is in file order and may be empty: answer zero
   /// then. Fill the weight, share and reason of each member's trace; the rows were cleared before
   /// the call.
-  virtual MotorCommand coordinate(std::span<Member> members, const Perception& now) = 0;
+  virtual Motion coordinate(std::span<Member> members, const Perception& now) = 0;
 
   /// For a coordinator inside a behaviour, whose outer coordinator asks further: how good each
   /// candidate command would be to the members together, in [0, 1]. `given` is what coordinate()
   /// answered in this step. By default a bump around the given command, as Behavior::rate()'s.
-  virtual void rate(std::span<Member> members, const MotorCommand& given,
-                    std::span<const MotorCommand> candidates, std::span<double> desirability);
+  virtual void rate(std::span<Member> members, const Perception& now, const Motion& given,
+                    std::span<const Motion> candidates, std::span<double> desirability);
 
   /// Likewise, the wishes of the members together as fuzzy sets, before defuzzification. By default
   /// a triangle around the given command, as Behavior::command_sets()'s.
-  virtual CommandSets command_sets(std::span<Member> members, const MotorCommand& given);
+  virtual CommandSets command_sets(std::span<Member> members, const Perception& now,
+                                   const Motion& given);
 };
 
 /// Makes a coordinator class a plugin; see ELSIE_BEHAVIOR.

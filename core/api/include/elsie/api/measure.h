@@ -9,8 +9,9 @@
 // 1. reset();
 // 2. observe(): the world before the first step, at time zero, with what a user changed for it;
 // 3. observe() after every step. What holds from one observation to the next is what the later one
-//    says: the command that motors held in the step just made, the trace of the decision behind it.
-//    So a mean over time is a sum over observations, each times `step_s`, the first left out;
+//    says: the motion that drives were set to in the step just made, the trace of the decision
+//    behind it. So a mean over time is a sum over observations, each times `step_s`, the first left
+//    out;
 // 4. report(): what came of it.
 //
 // A whole plugin: docs/writing-a-measure.md.
@@ -24,7 +25,7 @@
 
 #include "elsie/api/component.h"
 #include "elsie/api/geometry.h"
-#include "elsie/api/motor_command.h"
+#include "elsie/api/motion.h"
 #include "elsie/api/registration.h"
 
 namespace elsie {
@@ -34,9 +35,9 @@ namespace elsie {
 struct ObservedBehavior {
   std::string_view path;    // ids from the robot on: "explore/avoid_obstacle"
   std::string_view plugin;  // its name
-  int parent = -1;       // the behaviour that it is inside of, by its place on the robot; -1: none
-  bool asked = false;    // whether it ran
-  MotorCommand command;  // what it wished for, rad/s
+  int parent = -1;     // the behaviour that it is inside of, by its place on the robot; -1: none
+  bool asked = false;  // whether it ran
+  Motion command;      // what it wished for
   double activation = 0.0;
   double share = 0.0;        // its part in the command of its own coordinator, in [0, 1]
   double robot_share = 0.0;  // its part in the robot's: times the shares of those around it
@@ -46,16 +47,16 @@ struct ObservedRobot {
   std::string_view id;
   std::string_view team;
   Pose pose;
-  MotorCommand command;      // that the motors held in the last step, rad/s; zero before the first
-  MotorCommand wheel_rates;  // measured, rad/s
-  double speed_m_s = 0.0;    // along the heading, measured
-  double turn_rate_rad_s = 0.0;  // counter-clockwise, measured
-  double distance_m = 0.0;       // driven so far
-  double energy = 0.0;           // in the battery, units
-  double energy_used = 0.0;      // taken from it so far, units
-  double capacity = 0.0;         // of the battery, units
-  int collisions = 0;            // so far
-  int collected = 0;             // resources, so far
+  Motion asked;              // by its coordinator, in the last decision; zero before the first
+  Motion command;            // the same as the drive can make it
+  Motion moving;             // measured
+  WheelPair wheels;          // as OwnState's: what a motion is in wheel rates
+  double distance_m = 0.0;   // driven so far
+  double energy = 0.0;       // in the battery, units
+  double energy_used = 0.0;  // taken from it so far, units
+  double capacity = 0.0;     // of the battery, units
+  int collisions = 0;        // so far
+  int collected = 0;         // resources, so far
   bool is_leader = false;
   bool charging = false;
   bool empty = false;  // the battery is: the robot stands

@@ -65,6 +65,16 @@ struct WheelPair {
     return {(motion.forward - half_axle * motion.turn) / radius,
             (motion.forward + half_axle * motion.turn) / radius};
   }
+  /// The square of the distance of two motions, (rad/s)^2, in the plane of wheel rates; lateral
+  /// speed is a third dimension, as the rate of a wheel that rolls at that speed.
+  double distance_squared(const Motion& a, const Motion& b) const {
+    const Motion difference = a - b;
+    const WheelRates rates = wheel_rates(difference);
+    const double lateral = difference.lateral / radius;
+    return rates.left * rates.left + rates.right * rates.right + lateral * lateral;
+  }
+
+  friend bool operator==(const WheelPair&, const WheelPair&) = default;
 };
 
 /// The channels of motion that a drive has.

@@ -9,7 +9,7 @@
 
 #include "elsie/api/event.h"
 #include "elsie/api/geometry.h"
-#include "elsie/api/motor_command.h"
+#include "elsie/api/motion.h"
 #include "elsie/api/reading.h"
 #include "elsie/base/random.h"
 
@@ -26,15 +26,16 @@ struct Mounting {
 /// The state of the robot's own body.
 struct OwnState {
   std::string_view id;
-  Pose pose;                     // ground truth
-  MotorCommand commanded;        // the last step's wheel rates, limited to the maximum speed, rad/s
-  MotorCommand wheel_rates;      // measured, rad/s
-  double speed_m_s = 0.0;        // along the heading, measured
-  double turn_rate_rad_s = 0.0;  // counter-clockwise, measured
-  double wheel_radius_m = 0.02;
-  double half_axle_m = 0.045;  // half the distance between the wheels
-  double length_m = 0.08;      // of the chassis, along the heading
-  double width_m = 0.08;       // of the chassis
+  Pose pose;          // ground truth
+  Motion commanded;   // in the last step, as the drive can make it
+  Motion moving;      // measured, ground truth
+  Motion odometry;    // by the joints of the drive: as it moves if no wheel slips
+  Channels channels;  // of the drive: what it can be asked for
+  /// For behaviours that think in wheel rates, whatever the drive: `self.wheels.motion({l, r})` is
+  /// the command, `self.wheels.wheel_rates(motion)` the way back.
+  WheelPair wheels;
+  double length_m = 0.08;  // of the chassis, along the heading
+  double width_m = 0.08;   // of the chassis
   double max_speed_m_s = 0.5;
   double coverage_m = 0.5;  // communication radius: how far off mates perceive this robot
   bool is_leader = false;
@@ -44,14 +45,7 @@ struct OwnState {
   bool charging = false;
 
   /// The largest wheel rate that the robot obeys, rad/s.
-  double max_wheel_rate() const { return max_speed_m_s / wheel_radius_m; }
-
-  /// The wheel rates that drive the body at `forward` m/s while it turns at `turn` rad/s
-  /// (counter-clockwise): the inverse kinematics of the differential drive.
-  MotorCommand command_for(double forward_m_s, double turn_rad_s) const {
-    return {(forward_m_s - half_axle_m * turn_rad_s) / wheel_radius_m,
-            (forward_m_s + half_axle_m * turn_rad_s) / wheel_radius_m};
-  }
+  double max_wheel_rate() const { return max_speed_m_s / wheels.radius; }
 };
 
 /// Another robot of the same team, whose communication coverage reaches this one.

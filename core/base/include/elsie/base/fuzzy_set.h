@@ -26,10 +26,12 @@ struct FuzzySet {
   friend bool operator==(const FuzzySet&, const FuzzySet&) = default;
 };
 
-/// The fuzzy sets of wheel rates behind a behaviour's command: rad/s on the x axis.
+/// The fuzzy sets behind a behaviour's command, as differential drives have it: a set for each
+/// wheel, rad/s on the x axis. One without points: no wish for it.
 struct CommandSets {
   FuzzySet left;
   FuzzySet right;
+  FuzzySet lateral{};  // m/s, to the left; of drives that can do that
 };
 
 }  // namespace elsie

@@ -95,7 +95,8 @@ const TracedMember* inhibitor_of(const TracedMember& member, std::span<const Tra
 struct RobotView {
   const world::Robot* description;  // as the world file says, whatever was changed since
   const OwnState* state;            // as it was last perceived or, between steps, as it is now
-  MotorCommand command;             // what its motors hold
+  Motion asked;                     // what its coordinator commanded last
+  Motion command;                   // the same as its drive can make it
   std::span<const Member> members;  // its own behaviours, with the trace of the last decision
   /// The same and those inside them: each behaviour before those inside it, in file order.
   /// Member::trace.inhibited_by counts among the members of one parent.

@@ -21,7 +21,7 @@ class Inside final : public Coordination {
   int asked = 0;
 
   Response respond(const Perception& now) override;
-  void rate(std::span<const MotorCommand> candidates, std::span<double> desirability) override;
+  void rate(std::span<const Motion> candidates, std::span<double> desirability) override;
   CommandSets command_sets() override;
 };
 

@@ -16,10 +16,8 @@
 namespace Catch {
 
 template <>
-struct StringMaker<elsie::MotorCommand> {
-  static std::string convert(const elsie::MotorCommand& command) {
-    return elsie::testing::text(command);
-  }
+struct StringMaker<elsie::Motion> {
+  static std::string convert(const elsie::Motion& motion) { return elsie::testing::text(motion); }
 };
 
 template <>

@@ -13,7 +13,7 @@
 namespace elsie::testing {
 
 ///   Coordinator vote("arbiter_voting", team);
-///   CHECK(vote.decide().left == 10);
+///   CHECK_THAT(vote.decide(), commands_wheels(10, 10));
 ///   CHECK(team.trace("avoid").share == 1);
 ///
 /// Any coordinator by its name, with its team, which must outlive it. The first decision calls
@@ -28,15 +28,15 @@ class Coordinator {
               const Settings& settings = {}, const Elements& elements = {});
 
   /// One decision on the team's present answers. Throws what the plugin throws.
-  MotorCommand decide();
-  MotorCommand decide(const Situation& situation);
-  MotorCommand decide_at(double time_s);
+  Motion decide();
+  Motion decide(const Situation& situation);
+  Motion decide_at(double time_s);
   /// Its decisions at several instants in order.
-  std::vector<MotorCommand> decide(const Sequence& sequence);
+  std::vector<Motion> decide(const Sequence& sequence);
 
   /// Its ratings after a decision, as an outer coordinator would get them if this one were inside a
   /// behaviour.
-  std::vector<double> rate(const std::vector<MotorCommand>& candidates);
+  std::vector<double> rate(const std::vector<Motion>& candidates);
   CommandSets sets();
 
   /// Returns to the start of a run, with the random stream of this seed.
@@ -62,7 +62,7 @@ class Coordinator {
   std::uint64_t seed_ = 1;  // of the random stream
   Random random_;
   plugin::Object<elsie::Coordinator> object_;
-  MotorCommand given_;
+  Motion given_;
   bool equipped_ = false;
   bool reset_ = false;
 };

@@ -3,7 +3,7 @@
 //   const Verdict verdict = turns_left().check(shy.respond(now));   // without a test framework
 //   CHECK_THAT(shy.respond(now), turns_left() && !raises("stuck"));  // Catch2, with catch.h
 //
-// Each checks a Response or a bare MotorCommand.
+// Each checks a Response or a bare Motion.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,8 @@ class Expectation {
   Expectation(std::string says, std::function<bool(const Response&)> test)
       : says_(std::move(says)), test_(std::move(test)) {}
 
-  /// "the answer should turn left, but is command (left 3, right 2) rad/s, activation 1"
+  /// "the answer should turn left, but is command (forward 0.05 m/s, turn -0.2 rad/s), activation
+  /// 1"
   Verdict check(const Response& response) const;
 
   // Catch2 knows a matcher by these two functions.
@@ -37,26 +38,28 @@ class Expectation {
   std::function<bool(const Response&)> test_;
 };
 
-/// "command (left 3, right 2) rad/s, activation 0.5, strength 1, raises stuck"
+/// "command (forward 0.05 m/s, turn -0.2 rad/s), activation 0.5, strength 1, raises stuck"
 std::string text(const Response& response);
-std::string text(const MotorCommand& command);
+std::string text(const Motion& motion);
 
-// Directions. Half the wheels' difference, or their mean, counts as zero below `than` (rad/s).
+// Directions. A turn (rad/s) or a speed (m/s) counts as zero below `than`.
 inline constexpr double kNoRate = 1e-6;
 Expectation turns_left(double than = kNoRate);
 Expectation turns_right(double than = kNoRate);
-/// Forward, with both wheels at the same rate.
+/// Forward, neither sideways nor in a turn.
 Expectation drives_straight_on(double than = kNoRate);
-/// Forward in the mean of both wheels.
 Expectation drives_forward(double than = kNoRate);
-/// Backward in the mean of both wheels.
 Expectation backs_up(double than = kNoRate);
-/// It turns, and the wheels' mean is zero.
+/// It turns and goes nowhere.
 Expectation turns_on_the_spot(double than = kNoRate);
 Expectation stands(double than = kNoRate);
 
-/// Each wheel within `within` rad/s.
-Expectation commands(double left, double right, double within = 1e-9);
+/// Each channel within `within` m/s or rad/s.
+Expectation commands(const Motion& motion, double within = 1e-9);
+/// The same for a robot with this pair of wheels; each wheel within `within` rad/s, and no lateral
+/// speed.
+Expectation commands_wheels(double left, double right, double within = 1e-9,
+                            const WheelPair& wheels = {});
 
 /// Activation above zero.
 Expectation is_active();

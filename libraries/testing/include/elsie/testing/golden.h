@@ -28,12 +28,13 @@ struct Trace {
   std::vector<Row> rows;
 };
 
-/// A behaviour's answers: left, right (rad/s), activation, strength, and events.
+/// A behaviour's answers: forward, lateral (m/s), turn (rad/s), activation, strength, and events.
 Trace record(Behavior& behavior, const Sequence& sequence);
-/// A coordinator's decisions: left, right (rad/s), and the share of each of its members.
+/// A coordinator's decisions: forward, lateral (m/s), turn (rad/s), and the share of each of its
+/// members.
 Trace record(Coordinator& coordinator, Team& team, const Sequence& sequence);
 /// A world from its present state: every `interval_s`, for each robot x, y (m), heading (rad) and
-/// its command (rad/s), and the events since the row before. Throws simulation::PluginFault.
+/// its command (m/s, rad/s), and the events since the row before. Throws simulation::PluginFault.
 Trace record(World& world, double seconds, double interval_s = 0.1);
 
 /// Whether the trace equals that of the file: the same columns, steps and events, and numbers

@@ -53,8 +53,7 @@ class Situation {
   // The robot itself. Members without a function here are set in `self`.
 
   Situation& at(double x, double y, double heading_deg);
-  /// Sets measured speeds, along the heading and counter-clockwise, and the wheel rates that belong
-  /// to them.
+  /// Sets the measured motion: along the heading and counter-clockwise.
   Situation& moving(double speed_m_s, double turn_rate_rad_s = 0.0);
   /// Sets the charge of the battery as a share of its capacity.
   Situation& battery(double part);

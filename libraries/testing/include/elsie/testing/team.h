@@ -14,24 +14,27 @@
 namespace elsie::testing {
 
 /// The answer of an active behaviour.
-Response active(double activation, const MotorCommand& command);
+Response active(double activation, const Motion& command);
+
+/// The motion of a robot with the default body whose wheels turn at these rates, rad/s.
+inline Motion wheels(double left, double right) { return WheelPair().motion({left, right}); }
 
 /// A behaviour with made-up answers.
 struct MadeUp final : elsie::Behavior {
   Response respond(const Perception& now) override;
-  void rate(const Response& given, std::span<const MotorCommand> candidates,
+  void rate(const Perception& now, const Response& given, std::span<const Motion> candidates,
             std::span<double> desirability) const override;
-  CommandSets command_sets(const Response& given) const override;
+  CommandSets command_sets(const Perception& now, const Response& given) const override;
 
   Response answer;
   std::function<Response(const Perception&)> script;  // replaces `answer`
-  std::function<double(const MotorCommand&)> rating;  // replaces the default of elsie::Behavior
+  std::function<double(const Motion&)> rating;        // replaces the default of elsie::Behavior
   std::optional<CommandSets> sets;                    // likewise
   int asked = 0;
 };
 
 ///   Team team;
-///   team.member("avoid", 2, active(0.5, {10, -10})).member("seek", 1, MotorCommand{20, 20});
+///   team.member("avoid", 2, active(0.5, wheels(10, -10))).member("seek", 1, wheels(20, 20));
 ///
 /// Members stay in place once a coordinator has the team: add all of them first.
 class Team final : private Member::Runner {
@@ -50,7 +53,7 @@ class Team final : private Member::Runner {
   // Further answers of the last member; by default those of elsie::Behavior.
 
   /// How desirable each command is to it, in [0, 1].
-  Team& rating(std::function<double(const MotorCommand&)> rating);
+  Team& rating(std::function<double(const Motion&)> rating);
   Team& sets(CommandSets sets);
 
   /// Begins the next step: each member is asked again, and the coordinator's notes are cleared.
@@ -73,7 +76,7 @@ class Team final : private Member::Runner {
 
  private:
   const Response& run(Member& member) override;
-  void rate(Member& member, std::span<const MotorCommand> candidates,
+  void rate(Member& member, std::span<const Motion> candidates,
             std::span<double> desirability) override;
   CommandSets command_sets(Member& member) override;
 

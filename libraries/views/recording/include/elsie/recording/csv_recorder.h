@@ -11,10 +11,12 @@ namespace elsie::recording {
 
 /// Writes one row per robot and sample, comma-separated, with a heading line. Columns:
 ///
-/// - time_s, robot, x_m, y_m, heading_rad, speed_m_s, turn_rate_rad_s, distance_m, energy,
-///   command_left, command_right;
+/// - time_s, robot, x_m, y_m, heading_rad, distance_m, energy;
+/// - forward_m_s, lateral_m_s, turn_rad_s: the measured motion; with asked_ in front of them what
+///   the coordinator asked for, with command_ what the drive can make of it;
 /// - sensor[ID].VALUE for each number of each sensor's reading;
-/// - behavior[ID].asked, .left, .right, .activation, .strength, .weight, .share, .inhibited_by,
+/// - behavior[ID].asked, .forward_m_s, .lateral_m_s, .turn_rad_s, .activation, .strength, .weight,
+/// .share, .inhibited_by,
 ///   .reason (and .time_s when time is measured): the coordinator's trace of its last decision.
 ///
 /// Poses are those at time_s; readings, commands and traces are those of the decision that led

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "elsie/api/motor_command.h"
+#include "elsie/api/motion.h"
 
 namespace elsie::traces {
 
@@ -16,7 +16,7 @@ namespace elsie::traces {
 /// kept() (trace_rows.h).
 struct TraceNote {
   double time_s = 0.0;  // of the decision
-  MotorCommand command;
+  Motion command;
   double activation = 0.0;
   double strength = 0.0;
   double weight = 0.0;

@@ -18,11 +18,11 @@ double shortened(double value);
 /// The text without line breaks and other control characters.
 std::string one_line(std::string_view text);
 
-/// A row as a trace keeps it: command, activation, strength and share to three decimals, the weight
-/// to four significant digits. The first three are zero if the behaviour was not asked. Smaller
-/// changes are none.
+/// A row as a trace keeps it: activation, strength and share to three decimals, the command to
+/// five, the weight to four significant digits. The first three are zero if the behaviour was not
+/// asked. Smaller changes are none.
 TraceRow kept(TraceRow row);
-MotorCommand kept(const MotorCommand& command);
+Motion kept(const Motion& motion);
 
 /// Whether two rows are equal, to the last bit. The time that the behaviour took does not count.
 bool same(const TraceRow& a, const TraceRow& b);
@@ -33,7 +33,7 @@ TraceNote note_of(const TraceRow& row, double time_s, std::uint32_t reason, int 
 /// Whether two notes are equal, whenever they were made.
 bool same(const TraceNote& a, const TraceNote& b);
 
-/// The rows and the command of one robot, as they were last looked at.
+/// The rows and the commands of one robot, as they were last looked at.
 class TraceRows {
  public:
   /// Whether a trace keeps anything else of the robot now than at the last call. True at the first.
@@ -41,7 +41,7 @@ class TraceRows {
 
  private:
   std::vector<TraceRow> rows_, kept_;
-  MotorCommand command_;
+  Motion asked_, command_;
   bool begun_ = false;
 };
 

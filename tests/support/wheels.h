@@ -1,0 +1,18 @@
+// Motions as the wheel rates of a robot with the default body, which tests think in.
+#pragma once
+
+#include "elsie/api/motion.h"
+#include "elsie/base/number_text.h"
+
+namespace elsie::test {
+
+/// The motion of wheels at these rates, rad/s.
+inline Motion wheels(double left, double right) { return WheelPair().motion({left, right}); }
+
+/// The wheel rates of a motion, without the rounding of the way there and back.
+inline WheelRates rates(const Motion& motion) {
+  const WheelRates exact = WheelPair().wheel_rates(motion);
+  return {base::rounded(exact.left, 9), base::rounded(exact.right, 9)};
+}
+
+}  // namespace elsie::test
