@@ -72,7 +72,7 @@ figures: all
 # The pictures of worlds in docs/.
 pictures: configure-program
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
-	$(ELSIE) picture worlds/drives.xml docs/pictures/drives.png
+	$(ELSIE) run worlds/drives.xml --seed 1 --quiet --picture docs/pictures/drives.png
 
 # The four-resource world with every coordinator, 20 seeds each: docs/four-resources.md.
 four-resources: all

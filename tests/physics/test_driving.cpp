@@ -13,7 +13,7 @@ using namespace elsie::physics;
 
 namespace {
 
-struct Drive {
+struct Journey {
   double distance = 0.0;      // along the path
   double turned = 0.0;        // rad, full turns counted
   double lowest = 0.0;        // m, of the chassis, relative to its place
@@ -22,8 +22,8 @@ struct Drive {
 };
 
 /// Drives from rest for a while, then brakes for a second; the heights are those of both.
-Drive drive(PhysicsContext& context, std::size_t robot, const WheelRates& rates, double seconds) {
-  Drive result;
+Journey drive(PhysicsContext& context, std::size_t robot, const WheelRates& rates, double seconds) {
+  Journey result;
   Pose last = context.pose(robot);
   const auto watch_height = [&] {
     const Frame frame = context.engine->robot(robot).frame;
@@ -56,7 +56,7 @@ TEST_CASE("Ten seconds from rest follow the kinematics of the differential drive
   PhysicsContext context(with_step(step), open_field());
   const world::RobotBody body;
   const std::size_t robot = context.robot(0, 0);
-  const Drive driven = drive(context, robot, rates, 10.0);
+  const Journey driven = drive(context, robot, rates, 10.0);
 
   const double speed = 0.5 * body.wheel_radius * (rates.left + rates.right);
   const double turn_rate = body.wheel_radius * (rates.right - rates.left) / (2 * body.half_axle());
@@ -102,7 +102,7 @@ TEST_CASE("A robot of other dimensions follows its own kinematics") {
   body.wheel_torque = 0.4;
   PhysicsContext context({}, open_field());
   const std::size_t robot = context.robot(0, 0, 0, body);
-  const Drive driven = drive(context, robot, {4, 8}, 10.0);
+  const Journey driven = drive(context, robot, {4, 8}, 10.0);
   CHECK(driven.distance == Approx(3.6).epsilon(0.01));
   CHECK(driven.turned == Approx(10.0 * 0.06 * 4 / 0.22).epsilon(0.02));
   CHECK(driven.lowest > -1e-4);
