@@ -27,7 +27,7 @@ TEST_CASE("A robot that was put elsewhere is there, at rest, and drives on by th
   CHECK(state.pose.heading_rad == Approx(radians(90)).margin(1e-9));
   CHECK(state.moving.forward == Approx(0).margin(1e-9));
   CHECK(state.moving.turn == Approx(0).margin(1e-9));
-  CHECK(state.commanded == Motion{});
+  CHECK(state.odometry == Motion{});
   CHECK(simulation.robot(0).distance_m == driven);  // it did not drive there
 
   advance(simulation, 20);  // until it is at speed again

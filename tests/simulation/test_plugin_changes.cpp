@@ -223,7 +223,9 @@ TEST_CASE("What a behaviour remembers of the run outlasts a change of its parame
   advance(simulation, 5);
   simulation.change("robot[r1]/behavior[counting]/@low", "1.5");
   simulation.step();
-  CHECK(rates(simulation.robot(0).command) == WheelRates{1.5, 0.1 * 6});
+  const WheelRates now = rates(simulation.robot(0).command);
+  CHECK(now.left == 1.5);
+  CHECK(now.right == Approx(0.1 * 6));
 
   // The direction that wander is minded to take, and its random stream.
   Simulation changed(one_robot(behavior("wander", 1, {{"restlessness", 20.0}})), plugins.host);
@@ -304,10 +306,10 @@ TEST_CASE("Files that a change names are found as those of the world are") {
   advance(simulation, 1);
   advance(untouched, 2);
   CHECK(simulation.state_hash() == untouched.state_hash());
-  simulation.change(path, "../fuzzy_models/turn_left_left.fcl");
+  simulation.change(path, "../fuzzy_models/avoid_obstacle_right.fcl");
   advance(simulation, 1);
   advance(untouched, 1);
-  CHECK(rates(simulation.robot(0).command).left != rates(untouched.robot(0).command).left);
+  CHECK(rates(simulation.robot(0).command).left < rates(untouched.robot(0).command).left - 1.0);
 }
 
 TEST_CASE("What a network is trained with is settled before a run; its weights are not") {

@@ -73,11 +73,12 @@ TEST_CASE("A blend is to the outside a behaviour like any other") {
       .add("b", active(0.8, wheels(8, 4)))
       .add("c", active(0.4, wheels(20, 20)));
   // Inside, b decides: the blend is as active as b, more than c.
-  CHECK(decided(
-            named,
-            {blend("pair", {behavior("a"), behavior("b")}, coordinator("arbiter_action_selection")),
-             behavior("c")},
-            coordinator("arbiter_action_selection")) == wheels(8, 4));
+  check_near(decided(named,
+                     {blend("pair", {behavior("a"), behavior("b")},
+                            coordinator("arbiter_action_selection")),
+                      behavior("c")},
+                     coordinator("arbiter_action_selection")),
+             wheels(8, 4));
   // The same behaviours twice, in two blends, and blends in blends.
   const auto mean = [](std::vector<world::BehaviorUse> behaviors) {
     return blend("mean", std::move(behaviors), coordinator("fusion_vector_summation"));
@@ -200,5 +201,5 @@ TEST_CASE("The strengths of a blend's channels are the means of its members', by
   const double speed = 0.25 * 3 + 0.75 * 20;
   const double turn = 0.375 * 3 + 0.625 * 0;
   check_near(decided(named, {pair, behavior("go")}, coordinator("arbiter_strength")),
-             {speed - turn, speed + turn});
+             wheels(speed - turn, speed + turn));
 }

@@ -122,7 +122,7 @@ TEST_CASE("In between, the sets are cut off at the degrees and defuzzified last"
   CHECK(command.left != Approx(0.25 * -10 + 0.75 * 20));  // averaging would give this
 
   Scene scaling({{"weighting", std::string("scale")}});
-  check_near(scaling.decide(0.8), {0.25 * -10 + 0.75 * 20, 0.25 * 10 + 0.75 * 20});
+  check_near(scaling.decide(0.8), wheels(0.25 * -10 + 0.75 * 20, 0.25 * 10 + 0.75 * 20));
 }
 
 TEST_CASE("A behaviour that is not active is left out, however well its context holds") {

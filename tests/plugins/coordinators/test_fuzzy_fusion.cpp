@@ -36,7 +36,7 @@ TEST_CASE("Defuzzifying last gives another command than averaging what was defuz
   team.member("sure", 1, wheels(0, 0)).sets(triangle(0, 5));
   team.member("vague", 1, wheels(20, 20)).sets(triangle(20, 10));
   // areas 5 and 10, apart from each other: (5 x 0 + 10 x 20) / 15
-  check_near(fused(team, "max"), {40.0 / 3, 40.0 / 3});
+  check_near(fused(team, "max"), wheels(40.0 / 3, 40.0 / 3));
   CHECK(team.trace(0).share == Approx(1.0 / 3));
   CHECK(team.trace(1).share == Approx(2.0 / 3));
   CHECK(team.reason(0) == "united");
@@ -106,7 +106,7 @@ TEST_CASE("A weight scales a set or cuts its top off") {
   // scaled: areas 2.5 and 10; clipped at 1/2: three quarters of 5, and 10
   check_near(fused(team, "max"), wheels(16, 16));
   CHECK(team.trace(0).weight == 0.5);
-  check_near(fused(team, "max", "centre_of_gravity", "clip"), {200 / 13.75, 200 / 13.75});
+  check_near(fused(team, "max", "centre_of_gravity", "clip"), wheels(200 / 13.75, 200 / 13.75));
 }
 
 TEST_CASE("With a conjunction a light wish restricts little") {
@@ -116,7 +116,7 @@ TEST_CASE("With a conjunction a light wish restricts little") {
   // The wish with the small weight allows other commands to the degree one half: 1 on [1,2], 1/2 on
   // [2,4].
   for (const char* weighting : {"scale", "clip"}) {
-    check_near(fused(team, "min", "centre_of_gravity", weighting), {4.5 / 2, 4.5 / 2});
+    check_near(fused(team, "min", "centre_of_gravity", weighting), wheels(4.5 / 2, 4.5 / 2));
   }
 }
 
@@ -166,7 +166,7 @@ TEST_CASE("Spikes, of no area, are weighed by their degrees") {
   Team team;
   team.member("a", 1, Motion{}).sets(spike(4, 1.0));
   team.member("b", 1, Motion{}).sets(spike(8, 0.5));
-  check_near(fused(team, "max"), {16.0 / 3, 16.0 / 3});
+  check_near(fused(team, "max"), wheels(16.0 / 3, 16.0 / 3));
 }
 
 TEST_CASE("A behaviour without a wish leaves the others alone, also in a conjunction") {

@@ -11,7 +11,7 @@ using elsie::test::wheels;
 
 namespace {
 
-const Motion kWander{1, 1}, kSeek{2, 2}, kAvoid{3, 3};
+const Motion kWander{1, 0, 1}, kSeek{2, 0, 2}, kAvoid{3, 0, 3};
 
 void fill(Team& team) {
   team.member("wander", 1, kWander).member("seek", 1, kSeek).member("avoid", 1, kAvoid);
@@ -126,7 +126,7 @@ TEST_CASE("A link stays in effect for its time constant, with the last signal") 
   set(team, 1, 0, 1);
   CHECK(robot.decide_at(0.0) == kAvoid);
   set(team, 1, 0, 0);
-  team.answer(2).command = {9, 9};  // the response of a silent layer does not matter
+  team.answer(2).command = {9, 0, 9};  // the response of a silent layer does not matter
   CHECK(robot.decide_at(0.5) == kAvoid);
   CHECK(team.reason(2) == "held");
   CHECK(team.trace(2).share == 1.0);
