@@ -58,6 +58,7 @@ inline auto members(const world::TravelGoal& g) { return std::tie(g.robot, g.dis
 inline auto members(const world::EndureGoal& g) { return std::tie(g.time); }
 inline auto members(const world::NoCollisionGoal& g) { return std::tie(g.robot); }
 inline auto members(const world::BatteryGoal& g) { return std::tie(g.robot); }
+inline auto members(const world::TimedEdit& e) { return std::tuple(e.time, e.path, e.text()); }
 inline auto members(const world::Limits& l) { return std::tie(l.time, l.wall_time); }
 
 template <class T>
@@ -130,7 +131,7 @@ inline bool same(const world::World& a, const world::World& b) {
   return a.name == b.name && a.description == b.description && same(a.arena, b.arena) &&
          same(a.physics, b.physics) && same(a.teams, b.teams) && same(a.boxes, b.boxes) &&
          same(a.chargers, b.chargers) && same(a.robots, b.robots) && same(a.goals, b.goals) &&
-         same(a.measures, b.measures) && same(a.limits, b.limits);
+         same(a.measures, b.measures) && same(a.changes, b.changes) && same(a.limits, b.limits);
 }
 
 }  // namespace elsie::test

@@ -46,6 +46,10 @@ OrientedBox box_around(const Cylinder& wheel, const OrientedBox& chassis) {
           {wheel.radius, wheel.half_length, wheel.radius}};
 }
 
+base::Grid::Block cells(const base::Grid& grid, const Aabb& bounds) {
+  return grid.block(bounds.lower.x, bounds.lower.y, bounds.upper.x, bounds.upper.y);
+}
+
 }  // namespace
 
 Scene::Scene(const world::Arena& arena) : grid_(arena.length, arena.width) {}
@@ -64,7 +68,7 @@ void Scene::place(Id id, const Aabb& bounds, double reach) {
   Entry& entry = entries_[id];
   entry.bounds = bounds.grown(kHair);
   entry.reach = reach;
-  const Grid::Block block = grid_.block(entry.bounds.grown(reach));
+  const base::Grid::Block block = cells(grid_, entry.bounds.grown(reach));
   if (entry.placed && block == entry.block) return;
   if (entry.placed) grid_.erase(id, entry.block);
   grid_.insert(id, block);
@@ -170,7 +174,7 @@ std::optional<RayHit> Scene::cast_ray(const Vector3& origin, const Vector3& dire
 bool Scene::anything_in(const Pyramid& pyramid, std::size_t except) const {
   if (!(pyramid.range_m > 0.0)) return false;
   const PyramidTest test(pyramid);
-  const Grid::Block block = grid_.block(test.bounds());
+  const base::Grid::Block block = cells(grid_, test.bounds());
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
       for (const Id id : grid_.cell(x, y)) {

@@ -9,9 +9,9 @@
 
 #include "elsie/api/body.h"
 #include "elsie/api/sensor.h"
+#include "elsie/base/grid.h"
 #include "elsie/physics/engine.h"
 
-#include "grid.h"
 #include "shapes.h"
 
 namespace elsie::physics {
@@ -25,7 +25,7 @@ struct SensedSolid {
 
 class Scene {
  public:
-  using Id = Grid::Id;
+  using Id = base::Grid::Id;
 
   explicit Scene(const world::Arena& arena);
 
@@ -63,7 +63,7 @@ class Scene {
     SensedSolid solid;             // as sensors see it
     std::vector<Cylinder> wheels;  // of a robot
     double wheels_top = 0.0;
-    Grid::Block block;
+    base::Grid::Block block;
   };
 
   void place(Id id, const Aabb& bounds, double reach);
@@ -71,7 +71,7 @@ class Scene {
     return entry.sensed && !(entry.is_robot && entry.body.index == except);
   }
 
-  Grid grid_;
+  base::Grid grid_;
   std::vector<Entry> entries_;
 };
 

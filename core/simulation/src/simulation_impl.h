@@ -27,6 +27,7 @@
 #include "step/cameras.h"
 #include "step/carrier.h"
 #include "step/goals.h"
+#include "step/neighbours.h"
 #include "step/teams.h"
 #include "step/touches.h"
 
@@ -226,8 +227,14 @@ class Simulation::Impl {
   void control(double period_s) {
     const Instant now{time_s(), period_s, steps_};
     cameras_->take(*engine_);
+    farthest_call_m_ = 0.0;
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      robots_[i]->sense(Carrier(*engine_, robots_, i), now);
+      const OwnState& robot = robots_[i]->state();
+      neighbours_.place(i, {robot.pose.x, robot.pose.y});
+      farthest_call_m_ = std::max(farthest_call_m_, robot.coverage_m);
+    }
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      robots_[i]->sense(Carrier(*engine_, robots_, neighbours_, i), now);
       update_team(i);
     }
     for (const auto& robot : robots_) {
@@ -270,10 +277,10 @@ class Simulation::Impl {
     Robot& robot = *robots_[index];
     const Pose& pose = robot.state().pose;
     robot.mates().clear();
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
+    // Who is heard is a matter of how far the other one calls.
+    for (const std::size_t i : neighbours_.near({pose.x, pose.y}, farthest_call_m_)) {
       const Pose& other = robots_[i]->state().pose;
-      // Who is heard is a matter of how far the other one calls. The rough test first: most are too
-      // far away.
+      // The rough test first: most are too far away.
       const double reach = robots_[i]->state().coverage_m;
       if (i != index && std::abs(other.x - pose.x) <= reach &&
           std::abs(other.y - pose.y) <= reach && robots_[i]->team().name == robot.team().name &&
@@ -299,6 +306,8 @@ class Simulation::Impl {
   std::optional<Changes> changes_;
   std::vector<MovingBox> moving_;
   Touches touches_{world_};
+  Neighbours neighbours_{world_.arena};  // at the last control step
+  double farthest_call_m_ = 0.0;         // the largest coverage then
 };
 
 }  // namespace elsie::simulation

@@ -355,6 +355,19 @@ struct GoalCheck {
   }
 };
 
+void check_changes(const World& world, Problems& problems) {
+  for (const TimedEdit& edit : world.changes) {
+    if (edit.value && edit.element) {
+      problems.add(edit.location,
+                   "<at> has a value and an element in it; expected one of them: a value for an "
+                   "attribute, an element for an element");
+    } else if (!edit.value && !edit.element) {
+      problems.add(edit.location,
+                   "<at> lacks what to set; expected value=\"...\", or an element in it");
+    }
+  }
+}
+
 }  // namespace
 
 void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
@@ -362,6 +375,7 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
   check_ids(root, problems);
   check_mentions(reading, problems);
   check_physics(root, reading.world.physics, problems);
+  check_changes(reading.world, problems);
   for (std::size_t i = 0; i < reading.world.robots.size(); ++i) {
     check_robot(reading, i, host, problems);
   }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "elsie/api/geometry.h"
+#include "elsie/base/grid.h"
 #include "elsie/base/number_text.h"
 #include "elsie/world/footprint.h"
 #include "elsie/world/parts.h"
@@ -48,7 +49,8 @@ std::vector<Block> blocks_of(const Robot& robot, bool with_segments) {
 
 class PlaceCheck {
  public:
-  PlaceCheck(const Arena& arena, Problems& problems) : arena_(arena), problems_(problems) {}
+  PlaceCheck(const Arena& arena, Problems& problems)
+      : arena_(arena), problems_(problems), grid_(arena.length, arena.width) {}
 
   void check_point(const std::string& what, double x, double y, const Location& where) {
     if (auto problem = outside(arena_, what, x, y)) {
@@ -63,10 +65,22 @@ class PlaceCheck {
     }
   }
 
-  void check_apart(const Block& later, const Block& earlier) {
-    if (overlap(later.footprint, earlier.footprint)) {
-      problems_.add(later.where, later.in_words + " overlaps " + earlier.in_words + " (line " +
-                                     std::to_string(earlier.where.line) + ")");
+  /// That the parts of a body overlap nothing that was put here before, in that order; then puts
+  /// the body here. `may_overlap` says whether it may overlap one that is there.
+  template <class MayOverlap>
+  void check_apart(std::span<const Block> body, MayOverlap may_overlap) {
+    for (const Block& part : body) {
+      for (const base::Grid::Id other : near(part.footprint)) {
+        const Block& earlier = there_[other];
+        if (!may_overlap(other) && overlap(part.footprint, earlier.footprint)) {
+          problems_.add(part.where, part.in_words + " overlaps " + earlier.in_words + " (line " +
+                                        std::to_string(earlier.where.line) + ")");
+        }
+      }
+    }
+    for (const Block& part : body) {
+      grid_.insert(static_cast<base::Grid::Id>(there_.size()), cells(part.footprint));
+      there_.push_back(part);
     }
   }
 
@@ -84,8 +98,30 @@ class PlaceCheck {
   }
 
  private:
+  base::Grid::Block cells(const Footprint& area) const {
+    const double x = area.reach(1.0, 0.0), y = area.reach(0.0, 1.0);
+    return grid_.block(area.x - x, area.y - y, area.x + x, area.y + y);
+  }
+
+  /// What shares a cell with the area, each once.
+  std::vector<base::Grid::Id> near(const Footprint& area) const {
+    std::vector<base::Grid::Id> found;
+    const base::Grid::Block block = cells(area);
+    for (int y = block.y0; y <= block.y1; ++y) {
+      for (int x = block.x0; x <= block.x1; ++x) {
+        const auto cell = grid_.cell(x, y);
+        found.insert(found.end(), cell.begin(), cell.end());
+      }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
   const Arena& arena_;
   Problems& problems_;
+  base::Grid grid_;
+  std::vector<Block> there_;
 };
 
 }  // namespace
@@ -93,8 +129,10 @@ class PlaceCheck {
 void check_places(const Reading& reading, Problems& problems) {
   const World& world = reading.world;
   PlaceCheck check(world.arena, problems);
-  std::vector<Block> boxes, robots;
   std::vector<BoxKind> kinds;
+  const auto is_free = [](BoxKind kind) {
+    return kind == BoxKind::dynamic || kind == BoxKind::resource;
+  };
   for (const Box& box : world.boxes) {
     if (!reading.sound(box.location)) {
       continue;
@@ -106,15 +144,9 @@ void check_places(const Reading& reading, Problems& problems) {
     } else {
       check.check_free_of_walls(block);
     }
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const auto free = [](BoxKind kind) {
-        return kind == BoxKind::dynamic || kind == BoxKind::resource;
-      };
-      if (free(kinds[i]) || free(box.kind)) {
-        check.check_apart(block, boxes[i]);
-      }
-    }
-    boxes.push_back(block);
+    check.check_apart({&block, 1}, [&](std::size_t other) {
+      return !is_free(kinds[other]) && !is_free(box.kind);
+    });
     kinds.push_back(box.kind);
   }
   for (const Charger& charger : world.chargers) {
@@ -129,14 +161,8 @@ void check_places(const Reading& reading, Problems& problems) {
     const std::vector<Block> parts = blocks_of(robot, reading.sound_with_segments(robot));
     for (const Block& part : parts) {
       check.check_free_of_walls(part);
-      for (const Block& box : boxes) {
-        check.check_apart(part, box);
-      }
-      for (const Block& other : robots) {
-        check.check_apart(part, other);
-      }
     }
-    robots.insert(robots.end(), parts.begin(), parts.end());
+    check.check_apart(parts, [](std::size_t) { return false; });
   }
 }
 

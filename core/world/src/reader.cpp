@@ -46,7 +46,7 @@ void leave_bodies_only(Element& root, const plugin::Host& host) {
       return std::find(parts.begin(), parts.end(), part.name) != parts.end();
     });
   };
-  drop(root, {"limits", "measures"});
+  drop(root, {"limits", "measures", "changes"});
   if (Element* goals = root.child("goals")) {
     drop(*goals, {"endure"});
   }

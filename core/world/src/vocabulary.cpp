@@ -214,6 +214,31 @@ Describe<World> measures() {
       .each(std::move(measure), &World::measures);
 }
 
+ElementSpec change() {
+  return Describe<TimedEdit>("at", "An edit between two steps, as `elsie run --at` makes it")
+      .takes_element(&TimedEdit::element)
+      .attribute("time", &TimedEdit::time,
+                 {.unit = "s",
+                  .min = 0,
+                  .max = 1e9,
+                  .meaning = "before the first step that begins at this time or after it"},
+                 kRequired)
+      .attribute("path", &TimedEdit::path, fact("what is edited, as in `elsie run --set`"),
+                 kRequired)
+      .attribute(
+          "value", ParameterType::text,
+          fact(
+              "of the attribute at the end of the path; for an element, the element stands inside"),
+          {},
+          [](void* object, const ParameterValue& value) {
+            static_cast<TimedEdit*>(object)->value = std::get<std::string>(value);
+          },
+          [](const void* object) -> std::optional<ParameterValue> {
+            const auto& edit = *static_cast<const TimedEdit*>(object);
+            return edit.element ? *edit.element : edit.value.value_or("");
+          });
+}
+
 ElementSpec limits() {
   return Describe<Limits>("limits", "What ends a run that has not ended by itself")
       .attribute("time", &Limits::time,
@@ -260,6 +285,9 @@ ElementSpec world() {
                  .each(robot_element(), &World::robots))
       .group(goals())
       .group(measures())
+      .group(Describe<World>("changes", "What changes in the world while it runs")
+                 .members("change")
+                 .each(change(), &World::changes))
       .one(limits(), &World::limits);
 }
 

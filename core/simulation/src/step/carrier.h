@@ -11,6 +11,7 @@
 #include "elsie/api/sensor.h"
 #include "elsie/physics/engine.h"
 
+#include "step/neighbours.h"
 #include "step/robot.h"
 
 namespace elsie::simulation {
@@ -31,8 +32,9 @@ inline TeamMate seen_from(Robots robots, std::size_t observer, std::size_t other
 
 class Carrier final : public Surroundings {
  public:
-  Carrier(const physics::Engine& engine, Robots robots, std::size_t robot)
-      : engine_(engine), robots_(robots), robot_(robot) {}
+  Carrier(const physics::Engine& engine, Robots robots, const Neighbours& neighbours,
+          std::size_t robot)
+      : engine_(engine), robots_(robots), neighbours_(neighbours), robot_(robot) {}
 
   std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
                                  double max_range_m) const override {
@@ -45,34 +47,37 @@ class Carrier final : public Surroundings {
   Pose pose() const override { return robots_[robot_]->state().pose; }
   std::optional<TeamMate> nearest_robot(double radius_m) const override {
     std::optional<TeamMate> nearest;
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      if (i == robot_) {
-        continue;
-      }
-      const TeamMate other = seen_from(robots_, robot_, i);
-      if (other.distance_m <= radius_m && (!nearest || other.distance_m < nearest->distance_m)) {
+    for_each_within(radius_m, [&](const TeamMate& other) {
+      if (!nearest || other.distance_m < nearest->distance_m) {
         nearest = other;
       }
-    }
+    });
     return nearest;
   }
   void robots_within(double radius_m, std::vector<TeamMate>& robots) const override {
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      if (i != robot_) {
-        const TeamMate other = seen_from(robots_, robot_, i);
-        if (other.distance_m <= radius_m) {
-          robots.push_back(other);
-        }
-      }
-    }
+    for_each_within(radius_m, [&](const TeamMate& other) { robots.push_back(other); });
   }
   std::span<const Colour> resource_colours() const override {
     return robots_[robot_]->resource_colours();
   }
 
  private:
+  template <class Visit>
+  void for_each_within(double radius_m, Visit visit) const {
+    const Pose here = pose();
+    for (const std::size_t i : neighbours_.near({here.x, here.y}, radius_m)) {
+      if (i != robot_) {
+        const TeamMate other = seen_from(robots_, robot_, i);
+        if (other.distance_m <= radius_m) {
+          visit(other);
+        }
+      }
+    }
+  }
+
   const physics::Engine& engine_;
   Robots robots_;
+  const Neighbours& neighbours_;
   std::size_t robot_;
 };
 

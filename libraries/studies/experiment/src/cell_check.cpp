@@ -31,7 +31,11 @@ world::World read(const Experiment& experiment, const Cell& cell, const std::str
   reading.overrides_from = experiment.file;
   reading.data_directories = options.data_directories;
   reading.check_plugins = check_plugins;
-  return world::read_world(file, host, reading);
+  world::World world = world::read_world(file, host, reading);
+  for (const Setting& change : cell.changes) {
+    world.changes.push_back({*change.at_s, change.path, change.value, {}, change.location});
+  }
+  return world;
 }
 
 // A problem that several cells have.

@@ -71,7 +71,11 @@ std::vector<Cell> cells(const Experiment& experiment) {
       cell.levels = levels;
       cell.label = label_of(experiment, cell);
       for (const Setting& setting : settings_of(experiment, cell)) {
-        cell.overrides.push_back(override_of(setting));
+        if (setting.at_s) {
+          cell.changes.push_back(setting);
+        } else {
+          cell.overrides.push_back(override_of(setting));
+        }
       }
       // The next cell, as an odometer counts.
       more = false;

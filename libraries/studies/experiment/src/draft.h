@@ -20,11 +20,18 @@ struct SettingDraft {
   Location location;
 };
 
+struct AtDraft {
+  double time = 0.0;  // s, simulated
+  std::vector<SettingDraft> settings;
+  Location location;
+};
+
 struct LevelDraft {
   std::optional<std::string> label;
   std::optional<std::string> value;    // for the factor's path
   std::optional<std::string> element;  // likewise
   std::vector<SettingDraft> settings;
+  std::vector<AtDraft> changes;
   Location location;
 };
 
@@ -41,6 +48,7 @@ struct WorldDraft {
   std::optional<std::string> id;
   std::string file;
   std::vector<SettingDraft> settings;
+  std::vector<AtDraft> changes;
   Location location;
 };
 
@@ -84,6 +92,7 @@ struct ExperimentDraft {
   std::string description;
   std::vector<WorldDraft> worlds;
   std::vector<SettingDraft> settings;
+  std::vector<AtDraft> changes;
   std::vector<FactorDraft> factors;
   std::optional<SeedsDraft> seeds;
   std::optional<LimitsDraft> limits;

@@ -147,7 +147,7 @@ class FactorMaker {
         level.settings.push_back({*draft_.path, *value, draft.location});
         path_used = true;
       }
-      const auto more = settings_from(draft.settings, problems_);
+      const auto more = settings_from(draft.settings, draft.changes, problems_);
       level.settings.insert(level.settings.end(), more.begin(), more.end());
     }
     if (draft_.path && !path_used && draft_.path->find('=') == std::string::npos) {
@@ -229,7 +229,8 @@ std::string how_to_separate(const Factor& factor) {
   return is_one_for_several ? "; the levels of values are separated by ';'" : "";
 }
 
-std::vector<Setting> settings_from(const std::vector<SettingDraft>& drafts, Problems& problems) {
+std::vector<Setting> settings_from(const std::vector<SettingDraft>& drafts,
+                                   const std::vector<AtDraft>& changes, Problems& problems) {
   std::vector<Setting> settings;
   for (const SettingDraft& draft : drafts) {
     if (draft.value && draft.element) {
@@ -250,6 +251,15 @@ std::vector<Setting> settings_from(const std::vector<SettingDraft>& drafts, Prob
     } else {
       settings.push_back(
           {draft.path, draft.element ? *draft.element : *draft.value, draft.location});
+    }
+  }
+  for (const AtDraft& at : changes) {
+    if (at.settings.empty()) {
+      problems.add(at.location, "<at> has nothing to set; expected <set> elements in it");
+    }
+    for (Setting& setting : settings_from(at.settings, {}, problems)) {
+      setting.at_s = at.time;
+      settings.push_back(std::move(setting));
     }
   }
   return settings;

@@ -25,9 +25,9 @@ std::string why_no_label(const std::string& text);
 /// levels of values are separated by ';'"; otherwise "".
 std::string how_to_separate(const Factor& factor);
 
-/// The valid settings; the others become problems.
+/// The valid settings, those of a run last; the others become problems.
 std::vector<Setting> settings_from(const std::vector<SettingDraft>& drafts,
-                                   base::Problems& problems);
+                                   const std::vector<AtDraft>& changes, base::Problems& problems);
 
 /// The same for factors; a factor with problems has no levels.
 std::vector<Factor> factors_from(const std::vector<FactorDraft>& drafts, base::Problems& problems);

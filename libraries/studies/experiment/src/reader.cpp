@@ -93,7 +93,7 @@ Worlds worlds_from(const std::vector<WorldDraft>& drafts, const world::Files* fi
     use.name = draft.file;
     use.location = draft.location;
     use.id = draft.id ? *draft.id : std::filesystem::path(draft.file).stem().string();
-    use.settings = settings_from(draft.settings, problems);
+    use.settings = settings_from(draft.settings, draft.changes, problems);
     const auto found =
         draft.file.empty() || !files ? std::nullopt : files->find(draft.file, draft.location);
     if (draft.file.empty() || (files && !found)) {
@@ -213,7 +213,7 @@ Parsed parsed(std::string_view text, const std::string& file, const world::Files
   Worlds worlds = worlds_from(draft.worlds, files, grid_problems);
   experiment.worlds = std::move(worlds.uses);
   result.files = std::move(worlds.files);
-  experiment.settings = settings_from(draft.settings, grid_problems);
+  experiment.settings = settings_from(draft.settings, draft.changes, grid_problems);
   experiment.factors = factors_from(draft.factors, grid_problems);
   for (std::size_t i = 0; i < draft.factors.size(); ++i) {
     if (draft.factors[i].values) {

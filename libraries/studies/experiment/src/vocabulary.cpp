@@ -31,6 +31,17 @@ ElementSpec setting() {
                  fact("value of the attribute at the end of the path"));
 }
 
+ElementSpec change() {
+  return Describe<AtDraft>("at", "Settings that are made while the world runs")
+      .attribute("time", &AtDraft::time,
+                 {.unit = "s",
+                  .min = 0,
+                  .max = kLongest,
+                  .meaning = "simulated; before the first step that begins then or later"},
+                 kRequired)
+      .each(setting(), &AtDraft::settings);
+}
+
 ElementSpec level() {
   return Describe<LevelDraft>("level",
                               "A level of a factor: a value or an element for the factor's "
@@ -39,7 +50,8 @@ ElementSpec level() {
       .attribute("label", &LevelDraft::label,
                  fact("name in tables; by default its value, or the name of its element"))
       .attribute("value", &LevelDraft::value, fact("value at the factor's path"))
-      .each(setting(), &LevelDraft::settings);
+      .each(setting(), &LevelDraft::settings)
+      .each(change(), &LevelDraft::changes);
 }
 
 ElementSpec factor() {
@@ -74,7 +86,8 @@ Describe<ExperimentDraft> worlds() {
                          fact("name in tables; by default the file's name without folder "
                               "and suffix"),
                          kId)
-              .each(setting(), &WorldDraft::settings),
+              .each(setting(), &WorldDraft::settings)
+              .each(change(), &WorldDraft::changes),
           &ExperimentDraft::worlds);
 }
 
@@ -143,6 +156,7 @@ ElementSpec experiment() {
       .attribute("description", &ExperimentDraft::description, fact("what it is for"))
       .group(worlds())
       .each(setting(), &ExperimentDraft::settings)
+      .each(change(), &ExperimentDraft::changes)
       .each(factor(), &ExperimentDraft::factors)
       .optional(seeds(), &ExperimentDraft::seeds)
       .optional(

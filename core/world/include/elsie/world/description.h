@@ -257,6 +257,18 @@ struct Limits {
   std::optional<double> wall_time;  // s on the clock
 };
 
+/// An edit of the world while it runs, between two steps: what ReadOptions::overrides says.
+struct TimedEdit {
+  double time = 0.0;  // s, before the first step that begins then or later
+  std::string path;
+  std::optional<std::string> value;    // of an attribute
+  std::optional<std::string> element;  // its markup; one of the two is given
+  Location location{};
+
+  /// "robot[r1]/@max_speed=0.1"
+  std::string text() const { return path + "=" + (element ? *element : value.value_or("")); }
+};
+
 struct World {
   std::string name;
   std::string description;
@@ -269,6 +281,7 @@ struct World {
   std::vector<Robot> robots;
   std::vector<Goal> goals;
   std::vector<PluginUse> measures;
+  std::vector<TimedEdit> changes;  // in file order
   Limits limits;
 };
 

@@ -21,6 +21,7 @@ struct Setting {
   std::string path;
   std::string value;
   Location location;
+  std::optional<double> at_s{};  // simulated time at which it is made; none: before the run
 };
 
 /// A value of a factor: everything that is set for it.
@@ -141,6 +142,7 @@ struct Cell {
   /// settings, the world's, those of the levels. Paths of files in them are relative to the
   /// experiment file: read them with world::ReadOptions::overrides_from, as read_cell() does.
   std::vector<std::string> overrides;
+  std::vector<Setting> changes;  // those that are made during the run, in the same order
 };
 
 /// All cells, by index.

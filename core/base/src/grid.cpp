@@ -1,8 +1,9 @@
-#include "grid.h"
+#include "elsie/base/grid.h"
 
 #include <algorithm>
+#include <cmath>
 
-namespace elsie::physics {
+namespace elsie::base {
 namespace {
 
 // A few robots wide: a ray of a metre crosses few cells, and a cell holds few bodies.
@@ -36,4 +37,4 @@ void Grid::erase(Id id, const Block& block) {
   }
 }
 
-}  // namespace elsie::physics
+}  // namespace elsie::base

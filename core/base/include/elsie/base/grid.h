@@ -6,9 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "shapes.h"
-
-namespace elsie::physics {
+namespace elsie::base {
 
 /// Cells at the border reach out to infinity, so that whoever leaves the arena is still found.
 class Grid {
@@ -25,9 +23,9 @@ class Grid {
   /// Over the rectangle of this size in m around the origin.
   Grid(double length, double width);
 
-  Block block(const Aabb& bounds) const {
-    return {column(bounds.lower.x), row(bounds.lower.y), column(bounds.upper.x),
-            row(bounds.upper.y)};
+  /// The cells of a rectangle, m.
+  Block block(double x0, double y0, double x1, double y1) const {
+    return {column(x0), row(y0), column(x1), row(y1)};
   }
   void insert(Id id, const Block& block);
   void erase(Id id, const Block& block);
@@ -60,4 +58,4 @@ class Grid {
   std::vector<std::vector<Id>> cells_;
 };
 
-}  // namespace elsie::physics
+}  // namespace elsie::base

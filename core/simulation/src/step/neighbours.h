@@ -1,0 +1,30 @@
+// Which robots are near a place.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "elsie/api/geometry.h"
+#include "elsie/base/grid.h"
+#include "elsie/world/description.h"
+
+namespace elsie::simulation {
+
+class Neighbours {
+ public:
+  explicit Neighbours(const world::Arena& arena) : grid_(arena.length, arena.width) {}
+
+  /// Where a robot is now.
+  void place(std::size_t robot, const Vector2& at);
+  /// All robots whose place is not farther off than this, m, along x and along y, and perhaps
+  /// others; in the order of their numbers. Valid until the next call.
+  std::span<const base::Grid::Id> near(const Vector2& place, double reach) const;
+
+ private:
+  base::Grid grid_;
+  std::vector<base::Grid::Block> cells_;  // of each robot: one cell
+  mutable std::vector<base::Grid::Id> found_;
+};
+
+}  // namespace elsie::simulation
