@@ -22,9 +22,10 @@ const std::string kAll[] = {"articulated",   "car",
 /// (physics/@wheel_slip). It counts less in a fast turn.
 double pace(const std::string& drive) { return drive == "skid_steer" ? 2.0 : 1.0; }
 
-/// Between the middle of a skid-steered robot and its rear axle, m. All tyres of an axle glide the
-/// same way with all the friction that they have, so that it turns about a point of one axle.
-constexpr double kGlide = 0.025;
+/// A little more than between the middle of a skid-steered robot and its axles, m. All tyres of an
+/// axle glide the same way with all the friction that they have, so that it turns about a point of
+/// one axle.
+constexpr double kGlide = 0.03;
 
 }  // namespace
 
