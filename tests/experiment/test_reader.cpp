@@ -131,6 +131,29 @@ TEST_CASE("What a short experiment leaves out") {
   CHECK(experiment::cells(e).size() == 1);
 }
 
+TEST_CASE("What is set while a world runs is a change of the cell's world") {
+  const Experiment e = read(
+      "<worlds><world file='data/arena.xml'><at time='3'><set path='robot[r1]/@max_speed' "
+      "value='0.1'/></at></world></worlds>"
+      "<at time='1'><set path='robot[r1]/@coverage' value='2'/><set path='obstacle[+]'>"
+      "<static_box id='wall' x='2'/></set></at>"
+      "<vary name='fate'><level label='none'/><level label='lost'><at time='2.5'>"
+      "<set path='robot[r1]/@remove' value='true'/></at></level></vary>");
+  const auto changes_of = [&](std::size_t cell) {
+    Texts texts;
+    const auto world = experiment::read_cell(e, experiment::cells(e).at(cell), host(), options());
+    for (const world::TimedEdit& change : world.changes) {
+      texts.push_back(std::to_string(change.time).substr(0, 3) + " " + change.text());
+    }
+    return texts;
+  };
+  CHECK(changes_of(0) == Texts{"1.0 robot[r1]/@coverage=2",
+                               "1.0 obstacle[+]=<static_box id=\"wall\" x=\"2\"/>",
+                               "3.0 robot[r1]/@max_speed=0.1"});
+  CHECK(changes_of(1).back() == "2.5 robot[r1]/@remove=true");
+  CHECK(experiment::cells(e)[1].overrides.empty());
+}
+
 TEST_CASE("The levels of a range are the decimal numbers that a reader expects") {
   CHECK(range("0.1", "0.5", "0.1") == Texts{"0.1", "0.2", "0.3", "0.4", "0.5"});
   CHECK(range("-0.1", "0.2", "0.15") == Texts{"-0.1", "0.05", "0.2"});
