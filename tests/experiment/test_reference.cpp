@@ -31,7 +31,7 @@ TEST_CASE("The reference of experiments is complete") {
   CHECK_THAT(page, Catch::Contains("\n## experiment / worlds / world\n"));
   CHECK_THAT(page, Catch::Contains("\n## experiment / vary / level / set\n"));
   CHECK_THAT(page, Catch::Contains("Holds: an element of a world."));
-  CHECK_THAT(page, Catch::Contains("Holds: `<set>`, an element of a world."));
+  CHECK_THAT(page, Catch::Contains("Holds: `<set>`, `<at>`, an element of a world."));
   for (const Quantity& measure : simulation::measures_of_every_run()) {
     CHECK_THAT(page, Catch::Contains("| `" + measure.name + "` | "));
   }

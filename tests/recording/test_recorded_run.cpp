@@ -179,7 +179,7 @@ TEST_CASE("Whatever messages say, reading them and drawing them ends") {
       CHECK(std::string(error.what()).size() > 10);
     }
     try {
-      recording::save_picture(read_recorded_run(file.path), {"changed"}, png, {300, 0});
+      recording::save_picture(read_recorded_run(file.path), shipped(), {"changed"}, png, {300, 0});
     } catch (const std::exception& error) {
       CHECK(std::string(error.what()).size() > 10);
     }

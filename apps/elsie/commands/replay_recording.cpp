@@ -91,7 +91,9 @@ void draw(const RecordedRun& run, const RecordingOptions& options) {
   const std::string line =
       (options.at ? "at " + base::number_text(run.shown_s, 6) + " s" : ending(run)) + "  (" +
       seed_of(run) + ")";
-  recording::save_picture(run, {line}, *options.picture, {options.width, 0});
+  const bool has_drives = run.world_xml.find("<drive>") != std::string::npos;
+  const plugin::Host drives = has_drives ? load_plugins({}) : plugin::Host();
+  recording::save_picture(run, drives, {line}, *options.picture, {options.width, 0});
 }
 
 }  // namespace

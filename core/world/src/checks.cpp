@@ -359,11 +359,11 @@ void check_changes(const World& world, Problems& problems) {
   for (const TimedEdit& edit : world.changes) {
     if (edit.value && edit.element) {
       problems.add(edit.location,
-                   "<at> has a value and an element in it; expected one of them: a value for an "
+                   "<change> has a value and an element in it; expected one of them: a value for an "
                    "attribute, an element for an element");
     } else if (!edit.value && !edit.element) {
       problems.add(edit.location,
-                   "<at> lacks what to set; expected value=\"...\", or an element in it");
+                   "<change> lacks what to set; expected value=\"...\", or an element in it");
     }
   }
 }

@@ -215,7 +215,7 @@ Describe<World> measures() {
 }
 
 ElementSpec change() {
-  return Describe<TimedEdit>("at", "An edit between two steps, as `elsie run --at` makes it")
+  return Describe<TimedEdit>("change", "An edit between two steps, as `elsie run --at` makes it")
       .takes_element(&TimedEdit::element)
       .attribute("time", &TimedEdit::time,
                  {.unit = "s",

@@ -32,6 +32,7 @@ void take_over(const Robot& robot, ObservedRobot& seen, std::span<ObservedBehavi
   seen.asked = robot.asked();
   seen.command = state.commanded;
   seen.moving = state.moving;
+  seen.odometry = state.odometry;
   seen.wheels = state.wheels;
   seen.distance_m = robot.distance_m();
   seen.energy = state.energy;

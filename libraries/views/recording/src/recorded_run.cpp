@@ -1,5 +1,6 @@
 #include "elsie/recording/recorded_run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -147,14 +148,22 @@ RecordedRun read_recorded_run(const std::filesystem::path& file, double until_s)
   return run;
 }
 
-void save_picture(const RecordedRun& run, const std::vector<std::string>& subtitles,
-                  const std::filesystem::path& file, const picture::Size& size) {
-  const plugin::Host none;
+void save_picture(const RecordedRun& run, const plugin::Host& drives,
+                  const std::vector<std::string>& subtitles, const std::filesystem::path& file,
+                  const picture::Size& size) {
   world::ReadOptions options;
   options.bodies_only = true;
-  const world::World world = world::parse_world(run.world_xml, run.world_file, none, options);
+  const world::World world = world::parse_world(run.world_xml, run.world_file, drives, options);
   picture::TopView view{world};
   view.robots = run.robots;
+  // A recording has them by name, a picture colours them in the order of the world.
+  const auto place = [&](const auto& track) {
+    return std::find_if(world.robots.begin(), world.robots.end(),
+                        [&](const world::Robot& robot) { return robot.id == track.id; }) -
+           world.robots.begin();
+  };
+  std::stable_sort(view.robots.begin(), view.robots.end(),
+                   [&](const auto& a, const auto& b) { return place(a) < place(b); });
   for (const world::Box& box : world.boxes) {
     const auto moved = run.moved.find(box.id);
     const bool gone = !run.standing.contains(box.id);

@@ -50,6 +50,7 @@ struct ObservedRobot {
   Motion asked;              // by its coordinator, in the last decision; zero before the first
   Motion command;            // the same as the drive can make it
   Motion moving;             // measured
+  Motion odometry;           // by the joints of its drive
   WheelPair wheels;          // as OwnState's: what a motion is in wheel rates
   double distance_m = 0.0;   // driven so far
   double energy = 0.0;       // in the battery, units

@@ -15,6 +15,10 @@
 #include "elsie/picture/top_view.h"
 #include "elsie/traces/trace.h"
 
+namespace elsie::plugin {
+class Host;
+}
+
 namespace elsie::recording {
 
 /// A channel of the file.
@@ -75,10 +79,12 @@ RecordedRun read_recorded_run(const std::filesystem::path& file,
 /// that breaks off before its first message.
 traces::Trace read_trace(const std::filesystem::path& file);
 
-/// Draws the world as it was. This needs neither plugins nor the world's file.
+/// Draws the world as it was. This needs neither the world's file nor plugins but drives; a robot
+/// whose drive is not there is drawn on the default one.
 /// Throws world::WorldError when the world's text cannot be read (a file of a later version), and
 /// as picture::save_top_view().
-void save_picture(const RecordedRun& run, const std::vector<std::string>& subtitles,
-                  const std::filesystem::path& file, const picture::Size& size = {});
+void save_picture(const RecordedRun& run, const plugin::Host& drives,
+                  const std::vector<std::string>& subtitles, const std::filesystem::path& file,
+                  const picture::Size& size = {});
 
 }  // namespace elsie::recording
