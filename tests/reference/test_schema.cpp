@@ -77,6 +77,7 @@ const std::map<std::string, std::string> kBeyondSchemas = {
     {"box_outside", "places"},
     {"dynamic_box_in_a_box", "places"},
     {"resource_in_a_wall", "places"},
+    {"change_without_value", "an attribute or an element"},
     {"charger_outside", "places"},
     {"moving_box_path_outside", "places"},
     {"moving_box_stays", "places"},

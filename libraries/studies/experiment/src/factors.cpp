@@ -254,9 +254,6 @@ std::vector<Setting> settings_from(const std::vector<SettingDraft>& drafts,
     }
   }
   for (const AtDraft& at : changes) {
-    if (at.settings.empty()) {
-      problems.add(at.location, "<at> has nothing to set; expected <set> elements in it");
-    }
     for (Setting& setting : settings_from(at.settings, {}, problems)) {
       setting.at_s = at.time;
       settings.push_back(std::move(setting));

@@ -32,6 +32,8 @@ ElementSpec setting() {
 }
 
 ElementSpec change() {
+  ElementSpec settings = setting();
+  settings.at_least = 1;
   return Describe<AtDraft>("at", "Settings that are made while the world runs")
       .attribute("time", &AtDraft::time,
                  {.unit = "s",
@@ -39,7 +41,7 @@ ElementSpec change() {
                   .max = kLongest,
                   .meaning = "simulated; before the first step that begins then or later"},
                  kRequired)
-      .each(setting(), &AtDraft::settings);
+      .each(std::move(settings), &AtDraft::settings);
 }
 
 ElementSpec level() {
