@@ -2,9 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "elsie/picture/axis.h"
+#include "elsie/picture/svg.h"
 
-#include "drawing.h"
 #include "figures.h"
 #include "markup.h"
 #include "numbers.h"
@@ -18,14 +17,15 @@ constexpr double kLabelAt = 15.0;  // base line of the label in the row
 constexpr double kMiddle = 30.0;   // of the box in the row
 constexpr double kHalfBox = 6.5;
 constexpr double kAxis = 20.0;      // height of the labels of an axis
-constexpr double kMargin = 0.025;   // of the width, at both ends of an axis
 constexpr std::size_t kLabel = 46;  // characters of a label
 constexpr std::size_t kRowsInSight = 10;
 // With more dots than these on a page, dots have no tooltips, and some are left out.
 constexpr std::size_t kDotsWithText = 6000;
 constexpr std::size_t kDots = 30000;
 
-std::string y(double value) { return fixed_text(value, 1); }
+std::string y(double value) { return picture::short_number(value, 1); }
+
+std::string percent(double part) { return picture::short_number(100.0 * part, 2) + '%'; }
 
 // The offset of the i-th dot of a row from its middle, in [-1, 1]: the sequence of van der Corput
 // (1935) spreads any number of dots evenly.
@@ -125,12 +125,25 @@ std::optional<Interval> range_of(const Findings& findings, std::size_t measure) 
 
 double Span::part(double value) const {
   const double inside = (std::clamp(value, low_, high_) - low_) / (high_ - low_);
-  return kMargin + (1.0 - 2.0 * kMargin) * inside;
+  return margin_ + (1.0 - 2.0 * margin_) * inside;
 }
 
 std::string Span::at(double value) const { return percent(part(value)); }
 
 std::string Span::width(double from, double to) const { return percent(part(to) - part(from)); }
+
+std::string Span::labels(const picture::Ticks& ticks, double y, const std::string& unit) const {
+  std::string text = "<g class=\"axis\">";
+  for (const double tick : ticks.at) {
+    const char* end = margin_ > 0.0       ? ""
+                      : part(tick) < 0.02 ? " class=\"first\""
+                      : part(tick) > 0.94 ? " class=\"last\""
+                                          : "";
+    text += "<text x=\"" + at(tick) + "\" y=\"" + report::y(y) + "\"" + end + ">" +
+            ticks.label(tick) + (tick == 0.0 ? unit : "") + "</text>";
+  }
+  return text + "</g>";
+}
 
 Span span_of(double low, double high) {
   if (low >= 0.0 && low < 0.4 * high) {
@@ -155,17 +168,8 @@ std::string grid(const Span& span, double top, double bottom, bool labels_above)
     text += "<line x1=\"" + span.at(tick) + "\" x2=\"" + span.at(tick) + "\" y1=\"" + y(top) +
             "\" y2=\"" + y(bottom) + "\"/>";
   }
-  text += "</g><g class=\"axis\">";
-  for (const bool above : {true, false}) {
-    if (above && !labels_above) {
-      continue;
-    }
-    for (const double tick : ticks.at) {
-      text += "<text x=\"" + span.at(tick) + "\" y=\"" + y(above ? top - 6.0 : bottom + 14.0) +
-              "\">" + picture::tick_label(tick, ticks.step) + "</text>";
-    }
-  }
-  return text + "</g>";
+  return text + "</g>" + (labels_above ? span.labels(ticks, top - 6.0) : "") +
+         span.labels(ticks, bottom + 14.0);
 }
 
 std::string box_figure(const Findings& findings, std::size_t measure, const Inks& inks) {
@@ -237,13 +241,11 @@ std::string rate_figure(const Findings& findings, const Inks& inks) {
                          : "<em class=\"tag\">" + std::to_string(cell.pending) + " to do</em>") +
         "</div>";
   }
-  text +=
-      "<div class=\"rate scale\"><span></span><svg class=\"plot\" aria-hidden=\"true\" "
-      "width=\"100%\" height=\"16\"><g class=\"axis\">";
-  for (const int tick : {0, 25, 50, 75, 100}) {
-    text += "<text x=\"" + span.at(tick) + "\" y=\"12\">" + std::to_string(tick) + "</text>";
-  }
-  return text + "</g></svg><span class=\"count\">%</span></div></div>\n";
+  return text +
+         "<div class=\"rate scale\"><span></span><svg class=\"plot\" aria-hidden=\"true\" "
+         "width=\"100%\" height=\"16\">" +
+         span.labels(picture::nice_ticks(0.0, 100.0, 4), 12.0) +
+         "</svg><span class=\"count\">%</span></div></div>\n";
 }
 
 }  // namespace elsie::report

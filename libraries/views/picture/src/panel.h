@@ -42,18 +42,29 @@ Interval interval_of(const Field& field);
 /// The map from the intervals to the rectangle.
 PlaneMap map_to(const Rect& plot, const Interval& x, const Interval& y);
 
-/// Grid, ticks, tick labels and axis labels around a plot. `tick_every` is the distance between
-/// ticks along x and y, in units.
-struct AxesStyle {
-  bool grid = true;
-  double x_room = 80.0;
-  double y_room = 45.0;
-};
+/// Grid, ticks, tick labels and axis labels around a plot.
 void draw_axes(Canvas& canvas, const Rect& plot, const Axis& x, const Interval& x_range,
-               const Axis& y, const Interval& y_range, const AxesStyle& style = {});
+               const Axis& y, const Interval& y_range, bool grid = true);
+
+/// The ticks of an axis that is so many units long, one for about each `room`.
+Ticks ticks_of(const Axis& axis, const Interval& range, double length, double room = 45.0);
 
 /// The width of tick labels left of a y axis.
-double y_labels_width(const Canvas& canvas, const Interval& range, double height);
+double y_labels_width(const Canvas& canvas, const Axis& axis, const Interval& range, double height);
+
+/// The chart with exponents of ten in place of the values of logarithmic axes.
+LineChart in_exponents(LineChart chart);
+
+/// Title and subtitles at the top of a picture. Return the lower edge of the last one.
+double header_height(const std::string& title, const std::vector<std::string>& subtitles);
+double draw_header(Canvas& canvas, const std::string& title,
+                   const std::vector<std::string>& subtitles, double width);
+
+/// Fills the current path with slanted lines, `every` so many units.
+void hatch(Canvas& canvas, const Rect& around, double every, const Ink& ink);
+
+/// Around a picture, units.
+inline constexpr double kPageMargin = 18.0;
 
 // Text sizes.
 inline constexpr double kPageTitle = 20.0;

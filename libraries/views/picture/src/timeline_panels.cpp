@@ -33,7 +33,7 @@ void draw_scale(Canvas& canvas, const Rect& area, const Interval& range, const s
   double widest = 0.0;
   for (const double tick : ticks.at) {
     const double at = map.pixel({0, tick}).y;
-    const std::string label = tick_label(tick, ticks.step);
+    const std::string label = ticks.label(tick);
     canvas.line({area.x - 4, at}, {area.x, at}).stroke(kFrame, {.width = 0.8});
     canvas.text(label, {area.x - 7, at}, kBeside);
     widest = std::max(widest, canvas.text_width(label, kBeside));
@@ -156,7 +156,7 @@ void draw_time_axis(Canvas& canvas, const TimelineBlock& block, double y) {
   for (const double tick : ticks.at) {
     const double x = canvas.crisp(block.x_of(tick));
     canvas.line({x, y}, {x, y + 4}).stroke(kFrame, {.width = 1});
-    canvas.text(tick_label(tick, ticks.step), {x, y + 8},
+    canvas.text(ticks.label(tick), {x, y + 8},
                 {.size = kTick, .across = Across::centre, .down = Down::top});
   }
   canvas.text("time (s)", {block.left - kBesidePlot - 14, y + 8},
@@ -268,16 +268,6 @@ void draw_lane_head(Canvas& canvas, const TimelineBlock& block, double y) {
   TextStyle style = kBeside;
   style.down = Down::baseline;
   canvas.text("user priority", {block.left - kBesidePlot, y}, style);
-}
-
-void hatch(Canvas& canvas, const Rect& around) {
-  const Clip clip(canvas);
-  constexpr double kEvery = 6.0;
-  const double first = std::floor((around.x - around.height) / kEvery) * kEvery;
-  for (double x = first; x < around.right(); x += kEvery) {
-    canvas.line({x, around.bottom()}, {x + around.height, around.y});
-  }
-  canvas.stroke(kText.with_alpha(0.5), {.width = 1.0});
 }
 
 }  // namespace elsie::picture

@@ -12,6 +12,9 @@ namespace elsie::picture {
 struct Ticks {
   std::vector<double> at;
   double step = 0.0;
+  bool powers = false;  // whether they are exponents of ten
+
+  std::string label(double tick) const;
 };
 
 /// The step nearest to span / about among 1, 2 and 5 times powers of ten; 1 for a span that is not
