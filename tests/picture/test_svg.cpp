@@ -38,21 +38,15 @@ TEST_CASE("Numbers are short and never a negative zero") {
 }
 
 TEST_CASE("Path data is relative, and steps that vanish are left out") {
-  PathData path;
-  path.polyline(std::vector<Vector2>{{10, 20}, {13, 16}, {13.2, 16.1}, {18, 22}});
-  path.close();
-  CHECK(path.text() == "M10 20l3-4 5 6z");
-  PathData dot(2);
-  dot.polyline(std::vector<Vector2>{{1.5, 1}, {1.5, 1}});
-  CHECK(dot.text() == "M1.5 1l0 0");  // round ends make it a dot
-  PathData far;
-  far.polyline(std::vector<Vector2>{{0, 0}, {1e300, 0}});
-  CHECK(far.text() == "M0 0l100000 0");
-  PathData two(1);
-  two.polyline(std::vector<Vector2>{{0, 0}, {0.5, 0.25}});
-  two.close();
-  two.move_to({9, 9});  // nothing is drawn from here
-  CHECK(two.text() == "M0 0l0.5 0.3z");
+  const auto data = [](std::vector<Vector2> line, int decimals = 0, bool closed = false) {
+    return path_data(line, decimals, closed);
+  };
+  CHECK(data({{10, 20}, {13, 16}, {13.2, 16.1}, {18, 22}}, 0, true) == "M10 20l3-4 5 6z");
+  CHECK(data({{1.5, 1}, {1.5, 1}}, 2) == "M1.5 1l0 0");  // round ends make it a dot
+  CHECK(data({{1, 1}}) == "M1 1l0 0");
+  CHECK(data({{0, 0}, {1e300, 0}}) == "M0 0l100000 0");
+  CHECK(data({{0, 0}, {0.5, 0.25}}, 1) == "M0 0l0.5 0.3");
+  CHECK(data({}).empty());
 }
 
 TEST_CASE("A line is divided where it is unknown, and simplified within a tolerance") {

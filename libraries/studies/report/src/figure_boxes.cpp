@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "elsie/picture/svg.h"
 
@@ -76,49 +75,35 @@ std::string dots(const Findings& findings, const CellFindings& cell, std::size_t
   return text;
 }
 
+// Around the height `middle`.
+std::string line(const std::string& kind, const Span& span, double from, double to, double middle,
+                 double half = 0.0) {
+  return "<line class=\"" + kind + "\" x1=\"" + span.at(from) + "\" x2=\"" + span.at(to) +
+         "\" y1=\"" + y(middle - half) + "\" y2=\"" + y(middle + half) + "\"/>";
+}
+
 std::string box(const MeasureFindings& found, const Span& span, double middle) {
   std::vector<double> sorted = found.values;
   std::sort(sorted.begin(), sorted.end());
   const Interval ends = found.fences ? whiskers(sorted, *found.fences)
                                      : Interval{found.all->least, found.all->largest};
-  const auto line = [&](double from, double to, double half, const char* kind) {
-    return "<line class=\"" + std::string(kind) + "\" x1=\"" + span.at(from) + "\" x2=\"" +
-           span.at(to) + "\" y1=\"" + y(middle - half) + "\" y2=\"" + y(middle + half) + "\"/>";
-  };
   std::string text;
   if (found.values.size() >= kFewest) {
-    text += line(ends.low, ends.high, 0.0, "whisker");
+    text += line("whisker", span, ends.low, ends.high, middle);
     text += "<rect class=\"quartiles\" x=\"" + span.at(found.all->lower_quartile) + "\" y=\"" +
             y(middle - kHalfBox) + "\" width=\"" +
             span.width(found.all->lower_quartile, found.all->upper_quartile) + "\" height=\"" +
             y(2.0 * kHalfBox) + "\" rx=\"2\"/>";
-    text += line(found.all->median, found.all->median, kHalfBox, "median");
+    text += line("median", span, found.all->median, found.all->median, middle, kHalfBox);
   }
   return text;
 }
 
-std::string mean_mark(const MeasureFindings& found, const Span& span, double middle) {
-  std::string text;
-  if (found.interval) {
-    text += "<line class=\"interval\" x1=\"" + span.at(found.interval->low) + "\" x2=\"" +
-            span.at(found.interval->high) + "\" y1=\"" + y(middle + kHalfBox + 4.0) + "\" y2=\"" +
-            y(middle + kHalfBox + 4.0) + "\"/>";
-  }
-  return text + "<svg x=\"" + span.at(found.all->mean) + "\" y=\"" + y(middle + kHalfBox + 4.0) +
+std::string mean_mark(const MeasureFindings& found, const Span& span, double below) {
+  return (found.interval ? line("interval", span, found.interval->low, found.interval->high, below)
+                         : "") +
+         "<svg x=\"" + span.at(found.all->mean) + "\" y=\"" + y(below) +
          "\"><path class=\"mean\" d=\"M0-3.6 3.6 0 0 3.6-3.6 0z\"/></svg>";
-}
-
-std::optional<Interval> range_of(const Findings& findings, std::size_t measure) {
-  Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const CellFindings& cell : findings.cells) {
-    const auto& values = cell.measures[measure].values;
-    if (values.empty()) {
-      continue;
-    }
-    range.low = std::min(range.low, *std::min_element(values.begin(), values.end()));
-    range.high = std::max(range.high, *std::max_element(values.begin(), values.end()));
-  }
-  return range.low <= range.high ? std::optional(range) : std::nullopt;
 }
 
 }  // namespace
@@ -175,14 +160,19 @@ std::string grid(const Span& span, double top, double bottom, bool labels_above)
 std::string box_figure(const Findings& findings, std::size_t measure, const Inks& inks) {
   const Measure& about = findings.results.measures[findings.measures[measure]];
   const std::string name = in_words(about.name, about.unit);
-  const std::optional<Interval> range = range_of(findings, measure);
+  picture::Interval range;
+  for (const CellFindings& cell : findings.cells) {
+    for (const double value : cell.measures[measure].values) {
+      range.include(value);
+    }
+  }
   std::string text = "<figure class=\"boxes\"><figcaption><b>" + escaped(name) + "</b>" +
                      (about.unit.empty() ? "" : " <span>" + escaped(about.unit) + "</span>") +
                      "<small>" + escaped(about.meaning) + "</small></figcaption>";
-  if (!range) {
+  if (range.empty()) {
     return text + "<p class=\"none\">No run has a value.</p></figure>";
   }
-  const Span span = span_of(range->low, range->high);
+  const Span span = span_of(range.low, range.high);
   const bool above = findings.cells.size() > kRowsInSight;
   const double top = above ? kAxis : 0.0;
   const double bottom = top + kRow * static_cast<double>(findings.cells.size()) + 4.0;
@@ -199,7 +189,7 @@ std::string box_figure(const Findings& findings, std::size_t measure, const Inks
     if (found.all) {
       text += box(found, span, from + kMiddle) +
               dots(findings, findings.cells[i], measure, span, from + kMiddle, all) +
-              mean_mark(found, span, from + kMiddle);
+              mean_mark(found, span, from + kMiddle + kHalfBox + 4.0);
     } else if (found.censoring) {
       text += dots(findings, findings.cells[i], measure, span, from + kMiddle, all);
     } else {
@@ -226,13 +216,11 @@ std::string rate_figure(const Findings& findings, const Inks& inks) {
     text += "<div class=\"rate " + inks.cell_class(i) + "\"><span class=\"label\">" +
             escaped(findings.results.cells[i].label) + "</span><svg class=\"plot\" role=\"img\" " +
             "aria-label=\"" + std::to_string(cell.successes) + " of " + std::to_string(cell.ended) +
-            " succeeded\" width=\"100%\" height=\"" + y(kHeight) +
-            "\"><line class=\"track\" x1=\"" + span.at(0.0) + "\" x2=\"" + span.at(100.0) +
-            "\" y1=\"11\" y2=\"11\"/>";
+            " succeeded\" width=\"100%\" height=\"" + y(kHeight) + "\">" +
+            line("track", span, 0.0, 100.0, 11.0);
     if (cell.ended > 0) {
-      text += "<line class=\"reach\" x1=\"" + span.at(100.0 * cell.success.low) + "\" x2=\"" +
-              span.at(100.0 * cell.success.high) + "\" y1=\"11\" y2=\"11\"/><circle cx=\"" +
-              span.at(rate) + "\" cy=\"11\" r=\"5\"/>";
+      text += line("reach", span, 100.0 * cell.success.low, 100.0 * cell.success.high, 11.0) +
+              "<circle cx=\"" + span.at(rate) + "\" cy=\"11\" r=\"5\"/>";
     }
     text +=
         "</svg><span class=\"count\">" + std::to_string(cell.successes) + "<i>/" +

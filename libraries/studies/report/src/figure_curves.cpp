@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "elsie/picture/axis.h"
 #include "elsie/picture/plot.h"
 
 #include "figures.h"
@@ -31,17 +32,16 @@ std::vector<Vector2> usable(std::vector<Vector2> points) {
 
 // A logarithmic axis where curves span decades; otherwise one from zero, if none is below.
 picture::Axis axis_for(const std::vector<picture::Series>& curves) {
-  double least = kInfinite, least_positive = kInfinite, largest = 0.0;
+  picture::Interval all, positive;
   for (const picture::Series& curve : curves) {
     for (const Vector2& point : curve.points) {
-      least = std::min(least, point.y);
-      least_positive = std::min(least_positive, point.y > 0.0 ? point.y : kInfinite);
-      largest = std::max(largest, std::isfinite(point.y) ? point.y : 0.0);
+      all.include(point.y);
+      positive.include(point.y > 0.0 ? point.y : kInfinite);
     }
   }
   picture::Axis axis;
-  axis.logarithmic = least >= 0.0 && largest / least_positive > std::pow(10.0, kDecades);
-  if (!axis.logarithmic && least >= 0.0) {
+  axis.logarithmic = all.low >= 0.0 && std::log10(positive.high / positive.low) > kDecades;
+  if (!axis.logarithmic && all.low >= 0.0) {
     axis.low = 0.0;
   }
   return axis;

@@ -235,12 +235,12 @@ std::string ways_of(const View& view, const Findings& findings, const std::vecto
     if (line.pieces.empty()) {
       continue;
     }
-    picture::PathData data;
+    std::string data;
     for (const auto& piece : line.pieces) {
-      data.polyline(piece);
+      data += picture::path_data(piece);
     }
-    text += "<path class=\"" + std::string(kClasses[line.kind]) + "\" d=\"" + data.text() +
-            "\"><title>" + escaped(title_of(findings.results, line, several)) + "</title></path>";
+    text += "<path class=\"" + std::string(kClasses[line.kind]) + "\" d=\"" + data + "\"><title>" +
+            escaped(title_of(findings.results, line, several)) + "</title></path>";
     const Vector2 end = line.pieces.back().back();
     if (line.kind == kMissed) {
       ends += "<path class=\"stop\" d=\"M" + whole(end.x - 45) + " " + whole(end.y - 45) +

@@ -8,6 +8,18 @@
 
 namespace elsie::picture {
 
+void Interval::include(double value) {
+  if (!std::isfinite(value)) return;
+  low = std::min(low, value);
+  high = std::max(high, value);
+}
+
+Interval Interval::widened() const {
+  if (low < high) return *this;
+  if (empty() || low == 0.0) return {-1.0, 1.0};
+  return {low - 0.1 * std::abs(low), low + 0.1 * std::abs(low)};
+}
+
 double nice_step(double span, int about) {
   if (!(span > 0.0) || !std::isfinite(span) || about < 1) return 1.0;
   const double wanted = span / about;

@@ -1,13 +1,14 @@
 #include "canvas.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
 
 #include <cairo.h>
+
+#include "elsie/picture/svg.h"
 
 #include "svg_painter.h"
 #include "text.h"
@@ -48,28 +49,24 @@ struct Canvas::Impl {
     cairo_set_source_rgba(cr, ink.red, ink.green, ink.blue, ink.alpha);
   }
 
-  PathData path() const {
-    PathData result(svg->in_page() ? 1 : 2);
-    cairo_path_t* path = cairo_copy_path(cr);
+  std::string path() const {
+    std::string text;
+    std::vector<Vector2> line;
+    const auto end = [&](bool closed) {
+      if (line.size() > 1) text += path_data(line, svg->in_page() ? 1 : 2, closed);
+      line.clear();
+    };
+    cairo_path_t* path = cairo_copy_path_flat(cr);
     for (int i = 0; i < path->num_data; i += path->data[i].header.length) {
       const cairo_path_data_t* data = path->data + i;
-      const auto at = [&](int j) { return Vector2{data[j].point.x, data[j].point.y}; };
-      switch (data->header.type) {
-        case CAIRO_PATH_MOVE_TO:
-          result.move_to(at(1));
-          break;
-        case CAIRO_PATH_LINE_TO:
-          result.line_to(at(1));
-          break;
-        case CAIRO_PATH_CURVE_TO:
-          result.curve_to(std::array{at(1), at(2), at(3)});
-          break;
-        case CAIRO_PATH_CLOSE_PATH:
-          result.close();
+      if (data->header.type != CAIRO_PATH_LINE_TO) {
+        end(data->header.type == CAIRO_PATH_CLOSE_PATH);
       }
+      if (data->header.length > 1) line.push_back({data[1].point.x, data[1].point.y});
     }
+    end(false);
     cairo_path_destroy(path);
-    return result;
+    return text;
   }
 
   void select(const TextStyle& style) const {
@@ -102,6 +99,7 @@ Canvas::Canvas(FileType type, int width, int height, double zoom)
   impl_->set(kPaper);
   cairo_paint(impl_->cr);
   cairo_scale(impl_->cr, zoom, zoom);
+  if (ruler) cairo_set_tolerance(impl_->cr, 0.03);  // pixels; circles of an SVG are polygons
 }
 
 Canvas::~Canvas() = default;

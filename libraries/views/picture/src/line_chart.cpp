@@ -15,24 +15,19 @@ constexpr double kSwatch = 26.0;
 
 Interval data_range(const LineChart& chart, double Vector2::*coordinate, const Axis& axis,
                     bool margin) {
-  bool any = false;
-  Interval range{0.0, 0.0};
+  Interval range;
   for (const Series& series : chart.series) {
     for (const Vector2& point : series.points) {
-      if (!finite(point)) continue;
-      const double value = point.*coordinate;
-      range = any ? Interval{std::min(range.low, value), std::max(range.high, value)}
-                  : Interval{value, value};
-      any = true;
+      if (finite(point)) range.include(point.*coordinate);
     }
   }
-  if (!any) return {0.0, 1.0};
+  if (range.empty()) return {0.0, 1.0};
   if (axis.logarithmic) {  // whole powers of ten
     const double low = std::floor(range.low);
     return {low, std::max(low + 1.0, std::ceil(range.high))};
   }
-  double extra = margin ? 0.05 * range.span() : 0.0;
-  if (!(range.low < range.high)) extra = range.low == 0.0 ? 1.0 : 0.1 * std::abs(range.low);
+  const double extra = margin ? 0.05 * range.span() : 0.0;
+  range = range.widened();
   return {range.low - extra, range.high + extra};
 }
 
@@ -63,20 +58,14 @@ struct Name {
 
 std::vector<Name> legend(const Canvas& canvas, const LineChart& chart, double width) {
   std::vector<Name> names;
-  double x = 0.0;
-  int row = 0;
+  Flow flow(width, 18.0);
   const bool needed = chart.series.size() > 1;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     if (chart.series[i].name.empty() && !needed) continue;
     const TextStyle style{.size = kTick};
     const std::string text = canvas.fitted(chart.series[i].name, style, width - kSwatch - 6);
     const double entry = kSwatch + 6 + canvas.text_width(text, style);
-    if (x > 0.0 && x + entry > width) {
-      x = 0.0;
-      ++row;
-    }
-    names.push_back({text, i, x, entry, row});
-    x += entry + 18;
+    names.push_back({text, i, flow.place(entry), entry, flow.row()});
   }
   return names;
 }
@@ -137,7 +126,7 @@ std::vector<std::vector<Vector2>> parts(const Series& series, const PlaneMap& ma
   std::vector<Vector2> points;
   for (const Vector2& point : series.points) points.push_back(map.pixel(point));
   std::vector<std::vector<Vector2>> result = pieces(points);
-  for (auto& piece : result) piece = simplified(piece, 0.3 / zoom);
+  for (auto& piece : result) piece = simplified(piece, 0.4 / zoom);
   return result;
 }
 

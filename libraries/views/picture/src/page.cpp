@@ -128,19 +128,9 @@ Interval interval_of(const Axis& axis, const Interval& otherwise) {
 }
 
 Interval interval_of(const Field& field) {
-  bool any = false;
-  Interval range{0.0, 0.0};
-  for (const double value : field.values) {
-    if (!std::isfinite(value)) continue;
-    range = any ? Interval{std::min(range.low, value), std::max(range.high, value)}
-                : Interval{value, value};
-    any = true;
-  }
-  if (!(range.low < range.high)) {
-    const double half = range.low == 0.0 ? 1.0 : std::abs(range.low) * 0.1;
-    range = {range.low - half, range.high + half};
-  }
-  return interval_of(field.z, range);
+  Interval range;
+  for (const double value : field.values) range.include(value);
+  return interval_of(field.z, range.widened());
 }
 
 PlaneMap map_to(const Rect& plot, const Interval& x, const Interval& y) {
@@ -172,35 +162,45 @@ double y_labels_width(const Canvas& canvas, const Axis& axis, const Interval& ra
   return widest;
 }
 
+void draw_x_ticks(Canvas& canvas, const Ticks& ticks, const PlaneMap& map, double y) {
+  for (const double tick : ticks.at) {
+    const double x = canvas.crisp(map.pixel({tick, 0}).x);
+    canvas.line({x, canvas.crisp(y)}, {x, canvas.crisp(y) + 4}).stroke(kFrame, {.width = 1});
+    canvas.text(ticks.label(tick), {x, y + 8},
+                {.size = kTick, .across = Across::centre, .down = Down::top});
+  }
+}
+
+double draw_y_ticks(Canvas& canvas, const Ticks& ticks, const PlaneMap& map, double x,
+                    const Ink& ink) {
+  const TextStyle style{.size = kTick, .ink = ink, .across = Across::right, .down = Down::middle};
+  double widest = 0.0;
+  for (const double tick : ticks.at) {
+    const double y = canvas.crisp(map.pixel({0, tick}).y);
+    canvas.line({canvas.crisp(x) - 4, y}, {canvas.crisp(x), y}).stroke(kFrame, {.width = 1});
+    canvas.text(ticks.label(tick), {x - 8, y}, style);
+    widest = std::max(widest, canvas.text_width(ticks.label(tick), style));
+  }
+  return widest;
+}
+
 void draw_axes(Canvas& canvas, const Rect& plot, const Axis& x, const Interval& x_range,
                const Axis& y, const Interval& y_range, bool grid) {
   const PlaneMap map = map_to(plot, x_range, y_range);
   const Ticks across = ticks_of(x, x_range, plot.width, 80.0);
   const Ticks up = ticks_of(y, y_range, plot.height);
-  constexpr double kMark = 4.0;
   const double left = canvas.crisp(plot.x), bottom = canvas.crisp(plot.bottom());
-
-  for (const double tick : across.at) {
-    const double at = canvas.crisp(map.pixel({tick, 0}).x);
-    if (grid) {
-      canvas.line({at, plot.y}, {at, plot.bottom()}).stroke(kGrid, {.width = 1});
+  const auto x_of = [&](double tick) { return canvas.crisp(map.pixel({tick, 0}).x); };
+  const auto y_of = [&](double tick) { return canvas.crisp(map.pixel({0, tick}).y); };
+  if (grid) {
+    for (const double tick : across.at) {
+      canvas.line({x_of(tick), plot.y}, {x_of(tick), plot.bottom()});
     }
-    canvas.line({at, bottom}, {at, bottom + kMark}).stroke(kFrame, {.width = 1});
-    canvas.text(across.label(tick), {at, plot.bottom() + 8},
-                {.size = kTick, .across = Across::centre, .down = Down::top});
+    for (const double tick : up.at) canvas.line({plot.x, y_of(tick)}, {plot.right(), y_of(tick)});
+    canvas.stroke(kGrid, {.width = 1});
   }
-  double widest = 0.0;
-  for (const double tick : up.at) {
-    const double at = canvas.crisp(map.pixel({0, tick}).y);
-    if (grid) {
-      canvas.line({plot.x, at}, {plot.right(), at}).stroke(kGrid, {.width = 1});
-    }
-    canvas.line({left - kMark, at}, {left, at}).stroke(kFrame, {.width = 1});
-    const TextStyle text{.size = kTick, .across = Across::right, .down = Down::middle};
-    const std::string label = up.label(tick);
-    widest = std::max(widest, canvas.text_width(label, text));
-    canvas.text(label, {plot.x - 8, at}, text);
-  }
+  draw_x_ticks(canvas, across, map, plot.bottom());
+  const double widest = draw_y_ticks(canvas, up, map, plot.x, kText);
   canvas.move_to({left, plot.y}).line_to({left, bottom}).line_to({plot.right(), bottom});
   canvas.stroke(kFrame, {.width = 1});
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elsie/picture/axis.h"
@@ -25,15 +26,6 @@ void draw(Canvas& canvas, const LineChart& chart, const Rect& area, double head)
 void draw(Canvas& canvas, const HeatMap& map, const Rect& area, double head);
 void draw(Canvas& canvas, const Mesh& mesh, const Rect& area, double head);
 
-/// A closed interval with low < high.
-struct Interval {
-  double low = 0.0;
-  double high = 1.0;
-
-  double span() const { return high - low; }
-  double part(double value) const { return (value - low) / span(); }
-};
-
 /// The axis' own limits, or else those of the interval.
 Interval interval_of(const Axis& axis, const Interval& otherwise);
 /// The interval of all finite values of the field; widened if they are equal.
@@ -46,6 +38,11 @@ PlaneMap map_to(const Rect& plot, const Interval& x, const Interval& y);
 void draw_axes(Canvas& canvas, const Rect& plot, const Axis& x, const Interval& x_range,
                const Axis& y, const Interval& y_range, bool grid = true);
 
+/// Marks and numbers of the ticks below `y` or left of `x`. Returns the width of the widest number.
+void draw_x_ticks(Canvas& canvas, const Ticks& ticks, const PlaneMap& map, double y);
+double draw_y_ticks(Canvas& canvas, const Ticks& ticks, const PlaneMap& map, double x,
+                    const Ink& ink);
+
 /// The ticks of an axis that is so many units long, one for about each `room`.
 Ticks ticks_of(const Axis& axis, const Interval& range, double length, double room = 45.0);
 
@@ -54,6 +51,22 @@ double y_labels_width(const Canvas& canvas, const Axis& axis, const Interval& ra
 
 /// The chart with exponents of ten in place of the values of logarithmic axes.
 LineChart in_exponents(LineChart chart);
+
+/// Places for the entries of a legend, in rows of this width.
+class Flow {
+ public:
+  Flow(double width, double gap) : width_(width), gap_(gap) {}
+  int row() const { return row_; }  // of the last entry, from 0
+  /// The left edge of the next entry.
+  double place(double width) {
+    if (next_ > 0.0 && next_ + width > width_) next_ = 0.0, ++row_;
+    return std::exchange(next_, next_ + width + gap_);
+  }
+
+ private:
+  double width_, gap_, next_ = 0.0;
+  int row_ = 0;
+};
 
 /// Title and subtitles at the top of a picture. Return the lower edge of the last one.
 double header_height(const std::string& title, const std::vector<std::string>& subtitles);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "elsie/base/number_text.h"
 
@@ -26,55 +27,31 @@ std::string hex_text(const Colour& colour) {
   return text;
 }
 
-PathData::PathData(int decimals) : decimals_(decimals), scale_(std::pow(10.0, decimals)) {}
-
-// Points far outside of the picture are moved to a limit outside of it.
-PathData::Place PathData::place_of(const Vector2& point) const {
+std::string path_data(std::span<const Vector2> line, int decimals, bool closed) {
+  const double scale = std::pow(10.0, decimals);
+  // Points far outside of the picture are moved to a limit outside of it.
   const auto rounded = [&](double value) {
-    return std::lround(scale_ * std::clamp(value, -1e5, 1e5));
+    return std::lround(scale * std::clamp(value, -1e5, 1e5));
   };
-  return {rounded(point.x), rounded(point.y)};
-}
-
-void PathData::append(long value) {
-  const std::string number = short_number(static_cast<double>(value) / scale_, decimals_);
-  const bool apart = !text_.empty() && text_.back() >= '0' && text_.back() <= '9';
-  if (apart && number.front() != '-') text_ += ' ';
-  text_ += number;
-}
-
-void PathData::move_to(const Vector2& to) {
-  at_ = start_ = place_of(to);
-  last_ = 0;
-}
-
-void PathData::add(char command, std::span<const Vector2> points) {
-  if (command == 'l' && last_ == 'l' && place_of(points[0]) == at_) return;
-  if (last_ == 0) {
-    text_ += 'M';
-    append(at_.x);
-    append(at_.y);
+  std::string text;
+  const auto append = [&](long value) {
+    const std::string number = short_number(static_cast<double>(value) / scale, decimals);
+    if (number.front() != '-' && text.back() >= '0' && text.back() <= '9') text += ' ';
+    text += number;
+  };
+  long x = 0, y = 0;
+  for (const Vector2& point : line) {
+    const long from_x = std::exchange(x, rounded(point.x));
+    const long from_y = std::exchange(y, rounded(point.y));
+    const bool begins = text.empty();
+    if (!begins && text.back() != 'l' && x == from_x && y == from_y) continue;
+    if (begins) text = "M";
+    append(x - from_x);
+    append(y - from_y);
+    if (begins) text += 'l';
   }
-  if (last_ != command) text_ += command;
-  last_ = command;
-  const Place from = at_;
-  for (const Vector2& point : points) {
-    at_ = place_of(point);
-    append(at_.x - from.x);
-    append(at_.y - from.y);
-  }
-}
-
-void PathData::close() {
-  if (last_ != 0) text_ += 'z';
-  at_ = start_;
-  last_ = 0;
-}
-
-void PathData::polyline(std::span<const Vector2> points) {
-  if (points.empty()) return;
-  move_to(points.front());
-  for (const Vector2& point : points.subspan(1)) line_to(point);
+  if (text.ends_with('l')) text += "0 0";  // round ends make it a dot
+  return closed ? text + 'z' : text;
 }
 
 }  // namespace elsie::picture

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "elsie/output/clean_text.h"
+#include "elsie/picture/svg.h"
 #include "elsie/world/escaped.h"
 
 namespace elsie::picture {
@@ -31,14 +32,14 @@ std::string SvgPainter::paint(const std::string& attribute, const Ink& ink) cons
          (ink.alpha < 1.0 ? " " + attribute + "-opacity=\"" + number(ink.alpha) + "\"" : "");
 }
 
-void SvgPainter::fill(const PathData& path, const Ink& ink) {
-  if (path.text().empty()) return;
-  body_ += "<path d=\"" + path.text() + "\"" + paint("fill", ink) + "/>\n";
+void SvgPainter::fill(const std::string& path, const Ink& ink) {
+  if (path.empty()) return;
+  body_ += "<path d=\"" + path + "\"" + paint("fill", ink) + "/>\n";
 }
 
-void SvgPainter::stroke(const PathData& path, const Ink& ink, const Pen& pen) {
-  if (path.text().empty()) return;
-  body_ += "<path d=\"" + path.text() + "\" fill=\"none\"" + paint("stroke", ink);
+void SvgPainter::stroke(const std::string& path, const Ink& ink, const Pen& pen) {
+  if (path.empty()) return;
+  body_ += "<path d=\"" + path + "\" fill=\"none\"" + paint("stroke", ink);
   if (pen.width != 1.0) body_ += " stroke-width=\"" + number(pen.width) + "\"";
   if (pen.round) body_ += " stroke-linecap=\"round\" stroke-linejoin=\"round\"";
   if (!pen.dash.empty()) {
@@ -49,7 +50,7 @@ void SvgPainter::stroke(const PathData& path, const Ink& ink, const Pen& pen) {
   body_ += "/>\n";
 }
 
-void SvgPainter::clip(const PathData& path, const Rect& box) {
+void SvgPainter::clip(const std::string& path, const Rect& box) {
   if (in_page_) {
     const std::string x = number(box.x), y = number(box.y);
     const std::string width = number(box.width), height = number(box.height);
@@ -59,7 +60,7 @@ void SvgPainter::clip(const PathData& path, const Rect& box) {
     return;
   }
   const std::string name = "clip" + std::to_string(++clips_);
-  body_ += "<clipPath id=\"" + name + "\"><path d=\"" + path.text() +
+  body_ += "<clipPath id=\"" + name + "\"><path d=\"" + path +
            "\"/></clipPath><g clip-path=\"url(#" + name + ")\">\n";
 }
 

@@ -3,8 +3,6 @@
 
 #include <string>
 
-#include "elsie/picture/svg.h"
-
 #include "canvas.h"
 
 namespace elsie::picture {
@@ -16,10 +14,10 @@ class SvgPainter {
   explicit SvgPainter(bool in_page) : in_page_(in_page) {}
 
   bool in_page() const { return in_page_; }
-  void fill(const PathData& path, const Ink& ink);
-  void stroke(const PathData& path, const Ink& ink, const Pen& pen);
+  void fill(const std::string& path, const Ink& ink);
+  void stroke(const std::string& path, const Ink& ink, const Pen& pen);
   /// In a page, which has no names for outlines, to the rectangle `box` around the path.
-  void clip(const PathData& path, const Rect& box);
+  void clip(const std::string& path, const Rect& box);
   /// `drop`: the distance of the base line below the point around which the text is turned.
   void text(const std::string& text, const Vector2& at, double drop, const TextStyle& style);
   void unclip() { body_ += in_page_ ? "</svg>" : "</g>\n"; }

@@ -272,20 +272,14 @@ class Sheet {
 
   int lay_out_legend(const Canvas& ruler) {
     legend_.clear();
-    double x = kPageMargin;
-    int row = 0;
+    Flow flow(width_ - 2 * kPageMargin, 22.0);
     for (Entry& entry : legend()) {
       const TextStyle style{.size = kTick};
       entry.name = ruler.fitted(entry.name, style, width_ - 2 * kPageMargin - 30);
-      const double width = 30 + ruler.text_width(entry.name, style);
-      if (x > kPageMargin && x + width > width_ - kPageMargin) {
-        x = kPageMargin;
-        ++row;
-      }
-      legend_.push_back({std::move(entry), x, row});
-      x += width + 22;
+      const double x = kPageMargin + flow.place(30 + ruler.text_width(entry.name, style));
+      legend_.push_back({std::move(entry), x, flow.row()});
     }
-    return row + 1;
+    return flow.row() + 1;
   }
 
   void draw_legend(Canvas& canvas, double y) const {

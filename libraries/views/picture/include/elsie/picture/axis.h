@@ -1,12 +1,27 @@
 // Axes: round numbers for the ticks, and the map from values to pixels.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "elsie/api/geometry.h"
 
 namespace elsie::picture {
+
+/// A closed interval; at first there is nothing in it.
+struct Interval {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  bool empty() const { return !(low <= high); }
+  double span() const { return high - low; }
+  double part(double value) const { return (value - low) / span(); }
+  /// Widens it up to the value; values that are not finite change nothing.
+  void include(double value);
+  /// With room on both sides of a single value or of nothing.
+  Interval widened() const;
+};
 
 /// Positions of ticks and labels on an axis, ascending.
 struct Ticks {

@@ -3,7 +3,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "elsie/api/geometry.h"
 #include "elsie/api/image.h"
@@ -17,32 +16,6 @@ std::string short_number(double value, int decimals);
 std::string hex_text(const Colour& colour);
 
 /// The data of a path: "M10 20l3-4 5 6z". Coordinates are rounded; steps that vanish are left out.
-class PathData {
- public:
-  explicit PathData(int decimals = 0);
-
-  void move_to(const Vector2& to);
-  void line_to(const Vector2& to) { add('l', {&to, 1}); }
-  /// A cubic Bezier curve: its two control points and its end.
-  void curve_to(std::span<const Vector2, 3> points) { add('c', points); }
-  void close();
-  void polyline(std::span<const Vector2> points);
-  const std::string& text() const { return text_; }
-
- private:
-  struct Place {
-    long x = 0, y = 0;
-    friend bool operator==(const Place&, const Place&) = default;
-  };
-  Place place_of(const Vector2& point) const;
-  void add(char command, std::span<const Vector2> points);
-  void append(long value);
-
-  std::string text_;
-  int decimals_;
-  double scale_;
-  char last_ = 0;  // command; 0: the next one begins a line
-  Place at_, start_;
-};
+std::string path_data(std::span<const Vector2> line, int decimals = 0, bool closed = false);
 
 }  // namespace elsie::picture
