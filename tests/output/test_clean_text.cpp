@@ -31,6 +31,7 @@ TEST_CASE("Cleaned text keeps what can be read") {
   // colour.
   CHECK(output::clean("\xc2\x9b"
                       "31m") == kBad + "31m");
+  CHECK(output::clean("\u202eab\u2069\u2028") == kBad + "ab" + kBad + kBad);
   CHECK(output::clean("\xef\xbf\xbe\xef\xbf\xbf") == kBad + kBad);
   CHECK(output::clean(std::string("\0", 1)) == kBad);
   CHECK(output::one_line("a\n\tb\x01") == "a  b" + kBad);

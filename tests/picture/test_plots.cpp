@@ -53,7 +53,7 @@ bool is_violet(const Pixel& p) { return p.red > 50 && p.red < 80 && p.green < 50
 
 TEST_CASE("Membership functions are drawn, one colour a term") {
   const Folder folder;
-  save_membership_functions({range_panel()}, "Sensors", folder / "a.png");
+  save_fuzzy_picture({"Sensors", {}, {range_panel()}, {}}, folder / "a.png");
   const Bitmap image(folder / "a.png");
   CHECK(image.width() == 1000);
   CHECK(count(image, 0, 1000, [](const Pixel& p) { return p.blue > 150 && p.red < 30; }) > 500);
@@ -76,32 +76,34 @@ TEST_CASE("Sets of any kind can be drawn: empty, single points, steps, outside o
                                {std::string("\xff", 1), FuzzySet::triangle(0, 1)}}};
   for (const std::string file : {"a.png", "a.svg"}) {
     CHECK_NOTHROW(
-        save_membership_functions({panel, panel, panel, panel, panel}, "", folder / file));
+        save_fuzzy_picture({"", {}, {panel, panel, panel, panel, panel}, {}}, folder / file));
   }
-  CHECK_NOTHROW(save_membership_functions({}, "nothing", folder / "none.png"));
-  CHECK_NOTHROW(save_membership_functions({{"no terms", "", 0, 1, {}}}, "", folder / "bare.png"));
+  CHECK_NOTHROW(save_fuzzy_picture({"nothing", {}, {}, {}}, folder / "none.png"));
+  CHECK_NOTHROW(
+      save_fuzzy_picture({"", {}, {{"no terms", "", 0, 1, {}}}, {}}, folder / "bare.png"));
 }
 
 TEST_CASE("A variable over an empty range is refused in a sentence") {
   const Folder folder;
   for (const auto& [low, high] : {std::pair{1.0, 1.0}, {2.0, 1.0}, {0.0, std::nan("")}}) {
     CHECK_THROWS_AS(
-        save_membership_functions({{"range", "m", low, high, {}}}, "", folder / "a.png"),
+        save_fuzzy_picture({"", {}, {{"range", "m", low, high, {}}}, {}}, folder / "a.png"),
         std::invalid_argument);
   }
   CHECK_THROWS_WITH(
-      save_membership_functions({{"range", "m", 2, 1, {}}}, "", folder / "a.png"),
+      save_fuzzy_picture({"", {}, {{"range", "m", 2, 1, {}}}, {}}, folder / "a.png"),
       "The variable 'range' cannot be drawn over a range from 2 to 1: both must be finite and the "
       "first below the second.");
   ControlSurface surface = plane();
   surface.value = nullptr;
-  CHECK_THROWS_AS(save_control_surface(surface, folder / "a.png"), std::invalid_argument);
+  CHECK_THROWS_AS(save_fuzzy_picture({"", {}, {}, {surface}}, folder / "a.png"),
+                  std::invalid_argument);
   CHECK(folder.files() == 0);
 }
 
 TEST_CASE("A control surface goes from dark violet at its lowest to yellow at its highest") {
   const Folder folder;
-  save_control_surface(plane(), folder / "a.png");
+  save_fuzzy_picture({"", {}, {}, {plane()}}, folder / "a.png");
   const Bitmap image(folder / "a.png");
   const int middle = 240;  // of the heat map, the left one of two panels
   CHECK(count(image, 0, middle, is_violet) > 1000);
@@ -137,7 +139,7 @@ TEST_CASE("Where no rule fires, the surface stays blank") {
   const Folder folder;
   ControlSurface surface = plane();
   surface.value = [](double, double) { return std::nan(""); };
-  save_control_surface(surface, folder / "a.png");
+  save_fuzzy_picture({"", {}, {}, {surface}}, folder / "a.png");
   const Bitmap image(folder / "a.png");
   CHECK(count(image, 0, 405, is_violet) + count(image, 0, 405, is_yellow) == 0);
 }

@@ -1,7 +1,5 @@
 #include "learning_curve.h"
 
-#include <cmath>
-
 #include "elsie/picture/plot.h"
 
 namespace elsie::program {
@@ -10,29 +8,21 @@ void draw_learning_curve(const neural::Training& training, const std::string& ti
                          const std::vector<std::string>& subtitles,
                          const std::filesystem::path& file) {
   namespace picture = elsie::picture;
-  picture::Series plain, powers;
+  picture::LineChart chart;
+  chart.x = {"presentations", "", 0.0, static_cast<double>(training.presentations)};
+  chart.y = {"mean error of an epoch", "", 0.0, {}};
+  auto& points = chart.series.emplace_back().points;
   for (const neural::CurvePoint& point : training.curve) {
-    const auto x = static_cast<double>(point.presentations);
-    plain.points.push_back({x, point.error});
-    powers.points.push_back({x, std::log10(point.error)});
+    points.push_back({static_cast<double>(point.presentations), point.error});
   }
-  const picture::Axis presentations{"presentations", "", 0.0,
-                                    static_cast<double>(training.presentations)};
-  picture::LineChart above, below;
-  above.x = presentations;
-  above.y = {"mean error of an epoch", "", 0.0, {}};
-  above.series.push_back(std::move(plain));
-  below.x = presentations;
-  below.y.label = "log10 of the mean error";
-  below.series.push_back(std::move(powers));
   picture::Page page;
   page.title = title;
   page.subtitles = subtitles;
-  for (picture::LineChart* chart : {&above, &below}) {
-    picture::Row row;
-    row.panels.emplace_back(std::move(*chart));
+  for (const bool logarithmic : {false, true}) {
+    if (logarithmic) chart.y = {chart.y.label, "", {}, {}, true};
+    picture::Row& row = page.rows.emplace_back();
+    row.panels.emplace_back(chart);
     row.aspect = 0.32;
-    page.rows.push_back(std::move(row));
   }
   picture::save_page(page, file);
 }

@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "elsie/picture/axis.h"
+#include "elsie/picture/svg.h"
 
-#include "drawing.h"
 #include "figures.h"
 #include "markup.h"
 #include "numbers.h"
@@ -18,14 +16,15 @@ constexpr double kLabelAt = 15.0;  // base line of the label in the row
 constexpr double kMiddle = 30.0;   // of the box in the row
 constexpr double kHalfBox = 6.5;
 constexpr double kAxis = 20.0;      // height of the labels of an axis
-constexpr double kMargin = 0.025;   // of the width, at both ends of an axis
 constexpr std::size_t kLabel = 46;  // characters of a label
 constexpr std::size_t kRowsInSight = 10;
 // With more dots than these on a page, dots have no tooltips, and some are left out.
 constexpr std::size_t kDotsWithText = 6000;
 constexpr std::size_t kDots = 30000;
 
-std::string y(double value) { return fixed_text(value, 1); }
+std::string y(double value) { return picture::short_number(value, 1); }
+
+std::string percent(double part) { return picture::short_number(100.0 * part, 2) + '%'; }
 
 // The offset of the i-th dot of a row from its middle, in [-1, 1]: the sequence of van der Corput
 // (1935) spreads any number of dots evenly.
@@ -76,61 +75,60 @@ std::string dots(const Findings& findings, const CellFindings& cell, std::size_t
   return text;
 }
 
+// Around the height `middle`.
+std::string line(const std::string& kind, const Span& span, double from, double to, double middle,
+                 double half = 0.0) {
+  return "<line class=\"" + kind + "\" x1=\"" + span.at(from) + "\" x2=\"" + span.at(to) +
+         "\" y1=\"" + y(middle - half) + "\" y2=\"" + y(middle + half) + "\"/>";
+}
+
 std::string box(const MeasureFindings& found, const Span& span, double middle) {
   std::vector<double> sorted = found.values;
   std::sort(sorted.begin(), sorted.end());
   const Interval ends = found.fences ? whiskers(sorted, *found.fences)
                                      : Interval{found.all->least, found.all->largest};
-  const auto line = [&](double from, double to, double half, const char* kind) {
-    return "<line class=\"" + std::string(kind) + "\" x1=\"" + span.at(from) + "\" x2=\"" +
-           span.at(to) + "\" y1=\"" + y(middle - half) + "\" y2=\"" + y(middle + half) + "\"/>";
-  };
   std::string text;
   if (found.values.size() >= kFewest) {
-    text += line(ends.low, ends.high, 0.0, "whisker");
+    text += line("whisker", span, ends.low, ends.high, middle);
     text += "<rect class=\"quartiles\" x=\"" + span.at(found.all->lower_quartile) + "\" y=\"" +
             y(middle - kHalfBox) + "\" width=\"" +
             span.width(found.all->lower_quartile, found.all->upper_quartile) + "\" height=\"" +
             y(2.0 * kHalfBox) + "\" rx=\"2\"/>";
-    text += line(found.all->median, found.all->median, kHalfBox, "median");
+    text += line("median", span, found.all->median, found.all->median, middle, kHalfBox);
   }
   return text;
 }
 
-std::string mean_mark(const MeasureFindings& found, const Span& span, double middle) {
-  std::string text;
-  if (found.interval) {
-    text += "<line class=\"interval\" x1=\"" + span.at(found.interval->low) + "\" x2=\"" +
-            span.at(found.interval->high) + "\" y1=\"" + y(middle + kHalfBox + 4.0) + "\" y2=\"" +
-            y(middle + kHalfBox + 4.0) + "\"/>";
-  }
-  return text + "<svg x=\"" + span.at(found.all->mean) + "\" y=\"" + y(middle + kHalfBox + 4.0) +
+std::string mean_mark(const MeasureFindings& found, const Span& span, double below) {
+  return (found.interval ? line("interval", span, found.interval->low, found.interval->high, below)
+                         : "") +
+         "<svg x=\"" + span.at(found.all->mean) + "\" y=\"" + y(below) +
          "\"><path class=\"mean\" d=\"M0-3.6 3.6 0 0 3.6-3.6 0z\"/></svg>";
-}
-
-std::optional<Interval> range_of(const Findings& findings, std::size_t measure) {
-  Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const CellFindings& cell : findings.cells) {
-    const auto& values = cell.measures[measure].values;
-    if (values.empty()) {
-      continue;
-    }
-    range.low = std::min(range.low, *std::min_element(values.begin(), values.end()));
-    range.high = std::max(range.high, *std::max_element(values.begin(), values.end()));
-  }
-  return range.low <= range.high ? std::optional(range) : std::nullopt;
 }
 
 }  // namespace
 
 double Span::part(double value) const {
   const double inside = (std::clamp(value, low_, high_) - low_) / (high_ - low_);
-  return kMargin + (1.0 - 2.0 * kMargin) * inside;
+  return margin_ + (1.0 - 2.0 * margin_) * inside;
 }
 
 std::string Span::at(double value) const { return percent(part(value)); }
 
 std::string Span::width(double from, double to) const { return percent(part(to) - part(from)); }
+
+std::string Span::labels(const picture::Ticks& ticks, double y, const std::string& unit) const {
+  std::string text = "<g class=\"axis\">";
+  for (const double tick : ticks.at) {
+    const char* end = margin_ > 0.0       ? ""
+                      : part(tick) < 0.02 ? " class=\"first\""
+                      : part(tick) > 0.94 ? " class=\"last\""
+                                          : "";
+    text += "<text x=\"" + at(tick) + "\" y=\"" + report::y(y) + "\"" + end + ">" +
+            ticks.label(tick) + (tick == 0.0 ? unit : "") + "</text>";
+  }
+  return text + "</g>";
+}
 
 Span span_of(double low, double high) {
   if (low >= 0.0 && low < 0.4 * high) {
@@ -155,30 +153,26 @@ std::string grid(const Span& span, double top, double bottom, bool labels_above)
     text += "<line x1=\"" + span.at(tick) + "\" x2=\"" + span.at(tick) + "\" y1=\"" + y(top) +
             "\" y2=\"" + y(bottom) + "\"/>";
   }
-  text += "</g><g class=\"axis\">";
-  for (const bool above : {true, false}) {
-    if (above && !labels_above) {
-      continue;
-    }
-    for (const double tick : ticks.at) {
-      text += "<text x=\"" + span.at(tick) + "\" y=\"" + y(above ? top - 6.0 : bottom + 14.0) +
-              "\">" + picture::tick_label(tick, ticks.step) + "</text>";
-    }
-  }
-  return text + "</g>";
+  return text + "</g>" + (labels_above ? span.labels(ticks, top - 6.0) : "") +
+         span.labels(ticks, bottom + 14.0);
 }
 
 std::string box_figure(const Findings& findings, std::size_t measure, const Inks& inks) {
   const Measure& about = findings.results.measures[findings.measures[measure]];
   const std::string name = in_words(about.name, about.unit);
-  const std::optional<Interval> range = range_of(findings, measure);
+  picture::Interval range;
+  for (const CellFindings& cell : findings.cells) {
+    for (const double value : cell.measures[measure].values) {
+      range.include(value);
+    }
+  }
   std::string text = "<figure class=\"boxes\"><figcaption><b>" + escaped(name) + "</b>" +
                      (about.unit.empty() ? "" : " <span>" + escaped(about.unit) + "</span>") +
                      "<small>" + escaped(about.meaning) + "</small></figcaption>";
-  if (!range) {
+  if (range.empty()) {
     return text + "<p class=\"none\">No run has a value.</p></figure>";
   }
-  const Span span = span_of(range->low, range->high);
+  const Span span = span_of(range.low, range.high);
   const bool above = findings.cells.size() > kRowsInSight;
   const double top = above ? kAxis : 0.0;
   const double bottom = top + kRow * static_cast<double>(findings.cells.size()) + 4.0;
@@ -195,7 +189,7 @@ std::string box_figure(const Findings& findings, std::size_t measure, const Inks
     if (found.all) {
       text += box(found, span, from + kMiddle) +
               dots(findings, findings.cells[i], measure, span, from + kMiddle, all) +
-              mean_mark(found, span, from + kMiddle);
+              mean_mark(found, span, from + kMiddle + kHalfBox + 4.0);
     } else if (found.censoring) {
       text += dots(findings, findings.cells[i], measure, span, from + kMiddle, all);
     } else {
@@ -222,13 +216,11 @@ std::string rate_figure(const Findings& findings, const Inks& inks) {
     text += "<div class=\"rate " + inks.cell_class(i) + "\"><span class=\"label\">" +
             escaped(findings.results.cells[i].label) + "</span><svg class=\"plot\" role=\"img\" " +
             "aria-label=\"" + std::to_string(cell.successes) + " of " + std::to_string(cell.ended) +
-            " succeeded\" width=\"100%\" height=\"" + y(kHeight) +
-            "\"><line class=\"track\" x1=\"" + span.at(0.0) + "\" x2=\"" + span.at(100.0) +
-            "\" y1=\"11\" y2=\"11\"/>";
+            " succeeded\" width=\"100%\" height=\"" + y(kHeight) + "\">" +
+            line("track", span, 0.0, 100.0, 11.0);
     if (cell.ended > 0) {
-      text += "<line class=\"reach\" x1=\"" + span.at(100.0 * cell.success.low) + "\" x2=\"" +
-              span.at(100.0 * cell.success.high) + "\" y1=\"11\" y2=\"11\"/><circle cx=\"" +
-              span.at(rate) + "\" cy=\"11\" r=\"5\"/>";
+      text += line("reach", span, 100.0 * cell.success.low, 100.0 * cell.success.high, 11.0) +
+              "<circle cx=\"" + span.at(rate) + "\" cy=\"11\" r=\"5\"/>";
     }
     text +=
         "</svg><span class=\"count\">" + std::to_string(cell.successes) + "<i>/" +
@@ -237,13 +229,11 @@ std::string rate_figure(const Findings& findings, const Inks& inks) {
                          : "<em class=\"tag\">" + std::to_string(cell.pending) + " to do</em>") +
         "</div>";
   }
-  text +=
-      "<div class=\"rate scale\"><span></span><svg class=\"plot\" aria-hidden=\"true\" "
-      "width=\"100%\" height=\"16\"><g class=\"axis\">";
-  for (const int tick : {0, 25, 50, 75, 100}) {
-    text += "<text x=\"" + span.at(tick) + "\" y=\"12\">" + std::to_string(tick) + "</text>";
-  }
-  return text + "</g></svg><span class=\"count\">%</span></div></div>\n";
+  return text +
+         "<div class=\"rate scale\"><span></span><svg class=\"plot\" aria-hidden=\"true\" "
+         "width=\"100%\" height=\"16\">" +
+         span.labels(picture::nice_ticks(0.0, 100.0, 4), 12.0) +
+         "</svg><span class=\"count\">%</span></div></div>\n";
 }
 
 }  // namespace elsie::report

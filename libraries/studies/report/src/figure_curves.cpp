@@ -3,11 +3,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "elsie/picture/axis.h"
+#include "elsie/picture/plot.h"
 
-#include "drawing.h"
 #include "figures.h"
 #include "markup.h"
 #include "numbers.h"
@@ -16,130 +17,65 @@ namespace elsie::report {
 
 namespace {
 
-constexpr double kWidth = 360.0, kHeight = 170.0;
-constexpr double kLeft = 46.0, kRight = 10.0, kTop = 8.0, kBottom = 32.0;
-constexpr double kFine = 10.0;    // path coordinates are tenths of a unit of the picture
+constexpr picture::Size kSize{420, 190};
 constexpr double kDecades = 2.0;  // curves that span more get a logarithmic axis
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-struct Panel {
-  double x_low = 0.0, x_high = 1.0, y_low = 0.0, y_high = 1.0;
-  bool logarithmic = false;
+std::vector<Vector2> usable(std::vector<Vector2> points) {
+  for (Vector2& point : points) {
+    if (!is_usable(point.x) || !is_usable(point.y)) {
+      point = {kInfinite, kInfinite};  // interrupts the curve
+    }
+  }
+  return points;
+}
 
-  double x(double value) const {
-    return kLeft + (kWidth - kLeft - kRight) * (value - x_low) / (x_high - x_low);
+// A logarithmic axis where curves span decades; otherwise one from zero, if none is below.
+picture::Axis axis_for(const std::vector<picture::Series>& curves) {
+  picture::Interval all, positive;
+  for (const picture::Series& curve : curves) {
+    for (const Vector2& point : curve.points) {
+      all.include(point.y);
+      positive.include(point.y > 0.0 ? point.y : kInfinite);
+    }
   }
-  double y(double value) const {
-    const double at = logarithmic ? std::log10(value) : value;
-    return kHeight - kBottom - (kHeight - kTop - kBottom) * (at - y_low) / (y_high - y_low);
+  picture::Axis axis;
+  axis.logarithmic = all.low >= 0.0 && std::log10(positive.high / positive.low) > kDecades;
+  if (!axis.logarithmic && all.low >= 0.0) {
+    axis.low = 0.0;
   }
-  bool shows(const Vector2& point) const {
-    return is_usable(point.x) && is_usable(point.y) && (!logarithmic || point.y > 0.0);
-  }
-};
+  return axis;
+}
 
-Panel panel_for(const std::vector<const Curve*>& curves) {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  Panel panel;
-  double least_positive = kInfinite;
-  panel.x_low = panel.y_low = kInfinite;
-  panel.x_high = panel.y_high = -kInfinite;
+// Equal curves are drawn as one.
+picture::LineChart chart_of(const std::vector<const Curve*>& curves) {
+  picture::LineChart chart;
+  chart.naming = picture::Naming::in_titles;
+  chart.x.label = output::shortened(curves.front()->x_label, 50);
+  std::vector<std::size_t> counts;
   for (const Curve* curve : curves) {
-    for (const Vector2& point : curve->points) {
-      if (!is_usable(point.x) || !is_usable(point.y)) {
-        continue;
-      }
-      panel.x_low = std::min(panel.x_low, point.x);
-      panel.x_high = std::max(panel.x_high, point.x);
-      panel.y_low = std::min(panel.y_low, point.y);
-      panel.y_high = std::max(panel.y_high, point.y);
-      if (point.y > 0.0) {
-        least_positive = std::min(least_positive, point.y);
-      }
+    std::vector<Vector2> points = usable(curve->points);
+    const auto same =
+        std::find_if(chart.series.begin(), chart.series.end(),
+                     [&](const picture::Series& other) { return other.points == points; });
+    if (same == chart.series.end()) {
+      chart.series.push_back({"run " + std::to_string(curve->run), std::move(points)});
+      counts.push_back(1);
+    } else {
+      same->name = counted(++counts[static_cast<std::size_t>(same - chart.series.begin())], "run");
     }
   }
-  if (panel.y_low >= 0.0 && panel.y_high > 0.0 &&
-      std::log10(panel.y_high / least_positive) > kDecades) {
-    panel.logarithmic = true;
-    panel.y_low = std::floor(std::log10(least_positive));
-    panel.y_high = std::ceil(std::log10(panel.y_high));
-  } else if (panel.y_low >= 0.0) {
-    panel.y_low = 0.0;
-  }
-  if (!(panel.x_high > panel.x_low)) {
-    panel.x_high = panel.x_low + 1.0;
-  }
-  if (!(panel.y_high > panel.y_low)) {
-    panel.y_high = panel.y_low + 1.0;
-  }
-  return panel;
-}
-
-std::string n(double value) { return fixed_text(value, 1); }
-
-std::string superscript(int number) {
-  static const char* const kDigits[] = {
-      "\xe2\x81\xb0", "\xc2\xb9",     "\xc2\xb2",     "\xc2\xb3",     "\xe2\x81\xb4",
-      "\xe2\x81\xb5", "\xe2\x81\xb6", "\xe2\x81\xb7", "\xe2\x81\xb8", "\xe2\x81\xb9"};
-  std::string text = number < 0 ? "\xe2\x81\xbb" : "";
-  for (const char digit : std::to_string(std::abs(number))) {
-    text += kDigits[digit - '0'];
-  }
-  return text;
-}
-
-std::string axes(const Panel& panel, const Curve& about) {
-  std::string lines = "<g class=\"grid\">", labels = "<g class=\"axis\">";
-  const auto mark_y = [&](double pixel, const std::string& text) {
-    lines += "<line x1=\"" + n(kLeft) + "\" x2=\"" + n(kWidth - kRight) + "\" y1=\"" + n(pixel) +
-             "\" y2=\"" + n(pixel) + "\"/>";
-    labels += "<text class=\"last\" x=\"" + n(kLeft - 6.0) + "\" y=\"" + n(pixel + 3.5) + "\">" +
-              text + "</text>";
-  };
-  if (panel.logarithmic) {
-    const int low = static_cast<int>(panel.y_low), high = static_cast<int>(panel.y_high);
-    const int step = std::max(1, (high - low + 4) / 5);
-    for (int power = low; power <= high; power += step) {
-      mark_y(panel.y(std::pow(10.0, power)), "10" + superscript(power));
-    }
-  } else {
-    const picture::Ticks ticks = picture::nice_ticks(panel.y_low, panel.y_high, 4);
-    for (const double tick : ticks.at) {
-      mark_y(panel.y(tick), picture::tick_label(tick, ticks.step));
-    }
-  }
-  const picture::Ticks ticks = picture::nice_ticks(panel.x_low, panel.x_high, 3);
-  for (const double tick : ticks.at) {
-    const bool last = panel.x(tick) > kWidth - kRight - 20.0;
-    labels += "<text" + std::string(last ? " class=\"last\"" : "") + " x=\"" + n(panel.x(tick)) +
-              "\" y=\"" + n(kHeight - kBottom + 14.0) + "\">" +
-              picture::tick_label(tick, ticks.step) + "</text>";
-  }
-  labels += "<text class=\"last\" x=\"" + n(kWidth - kRight) + "\" y=\"" + n(kHeight - 4.0) +
-            "\">" + escaped(output::shortened(about.x_label, 50)) + "</text>";
-  return lines + "</g>" + labels + "</g>";
-}
-
-std::string curve_data(const Panel& panel, const Curve& curve) {
-  std::vector<Vector2> points;
-  for (const Vector2& point : curve.points) {
-    points.push_back(panel.shows(point)
-                         ? Vector2{kFine * panel.x(point.x), kFine * panel.y(point.y)}
-                         : Vector2{std::nan(""), 0.0});
-  }
-  std::string data;
-  for (const auto& piece : pieces(points)) {
-    data += path_data(simplified(piece, 0.4 * kFine));
-  }
-  return data;
+  chart.y = axis_for(chart.series);
+  return chart;
 }
 
 }  // namespace
 
 std::string curve_figures(const Findings& findings, std::size_t cell,
                           const std::vector<Curve>& curves, const Inks& inks) {
-  std::map<std::int64_t, bool> in_sample;
+  std::set<std::int64_t> in_sample;
   for (const std::size_t run : findings.cells[cell].runs) {
-    in_sample[findings.results.runs[run].id] = true;
+    in_sample.insert(findings.results.runs[run].id);
   }
   std::map<std::tuple<std::string, std::string, std::string>, std::vector<const Curve*>> panels;
   for (const Curve& curve : curves) {
@@ -150,12 +86,7 @@ std::string curve_figures(const Findings& findings, std::size_t cell,
   }
   std::string text;
   for (const auto& [what, all] : panels) {
-    const Panel panel = panel_for(all);
-    std::map<std::string, std::vector<const Curve*>> alike;  // by their path data
-    for (const Curve* curve : all) {
-      alike[curve_data(panel, *curve)].push_back(curve);
-    }
-    alike.erase("");
+    const picture::LineChart chart = chart_of(all);
     const auto& [robot, plugin, name] = what;
     const std::string about = name + (all.front()->y_label.empty() || all.front()->y_label == name
                                           ? ""
@@ -163,18 +94,10 @@ std::string curve_figures(const Findings& findings, std::size_t cell,
     text += "<figure class=\"curves " + inks.cell_class(cell) +
             "\"><figcaption><b>Learning</b> "
             "<span>" +
-            escaped(plugin + " of " + robot + ", " + about) +
-            "</span></figcaption><svg role=\"img\" aria-label=\"Learning curves\" viewBox=\"0 0 " +
-            n(kWidth) + " " + n(kHeight) + "\">" + axes(panel, *all.front()) +
-            "<g transform=\"scale(.1)\">";
-    for (const auto& [data, same] : alike) {
-      std::string title = same.size() == 1 ? "run " + std::to_string(same.front()->run)
-                                           : counted(same.size(), "run");
-      text += "<path class=\"curve\" d=\"" + data + "\"><title>" + title + "</title></path>";
-    }
-    text += "</g></svg><small>" +
-            (alike.size() == 1 && all.size() > 1 ? counted(all.size(), "run") + ", all alike"
-                                                 : counted(all.size(), "run")) +
+            escaped(plugin + " of " + robot + ", " + about) + "</span></figcaption>" +
+            picture::page_chart(chart, "Learning curves", kSize) + "<small>" +
+            counted(all.size(), "run") +
+            (chart.series.size() == 1 && all.size() > 1 ? ", all alike" : "") +
             "</small></figure>\n";
   }
   return text;

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "elsie/picture/axis.h"
-
-#include "drawing.h"
 #include "figures.h"
 #include "markup.h"
 #include "numbers.h"
@@ -254,19 +251,11 @@ std::string decision_figure(const Findings& findings, std::size_t cell,
     }
     text += "</g>";
   }
-  text +=
-      "</svg><span></span><svg class=\"plot time\" width=\"100%\" height=\"18\" "
-      "aria-hidden=\"true\"><g class=\"axis\">";
-  const picture::Ticks ticks = picture::nice_ticks(0.0, end_s, 5);
-  for (const double tick : ticks.at) {
-    const double part = tick / end_s;
-    text += "<text x=\"" + percent(part) + "\" y=\"13\"" +
-            (part < 0.02   ? " class=\"first\""
-             : part > 0.94 ? " class=\"last\""
-                           : "") +
-            ">" + picture::tick_label(tick, ticks.step) + (tick == 0.0 ? " s" : "") + "</text>";
-  }
-  return text + "</g></svg></div></figure>\n";
+  return text +
+         "</svg><span></span><svg class=\"plot time\" width=\"100%\" height=\"18\" "
+         "aria-hidden=\"true\">" +
+         Span(0.0, end_s, 0.0).labels(picture::nice_ticks(0.0, end_s, 5), 13.0, " s") +
+         "</svg></div></figure>\n";
 }
 
 }  // namespace elsie::report

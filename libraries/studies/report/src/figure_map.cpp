@@ -5,12 +5,13 @@
 #include <map>
 #include <set>
 
+#include "elsie/picture/polyline.h"
+#include "elsie/picture/svg.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/error.h"
 #include "elsie/world/reader.h"
 
-#include "drawing.h"
 #include "figures.h"
 #include "markup.h"
 #include "numbers.h"
@@ -45,18 +46,10 @@ std::string whole(double value) {
   return std::to_string(std::lround(std::clamp(value, -1e5, 1e5)));
 }
 
-std::string hex(const Colour& colour) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string text = "#";
-  for (const unsigned part : {colour.red, colour.green, colour.blue}) {
-    text += kDigits[part / 16];
-    text += kDigits[part % 16];
-  }
-  return text;
-}
+using picture::hex_text;
 
 std::string fill(const std::optional<Colour>& colour) {
-  return colour ? " style=\"fill:" + hex(*colour) + "\"" : "";
+  return colour ? " style=\"fill:" + hex_text(*colour) + "\"" : "";
 }
 
 std::string rectangle(const View& view, double x, double y, double heading_deg, double length,
@@ -83,7 +76,8 @@ std::string ground(const View& view, const world::World& world) {
   for (const world::Charger& charger : world.chargers) {
     text += circle(
         view.at(charger.x, charger.y), std::max(kSmallestMark, charger.radius * view.scale),
-        " class=\"charger\" style=\"stroke:" + hex(world::team_colour(world, charger.team)) + "\"");
+        " class=\"charger\" style=\"stroke:" + hex_text(world::team_colour(world, charger.team)) +
+            "\"");
   }
   for (const world::Goal& goal : world.goals) {
     if (const auto* reach = std::get_if<world::ReachGoal>(&goal); reach && reach->of.empty()) {
@@ -128,10 +122,11 @@ std::string robots(const View& view, const world::World& world) {
   std::string text;
   for (const world::Robot& robot : world.robots) {
     const Vector2 at = view.at(robot.x, robot.y);
-    text += "<path class=\"start\" style=\"fill:" + hex(world::team_colour(world, robot.team)) +
-            "\" transform=\"translate(" + whole(at.x) + " " + whole(at.y) + ")rotate(" +
-            brief(-robot.heading_deg) + ")\" d=\"M95 0-60 62-30 0-60-62z\"><title>" +
-            escaped(robot.id) + "</title></path>";
+    text +=
+        "<path class=\"start\" style=\"fill:" + hex_text(world::team_colour(world, robot.team)) +
+        "\" transform=\"translate(" + whole(at.x) + " " + whole(at.y) + ")rotate(" +
+        brief(-robot.heading_deg) + ")\" d=\"M95 0-60 62-30 0-60-62z\"><title>" +
+        escaped(robot.id) + "</title></path>";
     if (world.robots.size() > 1 && world.robots.size() <= kNamedRobots) {
       text += "<text x=\"" + whole(at.x) + "\" y=\"" + whole(at.y - 110.0) + "\">" +
               escaped(output::shortened(robot.id, 14)) + "</text>";
@@ -202,7 +197,8 @@ std::vector<Line> lines_of(const View& view, const std::vector<Trajectory>& ways
     for (const Pose& pose : way.poses) {
       points.push_back(view.at(pose.x, pose.y));
     }
-    lines.push_back({&way, run->second, pieces(points)});
+    lines.push_back({&way, run->second, picture::pieces(points)});
+    std::erase_if(lines.back().pieces, [](const auto& piece) { return piece.size() < 2; });
   }
   std::stable_sort(lines.begin(), lines.end(),
                    [](const Line& a, const Line& b) { return a.kind < b.kind; });
@@ -211,7 +207,7 @@ std::vector<Line> lines_of(const View& view, const std::vector<Trajectory>& ways
     std::size_t points = 0;
     for (Line& line : lines) {
       for (auto& piece : line.pieces) {
-        piece = simplified(piece, tolerance);
+        piece = picture::simplified(piece, tolerance);
         points += piece.size();
       }
     }
@@ -241,7 +237,7 @@ std::string ways_of(const View& view, const Findings& findings, const std::vecto
     }
     std::string data;
     for (const auto& piece : line.pieces) {
-      data += path_data(piece);
+      data += picture::path_data(piece);
     }
     text += "<path class=\"" + std::string(kClasses[line.kind]) + "\" d=\"" + data + "\"><title>" +
             escaped(title_of(findings.results, line, several)) + "</title></path>";

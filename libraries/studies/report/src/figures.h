@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/picture/axis.h"
 #include "elsie/report/findings.h"
 #include "elsie/report/results.h"
 
@@ -37,22 +38,25 @@ Inks choose_inks(const Findings& findings);
 void add_behaviors(const ResultsFile& file, const Findings& findings,
                    const std::vector<std::size_t>& cells, Inks& inks);
 
-/// An axis over a figure's width, 0 to 1, with a small margin at both ends.
+/// An axis over a figure's width, with a margin, a part of the width, at both ends.
 class Span {
  public:
-  Span(double low, double high) : low_(low), high_(high) {}
+  Span(double low, double high, double margin = 0.025) : low_(low), high_(high), margin_(margin) {}
 
   double low() const { return low_; }
   double high() const { return high_; }
   /// The position of a value, "34.52%".
   std::string at(double value) const;
+  /// The numbers of the ticks at the height `y`; without a margin, those at the ends stay inside.
+  /// `unit` follows the zero.
+  std::string labels(const picture::Ticks& ticks, double y, const std::string& unit = "") const;
   /// The width of an interval of values.
   std::string width(double from, double to) const;
 
  private:
   double part(double value) const;
 
-  double low_, high_;
+  double low_, high_, margin_;
 };
 
 /// The axis for values from `low` to `high`: a little wider, and from zero if that is near.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "elsie/base/number_text.h"
+#include "elsie/picture/svg.h"
 #include "elsie/process/shell_word.h"
 
 namespace elsie::report {
@@ -25,14 +26,7 @@ std::string brief(double value, int digits) {
     return {text.data(), end.ptr};
   }
   const int before = static_cast<int>(std::floor(std::log10(size))) + 1;
-  std::string text = base::fixed_text(value, std::max(0, digits - before));
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') {
-      text.pop_back();
-    }
-  }
-  return text;
+  return picture::short_number(value, std::max(0, digits - before));
 }
 
 std::optional<int> decimals_for(double value, double spread) {

@@ -1,11 +1,24 @@
 #include "elsie/picture/axis.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "elsie/base/number_text.h"
 
 namespace elsie::picture {
+
+void Interval::include(double value) {
+  if (!std::isfinite(value)) return;
+  low = std::min(low, value);
+  high = std::max(high, value);
+}
+
+Interval Interval::widened() const {
+  if (low < high) return *this;
+  if (empty() || low == 0.0) return {-1.0, 1.0};
+  return {low - 0.1 * std::abs(low), low + 0.1 * std::abs(low)};
+}
 
 double nice_step(double span, int about) {
   if (!(span > 0.0) || !std::isfinite(span) || about < 1) return 1.0;
@@ -34,6 +47,17 @@ Ticks nice_ticks(double low, double high, int about) {
     ticks.at.push_back(std::clamp(i == 0.0 ? 0.0 : i * ticks.step, low, high));
   }
   return ticks;
+}
+
+std::string Ticks::label(double tick) const {
+  if (!powers) return tick_label(tick, step);
+  static constexpr std::array<const char*, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
+                                                          "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = tick < 0.0 ? "10⁻" : "10";
+  for (const char digit : base::fixed_text(std::abs(tick), 0)) {
+    text += kDigits[static_cast<std::size_t>(digit - '0')];
+  }
+  return text;
 }
 
 std::string tick_label(double value, double step) {

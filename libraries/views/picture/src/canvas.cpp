@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
-#include <cairo-svg.h>
 #include <cairo.h>
 
-#include "svg_text.h"
+#include "elsie/picture/svg.h"
+
+#include "svg_painter.h"
 #include "text.h"
 
 namespace elsie::picture {
@@ -30,23 +32,11 @@ void check(cairo_status_t status) {
 // Within the range of cairo's 24.8 fixed-point numbers after zooming.
 double near(double coordinate) { return std::clamp(coordinate, -1e5, 1e5); }
 
-// cairo names the sheet by a counter of the process. Nothing refers to it; without the number, the
-// same drawing gives the same file.
-void forget_number(std::string& svg) {
-  const std::string name = "id=\"surface";
-  const std::size_t found = svg.find(name);
-  if (found == std::string::npos) return;
-  const std::size_t digits = found + name.size();
-  const std::size_t end = svg.find_first_not_of("0123456789", digits);
-  if (end != std::string::npos) svg.erase(digits, end - digits);
-}
-
 }  // namespace
 
 struct Canvas::Impl {
-  FileType type = FileType::png;
-  std::string svg;
-  SvgTexts texts;  // only in an SVG
+  std::optional<SvgPainter> svg;  // none: a PNG
+  int width = 0, height = 0;      // pixels
   cairo_surface_t* surface = nullptr;
   cairo_t* cr = nullptr;
 
@@ -59,6 +49,26 @@ struct Canvas::Impl {
     cairo_set_source_rgba(cr, ink.red, ink.green, ink.blue, ink.alpha);
   }
 
+  std::string path() const {
+    std::string text;
+    std::vector<Vector2> line;
+    const auto end = [&](bool closed) {
+      if (line.size() > 1) text += path_data(line, svg->in_page() ? 1 : 2, closed);
+      line.clear();
+    };
+    cairo_path_t* path = cairo_copy_path_flat(cr);
+    for (int i = 0; i < path->num_data; i += path->data[i].header.length) {
+      const cairo_path_data_t* data = path->data + i;
+      if (data->header.type != CAIRO_PATH_LINE_TO) {
+        end(data->header.type == CAIRO_PATH_CLOSE_PATH);
+      }
+      if (data->header.length > 1) line.push_back({data[1].point.x, data[1].point.y});
+    }
+    end(false);
+    cairo_path_destroy(path);
+    return text;
+  }
+
   void select(const TextStyle& style) const {
     cairo_select_font_face(cr, kFont, CAIRO_FONT_SLANT_NORMAL,
                            style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
@@ -68,13 +78,13 @@ struct Canvas::Impl {
 
 Canvas::Canvas(FileType type, int width, int height, double zoom)
     : impl_(std::make_unique<Impl>()), zoom_(zoom) {
-  impl_->type = type;
-  if (type == FileType::svg) {
-    impl_->surface = cairo_svg_surface_create_for_stream(append, &impl_->svg, width, height);
-    cairo_svg_surface_set_document_unit(impl_->surface, CAIRO_SVG_UNIT_PX);
-  } else {
-    impl_->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
-  }
+  if (type != FileType::png) impl_->svg.emplace(type == FileType::page);
+  impl_->width = width;
+  impl_->height = height;
+  // An SVG needs the surface only to measure texts.
+  const bool ruler = impl_->svg.has_value();
+  impl_->surface =
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, ruler ? 1 : width, ruler ? 1 : height);
   impl_->cr = cairo_create(impl_->surface);
   check(cairo_status(impl_->cr));
 
@@ -89,6 +99,7 @@ Canvas::Canvas(FileType type, int width, int height, double zoom)
   impl_->set(kPaper);
   cairo_paint(impl_->cr);
   cairo_scale(impl_->cr, zoom, zoom);
+  if (ruler) cairo_set_tolerance(impl_->cr, 0.03);  // pixels; circles of an SVG are polygons
 }
 
 Canvas::~Canvas() = default;
@@ -136,16 +147,22 @@ Canvas& Canvas::circle(const Vector2& centre, double radius) {
 }
 
 void Canvas::fill(const Ink& ink) {
-  impl_->set(ink);
-  cairo_fill(impl_->cr);
+  fill_keep(ink);
+  cairo_new_path(impl_->cr);
 }
 
 void Canvas::fill_keep(const Ink& ink) {
+  if (impl_->svg) return impl_->svg->fill(impl_->path(), ink);
   impl_->set(ink);
   cairo_fill_preserve(impl_->cr);
 }
 
 void Canvas::stroke(const Ink& ink, const Pen& pen) {
+  if (impl_->svg) {
+    impl_->svg->stroke(impl_->path(), ink, pen);
+    cairo_new_path(impl_->cr);
+    return;
+  }
   impl_->set(ink);
   cairo_set_line_width(impl_->cr, pen.width);
   cairo_set_line_cap(impl_->cr, pen.round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
@@ -155,12 +172,27 @@ void Canvas::stroke(const Ink& ink, const Pen& pen) {
 }
 
 void Canvas::clip() {
+  if (impl_->svg) {
+    Vector2 from, to;
+    cairo_path_extents(impl_->cr, &from.x, &from.y, &to.x, &to.y);
+    impl_->svg->clip(impl_->path(), {from.x, from.y, to.x - from.x, to.y - from.y});
+    cairo_new_path(impl_->cr);
+    return;
+  }
   // The clip is part of cairo's saved state; the path is not.
   cairo_save(impl_->cr);
   cairo_clip(impl_->cr);
 }
 
-void Canvas::unclip() { cairo_restore(impl_->cr); }
+void Canvas::unclip() { impl_->svg ? impl_->svg->unclip() : cairo_restore(impl_->cr); }
+
+void Canvas::open_mark(const std::string& title) {
+  if (impl_->svg) impl_->svg->open(clean_text(title));
+}
+
+void Canvas::close_mark() {
+  if (impl_->svg) impl_->svg->close();
+}
 
 double Canvas::text_width(const std::string& text, const TextStyle& style) const {
   impl_->select(style);
@@ -183,22 +215,12 @@ void Canvas::text(const std::string& text, const Vector2& at, const TextStyle& s
   if (style.down == Down::middle) offset.y = kCapital * style.size / 2;
   if (style.down == Down::top) offset.y = kCapital * style.size;
 
+  if (impl_->svg) {
+    return impl_->svg->text(clean, {near(at.x), near(at.y)}, offset.y, style);
+  }
   cairo_save(impl_->cr);
   cairo_translate(impl_->cr, near(at.x), near(at.y));
   cairo_rotate(impl_->cr, style.angle);
-  if (impl_->type == FileType::svg) {
-    TextStyle scaled = style;
-    scaled.size *= zoom_;
-    scaled.halo *= zoom_;
-    impl_->set(impl_->texts.add(clean, {zoom_ * near(at.x), zoom_ * near(at.y)}, zoom_ * offset.y,
-                                scaled));
-    cairo_new_path(impl_->cr);
-    cairo_rectangle(impl_->cr, offset.x, offset.y - style.size, std::max(extents.x_advance, 1.0),
-                    1.3 * style.size);
-    cairo_fill(impl_->cr);
-    cairo_restore(impl_->cr);
-    return;
-  }
   if (style.halo > 0.0) {
     cairo_move_to(impl_->cr, offset.x, offset.y);
     cairo_text_path(impl_->cr, clean.c_str());
@@ -222,19 +244,13 @@ std::string Canvas::fitted(const std::string& text, const TextStyle& style, doub
   return {};
 }
 
-std::string Canvas::finish() {
+std::string Canvas::finish(const std::string& label) {
   check(cairo_status(impl_->cr));
-  if (impl_->type == FileType::png) {
-    cairo_surface_flush(impl_->surface);
-    std::string bytes;
-    check(cairo_surface_write_to_png_stream(impl_->surface, append, &bytes));
-    return bytes;
-  }
-  cairo_surface_finish(impl_->surface);
-  check(cairo_surface_status(impl_->surface));
-  forget_number(impl_->svg);
-  impl_->texts.put_into(impl_->svg);
-  return std::move(impl_->svg);
+  if (impl_->svg) return impl_->svg->finish(impl_->width, impl_->height, zoom_, label);
+  cairo_surface_flush(impl_->surface);
+  std::string bytes;
+  check(cairo_surface_write_to_png_stream(impl_->surface, append, &bytes));
+  return bytes;
 }
 
 double zoom_for_width(int width) { return std::max(0.7, width / 1000.0); }

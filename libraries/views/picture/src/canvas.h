@@ -1,9 +1,8 @@
 // A drawing surface over cairo, with the few operations that the pictures need.
 //
 // Coordinates are in units that the zoom scales to pixels; x goes right, y down. Points that are
-// not finite are skipped and far ones clamped, because they would break cairo's surface. Groups and
-// image patterns are not used: cairo numbers them in the process, so that an SVG would depend on
-// earlier drawings.
+// not finite are skipped and far ones clamped, because they would break cairo's surface. In both
+// types cairo holds the current path and measures texts; it paints PNGs, and SvgPainter SVGs.
 #pragma once
 
 #include <cmath>
@@ -86,8 +85,13 @@ class Canvas {
   /// The text, shortened with an ellipsis to the width.
   std::string fitted(const std::string& text, const TextStyle& style, double width) const;
 
-  /// Ends the drawing; returns the bytes of the file.
-  std::string finish();
+  /// What is drawn until close_mark() is one mark. An SVG shows the title when the pointer is over
+  /// it.
+  void open_mark(const std::string& title);
+  void close_mark();
+
+  /// Ends the drawing; returns the bytes of the file. `label`: for those who do not see a page.
+  std::string finish(const std::string& label = {});
 
  private:
   struct Impl;

@@ -10,21 +10,22 @@ namespace elsie::picture {
 struct Ink {
   double red = 0.0, green = 0.0, blue = 0.0;  // in [0, 1], sRGB
   double alpha = 1.0;
+  const char* role = nullptr;  // its name in the style of a page, where it follows light and dark
 
-  Ink with_alpha(double new_alpha) const { return {red, green, blue, new_alpha}; }
+  Ink with_alpha(double new_alpha) const { return {red, green, blue, new_alpha, role}; }
 };
 
-constexpr Ink hex(unsigned rgb) {
+constexpr Ink hex(unsigned rgb, const char* role = nullptr) {
   return {static_cast<double>((rgb >> 16U) & 0xffU) / 255.0,
           static_cast<double>((rgb >> 8U) & 0xffU) / 255.0,
-          static_cast<double>(rgb & 0xffU) / 255.0};
+          static_cast<double>(rgb & 0xffU) / 255.0, 1.0, role};
 }
 
-inline constexpr Ink kPaper = hex(0xffffff);
-inline constexpr Ink kText = hex(0x22262b);
-inline constexpr Ink kFaintText = hex(0x5c636b);
-inline constexpr Ink kGrid = hex(0xe7e9ec);
-inline constexpr Ink kFrame = hex(0x4a5058);
+inline constexpr Ink kPaper = hex(0xffffff, "surface");
+inline constexpr Ink kText = hex(0x22262b, "ink");
+inline constexpr Ink kFaintText = hex(0x5c636b, "muted");
+inline constexpr Ink kGrid = hex(0xe7e9ec, "grid");
+inline constexpr Ink kFrame = hex(0x4a5058, "quiet");
 
 Ink ink(const world::Colour& colour);
 /// A mixture of a and b with this part of b, in [0, 1].

@@ -8,7 +8,7 @@
 
 namespace elsie::picture {
 
-enum class FileType { png, svg };
+enum class FileType { png, svg, page };  // page: an SVG inside of an HTML page
 
 /// Throws std::invalid_argument when the suffix is neither .png nor .svg, in any case of letters.
 FileType file_type(const std::filesystem::path& file);

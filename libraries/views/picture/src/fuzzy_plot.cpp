@@ -132,17 +132,4 @@ void save_fuzzy_picture(const FuzzyPicture& picture, const std::filesystem::path
   save_page(fuzzy_page(picture), file, size);
 }
 
-void save_membership_functions(const std::vector<MembershipPanel>& variables,
-                               const std::string& title, const std::filesystem::path& file,
-                               const Size& size) {
-  save_fuzzy_picture({title, {}, variables, {}}, file, size);
-}
-
-void save_control_surface(const ControlSurface& surface, const std::filesystem::path& file,
-                          const Size& size) {
-  FuzzyPicture picture;
-  picture.surfaces.push_back(surface);
-  save_fuzzy_picture(picture, file, size);
-}
-
 }  // namespace elsie::picture

@@ -15,12 +15,7 @@ constexpr int kShades = 36;
 // Unknown values: grey with hatching.
 void draw_unknown(Canvas& canvas, const Rect& plot) {
   canvas.rectangle(plot).fill(hex(0xf0f1f2));
-  canvas.rectangle(plot);
-  const Clip clip(canvas);
-  for (double x = plot.x - plot.height; x < plot.right(); x += 8) {
-    canvas.line({x, plot.bottom()}, {x + plot.height, plot.y});
-  }
-  canvas.stroke(hex(0xd5d8db), {.width = 1});
+  hatch(canvas.rectangle(plot), plot, 8.0, hex(0xd5d8db));
 }
 
 void draw_field(Canvas& canvas, const Field& field, const Interval& range, const Rect& plot) {
@@ -64,7 +59,7 @@ void draw_colour_bar(Canvas& canvas, const Axis& axis, const Interval& range, co
     const double y = canvas.crisp(bar.bottom() - bar.height * range.part(tick));
     canvas.line({bar.right(), y}, {bar.right() + 4, y}).stroke(kFrame, {.width = 1});
     const TextStyle style{.size = kTick, .down = Down::middle};
-    const std::string label = tick_label(tick, ticks.step);
+    const std::string label = ticks.label(tick);
     widest = std::max(widest, canvas.text_width(label, style));
     canvas.text(label, {bar.right() + 8, y}, style);
   }
@@ -86,14 +81,14 @@ void draw(Canvas& canvas, const HeatMap& map, const Rect& area, double head) {
   const Interval z_range = interval_of(field);
 
   constexpr double kBar = 16.0, kBarGap = 14.0;
-  const double left = y_labels_width(canvas, y_range, area.height) + 32;
-  const double right = kBarGap + kBar + 8 + y_labels_width(canvas, z_range, 8 * 45) + 24;
+  const double left = y_labels_width(canvas, field.y, y_range, area.height) + 32;
+  const double right = kBarGap + kBar + 8 + y_labels_width(canvas, field.z, z_range, 8 * 45) + 24;
   const Rect plot{area.x + left, area.y + head, std::max(10.0, area.width - left - right),
                   std::max(10.0, area.height - head - 44)};
 
   draw_unknown(canvas, plot);
   draw_field(canvas, field, z_range, plot);
-  draw_axes(canvas, plot, field.x, x_range, field.y, y_range, {.grid = false});
+  draw_axes(canvas, plot, field.x, x_range, field.y, y_range, false);
   draw_colour_bar(canvas, field.z, z_range, {plot.right() + kBarGap, plot.y, kBar, plot.height});
   const TextStyle title{.size = kPanelTitle, .bold = true, .down = Down::top};
   canvas.text(canvas.fitted(map.title, title, area.width - left), {plot.x, area.y}, title);

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elsie/picture/polyline.h"
+
 #include "panel.h"
 #include "text.h"
 
@@ -11,26 +13,34 @@ constexpr double kLegendRow = 20.0;
 constexpr double kNameRow = 16.0;
 constexpr double kSwatch = 26.0;
 
-Interval data_range(const LineChart& chart, double Vector2::*coordinate, bool margin) {
-  bool any = false;
-  Interval range{0.0, 0.0};
+Interval data_range(const LineChart& chart, double Vector2::*coordinate, const Axis& axis,
+                    bool margin) {
+  Interval range;
   for (const Series& series : chart.series) {
     for (const Vector2& point : series.points) {
-      if (!finite(point)) continue;
-      const double value = point.*coordinate;
-      range = any ? Interval{std::min(range.low, value), std::max(range.high, value)}
-                  : Interval{value, value};
-      any = true;
+      if (finite(point)) range.include(point.*coordinate);
     }
   }
-  if (!any) return {0.0, 1.0};
-  double extra = margin ? 0.05 * range.span() : 0.0;
-  if (!(range.low < range.high)) extra = range.low == 0.0 ? 1.0 : 0.1 * std::abs(range.low);
+  if (range.empty()) return {0.0, 1.0};
+  if (axis.logarithmic) {  // whole powers of ten
+    const double low = std::floor(range.low);
+    return {low, std::max(low + 1.0, std::ceil(range.high))};
+  }
+  const double extra = margin ? 0.05 * range.span() : 0.0;
+  range = range.widened();
   return {range.low - extra, range.high + extra};
 }
 
+Ink ink_of(const LineChart& chart, std::size_t index) {
+  if (chart.naming != Naming::in_titles) return series_ink(index);
+  Ink ink = series_ink(0).with_alpha(0.5);
+  ink.role = "c";
+  return ink;
+}
+
 // After all colours, they repeat with dashed and then dotted lines.
-Pen pen_of(std::size_t index) {
+Pen pen_of(const LineChart& chart, std::size_t index) {
+  if (chart.naming == Naming::in_titles) return {.width = 1.2, .dash = {}, .round = true};
   Pen pen{.width = 2.0, .dash = {}, .round = true};
   const std::size_t round = index / kSeriesInks;
   if (round % 3 == 1) pen.dash = {7, 5};
@@ -48,20 +58,14 @@ struct Name {
 
 std::vector<Name> legend(const Canvas& canvas, const LineChart& chart, double width) {
   std::vector<Name> names;
-  double x = 0.0;
-  int row = 0;
+  Flow flow(width, 18.0);
   const bool needed = chart.series.size() > 1;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     if (chart.series[i].name.empty() && !needed) continue;
     const TextStyle style{.size = kTick};
     const std::string text = canvas.fitted(chart.series[i].name, style, width - kSwatch - 6);
     const double entry = kSwatch + 6 + canvas.text_width(text, style);
-    if (x > 0.0 && x + entry > width) {
-      x = 0.0;
-      ++row;
-    }
-    names.push_back({text, i, x, entry, row});
-    x += entry + 18;
+    names.push_back({text, i, flow.place(entry), entry, flow.row()});
   }
   return names;
 }
@@ -117,39 +121,38 @@ int rows_of(const std::vector<Name>& names) {
   return rows;
 }
 
-// Sequences of finite points, in units of the drawing.
-std::vector<std::vector<Vector2>> pieces(const Series& series, const PlaneMap& map) {
-  std::vector<std::vector<Vector2>> result(1);
-  for (const Vector2& point : series.points) {
-    if (finite(point)) {
-      result.back().push_back(map.pixel(point));
-    } else if (!result.back().empty()) {
-      result.emplace_back();
-    }
-  }
+// The parts of a curve, in units of the drawing.
+std::vector<std::vector<Vector2>> parts(const Series& series, const PlaneMap& map, double zoom) {
+  std::vector<Vector2> points;
+  for (const Vector2& point : series.points) points.push_back(map.pixel(point));
+  std::vector<std::vector<Vector2>> result = pieces(points);
+  for (auto& piece : result) piece = simplified(piece, 0.4 / zoom);
   return result;
 }
 
 void draw_series(Canvas& canvas, const LineChart& chart, const PlaneMap& map, const Rect& plot) {
   canvas.rectangle({plot.x, plot.y - 2, plot.width, plot.height + 4});
   const Clip clip(canvas);
-  const double base = std::clamp(map.pixel({0, 0}).y, plot.y, plot.bottom());
+  const double zero = chart.y.logarithmic ? plot.bottom() : map.pixel({0, 0}).y;
+  const double base = std::clamp(zero, plot.y, plot.bottom());
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     if (!chart.series[i].filled) continue;
-    for (const auto& piece : pieces(chart.series[i], map)) {
+    for (const auto& piece : parts(chart.series[i], map, canvas.zoom())) {
       if (piece.size() < 2) continue;
       canvas.polyline(piece).line_to({piece.back().x, base}).line_to({piece.front().x, base});
-      canvas.close().fill(series_ink(i).with_alpha(0.13));
+      canvas.close().fill(ink_of(chart, i).with_alpha(0.13));
     }
   }
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    for (const auto& piece : pieces(chart.series[i], map)) {
+    canvas.open_mark(chart.series[i].name);
+    for (const auto& piece : parts(chart.series[i], map, canvas.zoom())) {
       if (piece.size() == 1) {
-        canvas.circle(piece.front(), 2.5).fill(series_ink(i));
+        canvas.circle(piece.front(), 2.5).fill(ink_of(chart, i));
       } else {
-        canvas.polyline(piece).stroke(series_ink(i), pen_of(i));
+        canvas.polyline(piece).stroke(ink_of(chart, i), pen_of(chart, i));
       }
     }
+    canvas.close_mark();
   }
 }
 
@@ -163,14 +166,17 @@ struct Surroundings {
 
 Surroundings surroundings(const Canvas& canvas, const LineChart& chart, double width) {
   Surroundings around;
-  around.x_range = interval_of(chart.x, data_range(chart, &Vector2::x, false));
-  around.y_range = interval_of(chart.y, data_range(chart, &Vector2::y, true));
-  around.left = y_labels_width(canvas, around.y_range, 0.5 * width) + 32;
+  around.x_range = interval_of(chart.x, data_range(chart, &Vector2::x, chart.x, false));
+  around.y_range = interval_of(chart.y, data_range(chart, &Vector2::y, chart.y, true));
+  around.left = y_labels_width(canvas, chart.y, around.y_range, 0.5 * width) +
+                (chart.y.label.empty() ? 14 : 32);
   around.width = std::max(10.0, width - around.left - 10);
   around.below = with_unit(chart.x.label, chart.x.unit).empty() ? 26 : 44;
   const Rect plot{0.0, 0.0, around.width, 1.0};
-  around.names = chart.naming == Naming::legend ? legend(canvas, chart, around.width)
-                                                : peak_names(canvas, chart, plot, around.x_range);
+  if (chart.naming == Naming::legend) around.names = legend(canvas, chart, around.width);
+  if (chart.naming == Naming::at_peak) {
+    around.names = peak_names(canvas, chart, plot, around.x_range);
+  }
   return around;
 }
 
@@ -180,12 +186,29 @@ double names_height(const LineChart& chart, const std::vector<Name>& names) {
 
 }  // namespace
 
-double head_height(const Canvas& canvas, const LineChart& chart, double width) {
+LineChart in_exponents(LineChart chart) {
+  const auto convert = [&](Axis& axis, double Vector2::*coordinate) {
+    if (!axis.logarithmic) return;
+    for (auto* limit : {&axis.low, &axis.high}) {
+      if (*limit) *limit = std::log10(**limit);
+    }
+    for (Series& series : chart.series) {
+      for (Vector2& point : series.points) point.*coordinate = std::log10(point.*coordinate);
+    }
+  };
+  convert(chart.x, &Vector2::x);
+  convert(chart.y, &Vector2::y);
+  return chart;
+}
+
+double head_height(const Canvas& canvas, const LineChart& values, double width) {
+  const LineChart chart = in_exponents(values);
   return (chart.title.empty() ? 0.0 : kPanelTitle + 10) +
          names_height(chart, surroundings(canvas, chart, width).names);
 }
 
-void draw(Canvas& canvas, const LineChart& chart, const Rect& area, double head) {
+void draw(Canvas& canvas, const LineChart& values, const Rect& area, double head) {
+  const LineChart chart = in_exponents(values);
   const Surroundings around = surroundings(canvas, chart, area.width);
   const Rect plot{area.x + around.left, area.y + head, around.width,
                   std::max(10.0, area.height - head - around.below)};
@@ -196,11 +219,11 @@ void draw(Canvas& canvas, const LineChart& chart, const Rect& area, double head)
   canvas.text(canvas.fitted(chart.title, title, plot.width), {plot.x, area.y}, title);
   const double names_top = plot.y - names_height(chart, around.names);
   for (const Name& name : around.names) {
-    const Ink colour = series_ink(name.series);
+    const Ink colour = ink_of(chart, name.series);
     const double x = plot.x + name.x;
     if (chart.naming == Naming::legend) {
       const double y = names_top + kLegendRow * name.row + kLegendRow / 2;
-      canvas.line({x, y}, {x + kSwatch, y}).stroke(colour, pen_of(name.series));
+      canvas.line({x, y}, {x + kSwatch, y}).stroke(colour, pen_of(chart, name.series));
       canvas.text(name.text, {x + kSwatch + 6, y}, {.size = kTick, .down = Down::middle});
     } else {
       canvas.text(name.text, {x, plot.y - 7 - kNameRow * name.row},

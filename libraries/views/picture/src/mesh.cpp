@@ -105,7 +105,7 @@ void draw_edge(Canvas& canvas, const Vector2& a, const Vector2& b, const Vector2
   for (const double tick : ticks.at) {
     const Vector2 at = along(range.part(tick));
     canvas.line(at, off(at, 5)).stroke(kFrame, {.width = 1});
-    canvas.text(tick_label(tick, ticks.step), off(at, 9),
+    canvas.text(ticks.label(tick), off(at, 9),
                 {.size = kTick, .across = across, .down = Down::middle});
   }
   const double angle = std::atan2(b.y - a.y, b.x - a.x);

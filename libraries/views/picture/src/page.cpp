@@ -11,21 +11,17 @@
 namespace elsie::picture {
 namespace {
 
-constexpr double kMargin = 18.0;
 constexpr double kGap = 22.0;  // between panels
+constexpr double kSubtitle = 19.0;
 constexpr double kRowTitle = kPanelTitle + 14;
 
 double header_height(const Page& page) {
-  double height = kMargin;
-  if (!page.title.empty()) height += kPageTitle + 10;
-  height += 19.0 * static_cast<double>(page.subtitles.size());
-  if (!page.subtitles.empty()) height += 12;
-  return height;
+  return picture::header_height(page.title, page.subtitles) + (page.subtitles.empty() ? 0 : 12);
 }
 
 double panel_width(const Row& row, double width) {
   const auto count = static_cast<double>(row.panels.size());
-  return (width - 2 * kMargin - kGap * (count - 1)) / count;
+  return (width - 2 * kPageMargin - kGap * (count - 1)) / count;
 }
 
 // The largest head among the panels, so that neighbouring plots line up.
@@ -49,20 +45,6 @@ double row_height(const Row& row, double width) {
     for (const Panel& panel : row.panels) aspect = std::max(aspect, natural_aspect(panel));
   }
   return aspect * panel_width(row, width);
-}
-
-void draw_header(Canvas& canvas, const Page& page, double width) {
-  double y = kMargin;
-  if (!page.title.empty()) {
-    const TextStyle style{.size = kPageTitle, .bold = true, .down = Down::top};
-    canvas.text(canvas.fitted(page.title, style, width - 2 * kMargin), {kMargin, y}, style);
-    y += kPageTitle + 10;
-  }
-  const TextStyle style{.size = 14, .ink = kFaintText, .down = Down::top};
-  for (const std::string& line : page.subtitles) {
-    canvas.text(canvas.fitted(line, style, width - 2 * kMargin), {kMargin, y}, style);
-    y += 19;
-  }
 }
 
 void check_axis(const Axis& axis) {
@@ -91,10 +73,39 @@ void check_field(const Field& field) {
 
 }  // namespace
 
+double header_height(const std::string& title, const std::vector<std::string>& subtitles) {
+  return kPageMargin + (title.empty() ? 0.0 : kPageTitle + 10) +
+         kSubtitle * static_cast<double>(subtitles.size());
+}
+
+double draw_header(Canvas& canvas, const std::string& title,
+                   const std::vector<std::string>& subtitles, double width) {
+  double y = header_height(title, {});
+  const TextStyle bold{.size = kPageTitle, .bold = true, .down = Down::top};
+  canvas.text(canvas.fitted(title, bold, width - 2 * kPageMargin), {kPageMargin, kPageMargin},
+              bold);
+  const TextStyle below{.size = 14, .ink = kFaintText, .down = Down::top};
+  for (const std::string& line : subtitles) {
+    canvas.text(canvas.fitted(line, below, width - 2 * kPageMargin), {kPageMargin, y}, below);
+    y += kSubtitle;
+  }
+  return y;
+}
+
+void hatch(Canvas& canvas, const Rect& around, double every, const Ink& ink) {
+  const Clip clip(canvas);
+  const double first = std::floor((around.x - around.height) / every) * every;
+  for (double x = first; x < around.right(); x += every) {
+    canvas.line({x, around.bottom()}, {x + around.height, around.y});
+  }
+  canvas.stroke(ink, {.width = 1.0});
+}
+
 void check_panel(const Panel& panel) {
   if (const auto* chart = std::get_if<LineChart>(&panel)) {
-    check_axis(chart->x);
-    check_axis(chart->y);
+    const LineChart drawn = in_exponents({"", chart->x, chart->y, {}});
+    check_axis(drawn.x);
+    check_axis(drawn.y);
   } else if (const auto* map = std::get_if<HeatMap>(&panel)) {
     check_field(map->field);
   } else {
@@ -117,19 +128,9 @@ Interval interval_of(const Axis& axis, const Interval& otherwise) {
 }
 
 Interval interval_of(const Field& field) {
-  bool any = false;
-  Interval range{0.0, 0.0};
-  for (const double value : field.values) {
-    if (!std::isfinite(value)) continue;
-    range = any ? Interval{std::min(range.low, value), std::max(range.high, value)}
-                : Interval{value, value};
-    any = true;
-  }
-  if (!(range.low < range.high)) {
-    const double half = range.low == 0.0 ? 1.0 : std::abs(range.low) * 0.1;
-    range = {range.low - half, range.high + half};
-  }
-  return interval_of(field.z, range);
+  Interval range;
+  for (const double value : field.values) range.include(value);
+  return interval_of(field.z, range.widened());
 }
 
 PlaneMap map_to(const Rect& plot, const Interval& x, const Interval& y) {
@@ -141,46 +142,65 @@ PlaneMap map_to(const Rect& plot, const Interval& x, const Interval& y) {
   return map;
 }
 
-double y_labels_width(const Canvas& canvas, const Interval& range, double height) {
-  const Ticks ticks = nice_ticks(range.low, range.high, std::max(2, static_cast<int>(height / 45)));
+Ticks ticks_of(const Axis& axis, const Interval& range, double length, double room) {
+  const auto about = [&](double every) { return std::max(2, static_cast<int>(length / every)); };
+  if (!axis.logarithmic) return nice_ticks(range.low, range.high, about(room));
+  const int powers = static_cast<int>(range.span());
+  Ticks ticks = nice_ticks(range.low, range.high, std::clamp(powers, 1, about(room / 2)));
+  std::erase_if(ticks.at, [](double tick) { return tick != std::round(tick); });
+  ticks.powers = true;
+  return ticks;
+}
+
+double y_labels_width(const Canvas& canvas, const Axis& axis, const Interval& range,
+                      double height) {
+  const Ticks ticks = ticks_of(axis, range, height);
   double widest = 0.0;
   for (const double tick : ticks.at) {
-    widest = std::max(widest, canvas.text_width(tick_label(tick, ticks.step), {.size = kTick}));
+    widest = std::max(widest, canvas.text_width(ticks.label(tick), {.size = kTick}));
+  }
+  return widest;
+}
+
+void draw_x_ticks(Canvas& canvas, const Ticks& ticks, const PlaneMap& map, double y) {
+  for (const double tick : ticks.at) {
+    const double x = canvas.crisp(map.pixel({tick, 0}).x);
+    canvas.line({x, canvas.crisp(y)}, {x, canvas.crisp(y) + 4}).stroke(kFrame, {.width = 1});
+    canvas.text(ticks.label(tick), {x, y + 8},
+                {.size = kTick, .across = Across::centre, .down = Down::top});
+  }
+}
+
+double draw_y_ticks(Canvas& canvas, const Ticks& ticks, const PlaneMap& map, double x,
+                    const Ink& ink) {
+  const TextStyle style{.size = kTick, .ink = ink, .across = Across::right, .down = Down::middle};
+  double widest = 0.0;
+  for (const double tick : ticks.at) {
+    const double y = canvas.crisp(map.pixel({0, tick}).y);
+    canvas.line({canvas.crisp(x) - 4, y}, {canvas.crisp(x), y}).stroke(kFrame, {.width = 1});
+    canvas.text(ticks.label(tick), {x - 8, y}, style);
+    widest = std::max(widest, canvas.text_width(ticks.label(tick), style));
   }
   return widest;
 }
 
 void draw_axes(Canvas& canvas, const Rect& plot, const Axis& x, const Interval& x_range,
-               const Axis& y, const Interval& y_range, const AxesStyle& style) {
+               const Axis& y, const Interval& y_range, bool grid) {
   const PlaneMap map = map_to(plot, x_range, y_range);
-  const Ticks across = nice_ticks(x_range.low, x_range.high,
-                                  std::max(2, static_cast<int>(plot.width / style.x_room)));
-  const Ticks up = nice_ticks(y_range.low, y_range.high,
-                              std::max(2, static_cast<int>(plot.height / style.y_room)));
-  constexpr double kMark = 4.0;
+  const Ticks across = ticks_of(x, x_range, plot.width, 80.0);
+  const Ticks up = ticks_of(y, y_range, plot.height);
   const double left = canvas.crisp(plot.x), bottom = canvas.crisp(plot.bottom());
-
-  for (const double tick : across.at) {
-    const double at = canvas.crisp(map.pixel({tick, 0}).x);
-    if (style.grid) {
-      canvas.line({at, plot.y}, {at, plot.bottom()}).stroke(kGrid, {.width = 1});
+  const auto x_of = [&](double tick) { return canvas.crisp(map.pixel({tick, 0}).x); };
+  const auto y_of = [&](double tick) { return canvas.crisp(map.pixel({0, tick}).y); };
+  if (grid) {
+    for (const double tick : across.at) {
+      canvas.line({x_of(tick), plot.y}, {x_of(tick), plot.bottom()});
     }
-    canvas.line({at, bottom}, {at, bottom + kMark}).stroke(kFrame, {.width = 1});
-    canvas.text(tick_label(tick, across.step), {at, plot.bottom() + 8},
-                {.size = kTick, .across = Across::centre, .down = Down::top});
+    for (const double tick : up.at) canvas.line({plot.x, y_of(tick)}, {plot.right(), y_of(tick)});
+    canvas.stroke(kGrid, {.width = 1});
   }
-  double widest = 0.0;
-  for (const double tick : up.at) {
-    const double at = canvas.crisp(map.pixel({0, tick}).y);
-    if (style.grid) {
-      canvas.line({plot.x, at}, {plot.right(), at}).stroke(kGrid, {.width = 1});
-    }
-    canvas.line({left - kMark, at}, {left, at}).stroke(kFrame, {.width = 1});
-    const TextStyle text{.size = kTick, .across = Across::right, .down = Down::middle};
-    const std::string label = tick_label(tick, up.step);
-    widest = std::max(widest, canvas.text_width(label, text));
-    canvas.text(label, {plot.x - 8, at}, text);
-  }
+  draw_x_ticks(canvas, across, map, plot.bottom());
+  const double widest = draw_y_ticks(canvas, up, map, plot.x, kText);
   canvas.move_to({left, plot.y}).line_to({left, bottom}).line_to({plot.right(), bottom});
   canvas.stroke(kFrame, {.width = 1});
 
@@ -209,7 +229,7 @@ void save_page(const Page& page, const std::filesystem::path& file, const Size& 
     rows += row_height(row, width);
     gaps += kGap + row_head(ruler, row, width) + (row.title.empty() ? 0.0 : kRowTitle);
   }
-  const double wanted = header + rows + gaps - (gaps > 0 ? kGap : 0) + kMargin;
+  const double wanted = header + rows + gaps - (gaps > 0 ? kGap : 0) + kPageMargin;
   // A page with very many rows is compressed into the highest possible picture.
   const int height = size.height > 0
                          ? size.height
@@ -217,17 +237,18 @@ void save_page(const Page& page, const std::filesystem::path& file, const Size& 
   const double stretch = rows > 0 ? std::max(0.05, (height / zoom - (wanted - rows)) / rows) : 1.0;
 
   Canvas canvas(type, size.width, height, zoom);
-  draw_header(canvas, page, width);
+  draw_header(canvas, page.title, page.subtitles, width);
   double y = header;
   for (const Row& row : page.rows) {
     if (row.panels.empty()) continue;
     if (!row.title.empty()) {
       const TextStyle style{.size = kPanelTitle, .bold = true, .down = Down::top};
-      canvas.text(canvas.fitted(row.title, style, width - 2 * kMargin), {kMargin, y}, style);
+      canvas.text(canvas.fitted(row.title, style, width - 2 * kPageMargin), {kPageMargin, y},
+                  style);
       y += kRowTitle;
     }
     const double head = row_head(canvas, row, width);
-    Rect area{kMargin, y, panel_width(row, width), head + stretch * row_height(row, width)};
+    Rect area{kPageMargin, y, panel_width(row, width), head + stretch * row_height(row, width)};
     y += area.height + kGap;
     for (const Panel& panel : row.panels) {
       std::visit([&](const auto& shown) { draw(canvas, shown, area, head); }, panel);
@@ -235,6 +256,14 @@ void save_page(const Page& page, const std::filesystem::path& file, const Size& 
     }
   }
   write_whole(file, canvas.finish());
+}
+
+std::string page_chart(const LineChart& chart, const std::string& label, const Size& size) {
+  check_panel(chart);
+  Canvas canvas(FileType::page, size.width, size.height, 1.0);
+  const double width = size.width, height = size.height;
+  draw(canvas, chart, {0.0, 0.0, width, height}, head_height(canvas, chart, width));
+  return canvas.finish(label);
 }
 
 }  // namespace elsie::picture

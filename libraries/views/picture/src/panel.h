@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elsie/picture/axis.h"
@@ -25,15 +26,6 @@ void draw(Canvas& canvas, const LineChart& chart, const Rect& area, double head)
 void draw(Canvas& canvas, const HeatMap& map, const Rect& area, double head);
 void draw(Canvas& canvas, const Mesh& mesh, const Rect& area, double head);
 
-/// A closed interval with low < high.
-struct Interval {
-  double low = 0.0;
-  double high = 1.0;
-
-  double span() const { return high - low; }
-  double part(double value) const { return (value - low) / span(); }
-};
-
 /// The axis' own limits, or else those of the interval.
 Interval interval_of(const Axis& axis, const Interval& otherwise);
 /// The interval of all finite values of the field; widened if they are equal.
@@ -42,18 +34,50 @@ Interval interval_of(const Field& field);
 /// The map from the intervals to the rectangle.
 PlaneMap map_to(const Rect& plot, const Interval& x, const Interval& y);
 
-/// Grid, ticks, tick labels and axis labels around a plot. `tick_every` is the distance between
-/// ticks along x and y, in units.
-struct AxesStyle {
-  bool grid = true;
-  double x_room = 80.0;
-  double y_room = 45.0;
-};
+/// Grid, ticks, tick labels and axis labels around a plot.
 void draw_axes(Canvas& canvas, const Rect& plot, const Axis& x, const Interval& x_range,
-               const Axis& y, const Interval& y_range, const AxesStyle& style = {});
+               const Axis& y, const Interval& y_range, bool grid = true);
+
+/// Marks and numbers of the ticks below `y` or left of `x`. Returns the width of the widest number.
+void draw_x_ticks(Canvas& canvas, const Ticks& ticks, const PlaneMap& map, double y);
+double draw_y_ticks(Canvas& canvas, const Ticks& ticks, const PlaneMap& map, double x,
+                    const Ink& ink);
+
+/// The ticks of an axis that is so many units long, one for about each `room`.
+Ticks ticks_of(const Axis& axis, const Interval& range, double length, double room = 45.0);
 
 /// The width of tick labels left of a y axis.
-double y_labels_width(const Canvas& canvas, const Interval& range, double height);
+double y_labels_width(const Canvas& canvas, const Axis& axis, const Interval& range, double height);
+
+/// The chart with exponents of ten in place of the values of logarithmic axes.
+LineChart in_exponents(LineChart chart);
+
+/// Places for the entries of a legend, in rows of this width.
+class Flow {
+ public:
+  Flow(double width, double gap) : width_(width), gap_(gap) {}
+  int row() const { return row_; }  // of the last entry, from 0
+  /// The left edge of the next entry.
+  double place(double width) {
+    if (next_ > 0.0 && next_ + width > width_) next_ = 0.0, ++row_;
+    return std::exchange(next_, next_ + width + gap_);
+  }
+
+ private:
+  double width_, gap_, next_ = 0.0;
+  int row_ = 0;
+};
+
+/// Title and subtitles at the top of a picture. Return the lower edge of the last one.
+double header_height(const std::string& title, const std::vector<std::string>& subtitles);
+double draw_header(Canvas& canvas, const std::string& title,
+                   const std::vector<std::string>& subtitles, double width);
+
+/// Fills the current path with slanted lines, `every` so many units.
+void hatch(Canvas& canvas, const Rect& around, double every, const Ink& ink);
+
+/// Around a picture, units.
+inline constexpr double kPageMargin = 18.0;
 
 // Text sizes.
 inline constexpr double kPageTitle = 20.0;

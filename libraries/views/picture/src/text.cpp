@@ -1,39 +1,11 @@
 #include "text.h"
 
-#include <cstdint>
-
 #include "elsie/base/number_text.h"
-#include "elsie/base/utf8.h"
 #include "elsie/output/clean_text.h"
 
 namespace elsie::picture {
-namespace {
-
-bool is_control(std::uint32_t code) {
-  return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028 || code == 0x2029 ||
-         (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
-}
-
-}  // namespace
-
-std::string clean_text(std::string_view text, std::size_t max_characters) {
-  std::string result;
-  std::size_t characters = 0;
-  while (!text.empty()) {
-    if (characters == max_characters) return result.append(output::kEllipsis);
-    const base::Character next = base::character_at(text, 0);
-    const std::size_t bytes = next.bytes == 0 ? 1 : next.bytes;
-    if (next.bytes == 0) {
-      result.append(output::kReplacement);
-    } else if (is_control(next.code)) {
-      result.push_back(' ');
-    } else {
-      result.append(text.substr(0, bytes));
-    }
-    text.remove_prefix(bytes);
-    ++characters;
-  }
-  return result;
+std::string clean_text(std::string_view text, std::size_t most) {
+  return output::shortened(output::one_line(text), most);
 }
 
 std::string without_tail(const std::string& text, std::size_t characters) {

@@ -7,9 +7,8 @@
 
 namespace elsie::picture {
 
-/// Valid UTF-8 on one line: other bytes become U+FFFD, control characters become spaces. Texts of
-/// more than `max_characters` code points are shortened with an ellipsis.
-std::string clean_text(std::string_view text, std::size_t max_characters = 200);
+/// output::one_line(), shortened to at most so many characters.
+std::string clean_text(std::string_view text, std::size_t most = 200);
 
 /// The text without its last `characters` code points. It must be valid UTF-8.
 std::string without_tail(const std::string& text, std::size_t characters);

@@ -19,7 +19,6 @@ using traces::RobotAccount;
 using traces::TimeSpan;
 using traces::TraceRobot;
 
-constexpr double kMargin = kTimelineMargin;
 constexpr double kColumn = 1.5;        // width, units
 constexpr double kBesideRight = 50.0;  // for the shares in per cent
 constexpr double kHeadline = 28.0;     // of a robot
@@ -76,7 +75,8 @@ class Sheet {
   /// The height of the parts that do not stretch.
   double fixed_height(const Canvas& ruler) {
     legend_rows_ = lay_out_legend(ruler);
-    double height = 2 * kMargin + header_height() + 12.0 + kLegendRow * legend_rows_;
+    double height = header_height(title(), timeline_.subtitles) + kPageMargin + 20.0 +
+                    kLegendRow * legend_rows_;
     for (const std::size_t r : robots_) {
       const TraceRobot& robot = timeline_.trace.robots[r];
       height += kHeadline + events_height(robot) + kBand + kGap + kAxis + kBetweenRobots +
@@ -94,7 +94,7 @@ class Sheet {
   }
 
   void draw(Canvas& canvas, double stretch) {
-    double y = draw_header(canvas);
+    double y = draw_header(canvas, title(), timeline_.subtitles, width_) + 8;
     const Heights heights = natural_.times(stretch);
     const double left = left_of_plots(canvas);
     for (std::size_t i = 0; i < robots_.size(); ++i) {
@@ -135,23 +135,8 @@ class Sheet {
     return kEventsRow + (in_rows(robot) ? kKindRow * static_cast<double>(kinds - 1) : 0.0);
   }
 
-  double header_height() const {
-    return kPageTitle + 10 + 19.0 * static_cast<double>(timeline_.subtitles.size()) + 8;
-  }
-
-  double draw_header(Canvas& canvas) const {
-    double y = kMargin;
-    const TextStyle title{.size = kPageTitle, .bold = true, .down = Down::top};
-    const std::string text =
-        timeline_.title.empty() ? "Who decided: " + timeline_.trace.world : timeline_.title;
-    canvas.text(canvas.fitted(text, title, width_ - 2 * kMargin), {kMargin, y}, title);
-    y += kPageTitle + 10;
-    const TextStyle below{.size = 14, .ink = kFaintText, .down = Down::top};
-    for (const std::string& line : timeline_.subtitles) {
-      canvas.text(canvas.fitted(line, below, width_ - 2 * kMargin), {kMargin, y}, below);
-      y += 19;
-    }
-    return y + 8;
+  std::string title() const {
+    return timeline_.title.empty() ? "Who decided: " + timeline_.trace.world : timeline_.title;
   }
 
   /// The left edge of all plots: right of the longest name, on a whole pixel.
@@ -172,24 +157,24 @@ class Sheet {
                                       canvas.text_width(priority, {.size = kTick}));
       }
     }
-    return std::round((kMargin + std::min(widest, 0.25 * width_) + 12.0) * zoom_) / zoom_;
+    return std::round((kPageMargin + std::min(widest, 0.25 * width_) + 12.0) * zoom_) / zoom_;
   }
 
   double draw_robot(Canvas& canvas, const TraceRobot& robot, const RobotAccount& account,
                     const Heights& heights, double left, double y) {
     TimelineBlock block{robot, inks_, span_, {}, left, 0.0};
     block.column_width = std::max(1.0, std::round(kColumn * zoom_)) / zoom_;
-    const double room = width_ - left - kMargin - (in_full_ ? kBesideRight : 0.0);
+    const double room = width_ - left - kPageMargin - (in_full_ ? kBesideRight : 0.0);
     block.columns = columns_of(robot, span_,
                                static_cast<std::size_t>(std::max(1.0, room / block.column_width)));
 
     const TextStyle name{.size = kPanelTitle, .bold = true, .down = Down::top};
     const TextStyle about{.size = kLabel, .ink = kFaintText, .down = Down::top};
-    canvas.text(robot.id, {kMargin, y}, name);
-    const double beside = kMargin + canvas.text_width(robot.id, name) + 12;
+    canvas.text(robot.id, {kPageMargin, y}, name);
+    const double beside = kPageMargin + canvas.text_width(robot.id, name) + 12;
     const std::string text = "team " + robot.team + ", " +
                              (robot.coordinator.empty() ? "no coordinator" : robot.coordinator);
-    canvas.text(canvas.fitted(text, about, width_ - beside - kMargin), {beside, y + 1}, about);
+    canvas.text(canvas.fitted(text, about, width_ - beside - kPageMargin), {beside, y + 1}, about);
     y += kHeadline;
 
     const double events_at = y + kEventsRow / 2 - 3;
@@ -287,20 +272,14 @@ class Sheet {
 
   int lay_out_legend(const Canvas& ruler) {
     legend_.clear();
-    double x = kMargin;
-    int row = 0;
+    Flow flow(width_ - 2 * kPageMargin, 22.0);
     for (Entry& entry : legend()) {
       const TextStyle style{.size = kTick};
-      entry.name = ruler.fitted(entry.name, style, width_ - 2 * kMargin - 30);
-      const double width = 30 + ruler.text_width(entry.name, style);
-      if (x > kMargin && x + width > width_ - kMargin) {
-        x = kMargin;
-        ++row;
-      }
-      legend_.push_back({std::move(entry), x, row});
-      x += width + 22;
+      entry.name = ruler.fitted(entry.name, style, width_ - 2 * kPageMargin - 30);
+      const double x = kPageMargin + flow.place(30 + ruler.text_width(entry.name, style));
+      legend_.push_back({std::move(entry), x, flow.row()});
     }
-    return row + 1;
+    return flow.row() + 1;
   }
 
   void draw_legend(Canvas& canvas, double y) const {

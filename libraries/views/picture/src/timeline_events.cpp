@@ -98,7 +98,7 @@ void draw_events(Canvas& canvas, const TimelineBlock& block, const std::vector<E
   style.ink = kText;
   if (in_rows) {
     for (const Placed& placed : rarest_first) {
-      const double room = block.left - kBesidePlot - kTimelineMargin;
+      const double room = block.left - kBesidePlot - kPageMargin;
       canvas.text(canvas.fitted(placed.kind->name, style, room),
                   {block.left - kBesidePlot, placed.y}, style);
       canvas.text(std::to_string(placed.kind->times_s.size()) + " x",

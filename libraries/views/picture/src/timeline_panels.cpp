@@ -14,8 +14,7 @@ constexpr double kLeastOfBand = 0.3;  // of a column's height, for each decider 
 constexpr double kIndent = 14.0;      // of a behaviour inside of another
 
 Ticks time_ticks(const TimelineBlock& block) {
-  return nice_ticks(block.span.from_s, block.span.to_s,
-                    std::max(2, static_cast<int>(block.width() / 75.0)));
+  return ticks_of({}, {block.span.from_s, block.span.to_s}, block.width(), 75.0);
 }
 
 void draw_frame(Canvas& canvas, const Rect& area) {
@@ -27,17 +26,8 @@ void draw_frame(Canvas& canvas, const Rect& area) {
 
 /// Numbers next to a panel, and their name.
 void draw_scale(Canvas& canvas, const Rect& area, const Interval& range, const std::string& name) {
-  const int about = std::max(2, static_cast<int>(area.height / 40));
-  const Ticks ticks = nice_ticks(range.low, range.high, about);
-  const PlaneMap map = map_to(area, {0, 1}, range);
-  double widest = 0.0;
-  for (const double tick : ticks.at) {
-    const double at = map.pixel({0, tick}).y;
-    const std::string label = tick_label(tick, ticks.step);
-    canvas.line({area.x - 4, at}, {area.x, at}).stroke(kFrame, {.width = 0.8});
-    canvas.text(label, {area.x - 7, at}, kBeside);
-    widest = std::max(widest, canvas.text_width(label, kBeside));
-  }
+  const double widest = draw_y_ticks(canvas, ticks_of({}, range, area.height, 40.0),
+                                     map_to(area, {0, 1}, range), area.x, kFaintText);
   TextStyle style = kBeside;
   style.ink = kText;
   canvas.text(name, {area.x - kBesidePlot - widest - 6, area.centre().y}, style);
@@ -116,8 +106,8 @@ Interval weights_of(const TimelineBlock& block, const std::vector<std::size_t>& 
   for (const Column& column : block.columns) {
     for (const std::size_t i : members) {
       if (column.members[i].weight.time_s <= 0.0) continue;
-      range.low = std::min(range.low, column.members[i].weight.low);
-      range.high = std::max(range.high, column.members[i].weight.high);
+      range.include(column.members[i].weight.low);
+      range.include(column.members[i].weight.high);
     }
   }
   // Lines at the panel's border are drawn in full.
@@ -152,13 +142,9 @@ void draw_time_grid(Canvas& canvas, const TimelineBlock& block, const Rect& area
 }
 
 void draw_time_axis(Canvas& canvas, const TimelineBlock& block, double y) {
-  const Ticks ticks = time_ticks(block);
-  for (const double tick : ticks.at) {
-    const double x = canvas.crisp(block.x_of(tick));
-    canvas.line({x, y}, {x, y + 4}).stroke(kFrame, {.width = 1});
-    canvas.text(tick_label(tick, ticks.step), {x, y + 8},
-                {.size = kTick, .across = Across::centre, .down = Down::top});
-  }
+  const Rect area{block.left, y, block.width(), 1.0};
+  draw_x_ticks(canvas, time_ticks(block),
+               map_to(area, {block.span.from_s, block.span.to_s}, {0, 1}), y);
   canvas.text("time (s)", {block.left - kBesidePlot - 14, y + 8},
               {.size = kTick, .across = Across::right, .down = Down::top});
 }
@@ -268,16 +254,6 @@ void draw_lane_head(Canvas& canvas, const TimelineBlock& block, double y) {
   TextStyle style = kBeside;
   style.down = Down::baseline;
   canvas.text("user priority", {block.left - kBesidePlot, y}, style);
-}
-
-void hatch(Canvas& canvas, const Rect& around) {
-  const Clip clip(canvas);
-  constexpr double kEvery = 6.0;
-  const double first = std::floor((around.x - around.height) / kEvery) * kEvery;
-  for (double x = first; x < around.right(); x += kEvery) {
-    canvas.line({x, around.bottom()}, {x + around.height, around.y});
-  }
-  canvas.stroke(kText.with_alpha(0.5), {.width = 1.0});
 }
 
 }  // namespace elsie::picture

@@ -54,9 +54,6 @@ std::vector<EventKind> event_kinds(const traces::TraceRobot& robot, const traces
 /// With more kinds, the rows of events would take too much room.
 inline constexpr std::size_t kMostEventRows = 8;
 
-/// Around the whole picture, units.
-inline constexpr double kTimelineMargin = 18.0;
-
 /// Names and numbers left of a plot: their distance and style.
 inline constexpr double kBesidePlot = 10.0;
 inline const TextStyle kBeside{
@@ -103,7 +100,9 @@ void draw_lane(Canvas& canvas, const TimelineBlock& block, std::size_t member, d
                const Rect& area);
 /// The meaning of the numbers left of the lanes, on the line `y`.
 void draw_lane_head(Canvas& canvas, const TimelineBlock& block, double y);
-/// Hatches the path, which is consumed.
-void hatch(Canvas& canvas, const Rect& around);
+/// Marks the current path as silenced.
+inline void hatch(Canvas& canvas, const Rect& around) {
+  hatch(canvas, around, 6.0, kText.with_alpha(0.5));
+}
 
 }  // namespace elsie::picture

@@ -1,6 +1,7 @@
 // Axes: round numbers for the ticks, and the map from values to pixels.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -8,10 +9,27 @@
 
 namespace elsie::picture {
 
+/// A closed interval; at first there is nothing in it.
+struct Interval {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  bool empty() const { return !(low <= high); }
+  double span() const { return high - low; }
+  double part(double value) const { return (value - low) / span(); }
+  /// Widens it up to the value; values that are not finite change nothing.
+  void include(double value);
+  /// With room on both sides of a single value or of nothing.
+  Interval widened() const;
+};
+
 /// Positions of ticks and labels on an axis, ascending.
 struct Ticks {
   std::vector<double> at;
   double step = 0.0;
+  bool powers = false;  // whether they are exponents of ten
+
+  std::string label(double tick) const;
 };
 
 /// The step nearest to span / about among 1, 2 and 5 times powers of ten; 1 for a span that is not

@@ -62,13 +62,8 @@ struct FuzzyPicture {
 /// std::invalid_argument when a variable's low is not below its high.
 Page fuzzy_page(const FuzzyPicture& picture);
 
-// Each writes one file; errors as in save_page().
+/// Writes one file; errors as in save_page().
 void save_fuzzy_picture(const FuzzyPicture& picture, const std::filesystem::path& file,
                         const Size& size = {});
-void save_membership_functions(const std::vector<MembershipPanel>& variables,
-                               const std::string& title, const std::filesystem::path& file,
-                               const Size& size = {});
-void save_control_surface(const ControlSurface& surface, const std::filesystem::path& file,
-                          const Size& size = {});
 
 }  // namespace elsie::picture

@@ -22,6 +22,7 @@ struct Axis {
   // Empty: from the data.
   std::optional<double> low{};
   std::optional<double> high{};
+  bool logarithmic = false;  // of a line chart: values that are not positive are not drawn
 };
 
 /// A curve. Points that are not finite interrupt it.
@@ -35,6 +36,9 @@ struct Series {
 enum class Naming {
   legend,   // in a line above the chart; a single unnamed series has none
   at_peak,  // above the highest point of each curve
+  /// Only in an SVG, when the pointer is over a curve. The curves repeat the same thing: they are
+  /// thin and have one colour, in a page that of "--c".
+  in_titles,
 };
 
 struct LineChart {
@@ -91,5 +95,10 @@ struct Page {
 /// below its high, or a field with the wrong number of values; std::runtime_error when the file
 /// cannot be written; an existing file is then unchanged.
 void save_page(const Page& page, const std::filesystem::path& file, const Size& size = {});
+
+/// The chart as an element of an HTML page. Its colours are those that the page's style names:
+/// --ink, --muted, --grid, --quiet and --c. `label`: for readers who do not see it. Throws as
+/// save_page() for an axis.
+std::string page_chart(const LineChart& chart, const std::string& label, const Size& size);
 
 }  // namespace elsie::picture

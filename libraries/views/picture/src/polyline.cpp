@@ -1,12 +1,10 @@
-#include "drawing.h"
+#include "elsie/picture/polyline.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "numbers.h"
-
-namespace elsie::report {
+namespace elsie::picture {
 
 namespace {
 
@@ -17,13 +15,6 @@ double distance(const Vector2& p, const Vector2& a, const Vector2& b) {
   const double part =
       squared > 0.0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0.0;
   return std::hypot(p.x - a.x - part * dx, p.y - a.y - part * dy);
-}
-
-void append(std::string& text, long value) {
-  if (value >= 0 && !text.empty() && text.back() >= '0' && text.back() <= '9') {
-    text += ' ';
-  }
-  text += std::to_string(value);
 }
 
 }  // namespace
@@ -72,42 +63,8 @@ std::vector<std::vector<Vector2>> pieces(const std::vector<Vector2>& line) {
       result.emplace_back();
     }
   }
-  std::erase_if(result, [](const auto& piece) { return piece.size() < 2; });
+  if (result.back().empty()) result.pop_back();
   return result;
 }
 
-std::string path_data(const std::vector<Vector2>& line) {
-  std::string text;
-  long x = 0, y = 0;
-  for (const Vector2& point : line) {
-    // Points far outside of the picture are moved to a limit outside of it.
-    const long next_x = std::lround(std::clamp(point.x, -1e5, 1e5));
-    const long next_y = std::lround(std::clamp(point.y, -1e5, 1e5));
-    if (text.empty()) {
-      text = "M";
-      append(text, next_x);
-      append(text, next_y);
-      text += 'l';
-    } else if (next_x != x || next_y != y) {
-      append(text, next_x - x);
-      append(text, next_y - y);
-    }
-    x = next_x;
-    y = next_y;
-  }
-  if (!text.empty() && text.back() == 'l') {
-    text += "0 0";
-  }
-  return text;
-}
-
-std::string percent(double part) {
-  std::string text = fixed_text(100.0 * part, 2);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') {
-    text.pop_back();
-  }
-  return text + '%';
-}
-
-}  // namespace elsie::report
+}  // namespace elsie::picture
