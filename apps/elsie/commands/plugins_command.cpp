@@ -392,7 +392,7 @@ void add_describe_command(CLI::App& program, Job& job) {
       ->add_option_function<std::string>(
           "--kind", [options](const std::string& word) { options->kind = kind_of(word); },
           "Which, when plugins of several kinds have that name")
-      ->type_name("KIND:{sensor,behavior,coordinator,measure}");
+      ->type_name("KIND:{sensor,behavior,coordinator,measure,drive}");
   CLI::Option* json =
       command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
   command
