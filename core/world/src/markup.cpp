@@ -83,6 +83,7 @@ void Element::set(std::string_view attribute, std::string value, const Location&
     if (a.name == attribute) {
       a.value = std::move(value);
       a.where = place;
+      a.completed = false;
       return;
     }
   }
