@@ -132,7 +132,13 @@ std::string read_text(const std::string& file) {
 }
 
 Element parse_markup(std::string_view text, const std::string& file, const std::string& kind) {
-  check_text(text, file, kind);
+  std::vector<ElementSpan> spans;
+  return parse_markup(text, file, kind, spans);
+}
+
+Element parse_markup(std::string_view text, const std::string& file, const std::string& kind,
+                     std::vector<ElementSpan>& spans) {
+  spans = check_text(text, file, kind);
   tinyxml2::XMLDocument document;
   document.Parse(text.data(), text.size());
   const tinyxml2::XMLElement* root = document.RootElement();

@@ -154,29 +154,27 @@ void take_out(const std::vector<Place>& places, const std::string& attribute,
   }
 }
 
-// The path of a robot, of all robots, or of an attribute of theirs.
-bool is_of_robot(const Path& path) {
-  const std::string last = path.steps.empty() ? "" : path.steps.back().name;
-  return last == "robot" || last == "robots";
+// The attribute of a robot that an override is about; "": the robot itself, or all robots; none: it
+// is about something else.
+std::optional<std::string> attribute_of_robot(const std::string& override) {
+  try {
+    const Path path = parse_path(std::string_view(override).substr(0, override.find('=')));
+    const std::string last = path.steps.empty() ? "" : path.steps.back().name;
+    return last == "robot" || last == "robots" ? std::optional(path.attribute) : std::nullopt;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;  // apply_override() says why
+  }
 }
 
 }  // namespace
 
-bool leads_to_robot(const std::string& override) {
-  try {
-    return is_of_robot(parse_path(std::string_view(override).substr(0, override.find('='))));
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
+bool concerns_templates(const std::string& override) {
+  const auto attribute = attribute_of_robot(override);
+  return attribute && (attribute->empty() || *attribute == "template");
 }
 
-bool concerns_templates(const std::string& override) {
-  try {
-    const Path path = parse_path(std::string_view(override).substr(0, override.find('=')));
-    return is_of_robot(path) && (path.attribute == "template" || path.attribute.empty());
-  } catch (const std::invalid_argument&) {
-    return false;  // apply_override() says why
-  }
+bool concerns_robots(const std::string& override) {
+  return concerns_templates(override) || attribute_of_robot(override) == kRemove;
 }
 
 void apply_override(Element& world, const std::string& override, Problems& problems) {

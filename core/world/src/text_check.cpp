@@ -181,10 +181,12 @@ class Scanner {
     const std::string of = " of <" + tag.name + ">";
     const std::string_view name = this->name("the name of an attribute" + of);
     const std::string what = "the attribute '" + std::string(name) + "'" + of;
-    if (std::any_of(known.begin(), known.end(), [&](const auto& a) { return a.name == name; })) {
+    if (std::any_of(known.begin(), known.end(), [&](const auto& other) {
+          return text_.substr(other.begin, other.name_end - other.begin) == name;
+        })) {
       fail(what + " is given twice");
     }
-    span.name = name;
+    span.name_end = at_;
     skip_blanks();
     if (at_ >= text_.size() || text_[at_] != '=') {
       fail("expected =\"...\" after " + what);

@@ -7,13 +7,15 @@
 #include <string_view>
 #include <vector>
 
+#include "elsie/world/markup.h"
+
 namespace elsie::world {
 
 /// Where an element stands in a text; all places are counted in bytes.
 struct ElementSpan {
   struct Attribute {
-    std::string_view name;
     std::size_t begin = 0;  // of its name
+    std::size_t name_end = 0;
     std::size_t value = 0;  // between the quotes
     std::size_t end = 0;    // after the closing quote
   };
@@ -37,5 +39,9 @@ struct ElementSpan {
 /// elements in the order of their start tags; they point into the text.
 std::vector<ElementSpan> check_text(std::string_view text, const std::string& file,
                                     const std::string& kind);
+
+/// parse_markup() with the places of all elements, in the order of their start tags.
+Element parse_markup(std::string_view text, const std::string& file, const std::string& kind,
+                     std::vector<ElementSpan>& spans);
 
 }  // namespace elsie::world
