@@ -127,7 +127,7 @@ World world_of_tree(Element root, const std::string& file, const plugin::Host& h
   build_bodies(reading, host, problems);
   std::stable_partition(world.boxes.begin(), world.boxes.end(),
                         [](const Box& box) { return box.kind != BoxKind::resource; });
-  check_world(reading, root, host, problems);
+  check_world(reading, root, host, options.is_running, problems);
   problems.raise<WorldError>(file);
   return std::move(world);
 }

@@ -66,6 +66,9 @@ struct ReadOptions {
   /// The rest needs no plugin and is enough for a picture; a robot whose drive is not there stands
   /// on the default one.
   bool bodies_only = false;
+  /// Whether the world runs: its robots, and boxes that can be pushed or taken, are not where it
+  /// says, so it is not checked whether bodies stand in each other's way or in a wall.
+  bool is_running = false;
 };
 
 /// Reads a world file, merges its templates, applies overrides and sets all defaults. Throws
