@@ -64,16 +64,16 @@ std::string text_of(std::span<const Change> edits) {
   return text;
 }
 
-/// All that is wrong with a description that was edited, in one sentence or several.
+/// What is wrong with a description that was edited.
 std::string problem_of(const std::vector<base::Problem>& problems) {
-  std::string text;
-  for (const base::Problem& problem : problems) {
-    text += (text.empty() ? "" : "; ") + problem.message;
-  }
-  return text;
+  const std::size_t more = problems.size() - 1;
+  return problems.front().message +
+         (more == 0 ? ""
+                    : "; there " + std::string(more == 1 ? "is " : "are ") + std::to_string(more) +
+                          " more such problem" + (more == 1 ? "" : "s"));
 }
 
-/// "robot[r1]" of "robot[r1]/sensor[ahead]/@x", where it names one.
+/// "r1" of "robot[r1]/sensor[ahead]/@x", if there is such a robot; else "".
 std::string robot_of(const world::World& world, const std::string& path) {
   const std::size_t end = path.find(']');
   if (!path.starts_with("robot[") || end == std::string::npos) {

@@ -152,6 +152,8 @@ std::uint64_t Simulation::seed() const { return impl_->seed_; }
 double Simulation::time_s() const { return impl_->time_s(); }
 double Simulation::time_limit_s() const { return impl_->time_limit_s_; }
 std::uint64_t Simulation::steps() const { return impl_->steps_; }
+bool Simulation::decided() const { return impl_->decided_; }
+double Simulation::step_began_s() const { return impl_->step_began_s_; }
 Outcome Simulation::outcome() const { return impl_->verdict_.outcome; }
 std::uint64_t Simulation::state_hash() const { return impl_->state_hash(); }
 std::span<const Note> Simulation::notes() const { return impl_->said_.notes; }

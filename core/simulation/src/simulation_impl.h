@@ -65,6 +65,8 @@ class Simulation::Impl {
   void reset(std::uint64_t seed) {
     seed_ = seed;
     steps_ = base_steps_ = 0;
+    decided_ = false;
+    step_began_s_ = 0.0;
     base_time_s_ = 0.0;
     // A new engine: ODE keeps nothing from the last run then.
     engine_ = physics::make_ode_engine(world_.arena, world_.physics);
@@ -98,6 +100,7 @@ class Simulation::Impl {
     const double h = world_.physics.step;
     const auto control_steps = static_cast<std::uint64_t>(world_.physics.control_steps);
     const bool decides = is_control_instant();
+    step_began_s_ = time_s();
     if (!measuring_->has_begun()) {
       measuring_->begin(robots_, *engine_, time_s(), last_step());
     }
@@ -111,6 +114,7 @@ class Simulation::Impl {
       log_events();
       throw;
     }
+    decided_ = decides;
     touches_.handle(robots_, *engine_, time_s());
     if (decides) {
       for (const auto& robot : robots_) {
@@ -203,6 +207,8 @@ class Simulation::Impl {
   std::shared_ptr<const world::World> start_;  // none: the world is as at the start
   std::vector<std::unique_ptr<Robot>> robots_;
   std::uint64_t steps_ = 0;
+  bool decided_ = false;  // in the last step
+  double step_began_s_ = 0.0;
   double wall_s_ = 0.0;
   Verdict verdict_;
   std::vector<EventRecord> events_;
