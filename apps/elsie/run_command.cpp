@@ -93,11 +93,11 @@ class Watchers {
   std::vector<simulation::Observer*> all_;
 };
 
-/// TIME:PATH=VALUE. Throws BadInput.
+/// TIME:EDIT. Throws BadInput.
 simulation::TimedChange change_of(const std::string& text) {
   const auto fail = [&](const std::string& problem) {
     throw BadInput("--at " + text + ": " + problem +
-                   "; expected TIME:PATH=VALUE, as in '5:robot[r1]/@max_speed=0.2'");
+                   "; expected TIME:EDIT, as in '5:robot[r1]/@max_speed=0.2'");
   };
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) {
@@ -235,10 +235,11 @@ void add_run_command(CLI::App& program, Job& job) {
       ->allow_extra_args(false);
   command
       ->add_option("--at", options->changes,
-                   "Change an attribute while the world runs, before the first step at this "
-                   "simulated time (s) or after it, e.g. '5:robot[r1]/@max_speed=0.2'; may be "
-                   "repeated, and what has the same time is changed together")
-      ->type_name("TIME:PATH=VALUE")
+                   "Edit the world while it runs, before the first step at this simulated time (s) "
+                   "or after it: any edit that --set takes, e.g. '5:robot[r1]/@max_speed=0.2' or "
+                   "'5:obstacle[+]=<static x=\"1\"/>'; may be repeated, and what has the same time "
+                   "is edited together")
+      ->type_name("TIME:EDIT")
       ->allow_extra_args(false);
   options->plugins.add_to(*command);
   command->add_flag("--watch", options->watch,

@@ -240,7 +240,7 @@ TEST_CASE("Energy can be taken and given: an empty robot stops, with power it go
         "than that");
 }
 
-TEST_CASE("What is settled before a run is refused, and so is what a path does not lead to") {
+TEST_CASE("What a path does not lead to is refused") {
   ScriptedHost scripted([](const Perception&) { return Motion{}; });
   world::World world;
   world.robots = {robot("r1", 0, 0, 0, behavior("wander"))};
@@ -251,27 +251,10 @@ TEST_CASE("What is settled before a run is refused, and so is what a path does n
   Simulation simulation(world, scripted.host);
   advance(simulation, 5);
   const std::uint64_t before = simulation.state_hash();
-  const std::string of_robot =
-      " of <robot> is settled before a run and stays as it is while it goes on; what may change "
-      "is x, y, z, heading_deg, max_speed, coverage, leader, energy";
   const auto refused = [&](const std::string& path, const std::string& value,
                            const std::string& problem) {
     CHECK(why_not([&] { simulation.change(path, value); }) == path + "=" + value + ": " + problem);
   };
-  refused("robot[r1]/@battery", "9000", "'battery'" + of_robot);
-  refused("robot[r1]/@team", "blue", "'team'" + of_robot);
-  refused("robot[*]/@id", "r2", "'id'" + of_robot);
-  const std::string settled = " is settled before a run and stays as it is while it goes on";
-  refused("robot[r1]/body/@wheel_radius", "0.03", "'wheel_radius' of <body>" + settled);
-  refused("robot[r1]/body/@mass", "2", "'mass' of <body>" + settled);
-  refused("robot[r1]/segment[cart]/@length", "0.1", "'length' of <segment>" + settled);
-  refused("physics/@step", "0.001", "'step' of <physics>" + settled);
-  refused("obstacle[brick]/@x", "1", "'x' of <static_box>" + settled);
-  refused("goal[1]/@time", "5", "'time' of <endure>" + settled);
-  refused("@name", "other", "'name' of <world>" + settled);
-  refused("robot[r1]/sensor[left]/@yaw_deg", "5",
-          "'yaw_deg' of <beam_range>" + settled +
-              "; what may change is max_range, error, error_m, energy_cost");
   refused("robot[r2]/@x", "1", "there is no robot[r2]; there are: r1");
   refused("robot[r1]/@max_sped", "1",
           "<robot> has no attribute 'max_sped'; did you mean 'max_speed'?");

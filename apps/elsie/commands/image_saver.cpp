@@ -69,16 +69,18 @@ void ImageSaver::started(const Simulation& simulation) {
 void ImageSaver::stepped(const Simulation& simulation) {
   const std::uint64_t step = simulation.steps() - 1;
   const auto& physics = simulation.world().physics;
-  if (step % static_cast<std::uint64_t>(physics.control_steps) == 0) {
+  if (simulation.decided()) {
     // Counted, not added up; slightly early, so that rounding does not delay a picture by a step.
     const double due_s = static_cast<double>(times_) * every_s_;
-    if (static_cast<double>(step) * physics.step >= due_s - 0.001 * physics.step) {
+    if (simulation.step_began_s() >= due_s - 0.001 * physics.step) {
       save(simulation, step);
       ++times_;
     }
     remember_who_sees(simulation);
   }
 }
+
+void ImageSaver::replaced(const Simulation& simulation) { remember_who_sees(simulation); }
 
 void ImageSaver::remember_who_sees(const Simulation& simulation) {
   blind_.clear();

@@ -31,6 +31,7 @@ class ImageSaver final : public simulation::Observer {
   void started(const simulation::Simulation& simulation) override;
   /// Throws std::runtime_error when a picture cannot be written.
   void stepped(const simulation::Simulation& simulation) override;
+  void replaced(const simulation::Simulation& simulation) override;
 
  private:
   void remember_who_sees(const simulation::Simulation& simulation);

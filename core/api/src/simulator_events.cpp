@@ -27,14 +27,24 @@ std::string Collision::detail() const {
   return id;
 }
 
+std::string Changed::detail() const {
+  const char* const step = attribute.empty() ? "" : element.empty() ? "@" : "/@";
+  return element + step + attribute + "=" + value;
+}
+
 std::optional<Changed> Changed::from(std::string_view detail) {
-  const std::size_t at = detail.find("/@"), equals = detail.find('=', at);
-  if (at == std::string_view::npos || equals == std::string_view::npos) {
+  const std::size_t equals = detail.find('=');
+  if (equals == std::string_view::npos) {
     return std::nullopt;
   }
-  return Changed{std::string(detail.substr(0, at)),
-                 std::string(detail.substr(at + 2, equals - at - 2)),
-                 std::string(detail.substr(equals + 1))};
+  const std::string_view path = detail.substr(0, equals);
+  const std::size_t at = path.rfind('@');
+  const std::string value(detail.substr(equals + 1));
+  if (at == std::string_view::npos) {
+    return Changed{std::string(path), "", value};
+  }
+  return Changed{std::string(path.substr(0, at > 0 ? at - 1 : 0)), std::string(path.substr(at + 1)),
+                 value};
 }
 
 std::string_view name_of(const AnyEvent& event) {

@@ -22,4 +22,16 @@ void BodyStates::restore() const {
   }
 }
 
+void copy_state(dBodyID from, dBodyID to) {
+  const dReal *at = dBodyGetPosition(from), *turned = dBodyGetQuaternion(from);
+  const dReal *v = dBodyGetLinearVel(from), *w = dBodyGetAngularVel(from);
+  dBodySetPosition(to, at[0], at[1], at[2]);
+  dBodySetQuaternion(to, turned);
+  // ODE makes the quaternion's length 1 once more and a matrix of it, both with rounding.
+  std::copy_n(turned, 4, const_cast<dReal*>(dBodyGetQuaternion(to)));
+  std::copy_n(dBodyGetRotation(from), 12, const_cast<dReal*>(dBodyGetRotation(to)));
+  dBodySetLinearVel(to, v[0], v[1], v[2]);
+  dBodySetAngularVel(to, w[0], w[1], w[2]);
+}
+
 }  // namespace elsie::physics

@@ -24,6 +24,9 @@ class BodyStates {
   std::vector<State> states_;
 };
 
+/// Puts a body to exactly where another one is, at its velocities, whatever world it belongs to.
+void copy_state(dBodyID from, dBodyID to);
+
 inline void add_numbers(base::Fnv1a& hash, const dReal* numbers, int count) {
   for (int i = 0; i < count; ++i) hash.add(numbers[i]);
 }

@@ -14,6 +14,14 @@ constexpr double kCorrections = 2.0;  // m/s: of several that are put apart, one
 
 }  // namespace
 
+void Bounds::add(const Bounds& other) {
+  add_height(other.top_);
+  // A fall under the gravity of then may go on for a while.
+  const double fall = std::sqrt(2.0 * std::abs(other.physics_.gravity) * other.top_);
+  add_robot_speed(other.robot_ + (other.physics_.gravity == physics_.gravity ? 0.0 : fall));
+  add_moving_speed(other.moving_);
+}
+
 void Bounds::add_height(double top) { top_ = std::max(top_, top); }
 void Bounds::add_robot_speed(double speed) { robot_ = std::max(robot_, speed); }
 void Bounds::add_moving_speed(double speed) { moving_ = std::max(moving_, speed); }

@@ -29,6 +29,9 @@ class Bounds {
   Bounds(const world::Arena& arena, const world::Physics& physics)
       : arena_(arena), physics_(physics) {}
 
+  /// What has set bodies in motion elsewhere counts here, too.
+  void add(const Bounds& other);
+
   // What may set bodies in motion.
   void add_height(double top);          // m, the upper side of a body that may fall
   void add_robot_speed(double speed);   // m/s, of a robot's fastest part

@@ -55,6 +55,9 @@ class OdeEngine final : public Engine {
 
   std::size_t add_robot(const BodyPlan& plan, const Pose& pose, double z) override;
   std::size_t add_box(const world::Box& box) override;
+  std::size_t add_robot_of(const Engine& other, std::size_t robot, const BodyPlan* plan) override;
+  std::size_t add_box_of(const Engine& other, std::size_t box, const world::Box& added) override;
+  void go_on_from(const Engine& other) override;
   void remove_box(std::size_t box) override;
   void place_robot(std::size_t robot, const Pose& pose, double z) override;
   void set_joints(std::size_t robot, std::span<const JointSetting> settings) override;
@@ -109,6 +112,7 @@ class OdeEngine final : public Engine {
   bool is_mobile(const Body& body) {
     return body.kind == BodyKind::robot || is_mobile(box_of(body));
   }
+  std::size_t enter_robot(double top);
   void take_step();
   void remember();
   void start_moving_boxes();
@@ -164,8 +168,13 @@ std::size_t OdeEngine::add_robot(const BodyPlan& plan, const Pose& pose, double 
   world::check(plan);
   check(pose, z);
   prepare_ode();
-  const std::size_t index = robots_.size();
   accept("a robot's body", [&] { robots_.emplace_back(world_.get(), plan, pose, z); });
+  return enter_robot(z + robots_.back().height());
+}
+
+/// The last of the robots. `top`: of its highest part, m.
+std::size_t OdeEngine::enter_robot(double top) {
+  const std::size_t index = robots_.size() - 1;
   std::vector<Scene::Id>& ids = robot_ids_.emplace_back();
   for (std::size_t vehicle = 0; vehicle < robots_[index].vehicles().size(); ++vehicle) {
     ids.push_back(scene_.add({BodyKind::robot, index}, true, vehicle));
@@ -173,9 +182,50 @@ std::size_t OdeEngine::add_robot(const BodyPlan& plan, const Pose& pose, double 
   }
   routing_.add_robot(robots_[index]);
   stay_within_.push_back(bounds_.within_walls(robots_[index].state().frame.origin));
-  bounds_.add_height(z + robots_[index].height());
+  bounds_.add_height(top);
   place_in_scene(index);
   return index;
+}
+
+std::size_t OdeEngine::add_robot_of(const Engine& other, std::size_t robot, const BodyPlan* plan) {
+  const OdeRobot& same = dynamic_cast<const OdeEngine&>(other).robots_.at(robot);
+  if (plan) world::check(*plan);
+  prepare_ode();
+  accept("a robot's body", [&] {
+    plan ? robots_.emplace_back(world_.get(), *plan, same)
+         : robots_.emplace_back(world_.get(), same);
+  });
+  return enter_robot(std::max(0.0, same.state().frame.origin.z) + robots_.back().height());
+}
+
+std::size_t OdeEngine::add_box_of(const Engine& other, std::size_t box, const world::Box& added) {
+  const BoxBody& same = dynamic_cast<const OdeEngine&>(other).boxes_.at(box);
+  const std::size_t index = add_box(added);
+  if (!same.present) {
+    remove_box(index);
+    return index;
+  }
+  BoxBody& made = boxes_[index];
+  if (made.body) {
+    copy_state(same.body, made.body);
+    made.shape = same.shape;
+    made.stays_within =
+        made.kind == world::BoxKind::dynamic && bounds_.within_walls(made.shape.center);
+    const Vector3 v = to_vector(dBodyGetLinearVel(made.body));
+    const Vector3 w = to_vector(dBodyGetAngularVel(made.body));
+    const Vector3& half = made.shape.half;
+    const double speed = std::sqrt(dot(v, v)) + (half.x + half.y + half.z) * std::sqrt(dot(w, w));
+    scene_.place_box(made.id, made.shape, physics_.step * speed + kSlack);
+    bounds_.add_height(made.shape.center.z + made.shape.half.z);
+  }
+  return index;
+}
+
+void OdeEngine::go_on_from(const Engine& other) {
+  const auto& before = dynamic_cast<const OdeEngine&>(other);
+  time_ = before.time_;
+  give_ups_ = before.give_ups_;
+  bounds_.add(before.bounds_);
 }
 
 void OdeEngine::place_robot(std::size_t robot, const Pose& pose, double z) {

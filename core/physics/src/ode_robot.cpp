@@ -23,7 +23,7 @@ Pose on_floor(const Frame& frame) {
 }  // namespace
 
 OdeRobot::OdeRobot(dWorldID world, const BodyPlan& plan, const Pose& pose, double z)
-    : plan_(plan), lever_(lever_of(plan)) {
+    : plan_(plan), made_at_(pose), made_z_(z), lever_(lever_of(plan)) {
   for (auto first = plan_.parts.begin(); first != plan_.parts.end();) {
     const auto last = std::find_if(
         first, plan_.parts.end(), [&](const Part& part) { return part.vehicle != first->vehicle; });
@@ -41,6 +41,23 @@ OdeRobot::OdeRobot(dWorldID world, const BodyPlan& plan, const Pose& pose, doubl
     vehicle.link(world, front, vehicle.hitch() ? vehicle.frame() : frame);
     front = vehicle.chassis();
   }
+}
+
+OdeRobot::OdeRobot(dWorldID world, const OdeRobot& other)
+    : OdeRobot(world, other.plan_, other.made_at_, other.made_z_) {
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) vehicles_[i].take(other.vehicles_[i]);
+  joints_ = other.joints_;
+  state_ = other.state_;
+}
+
+OdeRobot::OdeRobot(dWorldID world, const BodyPlan& plan, const OdeRobot& other)
+    : OdeRobot(world, plan, other.state_.pose, std::max(0.0, other.state_.frame.origin.z)) {
+  const OdeVehicle& first = other.vehicles_.front();
+  const Vector3 middle = to_vector(dBodyGetPosition(first.chassis()));
+  for (OdeVehicle& vehicle : vehicles_) {
+    vehicle.push(first.velocity(), first.turning(), middle);
+  }
+  read_state();
 }
 
 void OdeRobot::put(const Pose& pose, double z) {

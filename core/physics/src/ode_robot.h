@@ -17,6 +17,11 @@ class OdeRobot {
  public:
   OdeRobot(dWorldID world, const BodyPlan& plan, const Pose& pose, double z);
 
+  /// The same as another one, in its state.
+  OdeRobot(dWorldID world, const OdeRobot& other);
+  /// The same with another body, which stands upright.
+  OdeRobot(dWorldID world, const BodyPlan& plan, const OdeRobot& other);
+
   /// Stands there at rest, its vehicles in line behind it.
   void put(const Pose& pose, double z);
   /// See Engine::set_joints().
@@ -52,6 +57,9 @@ class OdeRobot {
   void read_state();
 
   BodyPlan plan_;
+  // Where it was made: the places of its joints on its bodies follow from that, with rounding.
+  Pose made_at_;
+  double made_z_;
   std::vector<OdeVehicle> vehicles_;
   std::vector<JointSetting> joints_;
   RobotState state_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "body_states.h"
+
 namespace elsie::physics {
 namespace {
 
@@ -235,6 +237,60 @@ void OdeVehicle::put(const Frame& frame, double heading_rad) {
   }
   read_frame();
   read_shapes();
+}
+
+void OdeVehicle::take(const OdeVehicle& other) {
+  copy_state(other.chassis_, chassis_);
+  for (std::size_t i = 0; i < casters_.size(); ++i) copy_state(other.casters_[i], casters_[i]);
+  frame_ = other.frame_;
+  velocity_ = other.velocity_;
+  turning_ = other.turning_;
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    Wheel& wheel = wheels_[i];
+    const Wheel& same = other.wheels_[i];
+    wheel.now = same.now;
+    wheel.wanted = same.wanted;
+    wheel.turned = same.turned;
+  }
+  read_shapes();
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    const Wheel& wheel = wheels_[i];
+    if (!wheel.motor) {
+      turn_geom(wheel);
+      continue;
+    }
+    copy_state(other.wheels_[i].motor->body, wheel.motor->body);
+    dJointSetHingeParam(wheel.motor->hinge, dParamVel, wheel.wanted.rate_rad_s);
+    if (wheel.joint.steered) {
+      const Vector3& axis = wheel_shapes_[i].axis;
+      dJointSetHingeAxis(wheel.motor->hinge, axis.x, axis.y, axis.z);
+    }
+  }
+  const dJointID joint = hitch_state_.joint;
+  hitch_state_ = other.hitch_state_;
+  hitch_state_.joint = joint;
+  if (hitch_state_.stopping) dJointSetUniversalParam(joint, dParamFMax1, dInfinity);
+}
+
+void OdeVehicle::push(const Vector3& velocity, const Vector3& turning, const Vector3& middle) {
+  const auto set = [&](dBodyID body) {
+    const Vector3 v = velocity + cross(turning, to_vector(dBodyGetPosition(body)) - middle);
+    dBodySetLinearVel(body, v.x, v.y, v.z);
+    dBodySetAngularVel(body, turning.x, turning.y, turning.z);
+  };
+  for_each_body(set);
+  velocity_ = to_vector(dBodyGetLinearVel(chassis_));
+  turning_ = turning;
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    Wheel& wheel = wheels_[i];
+    if (!wheel.motor) continue;
+    const Cylinder& shape = wheel_shapes_[i];
+    const Vector3 v = to_vector(dBodyGetLinearVel(wheel.motor->body));
+    // It rolls.
+    wheel.now.rate_rad_s = dot(v, cross(shape.axis, frame_.up)) / shape.radius;
+    const Vector3 w = turning_ + wheel.now.rate_rad_s * shape.axis;
+    dBodySetAngularVel(wheel.motor->body, w.x, w.y, w.z);
+  }
 }
 
 /// Where a wheel points in the vehicle's frame, rad.

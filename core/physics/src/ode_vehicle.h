@@ -44,6 +44,10 @@ class OdeVehicle {
   /// All stand where they belong; `frame` is where it was put.
   void link(dWorldID world, dBodyID front, const Frame& frame);
 
+  /// Puts it into the state of another one that was made of the same parts.
+  void take(const OdeVehicle& other);
+  /// Moves with the velocity of a body that turns about `middle`.
+  void push(const Vector3& velocity, const Vector3& turning, const Vector3& middle);
   /// One for each joint of the plan that can be set (Engine::set_joints()), in order; returns those
   /// of the vehicles behind.
   std::span<const JointSetting> set(std::span<const JointSetting> settings);

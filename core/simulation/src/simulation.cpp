@@ -8,6 +8,20 @@
 #include "simulation_impl.h"
 
 namespace elsie::simulation {
+namespace {
+
+/// Those of the world first.
+std::vector<TimedChange> with_own(const world::World& world, std::span<const TimedChange> changes) {
+  std::vector<TimedChange> all;
+  for (const world::TimedEdit& edit : world.changes) {
+    all.push_back({edit.time, {edit.path, edit.element ? *edit.element : edit.value.value_or("")}});
+  }
+  all.insert(all.end(), changes.begin(), changes.end());
+  return all;
+}
+
+}  // namespace
+
 Simulation::Simulation(world::World world, const plugin::Host& host, const Options& options)
     : impl_(std::make_unique<Impl>(std::move(world), host, options)) {
   impl_->reset(options.seed);
@@ -17,7 +31,11 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
 void Simulation::reset(std::optional<std::uint64_t> seed) {
-  impl_->reset(seed.value_or(impl_->seed_));
+  const std::uint64_t next = seed.value_or(impl_->seed_);
+  if (impl_->start_) {
+    impl_ = std::make_unique<Impl>(*impl_->start_, *impl_->host_, impl_->options_);
+  }
+  impl_->reset(next);
 }
 
 void Simulation::step() { impl_->step(*this); }
@@ -29,24 +47,23 @@ RunResult Simulation::run(std::span<Observer* const> observers,
   const Clock::time_point start = Clock::now();
   const auto wall = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   const auto& limits = world().limits;
-  const std::vector<DueChanges> schedule = impl_->checked(changes);
+  const std::vector<DueChanges> schedule = impl_->checked(with_own(world(), changes));
   auto next = schedule.begin();
   const auto change_what_is_due = [&] {
-    for (; next != schedule.end() && next->step <= steps(); ++next) {
+    for (; next != schedule.end() && next->are_due(time_s(), world().physics.step); ++next) {
       impl_->change(*next);
     }
   };
-  const auto control_steps = static_cast<std::uint64_t>(world().physics.control_steps);
-  const auto let_user_act = [&] {
-    const std::uint64_t before = impl_->replacements_;
-    before_control(*this);
-    for (Observer* observer : observers) {
-      if (impl_->replacements_ != before) {
+  std::size_t watching = 0;  // observers that heard of the start, and will hear of the end
+  std::uint64_t heard_of = 0;
+  const auto let_observers_know = [&] {
+    for (Observer* observer : observers.first(watching)) {
+      if (impl_->renewals_ != heard_of) {
         observer->replaced(*this);
       }
     }
+    heard_of = impl_->renewals_;
   };
-  std::size_t watching = 0;  // observers that heard of the start, and will hear of the end
   std::exception_ptr failure;
   try {
     change_what_is_due();
@@ -54,11 +71,13 @@ RunResult Simulation::run(std::span<Observer* const> observers,
       observer->started(*this);
       ++watching;
     }
+    heard_of = impl_->renewals_;
     while (outcome() == Outcome::running) {
       change_what_is_due();
-      if (before_control && steps() % control_steps == 0) {
-        let_user_act();
+      if (before_control && impl_->is_control_instant()) {
+        before_control(*this);
       }
+      let_observers_know();
       step();
       for (Observer* observer : observers) {
         observer->stepped(*this);
@@ -84,7 +103,9 @@ RunResult Simulation::run(std::span<Observer* const> observers,
   return result();
 }
 
-void Simulation::check(std::span<const TimedChange> changes) const { impl_->checked(changes); }
+void Simulation::check(std::span<const TimedChange> changes) const {
+  impl_->checked(with_own(world(), changes));
+}
 
 void Simulation::change(std::string_view path, std::string_view value) {
   const Change one{std::string(path), std::string(value)};
@@ -131,6 +152,8 @@ std::uint64_t Simulation::seed() const { return impl_->seed_; }
 double Simulation::time_s() const { return impl_->time_s(); }
 double Simulation::time_limit_s() const { return impl_->time_limit_s_; }
 std::uint64_t Simulation::steps() const { return impl_->steps_; }
+bool Simulation::decided() const { return impl_->decided_; }
+double Simulation::step_began_s() const { return impl_->step_began_s_; }
 Outcome Simulation::outcome() const { return impl_->verdict_.outcome; }
 std::uint64_t Simulation::state_hash() const { return impl_->state_hash(); }
 std::span<const Note> Simulation::notes() const { return impl_->said_.notes; }

@@ -19,6 +19,7 @@
 #include "elsie/world/error.h"
 #include "elsie/world/parts.h"
 
+#include "changes/becoming.h"
 #include "changes/changes.h"
 #include "measuring/measuring.h"
 #include "physics_words.h"
@@ -39,8 +40,9 @@ class Simulation::Impl {
       : world_(std::move(world)),
         time_limit_s_(options.time_limit_s.value_or(world_.limits.time)),
         seed_(options.seed),
-        data_directories_(options.data_directories) {
-    changes_.emplace(world_, host, data_directories_);
+        host_(&host),
+        options_(options) {
+    changes_.emplace(world_, host, options_.data_directories);
     std::vector<base::Problem> problems;
     for (std::size_t i = 0; i < world_.robots.size(); ++i) {
       try {
@@ -58,36 +60,28 @@ class Simulation::Impl {
     if (!problems.empty()) {
       throw world::WorldError(std::move(problems));
     }
-    for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
-      if (world_.boxes[i].kind == world::BoxKind::moving) {
-        moving_.push_back({i, BoxPath(world_.boxes[i])});
-      }
-    }
   }
 
   void reset(std::uint64_t seed) {
     seed_ = seed;
+    steps_ = base_steps_ = 0;
+    decided_ = false;
+    step_began_s_ = 0.0;
+    base_time_s_ = 0.0;
     // A new engine: ODE keeps nothing from the last run then.
     engine_ = physics::make_ode_engine(world_.arena, world_.physics);
-    for (const world::Box& box : world_.boxes) {
-      engine_->add_box(box);
+    pending_.clear();
+    moving_.clear();
+    for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
+      add_box(i);
     }
-    for (const world::Charger& charger : world_.chargers) {
-      if (charger.seen_by_range_sensors) {
-        world::Box box;
-        box.x = charger.x;
-        box.y = charger.y;
-        box.length = box.width = box.height = world::Charger::kBoxEdge;
-        engine_->add_box(box);
-      }
-    }
+    add_charger_boxes();
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       const world::Robot& d = world_.robots[i];
       engine_->add_robot(world::plan_of(d), {d.x, d.y, wrap_angle(radians(d.heading_deg))}, d.z);
       robots_[i]->reset(seed);
       robots_[i]->set_body(engine_->robot(i), engine_->joints(i));
     }
-    steps_ = 0;
     wall_s_ = 0.0;
     verdict_ = {};
     touches_.forget();
@@ -105,9 +99,10 @@ class Simulation::Impl {
   void step(const Simulation& self) {
     const double h = world_.physics.step;
     const auto control_steps = static_cast<std::uint64_t>(world_.physics.control_steps);
-    const bool decides = steps_ % control_steps == 0;
-    if (!measuring_->empty() && !measuring_->has_begun()) {
-      observe(false);
+    const bool decides = is_control_instant();
+    step_began_s_ = time_s();
+    if (!measuring_->has_begun()) {
+      measuring_->begin(robots_, *engine_, time_s(), last_step());
     }
     const double period = h * static_cast<double>(control_steps);
     try {
@@ -119,6 +114,7 @@ class Simulation::Impl {
       log_events();
       throw;
     }
+    decided_ = decides;
     touches_.handle(robots_, *engine_, time_s());
     if (decides) {
       for (const auto& robot : robots_) {
@@ -135,10 +131,7 @@ class Simulation::Impl {
     }
   }
 
-  void change(std::span<const Change> changes) {
-    changes_->make(changes, stage(), events_);
-    log_events();
-  }
+  void change(std::span<const Change> changes);
   void change(const DueChanges& due) {
     try {
       change(due.changes);
@@ -146,14 +139,10 @@ class Simulation::Impl {
       throw refused.at(due.time_s);
     }
   }
-  std::vector<DueChanges> checked(std::span<const TimedChange> changes) {
-    std::vector<DueChanges> schedule = by_step(changes, world_.physics.step, time_limit_s_);
-    changes_->check(schedule, stage());
-    return schedule;
-  }
+  std::vector<DueChanges> checked(std::span<const TimedChange> changes);
 
   Replacement replace_plugins(const plugin::Host& host) {
-    Swap swap(host, seed_, data_directories_);
+    Swap swap(host, seed_, options_.data_directories);
     for (const auto& robot : robots_) {
       robot->replace(swap, *cameras_);
     }
@@ -162,19 +151,26 @@ class Simulation::Impl {
                             [&](const auto& robot) { return robot->description().id == id; }))
           ->tuning();
     });
-    changes_.emplace(world_, host, data_directories_);
+    changes_.emplace(world_, host, options_.data_directories);
+    host_ = &host;
     Replacement replacement = swap.result();
     measuring_->list_replaced(host, replacement.notes);
     for (const Replacement::Object& object : replacement.objects) {
       events_.push_back({time_s(), object.robot, events::Replaced{object.path, object.plugin}});
     }
-    ++replacements_;
+    ++renewals_;
     return replacement;
   }
 
   void stop(Outcome outcome, std::string reason) { verdict_ = {outcome, std::move(reason)}; }
 
-  double time_s() const { return static_cast<double>(steps_) * world_.physics.step; }
+  double time_s() const {
+    return base_time_s_ + static_cast<double>(steps_ - base_steps_) * world_.physics.step;
+  }
+  /// Whether robots sense and decide in the next step.
+  bool is_control_instant() const {
+    return (steps_ - base_steps_) % static_cast<std::uint64_t>(world_.physics.control_steps) == 0;
+  }
 
   physics::GiveUps give_ups() const { return engine_->give_ups(); }
 
@@ -206,20 +202,55 @@ class Simulation::Impl {
   world::World world_;
   double time_limit_s_;
   std::uint64_t seed_;
+  const plugin::Host* host_;
+  Options options_;
+  std::shared_ptr<const world::World> start_;  // none: the world is as at the start
   std::vector<std::unique_ptr<Robot>> robots_;
   std::uint64_t steps_ = 0;
+  bool decided_ = false;  // in the last step
+  double step_began_s_ = 0.0;
   double wall_s_ = 0.0;
   Verdict verdict_;
   std::vector<EventRecord> events_;
   Statements said_;  // before the first step
   std::unique_ptr<Measuring> measuring_;
-  std::uint64_t replacements_ = 0;
+  std::uint64_t renewals_ = 0;  // how often objects were replaced or made anew
 
  private:
   struct MovingBox {
     std::size_t index;
     BoxPath path;
+    double since_s;  // when it set out
   };
+
+  // Edits that are not put in place: see become_world.cpp.
+  void become(std::span<const Change> edits, Becoming& becoming);
+  void become(const world::World& was, world::World next, Becoming& becoming);
+  void become_robots(const world::World& was, Becoming& becoming);
+  void become_measures(const world::World& was, Becoming& becoming);
+  std::vector<std::size_t> become_bodies(const world::World& was, Becoming& becoming);
+  void check_room(const world::World& was, std::span<const std::size_t> new_robots) const;
+  world::World edited(const world::World& from, std::span<const Change> edits, bool check_plugins);
+  world::World present();
+  void settle(Becoming& becoming);
+
+  void add_box(std::size_t i) {
+    engine_->add_box(world_.boxes[i]);
+    if (world_.boxes[i].kind == world::BoxKind::moving) {
+      moving_.push_back({i, BoxPath(world_.boxes[i]), time_s()});
+    }
+  }
+  void add_charger_boxes() {
+    for (const world::Charger& charger : world_.chargers) {
+      if (charger.seen_by_range_sensors) {
+        world::Box box;
+        box.x = charger.x;
+        box.y = charger.y;
+        box.length = box.width = box.height = world::Charger::kBoxEdge;
+        engine_->add_box(box);
+      }
+    }
+  }
 
   Changes::Stage stage() { return {robots_, *engine_, *cameras_, time_s()}; }
 
@@ -245,9 +276,10 @@ class Simulation::Impl {
     }
   }
 
-  /// `decided`: in the step just made, if there was one.
+  std::uint64_t last_step() const { return steps_ > 0 ? steps_ - 1 : 0; }
+  /// `decided`: in the step just made.
   void observe(bool decided) {
-    measuring_->observe(robots_, *engine_, time_s(), steps_ > 0 ? steps_ - 1 : 0, decided);
+    measuring_->observe(robots_, *engine_, time_s(), last_step(), decided);
   }
 
   /// Motors, physics.
@@ -294,16 +326,22 @@ class Simulation::Impl {
   void drive_boxes() {
     const double h = world_.physics.step;
     for (const MovingBox& box : moving_) {
-      const Vector2 from = box.path.position(time_s());
-      const Vector2 to = box.path.position(time_s() + h);
+      const double since_s = time_s() - box.since_s;
+      const Vector2 from = box.path.position(since_s);
+      const Vector2 to = box.path.position(since_s + h);
       engine_->drive_box(box.index, to, {(to.x - from.x) / h, (to.y - from.y) / h});
     }
   }
 
   std::unique_ptr<physics::Engine> engine_;
   std::optional<Cameras> cameras_;
-  std::vector<std::string> data_directories_;
   std::optional<Changes> changes_;
+  std::vector<std::string> pending_;  // what was put in place since the world was described
+  // Views of their texts may be anywhere.
+  std::vector<std::shared_ptr<const world::World>> past_;
+  // When the length of a step or of a control period changed last.
+  std::uint64_t base_steps_ = 0;
+  double base_time_s_ = 0.0;
   std::vector<MovingBox> moving_;
   Touches touches_{world_};
   Neighbours neighbours_{world_.arena};  // at the last control step

@@ -27,7 +27,7 @@ class Attributes::Impl {
           "the path leads to an element; expected an attribute at its end, as in "
           "robot[r1]/@max_speed");
     }
-    if (path.attribute == "remove") {
+    if (path.attribute == "remove" || path.from_attribute) {
       throw std::invalid_argument(
           "an element can be removed before a run only: by --set, or by <set> in an experiment");
     }

@@ -371,7 +371,7 @@ void check_changes(const World& world, Problems& problems) {
 }  // namespace
 
 void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
-                 Problems& problems) {
+                 bool is_running, Problems& problems) {
   check_ids(root, problems);
   check_mentions(reading, problems);
   check_physics(root, reading.world.physics, problems);
@@ -395,7 +395,7 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
           },
           goal);
     }
-    check_places(reading, problems);
+    check_places(reading, is_running, problems);
   }
 }
 

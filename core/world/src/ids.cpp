@@ -29,6 +29,7 @@ void number(Element& list, bool numbered) {
       ++number;
     }
     child.set("id", name(), child.where);
+    child.attributes.back().completed = true;
   }
 }
 

@@ -83,6 +83,7 @@ void Element::set(std::string_view attribute, std::string value, const Location&
     if (a.name == attribute) {
       a.value = std::move(value);
       a.where = place;
+      a.completed = false;
       return;
     }
   }
@@ -131,7 +132,13 @@ std::string read_text(const std::string& file) {
 }
 
 Element parse_markup(std::string_view text, const std::string& file, const std::string& kind) {
-  check_text(text, file, kind);
+  std::vector<ElementSpan> spans;
+  return parse_markup(text, file, kind, spans);
+}
+
+Element parse_markup(std::string_view text, const std::string& file, const std::string& kind,
+                     std::vector<ElementSpan>& spans) {
+  spans = check_text(text, file, kind);
   tinyxml2::XMLDocument document;
   document.Parse(text.data(), text.size());
   const tinyxml2::XMLElement* root = document.RootElement();

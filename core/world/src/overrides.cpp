@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "elsie/base/near_name.h"
+
 #include "ids.h"
 #include "path.h"
 
@@ -74,6 +76,7 @@ void replace(Element& element, const Element& given) {
   element = given;
   if (!element.find("id") && !id.empty()) {
     element.set("id", has_own_id ? id : element.name, where);
+    element.attributes.back().completed = !has_own_id;
   }
 }
 
@@ -112,11 +115,15 @@ void require_removable(const Place& place) {
   }
 }
 
-void mark(const std::vector<Place>& places, const std::string& value, const Location& where) {
+void require_true_or_false(const std::vector<Place>& places, const std::string& value) {
   if (value != "true" && value != "false") {
     fail(std::string(kRemove) + "=\"" + value + "\" of <" +
          (places.empty() ? "robot" : places.front().element->name) + ">: expected true or false");
   }
+}
+
+void mark(const std::vector<Place>& places, const std::string& value, const Location& where) {
+  require_true_or_false(places, value);
   for (const Place& place : places) {
     require_removable(place);
   }
@@ -125,17 +132,49 @@ void mark(const std::vector<Place>& places, const std::string& value, const Loca
   }
 }
 
-}  // namespace
+// Takes an attribute out of the elements that have it.
+void take_out(const std::vector<Place>& places, const std::string& attribute,
+              const std::string& value) {
+  require_true_or_false(places, value);
+  if (value == "false" || places.empty()) {
+    return;
+  }
+  std::size_t found = 0;
+  for (const Place& place : places) {
+    found += place.element->find(attribute) ? 1 : 0;
+    place.element->erase(attribute);
+  }
+  if (found == 0) {
+    std::vector<std::string> given;
+    for (const Attribute& each : places.front().element->attributes) {
+      given.push_back(each.name);
+    }
+    fail("<" + places.front().element->name + "> is given no '" + attribute + "'" +
+         base::near_or_all(attribute, given, "it is given"));
+  }
+}
 
-bool concerns_templates(const std::string& override) {
+// The attribute of a robot that an override is about; "": the robot itself, or all robots; none: it
+// is about something else.
+std::optional<std::string> attribute_of_robot(const std::string& override) {
   try {
     const Path path = parse_path(std::string_view(override).substr(0, override.find('=')));
     const std::string last = path.steps.empty() ? "" : path.steps.back().name;
-    return (path.attribute == "template" && last == "robot") ||
-           (path.attribute.empty() && (last == "robot" || last == "robots"));
+    return last == "robot" || last == "robots" ? std::optional(path.attribute) : std::nullopt;
   } catch (const std::invalid_argument&) {
-    return false;  // apply_override() says why
+    return std::nullopt;  // apply_override() says why
   }
+}
+
+}  // namespace
+
+bool concerns_templates(const std::string& override) {
+  const auto attribute = attribute_of_robot(override);
+  return attribute && (attribute->empty() || *attribute == "template");
+}
+
+bool concerns_robots(const std::string& override) {
+  return concerns_templates(override) || attribute_of_robot(override) == kRemove;
 }
 
 void apply_override(Element& world, const std::string& override, Problems& problems) {
@@ -147,6 +186,11 @@ void apply_override(Element& world, const std::string& override, Problems& probl
     }
     const Path path = parse_path(std::string_view(override).substr(0, equals));
     const std::string value = override.substr(equals + 1);
+    if (path.from_attribute) {
+      take_out(find_places(world, path), path.attribute, value);
+      complete_ids(world, vocabulary());
+      return;
+    }
     if (path.attribute == kRemove) {
       mark(find_places(world, path), value, where);
       return;
@@ -156,8 +200,12 @@ void apply_override(Element& world, const std::string& override, Problems& probl
       if (!concerns_templates(override)) {
         require_without_removals(given);
       }
-      for (const Place& place : find_places(world, path)) {
-        replace(*place.element, given);
+      if (path.adds()) {
+        add_element(world, path, given);
+      } else {
+        for (const Place& place : find_places(world, path)) {
+          replace(*place.element, given);
+        }
       }
       complete_ids(world, vocabulary());  // of what stands in the new element
       return;

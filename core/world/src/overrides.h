@@ -12,6 +12,9 @@ namespace elsie::world {
 /// robots.
 bool concerns_templates(const std::string& override);
 
+/// Whether an override adds, replaces or removes robots, or sets their templates.
+bool concerns_robots(const std::string& override);
+
 /// Applies "PATH=VALUE" to the tree of a world, whose ids are complete. Elements that `@remove`
 /// removes are only marked, since numbers in later paths count them, too.
 void apply_override(Element& world, const std::string& override, Problems& problems);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <stdexcept>
 
 #include "elsie/base/near_name.h"
@@ -137,6 +138,13 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
                           : "; there are: " + base::listed(ids)));
 }
 
+Element empty_element(const std::string& name, const Place& parent) {
+  Element made;
+  made.name = name;
+  made.where = parent.element->where;
+  return made;
+}
+
 std::vector<Place> step_from(const Place& place, const PathStep& step) {
   std::vector<Place> found = children(place, step.name);
   if (!found.empty()) {
@@ -147,11 +155,7 @@ std::vector<Place> step_from(const Place& place, const PathStep& step) {
         !step.key.empty()) {
       continue;
     }
-    Element made;
-    made.name = step.name;
-    made.where = place.element->where;
-    place.element->children.push_back(std::move(made));
-    return {{&place.element->children.back(), &spec}};
+    return {{&add_in_order(place, empty_element(step.name, place)), &spec}};
   }
   return {};
 }
@@ -176,7 +180,144 @@ bool lacks_a_template(const std::vector<Place>& places) {
   });
 }
 
+// What a step may call an element that is to be added to a place.
+std::vector<std::string> addable_at(const Place& place) {
+  std::vector<std::string> names;
+  for (const ElementSpec& spec :
+       place.spec->group ? std::vector<ElementSpec>{*place.spec} : place.spec->below()) {
+    names.push_back(spec.group ? spec.members : spec.name);
+  }
+  return names;
+}
+
+// Adds to the children of `holder`, as the n-th of those for which `counts` is true.
+void insert(Element& holder, const PathStep& step, const Element& given,
+            const std::function<bool(const Element&)>& counts) {
+  std::vector<std::size_t> counted;
+  for (std::size_t i = 0; i < holder.children.size(); ++i) {
+    if (counts(holder.children[i])) {
+      counted.push_back(i);
+    }
+  }
+  std::size_t number = counted.size() + 1;
+  if (step.key != "+") {
+    const char* const end = step.key.data() + step.key.size();
+    const auto parsed = std::from_chars(step.key.data() + 1, end, number);
+    if (parsed.ec != std::errc() || parsed.ptr != end || number < 1 ||
+        number > counted.size() + 1) {
+      refuse("an element cannot be added as " + text_of(step) + "; expected " + step.name +
+             "[+] for the end, or a number from 1 to " + std::to_string(counted.size() + 1));
+    }
+  }
+  const std::size_t at = number > counted.size() ? holder.children.size() : counted[number - 1];
+  holder.children.insert(holder.children.begin() + static_cast<long>(at), given);
+}
+
+void require_name(const PathStep& step, const Element& given) {
+  if (given.name != step.name) {
+    refuse("the path adds a <" + step.name + ">, but the element is a <" + given.name + ">");
+  }
+}
+
+void refuse_second(const Element& there, const std::string& held, const std::string& step) {
+  refuse("<" + there.name + "> holds one " + held + ", which is there already; to replace it, " +
+         "leave out the brackets: " + step + "=<...>");
+}
+
+void insert_member(Element& list, const ElementSpec& group, const PathStep& step,
+                   const Element& given) {
+  if (step.name != group.members) {
+    require_name(step, given);
+  }
+  if (group.children.front().at_most == 1 && !list.children.empty()) {
+    refuse_second(list, "element", group.members);
+  }
+  insert(list, step, given, [&](const Element& child) {
+    return step.name == group.members || child.name == step.name;
+  });
+}
+
+// Whether a place may hold what the step names; if so, it is added.
+bool add_to(const Place& place, const PathStep& step, const Element& given) {
+  const auto is_member = [&](const ElementSpec& group) {
+    return group.group && (step.name == group.members || group.child(step.name));
+  };
+  const auto named_alike = [&](const Element& child) { return child.name == step.name; };
+  if (place.spec->group) {
+    const bool plugins = place.spec->children.front().plugins.has_value();
+    if (!is_member(*place.spec) && !plugins) {
+      return false;
+    }
+    insert_member(*place.element, *place.spec, step, given);
+    return true;
+  }
+  for (const ElementSpec& spec : place.spec->below()) {
+    if (is_member(spec)) {
+      Element* list = place.element->child(spec.name);
+      insert_member(list ? *list : add_in_order(place, empty_element(spec.name, place)), spec, step,
+                    given);
+      return true;
+    }
+    if (spec.name == step.name) {
+      require_name(step, given);
+      if (spec.at_most > 1) {
+        insert(*place.element, step, given, named_alike);
+        return true;
+      }
+      if (place.element->child(spec.name)) {
+        refuse_second(*place.element, "<" + spec.name + ">", step.name);
+      }
+      add_in_order(place, given);
+      return true;
+    }
+  }
+  if (place.spec->plugins) {
+    require_name(step, given);
+    insert(*place.element, step, given, named_alike);
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+Element& add_in_order(const Place& parent, Element child) {
+  const auto& specs = parent.spec->below();
+  const auto rank = [&](const std::string& name) {
+    return std::find_if(specs.begin(), specs.end(),
+                        [&](const ElementSpec& spec) { return spec.name == name; }) -
+           specs.begin();
+  };
+  auto& children = parent.element->children;
+  const auto after = std::find_if(children.begin(), children.end(), [&](const Element& other) {
+    return rank(other.name) > rank(child.name);
+  });
+  return *children.insert(parent.spec->plugins ? children.end() : after, std::move(child));
+}
+
+void add_element(Element& world, const Path& path, const Element& given) {
+  Path parents = path;
+  parents.steps.pop_back();
+  const PathStep& step = path.steps.back();
+  std::vector<Place> places = find_places(world, parents);
+  if (places.empty()) {
+    return;  // a robot's template could not be read
+  }
+  const Place first = places.front();
+  std::size_t added = 0;
+  for (const Place& place : places) {
+    added += add_to(place, step, given) ? 1 : 0;
+  }
+  if (added == 0 && parents.steps.empty()) {  // of every robot
+    for (const Place& robot : children(first, "robot")) {
+      added += add_to(robot, step, given) ? 1 : 0;
+    }
+  }
+  if (added == 0) {
+    refuse("nothing called '" + step.name + "' can be added to <" + first.element->name + ">" +
+           base::near_or_all(step.name, addable_at(first), "there may be"));
+  }
+}
 
 Path parse_path(std::string_view text) {
   Path path;
@@ -184,6 +325,15 @@ Path parse_path(std::string_view text) {
   while (true) {
     if (text.starts_with('@')) {
       path.attribute = text.substr(1);
+      if (path.attribute.ends_with("/@remove")) {
+        path.attribute.resize(path.attribute.find('/'));
+        path.from_attribute = true;
+      }
+      if (path.adds()) {
+        refuse(
+            "an element that is added stands at the end of a path, as in "
+            "robot[+]=<robot .../>; its attributes stand in it");
+      }
       if (path.attribute.empty() || path.attribute.find_first_of("/[]@") != std::string::npos) {
         refuse("expected the name of an attribute after \"@\", at the end of the path");
       }
@@ -218,6 +368,9 @@ Path parse_path(std::string_view text) {
 std::vector<Place> find_places(Element& world, const Path& path) {
   std::vector<Place> places{{&world, &vocabulary()}};
   for (const PathStep& step : path.steps) {
+    if (step.adds()) {
+      refuse("an element that is added stands at the end of a path, as in robot[+]=<robot .../>");
+    }
     std::vector<Place> next;
     for (const Place& place : places) {
       const auto found = step_from(place, step);

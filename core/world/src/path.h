@@ -10,15 +10,21 @@
 
 namespace elsie::world {
 
-/// NAME, NAME[ID], NAME[NUMBER] (from 1) or NAME[*].
+/// NAME, NAME[ID], NAME[NUMBER] (from 1) or NAME[*]; at the end of a path also NAME[+] or
+/// NAME[+NUMBER], an element that is to be added.
 struct PathStep {
   std::string name;
   std::string key;  // "" when there is none
+
+  bool adds() const { return key.starts_with('+'); }
 };
 
 struct Path {
   std::vector<PathStep> steps;  // from the root, which is not named
   std::string attribute;        // "" when the path leads to an element
+  bool from_attribute = false;  // it ends with /@ATTRIBUTE/@remove, and `attribute` is the first
+
+  bool adds() const { return !steps.empty() && steps.back().adds(); }
 };
 
 /// Throws std::invalid_argument with a sentence.
@@ -30,6 +36,13 @@ struct Place {
   const ElementSpec* spec;
 };
 const ElementSpec& nested_element();
+
+/// Puts an element that its parent holds once among the others, in the order of the vocabulary.
+Element& add_in_order(const Place& parent, Element child);
+
+/// Adds an element as the last step of a path says, to each element that the steps before it lead
+/// to; a missing list is made. Throws std::invalid_argument with a sentence.
+void add_element(Element& world, const Path& path, const Element& given);
 
 /// The elements that the steps lead to. There is at least one, unless a robot's template could not
 /// be read.

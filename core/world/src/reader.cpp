@@ -62,6 +62,14 @@ void leave_bodies_only(Element& root, const plugin::Host& host) {
   }
 }
 
+// Element::object: the number of the element's start tag in the text.
+void number(Element& element, std::size_t& count) {
+  element.object = count++;
+  for (Element& child : element.children) {
+    number(child, count);
+  }
+}
+
 }  // namespace
 
 World read_world(const std::string& file, const plugin::Host& host, const ReadOptions& options) {
@@ -69,19 +77,28 @@ World read_world(const std::string& file, const plugin::Host& host, const ReadOp
   return parse_world(read_text(found), found, host, options);
 }
 
-World parse_world(std::string_view text, const std::string& file, const plugin::Host& host,
-                  const ReadOptions& options) {
+Element tree_of_world(std::string_view text, const std::string& file,
+                      std::vector<ElementSpan>& spans) {
+  Element root = parse_markup(text, file, "world", spans);
   Problems problems;
-  const Files files(file, options.data_directories, options.overrides_from, options.files);
-  Element root = parse_markup(text, file);
   const std::string right = "expected <world format=\"" + std::to_string(kFormat) + "\">";
   check_root(root, "world", kFormat,
              {{"robot_template", "this file is a template of a robot; " + right +
                                      ", in which a <robot template=\"...\"> may use the template"},
               {"experiment", "this file is an experiment, which names worlds; " + right}},
              problems);
-
+  std::size_t count = 0;
+  number(root, count);
   complete_ids(root, vocabulary());
+  return root;
+}
+
+World parse_world(std::string_view text, const std::string& file, const plugin::Host& host,
+                  const ReadOptions& options) {
+  Problems problems;
+  const Files files(file, options.data_directories, options.overrides_from, options.files);
+  std::vector<ElementSpan> spans;
+  Element root = tree_of_world(text, file, spans);
   for (const bool before_templates : {true, false}) {
     if (!before_templates) {
       Templates(host, files, problems).merge_all(root);
@@ -92,6 +109,11 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
       }
     }
   }
+  return world_of_tree(std::move(root), file, host, files, options, problems);
+}
+
+World world_of_tree(Element root, const std::string& file, const plugin::Host& host,
+                    const Files& files, const ReadOptions& options, Problems& problems) {
   remove_overridden(root);
   if (options.bodies_only) {
     leave_bodies_only(root, host);
@@ -105,7 +127,7 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
   build_bodies(reading, host, problems);
   std::stable_partition(world.boxes.begin(), world.boxes.end(),
                         [](const Box& box) { return box.kind != BoxKind::resource; });
-  check_world(reading, root, host, problems);
+  check_world(reading, root, host, options.is_running, problems);
   problems.raise<WorldError>(file);
   return std::move(world);
 }

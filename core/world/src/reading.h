@@ -5,9 +5,13 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "elsie/world/object_reader.h"
+#include "elsie/world/reader.h"
+
+#include "text_check.h"
 
 namespace elsie::plugin {
 class Host;
@@ -48,5 +52,15 @@ struct Reading {
 /// `check_plugins`: ReadOptions::check_plugins.
 Reading read_tree(const Element& root, const plugin::Host& host, const Files& files,
                   bool check_plugins, Problems& problems);
+
+/// The tree of the text of a world: its root element is checked, and its ids are complete. `spans`
+/// are the places of its elements, whose Element::object is their place in this list.
+Element tree_of_world(std::string_view text, const std::string& file,
+                      std::vector<ElementSpan>& spans);
+
+/// The world of a tree that templates and overrides have been applied to. Throws WorldError with
+/// all problems, those that are there already included.
+World world_of_tree(Element root, const std::string& file, const plugin::Host& host,
+                    const Files& files, const ReadOptions& options, Problems& problems);
 
 }  // namespace elsie::world

@@ -1,7 +1,7 @@
 #include "text_check.h"
 
 #include <algorithm>
-#include <vector>
+#include <utility>
 
 #include "elsie/base/utf8.h"
 #include "elsie/world/error.h"
@@ -23,7 +23,7 @@ class Scanner {
   Scanner(std::string_view text, const std::string& file, const std::string& kind)
       : text_(text), file_(file), kind_(kind) {}
 
-  void check() {
+  std::vector<ElementSpan> check() {
     check_characters();
     while (at_ < text_.size()) {
       if (text_[at_] != '<') {
@@ -42,7 +42,7 @@ class Scanner {
         tags_.push_back(tag());
       }
     }
-    check_nesting();
+    return nested();
   }
 
  private:
@@ -50,7 +50,7 @@ class Scanner {
     enum class Kind { start, end, empty };
     Kind kind = Kind::start;
     std::string name;
-    std::size_t begin = 0;
+    ElementSpan span{};
   };
 
   bool starts(std::string_view what) const { return text_.substr(at_).starts_with(what); }
@@ -137,18 +137,18 @@ class Scanner {
 
   Tag tag() {
     Tag tag;
-    tag.begin = at_++;
+    tag.span.begin = at_++;
     if (at_ < text_.size() && text_[at_] == '/') {
       ++at_;
       tag.kind = Tag::Kind::end;
     }
     tag.name = name("the name of an element after \"<\"");
-    std::vector<std::string_view> attributes;
+    tag.span.name_end = at_;
     while (true) {
       const std::size_t before = at_;
       skip_blanks();
       if (at_ >= text_.size()) {
-        fail("the tag <" + tag.name + "> starts here and never ends", tag.begin);
+        fail("the tag <" + tag.name + "> starts here and never ends", tag.span.begin);
       }
       if (text_[at_] == '>') {
         ++at_;
@@ -163,23 +163,30 @@ class Scanner {
         fail("expected " + std::string(tag.kind == Tag::Kind::end ? "\">\"" : "a blank or \">\"") +
              " in the tag <" + tag.name + ">, found '" + text_[at_] + "'");
       }
-      if (attributes.size() == kMostAttributes) {
+      if (tag.span.attributes.size() == kMostAttributes) {
         fail("<" + tag.name + "> has more than " + std::to_string(kMostAttributes) +
              " attributes; no element has so many");
       }
-      attribute(tag, attributes);
+      attribute(tag);
     }
+    tag.span.open_end = tag.span.end = at_;
+    tag.span.empty = tag.kind == Tag::Kind::empty;
     return tag;
   }
 
-  void attribute(const Tag& tag, std::vector<std::string_view>& known) {
+  void attribute(Tag& tag) {
+    ElementSpan::Attribute span;
+    span.begin = at_;
+    auto& known = tag.span.attributes;
     const std::string of = " of <" + tag.name + ">";
     const std::string_view name = this->name("the name of an attribute" + of);
     const std::string what = "the attribute '" + std::string(name) + "'" + of;
-    if (std::find(known.begin(), known.end(), name) != known.end()) {
+    if (std::any_of(known.begin(), known.end(), [&](const auto& other) {
+          return text_.substr(other.begin, other.name_end - other.begin) == name;
+        })) {
       fail(what + " is given twice");
     }
-    known.push_back(name);
+    span.name_end = at_;
     skip_blanks();
     if (at_ >= text_.size() || text_[at_] != '=') {
       fail("expected =\"...\" after " + what);
@@ -194,6 +201,7 @@ class Scanner {
     if (end == std::string_view::npos) {
       fail("the value of " + what + " has no closing quote");
     }
+    span.value = at_ + 1;
     for (++at_; at_ < end; ++at_) {
       if (text_[at_] == '<') {
         fail("the value of " + what +
@@ -201,46 +209,57 @@ class Scanner {
       }
       check_entity();
     }
-    at_ = end + 1;
+    span.end = at_ = end + 1;
+    known.push_back(span);
   }
 
   // Every element is closed by its own tag, nothing is nested too deeply, and there is one root.
-  void check_nesting() const {
-    std::vector<const Tag*> open;
-    for (const Tag& tag : tags_) {
+  std::vector<ElementSpan> nested() {
+    std::vector<ElementSpan> spans;
+    std::vector<std::pair<std::size_t, std::string>> open;
+    for (Tag& tag : tags_) {
+      const std::size_t begin = tag.span.begin;
       if (tag.kind == Tag::Kind::end) {
         if (open.empty()) {
-          fail("</" + tag.name + "> closes nothing", tag.begin);
+          fail("</" + tag.name + "> closes nothing", begin);
         }
-        if (const std::string& name = open.back()->name; name != tag.name) {
+        const auto& [index, name] = open.back();
+        if (name != tag.name) {
           fail("</" + tag.name + "> stands where </" + name + "> was expected: <" + name +
-                   "> starts on line " + std::to_string(line_of(open.back()->begin)),
-               tag.begin);
+                   "> starts on line " + std::to_string(line_of(spans[index].begin)),
+               begin);
         }
+        spans[index].close = begin;
+        spans[index].end = tag.span.end;
         open.pop_back();
         continue;
       }
-      if (open.empty() && &tag != &tags_.front()) {
-        fail("a second root element, <" + tag.name + ">; a file holds one", tag.begin);
+      if (open.empty() && !spans.empty()) {
+        fail("a second root element, <" + tag.name + ">; a file holds one", begin);
+      }
+      if (!open.empty()) {
+        tag.span.parent = open.back().first;
       }
       if (tag.kind == Tag::Kind::start) {
-        open.push_back(&tag);
+        open.emplace_back(spans.size(), tag.name);
       }
       if (open.size() > kDeepest) {
         fail("elements are nested deeper than " + std::to_string(kDeepest) + " levels; no " +
                  kind_ + " needs that many",
-             tag.begin);
+             begin);
       }
+      spans.push_back(std::move(tag.span));
     }
     if (!open.empty()) {
-      const std::string& name = open.back()->name;
-      fail("<" + name + "> is never closed; expected </" + name + ">", open.back()->begin);
+      const auto& [index, name] = open.back();
+      fail("<" + name + "> is never closed; expected </" + name + ">", spans[index].begin);
     }
-    if (tags_.empty()) {
+    if (spans.empty()) {
       throw WorldError({{file_, 0,
                          "there is no element in the file; expected <" + kind_ +
                              " format=\"1\"> ... </" + kind_ + ">"}});
     }
+    return spans;
   }
 
   std::string_view text_;
@@ -252,8 +271,9 @@ class Scanner {
 
 }  // namespace
 
-void check_text(std::string_view text, const std::string& file, const std::string& kind) {
-  Scanner(text, file, kind).check();
+std::vector<ElementSpan> check_text(std::string_view text, const std::string& file,
+                                    const std::string& kind) {
+  return Scanner(text, file, kind).check();
 }
 
 }  // namespace elsie::world

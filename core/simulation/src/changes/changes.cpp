@@ -31,7 +31,7 @@ ChangeRefused ChangeRefused::at(double time_s) const {
 }
 
 std::vector<DueChanges> by_step(std::span<const TimedChange> changes, double step_s, double end_s) {
-  constexpr double kRounding = 1e-6;  // of a step: 0.57 is not a little after 57 steps of 0.01
+  constexpr double kRounding = DueChanges::kRounding;
   std::vector<DueChanges> schedule;
   for (const TimedChange& timed : changes) {
     const std::string text = timed.change.path + "=" + timed.change.value;
@@ -56,6 +56,20 @@ std::vector<DueChanges> by_step(std::span<const TimedChange> changes, double ste
 Changes::Changes(const world::World& world, const plugin::Host& host,
                  std::vector<std::string> data_directories)
     : world_(world), attributes_(world, host, std::move(data_directories)) {}
+
+bool Changes::is_live(const Change& change) const {
+  if (change.value.starts_with('<') || change.path.ends_with("@remove") ||
+      change.path.find("[+") != std::string::npos) {
+    return false;
+  }
+  try {
+    const auto places = attributes_.find(change.path);
+    return std::all_of(places.begin(), places.end(),
+                       [](const world::AttributePlace& place) { return place.field.is_live(); });
+  } catch (const std::invalid_argument&) {
+    return true;  // plan() says why not
+  }
+}
 
 void Changes::make(std::span<const Change> changes, const Stage& stage,
                    std::vector<EventRecord>& events) const {
@@ -182,21 +196,11 @@ Changes::Plan Changes::plan(std::span<const Change> changes, const Stage& stage,
                             const Setups& setups) const {
   Plan plan;
   for (const Change& change : changes) {
-    const std::string asked = change.path + "=" + change.value;
+    const std::string asked = change.text();
     try {
       for (const world::AttributePlace& place : attributes_.find(change.path)) {
-        const std::string& name = place.field.name;
-        if (!place.field.is_live()) {
-          std::string others;
-          for (const std::string& other : place.live) {
-            add_text(others, other);
-          }
-          refuse(asked, "'" + name + "' of <" + place.element +
-                            "> is settled before a run and stays as it is while it goes on" +
-                            (others.empty() ? "" : "; what may change is " + others));
-        }
         const ParameterValue value = attributes_.read(place, change.value);
-        const events::Changed event{place.path.substr(0, place.path.rfind("/@")), name,
+        const events::Changed event{place.path.substr(0, place.path.rfind("/@")), place.field.name,
                                     change.value};
         Planner planner(plan, world_, stage, setups,
                         static_cast<std::size_t>(place.robot - world_.robots.data()),

@@ -22,9 +22,13 @@ namespace elsie::simulation {
 
 /// Changes that are to be made together, before a step.
 struct DueChanges {
-  std::uint64_t step = 0;  // the one that comes after them
+  std::uint64_t step = 0;  // the one that comes after them, if none gets another length
   double time_s = 0.0;     // as it was asked for
   std::vector<Change> changes;
+
+  /// Whether a step that begins now comes after them.
+  bool are_due(double now_s, double step_s) const { return now_s >= time_s - kRounding * step_s; }
+  static constexpr double kRounding = 1e-6;  // of a step: 0.57 is not a little after 57 of 0.01 s
 };
 
 /// In the order of their steps; those for one step in the order given. Throws ChangeRefused for a
@@ -45,6 +49,9 @@ class Changes {
   /// as those of the world, in `data_directories` last.
   Changes(const world::World& world, const plugin::Host& host,
           std::vector<std::string> data_directories);
+
+  /// Whether it is put in place, or cannot be made at all: the world becomes no other one.
+  bool is_live(const Change& change) const;
 
   /// Makes all of them, or throws ChangeRefused and makes none. Adds an event for each attribute.
   void make(std::span<const Change> changes, const Stage& stage,

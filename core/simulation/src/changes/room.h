@@ -25,11 +25,18 @@ class Room {
   void place(std::size_t robot, const Pose& pose, double z);
   /// A sentence when a robot is not where it could be: "the robot 'r1' overlaps the box 'b2'".
   std::optional<std::string> problem_of(std::size_t robot) const;
+  /// The same of a box, that of this place in World::boxes or, behind them, a charger's. What may
+  /// overlap in a file may do so here.
+  std::optional<std::string> problem_of_box(std::size_t box) const;
+  /// A sentence when a body that moves is outside of the arena by more than it gives way at a wall.
+  std::optional<std::string> problem_of_arena() const;
 
  private:
   struct Block {
     world::Footprint footprint;
     std::string in_words;
+    std::size_t number = 0;  // among boxes, then chargers
+    bool is_free = false;    // it may be pushed or taken away
   };
 
   std::string name_of(std::size_t robot, std::size_t part) const;

@@ -61,6 +61,8 @@ class Tuning {
 
   /// The objects that are not as the world says, in the order in which they were first changed.
   std::vector<const world::PluginUse*> changed() const;
+  /// All objects are as the world says now.
+  void settle() { changed_.clear(); }
   /// Makes one as the world says. Throws what the plugin throws.
   void forget(const TunedObject& tuned, const Perception& example);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "elsie/simulation/measures.h"
+#include "elsie/world/same.h"
 
 #include "plugins/make_plugin.h"
 
@@ -134,8 +135,9 @@ std::vector<Quantity> Measuring::quantities() const {
 void Measuring::reset(std::uint64_t seed) {
   guard_.begin_run();
   guard_.begin_step(0);
-  has_begun_ = has_failed_ = false;
+  has_failed_ = false;
   for (Slot& slot : slots_) {
+    slot.has_begun = false;
     Random random(seed, "measure[" + slot.use->id + "]");
     guard_.run(*slot.use, [&] { slot.object->reset(random); });
   }
@@ -147,18 +149,76 @@ void Measuring::ask(Statements& said) {
   }
 }
 
+void Measuring::take(Measuring& before, std::span<const world::PluginUse> was) {
+  has_failed_ = before.has_failed_;
+  for (Slot& slot : slots_) {
+    for (std::size_t i = 0; i < was.size(); ++i) {
+      if (was[i].id == slot.use->id && world::same(was[i], *slot.use)) {
+        Slot& known = before.slots_[i];
+        std::swap(slot.object, known.object);
+        slot.quantities.swap(known.quantities);
+        slot.values.swap(known.values);
+        slot.has_begun = known.has_begun;
+        slot.was_taken = true;
+      }
+    }
+  }
+}
+
+void Measuring::give_back(Measuring& before) {
+  for (Slot& slot : slots_) {
+    for (Slot& known : before.slots_) {
+      if (slot.was_taken && known.use->id == slot.use->id) {
+        std::swap(slot.object, known.object);
+        slot.quantities.swap(known.quantities);
+        slot.values.swap(known.values);
+      }
+    }
+  }
+}
+
+void Measuring::reset_new(std::uint64_t seed, Statements& said) {
+  for (Slot& slot : slots_) {
+    if (!slot.was_taken) {
+      Random random(seed, "measure[" + slot.use->id + "]");
+      guard_.run(*slot.use, [&] { slot.object->reset(random); });
+      said.ask(*slot.object, *slot.use, "", guard_);
+      said.notes.push_back({"", slot.use->id, "it measures from an edit of the world on"});
+    }
+  }
+}
+
+bool Measuring::has_begun() const {
+  return std::all_of(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.has_begun; });
+}
+
+void Measuring::show(Slot& slot) {
+  slot.has_begun = true;
+  try {
+    guard_.step(*slot.use, [&] { slot.object->observe(lookout_.now()); });
+  } catch (...) {
+    has_failed_ = true;
+    throw;
+  }
+}
+
+void Measuring::begin(Robots robots, const physics::Engine& engine, double time_s,
+                      std::uint64_t step) {
+  guard_.begin_step(step);
+  lookout_.look(robots, engine, time_s, false, true);
+  for (Slot& slot : slots_) {
+    if (!slot.has_begun) {
+      show(slot);
+    }
+  }
+}
+
 void Measuring::observe(Robots robots, const physics::Engine& engine, double time_s,
                         std::uint64_t step, bool decided) {
   guard_.begin_step(step);
-  lookout_.look(robots, engine, time_s, decided, !has_begun_);
-  has_begun_ = true;
+  lookout_.look(robots, engine, time_s, decided, false);
   for (Slot& slot : slots_) {
-    try {
-      guard_.step(*slot.use, [&] { slot.object->observe(lookout_.now()); });
-    } catch (...) {
-      has_failed_ = true;
-      throw;
-    }
+    show(slot);
   }
 }
 

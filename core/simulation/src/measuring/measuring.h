@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,10 +37,20 @@ class Measuring {
   /// What the measures did to the program since the run began.
   void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
 
-  /// Whether the run has been looked at since it was reset.
-  bool has_begun() const { return has_begun_; }
-  /// Shows them the world: the start, or the instant after the step of this number. Throws
+  /// Takes what `before` has of measures that are described as they were, in a world with the same
+  /// robots and boxes; `was` describes those.
+  void take(Measuring& before, std::span<const world::PluginUse> was);
+  /// Gives it back.
+  void give_back(Measuring& before);
+  /// Resets what was not taken, which begins with the next instant, and gathers what it says.
+  void reset_new(std::uint64_t seed, Statements& said);
+
+  /// Whether all have seen the start of what they measure.
+  bool has_begun() const;
+  /// Shows it to those that have not; it is the instant after the step of this number. Throws
   /// PluginFault.
+  void begin(Robots robots, const physics::Engine& engine, double time_s, std::uint64_t step);
+  /// Shows them the instant after the step of this number. Throws PluginFault.
   void observe(Robots robots, const physics::Engine& engine, double time_s, std::uint64_t step,
                bool decided);
   /// Appends the values so far. Throws PluginFault; once a measure has failed, all values are none
@@ -57,14 +68,16 @@ class Measuring {
     plugin::Object<Measure> object;
     std::vector<Quantity> quantities;  // under their full names
     std::vector<std::optional<double>> values;
+    bool has_begun = false;
+    bool was_taken = false;
   };
+  void show(Slot& slot);
 
   void check_names(std::vector<base::Problem>& problems) const;
 
   Guard guard_;
   Lookout lookout_;
   std::vector<Slot> slots_;
-  bool has_begun_ = false;
   bool has_failed_ = false;
 };
 

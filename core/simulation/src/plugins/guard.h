@@ -90,6 +90,10 @@ class Guard {
   void list_notes(std::vector<Note>& notes) const;
   /// The object is another one now.
   void forget(const world::PluginUse& use) { held_.erase(&use); }
+  /// The same of all.
+  void forget() { held_.clear(); }
+  /// As if there had been no fault: what failed is undone.
+  void forgive() { fault_.reset(); }
 
  private:
   /// What the calls of one object have left on the heap.

@@ -28,7 +28,8 @@ bool same_body(const BodyPlan& a, const BodyPlan& b) {
 }  // namespace
 
 void Controller::replace(Swap& swap, const std::string& path) {
-  for (Slot& slot : slots_) {
+  for (const auto& each : slots_) {
+    Slot& slot = *each;
     const std::string name = path + "behavior[" + slot.use->id + "]";
     if (slot.inside) {
       slot.inside->replace(swap, name + "/");
@@ -41,7 +42,7 @@ void Controller::replace(Swap& swap, const std::string& path) {
     }
   }
   if (coordinator_) {
-    swap.exchange<Coordinator>(PluginKind::coordinator, *description_.coordinator,
+    swap.exchange<Coordinator>(PluginKind::coordinator, *description_->coordinator,
                                path + "coordinator", coordinator_, coordinator_declaration_,
                                random_);
   }
@@ -49,7 +50,8 @@ void Controller::replace(Swap& swap, const std::string& path) {
 
 void Controller::check_needs(std::span<const ReadingGroup> groups, const std::string& robot,
                              const std::string& path) const {
-  for (const Slot& slot : slots_) {
+  for (const auto& each : slots_) {
+    const Slot& slot = *each;
     const std::string name = path + "behavior[" + slot.use->id + "]";
     for (const ReadingDeclaration& need : slot.declaration->needs) {
       const auto is_kind = [&](const ReadingGroup& group) { return group.kind.name == need.kind; };
@@ -72,10 +74,11 @@ void Controller::check_needs(std::span<const ReadingGroup> groups, const std::st
 }
 
 void Robot::replace(Swap& swap, const Cameras& cameras) {
-  swap.begin_robot(description_.id, tuning_);
+  swap.begin_robot(description_->id, tuning_);
   swap.undo([this] { regroup(); });  // last of all, once the old sensors are back
   const std::size_t first = swap.all().size();
-  for (SensorSlot& slot : sensors_) {
+  for (const auto& each : sensors_) {
+    SensorSlot& slot = *each;
     replace(swap, slot, cameras);
   }
   replace_drive(swap);
@@ -84,7 +87,7 @@ void Robot::replace(Swap& swap, const Cameras& cameras) {
     return;
   }
   regroup();
-  controller_->check_needs(groups_, description_.id, "");
+  controller_->check_needs(groups_, description_->id, "");
   for (std::size_t i = first; i < swap.all().size(); ++i) {
     const Swap::Exchanged& exchanged = swap.all()[i];
     swap.when_settled([this, use = exchanged.use] { guard_.forget(*use); });
@@ -104,7 +107,7 @@ void Robot::replace(Swap& swap, SensorSlot& slot, const Cameras& cameras) {
     return;
   }
   const auto refuse = [&](const std::string& problem) {
-    Swap::refuse(description_.id, path, problem);
+    Swap::refuse(description_->id, path, problem);
   };
   swap.run(swap.all().back(), [&] { slot.camera = slot.object->camera(); });
   if (kind != slot.object->kind().name) {
@@ -131,14 +134,14 @@ void Robot::replace_drive(Swap& swap) {
     return;
   }
   BodyPlan plan;
-  const Chassis chassis = world::chassis_of(description_.body);
+  const Chassis chassis = world::chassis_of(description_->body);
   swap.run(swap.all().back(), [&] {
     plan = world::plan_of(chassis, *drive_);
     state_.wheels = drive_->wheels(chassis);
     state_.channels = drive_->channels();
   });
-  if (!same_body(plan, world::driven_plan(description_))) {
-    Swap::refuse(description_.id, "drive",
+  if (!same_body(plan, world::driven_plan(*description_))) {
+    Swap::refuse(description_->id, "drive",
                  "it would build another body now, which is settled before a run; run the world "
                  "anew");
   }

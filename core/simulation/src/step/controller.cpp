@@ -45,46 +45,69 @@ std::string fault_of(std::span<const double> desirability) {
 
 Controller::Controller(const world::Coordination& description, const Setting& setting,
                        std::vector<base::Problem>& problems)
-    : description_(description), setting_(setting) {
-  Member::Runner& runner = *this;
+    : description_(&description), setting_(setting) {
   for (const world::BehaviorUse& use : description.behaviors) {
-    Slot slot{&use, setting.host.find(PluginKind::behavior, use.plugin), nullptr, nullptr, Random(),
-              {}};
-    if (slot.declaration && slot.declaration->hold) {
-      static const world::Coordination kNothing;
-      slot.inside = std::make_unique<Controller>(use.inside.empty() ? kNothing : use.inside.front(),
-                                                 setting, problems);
-    }
-    slot.object =
-        make<Behavior>(setting.host, PluginKind::behavior, use, problems, slot.inside.get());
-    slots_.push_back(std::move(slot));
-    members_.emplace_back(use.id, use.priority, runner);
-    reasons_.push_back("");
+    slots_.push_back(make_slot(use, setting.host, problems));
   }
-  if (description.coordinator) {
-    coordinator_ = make<Coordinator>(setting.host, PluginKind::coordinator,
-                                     *description.coordinator, problems);
-    coordinator_declaration_ =
-        setting.host.find(PluginKind::coordinator, description.coordinator->plugin);
+  list_slots();
+  make_coordinator(setting.host, problems);
+}
+
+std::shared_ptr<Controller::Slot> Controller::make_slot(const world::BehaviorUse& use,
+                                                        const plugin::Host& host,
+                                                        std::vector<base::Problem>& problems) {
+  auto slot = std::make_shared<Slot>();
+  slot->use = &use;
+  slot->declaration = host.find(PluginKind::behavior, use.plugin);
+  if (slot->declaration && slot->declaration->hold) {
+    const Setting setting{host, setting_.guard, setting_.wishes, setting_.names,
+                          setting_.measure_time};
+    slot->inside = std::make_unique<Controller>(inside_of(use), setting, problems);
+  }
+  slot->object = make<Behavior>(host, PluginKind::behavior, use, problems, slot->inside.get());
+  return slot;
+}
+
+const world::Coordination& Controller::inside_of(const world::BehaviorUse& use) {
+  static const world::Coordination kNothing;
+  return use.inside.empty() ? kNothing : use.inside.front();
+}
+
+void Controller::list_slots() {
+  Member::Runner& runner = *this;
+  std::vector<Member> members;
+  for (const auto& slot : slots_) {
+    members.emplace_back(slot->use->id, slot->use->priority, runner);
+  }
+  take_members(std::move(members));
+  reasons_.assign(slots_.size(), "");
+}
+
+void Controller::make_coordinator(const plugin::Host& host, std::vector<base::Problem>& problems) {
+  if (description_->coordinator) {
+    const world::PluginUse& use = *description_->coordinator;
+    coordinator_ = make<Coordinator>(host, PluginKind::coordinator, use, problems);
+    coordinator_declaration_ = host.find(PluginKind::coordinator, use.plugin);
   }
 }
 
 void Controller::equip(const Perception& example, std::vector<base::Problem>& problems) {
-  for (Slot& slot : slots_) {
+  for (const auto& each : slots_) {
+    Slot& slot = *each;
     if (slot.inside) {
       slot.inside->equip(example, problems);
     }
     blaming(*slot.use, problems, [&] { slot.object->equipped(example); });
   }
   if (coordinator_) {
-    blaming(*description_.coordinator, problems,
+    blaming(*description_->coordinator, problems,
             [&] { coordinator_->equipped(members_, example); });
   }
 }
 
 void Controller::reset(std::uint64_t seed, const std::string& path) {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    Slot& slot = slots_[i];
+    Slot& slot = *slots_[i];
     set_priority(i, slot.use->priority);
     const std::string name = path + "behavior[" + slot.use->id + "]";
     slot.random = Random(seed, name);
@@ -96,14 +119,15 @@ void Controller::reset(std::uint64_t seed, const std::string& path) {
   }
   if (coordinator_) {
     random_ = Random(seed, path + "coordinator");
-    setting_.guard.run(*description_.coordinator, [&] { coordinator_->reset(random_); });
+    setting_.guard.run(*description_->coordinator, [&] { coordinator_->reset(random_); });
   }
   command_ = {};
   begin_step();
 }
 
 std::optional<TunedObject> Controller::object_of(const world::PluginUse& use) {
-  for (Slot& slot : slots_) {
+  for (const auto& each : slots_) {
+    Slot& slot = *each;
     if (slot.use == &use) {
       return TunedObject{PluginKind::behavior, &use, slot.declaration, slot.object.get(), {}};
     }
@@ -111,7 +135,7 @@ std::optional<TunedObject> Controller::object_of(const world::PluginUse& use) {
       return found;
     }
   }
-  if (coordinator_ && &*description_.coordinator == &use) {
+  if (coordinator_ && &*description_->coordinator == &use) {
     return TunedObject{PluginKind::coordinator, &use, coordinator_declaration_, coordinator_.get(),
                        members_};
   }
@@ -120,10 +144,10 @@ std::optional<TunedObject> Controller::object_of(const world::PluginUse& use) {
 
 void Controller::set_priority(const world::PluginUse& use, double priority) {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    if (slots_[i].use == &use) {
+    if (slots_[i]->use == &use) {
       set_priority(i, priority);
-    } else if (slots_[i].inside) {
-      slots_[i].inside->set_priority(use, priority);
+    } else if (slots_[i]->inside) {
+      slots_[i]->inside->set_priority(use, priority);
     }
   }
 }
@@ -136,22 +160,23 @@ void Controller::set_priority(std::size_t member, double priority) {
 }
 
 void Controller::ask(const std::string& path, Statements& said) {
-  for (const Slot& slot : slots_) {
+  for (const auto& each : slots_) {
+    const Slot& slot = *each;
     said.ask(*slot.object, *slot.use, path, setting_.guard);
     if (slot.inside) {
       slot.inside->ask(path + slot.use->id + "/", said);
     }
   }
   if (coordinator_) {
-    said.ask(*coordinator_, *description_.coordinator, path, setting_.guard);
+    said.ask(*coordinator_, *description_->coordinator, path, setting_.guard);
   }
 }
 
 void Controller::begin_step() {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     members_[i].begin_step();
-    if (slots_[i].inside) {
-      slots_[i].inside->begin_step();
+    if (slots_[i]->inside) {
+      slots_[i]->inside->begin_step();
     }
   }
 }
@@ -161,7 +186,7 @@ Motion Controller::decide(const Perception& now) {
     return {};
   }
   now_ = now;
-  const world::PluginUse& use = *description_.coordinator;
+  const world::PluginUse& use = *description_->coordinator;
   command_ = setting_.guard.step(
       use, [&] { return coordinator_->coordinate(members_, now.with_random(random_)); });
   setting_.guard.check();
@@ -177,7 +202,7 @@ Response Controller::respond(const Perception& now) {
   double shares = 0.0, activation = 0.0, strength = 0.0, speed = 0.0, lateral = 0.0, turn = 0.0;
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const TraceRow& trace = members_[i].trace;
-    const Response& answer = slots_[i].response;  // not of this step, and no matter, if not asked:
+    const Response& answer = slots_[i]->response;  // not of this step, and no matter, if not asked:
     const double share = std::max(0.0, trace.share);
     const double share_of_strength = share * trace.strength;  // that is zero then
     shares += share;
@@ -205,7 +230,7 @@ void Controller::rate(std::span<const Motion> candidates, std::span<double> desi
     std::fill(desirability.begin(), desirability.end(), 0.0);
     return;
   }
-  const world::PluginUse& use = *description_.coordinator;
+  const world::PluginUse& use = *description_->coordinator;
   setting_.guard.step(use, [&] {
     coordinator_->rate(members_, now_->with_random(random_), command_, candidates, desirability);
   });
@@ -219,7 +244,7 @@ CommandSets Controller::command_sets() {
   if (!coordinator_) {
     return {};
   }
-  const world::PluginUse& use = *description_.coordinator;
+  const world::PluginUse& use = *description_->coordinator;
   CommandSets sets = setting_.guard.step(use, [&] {
     return coordinator_->command_sets(members_, now_->with_random(random_), command_);
   });
@@ -302,24 +327,24 @@ void Controller::check(const Slot& slot, const Response& response) const {
 void Controller::check_trace() {
   for (Member& member : members_) {
     if (member.trace.inhibited_by >= static_cast<int>(members_.size())) {
-      setting_.guard.fail(*description_.coordinator,
+      setting_.guard.fail(*description_->coordinator,
                           "its trace says that member " +
                               std::to_string(member.trace.inhibited_by) +
                               " inhibits another, but there is none of that number");
     }
     if (!std::isfinite(member.trace.weight) || !std::isfinite(member.trace.share)) {
-      setting_.guard.fail(*description_.coordinator,
+      setting_.guard.fail(*description_->coordinator,
                           "a weight or share in its trace is not finite");
     }
     constexpr double kRounding = 1e-9;
     if (member.trace.share < -kRounding || member.trace.share > 1.0 + kRounding) {
-      setting_.guard.fail(*description_.coordinator,
+      setting_.guard.fail(*description_->coordinator,
                           "the share of '" + std::string(member.name()) + "' in its trace is " +
                               std::to_string(member.trace.share) +
                               "; expected a part of the whole command, from 0 to 1");
     }
     if (member.trace.weight < 0.0 && member.priority() >= 0.0) {
-      setting_.guard.fail(*description_.coordinator,
+      setting_.guard.fail(*description_->coordinator,
                           "the weight of '" + std::string(member.name()) + "' in its trace is " +
                               std::to_string(member.trace.weight) +
                               "; expected 0 or more, unless the user set a priority below 0");
@@ -336,13 +361,13 @@ void Controller::check_trace() {
 void Controller::list_members(const std::string& path, int depth, int parent,
                               std::vector<TracedMember>& list) const {
   const std::string_view coordinator =
-      description_.coordinator ? std::string_view(description_.coordinator->plugin) : "";
+      description_->coordinator ? std::string_view(description_->coordinator->plugin) : "";
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    const std::string name = path + slots_[i].use->id;
-    list.push_back({name, slots_[i].use->plugin, coordinator, depth, parent, &members_[i]});
-    if (slots_[i].inside) {
-      slots_[i].inside->list_members(name + "/", depth + 1, static_cast<int>(list.size()) - 1,
-                                     list);
+    const std::string name = path + slots_[i]->use->id;
+    list.push_back({name, slots_[i]->use->plugin, coordinator, depth, parent, &members_[i]});
+    if (slots_[i]->inside) {
+      slots_[i]->inside->list_members(name + "/", depth + 1, static_cast<int>(list.size()) - 1,
+                                      list);
     }
   }
 }

@@ -25,6 +25,7 @@
 namespace elsie::simulation {
 
 class Swap;
+class Becoming;
 
 /// What behaviours want of their robot besides the command.
 class Wishes {
@@ -79,6 +80,15 @@ class Controller final : public Coordination, private Member::Runner {
   void check_needs(std::span<const ReadingGroup> groups, const std::string& robot,
                    const std::string& path) const;
 
+  /// Becomes what `next` describes; `was` is what it is now. What is described as before stays.
+  void become(const world::Coordination& was, const world::Coordination& next,
+              const std::string& path, Becoming& becoming);
+  /// Tells all objects anew what the robot has, `all` or those that are new.
+  void equip_anew(Becoming& becoming, const Perception& example, bool all);
+  /// Resets those that are new, and gathers what they say. `path` as in reset() and `shown` as in
+  /// ask().
+  void reset_new(Becoming& becoming, const std::string& path, const std::string& shown);
+
   /// Sets the priority of a behaviour, at any depth, until the next reset. The trace of the last
   /// decision stays.
   void set_priority(const world::PluginUse& use, double priority);
@@ -91,13 +101,21 @@ class Controller final : public Coordination, private Member::Runner {
 
  private:
   struct Slot {
-    const world::BehaviorUse* use;
-    const Declaration* declaration;
+    const world::BehaviorUse* use = nullptr;
+    const Declaration* declaration = nullptr;
     std::unique_ptr<Controller> inside;  // of a behaviour that holds others
     plugin::Object<Behavior> object;
     Random random;
     Response response;
   };
+
+  std::shared_ptr<Slot> make_slot(const world::BehaviorUse& use, const plugin::Host& host,
+                                  std::vector<base::Problem>& problems);
+  static const world::Coordination& inside_of(const world::BehaviorUse& use);
+  void list_slots();
+  std::vector<Member> copied_members();
+  void take_members(std::vector<Member> members);
+  void make_coordinator(const plugin::Host& host, std::vector<base::Problem>& problems);
 
   const Response& run(Member& member) override;
   void rate(Member& member, std::span<const Motion> candidates,
@@ -105,15 +123,15 @@ class Controller final : public Coordination, private Member::Runner {
   CommandSets command_sets(Member& member) override;
 
   Slot& slot_of(const Member& member) {
-    return slots_[static_cast<std::size_t>(&member - members_.data())];
+    return *slots_[static_cast<std::size_t>(&member - members_.data())];
   }
   void set_priority(std::size_t member, double priority);
   void check(const Slot& slot, const Response& response) const;
   void check_trace();
 
-  const world::Coordination& description_;
+  const world::Coordination* description_;
   Setting setting_;
-  std::vector<Slot> slots_;
+  std::vector<std::shared_ptr<Slot>> slots_;
   std::vector<Member> members_;
   std::vector<const char*> reasons_;  // of each member's trace, kept
   plugin::Object<Coordinator> coordinator_;

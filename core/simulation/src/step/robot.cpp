@@ -42,20 +42,11 @@ Robot::Membership Robot::membership(const world::World& world, std::size_t robot
 
 Robot::Robot(const world::Robot& description, const Membership& membership,
              const plugin::Host& host, const Options& options)
-    : description_(description), guard_(description.id, options.budget) {
+    : description_(&description), guard_(description.id, options.budget) {
   const plugin::Call call({.robot = description.id.c_str()});
   std::vector<base::Problem> problems;
   for (const world::SensorUse& use : description.sensors) {
-    const Mounting mounting = mounting_of(use, description.body);
-    SensorSlot& slot = sensors_.emplace_back();
-    slot.use = &use;
-    slot.declaration = host.find(PluginKind::sensor, use.plugin);
-    slot.object = make<Sensor>(host, PluginKind::sensor, use, problems);
-    slot.mounting = mounting;
-    slot.frame = Frame::turned(mounting.position, mounting.azimuth_rad, mounting.pitch_rad);
-    if (slot.object) {
-      slot.camera = blaming(use, problems, [&] { return slot.object->camera(); });
-    }
+    sensors_.push_back(make_sensor(use, host, problems));
   }
   controller_ = std::make_unique<Controller>(
       description, Controller::Setting{host, guard_, *this, names_, options.measure_time},
@@ -65,19 +56,13 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
   throw_if_any(problems);
   group_readings();
 
-  state_.id = description.id;
-  state_.length_m = description.body.length;
-  state_.width_m = description.body.width;
+  take_membership(membership);
   take_description();
-  state_.team_index = membership.index;
-  state_.capacity = description.battery;
-  team_.name = description.team;
-  team_.charger = membership.charger;
-  resource_colours_ = membership.resource_colours;
   perception_.groups = groups_;
   perception_.self = &state_;
   perception_.team = &team_;
-  for (SensorSlot& slot : sensors_) {
+  for (const auto& each : sensors_) {
+    SensorSlot& slot = *each;
     blaming(*slot.use, problems, [&] {
       slot.object->equipped({&slot.mounting, resource_colours_});
     });
@@ -86,15 +71,45 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
   throw_if_any(problems);
 }
 
+std::shared_ptr<Robot::SensorSlot> Robot::make_sensor(const world::SensorUse& use,
+                                                      const plugin::Host& host,
+                                                      std::vector<base::Problem>& problems) const {
+  auto made = std::make_shared<SensorSlot>();
+  SensorSlot& slot = *made;
+  slot.use = &use;
+  slot.energy_cost = use.energy_cost;
+  slot.declaration = host.find(PluginKind::sensor, use.plugin);
+  slot.object = make<Sensor>(host, PluginKind::sensor, use, problems);
+  slot.mounting = mounting_of(use, description_->body);
+  slot.frame =
+      Frame::turned(slot.mounting.position, slot.mounting.azimuth_rad, slot.mounting.pitch_rad);
+  if (slot.object) {
+    slot.camera = blaming(use, problems, [&] { return slot.object->camera(); });
+  }
+  return made;
+}
+
+/// What is described and nobody changes but by an edit of it.
+void Robot::take_membership(const Membership& membership) {
+  state_.id = description_->id;
+  state_.length_m = description_->body.length;
+  state_.width_m = description_->body.width;
+  state_.team_index = membership.index;
+  state_.capacity = description_->battery;
+  team_.name = description_->team;
+  team_.charger = membership.charger;
+  resource_colours_ = membership.resource_colours;
+}
+
 void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& problems) {
   drive_use_.plugin = drive_use_.id = "differential";
-  drive_use_.location = description_.location;
+  drive_use_.location = description_->location;
   const world::PluginUse& use = drive_use();
   drive_declaration_ = host.find(PluginKind::drive, use.plugin);
   drive_ = make<Drive>(host, PluginKind::drive, use, problems);
   if (!drive_) return;
   blaming(use, problems, [&] {
-    const Chassis chassis = world::chassis_of(description_.body);
+    const Chassis chassis = world::chassis_of(description_->body);
     BodyPlan plan = world::plan_of(chassis, *drive_);
     state_.wheels = drive_->wheels(chassis);
     state_.channels = drive_->channels();
@@ -102,7 +117,7 @@ void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& pro
                                         [](const Part& part) { return can_be_set(part.joint); });
     joints_.resize(static_cast<std::size_t>(settable));
     wanted_joints_ = joints_;
-    if (description_.drive) driven_ = std::move(plan);
+    if (description_->drive) driven_ = std::move(plan);
   });
 }
 
@@ -126,10 +141,11 @@ void Robot::carry_out(const Motion& motion) {
 
 /// What may have changed since.
 void Robot::take_description() {
-  state_.max_speed_m_s = description_.max_speed;
-  state_.coverage_m = description_.coverage;
-  state_.is_leader = description_.leader;
-  for (SensorSlot& slot : sensors_) {
+  state_.max_speed_m_s = description_->max_speed;
+  state_.coverage_m = description_->coverage;
+  state_.is_leader = description_->leader;
+  for (const auto& each : sensors_) {
+    SensorSlot& slot = *each;
     slot.energy_cost = slot.use->energy_cost;
   }
   sum_costs();
@@ -137,7 +153,8 @@ void Robot::take_description() {
 
 void Robot::sum_costs() {
   sensor_cost_ = 0.0;
-  for (const SensorSlot& slot : sensors_) {
+  for (const auto& each : sensors_) {
+    const SensorSlot& slot = *each;
     sensor_cost_ += slot.energy_cost;
   }
 }
@@ -146,7 +163,8 @@ void Robot::group_readings() {
   // Readings of one kind stand together, in file order, so that a behaviour gets them as one view.
   std::vector<ReadingKind> kinds;
   std::vector<ReadingKind> kind_of;
-  for (const SensorSlot& slot : sensors_) {
+  for (const auto& each : sensors_) {
+    const SensorSlot& slot = *each;
     const ReadingKind kind = slot.object->kind();
     kind_of.push_back(kind);
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
@@ -159,7 +177,7 @@ void Robot::group_readings() {
     for (std::size_t i = 0; i < sensors_.size(); ++i) {
       if (kind_of[i] == kind) {
         sensed_.push_back(
-            {sensors_[i].object->reading(), &sensors_[i].mounting, sensors_[i].use->id});
+            {sensors_[i]->object->reading(), &sensors_[i]->mounting, sensors_[i]->use->id});
       }
     }
     groups_.push_back({kind, std::span(sensed_).subspan(first)});
@@ -176,8 +194,9 @@ void Robot::reset(std::uint64_t seed) {
     }
     look_through_cameras();
   }
-  const std::string path = "robot[" + description_.id + "]/";
-  for (SensorSlot& slot : sensors_) {
+  const std::string path = "robot[" + description_->id + "]/";
+  for (const auto& each : sensors_) {
+    SensorSlot& slot = *each;
     slot.random = Random(seed, path + "sensor[" + slot.use->id + "]");
     slot.object->forget();
     slot.picture = {};
@@ -188,7 +207,7 @@ void Robot::reset(std::uint64_t seed) {
   std::fill(joints_.begin(), joints_.end(), JointSetting{});
   wanted_joints_ = joints_;
   controller_->reset(seed, path);
-  state_.energy = description_.energy.value_or(description_.battery);
+  state_.energy = description_->energy.value_or(description_->battery);
   state_.charging = false;
   command({});
   perceived_events_.clear();
@@ -209,7 +228,8 @@ void Robot::sense(const Surroundings& surroundings, const Instant& now) {
   }
   guard_.begin_step(now.step);
   SensorContext context{now.time_s, now.period_s, {}, nullptr, &surroundings, nullptr};
-  for (SensorSlot& slot : sensors_) {
+  for (const auto& each : sensors_) {
+    SensorSlot& slot = *each;
     context.frame = body_frame_.frame(slot.frame);
     context.mounting = &slot.mounting;
     context.random = &slot.random;
@@ -240,14 +260,15 @@ void Robot::decide(const Instant& now) {
 }
 
 void Robot::ask(Statements& said) {
-  for (const SensorSlot& slot : sensors_) {
+  for (const auto& each : sensors_) {
+    const SensorSlot& slot = *each;
     said.ask(*slot.object, *slot.use, "", guard_);
   }
   controller_->ask("", said);
 }
 
 void Robot::list_values(std::size_t sensor, std::vector<NamedValue>& values) const {
-  const SensorSlot& slot = sensors_[sensor];
+  const SensorSlot& slot = *sensors_[sensor];
   guard_.run(*slot.use, [&] { slot.object->list_values(values); });
 }
 
@@ -285,7 +306,8 @@ void Robot::set_energy(double units) {
 }
 
 void Robot::set_energy_cost(const world::PluginUse& sensor, double cost) {
-  for (SensorSlot& slot : sensors_) {
+  for (const auto& each : sensors_) {
+    SensorSlot& slot = *each;
     if (slot.use == &sensor) {
       slot.energy_cost = cost;
     }
@@ -294,7 +316,8 @@ void Robot::set_energy_cost(const world::PluginUse& sensor, double cost) {
 }
 
 std::optional<TunedObject> Robot::find_object(const world::PluginUse& use) {
-  for (SensorSlot& slot : sensors_) {
+  for (const auto& each : sensors_) {
+    SensorSlot& slot = *each;
     if (slot.use == &use) {
       return TunedObject{PluginKind::sensor, &use, slot.declaration,
                          slot.object.get(),  {},   {&slot.mounting, resource_colours_}};
@@ -330,7 +353,8 @@ Perception Robot::example() {
 }
 
 void Robot::look_through_cameras() {
-  for (SensorSlot& slot : sensors_) {
+  for (const auto& each : sensors_) {
+    SensorSlot& slot = *each;
     if (slot.camera) {
       slot.camera = guard_.run(*slot.use, [&] { return slot.object->camera(); });
     }
@@ -385,12 +409,12 @@ void Robot::collect(double energy) {
 
 void Robot::take_log(double time_s, std::vector<EventRecord>& log) {
   for (; logged_ < raised_.size(); ++logged_) {
-    log.push_back({time_s, description_.id, raised_[logged_]});
+    log.push_back({time_s, description_->id, raised_[logged_]});
   }
 }
 
 SensorView Robot::sensor(std::size_t index) const {
-  const SensorSlot& slot = sensors_[index];
+  const SensorSlot& slot = *sensors_[index];
   return {slot.use->id,
           slot.use->plugin,
           slot.object.get(),

@@ -25,6 +25,7 @@
 
 namespace elsie::simulation {
 
+class Becoming;
 class Cameras;
 
 /// Time and identity of a control step, the same for all robots.
@@ -103,6 +104,11 @@ class Robot final : private Wishes {
   void replace(Swap& swap, const Cameras& cameras);
   Tuning& tuning() { return tuning_; }
 
+  /// Becomes what `next` describes; `was` is what it is now, with all that was changed. What is
+  /// described as before stays as it is. Problems are those of `becoming`.
+  void become(const world::Robot& was, const world::Robot& next, const Membership& membership,
+              Becoming& becoming);
+
   /// Gathers what the plugins say after a reset. Throws PluginFault.
   void ask(Statements& said);
   /// What its plugins did to the program since the run began.
@@ -118,7 +124,7 @@ class Robot final : private Wishes {
   /// Appends to the log the events since the last call.
   void take_log(double time_s, std::vector<EventRecord>& log);
 
-  const world::Robot& description() const { return description_; }
+  const world::Robot& description() const { return *description_; }
   const OwnState& state() const { return state_; }
   TeamState& team() { return team_; }
   std::span<const Colour> resource_colours() const { return resource_colours_; }
@@ -142,17 +148,17 @@ class Robot final : private Wishes {
   void count_collision() { ++collisions_; }
   std::size_t sensor_count() const { return sensors_.size(); }
   SensorView sensor(std::size_t index) const;
-  Frame sensor_frame(std::size_t index) const { return body_frame_.frame(sensors_[index].frame); }
+  Frame sensor_frame(std::size_t index) const { return body_frame_.frame(sensors_[index]->frame); }
   /// The camera that a sensor looks through, if it does.
-  const std::optional<Camera>& camera(std::size_t sensor) const { return sensors_[sensor].camera; }
+  const std::optional<Camera>& camera(std::size_t sensor) const { return sensors_[sensor]->camera; }
   /// What that camera sees; to be filled before sense().
-  Image& picture(std::size_t sensor) { return sensors_[sensor].picture; }
+  Image& picture(std::size_t sensor) { return sensors_[sensor]->picture; }
 
  private:
   struct SensorSlot {
-    const world::SensorUse* use;
-    const Declaration* declaration;
-    double energy_cost;  // units per second
+    const world::SensorUse* use = nullptr;
+    const Declaration* declaration = nullptr;
+    double energy_cost = 0.0;  // units per second
     plugin::Object<Sensor> object;
     Mounting mounting;
     Frame frame;  // in the robot's frame
@@ -165,6 +171,12 @@ class Robot final : private Wishes {
   }
   void ask_for_charge() override { charge_asked_ = true; }
   void replace(Swap& swap, SensorSlot& slot, const Cameras& cameras);
+  std::shared_ptr<SensorSlot> make_sensor(const world::SensorUse& use, const plugin::Host& host,
+                                          std::vector<base::Problem>& problems) const;
+  void take_membership(const Membership& membership);
+  void become_sensors(const world::Robot& was, Becoming& becoming);
+  void become_drive(Becoming& becoming);
+  void take_live(const world::Robot& was, bool has_new_drive);
   void regroup();
   void group_readings();
   void take_description();
@@ -175,14 +187,14 @@ class Robot final : private Wishes {
   void stop_when_empty();
   void make_drive(const plugin::Host& host, std::vector<base::Problem>& problems);
   const world::PluginUse& drive_use() const {
-    return description_.drive ? *description_.drive : drive_use_;
+    return description_->drive ? *description_->drive : drive_use_;
   }
   void replace_drive(Swap& swap);
   void command(const Motion& asked);
   /// Hands a motion to the drive; what it can make of it is the command then.
   void carry_out(const Motion& motion);
 
-  const world::Robot& description_;
+  const world::Robot* description_;
   mutable Guard guard_;  // looking at a plugin's numbers can fail, too
   Names names_;
   double sensor_cost_ = 0.0;  // units per second, of all sensors together
@@ -196,7 +208,7 @@ class Robot final : private Wishes {
   std::vector<JointSetting> wanted_joints_;  // as many
   double period_s_ = 0.01;                   // of the last decision
 
-  std::vector<SensorSlot> sensors_;
+  std::vector<std::shared_ptr<SensorSlot>> sensors_;
   std::unique_ptr<Controller> controller_;
   Tuning tuning_;
   std::vector<TracedMember> trace_;

@@ -1,6 +1,7 @@
 // What comes of bodies that touch: collisions, and resources that are collected.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>
@@ -22,6 +23,20 @@ class Touches {
   /// Those of the last step, which ended at this time.
   void handle(const std::vector<std::unique_ptr<Robot>>& robots, physics::Engine& engine,
               double time_s);
+  /// The bodies have other numbers now: `now_of` gives none for one that is gone.
+  template <class NowOf>
+  void renumber(NowOf now_of) {
+    std::map<std::pair<physics::Body, physics::Body>, double> known;
+    for (const auto& [pair, time_s] : last_touch_) {
+      const auto a = now_of(pair.first), b = now_of(pair.second);
+      if (a && b) {
+        known[std::minmax(*a, *b)] = time_s;
+      }
+    }
+    last_touch_ = std::move(known);
+  }
+  /// As another one knows them.
+  void take(const Touches& other) { last_touch_ = other.last_touch_; }
   /// Before a new run.
   void forget() { last_touch_.clear(); }
 

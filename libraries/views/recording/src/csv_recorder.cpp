@@ -80,15 +80,23 @@ class CsvRecorder::Impl {
 
   /// The columns are written: numbers that are new have none.
   void lay_out_again(const simulation::Simulation& simulation) {
-    const auto columns = reading_columns_;
+    every_ = traces::steps_in(1.0 / rate_hz_, simulation.world().physics.step);
+    const auto readings = reading_columns_, behaviors = behaviors_;
     lay_out(simulation);
-    for (Places& places : places_) {
-      for (std::size_t& place : places.readings) {
-        const auto known = std::find(columns.begin(), columns.end(), reading_columns_[place]);
+    const auto find_again = [](std::vector<std::size_t>& places,
+                               const std::vector<std::string>& now,
+                               const std::vector<std::string>& columns) {
+      for (std::size_t& place : places) {
+        const auto known = std::find(columns.begin(), columns.end(), now[place]);
         place = static_cast<std::size_t>(known - columns.begin());
       }
+    };
+    for (Places& places : places_) {
+      find_again(places.readings, reading_columns_, readings);
+      find_again(places.behaviors, behaviors_, behaviors);
     }
-    reading_columns_ = columns;
+    reading_columns_ = readings;
+    behaviors_ = behaviors;
   }
 
  private:
@@ -162,10 +170,11 @@ class CsvRecorder::Impl {
 
   void write_trace(const simulation::RobotView& robot, const Places& places, bool decided) {
     std::vector<const simulation::TracedMember*>& rows = trace_;
-    rows.assign(behaviors_.size(), nullptr);
+    rows.assign(behaviors_.size() + 1, nullptr);  // the last is for what has no column
     for (std::size_t i = 0; decided && i < robot.trace.size(); ++i) {
       rows[places.behaviors[i]] = &robot.trace[i];
     }
+    rows.pop_back();
     for (const simulation::TracedMember* member : rows) {
       if (!member) {
         for (std::size_t i = 0; i < kTraceColumns + (with_times_ ? 1 : 0); ++i) {

@@ -65,9 +65,8 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
   }
 
   void step(const Simulation& simulation) {
-    const std::uint64_t step = simulation.steps() - 1;
-    if (step % control_steps_ == 0) {
-      decided_ns_ = time_of(simulation, step);
+    if (simulation.decided()) {
+      decided_ns_ = nanoseconds(simulation.step_began_s());
       blind_ = empty_;
       new_pictures_ = true;
       write_traces(simulation);
@@ -81,6 +80,17 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     }
     remember_who_sees(simulation);
     out_.pass(now(simulation));
+  }
+
+  /// Robots that are new, or decide by other behaviours, or sense with other sensors, have channels
+  /// of their own from now on.
+  void lay_out_again(const Simulation& simulation) {
+    every_ = traces::steps_in(1.0 / options_.rate_hz, simulation.world().physics.step);
+    add_robots(simulation);
+    write_world(simulation);
+    write_scene(simulation);
+    write_events(simulation);
+    remember_who_sees(simulation);
   }
 
   void end(const Simulation& simulation) {
@@ -116,6 +126,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     std::optional<std::uint16_t> beams;
     std::vector<CameraChannels> cameras;
     TraceTexts texts;
+    std::string kind;
     traces::TraceRows rows{};
   };
 
@@ -128,11 +139,8 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     return options;
   }
 
-  static std::uint64_t time_of(const Simulation& simulation, std::uint64_t steps) {
-    return nanoseconds(static_cast<double>(steps) * simulation.world().physics.step);
-  }
   static std::uint64_t now(const Simulation& simulation) {
-    return time_of(simulation, simulation.steps());
+    return nanoseconds(simulation.time_s());
   }
 
   void write_head(const Simulation& simulation) {
@@ -168,20 +176,46 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     out_.write(measures);
   }
 
+  /// Each once, whatever it is for.
+  std::uint16_t schema(const std::string& name, const std::string& text) {
+    const auto [known, is_new] = schemas_.try_emplace(name + "\n" + text, std::uint16_t{0});
+    if (is_new) {
+      known->second = out_.add_schema(name, "jsonschema", text);
+    }
+    return known->second;
+  }
+  std::uint16_t channel(const std::string& topic, std::uint16_t of,
+                        std::map<std::string, std::string> metadata = {}) {
+    return out_.add_channel(topic, of, "json", std::move(metadata));
+  }
+
   void add_channels(const Simulation& simulation) {
-    const auto schema = [&](const std::string& name, const std::string& text) {
-      return out_.add_schema(name, "jsonschema", text);
-    };
-    const auto channel = [&](const std::string& topic, std::uint16_t of,
-                             std::map<std::string, std::string> metadata = {}) {
-      return out_.add_channel(topic, of, "json", std::move(metadata));
-    };
     world_ = channel(kWorldTopic, schema("elsie.World", schemas::world()));
-    const auto scene = schema("foxglove.SceneUpdate", schemas::scene_update());
-    scene_ = channel(kSceneTopic, scene);
+    scene_ = channel(kSceneTopic, schema("foxglove.SceneUpdate", schemas::scene_update()));
     transforms_ =
         channel(kTransformsTopic, schema("foxglove.FrameTransforms", schemas::frame_transforms()));
     events_ = channel(kEventsTopic, schema("foxglove.Log", schemas::log()));
+    add_robots(simulation);
+  }
+
+  /// What a robot's channels depend on.
+  static std::string kind_of(const Simulation& simulation, std::size_t r) {
+    std::string kind = simulation.robot(r).description->id;
+    for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
+      const SensorView sensor = simulation.sensor(r, s);
+      kind += "|" + std::string(sensor.id) + " " + std::string(sensor.plugin) +
+              (sensor.camera ? " looks" : "");
+    }
+    for (const simulation::TracedMember& member : simulation.robot(r).trace) {
+      kind += "|" + member.path + " " + std::string(member.plugin) + " " +
+              std::string(member.coordinator);
+    }
+    return kind;
+  }
+
+  void add_robots(const Simulation& simulation) {
+    std::vector<RobotChannels> before = std::exchange(robots_, {});
+    const auto scene = schema("foxglove.SceneUpdate", schemas::scene_update());
     const auto pose = schema("foxglove.PoseInFrame", schemas::pose_in_frame());
     const auto state = schema("elsie.State", schemas::state());
     const auto command = schema("elsie.Command", schemas::command());
@@ -191,6 +225,14 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
                            : std::uint16_t{0};
     for (std::size_t r = 0; r < simulation.robots(); ++r) {
       const world::Robot& robot = *simulation.robot(r).description;
+      const std::string cast = kind_of(simulation, r);
+      const auto known =
+          std::find_if(before.begin(), before.end(),
+                       [&](const RobotChannels& channels) { return channels.kind == cast; });
+      if (known != before.end()) {
+        robots_.push_back(std::move(*known));
+        continue;
+      }
       const std::map<std::string, std::string> who{{"robot", robot.id}, {"team", robot.team}};
       const auto own = [&](const std::string& kind, std::uint16_t of) {
         return channel(robot_topic(robot.id, kind), of, who);
@@ -203,7 +245,8 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
           channel(robot_topic(robot.id, kTraceKind), trace, trace_metadata(simulation.robot(r))),
           std::nullopt,
           {},
-          TraceTexts(simulation.robot(r))};
+          TraceTexts(simulation.robot(r)),
+          cast};
       if (sees_ranges(simulation, r)) {
         channels.beams = own("beams", scene);
       }
@@ -212,10 +255,10 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
         if (!sensor.camera) {
           continue;
         }
-        const std::string kind = "cameras/" + std::string(sensor.id);
-        CameraChannels camera{s, own(kind, image), std::nullopt};
+        const std::string topic = "cameras/" + std::string(sensor.id);
+        CameraChannels camera{s, own(topic, image), std::nullopt};
         if (sensor.sensor->kind() == ReadingKind::of<VisionReading>()) {
-          camera.processed = own(kind + "/processed", image);
+          camera.processed = own(topic + "/processed", image);
         }
         channels.cameras.push_back(camera);
       }
@@ -367,8 +410,9 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
 
   RecorderOptions options_;
   mcap::Writer out_;
-  std::uint64_t every_ = 1;          // steps from one sample to the next
-  std::uint64_t control_steps_ = 1;  // from one decision to the next
+  std::uint64_t every_ = 1;                       // steps from one sample to the next
+  std::uint64_t control_steps_ = 1;               // from one decision to the next
+  std::map<std::string, std::uint16_t> schemas_;  // by name and text
   std::uint16_t world_ = 0, scene_ = 0, transforms_ = 0, events_ = 0;
   std::vector<RobotChannels> robots_;
   std::size_t seen_events_ = 0;
@@ -398,6 +442,7 @@ McapRecorder::McapRecorder(const std::filesystem::path& file, RecorderOptions op
 McapRecorder::~McapRecorder() = default;
 void McapRecorder::started(const Simulation& simulation) { impl_->start(simulation); }
 void McapRecorder::stepped(const Simulation& simulation) { impl_->step(simulation); }
+void McapRecorder::replaced(const Simulation& simulation) { impl_->lay_out_again(simulation); }
 void McapRecorder::ended(const Simulation& simulation) { impl_->end(simulation); }
 
 }  // namespace elsie::recording

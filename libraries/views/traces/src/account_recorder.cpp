@@ -1,5 +1,6 @@
 #include "elsie/traces/account_recorder.h"
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <utility>
@@ -14,22 +15,31 @@ namespace elsie::traces {
 
 class AccountRecorder::Impl {
  public:
-  void start(const simulation::Simulation& simulation) {
-    step_s_ = simulation.world().physics.step;
-    period_steps_ = static_cast<std::uint64_t>(simulation.world().physics.control_steps);
+  void start(const simulation::Simulation& simulation) { list_robots(simulation); }
+
+  /// A robot whose behaviours are others than before begins anew.
+  void list_robots(const simulation::Simulation& simulation) {
+    const std::vector<TraceRobot> robots = std::exchange(robots_, {});
+    std::deque<Watch> watches = std::exchange(watches_, {});
     for (std::size_t r = 0; r < simulation.robots(); ++r) {
       robots_.push_back(introduced(simulation.robot(r)));
-    }
-    for (const TraceRobot& robot : robots_) {
-      watches_.emplace_back(robot);
+      const auto known = std::find_if(robots.begin(), robots.end(), [&](const TraceRobot& robot) {
+        return same_cast(robot, robots_.back());
+      });
+      if (known == robots.end()) {
+        watches_.emplace_back(robots_.back());
+      } else {
+        watches_.push_back(std::move(watches[static_cast<std::size_t>(known - robots.begin())]));
+        watches_.back().find_current();
+      }
     }
   }
 
   void step(const simulation::Simulation& simulation) {
-    if ((simulation.steps() - 1) % period_steps_ != 0) {
+    if (!simulation.decided()) {
       return;
     }
-    const double now_s = output::tidy_time(static_cast<double>(simulation.steps() - 1) * step_s_);
+    const double now_s = output::tidy_time(simulation.step_began_s());
     for (std::size_t r = 0; r < watches_.size(); ++r) {
       look(simulation.robot(r), robots_[r], watches_[r], now_s);
     }
@@ -62,6 +72,11 @@ class AccountRecorder::Impl {
           shares(robot.members.size()),
           tally(robot) {}
     std::size_t count() const { return rows.size(); }
+    void find_current() {
+      for (std::size_t i = 0; begun && i < count(); ++i) {
+        current[i] = &notes[i];
+      }
+    }
 
     std::vector<TraceRow> rows;             // as they were last looked at
     std::vector<TraceNote> notes;           // that hold now
@@ -72,6 +87,13 @@ class AccountRecorder::Impl {
     double first_s = 0.0;
     double since_s = 0.0;  // that nothing has changed
   };
+
+  static bool same_cast(const TraceRobot& a, const TraceRobot& b) {
+    return a.id == b.id && std::equal(a.members.begin(), a.members.end(), b.members.begin(),
+                                      b.members.end(), [](const auto& one, const auto& other) {
+                                        return one.path == other.path && one.plugin == other.plugin;
+                                      });
+  }
 
   static TraceRobot introduced(const simulation::RobotView& view) {
     const world::Robot& description = *view.description;
@@ -112,9 +134,7 @@ class AccountRecorder::Impl {
     if (!watch.begun) {
       watch.begun = true;
       watch.first_s = watch.since_s = now_s;
-      for (std::size_t i = 0; i < watch.count(); ++i) {
-        watch.current[i] = &watch.notes[i];
-      }
+      watch.find_current();
     }
   }
 
@@ -140,8 +160,6 @@ class AccountRecorder::Impl {
     return known->second;
   }
 
-  double step_s_ = 0.0;
-  std::uint64_t period_steps_ = 1;
   std::deque<Watch> watches_;
   std::map<std::string, std::uint32_t> places_;
 };
@@ -152,6 +170,9 @@ void AccountRecorder::started(const simulation::Simulation& simulation) {
   impl_->start(simulation);
 }
 void AccountRecorder::stepped(const simulation::Simulation& simulation) { impl_->step(simulation); }
+void AccountRecorder::replaced(const simulation::Simulation& simulation) {
+  impl_->list_robots(simulation);
+}
 void AccountRecorder::ended(const simulation::Simulation& simulation) { impl_->end(simulation); }
 const std::vector<TraceRobot>& AccountRecorder::robots() const { return impl_->robots_; }
 const std::vector<RobotAccount>& AccountRecorder::accounts() const { return impl_->accounts_; }

@@ -1,5 +1,8 @@
 #include "elsie/traces/tracks.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/sampling.h"
 
@@ -9,9 +12,11 @@ void TrackRecorder::started(const simulation::Simulation& simulation) {
   const double step = simulation.world().physics.step;
   every_ = traces::steps_in(asked_period_s_, step);
   period_s_ = static_cast<double>(every_) * step;
-  tracks_.assign(simulation.robots(), {});
-  collisions_.assign(simulation.robots(), 0);
-  was_placed_.assign(simulation.robots(), false);
+  ids_.clear();
+  tracks_.clear();
+  collisions_.clear();
+  was_placed_.clear();
+  replaced(simulation);
   events_ = simulation.events().size();
   sample(simulation);
 }
@@ -27,6 +32,23 @@ void TrackRecorder::stepped(const simulation::Simulation& simulation) {
       collisions_[i] = robot.collisions;
       tracks_[i].touches.push_back({robot.state->pose.x, robot.state->pose.y});
     }
+  }
+}
+
+void TrackRecorder::replaced(const simulation::Simulation& simulation) {
+  every_ = traces::steps_in(asked_period_s_, simulation.world().physics.step);
+  const std::vector<std::string> ids = std::exchange(ids_, {});
+  std::vector<Track> tracks = std::exchange(tracks_, {});
+  const std::vector<int> collisions = std::exchange(collisions_, {});
+  const std::vector<bool> was_placed = std::exchange(was_placed_, {});
+  for (std::size_t i = 0; i < simulation.robots(); ++i) {
+    ids_.push_back(simulation.robot(i).description->id);
+    const auto known =
+        static_cast<std::size_t>(std::find(ids.begin(), ids.end(), ids_.back()) - ids.begin());
+    const bool is_new = known == ids.size();
+    tracks_.push_back(is_new ? Track() : std::move(tracks[known]));
+    collisions_.push_back(is_new ? 0 : collisions[known]);
+    was_placed_.push_back(!is_new && was_placed[known]);
   }
 }
 

@@ -65,13 +65,13 @@ struct ChargingEnded {
 
 struct Changed {
   static constexpr Facts kFacts{.name = "changed",
-                                .meaning = "a user changes an attribute of the robot",
-                                .detail = "its path and new value: `robot[r1]/@max_speed=0.3`",
+                                .meaning = "a user edits the robot or, without one, the world",
+                                .detail = "the edit: `robot[r1]/@max_speed=0.3`",
                                 .is_perceived = false};
-  std::string element;  // "robot[r1]/sensor[left]"
-  std::string attribute;
+  std::string element;    // "robot[r1]/sensor[left]"
+  std::string attribute;  // "": the element as a whole
   std::string value;
-  std::string detail() const { return element + "/@" + attribute + "=" + value; }
+  std::string detail() const;
   /// The event of this detail; none if it is no such detail.
   static std::optional<Changed> from(std::string_view detail);
   /// Whether it puts the robot at another place.

@@ -2,8 +2,10 @@
 // for very many robots can stand beside it. Lengths in m, times in s, rates in rad/s, in the
 // world's frame.
 //
-// An engine is built up once (robots and boxes are added), then stepped. Two engines in one process
-// do not know of each other. The same calls on two engines give bit-identical states.
+// An engine is built up once (robots and boxes are added), then stepped. What changes later is
+// built into a new engine, which takes the state of all that stays from the one before. Two engines
+// in one process do not know of each other. The same calls on two engines give bit-identical
+// states.
 #pragma once
 
 #include <cstddef>
@@ -88,6 +90,17 @@ class Engine {
   /// Adds a box; returns its index. Resources are fixed boxes until they are removed. Fixed and
   /// moving boxes float where z is positive, dynamic ones fall. Throws as add_robot() does.
   virtual std::size_t add_box(const world::Box& box) = 0;
+  /// Adds a robot that another engine has, in its state there: at its place, with all velocities,
+  /// what its joints hold and are to hold. With another body (`plan`) it stands upright at its
+  /// place, its joints as in a new one, and keeps its velocity. Throws as add_robot() does.
+  virtual std::size_t add_robot_of(const Engine& other, std::size_t robot,
+                                   const BodyPlan* plan = nullptr) = 0;
+  /// Adds a box that another engine has, as which it was added there, in its state; also one that
+  /// was removed there.
+  virtual std::size_t add_box_of(const Engine& other, std::size_t box, const world::Box& added) = 0;
+  /// Counts on from where another engine is: its time, its give-ups, and what has set bodies in
+  /// motion there.
+  virtual void go_on_from(const Engine& other) = 0;
   /// Takes a box out of the world; its index stays taken.
   virtual void remove_box(std::size_t box) = 0;
 

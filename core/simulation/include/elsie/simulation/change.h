@@ -1,14 +1,17 @@
 // Changing a world while it runs.
 //
-// What a user may change between two steps is an attribute of the world file, by the path that
-// leads to it there (world::ReadOptions::overrides) and as text. An attribute may change if the
-// vocabulary names what changes it (world::LiveRobot), a plugin's parameter if its declaration does
-// not forbid it (ParameterFacts::live); all else is settled when the world is made. docs/running.md
-// lists what may change.
+// A user may make any edit of the world between two steps: what world::ReadOptions::overrides says
+// of a file, by the same paths and texts, except for its `format`.
 //
-// A change is made as a whole or not at all. What a plugin remembers of the run stays, and its
-// random stream goes on. reset() forgets changes: a run with the same seed and the same changes
-// before the same steps is the same, bit for bit.
+// An attribute that the vocabulary has something to change for (world::LiveRobot), and a plugin's
+// parameter whose declaration does not forbid it (ParameterFacts::live), is put in place: what the
+// plugin remembers stays, and its random stream goes on. All else is read and checked as a file is,
+// and the simulation becomes the world that comes out: what an edit concerns is made anew, from a
+// plugin object to the physics engine, and all the rest keeps its state. docs/running.md says what
+// an edit costs.
+//
+// Edits are made as a whole or not at all. reset() forgets them: a run with the same seed and the
+// same edits before the same steps is the same, bit for bit.
 #pragma once
 
 #include <stdexcept>
@@ -16,10 +19,12 @@
 
 namespace elsie::simulation {
 
-/// An attribute and the text that it is to have.
+/// An attribute and the text that it is to have, or an element and its markup.
 struct Change {
-  std::string path;   // "robot[r1]/@max_speed"
-  std::string value;  // "0.3"
+  std::string path;   // "robot[r1]/@max_speed", "robot[r1]/coordinator"
+  std::string value;  // "0.3", "<arbiter_suppression/>"
+
+  std::string text() const { return path + "=" + value; }
 };
 
 /// A change for later.

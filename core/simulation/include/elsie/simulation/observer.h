@@ -14,7 +14,8 @@ class Observer {
   virtual void started(const Simulation&) {}
   /// After every step.
   virtual void stepped(const Simulation&) {}
-  /// Between two steps, when plugins were replaced: sensors may list other numbers than before.
+  /// Between two steps, when plugins were replaced or the world became another one by an edit:
+  /// sensors may list other numbers than before, and robots, behaviours and boxes may be others.
   virtual void replaced(const Simulation&) {}
   /// After the last step; also when a plugin failed or an observer threw.
   virtual void ended(const Simulation&) {}

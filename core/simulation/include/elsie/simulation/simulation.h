@@ -6,7 +6,7 @@
 //
 // One step: sensors -> each robot's coordinator and its behaviours -> energy -> motors -> physics
 // -> collection, charging, goals. All robots decide on the same instant, before any of them moves.
-// Between two steps a user may change much of it: change.h says what.
+// Between two steps a user may edit it: see change.h.
 #pragma once
 
 #include <cstddef>
@@ -93,7 +93,7 @@ const TracedMember* inhibitor_of(const TracedMember& member, std::span<const Tra
 
 /// One robot at this instant, to look at.
 struct RobotView {
-  const world::Robot* description;  // as the world file says, whatever was changed since
+  const world::Robot* description;  // without what was put in place since
   const OwnState* state;            // as it was last perceived or, between steps, as it is now
   Motion asked;                     // what its coordinator commanded last
   Motion command;                   // the same as its drive can make it
@@ -126,11 +126,11 @@ class Simulation {
   /// Steps until a goal or a limit ends the run. Throws PluginFault, also of a measure, and
   /// PhysicsFault.
   ///
-  /// `changes` are made on the way, those for one step together, at time zero before observers hear
-  /// of the start. They are checked before the run begins: ChangeRefused tells of what can be known
-  /// then (a path, a type, a range, a time that never comes), in which case nothing has happened.
-  /// It also ends a run in which there is no room for a robot when its time comes. One whose time
-  /// has not come when a goal ends the run is not made.
+  /// The edits in World::changes and `changes` are made on the way, those for one step together, at
+  /// time zero before observers hear of the start. They are checked before the run begins:
+  /// ChangeRefused tells of what can be known then (a path, a type, a range, a time that never
+  /// comes), in which case nothing has happened. It also ends a run in which there is no room for a
+  /// robot when its time comes. One whose time has not come when a goal ends the run is not made.
   ///
   /// `before_control`: called before every step in which robots sense and decide, after the changes
   /// for it. It may do to the simulation what a user may do between two steps; what it throws ends
@@ -142,14 +142,14 @@ class Simulation {
   /// The same check by itself, as things are now. Throws ChangeRefused.
   void check(std::span<const TimedChange> changes) const;
 
-  // Changes between two steps, until the next reset; see change.h. Each adds an event "changed" to
-  // the log for every attribute, whose detail is its path and value: "robot[r1]/@max_speed=0.3".
-  // Behaviours do not perceive that event.
+  // Edits between two steps, until the next reset; see change.h. Each adds an event "changed" to
+  // the log, of the robot that it concerns if it is one, whose detail is the edit with the full
+  // path of every attribute that is put in place: "robot[r1]/@max_speed=0.3". Behaviours do not
+  // perceive that event.
 
-  /// Sets every attribute that a path leads to. Throws ChangeRefused and leaves all as it was when
-  /// it leads nowhere, the value is of the wrong type or out of range, the attribute is settled
-  /// before a run, a plugin refuses it, or there is no room for a robot. PluginFault when a plugin
-  /// that has refused a value does not take its old one back.
+  /// Makes an edit. Throws ChangeRefused and leaves all as it was when the world that comes out is
+  /// none that a file could describe, a plugin refuses it, or there is no room for a body at this
+  /// instant. PluginFault when a plugin that has refused a value does not take its old one back.
   void change(std::string_view path, std::string_view value);
   /// Makes them all, or none: what is to fit together is set together, such as a robot's x and y.
   void change(std::span<const Change> changes);
@@ -165,12 +165,16 @@ class Simulation {
   /// no values.
   RunResult result() const;
 
+  /// As it was edited, without what was put in place since.
   const world::World& world() const;
   std::uint64_t seed() const;
   double time_s() const;
   /// Simulated time after which a run ends, whatever its goals.
   double time_limit_s() const;
   std::uint64_t steps() const;
+  /// Whether robots sensed and decided in the last step, and when that began, s.
+  bool decided() const;
+  double step_began_s() const;
   Outcome outcome() const;
   std::uint64_t state_hash() const;
   std::span<const EventRecord> events() const;

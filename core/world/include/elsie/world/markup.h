@@ -15,6 +15,7 @@ struct Attribute {
   std::string name;
   std::string value;
   Location where;
+  bool completed = false;  // an id that no file gives
 };
 
 struct Element {
@@ -27,7 +28,7 @@ struct Element {
   int text_line = 0;
   bool incomplete = false;  // its template could not be read, and may hold what is missing
   std::optional<Location> removed_by{};  // the override that removes it
-  std::optional<std::size_t> object{};   // for Attributes: which part of a world it stands for
+  std::optional<std::size_t> object{};   // for Attributes and Document: what it stands for
 
   const Attribute* find(std::string_view attribute) const;
   std::string value(std::string_view attribute) const;  // "" without this attribute

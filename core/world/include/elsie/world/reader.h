@@ -16,9 +16,10 @@ class Host;
 namespace elsie::world {
 
 struct ReadOptions {
-  /// Attributes to change, each "PATH=VALUE", or elements to replace, each "PATH=<element .../>".
-  /// They are applied after templates and before all checks (the attribute `template`: before
-  /// templates).
+  /// Edits: attributes to set, each "PATH=VALUE", elements to replace or add, each
+  /// "PATH=<element .../>", and what to remove, each "PATH/@remove=true". They are applied after
+  /// templates and before all checks; the attribute `template`, and robots that are replaced or
+  /// added, before templates.
   ///
   ///   @name                                    of <world>
   ///   physics/@step                            of an element that may stand once, even if missing
@@ -36,12 +37,18 @@ struct ReadOptions {
   ///   robot[r1]/behavior[roam]/@remove         "true" removes the behaviour; also for coordinators
   ///                                            and members of lists: robots, obstacles, goals,
   ///                                            sensors, measures...
+  ///   robot[r1]/@max_speed/@remove             "true" takes the attribute away: it has its default
   ///   robot[r1]/coordinator                    replaces the coordinator's element, which keeps the
   ///                                            id that the file gave it
+  ///   robot[+]                                 adds a robot at the end of the list, which is made
+  ///                                            if it is missing
+  ///   robot[r1]/sensor[+2]                     adds a sensor in front of the second one
+  ///   limits[+]                                adds an element that may stand once, if missing
   ///
   /// Groups (<robots>, <sensors>...) may be left out. A step names a member by its element or by
   /// its group's word for it, and needs brackets when it could mean several. Numbers count the
-  /// elements of the file, removed ones included.
+  /// elements of the file and those that were added, removed ones included. An added element without
+  /// an id gets one as in a file; no other element's id changes.
   std::vector<std::string> overrides;
   /// The file with the overrides: files that they name are searched beside it and in the data
   /// directories. "": the user gave them, and files are searched beside the world's file, in the
@@ -59,6 +66,9 @@ struct ReadOptions {
   /// The rest needs no plugin and is enough for a picture; a robot whose drive is not there stands
   /// on the default one.
   bool bodies_only = false;
+  /// Whether the world runs: its robots, and boxes that can be pushed or taken, are not where it
+  /// says, so it is not checked whether bodies stand in each other's way or in a wall.
+  bool is_running = false;
 };
 
 /// Reads a world file, merges its templates, applies overrides and sets all defaults. Throws

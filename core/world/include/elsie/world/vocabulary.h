@@ -48,8 +48,8 @@ struct Field {
   TextForm form = TextForm::any;
   Reference refers_to = Reference::none;
   bool required = false;
-  /// What a change of it does while a run goes on (Simulation::change()). None: it is settled when
-  /// the world is made.
+  /// What puts a change of it in place while a run goes on (Simulation::change()). None: what has
+  /// the attribute is made anew.
   void (*change)(LiveRobot&, const AttributePlace&, const ParameterValue&) = nullptr;
   bool is_live() const { return change != nullptr; }
 };

@@ -36,6 +36,7 @@ class McapRecorder final : public simulation::Observer {
   // Each throws mcap::McapError when the file cannot be written (a full disk).
   void started(const simulation::Simulation& simulation) override;
   void stepped(const simulation::Simulation& simulation) override;
+  void replaced(const simulation::Simulation& simulation) override;
   void ended(const simulation::Simulation& simulation) override;
 
  private:

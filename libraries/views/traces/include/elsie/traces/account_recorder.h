@@ -20,6 +20,7 @@ class AccountRecorder final : public simulation::Observer {
 
   void started(const simulation::Simulation& simulation) override;
   void stepped(const simulation::Simulation& simulation) override;
+  void replaced(const simulation::Simulation& simulation) override;
   void ended(const simulation::Simulation& simulation) override;
 
   /// The robots and their members, as in Trace::robots, but without notes and events.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "elsie/api/geometry.h"
@@ -27,8 +28,9 @@ class TrackRecorder final : public simulation::Observer {
 
   void started(const simulation::Simulation& simulation) override;
   void stepped(const simulation::Simulation& simulation) override;
+  void replaced(const simulation::Simulation& simulation) override;
 
-  /// In the order of the world's robots.
+  /// In the order of the world's robots; without those that an edit removed.
   const std::vector<Track>& tracks() const { return tracks_; }
   /// Time between two poses, s.
   double period_s() const { return period_s_; }
@@ -40,6 +42,7 @@ class TrackRecorder final : public simulation::Observer {
   double asked_period_s_;
   double period_s_ = 0.0;
   std::uint64_t every_ = 1;
+  std::vector<std::string> ids_;
   std::vector<Track> tracks_;
   std::vector<int> collisions_;
   std::vector<bool> was_placed_;  // since the last pose of its path

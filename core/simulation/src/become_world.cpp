@@ -1,0 +1,398 @@
+// A running world becomes another one: its edited description. What an edit costs follows from
+// comparing the two descriptions along the vocabulary.
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+
+#include "elsie/world/reader.h"
+#include "elsie/world/same.h"
+#include "elsie/world/writer.h"
+
+#include "changes/room.h"
+#include "simulation_impl.h"
+
+namespace elsie::simulation {
+namespace {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+template <class Things>
+std::size_t place_of_id(const Things& things, const std::string& id) {
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    if (things[i].id == id) {
+      return i;
+    }
+  }
+  return kNone;
+}
+
+/// As far as the engine knows it.
+bool same_body(const world::Box& a, const world::Box& b) {
+  const auto body = [](const world::Box& box) {
+    return std::tie(box.kind, box.x, box.y, box.z, box.heading_deg, box.length, box.width,
+                    box.height, box.seen_by_range_sensors, box.mass, box.waypoints, box.speed,
+                    box.round_trip);
+  };
+  return body(a) == body(b);
+}
+
+bool same_body(const world::Robot& a, const world::Robot& b) {
+  const world::ElementSpec& spec = world::robot_spec();
+  return world::same_part(spec, "body", &a, &b) && world::same_part(spec, "drive", &a, &b) &&
+         world::same_part(spec, "segments", &a, &b);
+}
+
+bool is_placed_alike(const world::Robot& a, const world::Robot& b) {
+  return std::tie(a.x, a.y, a.z, a.heading_deg) == std::tie(b.x, b.y, b.z, b.heading_deg);
+}
+
+bool same_part(const char* part, const world::World& a, const world::World& b) {
+  return world::same_part(world::vocabulary(), part, &a, &b);
+}
+
+Pose pose_of(const world::Robot& robot) {
+  return {robot.x, robot.y, wrap_angle(radians(robot.heading_deg))};
+}
+
+std::string text_of(std::span<const Change> edits) {
+  std::string text;
+  for (const Change& edit : edits) {
+    text += (text.empty() ? "" : ", ") + edit.text();
+  }
+  return text;
+}
+
+/// What is wrong with a description that was edited.
+std::string problem_of(const std::vector<base::Problem>& problems) {
+  const std::size_t more = problems.size() - 1;
+  return problems.front().message +
+         (more == 0 ? ""
+                    : "; there " + std::string(more == 1 ? "is " : "are ") + std::to_string(more) +
+                          " more such problem" + (more == 1 ? "" : "s"));
+}
+
+/// "r1" of "robot[r1]/sensor[ahead]/@x", if there is such a robot; else "".
+std::string robot_of(const world::World& world, const std::string& path) {
+  const std::size_t end = path.find(']');
+  if (!path.starts_with("robot[") || end == std::string::npos) {
+    return "";
+  }
+  const std::string id = path.substr(6, end - 6);
+  return place_of_id(world.robots, id) == kNone ? "" : id;
+}
+
+events::Changed event_of(const Change& edit) { return events::Changed::from(edit.text()).value(); }
+
+}  // namespace
+
+void Simulation::Impl::change(std::span<const Change> changes) {
+  std::vector<Change> live, settled;
+  for (const Change& one : changes) {
+    (changes_->is_live(one) ? live : settled).push_back(one);
+  }
+  const auto put_in_place = [&] {
+    changes_->make(live, stage(), events_);
+    for (const Change& one : live) {
+      pending_.push_back(one.text());
+    }
+  };
+  if (settled.empty()) {
+    put_in_place();
+    log_events();
+    return;
+  }
+  Becoming becoming(*host_, seed_);
+  becoming.undo().keep(events_);
+  try {
+    become(settled, becoming);
+    put_in_place();
+  } catch (const ChangeRefused&) {
+    throw;
+  } catch (const world::WorldError& error) {
+    throw ChangeRefused(text_of(settled) + ": " + problem_of(error.problems()));
+  } catch (const std::exception& error) {
+    throw ChangeRefused(text_of(settled) + ": " + error.what());
+  }
+  settle(becoming);
+  log_events();
+}
+
+std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> changes) {
+  std::vector<DueChanges> schedule = by_step(changes, world_.physics.step, time_limit_s_);
+  const auto first = std::find_if(schedule.begin(), schedule.end(), [&](const DueChanges& due) {
+    return !std::all_of(due.changes.begin(), due.changes.end(),
+                        [&](const Change& one) { return changes_->is_live(one); });
+  });
+  const auto in_place = static_cast<std::size_t>(first - schedule.begin());
+  changes_->check(std::span(schedule).first(in_place), stage());
+  if (first == schedule.end()) {
+    return schedule;
+  }
+  world::World ahead = present();
+  for (auto due = schedule.begin(); due != schedule.end(); ++due) {
+    try {
+      ahead = edited(ahead, due->changes, due >= first);
+    } catch (const ChangeRefused& refused) {
+      throw refused.at(due->time_s);
+    }
+  }
+  return schedule;
+}
+
+/// The world after these edits, checked as a file is. Throws ChangeRefused.
+world::World Simulation::Impl::edited(const world::World& from, std::span<const Change> edits,
+                                      bool check_plugins) {
+  world::ReadOptions options;
+  options.data_directories = options_.data_directories;
+  options.is_running = true;
+  options.check_plugins = check_plugins;
+  for (const Change& edit : edits) {
+    options.overrides.push_back(edit.text());
+  }
+  try {
+    return world::parse_world(world::write_world(from), from.file, *host_, options);
+  } catch (const world::WorldError& error) {
+    throw ChangeRefused(text_of(edits) + ": " + problem_of(error.problems()));
+  }
+}
+
+/// With what was put in place.
+world::World Simulation::Impl::present() {
+  world::ReadOptions options;
+  options.data_directories = options_.data_directories;
+  options.is_running = true;
+  options.overrides = pending_;
+  return world::parse_world(world::write_world(world_), world_.file, *host_, options);
+}
+
+void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming) {
+  const world::World was = present();
+  world::World next = edited(was, edits, false);
+  for (const Change& edit : edits) {
+    std::string robot = robot_of(was, edit.path);
+    events_.push_back({time_s(), std::move(robot), event_of(edit)});
+  }
+  const std::vector<std::string> pending = pending_;
+  becoming.undo().add([this, pending] { pending_ = pending; });
+  become(was, std::move(next), becoming);
+  for (base::Problem& problem : becoming.problems()) {
+    throw ChangeRefused(text_of(edits) + ": " + problem.message);
+  }
+}
+
+void Simulation::Impl::become(const world::World& was, world::World next, Becoming& becoming) {
+  Undo& undo = becoming.undo();
+  auto before = std::make_shared<world::World>(std::move(next));
+  std::swap(world_, *before);
+  const auto renew = [this] {
+    changes_.emplace(world_, *host_, options_.data_directories);
+    neighbours_ = Neighbours(world_.arena);
+  };
+  undo.add([this, before, renew] {
+    std::swap(world_, *before);
+    renew();
+  });
+  undo.add([this, count = past_.size()] { past_.resize(count); });
+  past_.push_back(before);
+  renew();
+  pending_.clear();
+  undo.keep(time_limit_s_);
+  time_limit_s_ = options_.time_limit_s.value_or(world_.limits.time);
+  undo.keep(base_time_s_);
+  undo.keep(base_steps_);
+  if (was.physics.step != world_.physics.step ||
+      was.physics.control_steps != world_.physics.control_steps) {
+    const double now_s =
+        base_time_s_ + static_cast<double>(steps_ - base_steps_) * was.physics.step;
+    base_time_s_ = now_s;
+    base_steps_ = steps_;
+  }
+  become_robots(was, becoming);
+  if (!becoming.problems().empty()) {
+    return;
+  }
+  const std::vector<std::size_t> new_robots = become_bodies(was, becoming);
+  check_room(was, new_robots);
+  become_measures(was, becoming);
+  auto cameras = std::make_shared<std::optional<Cameras>>(std::move(cameras_));
+  cameras_.reset();
+  undo.add([this, cameras] {
+    cameras_.reset();
+    if (*cameras) {
+      cameras_.emplace(std::move(**cameras));
+    }
+  });
+  cameras_.emplace(world_, robots_, options_.cameras, becoming.problems());
+}
+
+void Simulation::Impl::become_robots(const world::World& was, Becoming& becoming) {
+  std::vector<std::size_t> places;
+  for (const world::Robot& robot : world_.robots) {
+    places.push_back(place_of_id(was.robots, robot.id));
+  }
+  auto before = std::make_shared<std::vector<std::unique_ptr<Robot>>>(std::move(robots_));
+  robots_.clear();
+  becoming.undo().add([this, before, places] {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      if (places[i] != kNone) {
+        (*before)[places[i]] = std::move(robots_[i]);
+      }
+    }
+    robots_ = std::move(*before);
+  });
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const world::Robot& next = world_.robots[i];
+    const Robot::Membership membership = Robot::membership(world_, i);
+    if (places[i] == kNone) {
+      robots_.push_back(std::make_unique<Robot>(next, membership, *host_, options_));
+      robots_.back()->reset(seed_);
+      robots_.back()->ask(becoming.said());
+      continue;
+    }
+    robots_.push_back(std::move((*before)[places[i]]));
+    robots_.back()->become(was.robots[places[i]], next, membership, becoming);
+  }
+}
+
+/// Returns the robots that are new, have a new body, or are at a new place.
+std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was,
+                                                         Becoming& becoming) {
+  Undo& undo = becoming.undo();
+  std::vector<std::size_t> new_robots;
+  std::map<physics::Body, physics::Body> now;  // by what they were
+  auto before = std::make_shared<std::unique_ptr<physics::Engine>>(std::move(engine_));
+  undo.add([this, before] { engine_ = std::move(*before); });
+  const auto moving = moving_;
+  undo.add([this, moving] { moving_ = moving; });
+  undo.add([this, touches = std::make_shared<Touches>(touches_)] { touches_.take(*touches); });
+  engine_ = physics::make_ode_engine(world_.arena, world_.physics);
+  engine_->go_on_from(**before);
+  moving_.clear();
+  using enum physics::BodyKind;
+  for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
+    const world::Box& next = world_.boxes[i];
+    const std::size_t place = place_of_id(was.boxes, next.id);
+    if (place == kNone || !same_body(was.boxes[place], next)) {
+      add_box(i);
+      continue;
+    }
+    engine_->add_box_of(**before, place, next);
+    now[{box, place}] = {box, i};
+    for (const MovingBox& known : moving) {
+      if (known.index == place) {
+        moving_.push_back({i, known.path, known.since_s});
+      }
+    }
+  }
+  add_charger_boxes();
+  for (std::size_t i = 0; i < world_.robots.size(); ++i) {
+    const world::Robot& next = world_.robots[i];
+    const std::size_t place = place_of_id(was.robots, next.id);
+    const BodyPlan plan = world::plan_of(next);
+    if (place == kNone) {
+      engine_->add_robot(plan, pose_of(next), next.z);
+      new_robots.push_back(i);
+    } else {
+      const world::Robot& old = was.robots[place];
+      const bool is_same = same_body(old, next);
+      engine_->add_robot_of(**before, place, is_same ? nullptr : &plan);
+      now[{robot, place}] = {robot, i};
+      if (!is_placed_alike(old, next)) {
+        engine_->place_robot(i, pose_of(next), next.z);
+      } else if (is_same) {
+        continue;
+      }
+      new_robots.push_back(i);
+    }
+    robots_[i]->set_body(engine_->robot(i), engine_->joints(i));
+  }
+  touches_.renumber([&](const physics::Body& body) -> std::optional<physics::Body> {
+    const auto known = now.find(body);
+    return known != now.end()  ? std::optional(known->second)
+           : body.kind == wall ? std::optional(body)
+                               : std::nullopt;
+  });
+  return new_robots;
+}
+
+void Simulation::Impl::check_room(const world::World& was,
+                                  std::span<const std::size_t> new_robots) const {
+  const auto require = [](const std::optional<std::string>& problem) {
+    if (problem) {
+      throw std::invalid_argument(*problem + "; expected a free place in the arena");
+    }
+  };
+  const Room room(world_, robots_, *engine_);
+  for (const std::size_t robot : new_robots) {
+    require(room.problem_of(robot));
+  }
+  for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
+    const std::size_t place = place_of_id(was.boxes, world_.boxes[i].id);
+    if (place == kNone || !same_body(was.boxes[place], world_.boxes[i])) {
+      require(room.problem_of_box(i));
+    }
+  }
+  if (!same_part("chargers", was, world_)) {
+    for (std::size_t i = 0; i < world_.chargers.size(); ++i) {
+      require(room.problem_of_box(world_.boxes.size() + i));
+    }
+  }
+  if (!same_part("arena", was, world_)) {
+    require(room.problem_of_arena());
+  }
+}
+
+void Simulation::Impl::become_measures(const world::World& was, Becoming& becoming) {
+  auto before = std::make_shared<std::unique_ptr<Measuring>>(std::move(measuring_));
+  // Measures count robots, behaviours and boxes by their places.
+  const auto cast_of = [](const world::World& world) {
+    std::vector<std::string> cast;
+    const auto add = [&](auto& self, const world::Coordination& coordination) -> void {
+      for (const world::BehaviorUse& use : coordination.behaviors) {
+        cast.push_back(use.id + " " + use.plugin);
+        for (const world::Coordination& inside : use.inside) {
+          self(self, inside);
+        }
+      }
+    };
+    for (const world::Robot& robot : world.robots) {
+      cast.push_back(robot.id + " " + robot.team);
+      add(add, robot);
+    }
+    for (const world::Box& box : world.boxes) {
+      cast.push_back(box.id + " " + box.team);
+    }
+    return cast;
+  };
+  const bool same_cast = cast_of(was) == cast_of(world_) && same_part("teams", was, world_) &&
+                         same_part("physics", was, world_) && same_part("arena", was, world_);
+  becoming.undo().add([this, before, same_cast] {
+    if (same_cast && measuring_) {
+      measuring_->give_back(**before);
+    }
+    measuring_ = std::move(*before);
+  });
+  measuring_ = std::make_unique<Measuring>(world_, *host_, options_.budget, becoming.problems());
+  if (!becoming.problems().empty()) {
+    return;
+  }
+  if (same_cast) {
+    measuring_->take(**before, was.measures);
+  }
+  measuring_->reset_new(seed_, becoming.said());
+}
+
+void Simulation::Impl::settle(Becoming& becoming) {
+  if (!start_) {
+    start_ = past_.back();
+  }
+  const Statements& said = becoming.said();
+  said_.notes.insert(said_.notes.end(), said.notes.begin(), said.notes.end());
+  said_.curves.insert(said_.curves.end(), said.curves.begin(), said.curves.end());
+  ++renewals_;
+  becoming.undo().settle();
+}
+
+}  // namespace elsie::simulation

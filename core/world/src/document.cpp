@@ -1,0 +1,336 @@
+#include "elsie/world/document.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "elsie/plugin/host.h"
+#include "elsie/world/data_directories.h"
+#include "elsie/world/error.h"
+#include "elsie/world/files.h"
+#include "elsie/world/values.h"
+
+#include "meaning.h"
+#include "overrides.h"
+#include "reading.h"
+#include "rewriting.h"
+#include "templates.h"
+#include "undo.h"
+
+namespace elsie::world {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMostAttempts = 8;
+
+[[noreturn]] void refuse(const std::string& edit, const std::string& message) {
+  throw WorldError({{"--set " + edit, 0, message}});
+}
+
+void number_rest(Element& element, std::size_t& count) {
+  if (!element.object) {
+    element.object = count++;
+  }
+  for (Element& child : element.children) {
+    number_rest(child, count);
+  }
+}
+
+// Compares an edited tree with what was read from its text.
+class Comparison {
+ public:
+  Comparison(Element& wanted, Additions& additions, const std::string& edit,
+             const plugin::Host& host)
+      : additions_(additions), edit_(edit), host_(host) {
+    note_values(wanted);
+  }
+
+  // If they differ, notes what the text must say besides, in the additions or as attributes of
+  // `wanted`: defaults that override a template.
+  bool equal(Element& wanted, const Element& found, const Meaning& meaning) {
+    bool same = wanted.name == found.name && wanted.text == found.text;
+    for (const Attribute& attribute : wanted.attributes) {
+      const Attribute* other = found.find(attribute.name);
+      if (other && other->value == attribute.value) {
+        continue;
+      }
+      if (attribute.name != "id" || !attribute.completed) {
+        same = false;
+      } else if (!other || !other->completed || used_.contains(attribute.value)) {
+        additions_.ids.insert(&wanted);
+        same = false;
+      }
+    }
+    for (const Attribute& attribute : found.attributes) {
+      if (!wanted.find(attribute.name)) {
+        same = false;
+        set_default(wanted, attribute.name, meaning);
+      }
+    }
+    return equal_children(wanted, found, meaning) && same;
+  }
+
+ private:
+  bool equal_children(Element& wanted, const Element& found, const Meaning& meaning) {
+    const std::size_t size = wanted.children.size();
+    if (size == found.children.size()) {
+      bool same = true;
+      for (std::size_t i = 0; i < size; ++i) {
+        Element& child = wanted.children[i];
+        same &= equal(child, found.children[i], meaning.child(child, host_));
+      }
+      return same;
+    }
+    const auto is_wanted = [&](const Element& other) {
+      return std::any_of(wanted.children.begin(), wanted.children.end(), [&](const Element& child) {
+        return child.name == other.name && child.value("id") == other.value("id");
+      });
+    };
+    for (const Element& child : found.children) {
+      if (size < found.children.size() && child.find("id") && !is_wanted(child)) {
+        additions_.removals[&wanted].push_back(child);
+      }
+    }
+    for (const Element& child : wanted.children) {
+      const Attribute* id = child.find("id");
+      if (id && id->completed) {
+        additions_.ids.insert(&child);
+      }
+    }
+    return false;
+  }
+
+  // What the template says of an attribute shows where the robot's own element says nothing.
+  void set_default(Element& wanted, const std::string& attribute, const Meaning& meaning) {
+    const auto field = meaning.field(attribute);
+    if (!field || !field->default_value) {
+      refuse(edit_, "<" + wanted.name + "> has its '" + attribute +
+                        "' from the robot's template, and a file has no word for its default; give "
+                        "it a value instead");
+    }
+    wanted.set(attribute, format_value(*field->default_value), {edit_, 0});
+  }
+
+  // Names that are used.
+  void note_values(const Element& element) {
+    for (const Attribute& attribute : element.attributes) {
+      if (attribute.name != "id") {
+        used_.insert(attribute.value);
+      }
+    }
+    for (const Element& child : element.children) {
+      note_values(child);
+    }
+  }
+
+  Additions& additions_;
+  const std::string& edit_;
+  const plugin::Host& host_;
+  std::set<std::string> used_;
+};
+
+// The only piece in which two texts differ: what is in `from`.
+Splice difference(const std::string& from, const std::string& to) {
+  const std::size_t most = std::min(from.size(), to.size());
+  std::size_t begin = 0;
+  while (begin < most && from[begin] == to[begin]) {
+    ++begin;
+  }
+  std::size_t end = 0;
+  while (end < most - begin && from[from.size() - 1 - end] == to[to.size() - 1 - end]) {
+    ++end;
+  }
+  return {begin, to.size() - end, from.substr(begin, from.size() - begin - end)};
+}
+
+}  // namespace
+
+struct Edits::Restored {
+  Splice splice;
+  std::size_t hash = 0;  // of the text in which it is made
+  std::vector<std::string> inverse;
+};
+
+class Document::Impl {
+ public:
+  Impl(std::string text, std::string file, const plugin::Host& host, ReadOptions options)
+      : file_(std::move(file)),
+        host_(host),
+        options_(std::move(options)),
+        files_(file_, options_.data_directories, file_, options_.files) {
+    options_.overrides.clear();
+    take(read(std::move(text)));
+  }
+
+  Edits apply(const Edits& edits) {
+    const std::string old = now_.text;
+    Edits inverse;
+    if (edits.restored_ && edits.restored_->hash == std::hash<std::string>()(old)) {
+      take(read(spliced(old, {edits.restored_->splice})));
+      inverse.texts_ = edits.restored_->inverse;
+    } else {
+      inverse.texts_ = apply_texts(edits.texts_);
+    }
+    inverse.restored_ = std::make_shared<Edits::Restored>(Edits::Restored{
+        difference(old, now_.text), std::hash<std::string>()(now_.text), edits.texts_});
+    return inverse;
+  }
+
+  std::string text_for(const std::string& folder) const;
+
+  const std::string& file() const { return file_; }
+  const std::string& text() const { return now_.text; }
+  const World& world() const { return world_; }
+
+ private:
+  WorldText read(std::string text) const {
+    WorldText result;
+    result.text = std::move(text);
+    result.raw = tree_of_world(result.text, file_, result.spans);
+    result.merged = result.raw;
+    Problems problems;
+    Templates(host_, files_, problems).merge_all(result.merged);
+    problems.raise<WorldError>(file_);
+    std::size_t count = result.spans.size();
+    number_rest(result.merged, count);
+    return result;
+  }
+
+  World world_of(const Element& merged) const {
+    Problems problems;
+    return world_of_tree(merged, file_, host_, files_, options_, problems);
+  }
+
+  void take(WorldText text) {
+    world_ = world_of(text.merged);
+    now_ = std::move(text);
+  }
+
+  std::vector<std::string> apply_texts(const std::vector<std::string>& edits);
+  WorldText edited(const WorldText& from, const std::string& edit, Element& wanted,
+                   std::vector<std::string>& inverse) const;
+
+  std::string file_;
+  const plugin::Host& host_;
+  ReadOptions options_;
+  Files files_;
+  WorldText now_;
+  World world_;
+};
+
+// Makes each edit in the text; all checks of the world come at the end.
+std::vector<std::string> Document::Impl::apply_texts(const std::vector<std::string>& edits) {
+  WorldText text = now_;
+  std::vector<std::string> inverse;
+  Element wanted;  // by the last edit
+  for (const std::string& edit : edits) {
+    text = edited(text, edit, wanted, inverse);
+  }
+  try {
+    take(std::move(text));
+  } catch (const WorldError&) {
+    if (edits.size() == 1) {
+      Problems problems;
+      Element merged = wanted;
+      if (concerns_robots(edits.front())) {
+        Templates(host_, files_, problems).merge_all(merged);
+      }
+      world_of_tree(std::move(merged), file_, host_, files_, options_, problems);
+    }
+    throw;
+  }
+  return inverse;
+}
+
+WorldText Document::Impl::edited(const WorldText& from, const std::string& edit, Element& wanted,
+                                 std::vector<std::string>& inverse) const {
+  const bool is_raw = concerns_robots(edit);
+  const Element& before = is_raw ? from.raw : from.merged;
+  wanted = before;
+  Problems problems;
+  apply_override(wanted, edit, problems);
+  problems.raise<WorldError>(file_);
+  remove_overridden(wanted);
+  Additions additions;
+  Comparison comparison(wanted, additions, edit, host_);
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    WorldText text = read(rewritten(from, before, wanted, additions, host_));
+    const Element& found = is_raw ? text.raw : text.merged;
+    if (comparison.equal(wanted, found, Meaning::of_world())) {
+      const auto steps = undoing(before, wanted, found, host_);
+      inverse.insert(inverse.begin(), steps.begin(), steps.end());
+      return text;
+    }
+  }
+  refuse(edit,
+         "the file cannot say this: the robot has other things from its template, which come first "
+         "and cannot be replaced by others with their ids; remove one and add another");
+}
+
+Document::Document(std::string text, std::string file, const plugin::Host& host,
+                   ReadOptions options)
+    : impl_(std::make_unique<Impl>(std::move(text), std::move(file), host, std::move(options))) {}
+Document::Document(Document&&) noexcept = default;
+Document& Document::operator=(Document&&) noexcept = default;
+Document::~Document() = default;
+
+Document Document::open(const std::string& file, const plugin::Host& host, ReadOptions options) {
+  const std::string found = find_document(file, options.data_directories);
+  return {read_text(found), found, host, std::move(options)};
+}
+
+const std::string& Document::file() const { return impl_->file(); }
+const std::string& Document::text() const { return impl_->text(); }
+const World& Document::world() const { return impl_->world(); }
+Edits Document::apply(const Edits& edits) { return impl_->apply(edits); }
+std::string Document::text_for(const std::string& folder) const { return impl_->text_for(folder); }
+
+// Names of files in the text lead, from the other folder, to the same files.
+std::string Document::Impl::text_for(const std::string& folder) const {
+  std::error_code error;
+  if (!fs::is_directory(folder.empty() ? "." : folder, error)) {
+    throw WorldError({{folder, 0, "there is no such folder; a world is saved in one that exists"}});
+  }
+  const std::string elsewhere = (fs::path(folder) / fs::path(file_).filename()).string();
+  const Files there(elsewhere, options_.data_directories, elsewhere, options_.files);
+  std::vector<Splice> splices;
+  const std::function<void(const Element&, const Meaning&)> visit = [&](const Element& element,
+                                                                        const Meaning& meaning) {
+    for (const auto& span : now_.has(element) ? now_.spans[*element.object].attributes
+                                              : std::vector<ElementSpan::Attribute>()) {
+      const std::string name = now_.text.substr(span.begin, span.name_end - span.begin);
+      const Attribute* attribute = element.find(name);
+      const auto field = meaning.field(name);
+      const bool is_schema = name == "xsi:noNamespaceSchemaLocation";
+      if (!attribute || attribute->value.empty() ||
+          !(is_schema || (field && field->type == ParameterType::file))) {
+        continue;
+      }
+      const auto file = files_.find(attribute->value, element.where);
+      if (!file) {
+        continue;  // a schema that is not there
+      }
+      const std::string other =
+          is_schema ? fs::path(Files::absolute(*file))
+                          .lexically_relative(Files::absolute(folder.empty() ? "." : folder))
+                          .generic_string()
+                    : there.name_for_world(*file, attribute->value);
+      if (other != attribute->value) {
+        splices.push_back(
+            {span.value, span.end - 1, quoted_value(other, now_.text[span.value - 1])});
+      }
+    }
+    for (const Element& child : element.children) {
+      visit(child, meaning.child(child, host_));
+    }
+  };
+  visit(now_.raw, Meaning::of_world());
+  return spliced(now_.text, std::move(splices));
+}
+
+}  // namespace elsie::world

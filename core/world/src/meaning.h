@@ -1,0 +1,66 @@
+// What the elements of a tree may hold: the core's vocabulary and plugins' declarations together.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "elsie/plugin/host.h"
+#include "elsie/plugin/parameters.h"
+#include "elsie/world/markup.h"
+#include "elsie/world/vocabulary.h"
+
+namespace elsie::world {
+
+class Meaning {
+ public:
+  static Meaning of_world() { return {&vocabulary(), nullptr, nullptr}; }
+
+  /// Of an element in this one; empty if nothing is known of it.
+  Meaning child(const Element& child, const plugin::Host& host) const {
+    if (!spec_) {
+      return {};
+    }
+    if (spec_->plugins) {
+      const ElementSpec* held =
+          plugin_ && plugin_->hold ? coordination_vocabulary().child(child.name) : nullptr;
+      return held ? Meaning(held, nullptr, nullptr)
+             : plugin_
+                 ? Meaning(nullptr, nullptr, plugin::find_declared(plugin_->elements, child.name))
+                 : Meaning();
+    }
+    if (!spec_->children.empty() && spec_->children.front().plugins) {
+      const ElementSpec& use = spec_->children.front();
+      return {&use, host.find(*use.plugins, child.name), nullptr};
+    }
+    return {spec_->child(child.name), nullptr, nullptr};
+  }
+
+  std::optional<Field> field(const std::string& attribute) const {
+    if (const AttributeSpec* known = spec_ ? spec_->attribute(attribute) : nullptr) {
+      return *known;
+    }
+    const ParameterDeclaration* parameter =
+        plugin_    ? plugin::find_declared(plugin_->parameters, attribute)
+        : element_ ? plugin::find_declared(element_->parameters, attribute)
+                   : nullptr;
+    return parameter ? std::optional(field_of(*parameter)) : std::nullopt;
+  }
+
+  /// None for what a plugin declares.
+  const ElementSpec* spec() const { return spec_; }
+  bool is_use() const { return spec_ && spec_->plugins; }
+  /// Whether a plugin declares it.
+  bool is_declared() const { return element_ != nullptr; }
+
+  Meaning() = default;
+
+ private:
+  Meaning(const ElementSpec* spec, const Declaration* plugin, const ElementDeclaration* element)
+      : spec_(spec), plugin_(plugin), element_(element) {}
+
+  const ElementSpec* spec_ = nullptr;
+  const Declaration* plugin_ = nullptr;
+  const ElementDeclaration* element_ = nullptr;
+};
+
+}  // namespace elsie::world

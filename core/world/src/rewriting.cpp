@@ -1,0 +1,431 @@
+#include "rewriting.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "elsie/world/escaped.h"
+
+#include "meaning.h"
+
+namespace elsie::world {
+
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r";
+
+// Lines and indentation of a text.
+class Layout {
+ public:
+  explicit Layout(std::string_view text)
+      : text_(text), line_end_(text.find("\r\n") == text.npos ? "\n" : "\r\n") {}
+
+  const std::string& line_end() const { return line_end_; }
+
+  std::size_t line_start(std::size_t place) const {
+    const std::size_t end = place == 0 ? text_.npos : text_.rfind('\n', place - 1);
+    return end == text_.npos ? 0 : end + 1;
+  }
+  bool begins_line(std::size_t place) const {
+    const std::size_t start = line_start(place);
+    return start > 0 && text_.substr(start, place - start).find_first_not_of(kBlanks) == text_.npos;
+  }
+  // Of the line of a place.
+  std::string indent(std::size_t place) const {
+    const std::size_t start = line_start(place);
+    const std::size_t end = std::min(text_.find_first_not_of(" \t", start), place);
+    return std::string(text_.substr(start, end - start));
+  }
+  // After the comments that end the line of a place, or the place.
+  std::size_t after_comments(std::size_t place) const {
+    std::size_t end = place;
+    for (std::size_t at = place;;) {
+      at = std::min(text_.find_first_not_of(kBlanks, at), text_.size());
+      if (at == text_.size() || text_[at] == '\n') {
+        return end;
+      }
+      const std::size_t close =
+          text_.substr(at).starts_with("<!--") ? text_.find("-->", at) : text_.npos;
+      if (close == text_.npos || text_.substr(at, close - at).find('\n') != text_.npos) {
+        return place;
+      }
+      end = at = close + 3;
+    }
+  }
+  // An element with the line that it has for itself, or with the blanks in front of it.
+  Splice removal(const ElementSpan& span) const {
+    const std::size_t next = text_.find_first_not_of(kBlanks, span.end);
+    if (!begins_line(span.begin)) {
+      const std::size_t last = text_.find_last_not_of(kBlanks, span.begin - 1);
+      return {last == text_.npos ? 0 : last + 1, span.end, ""};
+    }
+    return next != text_.npos && text_[next] == '\n'
+               ? Splice{line_start(span.begin), next + 1, ""}
+               : Splice{span.begin, std::min(next, text_.size()), ""};
+  }
+
+ private:
+  std::string_view text_;
+  std::string line_end_;
+};
+
+class Rewriting {
+ public:
+  Rewriting(const WorldText& text, const Additions& additions, const plugin::Host& host)
+      : text_(text), additions_(additions), host_(host), layout_(text.text) {}
+
+  // The element itself stands in the text.
+  void change(const Element& before, const Element& after, const Meaning& meaning) {
+    const std::size_t self = *before.object;
+    change_attributes(self, before, after);
+    change_children(self, before, after, meaning);
+  }
+
+  std::string result() {
+    for (const auto& [holder, elements] : filled_) {
+      fill(holder, elements);
+    }
+    return spliced(text_.text, std::move(splices_));
+  }
+
+ private:
+  const ElementSpan& span(std::size_t element) const { return text_.spans[element]; }
+  std::string_view piece(std::size_t begin, std::size_t end) const {
+    return std::string_view(text_.text).substr(begin, end - begin);
+  }
+  const ElementSpan::Attribute* given(std::size_t element, const std::string& name) const {
+    for (const auto& attribute : span(element).attributes) {
+      if (piece(attribute.begin, attribute.name_end) == name) {
+        return &attribute;
+      }
+    }
+    return nullptr;
+  }
+
+  void change_attributes(std::size_t self, const Element& before, const Element& after) {
+    for (const Attribute& attribute : after.attributes) {
+      const Attribute* old = before.find(attribute.name);
+      const bool is_given = given(self, attribute.name);
+      const bool must_be_given = additions_.ids.contains(&after) && attribute.name == "id";
+      if (old && old->value == attribute.value && (is_given || !must_be_given)) {
+        continue;
+      }
+      if (!attribute.completed || must_be_given) {
+        set(self, attribute);
+      } else if (is_given) {
+        remove(self, attribute.name);
+      }
+    }
+    for (const Attribute& attribute : before.attributes) {
+      if (!after.find(attribute.name)) {
+        remove(self, attribute.name);
+      }
+    }
+  }
+
+  void set(std::size_t self, const Attribute& attribute) {
+    if (const auto* known = given(self, attribute.name)) {
+      splices_.push_back({known->value, known->end - 1,
+                          quoted_value(attribute.value, text_.text[known->value - 1])});
+      return;
+    }
+    const auto& attributes = span(self).attributes;
+    const std::size_t at = attributes.empty() ? span(self).name_end : attributes.back().end;
+    const bool own_line = !attributes.empty() && layout_.begins_line(attributes.back().begin);
+    splices_.push_back(
+        {at, at,
+         (own_line ? layout_.line_end() + layout_.indent(attributes.back().begin) : " ") +
+             attribute.name + "=\"" + quoted_value(attribute.value, '"') + "\""});
+  }
+
+  void remove(std::size_t self, const std::string& name) {
+    if (const auto* known = given(self, name)) {
+      const bool is_first = known == &span(self).attributes.front();
+      splices_.push_back({is_first ? span(self).name_end : (known - 1)->end, known->end, ""});
+    }
+  }
+
+  void change_children(std::size_t self, const Element& before, const Element& after,
+                       const Meaning& meaning) {
+    std::set<std::size_t> kept;
+    for (const Element& child : after.children) {
+      if (child.object) {
+        kept.insert(*child.object);
+      }
+    }
+    const bool whole_lists = replaces_inherited(before, after, meaning);
+    const auto is_inherited = [&](const Element& child) { return !text_.has(child); };
+    std::optional<std::size_t> last;  // own element before
+    auto old = before.children.begin();
+    const auto is_gone = [&] {
+      return old != before.children.end() && !(old->object && kept.contains(*old->object));
+    };
+    const auto take_away = [&] {
+      if (text_.has(*old)) {
+        splices_.push_back(layout_.removal(span(*old->object)));
+      } else if (!meaning.child(*old, host_).is_declared()) {
+        insert(self, last, removal_of(*old));
+      }
+      ++old;
+    };
+    for (const Element& child : after.children) {
+      if (!child.object) {
+        if (is_gone() && text_.has(*old)) {
+          replace(*old->object, child);
+          last = *old->object;
+          ++old;
+          continue;
+        }
+        if (is_gone()) {
+          ++old;  // of the template, which the new one overrides
+        }
+        insert(self, last, written(child));
+        continue;
+      }
+      while (is_gone()) {
+        take_away();
+      }
+      const Meaning below = meaning.child(child, host_);
+      if (!is_inherited(child)) {
+        last = *child.object;
+        change(*old, child, below);
+      } else if (whole_lists && below.is_declared()) {
+        insert(self, last, written(child));
+      } else if (!alike(*old, child) || is_wanted(child)) {
+        insert(self, last, overriding(*old, child, below));
+      }
+      ++old;
+    }
+    while (is_gone()) {
+      take_away();
+    }
+    if (const auto found = additions_.removals.find(&after); found != additions_.removals.end()) {
+      for (const Element& removed : found->second) {
+        insert(self, last, removal_of(removed));
+      }
+    }
+  }
+
+  // Elements that a plugin declares replace those of the template, all at once.
+  bool replaces_inherited(const Element& before, const Element& after,
+                          const Meaning& meaning) const {
+    if (!meaning.is_use()) {
+      return false;
+    }
+    const auto declared = [&](const Element& element) {
+      std::vector<const Element*> found;
+      for (const Element& child : element.children) {
+        if (meaning.child(child, host_).is_declared()) {
+          found.push_back(&child);
+        }
+      }
+      return found;
+    };
+    const auto old = declared(before);
+    const auto now = declared(after);
+    return !std::equal(old.begin(), old.end(), now.begin(), now.end(),
+                       [](const Element* a, const Element* b) { return alike(*a, *b); });
+  }
+
+  // Whether an addition concerns the element or one in it.
+  bool is_wanted(const Element& element) const {
+    return additions_.removals.contains(&element) ||
+           std::any_of(element.children.begin(), element.children.end(),
+                       [&](const Element& child) { return is_wanted(child); });
+  }
+
+  // What overrides an element of a template.
+  Element overriding(const Element& before, const Element& after, const Meaning& meaning) const {
+    Element own;
+    own.name = after.name;
+    const std::string id = before.value("id");
+    if (!id.empty() && !(id == after.name && meaning.spec() && meaning.spec()->at_most == 1)) {
+      own.set("id", id, {});
+    }
+    for (const Attribute& attribute : after.attributes) {
+      const Attribute* old = before.find(attribute.name);
+      if (!old || old->value != attribute.value) {
+        own.set(attribute.name, attribute.value, {});
+      }
+    }
+    const bool whole_lists = replaces_inherited(before, after, meaning);
+    for (const Element& child : after.children) {
+      const auto old = std::find_if(
+          before.children.begin(), before.children.end(),
+          [&](const Element& each) { return child.object && each.object == child.object; });
+      const Meaning below = meaning.child(child, host_);
+      if (old == before.children.end() || (whole_lists && below.is_declared())) {
+        own.children.push_back(written(child));
+      } else if (!alike(*old, child) || is_wanted(child)) {
+        own.children.push_back(overriding(*old, child, below));
+      }
+    }
+    for (const Element& old : before.children) {
+      const bool stays = std::any_of(
+          after.children.begin(), after.children.end(),
+          [&](const auto& child) { return child.object && child.object == old.object; });
+      const bool is_replaced =
+          std::any_of(own.children.begin(), own.children.end(), [&](const auto& child) {
+            return child.value("id") == old.value("id") ||
+                   (meaning.spec() && meaning.spec()->group &&
+                    meaning.spec()->children.front().at_most == 1);
+          });
+      if (!stays && !is_replaced && !meaning.child(old, host_).is_declared()) {
+        own.children.push_back(removal_of(old));
+      }
+    }
+    if (const auto found = additions_.removals.find(&after); found != additions_.removals.end()) {
+      for (const Element& removed : found->second) {
+        own.children.push_back(removal_of(removed));
+      }
+    }
+    return own;
+  }
+
+  static Element removal_of(const Element& member) {
+    Element removal;
+    removal.name = member.name;
+    removal.set("id", member.value("id"), {});
+    removal.set("remove", "true", {});
+    return removal;
+  }
+
+  // A new element without the ids that reading completes.
+  Element written(const Element& element) const {
+    Element copy = element;
+    if (!additions_.ids.contains(&element)) {
+      std::erase_if(copy.attributes, [](const Attribute& each) { return each.completed; });
+    }
+    copy.children.clear();
+    for (const Element& child : element.children) {
+      copy.children.push_back(written(child));
+    }
+    return copy;
+  }
+
+  std::string lines(const Element& element, const std::string& indent,
+                    const std::string& step) const {
+    std::string text = start_tag(element);
+    if (element.children.empty() && element.text.empty()) {
+      return text + "/>";
+    }
+    text += ">" + escaped(element.text);
+    for (const Element& child : element.children) {
+      text += layout_.line_end() + indent + step + lines(child, indent + step, step);
+    }
+    return text + layout_.line_end() + indent + "</" + element.name + ">";
+  }
+
+  // By how much an element stands further in than its parent.
+  std::string step_below(std::size_t holder) const {
+    const std::size_t parent = span(holder).parent;
+    const std::string inner = layout_.indent(span(holder).begin);
+    const std::string outer =
+        parent == ElementSpan::kNone ? "" : layout_.indent(span(parent).begin);
+    return inner.size() > outer.size() && inner.starts_with(outer) ? inner.substr(outer.size())
+                                                                   : "  ";
+  }
+
+  void replace(std::size_t self, const Element& element) {
+    splices_.push_back(
+        {span(self).begin, span(self).end,
+         lines(written(element), layout_.indent(span(self).begin), step_below(span(self).parent))});
+  }
+
+  // Behind `last`, an own child of the holder, or in front of all of them.
+  void insert(std::size_t holder, std::optional<std::size_t> last, const Element& element) {
+    const std::size_t first = holder + 1;
+    const bool is_filled = first < text_.spans.size() && span(first).parent == holder;
+    if (!last && !is_filled) {
+      filled_[holder].push_back(element);
+      return;
+    }
+    const std::size_t neighbour = last.value_or(first);
+    const bool own_line = layout_.begins_line(span(neighbour).begin);
+    const std::string indent = layout_.indent(span(neighbour).begin);
+    std::size_t at = last       ? span(neighbour).end
+                     : own_line ? span(holder).open_end
+                                : span(neighbour).begin;
+    if (own_line) {
+      at = layout_.after_comments(at);
+    }
+    splices_.push_back({at, at,
+                        (own_line ? layout_.line_end() + indent : "") +
+                            lines(element, indent, step_below(holder))});
+  }
+
+  // An element without elements gets its first ones.
+  void fill(std::size_t holder, const std::vector<Element>& elements) {
+    const ElementSpan& self = span(holder);
+    const std::string indent = layout_.indent(self.begin);
+    const std::string step = step_below(holder);
+    const bool own_line = !self.empty && layout_.begins_line(self.close);
+    std::string text;
+    for (const Element& element : elements) {
+      const std::string line = indent + step + lines(element, indent + step, step);
+      text += own_line ? line + layout_.line_end() : layout_.line_end() + line;
+    }
+    if (own_line) {
+      const std::size_t at = layout_.line_start(self.close);
+      splices_.push_back({at, at, text});
+    } else if (self.empty) {
+      const std::size_t at = self.attributes.empty() ? self.name_end : self.attributes.back().end;
+      splices_.push_back({at, self.end,
+                          ">" + text + layout_.line_end() + indent + "</" +
+                              std::string(piece(self.begin + 1, self.name_end)) + ">"});
+    } else {
+      splices_.push_back({self.close, self.close, text + layout_.line_end() + indent});
+    }
+  }
+
+  const WorldText& text_;
+  const Additions& additions_;
+  const plugin::Host& host_;
+  const Layout layout_;
+  std::vector<Splice> splices_;
+  std::map<std::size_t, std::vector<Element>> filled_;
+};
+
+}  // namespace
+
+std::string spliced(std::string_view text, std::vector<Splice> splices) {
+  std::stable_sort(splices.begin(), splices.end(), [](const Splice& a, const Splice& b) {
+    return std::pair(a.begin, a.end) < std::pair(b.begin, b.end);
+  });
+  std::string result;
+  std::size_t at = 0;
+  for (const Splice& splice : splices) {
+    const std::size_t begin = std::max(at, splice.begin);
+    result.append(text.substr(at, begin - at)).append(splice.text);
+    at = std::max(begin, splice.end);
+  }
+  return result.append(text.substr(at));
+}
+
+std::string quoted_value(const std::string& value, char quote) {
+  std::string text = escaped_attribute(value);
+  for (std::size_t at = 0; quote == '\'' && (at = text.find('\'', at)) != text.npos;) {
+    text.replace(at, 1, "&apos;");
+  }
+  return text;
+}
+
+std::string rewritten(const WorldText& text, const Element& before, const Element& after,
+                      const Additions& additions, const plugin::Host& host) {
+  Rewriting rewriting(text, additions, host);
+  rewriting.change(before, after, Meaning::of_world());
+  return rewriting.result();
+}
+
+bool alike(const Element& a, const Element& b) {
+  const auto has = [](const Element& element, const Attribute& attribute) {
+    const Attribute* found = element.find(attribute.name);
+    return found && found->value == attribute.value;
+  };
+  return a.name == b.name && a.text == b.text && a.attributes.size() == b.attributes.size() &&
+         std::all_of(a.attributes.begin(), a.attributes.end(),
+                     [&](const Attribute& each) { return has(b, each); }) &&
+         std::equal(a.children.begin(), a.children.end(), b.children.begin(), b.children.end(),
+                    alike);
+}
+
+}  // namespace elsie::world

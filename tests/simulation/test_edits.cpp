@@ -1,0 +1,421 @@
+// Edits of a world that runs: it becomes what the edited file would describe, and all that an edit
+// does not concern goes on.
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/recording/csv_recorder.h"
+#include "elsie/recording/mcap_recorder.h"
+#include "elsie/traces/account_recorder.h"
+#include "elsie/traces/tracks.h"
+#include "elsie/world/reader.h"
+
+#include "change_support.h"
+
+using namespace elsie;
+using namespace elsie::test;
+using simulation::RunResult;
+using simulation::TimedChange;
+
+namespace {
+
+/// Three robots that wander, a box that can be pushed, one that moves, a resource and a mast.
+const std::string kWorld = R"(<world format="1">
+  <arena length="6" width="6"/>
+  <obstacles>
+    <static id="mast" x="-2.5" y="2.5"/>
+    <dynamic id="crate" x="2.5" y="2.5"/>
+    <moving id="cart" x="-2.5" y="-2.5" speed="0.1"><waypoint x="-1.5" y="-2.5"/></moving>
+  </obstacles>
+  <resources><resource id="food" x="2.5" y="-2.5"/></resources>
+  <robots>
+    <robot id="r1" x="-1" leader="true"><sensors><beam_range id="ahead" error="0.05"/></sensors>
+      <behaviors><wander restlessness="3"/><turn_left id="rest" priority="0.1"/></behaviors>
+      <coordinator><fusion_vector_summation/></coordinator></robot>
+    <robot id="r2" x="0" y="1" heading_deg="90"><sensors><beam_range id="ahead"/></sensors>
+      <behaviors><wander restlessness="3"/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator></robot>
+    <robot id="r3" x="1" heading_deg="-90"><behaviors><wander/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator></robot>
+  </robots>
+  <goals><reach robot="r1" x="2.9" y="2.9" radius="0.01"/></goals>
+  <measures><path_length/></measures>
+  <limits time="6"/>
+</world>)";
+
+world::World lively() { return world::parse_world(kWorld, "lively.xml", shipped()); }
+
+/// A world with this in it, and a robot "r1" that stands.
+Simulation of(const std::string& content, const std::string& robot = "") {
+  return Simulation(
+      world::parse_world("<world format=\"1\">" + content + "<robots><robot id=\"r1\">" + robot +
+                             "</robot></robots></world>",
+                         "small.xml", shipped()),
+      shipped());
+}
+
+std::string refusal(Simulation& simulation, const std::string& path, const std::string& value) {
+  return why_not([&] { simulation.change(path, value); });
+}
+
+std::uint64_t hash_after(int steps, const std::vector<std::pair<int, simulation::Change>>& edits) {
+  Simulation simulation(lively(), shipped(), {7});
+  for (int step = 0; step < steps; ++step) {
+    for (const auto& [when, edit] : edits) {
+      if (when == step) {
+        simulation.change(edit.path, edit.value);
+      }
+    }
+    simulation.step();
+  }
+  return simulation.state_hash();
+}
+
+}  // namespace
+
+TEST_CASE("A run with an edit of no consequence is one without") {
+  const std::uint64_t plain = hash_after(300, {});
+  const std::vector<simulation::Change> edits{{"@name", "another"},
+                                              {"arena/@wall_height", "0.4"},
+                                              {"physics/@gravity", "-9.81"},
+                                              {"obstacle[mast]/@colour", "#123456"},
+                                              {"goal[1]/@radius", "0.02"},
+                                              {"limits/@time", "7"},
+                                              {"resource[food]/@energy", "5"},
+                                              {"team[+]", "<team id=\"green\"/>"}};
+  for (const simulation::Change& edit : edits) {
+    CAPTURE(edit.text());
+    CHECK(hash_after(300, {{131, edit}}) == plain);
+  }
+}
+
+TEST_CASE("The same edits at the same steps give the same run, bit for bit; others another one") {
+  const std::vector<std::pair<int, simulation::Change>> edits{
+      {50, {"physics/@step", "0.005"}},
+      {80, {"robot[r3]/@remove", "true"}},
+      {120, {"obstacle[+]", "<static x=\"0\" y=\"-2\"/>"}},
+      {140, {"robot[r1]/behavior[+]", "<wander id=\"other\" restlessness=\"9\"/>"}},
+      {160,
+       {"robot[+]",
+        "<robot id=\"r9\" x=\"2\"><behaviors><wander/></behaviors><coordinator>"
+        "<arbiter_suppression/></coordinator></robot>"}},
+      {200, {"robot[r2]/coordinator", "<fusion_vector_summation/>"}}};
+  const std::uint64_t first = hash_after(400, edits);
+  CHECK(first == hash_after(400, edits));
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    auto fewer = edits;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    CAPTURE(edits[i].second.text());
+    CHECK(first != hash_after(400, fewer));
+  }
+}
+
+TEST_CASE("A reset forgets edits") {
+  Simulation simulation(lively(), shipped(), {7});
+  const std::vector<TimedChange> edits{{1.0, {"physics/@step", "0.005"}},
+                                       {2.0, {"robot[r1]/@remove", "true"}}};
+  // A goal names r1.
+  CHECK_THROWS_AS(simulation.run({}, edits), ChangeRefused);
+  const std::vector<TimedChange> good{{1.0, {"physics/@step", "0.005"}},
+                                      {2.0, {"robot[r3]/@remove", "true"}}};
+  const RunResult edited = simulation.run({}, good);
+  CHECK(simulation.robots() == 2);
+  simulation.reset();
+  CHECK(simulation.robots() == 3);
+  CHECK(simulation.run().state_hash == Simulation(lively(), shipped(), {7}).run().state_hash);
+  simulation.reset();
+  CHECK(simulation.run({}, good).state_hash == edited.state_hash);
+}
+
+TEST_CASE("Edits that stand in the world are made by its runs") {
+  world::World world = lively();
+  world.changes.push_back({2.0, "robot[r3]/@remove", "true", {}, {}});
+  Simulation simulation(world, shipped(), {7});
+  CHECK(simulation.run().robots.size() == 2);
+}
+
+TEST_CASE("Without gravity a falling box goes on at its speed") {
+  Simulation simulation = of("<obstacles><dynamic id=\"crate\" x=\"2\" z=\"3\"/></obstacles>", "");
+  advance(simulation, 20);
+  simulation.change("physics/@gravity", "0");
+  // The engine has no height to look at; robots have: one that falls.
+  simulation.change("robot[r1]/@z", "2");
+  advance(simulation, 50);
+  CHECK(simulation.robot(0).state->pose.x == Approx(0).margin(1e-6));
+  simulation.change("robot[r1]/sensor[+]", "<beam_range id=\"ahead\"/>");
+  const double height = simulation.sensor_frame(0, 0).origin.z;
+  CHECK(height == Approx(2.09).margin(1e-3));
+  simulation.change("physics/@gravity", "-9.81");
+  advance(simulation, 20);
+  CHECK(simulation.sensor_frame(0, 0).origin.z < height - 0.1);
+}
+
+TEST_CASE("With half the step a robot drives on smoothly, and time goes on") {
+  Simulation simulation = of("",
+                             "<behaviors><wander restlessness=\"0\" turn=\"0\"/></behaviors>"
+                             "<coordinator><arbiter_suppression/></coordinator>");
+  advance(simulation, 100);
+  const double before_x = simulation.robot(0).state->pose.x;
+  const double speed = simulation.robot(0).state->moving.forward;
+  simulation.change("physics/@step", "0.005");
+  CHECK(simulation.time_s() == Approx(1.0));
+  simulation.step();
+  CHECK(simulation.time_s() == Approx(1.005));
+  CHECK(simulation.robot(0).state->moving.forward == Approx(speed).margin(0.01));
+  CHECK(simulation.robot(0).state->pose.x == Approx(before_x + 0.005 * speed).margin(1e-3));
+  advance(simulation, 199);
+  CHECK(simulation.time_s() == Approx(2.0));
+}
+
+TEST_CASE(
+    "A robot meets an obstacle that was dropped in its way, and not one that was taken away") {
+  const char* const driver =
+      "<behaviors><wander restlessness=\"0\" turn=\"0\"/></behaviors>"
+      "<coordinator><arbiter_suppression/></coordinator>";
+  const auto x_after = [&](bool dropped, bool taken) {
+    Simulation simulation = of("", driver);
+    advance(simulation, 50);
+    const double x = simulation.robot(0).state->pose.x;
+    const std::string at = std::to_string(x + 0.4);
+    if (dropped) {
+      simulation.change("obstacle[+]", "<static id=\"block\" width=\"1\" x=\"" + at + "\"/>");
+    }
+    advance(simulation, 20);
+    if (taken) {
+      simulation.change("obstacle[block]/@remove", "true");
+    }
+    advance(simulation, 400);
+    return std::pair(simulation.robot(0).state->pose.x - x, simulation.robot(0).collisions);
+  };
+  const auto free = x_after(false, false), blocked = x_after(true, false),
+             again = x_after(true, true);
+  REQUIRE(free.first > 0.5);
+  CHECK(free.second == 0);
+  CHECK(blocked.first < 0.4);
+  CHECK(blocked.second > 0);
+  CHECK(again == free);
+}
+
+TEST_CASE("A sensor that was added, turned or taken away is perceived so") {
+  Simulation simulation =
+      of("<obstacles><static id=\"block\" x=\"0.5\" width=\"0.4\"/></obstacles>",
+         "<sensors><beam_range id=\"ahead\"/></sensors>");
+  const auto seen = [&](std::size_t sensor) {
+    std::vector<NamedValue> values;
+    simulation.list_values(0, sensor, values);
+    return values.front().value;
+  };
+  advance(simulation, 3);
+  const double ahead = seen(0);
+  simulation.change("robot[r1]/sensor[+]", "<beam_range id=\"behind\" yaw_deg=\"180\"/>");
+  REQUIRE(simulation.sensors(0) == 2);
+  advance(simulation, 2);
+  CHECK(seen(0) == Approx(ahead).margin(0.02));
+  CHECK(seen(1) > ahead + 0.1);
+  simulation.change("robot[r1]/sensor[ahead]/@yaw_deg", "180");
+  advance(simulation, 2);
+  CHECK(seen(0) == Approx(seen(1)).margin(0.05));
+  simulation.change("robot[r1]/sensor[ahead]/@remove", "true");
+  REQUIRE(simulation.sensors(0) == 1);
+  CHECK(simulation.sensor(0, 0).id == "behind");
+}
+
+TEST_CASE("A behaviour that was added acts, and the others keep their objects") {
+  Simulation simulation(lively(), shipped(), {7});
+  advance(simulation, 50);
+  const auto members = [&] {
+    std::vector<std::string> paths;
+    for (const auto& member : simulation.robot(1).trace) {
+      paths.push_back(member.path);
+    }
+    return paths;
+  };
+  simulation.change("robot[r2]/behavior[+]", "<wander id=\"second\" priority=\"0\"/>");
+  CHECK(members() == std::vector<std::string>{"wander", "second"});
+  CHECK(simulation.notes().empty());
+  advance(simulation, 1);
+  simulation.change("robot[r2]/behavior[wander]/@remove", "true");
+  CHECK(members() == std::vector<std::string>{"second"});
+  advance(simulation, 5);
+  CHECK(simulation.robot(1).trace[0].member->trace.asked);
+  // One that is replaced under its id says that it has lost its memory.
+  simulation.change("robot[r2]/behavior[second]", "<wander restlessness=\"4\"/>");
+  REQUIRE(simulation.notes().size() == 1);
+  CHECK(simulation.notes()[0].robot == "r2");
+  CHECK(simulation.notes()[0].plugin == "second");
+}
+
+TEST_CASE("What other robots do is not touched by an edit of one") {
+  // They are far apart, and do not see each other.
+  const auto path_of_r1 = [](bool edited) {
+    Simulation simulation(lively(), shipped(), {7});
+    advance(simulation, 60);
+    if (edited) {
+      simulation.change("robot[r3]/coordinator", "<fusion_vector_summation/>");
+      simulation.change("robot[r3]/body/@length", "0.1");
+    }
+    advance(simulation, 60);
+    return simulation.robot(0).state->pose;
+  };
+  CHECK(path_of_r1(true) == path_of_r1(false));
+}
+
+TEST_CASE("Robots come and go, and their teams know it") {
+  Simulation simulation(lively(), shipped(), {7});
+  advance(simulation, 10);
+  const std::uint64_t before = simulation.state_hash();
+  simulation.change("robot[+]", "<robot id=\"r9\" x=\"2\" leader=\"true\" coverage=\"9\"/>");
+  REQUIRE(simulation.robots() == 4);
+  CHECK(simulation.robot(3).description->id == "r9");
+  CHECK(simulation.robot(3).state->team_index == 3);
+  CHECK(simulation.state_hash() != before);
+  simulation.change("robot[r2]/@remove", "true");
+  REQUIRE(simulation.robots() == 3);
+  CHECK(simulation.robot(2).state->team_index == 2);
+  advance(simulation, 10);
+  CHECK(simulation.robot(2).state->pose.x == Approx(2).margin(1e-6));
+}
+
+TEST_CASE("A robot with another body keeps its place, speed, energy and way") {
+  Simulation simulation(lively(), shipped(), {7});
+  advance(simulation, 100);
+  const auto before = *simulation.robot(2).state;
+  const double way = simulation.robot(2).distance_m;
+  simulation.change("robot[r3]/body/@length", "0.1");
+  const OwnState& now = *simulation.robot(2).state;
+  CHECK(now.pose == before.pose);
+  CHECK(now.moving.forward == Approx(before.moving.forward).margin(1e-6));
+  CHECK(now.energy == before.energy);
+  CHECK(now.length_m == 0.1);
+  CHECK(simulation.robot(2).distance_m == way);
+  simulation.change("robot[r3]/drive[+]", "<mecanum/>");
+  CHECK(simulation.robot(2).state->channels.lateral);
+  CHECK(simulation.robot(2).state->pose == before.pose);
+  advance(simulation, 50);
+}
+
+TEST_CASE("Goals and limits count from their edit on") {
+  Simulation simulation(lively(), shipped(), {7});
+  advance(simulation, 10);
+  simulation.change("goal[1]", "<travel robot=\"r1\" distance=\"0.001\"/>");
+  advance(simulation, 100);
+  CHECK(simulation.outcome() == simulation::Outcome::success);
+
+  Simulation limited(lively(), shipped(), {7});
+  limited.change("limits/@time", "0.5");
+  advance(limited, 60);
+  CHECK(limited.outcome() == simulation::Outcome::time_limit);
+}
+
+TEST_CASE("An edit that cannot be made is refused in one sentence, and changes nothing") {
+  Simulation simulation(lively(), shipped(), {7});
+  advance(simulation, 40);
+  const std::uint64_t before = simulation.state_hash();
+  const std::size_t events = simulation.events().size();
+  const std::string r9 = "<robot id=\"r9\" x=\"";
+  const Pose r1 = simulation.robot(0).state->pose;
+  const auto says = [&](const std::string& path, const std::string& value,
+                        const std::string& part) {
+    const std::string sentence = refusal(simulation, path, value);
+    CAPTURE(path, value, sentence);
+    CHECK(sentence.starts_with(path + "=" + value + ": "));
+    CHECK(sentence.find(part) != std::string::npos);
+    CHECK(sentence.find('\n') == std::string::npos);
+  };
+  says("robot[r7]/@remove", "true", "there is no robot 'r7'");
+  says("robot[r1]/@remove", "true", "r1");
+  says("robot[+]", r9 + "3\"/>", "wall");
+  says("robot[+]",
+       "<robot id=\"r9\" x=\"" + std::to_string(r1.x) + "\" y=\"" + std::to_string(r1.y) + "\"/>",
+       "overlaps the robot 'r1'");
+  says("robot[+]", r9 + "-2.5\" y=\"2.5\"/>", "overlaps the box 'mast'");
+  says("robot[+]", "<robot id=\"r1\" x=\"2\"/>", "r1");
+  says("obstacle[+]",
+       "<static id=\"block\" length=\"1\" width=\"1\" x=\"" + std::to_string(r1.x) + "\" y=\"" +
+           std::to_string(r1.y) + "\"/>",
+       "overlaps the robot 'r1'");
+  says("arena/@wall_thickness", "-1", "expected a number");
+  says("robot[r1]/sensor[+]", "<no_such_sensor/>", "no_such_sensor");
+  says("robot[r1]/coordinator", "<no_such_coordinator/>", "no_such_coordinator");
+  says("@format", "2", "expected '1'");
+  says("physics/@step", "0", "expected a number");
+  CHECK(simulation.state_hash() == before);
+  CHECK(simulation.events().size() == events);
+  // Of several, the ones that could be made are not made either.
+  CHECK_THROWS_AS(
+      simulation.change(std::vector<simulation::Change>{
+          {"robot[r2]/@max_speed", "0"}, {"robot[r3]/@remove", "true"}, {"robot[r1]/@x", "99"}}),
+      ChangeRefused);
+  CHECK(simulation.robots() == 3);
+  CHECK(simulation.state_hash() == before);
+  advance(simulation, 260);
+  CHECK(simulation.state_hash() == hash_after(300, {}));
+}
+
+TEST_CASE("An arena does not shrink into a robot or a box") {
+  Simulation simulation = of("", "");
+  simulation.change("robot[r1]/@x", "3");
+  const std::uint64_t before = simulation.state_hash();
+  CHECK(refusal(simulation, "arena/@length", "6").find("robot 'r1'") != std::string::npos);
+  CHECK(simulation.state_hash() == before);
+  simulation.change("arena/@length", "6.5");
+  CHECK(simulation.world().arena.length == 6.5);
+}
+
+TEST_CASE("A collected resource stays away, a box that moves goes on") {
+  Simulation simulation(lively(), shipped(), {7});
+  advance(simulation, 200);
+  const auto cart = simulation.box(2);
+  REQUIRE(cart);
+  simulation.change("obstacle[mast]/@remove", "true");
+  REQUIRE(simulation.box(1));
+  CHECK(*simulation.box(1) == *cart);
+  simulation.step();
+  CHECK(std::abs(simulation.box(1)->x - cart->x) == Approx(0.001).margin(1e-9));
+}
+
+TEST_CASE("Edits are events, with which recorders go on") {
+  TemporaryFile table, recording;
+  const auto run = [&](bool with_observers) {
+    Simulation simulation(lively(), shipped(), {7});
+    recording::CsvRecorder csv(table.path, 10, false);
+    recording::McapRecorder mcap(recording.path, {});
+    traces::TrackRecorder tracks;
+    traces::AccountRecorder accounts;
+    std::vector<simulation::Observer*> all{&csv, &mcap, &tracks, &accounts};
+    if (!with_observers) {
+      all.clear();
+    }
+    const RunResult result = simulation.run(
+        all,
+        std::vector<TimedChange>{{1.0, {"robot[r2]/@remove", "true"}},
+                                 {1.5, {"physics/@step", "0.004"}},
+                                 {2.0, {"robot[r1]/sensor[ahead]/@remove", "true"}},
+                                 {2.0, {"robot[r1]/behavior[+]", "<wander id=\"more\"/>"}},
+                                 {3.0,
+                                  {"robot[+]",
+                                   "<robot id=\"r9\" x=\"2\"><behaviors><wander/></behaviors>"
+                                   "<coordinator><arbiter_suppression/></coordinator></robot>"}}});
+    if (with_observers) {
+      CHECK(tracks.tracks().size() == 3);
+      CHECK(accounts.accounts().size() == 3);
+    }
+    return result;
+  };
+  const RunResult watched = run(true), alone = run(false);
+  CHECK(watched.state_hash == alone.state_hash);
+  CHECK(watched.simulated_s == Approx(6.0).margin(0.005));
+  std::vector<std::string> edits;
+  for (const auto& event : watched.events) {
+    if (event.as<events::Changed>()) {
+      edits.push_back(event.robot + " " + event.detail());
+    }
+  }
+  REQUIRE(edits.size() == 5);
+  CHECK(edits[0] == "r2 robot[r2]/@remove=true");
+  CHECK(edits[1] == " physics/@step=0.004");
+  CHECK(edits[2] == "r1 robot[r1]/sensor[ahead]/@remove=true");
+}
