@@ -64,3 +64,16 @@ TEST_CASE("The map of a plane and its inverse agree") {
   CHECK(back.x == Approx(-3.25));
   CHECK(back.y == Approx(4.5));
 }
+
+TEST_CASE("An interval grows with what is finite, and a single value gets room") {
+  Interval interval;
+  CHECK(interval.empty());
+  CHECK(interval.widened().low == -1.0);
+  interval.include(std::nan(""));
+  interval.include(20.0);
+  CHECK(interval.widened().low == Approx(18.0));
+  CHECK(interval.widened().high == Approx(22.0));
+  interval.include(10.0);
+  CHECK(interval.widened().low == 10.0);
+  CHECK(interval.part(12.5) == Approx(0.25));
+}

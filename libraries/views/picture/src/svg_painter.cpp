@@ -39,7 +39,7 @@ void SvgPainter::fill(const std::string& path, const Ink& ink) {
 
 void SvgPainter::stroke(const std::string& path, const Ink& ink, const Pen& pen) {
   if (path.empty()) return;
-  body_ += "<path d=\"" + path + "\" fill=\"none\"" + paint("stroke", ink);
+  body_ += "<path d=\"" + path + "\"" + paint("stroke", ink);
   if (pen.width != 1.0) body_ += " stroke-width=\"" + number(pen.width) + "\"";
   if (pen.round) body_ += " stroke-linecap=\"round\" stroke-linejoin=\"round\"";
   if (!pen.dash.empty()) {
@@ -88,7 +88,7 @@ void SvgPainter::open(const std::string& title) {
 
 std::string SvgPainter::finish(int width, int height, double zoom, const std::string& label) const {
   const std::string box =
-      " viewBox=\"0 0 " + number(width / zoom) + " " + number(height / zoom) + "\"";
+      " viewBox=\"0 0 " + number(width / zoom) + " " + number(height / zoom) + "\" fill=\"none\"";
   if (in_page_) {
     return "<svg role=\"img\" aria-label=\"" + escaped(label) + "\"" + box + ">" + body_ + "</svg>";
   }
