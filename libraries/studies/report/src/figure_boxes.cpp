@@ -232,7 +232,7 @@ std::string rate_figure(const Findings& findings, const Inks& inks) {
   return text +
          "<div class=\"rate scale\"><span></span><svg class=\"plot\" aria-hidden=\"true\" "
          "width=\"100%\" height=\"16\">" +
-         span.labels(picture::nice_ticks(0.0, 100.0, 4), 12.0) +
+         span.labels({{0.0, 25.0, 50.0, 75.0, 100.0}, 25.0}, 12.0) +
          "</svg><span class=\"count\">%</span></div></div>\n";
 }
 

@@ -236,10 +236,10 @@ void Canvas::text(const std::string& text, const Vector2& at, const TextStyle& s
 std::string Canvas::fitted(const std::string& text, const TextStyle& style, double width) const {
   const std::string whole = clean_text(text);
   if (text_width(whole, style) <= width) return whole;
-  std::string shorter = whole;
-  while (!shorter.empty()) {
-    shorter = without_tail(shorter, 1);
-    if (text_width(shorter + "\xE2\x80\xA6", style) <= width) return shorter + "\xE2\x80\xA6";
+  for (std::size_t end = whole.size(); end-- > 0;) {
+    if ((static_cast<unsigned char>(whole[end]) & 0xc0U) == 0x80U) continue;  // in a character
+    const std::string shorter = whole.substr(0, end) + "\xE2\x80\xA6";
+    if (text_width(shorter, style) <= width) return shorter;
   }
   return {};
 }

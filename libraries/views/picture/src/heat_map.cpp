@@ -70,10 +70,6 @@ void draw_colour_bar(Canvas& canvas, const Axis& axis, const Interval& range, co
 
 }  // namespace
 
-double head_height(const Canvas&, const HeatMap& map, double) {
-  return map.title.empty() ? 6 : kPanelTitle + 12;
-}
-
 void draw(Canvas& canvas, const HeatMap& map, const Rect& area, double head) {
   const Field& field = map.field;
   const Interval x_range{*field.x.low, *field.x.high};

@@ -116,10 +116,6 @@ void draw_edge(Canvas& canvas, const Vector2& a, const Vector2& b, const Vector2
 
 }  // namespace
 
-double head_height(const Canvas&, const Mesh& mesh, double) {
-  return mesh.title.empty() ? 6 : kPanelTitle + 12;
-}
-
 void draw(Canvas& canvas, const Mesh& mesh, const Rect& area, double head) {
   const Field& field = mesh.field;
   const Interval x_range{*field.x.low, *field.x.high};

@@ -12,14 +12,22 @@
 
 namespace elsie::picture {
 
+// Text sizes.
+inline constexpr double kPageTitle = 20.0;
+inline constexpr double kPanelTitle = 15.0;
+inline constexpr double kLabel = 13.0;
+inline constexpr double kTick = 12.0;
+
 /// Throws std::invalid_argument for an axis or a field that cannot be drawn.
 void check_panel(const Panel& panel);
 /// The ratio of height to width that suits the panel without its head.
 double natural_aspect(const Panel& panel);
 /// The height that title and names above the plot need in a panel of this width.
 double head_height(const Canvas& canvas, const LineChart& chart, double width);
-double head_height(const Canvas& canvas, const HeatMap& map, double width);
-double head_height(const Canvas& canvas, const Mesh& mesh, double width);
+template <class FieldPanel>
+double head_height(const Canvas&, const FieldPanel& panel, double) {
+  return panel.title.empty() ? 6 : kPanelTitle + 12;
+}
 
 /// `head` is at least head_height(): the largest in the row, so that plots line up.
 void draw(Canvas& canvas, const LineChart& chart, const Rect& area, double head);
@@ -78,11 +86,5 @@ void hatch(Canvas& canvas, const Rect& around, double every, const Ink& ink);
 
 /// Around a picture, units.
 inline constexpr double kPageMargin = 18.0;
-
-// Text sizes.
-inline constexpr double kPageTitle = 20.0;
-inline constexpr double kPanelTitle = 15.0;
-inline constexpr double kLabel = 13.0;
-inline constexpr double kTick = 12.0;
 
 }  // namespace elsie::picture

@@ -20,9 +20,7 @@ double distance(const Vector2& p, const Vector2& a, const Vector2& b) {
 }  // namespace
 
 std::vector<Vector2> simplified(const std::vector<Vector2>& line, double tolerance) {
-  if (line.size() < 3) {
-    return line;
-  }
+  if (line.size() < 3) return line;
   std::vector<bool> kept(line.size(), false);
   kept.front() = kept.back() = true;
   std::vector<std::pair<std::size_t, std::size_t>> open{{0, line.size() - 1}};
@@ -33,23 +31,16 @@ std::vector<Vector2> simplified(const std::vector<Vector2>& line, double toleran
     std::size_t split = 0;
     for (std::size_t i = from + 1; i < to; ++i) {
       const double d = distance(line[i], line[from], line[to]);
-      if (d > farthest) {
-        farthest = d;
-        split = i;
-      }
+      if (d > farthest) farthest = d, split = i;
     }
-    if (split == 0) {
-      continue;
-    }
+    if (split == 0) continue;
     kept[split] = true;
     open.emplace_back(from, split);
     open.emplace_back(split, to);
   }
   std::vector<Vector2> result;
   for (std::size_t i = 0; i < line.size(); ++i) {
-    if (kept[i]) {
-      result.push_back(line[i]);
-    }
+    if (kept[i]) result.push_back(line[i]);
   }
   return result;
 }

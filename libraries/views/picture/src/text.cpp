@@ -8,15 +8,6 @@ std::string clean_text(std::string_view text, std::size_t most) {
   return output::shortened(output::one_line(text), most);
 }
 
-std::string without_tail(const std::string& text, std::size_t characters) {
-  std::size_t end = text.size();
-  while (characters > 0 && end > 0) {
-    --end;
-    if ((static_cast<unsigned char>(text[end]) & 0xc0U) != 0x80U) --characters;
-  }
-  return text.substr(0, end);
-}
-
 std::string with_unit(const std::string& label, const std::string& unit) {
   if (unit.empty()) return label;
   return label.empty() ? unit : label + " (" + unit + ")";

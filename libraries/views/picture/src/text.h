@@ -10,9 +10,6 @@ namespace elsie::picture {
 /// output::one_line(), shortened to at most so many characters.
 std::string clean_text(std::string_view text, std::size_t most = 200);
 
-/// The text without its last `characters` code points. It must be valid UTF-8.
-std::string without_tail(const std::string& text, std::size_t characters);
-
 /// "label (unit)", or only one of the two.
 std::string with_unit(const std::string& label, const std::string& unit);
 
