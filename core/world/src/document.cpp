@@ -41,6 +41,26 @@ void number_rest(Element& element, std::size_t& count) {
   }
 }
 
+// Puts what an element holds once into the order of the vocabulary: in a file, any order will do.
+void put_in_order(Element& element, const ElementSpec& spec = vocabulary()) {
+  const bool of_plugins = spec.group && spec.children.front().plugins;
+  const auto& below = spec.below();
+  const auto rank = [&](const Element& child) {
+    return std::find_if(below.begin(), below.end(),
+                        [&](const ElementSpec& each) { return each.name == child.name; });
+  };
+  if (!spec.group) {
+    std::stable_sort(element.children.begin(), element.children.end(),
+                     [&](const Element& a, const Element& b) { return rank(a) < rank(b); });
+  }
+  for (Element& child : element.children) {
+    const auto known = of_plugins ? below.begin() : rank(child);
+    if (known != below.end()) {
+      put_in_order(child, *known);
+    }
+  }
+}
+
 // Compares an edited tree with what was read from its text.
 class Comparison {
  public:
@@ -52,6 +72,16 @@ class Comparison {
 
   // If they differ, notes what the text must say besides, in the additions or as attributes of
   // `wanted`: defaults that override a template.
+  bool equal(Element& wanted, const Element& found) {
+    misnamed_.clear();
+    if (!equal(wanted, found, Meaning::of_world())) {
+      return false;
+    }
+    additions_.ids.insert(misnamed_.begin(), misnamed_.end());
+    return misnamed_.empty();
+  }
+
+ private:
   bool equal(Element& wanted, const Element& found, const Meaning& meaning) {
     bool same = wanted.name == found.name && wanted.text == found.text;
     for (const Attribute& attribute : wanted.attributes) {
@@ -64,6 +94,8 @@ class Comparison {
       } else if (!other || !other->completed || used_.contains(attribute.value)) {
         additions_.ids.insert(&wanted);
         same = false;
+      } else if (used_.contains(other->value)) {
+        misnamed_.push_back(&wanted);
       }
     }
     for (const Attribute& attribute : found.attributes) {
@@ -75,14 +107,18 @@ class Comparison {
     return equal_children(wanted, found, meaning) && same;
   }
 
- private:
   bool equal_children(Element& wanted, const Element& found, const Meaning& meaning) {
     const std::size_t size = wanted.children.size();
     if (size == found.children.size()) {
       bool same = true;
       for (std::size_t i = 0; i < size; ++i) {
         Element& child = wanted.children[i];
-        same &= equal(child, found.children[i], meaning.child(child, host_));
+        if (are_one(child, found.children[i])) {
+          same &= equal(child, found.children[i], meaning.child(child, host_));
+          continue;
+        }
+        same = false;
+        note_place(child);
       }
       return same;
     }
@@ -97,12 +133,28 @@ class Comparison {
       }
     }
     for (const Element& child : wanted.children) {
-      const Attribute* id = child.find("id");
-      if (id && id->completed) {
-        additions_.ids.insert(&child);
-      }
+      note_place(child);
     }
     return false;
+  }
+
+  // Whether they may be the same element, with its name changed by its place.
+  static bool are_one(const Element& a, const Element& b) {
+    const Attribute* const first = a.find("id");
+    const Attribute* const second = b.find("id");
+    return a.name == b.name && (!first || !second || first->value == second->value ||
+                                (first->completed && second->completed));
+  }
+
+  // The element must stand elsewhere.
+  void note_place(const Element& element) {
+    const Attribute* id = element.find("id");
+    if (id && id->completed) {
+      additions_.ids.insert(&element);
+    }
+    if (!element.object) {
+      additions_.in_place.insert(&element);
+    }
   }
 
   // What the template says of an attribute shows where the robot's own element says nothing.
@@ -116,10 +168,10 @@ class Comparison {
     wanted.set(attribute, format_value(*field->default_value), {edit_, 0});
   }
 
-  // Names that are used.
+  // What may be a use of a name, or another thing with that name.
   void note_values(const Element& element) {
     for (const Attribute& attribute : element.attributes) {
-      if (attribute.name != "id") {
+      if (!attribute.completed) {
         used_.insert(attribute.value);
       }
     }
@@ -132,6 +184,7 @@ class Comparison {
   const std::string& edit_;
   const plugin::Host& host_;
   std::set<std::string> used_;
+  std::vector<const Element*> misnamed_;  // elements with a name that means another one
 };
 
 // The only piece in which two texts differ: what is in `from`.
@@ -196,6 +249,8 @@ class Document::Impl {
     Problems problems;
     Templates(host_, files_, problems).merge_all(result.merged);
     problems.raise<WorldError>(file_);
+    put_in_order(result.raw);
+    put_in_order(result.merged);
     std::size_t count = result.spans.size();
     number_rest(result.merged, count);
     return result;
@@ -256,12 +311,13 @@ WorldText Document::Impl::edited(const WorldText& from, const std::string& edit,
   apply_override(wanted, edit, problems);
   problems.raise<WorldError>(file_);
   remove_overridden(wanted);
+  put_in_order(wanted);
   Additions additions;
   Comparison comparison(wanted, additions, edit, host_);
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     WorldText text = read(rewritten(from, before, wanted, additions, host_));
     const Element& found = is_raw ? text.raw : text.merged;
-    if (comparison.equal(wanted, found, Meaning::of_world())) {
+    if (comparison.equal(wanted, found)) {
       const auto steps = undoing(before, wanted, found, host_);
       inverse.insert(inverse.begin(), steps.begin(), steps.end());
       return text;

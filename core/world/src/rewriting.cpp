@@ -169,16 +169,17 @@ class Rewriting {
     };
     for (const Element& child : after.children) {
       if (!child.object) {
-        if (is_gone() && text_.has(*old)) {
-          replace(*old->object, child);
+        if (is_gone() && removal_in_text(self, child.value("id"))) {
+          take_away();
+        } else if (is_gone() && text_.has(*old)) {
+          replace(*old->object, written(child));
           last = *old->object;
           ++old;
           continue;
-        }
-        if (is_gone()) {
+        } else if (is_gone()) {
           ++old;  // of the template, which the new one overrides
         }
-        insert(self, last, written(child));
+        add(self, last, child);
         continue;
       }
       while (is_gone()) {
@@ -203,6 +204,46 @@ class Rewriting {
         insert(self, last, removal_of(removed));
       }
     }
+  }
+
+  // A new child. Where the text removes a member of the template with its id, it stands behind.
+  void add(std::size_t self, std::optional<std::size_t>& last, const Element& child) {
+    const auto removal = removal_in_text(self, child.value("id"));
+    Element element = written(child);
+    if (removal) {
+      element.set("id", child.value("id"), {});
+      last = std::max(last, removal);
+    }
+    if (removal && additions_.in_place.contains(&child)) {
+      replace(*removal, element);
+    } else {
+      insert(self, last, element);
+    }
+  }
+
+  // The element in a list that removes this member of the template.
+  std::optional<std::size_t> removal_in_text(std::size_t list, const std::string& id) const {
+    if (const Element* holder = raw(text_.raw, list)) {
+      for (const Element& entry : holder->children) {
+        if (entry.value("remove") == "true" && entry.value("id") == id) {
+          return entry.object;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  static const Element* raw(const Element& element, std::size_t number) {
+    if (element.object == number) {
+      return &element;
+    }
+    const Element* holder = nullptr;  // the last child that begins before it
+    for (const Element& child : element.children) {
+      if (*child.object <= number && (!holder || *child.object > *holder->object)) {
+        holder = &child;
+      }
+    }
+    return holder ? raw(*holder, number) : nullptr;
   }
 
   // Elements that a plugin declares replace those of the template, all at once.
@@ -328,7 +369,7 @@ class Rewriting {
   void replace(std::size_t self, const Element& element) {
     splices_.push_back(
         {span(self).begin, span(self).end,
-         lines(written(element), layout_.indent(span(self).begin), step_below(span(self).parent))});
+         lines(element, layout_.indent(span(self).begin), step_below(span(self).parent))});
   }
 
   // Behind `last`, an own child of the holder, or in front of all of them.

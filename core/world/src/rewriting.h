@@ -32,14 +32,8 @@ struct Additions {
   std::set<const Element*> ids;  // elements whose completed ids must be given
   /// Members of templates that the lists must remove.
   std::map<const Element*, std::vector<Element>> removals;
-
-  std::size_t size() const {
-    std::size_t count = ids.size();
-    for (const auto& [list, removed] : removals) {
-      count += removed.size();
-    }
-    return count;
-  }
+  /// New members that override those of templates which the text removes by now.
+  std::set<const Element*> in_place;
 };
 
 /// A replacement of a piece of a text.

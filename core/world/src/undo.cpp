@@ -43,6 +43,15 @@ class Undoing {
     }
   }
 
+  // Without ids that reading completes.
+  static Element as_given(Element element) {
+    std::erase_if(element.attributes, [](const Attribute& each) { return each.completed; });
+    for (Element& child : element.children) {
+      child = as_given(std::move(child));
+    }
+    return element;
+  }
+
   static bool is_list(const Meaning& meaning) { return meaning.spec() && meaning.spec()->group; }
 
   // The path of a child of `holder`, or of a new one in front of `number` others.
@@ -85,7 +94,7 @@ class Undoing {
       return i < before.children.size() && !kept.contains(*before.children[i].object);
     };
     if (loses_order(before, kept, meaning)) {
-      add(path, "=" + markup_of(before));
+      add(path, "=" + markup_of(as_given(before)));
       return;
     }
     std::vector<std::size_t> added;
@@ -95,7 +104,13 @@ class Undoing {
       const Element& child = after.children[i];
       if (!child.object) {
         if (is_gone(old)) {
-          add(path_of(now, path, meaning, i), "=" + markup_of(before.children[old++]));
+          const Attribute* id = child.find("id");
+          const Element& replaced = before.children[old++];
+          const Attribute* old_id = replaced.find("id");
+          add(path_of(now, path, meaning, i), "=" + markup_of(as_given(replaced)));
+          if (id && !id->completed && old_id && old_id->completed) {  // the element has kept it
+            add(path_of(now, path, meaning, i), "/@id/@remove=true");
+          }
         } else {
           added.push_back(i);
         }
@@ -115,7 +130,7 @@ class Undoing {
                meaning.child(after.children[*i], host_), is_list(meaning));
     }
     for (const std::size_t i : removed) {
-      add(path_of(before, path, meaning, i, true), "=" + markup_of(before.children[i]));
+      add(path_of(before, path, meaning, i, true), "=" + markup_of(as_given(before.children[i])));
     }
   }
 

@@ -1,0 +1,459 @@
+// A world file that is edited: what changes in its text, and what comes back.
+#include <filesystem>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/world/document.h"
+
+#include "equal.h"
+#include "fixture.h"
+#include "folder.h"
+
+using namespace elsie;
+using namespace elsie::test;
+using world::Document;
+using Several = std::vector<std::string>;
+
+namespace {
+
+const std::string kWorld =
+    R"(<?xml version="1.0"?>
+<!-- A world with much that a writer would lose. -->
+<world  format='1'   name="odd" >
+  <obstacles>
+    <static_box id="wall" x="1"/>   <!-- in the way -->
+    <dynamic_box id='crate'
+                 x='2'
+                 y='0.5' />
+
+    <!-- the next one has no id -->
+    <static_box x="3"/><static_box x="4"/>
+  </obstacles>
+  <robots>
+    <robot id="r1" max_speed="0.30">
+      <sensors>
+        <beam id="left" yaw_deg="20"/>
+        <eye>
+          <threshold low="0.1"/>
+          <mask/>
+          <threshold low="0.2"/>
+        </eye>
+      </sensors>
+      <behaviors>
+        <roam/>
+        <blend id="both">
+          <behaviors><roam/></behaviors>
+          <coordinator><sum/></coordinator>
+        </blend>
+      </behaviors>
+      <coordinator><sum weighted="true"/></coordinator>
+    </robot>
+    <robot id="r2" x="-1" y="1"><sensors/></robot>
+  </robots>
+  <!-- nothing to reach -->
+</world>
+)";
+
+std::string file() { return kFolder + "world.xml"; }
+
+// The first document's options: no objects are made of plugins.
+world::ReadOptions reading() {
+  world::ReadOptions reading = options();
+  reading.check_plugins = false;
+  return reading;
+}
+
+Document document(const std::string& text = kWorld) {
+  return Document(text, file(), host(), reading());
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+// The lines between the first and the last that differ, as a diff shows them.
+std::string diff(const std::string& from, const std::string& to) {
+  auto old = lines_of(from);
+  auto now = lines_of(to);
+  while (!old.empty() && !now.empty() && old.back() == now.back()) {
+    old.pop_back();
+    now.pop_back();
+  }
+  std::size_t same = 0;
+  while (same < old.size() && same < now.size() && old[same] == now[same]) {
+    ++same;
+  }
+  std::string text;
+  for (std::size_t i = same; i < old.size(); ++i) {
+    text += "-" + old[i] + "\n";
+  }
+  for (std::size_t i = same; i < now.size(); ++i) {
+    text += "+" + now[i] + "\n";
+  }
+  return text;
+}
+
+// What an edit changes in a text. Its inverse must restore the text, and as a text the world.
+std::string change(Document document, const std::string& edit) {
+  const std::string before = document.text();
+  const world::World world = document.world();
+  const world::Edits inverse = document.apply(edit);
+  const std::string after = document.text();
+  {
+    Document other(after, document.file(), host(), reading());
+    CHECK(same(other.world(), document.world()));
+    other.apply(inverse.texts());
+    CHECK(same(other.world(), world));
+  }
+  const world::Edits again = document.apply(inverse);
+  CHECK(document.text() == before);
+  document.apply(again);
+  CHECK(document.text() == after);
+  return diff(before, after);
+}
+std::string change(const std::string& edit) { return change(document(), edit); }
+
+std::string refusal(Document& document, const world::Edits& edits) {
+  const std::string before = document.text();
+  const world::World world = document.world();
+  try {
+    document.apply(edits);
+  } catch (const world::WorldError& error) {
+    CHECK(document.text() == before);
+    CHECK(same(document.world(), world));
+    return error.problems().front().message;
+  }
+  return "";
+}
+std::string refusal(const world::Edits& edits) {
+  Document one = document();
+  return refusal(one, edits);
+}
+
+}  // namespace
+
+TEST_CASE("A document is its text and its world") {
+  const Document d = document();
+  CHECK(d.text() == kWorld);
+  CHECK(d.file() == file());
+  CHECK(d.world().robots.size() == 2);
+  CHECK_THROWS_AS(document("<world format=\"1\"><robot/></world>"), world::WorldError);
+}
+
+TEST_CASE("An attribute that is set changes in its place") {
+  CHECK(change("robot[r1]/@max_speed=0.5") ==
+        "-    <robot id=\"r1\" max_speed=\"0.30\">\n+    <robot id=\"r1\" max_speed=\"0.5\">\n");
+  CHECK(change("@name=a \"b\" & 'c'") ==
+        "-<world  format='1'   name=\"odd\" >\n"
+        "+<world  format='1'   name=\"a &quot;b&quot; &amp; 'c'\" >\n");
+  CHECK(change("obstacle[crate]/@id=c") ==
+        "-    <dynamic_box id='crate'\n+    <dynamic_box id='c'\n");
+  CHECK(change("obstacle[crate]/@mass=2") ==
+        "-                 y='0.5' />\n"
+        "+                 y='0.5'\n+                 mass=\"2\" />\n");
+  CHECK(change("robot[r1]/sensor[left]/@x=0.5") ==
+        "-        <beam id=\"left\" yaw_deg=\"20\"/>\n"
+        "+        <beam id=\"left\" yaw_deg=\"20\" x=\"0.5\"/>\n");
+  CHECK(change("robot[r1]/behavior[both]/behavior[roam]/@speed=3") ==
+        "-          <behaviors><roam/></behaviors>\n"
+        "+          <behaviors><roam speed=\"3\"/></behaviors>\n");
+  CHECK(change("robot[r1]/@max_speed=0.30") == "");
+  CHECK(change("robot[*]/@coverage=3") == diff(kWorld, [] {
+          std::string text = kWorld;
+          text.replace(text.find("\"0.30\""), 6, "\"0.30\" coverage=\"3\"");
+          text.replace(text.find("y=\"1\">"), 6, "y=\"1\" coverage=\"3\">");
+          return text;
+        }()));
+}
+
+TEST_CASE("An attribute that is removed takes the blanks in front of it") {
+  CHECK(change("robot[r1]/@max_speed/@remove=true") ==
+        "-    <robot id=\"r1\" max_speed=\"0.30\">\n+    <robot id=\"r1\">\n");
+  CHECK(change("obstacle[crate]/@x/@remove=true") == "-                 x='2'\n");
+  CHECK(change("@name/@remove=true") ==
+        "-<world  format='1'   name=\"odd\" >\n+<world  format='1' >\n");
+  CHECK(change("robot[r1]/sensor[left]/@id/@remove=true") ==
+        "-        <beam id=\"left\" yaw_deg=\"20\"/>\n+        <beam yaw_deg=\"20\"/>\n");
+}
+
+TEST_CASE("An element that is removed takes its line") {
+  CHECK(change("robot[r1]/sensor[left]/@remove=true") ==
+        "-        <beam id=\"left\" yaw_deg=\"20\"/>\n");
+  CHECK(change("obstacle[crate]/@remove=true") ==
+        "-    <dynamic_box id='crate'\n-                 x='2'\n-                 y='0.5' />\n");
+  CHECK(change("obstacle[wall]/@remove=true") ==
+        "-    <static_box id=\"wall\" x=\"1\"/>   <!-- in the way -->\n"
+        "+    <!-- in the way -->\n");
+  CHECK(change("obstacle[4]/@remove=true") ==
+        "-    <static_box x=\"3\"/><static_box x=\"4\"/>\n+    <static_box x=\"3\"/>\n");
+  CHECK(change("robot[r1]/sensor[eye]/threshold[1]/@remove=true") ==
+        "-          <threshold low=\"0.1\"/>\n");
+  CHECK(change("robot[r1]/sensor[eye]/mask/@remove=true") == "-          <mask/>\n");
+}
+
+TEST_CASE("An element that is added stands as far in as its siblings") {
+  CHECK(change("robot[+]=<robot id='r9' x='-2'/>") == "+    <robot id=\"r9\" x=\"-2\"/>\n");
+  CHECK(change("robot[+1]=<robot id='r9' x='-2'/>") == "+    <robot id=\"r9\" x=\"-2\"/>\n");
+  CHECK(change("robot[r1]/sensor[+2]=<bumper/>") == "+        <bumper/>\n");
+  CHECK(change("obstacle[+2]=<static_box id='b' x='-3'/>") ==
+        "+    <static_box id=\"b\" x=\"-3\"/>\n");
+  CHECK(change("robot[r2]/sensor[+]=<beam/>") ==
+        "-    <robot id=\"r2\" x=\"-1\" y=\"1\"><sensors/></robot>\n"
+        "+    <robot id=\"r2\" x=\"-1\" y=\"1\"><sensors>\n"
+        "+      <beam/>\n"
+        "+    </sensors></robot>\n");
+  CHECK(change("charger[+]=<charger x='-2'/>") ==
+        "+  <chargers>\n+    <charger x=\"-2\"/>\n+  </chargers>\n");
+  CHECK(change("robot[+]=<robot id='r9' x='-2'><sensors><beam/></sensors></robot>") ==
+        "+    <robot id=\"r9\" x=\"-2\">\n+      <sensors>\n+        <beam/>\n"
+        "+      </sensors>\n+    </robot>\n");
+  CHECK(change("limits/@time=9") == "+  <limits time=\"9\"/>\n");
+  CHECK(change("robot[r1]/sensor[eye]/threshold[+]=<threshold low='0.3'/>") ==
+        "+          <threshold low=\"0.3\"/>\n");
+}
+
+TEST_CASE("An element that is replaced leaves everything around it") {
+  CHECK(change("robot[r1]/coordinator=<pick/>") ==
+        "-      <coordinator><sum weighted=\"true\"/></coordinator>\n"
+        "+      <coordinator><pick/></coordinator>\n");
+  CHECK(change("obstacle[wall]=<dynamic_box x='1' mass='3'/>") ==
+        "-    <static_box id=\"wall\" x=\"1\"/>   <!-- in the way -->\n"
+        "+    <dynamic_box x=\"1\" mass=\"3\" id=\"wall\"/>   <!-- in the way -->\n");
+}
+
+TEST_CASE("Line ends, a byte order mark and files without line ends stay") {
+  std::string windows = "\xEF\xBB\xBF";
+  for (const char c : kWorld) {
+    windows += c == '\n' ? "\r\n" : std::string(1, c);
+  }
+  CHECK(change(document(windows), "robot[+]=<robot id='r9' x='-2'><sensors/></robot>") ==
+        "+    <robot id=\"r9\" x=\"-2\">\r\n+      <sensors/>\r\n+    </robot>\r\n");
+  CHECK(change(document(windows), "robot[r1]/sensor[left]/@remove=true") ==
+        "-        <beam id=\"left\" yaw_deg=\"20\"/>\r\n");
+  const std::string line =
+      "<world format='1'><robots><robot id='a'/><robot id='b' x='1'/></robots></world>";
+  CHECK(change(document(line), "robot[b]/@remove=true") ==
+        "-" + line + "\n+<world format='1'><robots><robot id='a'/></robots></world>\n");
+  CHECK(change(document(line), "robot[+2]=<robot id='c' x='-1'/>") ==
+        "-" + line +
+            "\n+<world format='1'><robots><robot id='a'/><robot id=\"c\" x=\"-1\"/>"
+            "<robot id='b' x='1'/></robots></world>\n");
+}
+
+TEST_CASE("Edits of a document are refused as those of a file are") {
+  CHECK(refusal("robot[r9]/@x=1") == "there is no robot[r9]; there are: r1, r2");
+  CHECK(refusal("robot[r1]/@max_speed=fast") ==
+        "max_speed=\"fast\" of <robot>: expected a number at least 0 and at most 100 m/s");
+  CHECK(refusal("robot[+]=<robot id='r1' x='3'/>") ==
+        "a second robot with the id 'r1'; the first is there already (" + file() + ":14)");
+  CHECK_THAT(refusal("obstacle[+1]=<static_box id='static_box_2' x='-3'/>"),
+             Catch::Contains("a second box with the id 'static_box_2'"));
+  CHECK_THAT(refusal("robot[r1]/coordinator/@remove=true"),
+             Catch::Contains("has behaviours but no coordinator"));
+  CHECK(refusal("robot[r1]/@weight=1") ==
+        "<robot> has no attribute 'weight'; it may have: id, template, team, x, y, z, heading_deg, "
+        "max_speed, coverage, leader, battery, energy");
+  CHECK_THAT(refusal("robot[r2]/@x=\xFF"), Catch::Contains("UTF-8"));
+  CHECK(refusal("nonsense") == "expected PATH=VALUE, as in robot[r1]/@max_speed=0.3");
+}
+
+TEST_CASE("Several edits are made together or not at all") {
+  Document d = document();
+  CHECK_THAT(refusal(d, Several{"robot[r1]/@y=-2", "robot[r2]/@x=nowhere"}),
+             Catch::Contains("expected a number"));
+  // The world between them would be refused.
+  const world::Edits inverse = d.apply(Several{"goal[+]=<travel robot='r2' distance='1'/>",
+                                               "robot[r2]/@remove=true", "goal[1]/@robot=r1"});
+  CHECK(d.world().robots.size() == 1);
+  Document other = document(d.text());
+  other.apply(inverse.texts());
+  CHECK(other.world().robots.size() == 2);
+  CHECK(other.world().goals.empty());
+  d.apply(inverse);
+  CHECK(d.text() == kWorld);
+}
+
+TEST_CASE("An inverse that comes late does what its text says") {
+  Document d = document();
+  const world::Edits inverse = d.apply("robot[r1]/@max_speed=0.5");
+  d.apply("robot[r1]/@x=-2");
+  d.apply(inverse);
+  CHECK(d.world().robots[0].max_speed == 0.3);
+  CHECK(d.world().robots[0].x == -2);
+  CHECK(inverse.texts() == std::vector<std::string>{"robot[r1]/@max_speed=0.30"});
+}
+
+TEST_CASE("A member that is named elsewhere keeps its name when its place changes") {
+  Document d = document(R"(<world format="1">
+  <obstacles>
+    <dynamic_box x="1"/>
+    <dynamic_box x="2"/>
+    <dynamic_box x="3"/>
+  </obstacles>
+  <robots>
+    <robot id="r1"/>
+  </robots>
+  <goals>
+    <push box="dynamic_box_2" x="0" y="3"/>
+  </goals>
+</world>
+)");
+  const std::string before = d.text();
+  const world::Edits inverse = d.apply("obstacle[1]/@remove=true");
+  CHECK(diff(before, d.text()) ==
+        "-    <dynamic_box x=\"1\"/>\n-    <dynamic_box x=\"2\"/>\n"
+        "+    <dynamic_box x=\"2\" id=\"dynamic_box_2\"/>\n");
+  d.apply(inverse);
+  CHECK(d.text() == before);
+  CHECK_THAT(refusal(d, "obstacle[2]/@remove=true"), Catch::Contains("there is no such box"));
+}
+
+namespace {
+
+const char* const kTemplate = R"(<robot_template format="1" max_speed="0.4">
+  <body mass="2"/>
+  <sensors>
+    <beam id="left" yaw_deg="15" max_range="2"/>
+    <eye><threshold low="0.1"/><threshold low="0.2"/><mask/></eye>
+    <bumper/>
+  </sensors>
+  <behaviors>
+    <roam priority="2"/>
+    <blend id="both"><behaviors><roam speed="4"/></behaviors>
+      <coordinator><sum/></coordinator></blend>
+  </behaviors>
+  <coordinator><sum weighted="true"/></coordinator>
+</robot_template>
+)";
+
+const char* const kOfTemplate = R"(<world format="1">
+  <robots>
+    <robot id="r1" template="../robots/two.xml" x="1"/>
+    <robot id="r2" template="../robots/two.xml" x="-1">
+      <sensors>
+        <beam id="left" yaw_deg="30"/>
+      </sensors>
+    </robot>
+  </robots>
+</world>
+)";
+
+// A world whose robots have a template, in a folder of its own.
+class Templated {
+ public:
+  Templated() {
+    folder_.write("robots/two.xml", kTemplate);
+    folder_.write("worlds/world.xml", kOfTemplate);
+  }
+  ~Templated() { CHECK(text_of(path("robots/two.xml")) == kTemplate); }
+
+  std::string path(const std::string& name) const { return folder_.file(name); }
+  Document open() const { return Document::open(path("worlds/world.xml"), host(), reading()); }
+  std::string change(const std::string& edit) const { return ::change(open(), edit); }
+  std::string refusal(const std::string& edit) const {
+    Document one = open();
+    return ::refusal(one, edit);
+  }
+
+  test::Folder folder_;
+};
+
+}  // namespace
+
+TEST_CASE("What comes from a template is overridden in the robot's own element") {
+  const Templated files;
+  const auto in_r1 = [](const std::string& lines) {
+    return "-    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\"/>\n"
+           "+    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\">\n" +
+           lines + "+    </robot>\n";
+  };
+  CHECK(files.change("robot[r1]/@max_speed=0.3") ==
+        "-    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\"/>\n"
+        "+    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\" max_speed=\"0.3\"/>\n");
+  CHECK(files.change("robot[r1]/@max_speed/@remove=true") ==
+        "-    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\"/>\n"
+        "+    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\" max_speed=\"0.5\"/>\n");
+  CHECK(files.change("robot[r1]/body/@mass=3") == in_r1("+      <body mass=\"3\"/>\n"));
+  CHECK(files.change("robot[r1]/sensor[left]/@yaw_deg=9") ==
+        in_r1("+      <sensors>\n+        <beam id=\"left\" yaw_deg=\"9\"/>\n"
+              "+      </sensors>\n"));
+  CHECK(
+      files.change("robot[r2]/sensor[left]/@yaw_deg=9") ==
+      "-        <beam id=\"left\" yaw_deg=\"30\"/>\n+        <beam id=\"left\" yaw_deg=\"9\"/>\n");
+  CHECK(files.change("robot[r1]/sensor[bumper]/@remove=true") ==
+        in_r1("+      <sensors>\n+        <bumper id=\"bumper\" remove=\"true\"/>\n"
+              "+      </sensors>\n"));
+  CHECK(files.change("robot[r2]/sensor[left]/@remove=true") ==
+        "-        <beam id=\"left\" yaw_deg=\"30\"/>\n"
+        "+        <beam id=\"left\" remove=\"true\"/>\n");
+  CHECK(files.change("robot[r1]/coordinator/@weighted=false") ==
+        in_r1("+      <coordinator>\n+        <sum weighted=\"false\"/>\n"
+              "+      </coordinator>\n"));
+  CHECK(files.change("robot[r1]/coordinator=<pick/>") ==
+        in_r1("+      <coordinator>\n+        <pick/>\n+      </coordinator>\n"));
+  CHECK(files.change("robot[r1]/behavior[both]/behavior[roam]/@speed=9") ==
+        in_r1("+      <behaviors>\n+        <blend id=\"both\">\n+          <behaviors>\n"
+              "+            <roam id=\"roam\" speed=\"9\"/>\n"
+              "+          </behaviors>\n+        </blend>\n+      </behaviors>\n"));
+}
+
+TEST_CASE("What is added to a robot with a template does not override the template") {
+  const Templated files;
+  CHECK(files.change("robot[r2]/sensor[+]=<bumper/>") == "+        <bumper id=\"bumper_2\"/>\n");
+  CHECK(files.change("robot[r2]/sensor[+]=<beam/>") == "+        <beam/>\n");
+  CHECK(files.change("robot[+]=<robot id='r3' template='../robots/two.xml' x='3'/>") ==
+        "+    <robot id=\"r3\" template=\"../robots/two.xml\" x=\"3\"/>\n");
+  CHECK(files.change("robot[r1]/@remove=true") ==
+        "-    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\"/>\n");
+  CHECK(files.change("robot[r1]/@template/@remove=true") ==
+        "-    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\"/>\n"
+        "+    <robot id=\"r1\" x=\"1\"/>\n");
+}
+
+TEST_CASE("Elements of a plugin replace those of the template as a list") {
+  const Templated files;
+  Document d = files.open();
+  d.apply("robot[r1]/sensor[eye]/threshold[2]/@low=0.3");
+  const auto& eye = d.world().robots[0].sensors[1];
+  REQUIRE(eye.elements.size() == 3);
+  CHECK(std::get<double>(eye.elements[0].parameters.at("low")) == 0.1);
+  CHECK(std::get<double>(eye.elements[1].parameters.at("low")) == 0.3);
+}
+
+TEST_CASE("What the robot's element cannot say is refused") {
+  const Templated files;
+  CHECK_THAT(files.refusal("robot[r1]/sensor[left]=<bumper/>"),
+             Catch::Contains("'left' is a <beam> in the template"));
+  CHECK_THAT(files.refusal("robot[r1]/sensor[+1]=<beam/>"),
+             Catch::Contains("the file cannot say this"));
+}
+
+TEST_CASE("A document is saved elsewhere with names that lead to the same files") {
+  const Templated files;
+  files.folder_.write("worlds/here.txt", "la");
+  files.folder_.write("other/deep/place.txt", "");
+  Document d = files.open();
+  d.apply("robot[r1]/behavior[both]/behavior[roam]/@song=here.txt");
+  const std::string before = d.text();
+  CHECK(d.text_for(files.path("worlds")) == before);
+  const std::string text = d.text_for(files.path("other/deep"));
+  CHECK_THAT(text, Catch::Contains("template=\"../../robots/two.xml\"") &&
+                       Catch::Contains("song=\"../../worlds/here.txt\""));
+  const world::World there =
+      world::parse_world(text, files.path("other/deep/copy.xml"), host(), reading());
+  CHECK(there.robots[0].behaviors[1].inside.at(0).behaviors[0].parameters ==
+        d.world().robots[0].behaviors[1].inside.at(0).behaviors[0].parameters);
+  try {
+    (void)d.text_for(files.path("nowhere"));
+    FAIL("there is no such folder");
+  } catch (const world::WorldError& error) {
+    CHECK(error.problems().front().message ==
+          "there is no such folder; a world is saved in one that exists");
+  }
+}
