@@ -177,11 +177,35 @@ TEST_CASE("What a measure says is reported without a robot") {
   CHECK(result.notes[0].text == "It watches.");
 }
 
-TEST_CASE("Parameters of a measure cannot be changed while the world runs") {
-  Run run({}, {measure("path_length", {{"robot", "r1"}})});
+TEST_CASE("A measure that is edited while the world runs begins then; the others go on") {
+  world::PluginUse whole = measure("path_length", {{"robot", "r1"}});
+  whole.id = "whole";
+  Run run({}, {measure("path_length", {{"robot", "r1"}}), whole});
   Simulation simulation(run.world, run.scripted.host);
+  const auto value = [&](const std::string& name) {
+    for (const simulation::MeasuredValue& measured : simulation.result().measures) {
+      if (measured.name == name) {
+        return measured.value.value_or(-1.0);
+      }
+    }
+    return -2.0;
+  };
+  for (int i = 0; i < 100; ++i) {
+    simulation.step();
+  }
+  const double before = value("whole");
+  REQUIRE(before > 0.0);
   CHECK_THROWS_WITH(simulation.change("measure[path_length]/@robot", "r2"),
-                    Catch::Contains("'robot' of <path_length> is settled before a run"));
+                    Catch::Contains("there is no robot 'r2' in the world"));
+  CHECK(value("path_length") == before);
+  simulation.change("measure[path_length]", "<path_length/>");
+  CHECK(value("whole") == before);
+  for (int i = 0; i < 100; ++i) {
+    simulation.step();
+  }
+  CHECK(value("path_length") > before);
+  CHECK(value("whole") > before);
+  CHECK(simulation.notes().back().plugin == "path_length");
 }
 
 TEST_CASE("Measures stay when plugins are replaced, which is reported") {

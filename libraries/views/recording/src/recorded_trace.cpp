@@ -99,6 +99,9 @@ class TraceBuilder final : public Visitor {
 
   void read_event(const Json& event, double time_s) {
     const std::string id = event.at("name").get<std::string>();
+    if (id.empty()) {
+      return;  // an edit of the world
+    }
     const auto robot = std::find_if(trace_.robots.begin(), trace_.robots.end(),
                                     [&](const TraceRobot& each) { return each.id == id; });
     if (robot == trace_.robots.end()) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "elsie/output/csv_line.h"
@@ -65,12 +66,13 @@ class AccountRecorder::Impl {
 
  private:
   struct Watch {
-    explicit Watch(const TraceRobot& robot)
-        : rows(robot.members.size()),
-          notes(robot.members.size()),
-          current(robot.members.size(), nullptr),
-          shares(robot.members.size()),
-          tally(robot) {}
+    explicit Watch(const TraceRobot& described)
+        : robot(std::make_unique<const TraceRobot>(described)),
+          rows(robot->members.size()),
+          notes(robot->members.size()),
+          current(robot->members.size(), nullptr),
+          shares(robot->members.size()),
+          tally(*robot) {}
     std::size_t count() const { return rows.size(); }
     void find_current() {
       for (std::size_t i = 0; begun && i < count(); ++i) {
@@ -78,9 +80,10 @@ class AccountRecorder::Impl {
       }
     }
 
-    std::vector<TraceRow> rows;             // as they were last looked at
-    std::vector<TraceNote> notes;           // that hold now
-    std::vector<const TraceNote*> current;  // those of the notes that are there
+    std::unique_ptr<const TraceRobot> robot;  // that the tally is about
+    std::vector<TraceRow> rows;               // as they were last looked at
+    std::vector<TraceNote> notes;             // that hold now
+    std::vector<const TraceNote*> current;    // those of the notes that are there
     std::vector<double> shares;
     RobotTally tally;
     bool begun = false;
