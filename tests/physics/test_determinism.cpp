@@ -45,7 +45,54 @@ std::vector<std::uint64_t> history(std::uint64_t seed, int steps = 400) {
   return hashes;
 }
 
+/// A crowd of robots and boxes, which goes over to a new engine after so many steps; none: never.
+std::uint64_t hash_with_takeover(int takeover, const world::Physics& after = {}) {
+  const world::Arena arena{.length = 3.0, .width = 3.0};
+  PhysicsContext context({}, arena);
+  Random random(5);
+  for (int i = 0; i < 9; ++i) {
+    context.robot(0.8 * (i % 3 - 1), 0.8 * (i / 3 - 1), random.uniform(-180, 180));
+    context.drive(static_cast<std::size_t>(i), {10.0 + i, 12.0});
+  }
+  world::Box pushed;
+  pushed.kind = BoxKind::dynamic;
+  pushed.x = pushed.y = 0.4;
+  world::Box taken;
+  taken.x = 1.2;
+  taken.y = 1.2;
+  context.engine->add_box(pushed);
+  context.engine->add_box(taken);
+  context.engine->remove_box(1);
+  for (int i = 0; i < 300; ++i) {
+    if (i == takeover) {
+      auto next = make_ode_engine(arena, after);
+      next->go_on_from(*context.engine);
+      next->add_box_of(*context.engine, 0, pushed);
+      next->add_box_of(*context.engine, 1, taken);
+      for (std::size_t robot = 0; robot < 9; ++robot) {
+        next->add_robot_of(*context.engine, robot);
+      }
+      CHECK(next->hash_state() == context.engine->hash_state());
+      CHECK_FALSE(next->has_box(1));
+      context.engine = std::move(next);
+    }
+    context.engine->step();
+  }
+  return context.engine->hash_state();
+}
+
 }  // namespace
+
+TEST_CASE("A new engine goes on from the state of another one, to the bit") {
+  const std::uint64_t alone = hash_with_takeover(-1);
+  for (const int takeover : {0, 1, 100, 299}) {
+    CAPTURE(takeover);
+    CHECK(hash_with_takeover(takeover) == alone);
+  }
+  world::Physics other;
+  other.friction = 0.5;
+  CHECK(hash_with_takeover(100, other) != alone);
+}
 
 TEST_CASE("Two engines with the same calls agree to the bit, one after the other") {
   const auto first = history(1);

@@ -107,8 +107,10 @@ TEST_CASE("A change that cannot be made is reported before the run, with exit co
          ": at 1 s, robot[r1]/behavior[wander]/@speed=-1: expected a number at least 0 and at most "
          "500 rad/s");
   expect("1:robot[r1]=<wander/>",
-         ": at 1 s, robot[r1]=<wander/>: the path leads to an element; expected an attribute at "
-         "its end, as in robot[r1]/@max_speed");
+         ": at 1 s, robot[r1]=<wander/>: <robots> may not hold <wander>; it may hold: <robot>");
+  expect("1:robot[r9]/@remove=true",
+         ": at 1 s, robot[r9]/@remove=true: there is no robot[r9]; there are: r1");
+  expect("1:@format=2", ": at 1 s, @format=2: format=\"2\" of <world>: expected '1'");
 }
 
 TEST_CASE("A move to a place that is then occupied ends the run with exit code 2") {
@@ -123,6 +125,13 @@ TEST_CASE("A move to a place that is then occupied ends the run with exit code 2
                                           "then is kept\n"));
   const std::string table = here.read("run.csv");
   CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 11);
+}
+
+TEST_CASE("A robot that is added inside a wall ends the run with exit code 2") {
+  Workplace here;
+  const auto run = here.elsie(kRun + " --at '1:robot[+]=<robot id=\"r2\" x=\"1.99\"/>'");
+  CHECK(run.exit_code == 2);
+  CHECK_THAT(run.err, Catch::Contains("into the east wall; expected a free place in the arena"));
 }
 
 TEST_CASE("elsie lists what may change while a world runs") {

@@ -62,6 +62,11 @@ std::vector<std::string> blocks(const std::string& page, const std::string& lang
 const std::set<std::string> kCutShort = {
     "elsie run worlds/ten_robots.xml --duration 60 --record run.mcap",
     "elsie run worlds/open_arena.xml --duration 10 --json",
+    "elsie run worlds/open_arena.xml --duration 12 --at '3:obstacle[+]=<static_box id=\"block\" "
+    "x=\"1.5\" y=\"1.5\"/>' --at '5:robot[+]=<robot id=\"late\" x=\"-1.5\" y=\"1.5\"/>' "
+    "--at '9:robot[late]/@remove=true'",
+    "elsie run worlds/open_arena.xml --duration 12 --at '4:physics/@step=0.005' "
+    "--at '6:robot[r1]/coordinator=<arbiter_suppression/>'",
     "elsie run worlds/open_arena.xml --duration 12 --at '4:robot[r1]/@max_speed=0.1' "
     "--at '8:robot[r1]/@x=-1' --at '8:robot[r1]/@y=1'",
     "for seed in 1 2 3; do elsie run worlds/open_arena.xml --duration 20 --seed $seed --json; done "

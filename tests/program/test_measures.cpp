@@ -88,7 +88,7 @@ TEST_CASE("--set changes measures, and the names in it must exist") {
   CHECK(wrong.exit_code == 2);
   CHECK_THAT(wrong.err, Contains("world.xml:9: plugin 'path_length': there is no robot 'r2' in the "
                                  "world; there is 'r1'"));
-  const auto late = here.elsie("run world.xml --json --at '1:measure[way]/@robot=r1'");
+  const auto late = here.elsie("run world.xml --json --at '1:measure[way]=<path_length/>'");
   CHECK(late.exit_code != 2);
   CHECK_THAT(late.out, Contains("it measures from an edit of the world on"));
 }

@@ -206,6 +206,9 @@ void Robot::become(const world::Robot& was, const world::Robot& next, const Memb
   });
   undo.keep(description_);
   undo.keep(tuning_);
+  undo.keep(body_frame_);
+  undo.keep(joints_);
+  undo.keep(wanted_joints_);
   description_ = &next;
   tuning_.settle();
   guard_.forget();
@@ -283,8 +286,6 @@ void Robot::become_drive(Becoming& becoming) {
   Undo& undo = becoming.undo();
   undo.keep(drive_declaration_);
   undo.keep(drive_random_);
-  undo.keep(joints_);
-  undo.keep(wanted_joints_);
   undo.keep(drive_use_);
   set_aside(undo, drive_);
   make_drive(becoming.host(), becoming.problems());
