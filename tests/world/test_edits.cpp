@@ -102,6 +102,13 @@ TEST_CASE("An added element without an id gets one as in a file, and others keep
         "dynamic_box_2 wall dynamic_box_1");
 }
 
+TEST_CASE("An element that replaces another never takes an id that is in use") {
+  CHECK(ids(with({"robot[r1]/sensor[eye]=<beam/>", "robot[r1]/sensor[+]=<eye/>",
+                  "robot[r1]/sensor[beam]=<eye/>"})
+                .robots[0]
+                .sensors) == "left eye_2 eye");
+}
+
 TEST_CASE("An element that cannot be added is refused in a sentence") {
   CHECK(wrong("robot[+]=<robot id=\"r1\" x=\"3\"/>") ==
         "a second robot with the id 'r1'; the first is there already (world.xml:4)");

@@ -64,19 +64,21 @@ const Location* set_in(const Element& element, const Location& own) {
   return nullptr;
 }
 
-// It keeps its id, unless the new one brings another or the old one was only its name.
+// It keeps its id, unless the new one brings another or the old one was only its name: then ids are
+// completed as in a file.
 void replace(Element& element, const Element& given) {
   if (const Location* lost = set_in(element, element.where)) {
     fail("this replaces the element in which '" + lost->file.substr(6) +
          "' is set before; set that afterwards, or in the new element");
   }
-  const std::string id = element.value("id");
-  const bool has_own_id = !id.empty() && id != element.name;
+  const Attribute* const old = element.find("id");
+  const std::optional<Attribute> id =
+      old && old->value != element.name ? std::optional(*old) : std::nullopt;
   const Location where = given.where;
   element = given;
-  if (!element.find("id") && !id.empty()) {
-    element.set("id", has_own_id ? id : element.name, where);
-    element.attributes.back().completed = !has_own_id;
+  if (id && !element.find("id")) {
+    element.set("id", id->value, where);
+    element.attributes.back().completed = id->completed;
   }
 }
 
