@@ -358,9 +358,10 @@ struct GoalCheck {
 void check_changes(const World& world, Problems& problems) {
   for (const TimedEdit& edit : world.changes) {
     if (edit.value && edit.element) {
-      problems.add(edit.location,
-                   "<change> has a value and an element in it; expected one of them: a value for an "
-                   "attribute, an element for an element");
+      problems.add(
+          edit.location,
+          "<change> has a value and an element in it; expected one of them: a value for an "
+          "attribute, an element for an element");
     } else if (!edit.value && !edit.element) {
       problems.add(edit.location,
                    "<change> lacks what to set; expected value=\"...\", or an element in it");

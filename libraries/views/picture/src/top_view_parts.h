@@ -22,8 +22,8 @@ namespace elsie::picture {
 struct DrawnRobot {
   RobotTrack track;
   BodyPlan plan;  // its vehicles after the first are the segments in the track
-  Ink ink;   // its team's colour, varied by member
-  Ink team;  // its team's colour
+  Ink ink;        // its team's colour, varied by member
+  Ink team;       // its team's colour
   std::string team_id;
 };
 

@@ -47,8 +47,8 @@ struct ReadOptions {
   ///
   /// Groups (<robots>, <sensors>...) may be left out. A step names a member by its element or by
   /// its group's word for it, and needs brackets when it could mean several. Numbers count the
-  /// elements of the file and those that were added, removed ones included. An added element without
-  /// an id gets one as in a file; no other element's id changes.
+  /// elements of the file and those that were added, removed ones included. An added element
+  /// without an id gets one as in a file; no other element's id changes.
   std::vector<std::string> overrides;
   /// The file with the overrides: files that they name are searched beside it and in the data
   /// directories. "": the user gave them, and files are searched beside the world's file, in the
