@@ -43,6 +43,11 @@ TEST_CASE("The detail of a change is read back") {
   CHECK(changed->element == "robot[r1]/behavior[a]");
   CHECK(changed->attribute == "text");
   CHECK(changed->value == "b/@c=d");
+  const auto element = events::Changed::from("robot[r1]/coordinator=<pick id=\"@c\"/>");
+  REQUIRE(element);
+  CHECK(element->element == "robot[r1]/coordinator");
+  CHECK(element->attribute.empty());
+  CHECK(element->value == "<pick id=\"@c\"/>");
   for (const char* other : {"", "gold", "robot[r1]/@x", "sensor[eye]: vision", "a=b"}) {
     CHECK_FALSE(events::Changed::from(other));
   }

@@ -41,7 +41,8 @@ std::optional<Changed> Changed::from(std::string_view detail) {
   const std::size_t at = path.rfind('@');
   const std::string value(detail.substr(equals + 1));
   if (at == std::string_view::npos) {
-    return Changed{std::string(path), "", value};
+    return value.starts_with('<') ? std::optional(Changed{std::string(path), "", value})
+                                  : std::nullopt;
   }
   return Changed{std::string(path.substr(0, at > 0 ? at - 1 : 0)), std::string(path.substr(at + 1)),
                  value};
