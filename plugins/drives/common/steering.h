@@ -146,9 +146,11 @@ class Steering {
     const double most = limits_.rate_rad_s * now.period_s;
     double low = -tightest_, high = tightest_;
     for_each_steered(now.joints, [&](const Wheel& wheel, double at) {
-      const double end = limits_.max_steer_rad;
-      const double a = curvature_of(wheel, std::clamp(at - most, -end, end));
-      const double b = curvature_of(wheel, std::clamp(at + most, -end, end));
+      // Within its own angles in the tightest curves; beyond them a wheel belongs to none.
+      const auto [least, greatest] =
+          std::minmax({angle(wheel, -tightest_), angle(wheel, tightest_)});
+      const double a = curvature_of(wheel, std::clamp(at - most, least, greatest));
+      const double b = curvature_of(wheel, std::clamp(at + most, least, greatest));
       low = std::max(low, std::min(a, b));
       high = std::min(high, std::max(a, b));
     });

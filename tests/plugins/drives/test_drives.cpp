@@ -159,6 +159,25 @@ TEST_CASE("A steering takes its time") {
         Approx(10.0).margin(0.3));
 }
 
+TEST_CASE("A steering that is there at once, and far, makes its tightest curve") {
+  for (const std::string name : {"car", "rear_steering", "front_rear_steering", "tricycle"}) {
+    for (const double degrees : {40.0, 60.0, 70.0, 80.0}) {
+      for (const double turn : {50.0, -50.0}) {
+        CAPTURE(name, degrees, turn);
+        DrivenRobot robot(name, {{"max_steer_deg", degrees}, {"steer_rate_deg_s", 10000.0}});
+        std::vector<JointSetting> wanted(robot.wanted.size());
+        const DriveState now{robot.engine->joints(0), 0.5, 0.01};
+        const Motion tight = robot.drive->command({0.1, 0.0, turn}, now, wanted);
+        CHECK(tight.turn * turn > 0.0);
+        const double widest = 1.2 * std::abs(tight.forward / tight.turn);
+        const Motion wider =
+            robot.drive->command({0.1, 0.0, std::copysign(0.1 / widest, turn)}, now, wanted);
+        CHECK(wider.turn / wider.forward == Approx(std::copysign(1.0 / widest, turn)));
+      }
+    }
+  }
+}
+
 TEST_CASE("Four-wheel steering turns in half the circle of a car") {
   DrivenRobot car("car", {{"wheelbase", 0.1}});
   DrivenRobot both("front_rear_steering", {{"wheelbase", 0.1}});

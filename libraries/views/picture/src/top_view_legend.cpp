@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "panel.h"
 #include "text.h"
 #include "top_view_parts.h"
 
@@ -207,14 +208,13 @@ LegendLayout lay_out_legend(const Canvas& canvas, const std::vector<LegendEntry>
                             double width) {
   LegendLayout layout;
   if (entries.empty()) return layout;
-  Vector2 at;
+  Flow flow(width, kGap);
   for (const LegendEntry& entry : entries) {
-    const double entry_width = entry.width + kBesideSymbol + canvas.text_width(entry.text, kStyle);
-    if (at.x > 0.0 && at.x + entry_width > width) at = {0.0, at.y + kLine};
-    layout.places.push_back(at);
-    at.x += entry_width + kGap;
+    const double x =
+        flow.place(entry.width + kBesideSymbol + canvas.text_width(entry.text, kStyle));
+    layout.places.push_back({x, kLine * flow.row()});
   }
-  layout.height = at.y + kLine + 6;
+  layout.height = kLine * (flow.row() + 1) + 6;
   return layout;
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "panel.h"
 #include "text.h"
 #include "top_view_parts.h"
 
@@ -187,12 +188,7 @@ void draw_arrow_head(Canvas& canvas, const Vector2& tip, double angle, double le
 
 void fill_hatched(Canvas& canvas, const Rect& box, const Ink& ground, const Ink& lines) {
   canvas.fill_keep(ground);
-  const Clip clip(canvas);
-  constexpr double kApart = 6.0;
-  for (double x = box.x - box.height; x < box.right(); x += kApart) {
-    canvas.line({x, box.bottom()}, {x + box.height, box.y});
-  }
-  canvas.stroke(lines.with_alpha(0.65), {.width = 0.9});
+  hatch(canvas, box, 6.0, lines.with_alpha(0.65));
 }
 
 void draw_resource_mark(Canvas& canvas, const Vector2& at, double radius, const Ink& ink) {
