@@ -256,6 +256,32 @@ TEST_CASE("A behaviour that was added acts, and the others keep their objects") 
                     [](const simulation::Note& note) { return note.plugin == "second"; }));
 }
 
+TEST_CASE("What one edit of a step adds, another one may set") {
+  Simulation simulation(lively(), shipped());
+  const std::vector<simulation::Change> both{
+      {"obstacle[+]", "<static_box id=\"late\" x=\"1\" y=\"2.5\"/>"}, {"obstacle[late]/@y", "2"}};
+  simulation.change(both);
+  const auto& boxes = simulation.world().boxes;
+  const auto late = std::find_if(boxes.begin(), boxes.end(),
+                                 [](const world::Box& box) { return box.id == "late"; });
+  REQUIRE(late != boxes.end());
+  CHECK(late->y == 2.0);
+}
+
+TEST_CASE("A coordinator is asked whether it can do without a behaviour") {
+  Simulation simulation =
+      of("",
+         "<behaviors><wander id=\"low\"/><wander id=\"high\"/></behaviors><coordinator>"
+         "<arbiter_subsumption><suppress by=\"high\" of=\"low\"/></arbiter_subsumption>"
+         "</coordinator>");
+  simulation.step();
+  CHECK_THROWS_AS(simulation.change("robot[r1]/behavior[high]/@remove", "true"),
+                  simulation::ChangeRefused);
+  simulation.step();
+  simulation.change("robot[r1]/behavior[+]", "<wander id=\"higher\"/>");
+  simulation.step();
+}
+
 TEST_CASE("What other robots do is not touched by an edit of one") {
   // They are far apart, and do not see each other.
   const auto path_of_r1 = [](bool edited) {

@@ -89,8 +89,11 @@ events::Changed event_of(const Change& edit) { return events::Changed::from(edit
 
 void Simulation::Impl::change(std::span<const Change> changes) {
   std::vector<Change> live, settled;
+  const bool all_live = std::all_of(changes.begin(), changes.end(),
+                                    [&](const Change& one) { return changes_->is_live(one); });
   for (const Change& one : changes) {
-    (changes_->is_live(one) ? live : settled).push_back(one);
+    // What is not there may come with the others.
+    (changes_->is_live(one, all_live) ? live : settled).push_back(one);
   }
   const auto put_in_place = [&] {
     changes_->make(live, stage(), events_);

@@ -95,6 +95,8 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
   description_ = &next;
   list_slots();
   const bool same_members = slots_ == slots;
+  undo.keep(has_other_members_);
+  has_other_members_ = !same_members;
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (places[i] < slots.size()) {
       members_[i].trace = (*members)[places[i]].trace;
@@ -130,10 +132,12 @@ void Controller::equip_anew(Becoming& becoming, const Perception& example, bool 
       blaming(*slot.use, becoming.problems(), [&] { slot.object->equipped(example); });
     }
   }
-  if (coordinator_ && (all || any_new || becoming.is_new(coordinator_.get()))) {
+  if (coordinator_ &&
+      (all || any_new || has_other_members_ || becoming.is_new(coordinator_.get()))) {
     blaming(*description_->coordinator, becoming.problems(),
             [&] { coordinator_->equipped(members_, example); });
   }
+  has_other_members_ = false;
 }
 
 void Controller::reset_new(Becoming& becoming, const std::string& path, const std::string& shown) {

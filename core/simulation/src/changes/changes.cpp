@@ -57,7 +57,7 @@ Changes::Changes(const world::World& world, const plugin::Host& host,
                  std::vector<std::string> data_directories)
     : world_(world), attributes_(world, host, std::move(data_directories)) {}
 
-bool Changes::is_live(const Change& change) const {
+bool Changes::is_live(const Change& change, bool if_unknown) const {
   if (change.value.starts_with('<') || change.path.ends_with("@remove") ||
       change.path.find("[+") != std::string::npos) {
     return false;
@@ -67,7 +67,7 @@ bool Changes::is_live(const Change& change) const {
     return std::all_of(places.begin(), places.end(),
                        [](const world::AttributePlace& place) { return place.field.is_live(); });
   } catch (const std::invalid_argument&) {
-    return true;  // plan() says why not
+    return if_unknown;  // plan() says why not
   }
 }
 

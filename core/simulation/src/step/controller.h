@@ -132,6 +132,7 @@ class Controller final : public Coordination, private Member::Runner {
   const world::Coordination* description_;
   Setting setting_;
   std::vector<std::shared_ptr<Slot>> slots_;
+  bool has_other_members_ = false;  // since the coordinator was equipped
   std::vector<Member> members_;
   std::vector<const char*> reasons_;  // of each member's trace, kept
   plugin::Object<Coordinator> coordinator_;
