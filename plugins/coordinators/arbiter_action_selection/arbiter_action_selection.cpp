@@ -2,6 +2,7 @@
 // others become nearly as active.
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include <elsie/api/remember.h>
 
@@ -17,41 +18,45 @@ class ArbiterActionSelection final : public WinnerTakesAll, public elsie::Rememb
   bool by_priority = false;
 
   void reset(elsie::Random&) override {
-    winner_.reset();
+    decided_.clear();
     since_s_ = 0.0;
   }
   void remember(elsie::Memory& memory) override {
-    memory("winner", winner_);
+    memory("winner", decided_);
     memory("since_s", since_s_);
   }
 
   elsie::Motion coordinate(std::span<elsie::Member> members,
                            const elsie::Perception& now) override {
-    std::optional<std::size_t> best;
+    std::optional<std::size_t> best, last;
     for (std::size_t i = 0; i < members.size(); ++i) {
+      if (members[i].name() == decided_) {
+        last = i;
+      }
       const double level = level_of(members[i]);
       if (level > threshold && (!best || level > level_of(members[*best]))) {
         best = i;
       }
     }
     if (!best) {
+      decided_.clear();
       return nobody(members, "nobody is active");
     }
 
-    const bool challenged = winner_ && *winner_ < members.size() && *winner_ != *best &&
-                            level_of(members[*winner_]) > threshold;
+    const bool challenged = last && last != best && level_of(members[*last]) > threshold;
     const char* reason = "highest activation";
     std::size_t winner = *best;
     if (challenged && now.time_s() - since_s_ < hold - 1e-9) {
-      winner = *winner_;
+      winner = *last;
       reason = "kept: minimum time";
     } else if (challenged && margin > 0.0 &&
-               level_of(members[*best]) <= level_of(members[*winner_]) + margin) {
-      winner = *winner_;
+               level_of(members[*best]) <= level_of(members[*last]) + margin) {
+      winner = *last;
       reason = "kept: margin";
-    } else if (winner_ != best) {
+    } else if (last != best) {
       since_s_ = now.time_s();
     }
+    decided_ = members[winner].name();
     const elsie::Motion command = let_decide(members, winner, reason, "lower activation");
     for (elsie::Member& member : members) {
       if (&member != &members[winner]) {
@@ -84,7 +89,8 @@ class ArbiterActionSelection final : public WinnerTakesAll, public elsie::Rememb
     }
   }
 
-  double since_s_ = 0.0;  // when the winner took over
+  std::string decided_;   // who won last: places change when others come and go
+  double since_s_ = 0.0;  // when it took over
 };
 
 }  // namespace

@@ -91,7 +91,19 @@ void PriorityNetwork::equip(std::span<const elsie::Member> members,
   readings_.resize(sensors_.size());
   priorities_.resize(behaviors_.size());
   prepare();
+  if (has_begun_ && !behaviors_.empty() && !fits_robot()) {
+    throw std::invalid_argument(
+        "its network would have to be trained for " + columns().text() +
+        ", and it is trained before a run only; replace the coordinator in the same edit, which "
+        "trains a new one");
+  }
   equipped_ = true;
+}
+
+/// Whether the network in use has the inputs and outputs that the robot needs.
+bool PriorityNetwork::fits_robot() const {
+  return learned_ && learned_->network.inputs() == sensors_.size() &&
+         learned_->network.outputs() == behaviors_.size();
 }
 
 /// Reads the files that the parameters name, and checks that they fit the robot. A network trained
@@ -181,6 +193,7 @@ Lesson PriorityNetwork::learn(elsie::Random& random, const TrainingWatch& watch)
 }
 
 void PriorityNetwork::prepare_run(elsie::Random& random) {
+  has_begun_ = true;
   if (behaviors_.empty() || fixed_) {
     return;
   }
@@ -208,7 +221,7 @@ std::span<const double> PriorityNetwork::priorities(const elsie::Perception& now
     return {};
   }
   const auto beams = now.readings<elsie::RangeReading>();
-  if (!workspace_ || beams.size() != readings_.size()) {
+  if (!fits_robot() || beams.size() != readings_.size()) {
     throw std::logic_error(
         "its network has not been prepared for this robot: equipped() and reset() come first");
   }

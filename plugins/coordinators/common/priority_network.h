@@ -57,11 +57,13 @@ class PriorityNetwork : public elsie::neural::Trainable {
   elsie::neural::TrainingSet read_samples() const;
   void prepare();
   void load_weights();
+  bool fits_robot() const;
   void use(elsie::neural::Weights weights);
 
   std::vector<std::string> sensors_;    // the names of the inputs
   std::vector<std::string> behaviors_;  // the names of the outputs
   bool equipped_ = false;
+  bool has_begun_ = false;                             // a run
   std::optional<elsie::neural::TrainingSet> samples_;  // unless weights are given
   std::optional<elsie::neural::Weights> learned_;
   std::optional<elsie::neural::Workspace> workspace_;

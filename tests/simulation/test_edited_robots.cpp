@@ -1,0 +1,124 @@
+// What robots keep over edits of a running world, and what their coordinators make of them.
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/plugin/host.h"
+#include "elsie/world/reader.h"
+
+#include "change_support.h"
+
+using namespace elsie;
+using namespace elsie::test;
+
+namespace {
+
+Simulation of(const std::string& content) {
+  return Simulation(world::parse_world("<world format=\"1\">" + content + "</world>", "small.xml",
+                                       shipped(), {.data_directories = {source_path("")}}),
+                    shipped(), {.data_directories = {source_path("")}});
+}
+
+/// The attributes and content of a coordinator that cannot do without.
+std::string needs_of(const std::string& coordinator) {
+  const std::string samples =
+      " training=\"training_sets/two_sensors_two_behaviors.txt\" seed=\"1\"";
+  return coordinator == "fusion_context_blending"
+             ? " model=\"" + source_path("tests/plugins/coordinators/contexts.fcl") + "\""
+         : coordinator.ends_with("neural_network") ? samples + " presentations=\"2000\""
+                                                   : "";
+}
+
+const std::string kBoth = "<wander id=\"avoid\"/><wander id=\"go\"/>";
+
+std::string robot_of(const std::string& coordinator, const std::string& behaviors) {
+  return "<robots><robot id=\"r1\"><sensors><beam_range yaw_deg=\"30\"/><beam_range "
+         "yaw_deg=\"-30\"/></sensors><behaviors>" +
+         behaviors + "</behaviors><coordinator><" + coordinator + needs_of(coordinator) +
+         "/></coordinator></robot></robots>";
+}
+
+std::vector<std::string> members_of(const Simulation& simulation) {
+  std::vector<std::string> paths;
+  for (const TracedMember& member : simulation.robot(0).trace) paths.push_back(member.path);
+  return paths;
+}
+
+const std::vector<simulation::Change> kRemoval{{"robot[r1]/behavior[go]/@remove", "true"}};
+const std::vector<simulation::Change> kAddition{{"robot[r1]/behavior[+1]", "<wander/>"}};
+const std::vector<simulation::Change> kReordering{
+    {"robot[r1]/behavior[avoid]/@remove", "true"},
+    {"robot[r1]/behavior[+]", "<wander id=\"avoid\"/>"}};
+
+}  // namespace
+
+TEST_CASE("Every coordinator takes other behaviours while it runs, or refuses them") {
+  for (const Declaration* declaration : shipped().all(PluginKind::coordinator)) {
+    const std::string& coordinator = declaration->name;
+    CAPTURE(coordinator);
+    const bool is_network = coordinator.ends_with("neural_network");
+    for (const bool is_nested : {false, true}) {
+      const std::string path = is_nested ? "nest/" : "";
+      const auto run = [&](const std::vector<simulation::Change>& edits) {
+        Simulation simulation =
+            is_nested
+                ? of("<robots><robot id=\"r1\"><sensors><beam_range yaw_deg=\"30\"/><beam_range "
+                     "yaw_deg=\"-30\"/></sensors><behaviors><blend id=\"nest\"><behaviors>" +
+                     kBoth + "</behaviors><coordinator><" + coordinator + needs_of(coordinator) +
+                     "/></coordinator></blend></behaviors><coordinator><fusion_fuzzy/>"
+                     "</coordinator></robot></robots>")
+                : of(robot_of(coordinator, kBoth));
+        advance(simulation, 5);
+        std::vector<simulation::Change> all = edits;
+        for (simulation::Change& edit : all) {
+          if (is_nested) edit.path.insert(std::string("robot[r1]/").size(), "behavior[nest]/");
+        }
+        const std::string refused = why_not([&] { simulation.change(all); });
+        advance(simulation, 5);
+        return std::pair(members_of(simulation), refused);
+      };
+      const auto fewer = run(kRemoval), more = run(kAddition), other = run(kReordering);
+      const bool fits_its_model = is_network || coordinator == "fusion_context_blending";
+      CAPTURE(is_nested, fewer.second, more.second, other.second);
+      CHECK(fewer.second.empty() == !fits_its_model);
+      CHECK(more.second.empty() == !is_network);
+      CHECK(other.second.empty());
+      std::vector<std::string> expected{path + "go", path + "avoid"};
+      if (is_nested) expected.insert(expected.begin(), "nest");
+      CHECK(other.first == expected);
+    }
+  }
+}
+
+TEST_CASE("A network for the first behaviours of a robot has to be trained") {
+  for (const char* const coordinator : {"arbiter_neural_network", "fusion_neural_network"}) {
+    Simulation simulation = of(robot_of(coordinator, ""));
+    advance(simulation, 3);
+    std::vector<simulation::Change> edits{{"robot[r1]/behavior[+]", "<wander id=\"avoid\"/>"},
+                                          {"robot[r1]/behavior[+]", "<wander id=\"go\"/>"}};
+    const std::string refused = why_not([&] { simulation.change(edits); });
+    CAPTURE(refused);
+    CHECK(refused.find("replace the coordinator in the same edit") != std::string::npos);
+    advance(simulation, 3);
+    edits.push_back(
+        {"robot[r1]/coordinator", "<" + std::string(coordinator) + needs_of(coordinator) + "/>"});
+    simulation.change(edits);
+    advance(simulation, 3);
+    CHECK(simulation.robot(0).trace[0].member->trace.asked);
+  }
+}
+
+TEST_CASE("A winner that holds on stays the same behaviour at another place") {
+  // The first to win holds for good, though the others are as active.
+  Simulation simulation =
+      of("<robots><robot id=\"r1\"><behaviors><wander id=\"a\"/><wander id=\"b\"/></behaviors>"
+         "<coordinator><arbiter_action_selection hold=\"100\"/></coordinator></robot></robots>");
+  advance(simulation, 3);
+  simulation.change("robot[r1]/behavior[+1]", "<wander id=\"c\"/>");
+  simulation.step();
+  REQUIRE(members_of(simulation) == std::vector<std::string>{"c", "a", "b"});
+  CHECK(simulation.robot(0).trace[1].member->trace.weight == 1.0);
+}
