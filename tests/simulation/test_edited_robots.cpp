@@ -122,3 +122,45 @@ TEST_CASE("A winner that holds on stays the same behaviour at another place") {
   REQUIRE(members_of(simulation) == std::vector<std::string>{"c", "a", "b"});
   CHECK(simulation.robot(0).trace[1].member->trace.weight == 1.0);
 }
+
+TEST_CASE("A robot on a synchro drive keeps its heading over edits of its body") {
+  for (const simulation::Change& edit :
+       {simulation::Change{"robot[r1]/body/@mass", "3"},
+        simulation::Change{"robot[r1]/drive/@steer_rate_deg_s", "200"},
+        simulation::Change{"robot[r1]/segment[+]", "<segment/>"},
+        simulation::Change{"robot[r1]/drive/@remove", "true"}}) {
+    CAPTURE(edit.text());
+    Simulation simulation = of(
+        "<robots><robot id=\"r1\"><drive><synchro/></drive><behaviors><go_to_point x=\"-2\" "
+        "y=\"2\"/></behaviors><coordinator><arbiter_suppression/></coordinator></robot></robots>");
+    advance(simulation, 200);
+    const Pose before = simulation.robot(0).state->pose;
+    REQUIRE(before.heading_rad > 1.0);  // the chassis points to the east as ever
+    simulation.change(edit.path, edit.value);
+    const Pose& now = simulation.robot(0).state->pose;
+    CHECK(now.heading_rad == Approx(before.heading_rad).margin(1e-9));
+    CHECK(now.x == before.x);
+    advance(simulation, 10);
+    CHECK(now.heading_rad == Approx(before.heading_rad).margin(0.2));
+  }
+}
+
+TEST_CASE("There is room beside the chassis of a robot, wherever its turret points") {
+  // Long and narrow, on wheels that have turned by a right angle.
+  Simulation simulation =
+      of("<robots><robot id=\"r1\"><body length=\"0.6\" width=\"0.2\"/><drive><synchro "
+         "radius=\"0.05\"/></drive><behaviors><go_to_point x=\"0\" y=\"2\" "
+         "speed=\"0.05\"/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>"
+         "</robots>");
+  advance(simulation, 200);
+  const Pose pose = simulation.robot(0).state->pose;
+  REQUIRE(pose.heading_rad > 1.4);
+  const auto box_at = [&](double ahead, double left) {
+    return "<static_box length=\"0.1\" width=\"0.1\" x=\"" + std::to_string(pose.x + ahead) +
+           "\" y=\"" + std::to_string(pose.y + left) + "\"/>";
+  };
+  CHECK(why_not([&] {
+          simulation.change("obstacle[+]", box_at(0.25, 0));
+        }).find("overlaps the robot 'r1'") != std::string::npos);
+  CHECK(why_not([&] { simulation.change("obstacle[+]", box_at(0, 0.25)); }) == "");
+}

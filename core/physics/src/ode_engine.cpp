@@ -55,7 +55,9 @@ class OdeEngine final : public Engine {
 
   std::size_t add_robot(const BodyPlan& plan, const Pose& pose, double z) override;
   std::size_t add_box(const world::Box& box) override;
-  std::size_t add_robot_of(const Engine& other, std::size_t robot, const BodyPlan* plan) override;
+  std::size_t add_robot_of(const Engine& other, std::size_t robot) override;
+  std::size_t add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
+                           const Pose& pose) override;
   std::size_t add_box_of(const Engine& other, std::size_t box, const world::Box& added) override;
   void go_on_from(const Engine& other) override;
   void remove_box(std::size_t box) override;
@@ -187,15 +189,21 @@ std::size_t OdeEngine::enter_robot(double top) {
   return index;
 }
 
-std::size_t OdeEngine::add_robot_of(const Engine& other, std::size_t robot, const BodyPlan* plan) {
+std::size_t OdeEngine::add_robot_of(const Engine& other, std::size_t robot) {
   const OdeRobot& same = dynamic_cast<const OdeEngine&>(other).robots_.at(robot);
-  if (plan) world::check(*plan);
   prepare_ode();
-  accept("a robot's body", [&] {
-    plan ? robots_.emplace_back(world_.get(), *plan, same)
-         : robots_.emplace_back(world_.get(), same);
-  });
+  robots_.emplace_back(world_.get(), same);
   return enter_robot(std::max(0.0, same.state().frame.origin.z) + robots_.back().height());
+}
+
+std::size_t OdeEngine::add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
+                                    const Pose& pose) {
+  const OdeRobot& same = dynamic_cast<const OdeEngine&>(other).robots_.at(robot);
+  const double z = std::max(0.0, same.state().frame.origin.z);
+  const std::size_t index = add_robot(plan, pose, z);
+  robots_[index].push(same);
+  place_in_scene(index);
+  return index;
 }
 
 std::size_t OdeEngine::add_box_of(const Engine& other, std::size_t box, const world::Box& added) {

@@ -50,8 +50,7 @@ OdeRobot::OdeRobot(dWorldID world, const OdeRobot& other)
   state_ = other.state_;
 }
 
-OdeRobot::OdeRobot(dWorldID world, const BodyPlan& plan, const OdeRobot& other)
-    : OdeRobot(world, plan, other.state_.pose, std::max(0.0, other.state_.frame.origin.z)) {
+void OdeRobot::push(const OdeRobot& other) {
   const OdeVehicle& first = other.vehicles_.front();
   const Vector3 middle = to_vector(dBodyGetPosition(first.chassis()));
   for (OdeVehicle& vehicle : vehicles_) {

@@ -19,11 +19,11 @@ class OdeRobot {
 
   /// The same as another one, in its state.
   OdeRobot(dWorldID world, const OdeRobot& other);
-  /// The same with another body, which stands upright.
-  OdeRobot(dWorldID world, const BodyPlan& plan, const OdeRobot& other);
 
   /// Stands there at rest, its vehicles in line behind it.
   void put(const Pose& pose, double z);
+  /// Moves as another one does, as one rigid body.
+  void push(const OdeRobot& other);
   /// See Engine::set_joints().
   void set_joints(std::span<const JointSetting> settings);
   /// Measured, one for each that can be set.

@@ -300,7 +300,11 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
     } else {
       const world::Robot& old = was.robots[place];
       const bool is_same = same_body(old, next);
-      engine_->add_robot_of(**before, place, is_same ? nullptr : &plan);
+      if (is_same) {
+        engine_->add_robot_of(**before, place);
+      } else {
+        engine_->add_robot_of(**before, place, plan, robots_[i]->state().pose);
+      }
       now[{robot, place}] = {robot, i};
       if (!is_placed_alike(old, next)) {
         engine_->place_robot(i, pose_of(next), next.z);
@@ -327,7 +331,7 @@ void Simulation::Impl::check_room(const world::World& was,
       throw std::invalid_argument(*problem + "; expected a free place in the arena");
     }
   };
-  const Room room(world_, robots_, *engine_);
+  const Room room(world_, *engine_);
   for (const std::size_t robot : new_robots) {
     require(room.problem_of(robot));
   }

@@ -246,7 +246,7 @@ void Changes::check_room(const Plan& plan, const Stage& stage) const {
   if (plan.placed.empty()) {
     return;
   }
-  Room room(world_, stage.robots, stage.engine);
+  Room room(world_, stage.engine);
   for (const Placed& placed : plan.placed) {
     room.place(placed.robot, placed.pose, placed.z);
   }

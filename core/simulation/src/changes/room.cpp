@@ -10,8 +10,7 @@ double height(const Frame& frame) {
   return frame.origin.z < kHair ? 0.0 : frame.origin.z;
 }
 
-Room::Room(const world::World& world, Robots robots, const physics::Engine& engine)
-    : world_(world) {
+Room::Room(const world::World& world, const physics::Engine& engine) : world_(world) {
   for (std::size_t i = 0; i < world.boxes.size(); ++i) {
     if (!engine.has_box(i)) {
       continue;
@@ -31,17 +30,16 @@ Room::Room(const world::World& world, Robots robots, const physics::Engine& engi
                         "the charger '" + charger.id + "'", number++, false});
     }
   }
-  for (std::size_t i = 0; i < robots.size(); ++i) {
+  for (std::size_t i = 0; i < world.robots.size(); ++i) {
     const BodyPlan& plan = plans_.emplace_back(world::plan_of(world.robots[i]));
     auto& vehicles = robots_.emplace_back();
-    const auto add = [&](const Pose& pose, const Frame& frame) {
-      vehicles.push_back(
-          world::footprint_of(world::vehicle_of(plan, vehicles.size()), pose, height(frame)));
+    const auto add = [&](const auto& body) {
+      vehicles.push_back(world::footprint_of(world::vehicle_of(plan, vehicles.size()), body.pose,
+                                             height(body.frame)));
     };
-    add(robots[i]->state().pose, engine.robot(i).frame);
+    add(engine.robot(i));
     for (std::size_t k = 0; k < engine.segments(i); ++k) {
-      const physics::SegmentState segment = engine.segment(i, k);
-      add(segment.pose, segment.frame);
+      add(engine.segment(i, k));
     }
   }
 }

@@ -10,8 +10,6 @@
 #include "elsie/world/description.h"
 #include "elsie/world/footprint.h"
 
-#include "step/carrier.h"
-
 namespace elsie::simulation {
 
 /// The height at which a body stands, m: that it sinks in by a hair is nothing.
@@ -19,7 +17,7 @@ double height(const Frame& frame);
 
 class Room {
  public:
-  Room(const world::World& world, Robots robots, const physics::Engine& engine);
+  Room(const world::World& world, const physics::Engine& engine);
 
   /// Puts a robot elsewhere in here, and what it pulls in line behind it.
   void place(std::size_t robot, const Pose& pose, double z);

@@ -91,10 +91,12 @@ class Engine {
   /// moving boxes float where z is positive, dynamic ones fall. Throws as add_robot() does.
   virtual std::size_t add_box(const world::Box& box) = 0;
   /// Adds a robot that another engine has, in its state there: at its place, with all velocities,
-  /// what its joints hold and are to hold. With another body (`plan`) it stands upright at its
-  /// place, its joints as in a new one, and keeps its velocity. Throws as add_robot() does.
-  virtual std::size_t add_robot_of(const Engine& other, std::size_t robot,
-                                   const BodyPlan* plan = nullptr) = 0;
+  /// what its joints hold and are to hold.
+  virtual std::size_t add_robot_of(const Engine& other, std::size_t robot) = 0;
+  /// The same with another body: it stands upright at this pose, its joints as in a new one, and
+  /// keeps its velocity. Throws as add_robot() does.
+  virtual std::size_t add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
+                                   const Pose& pose) = 0;
   /// Adds a box that another engine has, as which it was added there, in its state; also one that
   /// was removed there.
   virtual std::size_t add_box_of(const Engine& other, std::size_t box, const world::Box& added) = 0;
