@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -88,6 +89,17 @@ class Failing final : public TwoWheels {
 
  private:
   int count_ = 0;
+};
+
+/// Notes at which rate its wheels are when it is asked for the first time.
+class Noting final : public TwoWheels {
+ public:
+  static inline std::vector<double> rates;
+  Motion command(const Motion& asked, const DriveState& now,
+                 std::span<JointSetting> joints) override {
+    rates.push_back(now.joints[0].rate_rad_s);
+    return TwoWheels::command(asked, now, joints);
+  }
 };
 
 class Wider final : public TwoWheels {
@@ -225,4 +237,18 @@ TEST_CASE("A drive is replaced while it runs, unless it would build another body
                     [](const auto& object) { return object.path == "drive"; }));
   for (int i = 0; i < 100; ++i) simulation.step();
   CHECK(simulation.robot(0).state->pose.x == Approx(0.6).epsilon(0.03));
+}
+
+TEST_CASE("A drive that takes the place of another begins with its own joints, at rest") {
+  ScriptedHost scripted([](const Perception&) { return Motion{0.2, 0.0, 0.0}; });
+  scripted.host.add(declare<TwoWheels>(PluginKind::drive, "pair", "For a test"));
+  scripted.host.add(declare<Noting>(PluginKind::drive, "noting", "For a test"));
+  world::World world;
+  world.robots.push_back(driven("pair"));
+  Simulation simulation(world, scripted.host);
+  for (int i = 0; i < 50; ++i) simulation.step();
+  Noting::rates.clear();
+  simulation.change("robot[r1]/drive", "<noting/>");
+  REQUIRE_FALSE(Noting::rates.empty());
+  CHECK(Noting::rates.front() == 0.0);
 }

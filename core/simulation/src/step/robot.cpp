@@ -115,7 +115,7 @@ void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& pro
     state_.channels = drive_->channels();
     const auto settable = std::count_if(plan.parts.begin(), plan.parts.end(),
                                         [](const Part& part) { return can_be_set(part.joint); });
-    joints_.resize(static_cast<std::size_t>(settable));
+    joints_.assign(static_cast<std::size_t>(settable), {});
     wanted_joints_ = joints_;
     if (description_->drive) driven_ = std::move(plan);
   });
