@@ -164,3 +164,40 @@ TEST_CASE("There is room beside the chassis of a robot, wherever its turret poin
         }).find("overlaps the robot 'r1'") != std::string::npos);
   CHECK(why_not([&] { simulation.change("obstacle[+]", box_at(0, 0.25)); }) == "");
 }
+
+TEST_CASE("What a coordinator holds outlives edits of the robot, made or refused") {
+  // It stands before a box that is taken away: the upper layer falls silent.
+  const std::string holding =
+      "<obstacles><static_box id=\"box\" x=\"0.4\" width=\"2\"/></obstacles><robots><robot "
+      "id=\"r1\"><sensors><beam_range/></sensors><behaviors><wander id=\"low\"/><avoid_obstacle "
+      "id=\"high\"/></behaviors><coordinator><arbiter_subsumption hold=\"100\"/></coordinator>"
+      "</robot></robots>";
+  const std::string in_the_way = "<static_box id=\"late\" length=\"1\" width=\"1\"/>";
+  const std::vector<simulation::Change> edits{
+      {"robot[r1]/@team", "blue"},
+      {"robot[r1]/sensor[+]", "<beam_range/>"},
+      {"robot[r1]/drive[+]", "<skid_steer/>"},
+      {"robot[r1]/behavior[+1]", "<wander id=\"lowest\"/>"}};
+  for (const bool are_refused : {false, true}) {
+    Simulation simulation = of(holding);
+    const auto reason = [&] {
+      for (const TracedMember& member : simulation.robot(0).trace) {
+        if (member.path == "high") return std::string(member.member->trace.reason);
+      }
+      return std::string();
+    };
+    advance(simulation, 10);
+    simulation.change("obstacle[box]/@remove", "true");
+    advance(simulation, 10);
+    REQUIRE(reason() == "held");
+    for (const simulation::Change& edit : edits) {
+      std::vector<simulation::Change> all{edit};
+      if (are_refused) all.push_back({"obstacle[+]", in_the_way});
+      const std::string why = why_not([&] { simulation.change(all); });
+      CAPTURE(edit.text(), why);
+      CHECK(why.empty() != are_refused);
+      simulation.step();
+      CHECK(reason() == "held");
+    }
+  }
+}

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "elsie/api/remember.h"
 #include "elsie/world/parts.h"
 #include "elsie/world/same.h"
 
@@ -29,6 +30,22 @@ bool same_coordinator(const world::Coordination& a, const world::Coordination& b
          (!a.coordinator || world::same(*a.coordinator, *b.coordinator));
 }
 
+Memory memory_of(Component& object) {
+  Memory memory;
+  if (auto* const remembers = dynamic_cast<Remembers*>(&object)) {
+    remembers->remember(memory);
+  }
+  memory.begin_recall();
+  return memory;
+}
+
+void equip(const TunedObject& object, Memory memory, const Perception& example) {
+  Tuning::equip(object, *object.object, example);
+  if (auto* const remembers = dynamic_cast<Remembers*>(object.object)) {
+    remembers->remember(memory);
+  }
+}
+
 /// Puts a pointer to what is owned aside until the edit is settled.
 template <class Owner>
 void set_aside(Undo& undo, Owner& owner) {
@@ -38,6 +55,19 @@ void set_aside(Undo& undo, Owner& owner) {
 }
 
 }  // namespace
+
+void Becoming::equip_again(const std::function<TunedObject()>& find, const Perception& example) {
+  const TunedObject object = find();
+  blaming(*object.use, problems_, [&] {
+    const Memory memory = memory_of(*object.object);
+    again_->push_back([find, memory, example] {
+      const TunedObject restored = find();
+      std::vector<base::Problem> ignored;
+      blaming(*restored.use, ignored, [&] { equip(restored, memory, example); });
+    });
+    equip(object, memory, example);
+  });
+}
 
 std::vector<Member> Controller::copied_members() {
   Member::Runner& runner = *this;
@@ -120,22 +150,26 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
 }
 
 void Controller::equip_anew(Becoming& becoming, const Perception& example, bool all) {
-  bool any_new = false;
-  for (const auto& each : slots_) {
-    Slot& slot = *each;
-    const bool is_new = becoming.is_new(slot.object.get());
-    any_new = any_new || is_new;
-    if (slot.inside) {
-      slot.inside->equip_anew(becoming, example, all || is_new);
+  for (const auto& slot : slots_) {
+    if (becoming.is_new(slot->object.get())) {
+      if (slot->inside) {
+        slot->inside->equip(example, becoming.problems());
+      }
+      blaming(*slot->use, becoming.problems(), [&] { slot->object->equipped(example); });
+      continue;
     }
-    if (all || is_new) {
-      blaming(*slot.use, becoming.problems(), [&] { slot.object->equipped(example); });
+    if (slot->inside) {
+      slot->inside->equip_anew(becoming, example, all);
+    }
+    if (all) {
+      becoming.equip_again([slot] { return slot->own_object(); }, example);
     }
   }
-  if (coordinator_ &&
-      (all || any_new || has_other_members_ || becoming.is_new(coordinator_.get()))) {
+  if (coordinator_ && becoming.is_new(coordinator_.get())) {
     blaming(*description_->coordinator, becoming.problems(),
             [&] { coordinator_->equipped(members_, example); });
+  } else if (coordinator_ && (all || has_other_members_)) {
+    becoming.equip_again([this] { return own_object(); }, example);
   }
   has_other_members_ = false;
 }
@@ -171,8 +205,6 @@ void Robot::become(const world::Robot& was, const world::Robot& next, const Memb
   Undo& undo = becoming.undo();
   std::vector<base::Problem>& problems = becoming.problems();
   const plugin::Call call({.robot = next.id.c_str()});
-  const bool same_controller = world::same_part(world::robot_spec(), "behaviors", &was, &next) &&
-                               world::same_part(world::robot_spec(), "coordinator", &was, &next);
   const bool same_body = world::same_part(world::robot_spec(), "body", &was, &next);
   const bool same_drive = same_body && world::same_part(world::robot_spec(), "drive", &was, &next);
   const bool same_sensors =
@@ -182,19 +214,13 @@ void Robot::become(const world::Robot& was, const world::Robot& next, const Memb
                          membership.resource_colours == resource_colours_;
   // What stays is equipped anew where it may see a difference. That is undone last of all.
   const bool equips_all = !same_drive || !same_sensors || !same_team;
-  undo.add([this, equips = equips_all || !same_controller] {
+  undo.add([this, again = becoming.begin_robot()] {
     guard_.forgive();
     regroup();
     trace_.clear();
     controller_->list_members("", 0, -1, trace_);
-    if (equips) {
-      for (const auto& slot : sensors_) {
-        guard_.run(*slot->use, [&] {
-          slot->object->equipped({&slot->mounting, resource_colours_});
-        });
-      }
-      std::vector<base::Problem> ignored;
-      controller_->equip(example(), ignored);
+    for (const auto& equip : *again) {
+      equip();
     }
   });
   undo.add([this, state = state_, team = team_, colours = resource_colours_, asked = asked_,
@@ -234,10 +260,12 @@ void Robot::become(const world::Robot& was, const world::Robot& next, const Memb
   controller_->list_members("", 0, -1, trace_);
   regroup();
   for (const auto& slot : sensors_) {
-    if (equips_all || becoming.is_new(slot->object.get())) {
+    if (becoming.is_new(slot->object.get())) {
       blaming(*slot->use, problems, [&] {
         slot->object->equipped({&slot->mounting, resource_colours_});
       });
+    } else if (equips_all) {
+      becoming.equip_again([this, slot] { return own_object(*slot); }, example());
     }
   }
   controller_->equip_anew(becoming, example(), equips_all);

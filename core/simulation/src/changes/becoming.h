@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
@@ -12,6 +15,7 @@
 #include "elsie/simulation/run_result.h"
 #include "elsie/world/description.h"
 
+#include "changes/tuning.h"
 #include "changes/undo.h"
 #include "plugins/guard.h"
 #include "plugins/statements.h"
@@ -41,6 +45,14 @@ class Becoming {
   }
   bool is_new(const Component* object) const { return new_.contains(object); }
 
+  /// From here on, objects of one robot are equipped again. Returns how that is undone once all
+  /// that they look at is as it was.
+  using Actions = std::vector<std::function<void()>>;
+  std::shared_ptr<const Actions> begin_robot() { return again_ = std::make_shared<Actions>(); }
+  /// Equips an object that stays, and sets parameters that differ; it keeps what it remembers.
+  /// `find` finds it, with the members that it has then.
+  void equip_again(const std::function<TunedObject()>& find, const Perception& example);
+
  private:
   const plugin::Host& host_;
   std::uint64_t seed_;
@@ -48,6 +60,7 @@ class Becoming {
   std::vector<base::Problem> problems_;
   Statements said_;
   std::set<const Component*> new_;
+  std::shared_ptr<Actions> again_;
 };
 
 }  // namespace elsie::simulation

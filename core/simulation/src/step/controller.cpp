@@ -129,15 +129,14 @@ std::optional<TunedObject> Controller::object_of(const world::PluginUse& use) {
   for (const auto& each : slots_) {
     Slot& slot = *each;
     if (slot.use == &use) {
-      return TunedObject{PluginKind::behavior, &use, slot.declaration, slot.object.get(), {}};
+      return slot.own_object();
     }
     if (auto found = slot.inside ? slot.inside->object_of(use) : std::nullopt) {
       return found;
     }
   }
   if (coordinator_ && &*description_->coordinator == &use) {
-    return TunedObject{PluginKind::coordinator, &use, coordinator_declaration_, coordinator_.get(),
-                       members_};
+    return own_object();
   }
   return std::nullopt;
 }

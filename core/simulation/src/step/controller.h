@@ -107,6 +107,10 @@ class Controller final : public Coordination, private Member::Runner {
     plugin::Object<Behavior> object;
     Random random;
     Response response;
+
+    TunedObject own_object() const {
+      return {PluginKind::behavior, use, declaration, object.get(), {}};
+    }
   };
 
   std::shared_ptr<Slot> make_slot(const world::BehaviorUse& use, const plugin::Host& host,
@@ -116,6 +120,11 @@ class Controller final : public Coordination, private Member::Runner {
   std::vector<Member> copied_members();
   void take_members(std::vector<Member> members);
   void make_coordinator(const plugin::Host& host, std::vector<base::Problem>& problems);
+  /// The coordinator, if there is one.
+  TunedObject own_object() const {
+    return {PluginKind::coordinator, &*description_->coordinator, coordinator_declaration_,
+            coordinator_.get(), members_};
+  }
 
   const Response& run(Member& member) override;
   void rate(Member& member, std::span<const Motion> candidates,

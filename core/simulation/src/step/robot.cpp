@@ -316,11 +316,9 @@ void Robot::set_energy_cost(const world::PluginUse& sensor, double cost) {
 }
 
 std::optional<TunedObject> Robot::find_object(const world::PluginUse& use) {
-  for (const auto& each : sensors_) {
-    SensorSlot& slot = *each;
-    if (slot.use == &use) {
-      return TunedObject{PluginKind::sensor, &use, slot.declaration,
-                         slot.object.get(),  {},   {&slot.mounting, resource_colours_}};
+  for (const auto& slot : sensors_) {
+    if (slot->use == &use) {
+      return own_object(*slot);
     }
   }
   if (&use == &drive_use()) {

@@ -183,6 +183,10 @@ class Robot final : private Wishes {
   void sum_costs();
   void look_through_cameras();
   TunedObject object_of(const world::PluginUse& use) { return find_object(use).value(); }
+  TunedObject own_object(const SensorSlot& slot) const {
+    return {PluginKind::sensor, slot.use, slot.declaration,
+            slot.object.get(),  {},       {&slot.mounting, resource_colours_}};
+  }
   Perception example();
   void stop_when_empty();
   void make_drive(const plugin::Host& host, std::vector<base::Problem>& problems);
