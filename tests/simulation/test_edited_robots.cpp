@@ -43,7 +43,7 @@ std::string robot_of(const std::string& coordinator, const std::string& behavior
 
 std::vector<std::string> members_of(const Simulation& simulation) {
   std::vector<std::string> paths;
-  for (const TracedMember& member : simulation.robot(0).trace) paths.push_back(member.path);
+  for (const simulation::TracedMember& member : simulation.robot(0).trace) paths.push_back(member.path);
   return paths;
 }
 
@@ -181,7 +181,7 @@ TEST_CASE("What a coordinator holds outlives edits of the robot, made or refused
   for (const bool are_refused : {false, true}) {
     Simulation simulation = of(holding);
     const auto reason = [&] {
-      for (const TracedMember& member : simulation.robot(0).trace) {
+      for (const simulation::TracedMember& member : simulation.robot(0).trace) {
         if (member.path == "high") return std::string(member.member->trace.reason);
       }
       return std::string();

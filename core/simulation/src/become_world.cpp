@@ -44,10 +44,6 @@ bool same_body(const world::Robot& a, const world::Robot& b) {
          world::same_part(spec, "segments", &a, &b);
 }
 
-bool is_placed_alike(const world::Robot& a, const world::Robot& b) {
-  return std::tie(a.x, a.y, a.z, a.heading_deg) == std::tie(b.x, b.y, b.z, b.heading_deg);
-}
-
 bool same_part(const char* part, const world::World& a, const world::World& b) {
   return world::same_part(world::vocabulary(), part, &a, &b);
 }
@@ -88,35 +84,26 @@ events::Changed event_of(const Change& edit) { return events::Changed::from(edit
 }  // namespace
 
 void Simulation::Impl::change(std::span<const Change> changes) {
-  std::vector<Change> live, settled;
-  const bool all_live = std::all_of(changes.begin(), changes.end(),
-                                    [&](const Change& one) { return changes_->is_live(one); });
-  for (const Change& one : changes) {
-    // What is not there may come with the others.
-    (changes_->is_live(one, all_live) ? live : settled).push_back(one);
-  }
-  const auto put_in_place = [&] {
-    changes_->make(live, stage(), events_);
-    for (const Change& one : live) {
+  if (std::all_of(changes.begin(), changes.end(),
+                  [&](const Change& one) { return changes_->is_live(one); })) {
+    changes_->make(changes, stage(), events_);
+    for (const Change& one : changes) {
       pending_.push_back(one.text());
     }
-  };
-  if (settled.empty()) {
-    put_in_place();
     log_events();
     return;
   }
   Becoming becoming(*host_, seed_);
-  becoming.undo().keep(events_);
   try {
-    become(settled, becoming);
-    put_in_place();
+    become(changes, becoming);
   } catch (const ChangeRefused&) {
     throw;
+  } catch (const PluginFault&) {
+    throw;  // of what was running; it ends the run
   } catch (const world::WorldError& error) {
-    throw ChangeRefused(text_of(settled) + ": " + problem_of(error.problems()));
+    throw ChangeRefused(text_of(changes) + ": " + problem_of(error.problems()));
   } catch (const std::exception& error) {
-    throw ChangeRefused(text_of(settled) + ": " + error.what());
+    throw ChangeRefused(text_of(changes) + ": " + error.what());
   }
   settle(becoming);
   log_events();
@@ -173,7 +160,11 @@ world::World Simulation::Impl::present() {
 void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming) {
   const world::World was = present();
   world::World next = edited(was, edits, false);
+  becoming.undo().keep(events_);
   for (const Change& edit : edits) {
+    for (const world::AttributePlace& place : changes_->places(edit)) {
+      becoming.ask(place);
+    }
     std::string robot = robot_of(was, edit.path);
     events_.push_back({time_s(), std::move(robot), event_of(edit)});
   }
@@ -306,9 +297,7 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
         engine_->add_robot_of(**before, place, plan, robots_[i]->state().pose);
       }
       now[{robot, place}] = {robot, i};
-      if (!is_placed_alike(old, next)) {
-        engine_->place_robot(i, pose_of(next), next.z);
-      } else if (is_same) {
+      if (!place_anew(i, old, becoming) && is_same) {
         continue;
       }
       new_robots.push_back(i);
@@ -322,6 +311,26 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
                                : std::nullopt;
   });
   return new_robots;
+}
+
+/// Puts a robot where the edited description has it, as far as that is new; whether it is.
+bool Simulation::Impl::place_anew(std::size_t robot, const world::Robot& was,
+                                  const Becoming& becoming) {
+  const world::Robot& next = world_.robots[robot];
+  const auto is_new = [&](const char* name, double before, double now) {
+    return before != now || becoming.asks(next, name);
+  };
+  const bool x = is_new("x", was.x, next.x), y = is_new("y", was.y, next.y);
+  const bool z = is_new("z", was.z, next.z);
+  const bool heading = is_new("heading_deg", was.heading_deg, next.heading_deg);
+  const Pose there = pose_of(next), here = robots_[robot]->state().pose;
+  if (x || y || z || heading) {
+    engine_->place_robot(robot,
+                         {x ? there.x : here.x, y ? there.y : here.y,
+                          heading ? there.heading_rad : here.heading_rad},
+                         z ? next.z : height(engine_->robot(robot).frame));
+  }
+  return x || y || z || heading;
 }
 
 void Simulation::Impl::check_room(const world::World& was,

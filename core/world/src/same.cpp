@@ -61,14 +61,12 @@ const ElementSpec& robot_spec() {
 
 bool same(const SensorUse& a, const SensorUse& b, Compared what) {
   static const ElementSpec& spec = member_of(*robot_spec().child("sensors"));
-  return same_attributes(spec, &a, &b, what) &&
-         same(static_cast<const PluginUse&>(a), static_cast<const PluginUse&>(b));
+  return same_attributes(spec, &a, &b, what);
 }
 
 bool same(const BehaviorUse& a, const BehaviorUse& b, Compared what) {
   static const ElementSpec& spec = member_of(*robot_spec().child("behaviors"));
-  return same_attributes(spec, &a, &b, what) &&
-         same(static_cast<const PluginUse&>(a), static_cast<const PluginUse&>(b));
+  return same_attributes(spec, &a, &b, what);
 }
 
 }  // namespace elsie::world

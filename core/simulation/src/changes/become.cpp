@@ -25,9 +25,17 @@ std::size_t place_of(const Uses& uses, const std::string& id) {
   return static_cast<std::size_t>(at - uses.begin());
 }
 
-bool same_coordinator(const world::Coordination& a, const world::Coordination& b) {
-  return a.coordinator.has_value() == b.coordinator.has_value() &&
-         (!a.coordinator || world::same(*a.coordinator, *b.coordinator));
+/// Whether values differ that are settled before a run.
+bool differ_for_good(const std::vector<ParameterDeclaration>& declared,
+                     const std::map<std::string, ParameterValue>& a,
+                     const std::map<std::string, ParameterValue>& b) {
+  const auto value = [](const auto& values, const ParameterDeclaration& of) {
+    const auto known = values.find(of.name);
+    return known == values.end() ? of.default_value : known->second;
+  };
+  return std::any_of(declared.begin(), declared.end(), [&](const ParameterDeclaration& one) {
+    return !one.facts.live && value(a, one) != value(b, one);
+  });
 }
 
 Memory memory_of(Component& object) {
@@ -39,7 +47,12 @@ Memory memory_of(Component& object) {
   return memory;
 }
 
-void equip(const TunedObject& object, Memory memory, const Perception& example) {
+void equip(const TunedObject& object, const std::optional<Setup>& setup, Memory memory,
+           const Perception& example) {
+  if (setup) {
+    plugin::apply_parameters(*object.declaration, *object.object, setup->parameters,
+                             setup->elements);
+  }
   Tuning::equip(object, *object.object, example);
   if (auto* const remembers = dynamic_cast<Remembers*>(object.object)) {
     remembers->remember(memory);
@@ -56,16 +69,45 @@ void set_aside(Undo& undo, Owner& owner) {
 
 }  // namespace
 
+bool Becoming::keeps(Component& object, const Declaration& declaration, const world::PluginUse& use,
+                     const world::PluginUse& was, const world::PluginUse& next) {
+  if (world::same(was, next)) {
+    return true;
+  }
+  if (!asked_uses_.contains(&use) || was.plugin != next.plugin || was.id != next.id ||
+      differ_for_good(declaration.parameters, was.parameters, next.parameters) ||
+      !std::equal(was.elements.begin(), was.elements.end(), next.elements.begin(),
+                  next.elements.end(), [&](const ElementValue& one, const ElementValue& other) {
+                    const auto* known = plugin::find_declared(declaration.elements, one.element);
+                    return one.element == other.element &&
+                           !differ_for_good(known->parameters, one.parameters, other.parameters);
+                  })) {
+    return false;
+  }
+  const Setup before = as_described(was), now = as_described(next);
+  tuned_[&object] = {Tuning::complete(before, now, declaration),
+                     Tuning::complete(now, before, declaration)};
+  return true;
+}
+
 void Becoming::equip_again(const std::function<TunedObject()>& find, const Perception& example) {
   const TunedObject object = find();
+  std::optional<Setup> before, now;
+  if (const auto tuned = tuned_.find(object.object); tuned != tuned_.end()) {
+    before = tuned->second.before;
+    now = tuned->second.now;
+  }
   blaming(*object.use, problems_, [&] {
+    if (now) {
+      Tuning::try_out(object, *now, example);
+    }
     const Memory memory = memory_of(*object.object);
-    again_->push_back([find, memory, example] {
+    again_->push_back([find, before, memory, example] {
       const TunedObject restored = find();
       std::vector<base::Problem> ignored;
-      blaming(*restored.use, ignored, [&] { equip(restored, memory, example); });
+      blaming(*restored.use, ignored, [&] { equip(restored, before, memory, example); });
     });
-    equip(object, memory, example);
+    equip(object, now, memory, example);
   });
 }
 
@@ -107,7 +149,9 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
     const std::size_t place = place_of(was.behaviors, use.id);
     const bool is_known = place < slots.size();
     const bool stays = is_known && world::same(was.behaviors[place], use, Compared::settled) &&
-                       was.behaviors[place].inside.empty() == use.inside.empty();
+                       was.behaviors[place].inside.empty() == use.inside.empty() &&
+                       becoming.keeps(*slots[place]->object, *slots[place]->declaration,
+                                      *slots[place]->use, was.behaviors[place], use);
     places.push_back(stays ? place : slots.size());
     if (!stays) {
       slots_.push_back(make_slot(use, becoming.host(), becoming.problems()));
@@ -122,7 +166,7 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
                            becoming);
     }
   }
-  description_ = &next;
+  const world::Coordination* const before = std::exchange(description_, &next);
   list_slots();
   const bool same_members = slots_ == slots;
   undo.keep(has_other_members_);
@@ -136,7 +180,11 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
       reasons_[i] = reasons[places[i]];
     }
   }
-  if (!same_coordinator(was, next)) {
+  const bool keeps = was.coordinator && next.coordinator
+                         ? becoming.keeps(*coordinator_, *coordinator_declaration_,
+                                          *before->coordinator, *was.coordinator, *next.coordinator)
+                         : !was.coordinator && !next.coordinator;
+  if (!keeps) {
     undo.keep(coordinator_declaration_);
     undo.keep(random_);
     set_aside(undo, coordinator_);
@@ -161,14 +209,14 @@ void Controller::equip_anew(Becoming& becoming, const Perception& example, bool 
     if (slot->inside) {
       slot->inside->equip_anew(becoming, example, all);
     }
-    if (all) {
+    if (all || becoming.is_tuned(slot->object.get())) {
       becoming.equip_again([slot] { return slot->own_object(); }, example);
     }
   }
   if (coordinator_ && becoming.is_new(coordinator_.get())) {
     blaming(*description_->coordinator, becoming.problems(),
             [&] { coordinator_->equipped(members_, example); });
-  } else if (coordinator_ && (all || has_other_members_)) {
+  } else if (coordinator_ && (all || has_other_members_ || becoming.is_tuned(coordinator_.get()))) {
     becoming.equip_again([this] { return own_object(); }, example);
   }
   has_other_members_ = false;
@@ -264,8 +312,10 @@ void Robot::become(const world::Robot& was, const world::Robot& next, const Memb
       blaming(*slot->use, problems, [&] {
         slot->object->equipped({&slot->mounting, resource_colours_});
       });
-    } else if (equips_all) {
+    } else if (equips_all || becoming.is_tuned(slot->object.get())) {
+      undo.keep(slot->camera);
       becoming.equip_again([this, slot] { return own_object(*slot); }, example());
+      slot->camera = blaming(*slot->use, problems, [&] { return slot->object->camera(); });
     }
   }
   controller_->equip_anew(becoming, example(), equips_all);
@@ -287,7 +337,8 @@ void Robot::become(const world::Robot& was, const world::Robot& next, const Memb
     drive_random_ = Random(becoming.seed(), path + "drive");
     blaming(drive_use(), problems, [&] { drive_->reset(drive_random_); });
   }
-  take_live(was, !same_drive);
+  take_live(!same_drive, description_->energy &&
+                             (becoming.asks(next, "energy") || description_->energy != was.energy));
 }
 
 void Robot::become_sensors(const world::Robot& was, Becoming& becoming) {
@@ -300,7 +351,9 @@ void Robot::become_sensors(const world::Robot& was, Becoming& becoming) {
     const std::size_t place = place_of(was.sensors, use.id);
     const bool is_known = place < slots.size();
     // Where it is mounted follows from the body, by default.
-    if (!is_known || !same_body || !world::same(was.sensors[place], use, Compared::settled)) {
+    if (!is_known || !same_body || !world::same(was.sensors[place], use, Compared::settled) ||
+        !becoming.keeps(*slots[place]->object, *slots[place]->declaration, *slots[place]->use,
+                        was.sensors[place], use)) {
       sensors_.push_back(make_sensor(use, becoming.host(), becoming.problems()));
       becoming.note_new(sensors_.back()->object.get(), description_->id, use.id, is_known);
       continue;
@@ -324,13 +377,13 @@ void Robot::become_drive(Becoming& becoming) {
 }
 
 /// What may be changed in place.
-void Robot::take_live(const world::Robot& was, bool has_new_drive) {
+void Robot::take_live(bool has_new_drive, bool has_new_energy) {
   if (has_new_drive || state_.max_speed_m_s != description_->max_speed) {
     set_max_speed(description_->max_speed);
   }
   state_.coverage_m = description_->coverage;
   state_.is_leader = description_->leader;
-  if (description_->energy && description_->energy != was.energy) {
+  if (has_new_energy) {
     set_energy(*description_->energy);
   }
 }

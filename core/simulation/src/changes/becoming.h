@@ -8,11 +8,14 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elsie/base/problems.h"
 #include "elsie/plugin/host.h"
+#include "elsie/plugin/parameters.h"
 #include "elsie/simulation/run_result.h"
+#include "elsie/world/attributes.h"
 #include "elsie/world/description.h"
 
 #include "changes/tuning.h"
@@ -45,6 +48,24 @@ class Becoming {
   }
   bool is_new(const Component* object) const { return new_.contains(object); }
 
+  /// An edit asks for this value, even if it is described already.
+  void ask(const world::AttributePlace& place) {
+    if (place.use) {
+      asked_uses_.insert(place.use);
+    } else if (place.robot) {
+      asked_.insert({place.robot->id, place.field.name});
+    }
+  }
+  bool asks(const world::Robot& robot, const char* attribute) const {
+    return asked_.contains({robot.id, attribute});
+  }
+  /// Whether an object that stands for `use`, and was made of this declaration, stays when it is
+  /// described as `next`: it does if only parameters differ that an edit puts in place. It gets
+  /// them when it is equipped again.
+  bool keeps(Component& object, const Declaration& declaration, const world::PluginUse& use,
+             const world::PluginUse& was, const world::PluginUse& next);
+  bool is_tuned(const Component* object) const { return tuned_.contains(object); }
+
   /// From here on, objects of one robot are equipped again. Returns how that is undone once all
   /// that they look at is as it was.
   using Actions = std::vector<std::function<void()>>;
@@ -60,6 +81,12 @@ class Becoming {
   std::vector<base::Problem> problems_;
   Statements said_;
   std::set<const Component*> new_;
+  std::set<std::pair<std::string, std::string>> asked_;  // of robots
+  std::set<const world::PluginUse*> asked_uses_;
+  struct Tuned {
+    Setup before, now;
+  };
+  std::map<const Component*, Tuned> tuned_;
   std::shared_ptr<Actions> again_;
 };
 

@@ -20,6 +20,11 @@ std::string number(double value) { return base::number_text(value); }
   throw ChangeRefused(change + ": " + problem);
 }
 
+bool edits_element(const Change& change) {
+  return change.value.starts_with('<') || change.path.ends_with("@remove") ||
+         change.path.find("[+") != std::string::npos;
+}
+
 void add_text(std::string& list, const std::string& text) {
   list += (list.empty() ? "" : ", ") + text;
 }
@@ -57,17 +62,19 @@ Changes::Changes(const world::World& world, const plugin::Host& host,
                  std::vector<std::string> data_directories)
     : world_(world), attributes_(world, host, std::move(data_directories)) {}
 
-bool Changes::is_live(const Change& change, bool if_unknown) const {
-  if (change.value.starts_with('<') || change.path.ends_with("@remove") ||
-      change.path.find("[+") != std::string::npos) {
-    return false;
-  }
+bool Changes::is_live(const Change& change) const {
+  const auto places = this->places(change);
+  return !edits_element(change) &&
+         std::all_of(places.begin(), places.end(),
+                     [](const world::AttributePlace& place) { return place.field.is_live(); });
+}
+
+std::vector<world::AttributePlace> Changes::places(const Change& change) const {
   try {
-    const auto places = attributes_.find(change.path);
-    return std::all_of(places.begin(), places.end(),
-                       [](const world::AttributePlace& place) { return place.field.is_live(); });
+    return edits_element(change) ? std::vector<world::AttributePlace>()
+                                 : attributes_.find(change.path);
   } catch (const std::invalid_argument&) {
-    return if_unknown;  // plan() says why not
+    return {};  // whoever makes it says why not
   }
 }
 

@@ -51,7 +51,9 @@ class Changes {
           std::vector<std::string> data_directories);
 
   /// Whether it is put in place, or cannot be made at all: the world becomes no other one.
-  bool is_live(const Change& change, bool if_unknown = true) const;
+  bool is_live(const Change& change) const;
+  /// The attributes that it sets; none if it edits an element, or if there are none.
+  std::vector<world::AttributePlace> places(const Change& change) const;
 
   /// Makes all of them, or throws ChangeRefused and makes none. Adds an event for each attribute.
   void make(std::span<const Change> changes, const Stage& stage,

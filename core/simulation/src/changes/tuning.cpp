@@ -14,8 +14,9 @@ void apply(const TunedObject& tuned, Component& object, const Setup& setup,
   Tuning::equip(tuned, object, example);
 }
 
-/// The same with the defaults of what `setup` says nothing of, but `now` does.
-Setup complete(Setup setup, const Setup& now, const Declaration& declaration) {
+}  // namespace
+
+Setup Tuning::complete(Setup setup, const Setup& now, const Declaration& declaration) {
   for (const ParameterDeclaration& parameter : declaration.parameters) {
     if (now.parameters.contains(parameter.name)) {
       setup.parameters.try_emplace(parameter.name, parameter.default_value);
@@ -23,8 +24,6 @@ Setup complete(Setup setup, const Setup& now, const Declaration& declaration) {
   }
   return setup;
 }
-
-}  // namespace
 
 Setup as_described(const world::PluginUse& use) {
   return {use.parameters, {use.elements.begin(), use.elements.end()}};

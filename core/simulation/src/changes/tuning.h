@@ -47,6 +47,9 @@ class Tuning {
   /// of `tuned` or another one of the same plugin. Throws what the plugin throws.
   static void equip(const TunedObject& tuned, Component& object, const Perception& example);
 
+  /// The same with the defaults of what `setup` says nothing of, but `now` does.
+  static Setup complete(Setup setup, const Setup& now, const Declaration& declaration);
+
   /// Has another object of the plugin take the parameters, on this robot (`example`). Throws what
   /// that throws. Of a sensor: the camera that it would look through.
   static std::optional<Camera> try_out(const TunedObject& tuned, const Setup& setup,

@@ -176,7 +176,7 @@ class Robot final : private Wishes {
   void take_membership(const Membership& membership);
   void become_sensors(const world::Robot& was, Becoming& becoming);
   void become_drive(Becoming& becoming);
-  void take_live(const world::Robot& was, bool has_new_drive);
+  void take_live(bool has_new_drive, bool has_new_energy);
   void regroup();
   void group_readings();
   void take_description();

@@ -20,8 +20,9 @@ bool same_part(const ElementSpec& spec, const char* part, const void* a, const v
 
 /// The element that describes robots.
 const ElementSpec& robot_spec();
+/// As far as the core knows sensors and behaviours: without the plugin's parameters, and without
+/// what behaviours hold.
 bool same(const SensorUse& a, const SensorUse& b, Compared what);
-/// Without what the behaviours hold.
 bool same(const BehaviorUse& a, const BehaviorUse& b, Compared what);
 bool same(const PluginUse& a, const PluginUse& b);
 
