@@ -43,7 +43,8 @@ std::string robot_of(const std::string& coordinator, const std::string& behavior
 
 std::vector<std::string> members_of(const Simulation& simulation) {
   std::vector<std::string> paths;
-  for (const simulation::TracedMember& member : simulation.robot(0).trace) paths.push_back(member.path);
+  for (const simulation::TracedMember& member : simulation.robot(0).trace)
+    paths.push_back(member.path);
   return paths;
 }
 
@@ -200,4 +201,20 @@ TEST_CASE("What a coordinator holds outlives edits of the robot, made or refused
       CHECK(reason() == "held");
     }
   }
+}
+
+TEST_CASE("A robot that leans on a charger has met it once, whatever is edited") {
+  const auto collisions = [](bool edited) {
+    Simulation simulation =
+        of("<chargers><charger x=\"0.4\" seen_by_range_sensors=\"true\"/></chargers><robots>"
+           "<robot id=\"r1\"><behaviors><wander restlessness=\"0\" turn=\"0\"/></behaviors>"
+           "<coordinator><arbiter_suppression/></coordinator></robot></robots>");
+    for (int i = 0; i < 40; ++i) {
+      advance(simulation, 10);
+      if (edited) simulation.change("arena/@wall_height", std::to_string(0.5 + 0.001 * i));
+    }
+    return simulation.robot(0).collisions;
+  };
+  CHECK(collisions(false) > 0);
+  CHECK(collisions(true) == collisions(false));
 }

@@ -48,6 +48,17 @@ bool same_part(const char* part, const world::World& a, const world::World& b) {
   return world::same_part(world::vocabulary(), part, &a, &b);
 }
 
+/// Those that are boxes, in the order in which the engine has them, behind all other boxes.
+std::vector<const world::Charger*> charger_boxes(const world::World& world) {
+  std::vector<const world::Charger*> boxes;
+  for (const world::Charger& charger : world.chargers) {
+    if (charger.seen_by_range_sensors) {
+      boxes.push_back(&charger);
+    }
+  }
+  return boxes;
+}
+
 Pose pose_of(const world::Robot& robot) {
   return {robot.x, robot.y, wrap_angle(radians(robot.heading_deg))};
 }
@@ -281,6 +292,16 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
     }
   }
   add_charger_boxes();
+  const auto chargers = charger_boxes(was), new_chargers = charger_boxes(world_);
+  for (std::size_t i = 0; i < new_chargers.size(); ++i) {
+    const auto known = std::find_if(chargers.begin(), chargers.end(), [&](const auto* charger) {
+      return charger->x == new_chargers[i]->x && charger->y == new_chargers[i]->y;
+    });
+    if (known != chargers.end()) {
+      const auto place = static_cast<std::size_t>(known - chargers.begin());
+      now[{box, was.boxes.size() + place}] = {box, world_.boxes.size() + i};
+    }
+  }
   for (std::size_t i = 0; i < world_.robots.size(); ++i) {
     const world::Robot& next = world_.robots[i];
     const std::size_t place = place_of_id(was.robots, next.id);
