@@ -171,7 +171,9 @@ world::World Simulation::Impl::present() {
 void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming) {
   const world::World was = present();
   world::World next = edited(was, edits, false);
-  becoming.undo().keep(events_);
+  becoming.undo().add([this, count = events_.size()] {
+    events_.erase(events_.begin() + static_cast<std::ptrdiff_t>(count), events_.end());
+  });
   for (const Change& edit : edits) {
     for (const world::AttributePlace& place : changes_->places(edit)) {
       becoming.ask(place);
