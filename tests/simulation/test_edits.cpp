@@ -453,3 +453,13 @@ TEST_CASE("Edits are events, with which recorders go on") {
   CHECK(edits[1] == " physics/@step=0.004");
   CHECK(edits[2] == "r1 robot[r1]/sensor[ahead]/@remove=true");
 }
+
+TEST_CASE("A change for later of a world that no file could hold is refused in a sentence") {
+  world::World world = lively();
+  world.boxes[0].id = "two words";
+  const Simulation simulation(world, shipped());
+  const std::string why = why_not([&] {
+    simulation.check(std::vector<TimedChange>{{1.0, {"arena/@length", "7"}}});
+  });
+  CHECK(why.starts_with("at 1 s, arena/@length=7: "));
+}

@@ -131,12 +131,15 @@ std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> c
   if (first == schedule.end()) {
     return schedule;
   }
-  world::World ahead = present();
+  std::optional<world::World> ahead;
   for (auto due = schedule.begin(); due != schedule.end(); ++due) {
     try {
-      ahead = edited(ahead, due->changes, due >= first);
+      ahead = edited(ahead ? *ahead : present(), due->changes, due >= first);
     } catch (const ChangeRefused& refused) {
       throw refused.at(due->time_s);
+    } catch (const world::WorldError& error) {
+      throw ChangeRefused(text_of(due->changes) + ": " + problem_of(error.problems()))
+          .at(due->time_s);
     }
   }
   return schedule;
@@ -145,27 +148,28 @@ std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> c
 /// The world after these edits, checked as a file is. Throws ChangeRefused.
 world::World Simulation::Impl::edited(const world::World& from, std::span<const Change> edits,
                                       bool check_plugins) {
-  world::ReadOptions options;
-  options.data_directories = options_.data_directories;
-  options.is_running = true;
-  options.check_plugins = check_plugins;
+  std::vector<std::string> texts;
   for (const Change& edit : edits) {
-    options.overrides.push_back(edit.text());
+    texts.push_back(edit.text());
   }
   try {
-    return world::parse_world(world::write_world(from), from.file, *host_, options);
+    return reread(from, texts, check_plugins);
   } catch (const world::WorldError& error) {
     throw ChangeRefused(text_of(edits) + ": " + problem_of(error.problems()));
   }
 }
 
 /// With what was put in place.
-world::World Simulation::Impl::present() {
+world::World Simulation::Impl::present() { return reread(world_, pending_, false); }
+
+world::World Simulation::Impl::reread(const world::World& from,
+                                      const std::vector<std::string>& edits, bool check_plugins) {
   world::ReadOptions options;
   options.data_directories = options_.data_directories;
   options.is_running = true;
-  options.overrides = pending_;
-  return world::parse_world(world::write_world(world_), world_.file, *host_, options);
+  options.check_plugins = check_plugins;
+  options.overrides = edits;
+  return world::parse_world(world::write_world(from), from.file, *host_, options);
 }
 
 void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming) {

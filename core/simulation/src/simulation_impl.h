@@ -233,6 +233,8 @@ class Simulation::Impl {
   void check_room(const world::World& was, std::span<const std::size_t> new_robots) const;
   world::World edited(const world::World& from, std::span<const Change> edits, bool check_plugins);
   world::World present();
+  world::World reread(const world::World& from, const std::vector<std::string>& edits,
+                      bool check_plugins);
   void settle(Becoming& becoming);
 
   void add_box(std::size_t i) {
