@@ -463,3 +463,22 @@ TEST_CASE("A change for later of a world that no file could hold is refused in a
   });
   CHECK(why.starts_with("at 1 s, arena/@length=7: "));
 }
+
+TEST_CASE("Observers hear of an edit that was made before another one is refused") {
+  struct Counting final : simulation::Observer {
+    std::size_t robots = 0;
+    void started(const Simulation& run) override { robots = run.robots(); }
+    void replaced(const Simulation& run) override { robots = run.robots(); }
+    void ended(const Simulation& run) override { CHECK(robots == run.robots()); }
+  } counting;
+  Simulation simulation(lively(), shipped());
+  const std::string r2 = "<static_box length=\"6\" width=\"1\" y=\"1\"/>";
+  // Both are due once the long step is over.
+  CHECK_THROWS_AS(simulation.run(std::vector<simulation::Observer*>{&counting},
+                                 std::vector<TimedChange>{{0.1, {"physics/@step", "0.1"}},
+                                                          {0.15, {"robot[r3]/@remove", "true"}},
+                                                          {0.16, {"obstacle[+]", r2}}}),
+                  ChangeRefused);
+  CHECK(simulation.robots() == 2);
+  CHECK(counting.robots == 2);
+}

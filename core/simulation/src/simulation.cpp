@@ -49,11 +49,6 @@ RunResult Simulation::run(std::span<Observer* const> observers,
   const auto& limits = world().limits;
   const std::vector<DueChanges> schedule = impl_->checked(with_own(world(), changes));
   auto next = schedule.begin();
-  const auto change_what_is_due = [&] {
-    for (; next != schedule.end() && next->are_due(time_s(), world().physics.step); ++next) {
-      impl_->change(*next);
-    }
-  };
   std::size_t watching = 0;  // observers that heard of the start, and will hear of the end
   std::uint64_t heard_of = 0;
   const auto let_observers_know = [&] {
@@ -63,6 +58,12 @@ RunResult Simulation::run(std::span<Observer* const> observers,
       }
     }
     heard_of = impl_->renewals_;
+  };
+  const auto change_what_is_due = [&] {
+    for (; next != schedule.end() && next->are_due(time_s(), world().physics.step); ++next) {
+      impl_->change(*next);
+      let_observers_know();
+    }
   };
   std::exception_ptr failure;
   try {
