@@ -482,3 +482,30 @@ TEST_CASE("Observers hear of an edit that was made before another one is refused
   CHECK(simulation.robots() == 2);
   CHECK(counting.robots == 2);
 }
+
+TEST_CASE("What is edited of the changes that stand in the world counts, if its time is to come") {
+  world::World world = lively();
+  world.changes.push_back({2.0, "robot[r2]/@max_speed", "0", {}, {}});
+  world.changes.push_back({3.0, "robot[r3]/@remove", "true", {}, {}});
+  const auto edit = [](const std::string& time) {
+    return "<change time=\"" + time + "\" path=\"@name\" value=\"at " + time + "\"/>";
+  };
+  Simulation simulation(world, shipped());
+  const RunResult result =
+      simulation.run({}, std::vector<TimedChange>{{1.0, {"change[+]", edit("1.015")}},
+                                                  {1.01, {"change[+]", edit("4")}},
+                                                  {1.5, {"change[2]/@remove", "true"}}});
+  std::vector<std::string> made;
+  for (const auto& event : result.events) {
+    if (event.as<events::Changed>()) made.push_back(event.detail());
+  }
+  CHECK(made == std::vector<std::string>{"change[+]=" + edit("1.015"), "change[+]=" + edit("4"),
+                                         "@name=at 1.015", "change[2]/@remove=true",
+                                         "robot[r2]/@max_speed=0", "@name=at 4"});
+  CHECK(simulation.robots() == 3);
+  simulation.reset();
+  advance(simulation, 150);
+  CHECK(refusal(simulation, "change[+]", edit("1.2"))
+            .find("the run is at 1.5 s already; expected a later time") != std::string::npos);
+  CHECK(refusal(simulation, "change[+]", edit("99")).find("ends after 6 s") != std::string::npos);
+}

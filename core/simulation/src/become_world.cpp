@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "elsie/base/number_text.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/same.h"
 #include "elsie/world/writer.h"
@@ -220,6 +221,7 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
     base_time_s_ = now_s;
     base_steps_ = steps_;
   }
+  become_changes(was, undo);
   become_robots(was, becoming);
   if (!becoming.problems().empty()) {
     return;
@@ -236,6 +238,33 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
     }
   });
   cameras_.emplace(world_, robots_, options_.cameras, becoming.problems());
+}
+
+/// What the world says of later times counts from now on.
+void Simulation::Impl::become_changes(const world::World& was, Undo& undo) {
+  if (same_part("changes", was, world_)) {
+    return;
+  }
+  undo.keep(own_changes_);
+  ++own_changes_;
+  std::vector<TimedChange> added;
+  for (const world::TimedEdit& edit : world_.changes) {
+    const auto is_same = [&](const world::TimedEdit& known) {
+      return std::tie(known.time, known.path, known.value, known.element) ==
+             std::tie(edit.time, edit.path, edit.value, edit.element);
+    };
+    if (std::none_of(was.changes.begin(), was.changes.end(), is_same)) {
+      added.push_back(timed(edit));
+    }
+  }
+  for (const TimedChange& change : added) {
+    if (change.time_s <= time_s()) {
+      throw std::invalid_argument("the time of a change is " + base::number_text(change.time_s) +
+                                  " s, but the run is at " + base::number_text(time_s()) +
+                                  " s already; expected a later time");
+    }
+  }
+  by_step(added, world_.physics.step, time_limit_s_);
 }
 
 void Simulation::Impl::become_robots(const world::World& was, Becoming& becoming) {

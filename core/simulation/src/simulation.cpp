@@ -14,7 +14,7 @@ namespace {
 std::vector<TimedChange> with_own(const world::World& world, std::span<const TimedChange> changes) {
   std::vector<TimedChange> all;
   for (const world::TimedEdit& edit : world.changes) {
-    all.push_back({edit.time, {edit.path, edit.element ? *edit.element : edit.value.value_or("")}});
+    all.push_back(timed(edit));
   }
   all.insert(all.end(), changes.begin(), changes.end());
   return all;
@@ -47,8 +47,10 @@ RunResult Simulation::run(std::span<Observer* const> observers,
   const Clock::time_point start = Clock::now();
   const auto wall = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   const auto& limits = world().limits;
-  const std::vector<DueChanges> schedule = impl_->checked(with_own(world(), changes));
-  auto next = schedule.begin();
+  std::vector<DueChanges> schedule = impl_->checked(with_own(world(), changes));
+  auto next = schedule.cbegin();
+  std::uint64_t scheduled = impl_->own_changes_;
+  double made_until_s = 0.0;
   std::size_t watching = 0;  // observers that heard of the start, and will hear of the end
   std::uint64_t heard_of = 0;
   const auto let_observers_know = [&] {
@@ -60,7 +62,18 @@ RunResult Simulation::run(std::span<Observer* const> observers,
     heard_of = impl_->renewals_;
   };
   const auto change_what_is_due = [&] {
-    for (; next != schedule.end() && next->are_due(time_s(), world().physics.step); ++next) {
+    const double step_s = world().physics.step;
+    if (impl_->own_changes_ != scheduled) {  // those of the world are others since
+      std::vector<TimedChange> rest = with_own(world(), changes);
+      std::erase_if(rest, [&](const TimedChange& change) {
+        return DueChanges{0, change.time_s, {}}.are_due(made_until_s, step_s);
+      });
+      schedule = impl_->checked(rest);
+      next = schedule.cbegin();
+      scheduled = impl_->own_changes_;
+    }
+    made_until_s = time_s();
+    for (; next != schedule.cend() && next->are_due(time_s(), world().physics.step); ++next) {
       impl_->change(*next);
       let_observers_know();
     }

@@ -214,7 +214,8 @@ class Simulation::Impl {
   std::vector<EventRecord> events_;
   Statements said_;  // before the first step
   std::unique_ptr<Measuring> measuring_;
-  std::uint64_t renewals_ = 0;  // how often objects were replaced or made anew
+  std::uint64_t renewals_ = 0;     // how often objects were replaced or made anew
+  std::uint64_t own_changes_ = 0;  // how often those were edited that stand in the world
 
  private:
   struct MovingBox {
@@ -227,6 +228,7 @@ class Simulation::Impl {
   void become(std::span<const Change> edits, Becoming& becoming);
   void become(const world::World& was, world::World next, Becoming& becoming);
   void become_robots(const world::World& was, Becoming& becoming);
+  void become_changes(const world::World& was, Undo& undo);
   void become_measures(const world::World& was, Becoming& becoming);
   std::vector<std::size_t> become_bodies(const world::World& was, Becoming& becoming);
   bool place_anew(std::size_t robot, const world::Robot& was, const Becoming& becoming);

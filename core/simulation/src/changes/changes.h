@@ -31,6 +31,11 @@ struct DueChanges {
   static constexpr double kRounding = 1e-6;  // of a step: 0.57 is not a little after 57 of 0.01 s
 };
 
+/// One that stands in the world.
+inline TimedChange timed(const world::TimedEdit& edit) {
+  return {edit.time, {edit.path, edit.element ? *edit.element : edit.value.value_or("")}};
+}
+
 /// In the order of their steps; those for one step in the order given. Throws ChangeRefused for a
 /// time that is not finite, is negative, or does not come before `end_s`.
 std::vector<DueChanges> by_step(std::span<const TimedChange> changes, double step_s, double end_s);
