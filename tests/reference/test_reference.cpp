@@ -22,6 +22,16 @@ TEST_CASE("The world reference has every element and attribute") {
   CHECK_THAT(page, Contains("| `team` | the id of a team |"));
 }
 
+TEST_CASE("The world reference says what an edit costs") {
+  const std::string page = reference::world_reference();
+  CHECK_THAT(page, Contains("its middle is the origin.\n\nWhile the "
+                            "world runs, an edit makes the physics engine anew.\n"));
+  CHECK_THAT(page, Contains("| steps in one control period; an edit costs nothing |"));
+  CHECK_THAT(page, Contains("no wheel rolls faster than this; may change while the world runs |"));
+  CHECK_THAT(page, Contains("While the world runs, an edit makes the robot's body anew."));
+  CHECK_THAT(page, Contains("While the world runs, an edit makes the plugin's object anew."));
+}
+
 TEST_CASE("A plugin's page is its declaration") {
   const std::string page = reference::plugin_reference(*host().find(PluginKind::behavior, "roam"));
   CHECK_THAT(page, Catch::StartsWith("# roam\n\nDrives about.\n\nA behavior, version 1.0.\n"));

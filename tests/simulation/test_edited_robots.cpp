@@ -17,9 +17,11 @@ using namespace elsie::test;
 namespace {
 
 Simulation of(const std::string& content) {
+  world::ReadOptions options;
+  options.data_directories = {source_path("")};
   return Simulation(world::parse_world("<world format=\"1\">" + content + "</world>", "small.xml",
-                                       shipped(), {.data_directories = {source_path("")}}),
-                    shipped(), {.data_directories = {source_path("")}});
+                                       shipped(), options),
+                    shipped(), {.data_directories = options.data_directories});
 }
 
 /// The attributes and content of a coordinator that cannot do without.

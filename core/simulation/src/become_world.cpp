@@ -29,22 +29,6 @@ std::size_t place_of_id(const Things& things, const std::string& id) {
   return kNone;
 }
 
-/// As far as the engine knows it.
-bool same_body(const world::Box& a, const world::Box& b) {
-  const auto body = [](const world::Box& box) {
-    return std::tie(box.kind, box.x, box.y, box.z, box.heading_deg, box.length, box.width,
-                    box.height, box.seen_by_range_sensors, box.mass, box.waypoints, box.speed,
-                    box.round_trip);
-  };
-  return body(a) == body(b);
-}
-
-bool same_body(const world::Robot& a, const world::Robot& b) {
-  const world::ElementSpec& spec = world::robot_spec();
-  return world::same_part(spec, "body", &a, &b) && world::same_part(spec, "drive", &a, &b) &&
-         world::same_part(spec, "segments", &a, &b);
-}
-
 bool same_part(const char* part, const world::World& a, const world::World& b) {
   return world::same_part(world::vocabulary(), part, &a, &b);
 }
@@ -62,6 +46,25 @@ std::vector<const world::Charger*> charger_boxes(const world::World& world) {
 
 Pose pose_of(const world::Robot& robot) {
   return {robot.x, robot.y, wrap_angle(radians(robot.heading_deg))};
+}
+
+/// What of a robot's place an edit asks for.
+struct NewPlace {
+  bool x, y, z, heading;
+
+  explicit operator bool() const { return x || y || z || heading; }
+  Pose pose(const Pose& here, const Pose& asked) const {
+    return {x ? asked.x : here.x, y ? asked.y : here.y,
+            heading ? asked.heading_rad : here.heading_rad};
+  }
+};
+
+NewPlace new_place(const world::Robot& was, const world::Robot& next, const Becoming& becoming) {
+  const auto is_new = [&](const char* name, double before, double now) {
+    return before != now || becoming.asks(next, name);
+  };
+  return {is_new("x", was.x, next.x), is_new("y", was.y, next.y), is_new("z", was.z, next.z),
+          is_new("heading_deg", was.heading_deg, next.heading_deg)};
 }
 
 std::string text_of(std::span<const Change> edits) {
@@ -226,8 +229,14 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
   if (!becoming.problems().empty()) {
     return;
   }
-  const std::vector<std::size_t> new_robots = become_bodies(was, becoming);
-  check_room(was, new_robots);
+  const auto is_placed = [&](const world::Robot& robot) {
+    const std::size_t place = place_of_id(was.robots, robot.id);
+    return place != kNone && new_place(was.robots[place], robot, becoming);
+  };
+  if (!world::same(world::vocabulary(), &was, &world_, world::Cost::body) ||
+      std::any_of(world_.robots.begin(), world_.robots.end(), is_placed)) {
+    check_room(was, become_bodies(was, becoming));
+  }
   become_measures(was, becoming);
   auto cameras = std::make_shared<std::optional<Cameras>>(std::move(cameras_));
   cameras_.reset();
@@ -314,7 +323,7 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
   for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
     const world::Box& next = world_.boxes[i];
     const std::size_t place = place_of_id(was.boxes, next.id);
-    if (place == kNone || !same_body(was.boxes[place], next)) {
+    if (place == kNone || !world::same(was.boxes[place], next, world::Cost::body)) {
       add_box(i);
       continue;
     }
@@ -346,14 +355,17 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
       new_robots.push_back(i);
     } else {
       const world::Robot& old = was.robots[place];
-      const bool is_same = same_body(old, next);
+      const bool is_same = world::same(world::robot_spec(), &old, &next, world::Cost::body);
       if (is_same) {
         engine_->add_robot_of(**before, place);
       } else {
         engine_->add_robot_of(**before, place, plan, robots_[i]->state().pose);
       }
       now[{robot, place}] = {robot, i};
-      if (!place_anew(i, old, becoming) && is_same) {
+      if (const NewPlace asked = new_place(old, next, becoming)) {
+        engine_->place_robot(i, asked.pose(robots_[i]->state().pose, pose_of(next)),
+                             asked.z ? next.z : height(engine_->robot(i).frame));
+      } else if (is_same) {
         continue;
       }
       new_robots.push_back(i);
@@ -369,26 +381,6 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
   return new_robots;
 }
 
-/// Puts a robot where the edited description has it, as far as that is new; whether it is.
-bool Simulation::Impl::place_anew(std::size_t robot, const world::Robot& was,
-                                  const Becoming& becoming) {
-  const world::Robot& next = world_.robots[robot];
-  const auto is_new = [&](const char* name, double before, double now) {
-    return before != now || becoming.asks(next, name);
-  };
-  const bool x = is_new("x", was.x, next.x), y = is_new("y", was.y, next.y);
-  const bool z = is_new("z", was.z, next.z);
-  const bool heading = is_new("heading_deg", was.heading_deg, next.heading_deg);
-  const Pose there = pose_of(next), here = robots_[robot]->state().pose;
-  if (x || y || z || heading) {
-    engine_->place_robot(robot,
-                         {x ? there.x : here.x, y ? there.y : here.y,
-                          heading ? there.heading_rad : here.heading_rad},
-                         z ? next.z : height(engine_->robot(robot).frame));
-  }
-  return x || y || z || heading;
-}
-
 void Simulation::Impl::check_room(const world::World& was,
                                   std::span<const std::size_t> new_robots) const {
   const auto require = [](const std::optional<std::string>& problem) {
@@ -402,7 +394,7 @@ void Simulation::Impl::check_room(const world::World& was,
   }
   for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
     const std::size_t place = place_of_id(was.boxes, world_.boxes[i].id);
-    if (place == kNone || !same_body(was.boxes[place], world_.boxes[i])) {
+    if (place == kNone || !world::same(was.boxes[place], world_.boxes[i], world::Cost::body)) {
       require(room.problem_of_box(i));
     }
   }

@@ -231,7 +231,6 @@ class Simulation::Impl {
   void become_changes(const world::World& was, Undo& undo);
   void become_measures(const world::World& was, Becoming& becoming);
   std::vector<std::size_t> become_bodies(const world::World& was, Becoming& becoming);
-  bool place_anew(std::size_t robot, const world::Robot& was, const Becoming& becoming);
   void check_room(const world::World& was, std::span<const std::size_t> new_robots) const;
   world::World edited(const world::World& from, std::span<const Change> edits, bool check_plugins);
   world::World present();

@@ -8,6 +8,7 @@ namespace {
 
 ElementSpec body() {
   return Describe<RobotBody>("body", "A chassis and the wheels that its drive puts below it")
+      .costs(Cost::body)
       .attribute(
           "shape", ParameterType::text,
           {.choices = {"box", "round"},
@@ -45,6 +46,7 @@ ParameterFacts removal() {
 Describe<Robot> segments() {
   ElementSpec segment =
       Describe<Segment>("segment", "A box on two passive wheels that the robot pulls")
+          .costs(Cost::body)
           .attribute("id", &Segment::id,
                      fact("its name on this robot; by default its element's, with a number"), kId)
           .attribute("length", &Segment::length, size("of the box, along its heading", 10))
@@ -89,6 +91,7 @@ Describe<Robot> sensors() {
   ElementSpec sensor =
       Describe<SensorUse>("sensor", "A sensor: the element has the name of its plugin")
           .plugins(PluginKind::sensor)
+          .costs(Cost::object)
           .attribute("id", &SensorUse::id,
                      fact("its name on this robot; by default the plugin's, with a number if there "
                           "are several"),
@@ -114,6 +117,7 @@ Describe<Coordination> behaviors() {
   ElementSpec behavior =
       Describe<BehaviorUse>("behavior", "A behaviour: the element has the name of its plugin")
           .plugins(PluginKind::behavior)
+          .costs(Cost::object)
           .holds(&BehaviorUse::inside)
           .attribute("id", &BehaviorUse::id,
                      fact("its name among those beside it; by default the plugin's, with a number "
@@ -134,6 +138,7 @@ Describe<Coordination> coordinator() {
   ElementSpec use =
       Describe<PluginUse>("coordinator", "A coordinator: the element has the name of its plugin")
           .plugins(PluginKind::coordinator)
+          .costs(Cost::object)
           .attribute("id", &PluginUse::id, fact("its name; by default the plugin's"), kId)
           .attribute_before_reading("remove", ParameterType::boolean, removal());
   return Describe<Coordination>("coordinator", "What turns the behaviours' wishes into one command")
@@ -145,6 +150,7 @@ Describe<Robot> drive() {
   ElementSpec use =
       Describe<PluginUse>("drive", "A drive: the element has the name of its plugin")
           .plugins(PluginKind::drive)
+          .costs(Cost::body)
           .attribute("id", &PluginUse::id, fact("its name; by default the plugin's"), kId)
           .attribute_before_reading("remove", ParameterType::boolean, removal());
   return Describe<Robot>("drive",
@@ -181,7 +187,8 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
       .attribute("leader", &Robot::leader, fact("whether it leads its team"),
                  kLive<&LiveRobot::set_leader>)
       .attribute("battery", &Robot::battery,
-                 {.unit = "units", .above = 0, .max = 1e12, .meaning = "its battery when full"})
+                 {.unit = "units", .above = 0, .max = 1e12, .meaning = "its battery when full"},
+                 kCheap)
       .attribute("energy", &Robot::energy,
                  {.unit = "units",
                   .min = 0,
@@ -201,6 +208,7 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
 ElementSpec robot_element() {
   return with_robot_content(
       Describe<Robot>("robot", "A chassis on a drive, with sensors and behaviours")
+          .costs(Cost::engine)
           .attribute("id", &Robot::id, fact("its name"), kRequiredId));
 }
 

@@ -9,20 +9,33 @@ namespace {
 
 const ElementSpec& member_of(const ElementSpec& group) { return group.children.front(); }
 
-bool same_attributes(const ElementSpec& spec, const void* a, const void* b, Compared what) {
+bool same_attributes(const ElementSpec& spec, const void* a, const void* b, Cost least) {
   return std::all_of(
       spec.attributes.begin(), spec.attributes.end(), [&](const AttributeSpec& attribute) {
-        return !attribute.get || (what == Compared::settled && attribute.is_live()) ||
-               attribute.get(a) == attribute.get(b);
+        return !attribute.get || attribute.cost < least || attribute.get(a) == attribute.get(b);
       });
 }
 
-bool same_parts(const ElementSpec& spec, const void* a, const void* b, Compared what) {
-  const auto parts = spec.parts_of(a), others = spec.parts_of(b);
+/// The most that anything in such an element costs.
+Cost most(const ElementSpec& spec) {
+  Cost cost = spec.cost;
+  for (const AttributeSpec& attribute : spec.attributes) cost = std::max(cost, attribute.cost);
+  for (const ElementSpec& child : spec.children) cost = std::max(cost, most(child));
+  return cost;
+}
+
+auto dear_parts(const ElementSpec& spec, const void* object, Cost least) {
+  auto parts = spec.parts_of(object);
+  std::erase_if(parts, [&](const auto& part) { return most(*part.second) < least; });
+  return parts;
+}
+
+bool same_parts(const ElementSpec& spec, const void* a, const void* b, Cost least) {
+  const auto parts = dear_parts(spec, a, least), others = dear_parts(spec, b, least);
   return std::equal(parts.begin(), parts.end(), others.begin(), others.end(),
                     [&](const auto& part, const auto& other) {
                       return part.second == other.second &&
-                             same(*part.second, part.first.object, other.first.object, what);
+                             same(*part.second, part.first.object, other.first.object, least);
                     });
 }
 
@@ -35,14 +48,14 @@ bool same(const PluginUse& a, const PluginUse& b) {
              [](const ElementValue& one, const ElementValue& other) { return one == other; });
 }
 
-bool same(const ElementSpec& spec, const void* a, const void* b, Compared what) {
-  if (!same_attributes(spec, a, b, what)) return false;
-  if (!spec.plugins) return same_parts(spec, a, b, what);
-  if (!same(*spec.use(a), *spec.use(b))) return false;
+bool same(const ElementSpec& spec, const void* a, const void* b, Cost least) {
+  if (!same_attributes(spec, a, b, least)) return false;
+  if (!spec.plugins) return same_parts(spec, a, b, least);
+  if (spec.cost >= least && !same(*spec.use(a), *spec.use(b))) return false;
   const Coordination* const held = spec.inside ? spec.inside(a) : nullptr;
   const Coordination* const other = spec.inside ? spec.inside(b) : nullptr;
   return (held != nullptr) == (other != nullptr) &&
-         (!held || same_parts(coordination_vocabulary(), held, other, what));
+         (!held || same_parts(coordination_vocabulary(), held, other, least));
 }
 
 bool same_part(const ElementSpec& spec, const char* part, const void* a, const void* b) {
@@ -59,14 +72,21 @@ const ElementSpec& robot_spec() {
   return spec;
 }
 
-bool same(const SensorUse& a, const SensorUse& b, Compared what) {
-  static const ElementSpec& spec = member_of(*robot_spec().child("sensors"));
-  return same_attributes(spec, &a, &b, what);
+bool same(const Box& a, const Box& b, Cost least) {
+  const char* const names[] = {"static_box", "dynamic_box", "moving_box"};
+  const ElementSpec& spec =
+      a.kind == BoxKind::resource
+          ? *vocabulary().child("resources")->child("resource")
+          : *vocabulary().child("obstacles")->child(names[static_cast<int>(a.kind)]);
+  return a.kind == b.kind && same(spec, &a, &b, least);
 }
 
-bool same(const BehaviorUse& a, const BehaviorUse& b, Compared what) {
-  static const ElementSpec& spec = member_of(*robot_spec().child("behaviors"));
-  return same_attributes(spec, &a, &b, what);
+bool same(const SensorUse& a, const SensorUse& b, Cost least) {
+  return same_attributes(member_of(*robot_spec().child("sensors")), &a, &b, least);
+}
+
+bool same(const BehaviorUse& a, const BehaviorUse& b, Cost least) {
+  return same_attributes(member_of(*robot_spec().child("behaviors")), &a, &b, least);
 }
 
 }  // namespace elsie::world

@@ -12,6 +12,7 @@ namespace {
 
 ElementSpec arena() {
   return Describe<Arena>("arena", "The flat rectangular area; its middle is the origin")
+      .costs(Cost::engine)
       .attribute("length", &Arena::length, size("along x, between the walls", 1e4))
       .attribute("width", &Arena::width, size("along y, between the walls", 1e4))
       .attribute("wall_height", &Arena::wall_height, size("height of the walls", 100))
@@ -22,10 +23,11 @@ ElementSpec arena() {
 
 ElementSpec physics() {
   return Describe<Physics>("physics", "Parameters of the physics engine")
+      .costs(Cost::engine)
       .attribute("step", &Physics::step,
                  {.unit = "s", .min = 1e-6, .max = 0.1, .meaning = "length of a step"})
       .attribute("control_steps", &Physics::control_steps,
-                 {.min = 1, .max = 1000, .meaning = "steps in one control period"})
+                 {.min = 1, .max = 1000, .meaning = "steps in one control period"}, kCheap)
       .attribute("gravity", &Physics::gravity,
                  {.unit = "m/s2", .min = -100, .max = 0, .meaning = "along z"})
       .attribute("erp", &Physics::erp,
@@ -70,6 +72,7 @@ ElementSpec team() {
 // What all boxes have in common.
 Describe<Box> box(const char* name, const char* meaning) {
   return Describe<Box>(name, meaning)
+      .costs(Cost::engine)
       .attribute("id", &Box::id, fact("its name; by default its element's, with a number"), kId)
       .attribute("x", &Box::x, metres("its middle, east"))
       .attribute("y", &Box::y, metres("its middle, north"))
@@ -78,13 +81,15 @@ Describe<Box> box(const char* name, const char* meaning) {
       .attribute("length", &Box::length, size("along its own x"))
       .attribute("width", &Box::width, size("along its own y"))
       .attribute("height", &Box::height, size("along z"))
-      .attribute("colour", &Box::colour, fact("in pictures; by default that of its kind"))
+      .attribute("colour", &Box::colour, fact("in pictures; by default that of its kind"),
+                 {.cost = Cost::nothing})
       .attribute("seen_by_range_sensors", &Box::seen_by_range_sensors,
                  fact("whether range and proximity sensors see it"));
 }
 
 ElementSpec waypoint() {
   return Describe<Vector2>("waypoint", "A place that a moving box passes")
+      .costs(Cost::engine)
       .required()
       .attribute("x", &Vector2::x, metres("east"), kRequired)
       .attribute("y", &Vector2::y, metres("north"), kRequired);
@@ -121,23 +126,24 @@ ElementSpec moving_box() {
 ElementSpec resource() {
   return box("resource", "A box that a robot collects by touching it")
       .attribute("team", &Box::team, fact("whose robots may take it; by default any"), kTeam)
-      .attribute("energy", &Box::energy,
-                 {.unit = "units",
-                  .min = 0,
-                  .max = 1e12,
-                  .meaning = "what the collector's battery gains"});
+      .attribute(
+          "energy", &Box::energy,
+          {.unit = "units", .min = 0, .max = 1e12, .meaning = "what the collector's battery gains"},
+          kCheap);
 }
 
 ElementSpec charger() {
   return Describe<Charger>("charger", "A mark on the floor where robots charge")
+      .costs(Cost::engine)
       .attribute("id", &Charger::id, fact("its name; by default its element's, with a number"), kId)
       .attribute("team", &Charger::team, fact("whose robots may charge; by default any"), kTeam)
       .attribute("x", &Charger::x, metres("its middle, east"))
       .attribute("y", &Charger::y, metres("its middle, north"))
-      .attribute("radius", &Charger::radius, size("how near a robot must be"))
+      .attribute("radius", &Charger::radius, size("how near a robot must be"), kCheap)
       .attribute(
           "rate", &Charger::rate,
-          {.unit = "units/s", .above = 0, .max = 1e12, .meaning = "what a robot's battery gains"})
+          {.unit = "units/s", .above = 0, .max = 1e12, .meaning = "what a robot's battery gains"},
+          kCheap)
       .attribute("seen_by_range_sensors", &Charger::seen_by_range_sensors,
                  fact("then it is a box of 0.1 m edge instead of a mark"));
 }
@@ -205,6 +211,7 @@ Describe<World> measures() {
   ElementSpec measure =
       Describe<PluginUse>("measure", "A measure: the element has the name of its plugin")
           .plugins(PluginKind::measure)
+          .costs(Cost::object)
           .attribute("id", &PluginUse::id,
                      fact("what its values are called after; by default the plugin's name, with a "
                           "number if there are several"),

@@ -15,8 +15,6 @@
 namespace elsie::simulation {
 namespace {
 
-using world::Compared;
-
 /// The place of the one with this id; that of the end when there is none.
 template <class Uses>
 std::size_t place_of(const Uses& uses, const std::string& id) {
@@ -148,7 +146,7 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
   for (const world::BehaviorUse& use : next.behaviors) {
     const std::size_t place = place_of(was.behaviors, use.id);
     const bool is_known = place < slots.size();
-    const bool stays = is_known && world::same(was.behaviors[place], use, Compared::settled) &&
+    const bool stays = is_known && world::same(was.behaviors[place], use, world::Cost::object) &&
                        was.behaviors[place].inside.empty() == use.inside.empty() &&
                        becoming.keeps(*slots[place]->object, *slots[place]->declaration,
                                       *slots[place]->use, was.behaviors[place], use);
@@ -351,7 +349,7 @@ void Robot::become_sensors(const world::Robot& was, Becoming& becoming) {
     const std::size_t place = place_of(was.sensors, use.id);
     const bool is_known = place < slots.size();
     // Where it is mounted follows from the body, by default.
-    if (!is_known || !same_body || !world::same(was.sensors[place], use, Compared::settled) ||
+    if (!is_known || !same_body || !world::same(was.sensors[place], use, world::Cost::object) ||
         !becoming.keeps(*slots[place]->object, *slots[place]->declaration, *slots[place]->use,
                         was.sensors[place], use)) {
       sensors_.push_back(make_sensor(use, becoming.host(), becoming.problems()));

@@ -49,15 +49,32 @@ std::string value_in_words(const world::Field& field) {
   return field.form == world::TextForm::id ? "an id" : world::expectation(field);
 }
 
-std::string table(const std::vector<world::Field>& fields) {
+const char* in_words(world::Cost cost) {
+  switch (cost) {
+    case world::Cost::nothing:
+      return "an edit costs nothing";
+    case world::Cost::value:
+      return "may change while the world runs";
+    case world::Cost::object:
+      return "an edit makes the plugin's object anew";
+    case world::Cost::body:
+      return "an edit makes the robot's body anew";
+    case world::Cost::engine:
+      break;
+  }
+  return "an edit makes the physics engine anew";
+}
+
+/// `cost`: of attributes that say nothing of it.
+std::string table(const std::vector<world::Field>& fields, world::Cost cost) {
   if (fields.empty()) {
     return "";
   }
   std::string text = "\n| attribute | value | default | meaning |\n|---|---|---|---|\n";
   for (const world::Field& field : fields) {
-    text += table_row(
-        {"`" + field.name + "`", value_in_words(field), default_text(field),
-         field.facts.meaning + (field.is_live() ? "; may change while the world runs" : "")});
+    text += table_row({"`" + field.name + "`", value_in_words(field), default_text(field),
+                       field.facts.meaning +
+                           (field.cost == cost ? "" : std::string("; ") + in_words(field.cost))});
   }
   return text;
 }
@@ -91,7 +108,10 @@ void describe(const world::ElementSpec& spec, const std::string& path, std::stri
                               " in it, as a robot has, to any depth.\n"
                         : "\n";
   }
-  text += table({spec.attributes.begin(), spec.attributes.end()});
+  if (spec.cost != world::Cost::nothing) {
+    text += "\nWhile the world runs, " + std::string(in_words(spec.cost)) + ".\n";
+  }
+  text += table({spec.attributes.begin(), spec.attributes.end()}, spec.cost);
   for (const world::ElementSpec& child : spec.children) {
     describe(child, child.plugins ? path : path + " / " + child.name, text);
   }
@@ -104,7 +124,10 @@ std::string world_reference() {
       "# World files: elements and attributes\n\nFormat " + std::to_string(world::kFormat) +
       ". SI units; angles in degrees, and their names say so. x points east, y north, z up; "
       "headings are counter-clockwise from east. Numbers are written with a point, and are "
-      "finite.\n";
+      "finite.\n\nWhat an edit costs while a world runs is said of each element, and of an "
+      "attribute "
+      "where it differs. What is made anew takes over the state of all that stays; without a word, "
+      "an edit is taken over as it is.\n";
   describe(world::vocabulary(), "world", text);
   text += "\n## robot_template\n\n" + cell(world::template_vocabulary().meaning) +
           ". It has what a `<robot>` has, but no `id`, and a `format`; the robot that names it "

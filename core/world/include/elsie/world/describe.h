@@ -19,6 +19,7 @@ struct AttributeExtras {
   Reference refers_to = Reference::none;
   bool required = false;
   decltype(Field::change) change = nullptr;
+  std::optional<Cost> cost = std::nullopt;  // that of its element
 };
 
 template <class Value>
@@ -38,6 +39,12 @@ class Describe {
   Describe(std::string name, std::string meaning) {
     spec_.name = std::move(name);
     spec_.meaning = std::move(meaning);
+  }
+
+  /// What it costs to add or remove it, and to change an attribute that follows.
+  Describe&& costs(Cost cost) && {
+    spec_.cost = cost;
+    return std::move(*this);
   }
 
   /// An attribute held by a member of type double, int, std::int64_t, bool, std::string, Colour or
@@ -82,6 +89,7 @@ class Describe {
     attribute.refers_to = extras.refers_to;
     attribute.required = extras.required;
     attribute.change = extras.change;
+    attribute.cost = extras.change ? Cost::value : extras.cost.value_or(spec_.cost);
     if (type == ParameterType::integer) {
       attribute.lowest = std::numeric_limits<int>::min();
       attribute.highest = std::numeric_limits<int>::max();

@@ -13,7 +13,8 @@ namespace elsie::world {
 
 inline constexpr AttributeExtras kId{.form = TextForm::id};
 inline constexpr AttributeExtras kRequiredId{.form = TextForm::id, .required = true};
-inline constexpr AttributeExtras kTeam{.form = TextForm::id, .refers_to = Reference::team};
+inline constexpr AttributeExtras kTeam{
+    .form = TextForm::id, .refers_to = Reference::team, .cost = Cost::nothing};
 inline constexpr AttributeExtras kRobot{.form = TextForm::id, .refers_to = Reference::robot};
 inline constexpr AttributeExtras kRequired{.required = true};
 
@@ -33,6 +34,9 @@ inline constexpr AttributeExtras kLive{
     .change = [](LiveRobot& robot, const AttributePlace& place, const ParameterValue& value) {
       world::change(kSet, robot, place, value);
     }};
+
+/// It is taken over, though its element is dear.
+inline constexpr AttributeExtras kCheap{.cost = Cost::nothing};
 
 inline ParameterFacts fact(std::string meaning) { return {.meaning = std::move(meaning)}; }
 /// A coordinate, or an offset.

@@ -6,24 +6,20 @@
 
 namespace elsie::world {
 
-/// What else than the settled attributes of an element is compared.
-enum class Compared {
-  all,
-  settled,  // what is not live: Field::is_live()
-};
-
-/// Two objects that `spec` describes. Where they stand in files does not count.
-bool same(const ElementSpec& spec, const void* a, const void* b, Compared what = Compared::all);
+/// Two objects that `spec` describes, as far as a difference costs so much or more. Where they
+/// stand in files does not count.
+bool same(const ElementSpec& spec, const void* a, const void* b, Cost least = Cost::nothing);
 
 /// The part of this name that an element of the vocabulary has: "body" of robots.
 bool same_part(const ElementSpec& spec, const char* part, const void* a, const void* b);
 
 /// The element that describes robots.
 const ElementSpec& robot_spec();
+bool same(const Box& a, const Box& b, Cost least);
 /// As far as the core knows sensors and behaviours: without the plugin's parameters, and without
 /// what behaviours hold.
-bool same(const SensorUse& a, const SensorUse& b, Compared what);
-bool same(const BehaviorUse& a, const BehaviorUse& b, Compared what);
+bool same(const SensorUse& a, const SensorUse& b, Cost least);
+bool same(const BehaviorUse& a, const BehaviorUse& b, Cost least);
 bool same(const PluginUse& a, const PluginUse& b);
 
 }  // namespace elsie::world

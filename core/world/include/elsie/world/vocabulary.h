@@ -35,6 +35,16 @@ enum class TextForm {
 /// The kind of thing in the world that an attribute names.
 enum class Reference { none, team, robot, box };
 
+/// What a difference costs in a world that runs, from the least on. Whatever is made anew takes
+/// over the state of what stays.
+enum class Cost {
+  nothing,  // it is taken over
+  value,    // it is put in place: Field::change
+  object,   // the plugin's object is made anew, and forgets
+  body,     // the body of the robot is made anew, and with it the physics engine
+  engine,   // the engine is
+};
+
 /// The value of an attribute: its type, range and default.
 struct Field {
   std::string name;
@@ -48,6 +58,7 @@ struct Field {
   TextForm form = TextForm::any;
   Reference refers_to = Reference::none;
   bool required = false;
+  Cost cost = Cost::nothing;
   /// What puts a change of it in place while a run goes on (Simulation::change()). None: what has
   /// the attribute is made anew.
   void (*change)(LiveRobot&, const AttributePlace&, const ParameterValue&) = nullptr;
@@ -84,6 +95,7 @@ struct ElementSpec {
   bool group = false;                 // only holds other elements and has no object of its own
   std::string members;                // of a group: the word for its children in paths
   std::optional<PluginKind> plugins;  // then `name` is a word for it, not the element's name
+  Cost cost = Cost::nothing;          // of one more or less; of an attribute that says nothing else
 
   /// Makes the object of a new element under `parent` and sets its location.
   std::function<void*(void* parent, const Location& where)> make;
