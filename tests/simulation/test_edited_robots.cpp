@@ -104,10 +104,10 @@ TEST_CASE("A network for the first behaviours of a robot has to be trained") {
                                           {"robot[r1]/behavior[+]", "<wander id=\"go\"/>"}};
     const std::string refused = why_not([&] { simulation.change(edits); });
     CAPTURE(refused);
-    CHECK(refused.find("replace the coordinator in the same edit") != std::string::npos);
+    CHECK(refused.find("put a coordinator with another id in its place") != std::string::npos);
     advance(simulation, 3);
-    edits.push_back(
-        {"robot[r1]/coordinator", "<" + std::string(coordinator) + needs_of(coordinator) + "/>"});
+    edits.push_back({"robot[r1]/coordinator", "<" + std::string(coordinator) + " id=\"new\"" +
+                                                  needs_of(coordinator) + "/>"});
     simulation.change(edits);
     advance(simulation, 3);
     CHECK(simulation.robot(0).trace[0].member->trace.asked);

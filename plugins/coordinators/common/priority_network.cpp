@@ -94,8 +94,8 @@ void PriorityNetwork::equip(std::span<const elsie::Member> members,
   if (has_begun_ && !behaviors_.empty() && !fits_robot()) {
     throw std::invalid_argument(
         "its network would have to be trained for " + columns().text() +
-        ", and it is trained before a run only; replace the coordinator in the same edit, which "
-        "trains a new one");
+        ", and it is trained before a run only; put a coordinator with another id in its place in "
+        "the same edit, which trains a new network");
   }
   equipped_ = true;
 }
