@@ -99,13 +99,19 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
   const Files files(file, options.data_directories, options.overrides_from, options.files);
   std::vector<ElementSpan> spans;
   Element root = tree_of_world(text, file, spans);
+  Templates templates(host, files, problems);
   for (const bool before_templates : {true, false}) {
     if (!before_templates) {
-      Templates(host, files, problems).merge_all(root);
+      templates.merge_all(root);
     }
     for (const std::string& override : options.overrides) {
-      if (concerns_templates(override) == before_templates) {
+      // What runs has no templates any more: its edits are made in the order given.
+      const bool is_first = !options.is_running && concerns_templates(override);
+      if (is_first == before_templates) {
         apply_override(root, override, problems);
+        if (options.is_running) {
+          templates.merge_given(root);
+        }
       }
     }
   }

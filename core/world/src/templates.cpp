@@ -59,6 +59,16 @@ void Templates::merge_all(Element& world) {
   }
 }
 
+void Templates::merge_given(Element& world) {
+  Element* const robots = world.child("robots");
+  for (std::size_t i = 0; robots && i < robots->children.size(); ++i) {
+    if (Element& robot = robots->children[i]; robot.find("template")) {
+      complete_ids(robot, template_vocabulary());
+      merge(robot);
+    }
+  }
+}
+
 void Templates::merge(Element& robot) {
   const Attribute* reference = robot.find("template");
   if (!reference) {

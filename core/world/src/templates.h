@@ -30,6 +30,8 @@ class Templates {
   /// content of a behaviour is merged likewise. Elements that a plugin declares replace the
   /// template's elements of the same list. A template may have a template itself.
   void merge_all(Element& world);
+  /// The same of robots that have been given a template since.
+  void merge_given(Element& world);
 
  private:
   void merge(Element& robot);
