@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -89,6 +90,15 @@ class Failing final : public TwoWheels {
 
  private:
   int count_ = 0;
+};
+
+/// Cannot be slow.
+class Fast final : public TwoWheels {
+  Motion command(const Motion& asked, const DriveState& now,
+                 std::span<JointSetting> joints) override {
+    if (now.max_speed < 0.1) throw std::runtime_error("too slow");
+    return TwoWheels::command(asked, now, joints);
+  }
 };
 
 /// Notes at which rate its wheels are when it is asked for the first time.
@@ -251,4 +261,17 @@ TEST_CASE("A drive that takes the place of another begins with its own joints, a
   simulation.change("robot[r1]/drive", "<noting/>");
   REQUIRE_FALSE(Noting::rates.empty());
   CHECK(Noting::rates.front() == 0.0);
+}
+
+TEST_CASE("A drive that fails at an edit of its robot ends the run, with whatever else is edited") {
+  for (const bool is_alone : {true, false}) {
+    ScriptedHost scripted([](const Perception&) { return Motion{0.2, 0.0, 0.0}; });
+    scripted.host.add(declare<Fast>(PluginKind::drive, "fast", "For a test"));
+    world::World world;
+    world.robots.push_back(driven("fast"));
+    Simulation simulation(world, scripted.host);
+    std::vector<simulation::Change> edits{{"robot[r1]/@max_speed", "0.05"}};
+    if (!is_alone) edits.push_back({"@name", "slow"});
+    CHECK_THROWS_AS(simulation.change(edits), simulation::PluginFault);
+  }
 }

@@ -509,3 +509,60 @@ TEST_CASE("What is edited of the changes that stand in the world counts, if its 
             .find("the run is at 1.5 s already; expected a later time") != std::string::npos);
   CHECK(refusal(simulation, "change[+]", edit("99")).find("ends after 6 s") != std::string::npos);
 }
+
+TEST_CASE("Edits of one instant are made in the order given, whatever they cost") {
+  const std::string r3 = "<robot id=\"r3\" x=\"1\" heading_deg=\"-90\" max_speed=\"0.3\"/>";
+  const auto speed_after = [&](std::vector<simulation::Change> edits) {
+    Simulation simulation(lively(), shipped());
+    simulation.change(edits);
+    return simulation.robot(2).state->max_speed_m_s;
+  };
+  CHECK(why_not([&] {
+          speed_after({{"robot[r3]/@max_speed", "0.1"}, {"robot[r3]", r3}});
+        }).find("this replaces the element in which") != std::string::npos);
+  CHECK(speed_after(
+            {{"robot[r3]/@max_speed", "0.1"}, {"robot[r3]/@remove", "true"}, {"robot[+]", r3}}) ==
+        0.3);
+  CHECK(speed_after({{"robot[r3]", r3}, {"robot[r3]/@max_speed", "0.1"}}) == 0.1);
+}
+
+TEST_CASE("What is put in place by itself is put in place together with what is made anew") {
+  Simulation simulation(lively(), shipped(), {7});
+  advance(simulation, 100);
+  const OwnState before = *simulation.robot(0).state;
+  REQUIRE(before.pose.x != -1);
+  // As they are described, and not as they are.
+  simulation.change(std::vector<simulation::Change>{{"robot[r1]/@x", "-1"},
+                                                    {"robot[r1]/@energy", "7"},
+                                                    {"robot[r1]/@energy", "7"},
+                                                    {"robot[r1]/behavior[wander]/@turn", "2"},
+                                                    {"@name", "edited"}});
+  const OwnState& now = *simulation.robot(0).state;
+  CHECK(now.pose.x == -1);
+  CHECK(now.pose.y == before.pose.y);
+  CHECK(now.pose.heading_rad == Approx(before.pose.heading_rad).margin(1e-9));
+  CHECK(now.energy == 7);
+  for (const simulation::Note& note : simulation.notes()) CHECK(note.robot.empty());
+  CHECK(std::get<double>(simulation.world().robots[0].behaviors[0].parameters.at("turn")) == 2);
+}
+
+TEST_CASE("Parameters that were set are set back when the edit is refused") {
+  const auto run = [](bool edited) {
+    Simulation simulation(lively(), shipped(), {7});
+    advance(simulation, 60);
+    const Pose r1 = simulation.robot(0).state->pose;
+    if (edited) {
+      const std::string block = "<static_box id=\"block\" x=\"" + std::to_string(r1.x) + "\" y=\"" +
+                                std::to_string(r1.y) + "\"/>";
+      CHECK_THROWS_AS(simulation.change(std::vector<simulation::Change>{
+                          {"robot[r1]/behavior[wander]/@speed", "1"},
+                          {"robot[r1]/coordinator/@weighted", "true"},
+                          {"robot[r1]/sensor[ahead]/@error", "0.5"},
+                          {"obstacle[+]", block}}),
+                      ChangeRefused);
+    }
+    advance(simulation, 200);
+    return simulation.state_hash();
+  };
+  CHECK(run(true) == run(false));
+}
