@@ -7,7 +7,10 @@ namespace elsie::simulation {
 void Neighbours::place(std::size_t robot, const Vector2& at) {
   const auto id = static_cast<base::Grid::Id>(robot);
   const base::Grid::Block cell = grid_.block(at.x, at.y, at.x, at.y);
-  cells_.resize(std::max(cells_.size(), robot + 1));
+  for (std::size_t next = cells_.size(); next <= robot; ++next) {
+    cells_.emplace_back();
+    all_.push_back(static_cast<base::Grid::Id>(next));
+  }
   if (cell != cells_[robot]) {
     grid_.erase(id, cells_[robot]);
     grid_.insert(id, cell);
@@ -16,9 +19,14 @@ void Neighbours::place(std::size_t robot, const Vector2& at) {
 }
 
 std::span<const base::Grid::Id> Neighbours::near(const Vector2& place, double reach) const {
-  found_.clear();
   const base::Grid::Block block =
       grid_.block(place.x - reach, place.y - reach, place.x + reach, place.y + reach);
+  // To look at a few robots takes less time than to look into many cells.
+  const int cells = (block.x1 - block.x0 + 1) * (block.y1 - block.y0 + 1);
+  if (all_.size() <= static_cast<std::size_t>(cells)) {
+    return all_;
+  }
+  found_.clear();
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
       const auto cell = grid_.cell(x, y);

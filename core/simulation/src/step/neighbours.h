@@ -24,6 +24,7 @@ class Neighbours {
  private:
   base::Grid grid_;
   std::vector<base::Grid::Block> cells_;  // of each robot: one cell
+  std::vector<base::Grid::Id> all_;
   mutable std::vector<base::Grid::Id> found_;
 };
 

@@ -383,10 +383,14 @@ void Robot::moved(const physics::RobotState& state, std::span<const JointSetting
 void Robot::set_body(const physics::RobotState& state, std::span<const JointSetting> joints) {
   std::copy(joints.begin(), joints.end(), joints_.begin());
   Turret turret;
-  guard_.run(drive_use(), [&] {
-    turret = drive_->turret(joints_);
+  if (description_->drive) {
+    guard_.run(drive_use(), [&] {
+      turret = drive_->turret(joints_);
+      state_.odometry = drive_->odometry(joints_);
+    });
+  } else {  // the core's own drive needs no guard
     state_.odometry = drive_->odometry(joints_);
-  });
+  }
   body_frame_ = state.frame;
   state_.pose = state.pose;
   state_.moving = {state.speed, state.lateral, state.turn_rate + turret.turn_rad_s};
