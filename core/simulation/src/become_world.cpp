@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "elsie/base/number_text.h"
+#include "elsie/world/attributes.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/same.h"
 #include "elsie/world/writer.h"
@@ -82,16 +83,6 @@ std::string problem_of(const std::vector<base::Problem>& problems) {
          (more == 0 ? ""
                     : "; there " + std::string(more == 1 ? "is " : "are ") + std::to_string(more) +
                           " more such problem" + (more == 1 ? "" : "s"));
-}
-
-/// "r1" of "robot[r1]/sensor[ahead]/@x", if there is such a robot; else "".
-std::string robot_of(const world::World& world, const std::string& path) {
-  const std::size_t end = path.find(']');
-  if (!path.starts_with("robot[") || end == std::string::npos) {
-    return "";
-  }
-  const std::string id = path.substr(6, end - 6);
-  return place_of_id(world.robots, id) == kNone ? "" : id;
 }
 
 events::Changed event_of(const Change& edit) { return events::Changed::from(edit.text()).value(); }
@@ -186,8 +177,13 @@ void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming)
     for (const world::AttributePlace& place : changes_->places(edit)) {
       becoming.ask(place);
     }
-    std::string robot = robot_of(was, edit.path);
-    events_.push_back({time_s(), std::move(robot), event_of(edit)});
+    std::vector<std::string> robots = world::robots_at(was, edit.path);
+    if (robots.empty()) {
+      robots.emplace_back();  // an edit of the world
+    }
+    for (std::string& robot : robots) {
+      events_.push_back({time_s(), std::move(robot), event_of(edit)});
+    }
   }
   const std::vector<std::string> pending = pending_;
   becoming.undo().add([this, pending] { pending_ = pending; });

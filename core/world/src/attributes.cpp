@@ -137,4 +137,24 @@ ParameterValue Attributes::read(const AttributePlace& place, std::string_view te
   return impl_->read(place, text);
 }
 
+std::vector<std::string> robots_at(const World& world, std::string_view text) {
+  std::vector<std::string> ids;
+  try {
+    Path path = parse_path(text);
+    if (path.adds()) {
+      path.steps.pop_back();
+    }
+    WorldTree tree(world);
+    for (const Place& place : find_places(tree.root(), path)) {
+      const Robot* robot = place.element->object ? tree.meaning(*place.element).robot : nullptr;
+      if (robot && (ids.empty() || ids.back() != robot->id)) {
+        ids.push_back(robot->id);
+      }
+    }
+  } catch (const std::invalid_argument&) {
+    // It leads to nothing.
+  }
+  return ids;
+}
+
 }  // namespace elsie::world

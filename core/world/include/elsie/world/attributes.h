@@ -57,4 +57,8 @@ class Attributes {
   std::unique_ptr<Impl> impl_;
 };
 
+/// The ids of the robots that a path leads to, or to a part of which. Empty for a path to something
+/// else, or to nothing.
+std::vector<std::string> robots_at(const World& world, std::string_view path);
+
 }  // namespace elsie::world
