@@ -27,7 +27,7 @@ void draw(const Simulation& simulation, const traces::TrackRecorder& tracks,
     const simulation::RobotView robot = simulation.robot(r);
     const traces::Track& track = tracks.tracks()[r];
     picture::RobotTrack drawn{robot.description->id, track.path, robot.state->pose, {},
-                              track.touches,         {},         track.placed};
+                              track.touches,         {},         track.placed,      track.from_s};
     for (const auto& beam : recording::range_beams(simulation, r)) {
       drawn.beams.push_back({{beam.from.x, beam.from.y}, {beam.to.x, beam.to.y}, beam.hit});
     }
@@ -89,4 +89,42 @@ TEST_CASE("A robot that was put elsewhere is drawn without a line to there, from
   REQUIRE(!tracks.tracks()[0].placed.empty());
   CHECK(run.robots[0].placed == tracks.tracks()[0].placed);
   CHECK(run.robots[0].path == tracks.tracks()[0].path);
+}
+
+TEST_CASE("Robots that an edit removed or added are drawn as they are, from a recording too") {
+  McapFile file;
+  TemporaryFile own, replayed;
+  const std::string own_png = own.path.string() + ".png";
+  const std::string replayed_png = replayed.path.string() + ".png";
+  world::World world = shipped_world("ten_robots.xml", 300.0);
+  const std::string first = world.robots[0].id, second = world.robots[1].id;
+  Simulation simulation(std::move(world), shipped(),
+                        {.data_directories = {source_path("")},
+                         .time_limit_s = 4.0,
+                         .cameras = render::world_cameras});
+  recording::McapRecorder recorder(file.path, {});
+  traces::TrackRecorder tracks;
+  simulation::Observer* const observers[] = {&tracks, &recorder};
+  simulation.run(observers, std::vector<simulation::TimedChange>{
+                                {1.0, {"robot[" + first + "]/@remove", "true"}},
+                                {1.5, {"physics/@step", "0.003"}},
+                                {2.03, {"robot[+]", "<robot id=\"late\" x=\"0.1\" y=\"0.1\"/>"}},
+                                {2.5, {"robot[" + second + "]/body/@mass", "1.5"}}});
+  draw(simulation, tracks, own_png);
+  const recording::RecordedRun run = recording::read_recorded_run(file.path);
+  recording::save_picture(run, shipped(), {"end"}, replayed_png, {600, 0});
+  CHECK(bytes_of(own_png) == bytes_of(replayed_png));
+  REQUIRE(run.robots.size() == 10);
+  for (const picture::RobotTrack& robot : run.robots) {
+    CHECK(robot.id != first);
+    CHECK(robot.from_s == Approx(robot.id == "late" ? 2.1 : 0.0));
+    CHECK(robot.path.size() == (robot.id == "late" ? 20 : 41));
+  }
+  // As it was before the edits.
+  const recording::RecordedRun before = recording::read_recorded_run(file.path, 0.95);
+  CHECK(before.robots.size() == 10);
+  CHECK(std::none_of(before.robots.begin(), before.robots.end(),
+                     [](const picture::RobotTrack& robot) { return robot.id == "late"; }));
+  std::filesystem::remove(own_png);
+  std::filesystem::remove(replayed_png);
 }

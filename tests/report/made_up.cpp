@@ -30,7 +30,7 @@ class Writer {
     std::ifstream schema(source_path("libraries/studies/results/src/schema.sql"));
     std::ostringstream text;
     text << schema.rdbuf();
-    run("PRAGMA application_id = 0x456C7369; PRAGMA user_version = 2; BEGIN;" + text.str());
+    run("PRAGMA application_id = 0x456C7369; PRAGMA user_version = 3; BEGIN;" + text.str());
   }
   ~Writer() { sqlite3_close(handle_); }
   Writer(const Writer&) = delete;
@@ -95,6 +95,7 @@ void insert_robot(Writer& writer, std::int64_t run, const MadeRobot& robot) {
   for (const Vector2& at : robot.touches) touches.push_back({at.x, at.y});
   writer.insert("trajectories", {{"run_id", run},
                                  {"robot", robot.id},
+                                 {"from_s", 0.0},
                                  {"period_s", 0.5},
                                  {"poses", dumped(poses)},
                                  {"touches", dumped(touches)}});

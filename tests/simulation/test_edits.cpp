@@ -435,7 +435,15 @@ TEST_CASE("Edits are events, with which recorders go on") {
                                    "<coordinator><arbiter_suppression/></coordinator></robot>"}}});
     if (with_observers) {
       CHECK(tracks.tracks().size() == 3);
-      CHECK(accounts.accounts().size() == 3);
+      REQUIRE(accounts.accounts().size() == 5);  // r1 has two: its behaviours changed
+      CHECK(accounts.robots()[1].id == "r2");
+      CHECK(accounts.accounts()[1].span.to_s == Approx(1.0).margin(0.01));
+      CHECK(accounts.robots()[3].id == "r1");
+      CHECK(accounts.accounts()[3].span.from_s == Approx(2.0).margin(0.1));
+      CHECK(accounts.robots()[4].id == "r9");
+      CHECK(accounts.accounts()[4].span.from_s == Approx(3.0).margin(0.1));
+      CHECK(tracks.tracks()[2].from_s == Approx(3.1).margin(0.11));
+      CHECK(tracks.tracks()[0].path.size() == 61);  // whatever the length of a step
     }
     return result;
   };
@@ -565,4 +573,23 @@ TEST_CASE("Parameters that were set are set back when the edit is refused") {
     return simulation.state_hash();
   };
   CHECK(run(true) == run(false));
+}
+
+TEST_CASE("The event of an edit names each robot that its path leads to") {
+  Simulation simulation(lively(), shipped(), {7});
+  const auto robots = [&](const std::string& path, const std::string& value) {
+    const std::size_t before = simulation.events().size();
+    simulation.change(path, value);
+    std::string ids;
+    for (const auto& event : simulation.events().subspan(before)) {
+      ids += ids.empty() ? event.robot : " " + event.robot;
+    }
+    return ids;
+  };
+  CHECK(robots("robot[2]/sensor[ahead]/@remove", "true") == "r2");
+  CHECK(robots("robot[*]/body/@mass", "1.5") == "r1 r2 r3");
+  CHECK(robots("coordinator", "<arbiter_suppression/>") == "r1 r2 r3");
+  CHECK(robots("robot[r3]/behavior[+]", "<wander id=\"more\"/>") == "r3");
+  CHECK(robots("arena/@length", "7") == "");
+  CHECK(robots("robot[+]", "<robot id=\"r4\" x=\"2\"/>") == "");
 }

@@ -55,18 +55,20 @@ void require_equal(const traces::Episode& a, const traces::Episode& b,
 }
 
 /// Runs a shipped world for some seconds with both recorders.
-std::size_t compare(const std::string& name, double seconds) {
+std::size_t compare(const std::string& name, double seconds,
+                    const std::vector<simulation::TimedChange>& edits = {}) {
   CAPTURE(name);
   const Folder folder;
   world::ReadOptions options;
   options.data_directories = {source_path("")};
   world::World world = world::read_world(source_path("worlds/" + name), shipped(), options);
-  world.limits.time = seconds;
-  Simulation run(std::move(world), shipped(), {.seed = 3});
+  Simulation run(
+      std::move(world), shipped(),
+      {.seed = 3, .data_directories = options.data_directories, .time_limit_s = seconds});
   recording::McapRecorder file(folder / "run.mcap");
   AccountRecorder recorder;
   simulation::Observer* const observers[] = {&file, &recorder};
-  run.run(observers);
+  run.run(observers, edits);
   const traces::Trace trace = recording::read_trace(folder / "run.mcap");
   const traces::TimeSpan all = within({}, trace);
   REQUIRE(recorder.accounts().size() == trace.robots.size());
@@ -111,6 +113,20 @@ TEST_CASE("What is added up while a run goes on is what its whole trace says, to
   CHECK(compare("nested.xml", 20.0) > 5);
   CHECK(compare("clutter.xml", 10.0) > 0);
   CHECK(compare("ten_robots.xml", 5.0) >= 10);  // each robot has one
+}
+
+TEST_CASE("Of an edited run, too: robots and behaviours count while they are there") {
+  CHECK(compare("ten_robots.xml", 4.0,
+                {{1.0, {"robot[2]/@remove", "true"}},
+                 {1.5, {"robot[1]/behavior[+]", "<wander id=\"more\"/>"}},
+                 {2.0, {"robot[1]/sensor[1]/@id", "renamed"}},
+                 {2.0, {"physics/@step", "0.004"}},
+                 {2.5, {"robot[1]/behavior[more]/@remove", "true"}},
+                 {3.0,
+                  {"robot[+]",
+                   "<robot id=\"late\" x=\"0.1\" y=\"0.1\"><behaviors><wander/>"
+                   "</behaviors><coordinator><arbiter_suppression/>"
+                   "</coordinator></robot>"}}}) >= 13);
 }
 
 TEST_CASE("A run without robots has nothing to add up") {

@@ -63,7 +63,8 @@ Trace read_recorded(const std::string& file) {
   }
 }
 
-/// The robots that were asked for, by their places.
+/// The robots that were asked for, by their places. A robot whose behaviours were edited has
+/// several.
 std::vector<std::size_t> chosen(const Trace& trace, const std::vector<std::string>& ids) {
   std::vector<std::size_t> places;
   std::vector<std::string> known;
@@ -71,12 +72,15 @@ std::vector<std::size_t> chosen(const Trace& trace, const std::vector<std::strin
     known.push_back(robot.id);
   }
   for (const std::string& id : ids) {
-    const auto at = std::find(known.begin(), known.end(), id);
-    if (at == known.end()) {
+    if (std::find(known.begin(), known.end(), id) == known.end()) {
       throw BadInput("--robot: the recording has no robot '" + id + "'" +
                      base::did_you_mean(id, known));
     }
-    places.push_back(static_cast<std::size_t>(at - known.begin()));
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      if (known[i] == id) {
+        places.push_back(i);
+      }
+    }
   }
   for (std::size_t i = 0; ids.empty() && i < known.size(); ++i) {
     places.push_back(i);

@@ -36,6 +36,7 @@ void draw(const simulation::Simulation& simulation, const traces::TrackRecorder*
       track.path = tracks->tracks()[i].path;
       track.touches = tracks->tracks()[i].touches;
       track.placed = tracks->tracks()[i].placed;
+      track.from_s = tracks->tracks()[i].from_s;
     }
     view.robots.push_back(std::move(track));
   }

@@ -125,7 +125,8 @@ std::string to_json(const RunRecord& record) {
     return Json{event.time_s, event.robot, event.name, event.detail};
   });
   object["trajectories"] = list(record.trajectories, [](const Trajectory& trajectory) {
-    return Json{trajectory.robot, trajectory.period_s, trajectory.poses, trajectory.touches};
+    return Json{trajectory.robot, trajectory.from_s, trajectory.period_s, trajectory.poses,
+                trajectory.touches};
   });
   object["curves"] = list(record.curves, [](const Curve& curve) {
     return Json{curve.robot, curve.plugin, curve.name, curve.x_label, curve.y_label, curve.points};
@@ -166,7 +167,7 @@ RunRecord record_from(std::string_view json) {
       return Event{number(a, 0), text(a, 1), text(a, 2), text(a, 3)};
     });
     read_list(object, "trajectories", record.trajectories, [](const Json& a) {
-      return Trajectory{text(a, 0), number(a, 1), text(a, 2), text(a, 3)};
+      return Trajectory{text(a, 0), number(a, 1), number(a, 2), text(a, 3), text(a, 4)};
     });
     read_list(object, "curves", record.curves, [](const Json& a) {
       return Curve{text(a, 0), text(a, 1), text(a, 2), text(a, 3), text(a, 4), text(a, 5)};

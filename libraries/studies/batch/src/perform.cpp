@@ -66,10 +66,7 @@ void take(const simulation::Simulation& run, const Watchers& watchers, RunRecord
                                                 watchers.tracks.tracks()[i],
                                                 watchers.tracks.period_s(), kMostPoses));
   }
-  for (std::size_t i = 0; i < watchers.accounts.accounts().size(); ++i) {
-    record.timelines.push_back(
-        timeline_of(watchers.accounts.robots()[i], watchers.accounts.accounts()[i], kMostEpisodes));
-  }
+  record.timelines = timelines_of(watchers.accounts, kMostEpisodes);
   // Last, because a measure may fail in it.
   const simulation::RunResult result = run.result();
   record.wall_s = result.wall_s;

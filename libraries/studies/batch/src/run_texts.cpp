@@ -36,13 +36,35 @@ std::string name_of(traces::Decider decider, const traces::TraceRobot& robot) {
   return decider == traces::kTogether ? "*" : "";
 }
 
+void append_episodes(nlohmann::ordered_json& episodes, const traces::TraceRobot& robot,
+                     const traces::RobotAccount& account, std::size_t most) {
+  using Json = nlohmann::ordered_json;
+  for (const traces::Episode& episode : condensed(account.coordinators.front().episodes, most)) {
+    const traces::Episode::Part& longest = episode.parts.front();
+    Json shown = {{"from_s", thousandths(episode.from_s)},
+                  {"to_s", thousandths(episode.to_s)},
+                  {"decider", episode.parts.size() > 1 ? "*" : name_of(longest.decider, robot)},
+                  {"share", thousandths(longest.share)}};
+    if (episode.parts.size() > 1) {
+      Json parts = Json::array();
+      for (const traces::Episode::Part& part : episode.parts) {
+        parts.push_back({{"decider", name_of(part.decider, robot)},
+                         {"time_s", thousandths(part.time_s)},
+                         {"share", thousandths(part.share)}});
+      }
+      shown["parts"] = std::move(parts);
+    }
+    episodes.push_back(std::move(shown));
+  }
+}
+
 }  // namespace
 
 Trajectory trajectory_of(const std::string& robot, const traces::Track& track, double period_s,
                          std::size_t most) {
   const std::size_t every = (track.path.size() + most - 1) / most;
-  Trajectory trajectory{robot, period_s * static_cast<double>(std::max<std::size_t>(every, 1)), "[",
-                        "["};
+  Trajectory trajectory{robot, track.from_s,
+                        period_s * static_cast<double>(std::max<std::size_t>(every, 1)), "[", "["};
   for (std::size_t i = 0; i < track.path.size(); i += every) {
     const Pose& pose = track.path[i];
     append_list(trajectory.poses, pose.x, pose.y, pose.heading_rad);
@@ -67,34 +89,50 @@ Curve curve_of(const simulation::LearningCurve& curve, std::size_t most) {
           curve.curve.x_label, curve.curve.y_label, points.dump()};
 }
 
-Timeline timeline_of(const traces::TraceRobot& robot, const traces::RobotAccount& account,
-                     std::size_t most) {
+std::vector<Timeline> timelines_of(const traces::AccountRecorder& recorder, std::size_t most) {
   using Json = nlohmann::ordered_json;
-  Json behaviors = Json::array();
-  for (std::size_t i = 0; i < robot.members.size(); ++i) {
-    behaviors.push_back({{"path", robot.members[i].path},
-                         {"share", thousandths(account.members[i].robot_share)},
-                         {"decided_s", thousandths(account.members[i].decided_s)}});
-  }
-  Json episodes = Json::array();
-  for (const traces::Episode& episode : condensed(account.coordinators.front().episodes, most)) {
-    const traces::Episode::Part& longest = episode.parts.front();
-    Json shown = {{"from_s", thousandths(episode.from_s)},
-                  {"to_s", thousandths(episode.to_s)},
-                  {"decider", episode.parts.size() > 1 ? "*" : name_of(longest.decider, robot)},
-                  {"share", thousandths(longest.share)}};
-    if (episode.parts.size() > 1) {
-      Json parts = Json::array();
-      for (const traces::Episode::Part& part : episode.parts) {
-        parts.push_back({{"decider", name_of(part.decider, robot)},
-                         {"time_s", thousandths(part.time_s)},
-                         {"share", thousandths(part.share)}});
+  struct Sum {
+    double share_s = 0.0, decided_s = 0.0;
+  };
+  struct Parts {
+    std::string robot;
+    double length_s = 0.0;
+    std::vector<std::pair<std::string, Sum>> behaviors{};
+    Json episodes = Json::array();
+  };
+  std::vector<Parts> all;
+  for (std::size_t r = 0; r < recorder.accounts().size(); ++r) {
+    const traces::TraceRobot& robot = recorder.robots()[r];
+    const traces::RobotAccount& account = recorder.accounts()[r];
+    auto known = std::find_if(all.begin(), all.end(),
+                              [&](const Parts& parts) { return parts.robot == robot.id; });
+    Parts& parts = known == all.end() ? all.emplace_back(Parts{robot.id}) : *known;
+    const double length_s = account.span.to_s - account.span.from_s;
+    parts.length_s += length_s;
+    for (std::size_t i = 0; i < robot.members.size(); ++i) {
+      const std::string& path = robot.members[i].path;
+      auto sum = std::find_if(parts.behaviors.begin(), parts.behaviors.end(),
+                              [&](const auto& entry) { return entry.first == path; });
+      if (sum == parts.behaviors.end()) {
+        sum = parts.behaviors.insert(sum, {path, {}});
       }
-      shown["parts"] = std::move(parts);
+      sum->second.share_s += account.members[i].robot_share * length_s;
+      sum->second.decided_s += account.members[i].decided_s;
     }
-    episodes.push_back(std::move(shown));
+    append_episodes(parts.episodes, robot, account, most);
   }
-  return {robot.id, behaviors.dump(), episodes.dump()};
+  std::vector<Timeline> timelines;
+  for (const Parts& parts : all) {
+    Json behaviors = Json::array();
+    for (const auto& [path, sum] : parts.behaviors) {
+      const double share = parts.length_s > 0.0 ? sum.share_s / parts.length_s : 0.0;
+      behaviors.push_back({{"path", path},
+                           {"share", thousandths(share)},
+                           {"decided_s", thousandths(sum.decided_s)}});
+    }
+    timelines.push_back({parts.robot, behaviors.dump(), parts.episodes.dump()});
+  }
+  return timelines;
 }
 
 }  // namespace elsie::batch

@@ -6,8 +6,7 @@
 
 #include "elsie/batch/job.h"
 #include "elsie/simulation/run_result.h"
-#include "elsie/traces/trace.h"
-#include "elsie/traces/trace_account.h"
+#include "elsie/traces/account_recorder.h"
 #include "elsie/traces/tracks.h"
 
 namespace elsie::batch {
@@ -19,8 +18,8 @@ Trajectory trajectory_of(const std::string& robot, const traces::Track& track, d
 /// A learning curve, thinned to at most `most` >= 2 points.
 Curve curve_of(const simulation::LearningCurve& curve, std::size_t most);
 
-/// Who decided when, in at most `most` episodes.
-Timeline timeline_of(const traces::TraceRobot& robot, const traces::RobotAccount& account,
-                     std::size_t most);
+/// Who decided when, for each robot that ever was in the run: at most `most` episodes for each of
+/// the sets of behaviours that it had.
+std::vector<Timeline> timelines_of(const traces::AccountRecorder& recorder, std::size_t most);
 
 }  // namespace elsie::batch

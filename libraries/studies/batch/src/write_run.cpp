@@ -21,8 +21,8 @@ RunWriter::RunWriter(sqlite::Connection& connection)
              "INSERT INTO run_events (run_id, place, time_s, robot, name, detail) "
              "VALUES (?, ?, ?, ?, ?, ?)"),
       trajectory_(connection,
-                  "INSERT INTO trajectories (run_id, robot, period_s, poses, touches) "
-                  "VALUES (?, ?, ?, ?, ?)"),
+                  "INSERT INTO trajectories (run_id, robot, from_s, period_s, poses, touches) "
+                  "VALUES (?, ?, ?, ?, ?, ?)"),
       curve_(connection,
              "INSERT INTO curves (run_id, robot, plugin, name, x_label, y_label, points) "
              "VALUES (?, ?, ?, ?, ?, ?, ?)"),
@@ -54,9 +54,10 @@ bool RunWriter::write(std::int64_t run, const RunRecord& record) {
   for (const Trajectory& trajectory : record.trajectories) {
     trajectory_.bind(1, run)
         .bind(2, trajectory.robot)
-        .bind(3, trajectory.period_s)
-        .bind(4, trajectory.poses)
-        .bind(5, trajectory.touches)
+        .bind(3, trajectory.from_s)
+        .bind(4, trajectory.period_s)
+        .bind(5, trajectory.poses)
+        .bind(6, trajectory.touches)
         .run();
   }
   for (const Curve& curve : record.curves) {

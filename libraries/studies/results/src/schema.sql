@@ -146,8 +146,9 @@ CREATE TABLE run_events (
 CREATE TABLE trajectories (
   run_id   INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
   robot    TEXT NOT NULL,
+  from_s   REAL NOT NULL,             -- simulated time of the first pose: 0, or when an edit added the robot
   period_s REAL NOT NULL,             -- simulated, between two poses
-  poses    TEXT NOT NULL,             -- JSON: [[x_m, y_m, heading_rad], ...], millimetres and milliradians, the first at time 0
+  poses    TEXT NOT NULL,             -- JSON: [[x_m, y_m, heading_rad], ...], millimetres and milliradians
   touches  TEXT NOT NULL,             -- JSON: [[x_m, y_m], ...], where it collided
   PRIMARY KEY (run_id, robot)
 ) STRICT, WITHOUT ROWID;

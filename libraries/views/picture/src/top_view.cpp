@@ -66,12 +66,13 @@ void choose_path(const TopView& view, RobotTrack& track) {
   const double period_s = view.path_period_s;
   if (!(period_s > 0.0) || track.path.empty()) return;
   const auto last = static_cast<double>(track.path.size() - 1);
-  const double end_s = std::min(choice.to_s, period_s * last);
+  const double end_s = std::min(choice.to_s, track.from_s + period_s * last);
   const double begin_s = std::max(choice.from_s, choice.fade_s > 0.0 ? end_s - choice.fade_s : 0.0);
-  const auto first =
-      static_cast<std::size_t>(std::clamp(std::ceil(begin_s / period_s - 1e-6), 0.0, last));
+  const double first_pose = std::ceil((begin_s - track.from_s) / period_s - 1e-6);
+  const double last_pose = std::floor((end_s - track.from_s) / period_s + 1e-6);
+  const auto first = static_cast<std::size_t>(std::clamp(first_pose, 0.0, last));
   const auto end =
-      static_cast<std::size_t>(std::clamp(std::floor(end_s / period_s + 1e-6), 0.0, last)) + 1;
+      last_pose < 0.0 ? first : static_cast<std::size_t>(std::min(last_pose, last)) + 1;
   if (first == 0 && end == track.path.size()) return;
   track.path = first < end
                    ? std::vector<Pose>(track.path.begin() + static_cast<std::ptrdiff_t>(first),

@@ -48,7 +48,10 @@ class CsvRecorder::Impl {
   }
 
   void start(const simulation::Simulation& simulation) {
-    every_ = traces::steps_in(1.0 / rate_hz_, simulation.world().physics.step);
+    const double step = simulation.world().physics.step;
+    sampling_ =
+        traces::Sampling(static_cast<double>(traces::steps_in(1.0 / rate_hz_, step)) * step);
+    sampling_.is_due(simulation.time_s());
     lay_out(simulation);
     std::string all = kBodyColumns;
     for (const std::string& name : reading_columns_) {
@@ -67,7 +70,7 @@ class CsvRecorder::Impl {
   }
 
   void step(const simulation::Simulation& simulation) {
-    if (simulation.steps() % every_ == 0) {
+    if (sampling_.is_due(simulation.time_s())) {
       sample(simulation);
       if (simulation.time_s() - flushed_at_s_ >= kFlushEvery) {
         out_.flush();
@@ -80,7 +83,6 @@ class CsvRecorder::Impl {
 
   /// The columns are written: numbers that are new have none.
   void lay_out_again(const simulation::Simulation& simulation) {
-    every_ = traces::steps_in(1.0 / rate_hz_, simulation.world().physics.step);
     const auto readings = reading_columns_, behaviors = behaviors_;
     lay_out(simulation);
     const auto find_again = [](std::vector<std::size_t>& places,
@@ -201,7 +203,7 @@ class CsvRecorder::Impl {
   double rate_hz_;
   bool with_times_;
   double flushed_at_s_ = 0.0;
-  std::uint64_t every_ = 1;
+  traces::Sampling sampling_;
   std::vector<std::string> reading_columns_;
   std::vector<std::string> behaviors_;
   std::vector<Places> places_;

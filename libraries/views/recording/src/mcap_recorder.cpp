@@ -50,6 +50,8 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
   void start(const Simulation& simulation) {
     const world::Physics& physics = simulation.world().physics;
     every_ = traces::steps_in(1.0 / options_.rate_hz, physics.step);
+    sampling_ = traces::Sampling(static_cast<double>(every_) * physics.step);
+    sampling_.is_due(simulation.time_s());
     control_steps_ = static_cast<std::uint64_t>(physics.control_steps);
     write_head(simulation);
     out_.set_last_words(
@@ -75,7 +77,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     if (standing_boxes(simulation) != standing_) {
       write_scene(simulation);
     }
-    if (simulation.steps() % every_ == 0) {
+    if (sampling_.is_due(simulation.time_s())) {
       sample(simulation, true);
     }
     remember_who_sees(simulation);
@@ -85,7 +87,6 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
   /// Robots that are new, or decide by other behaviours, or sense with other sensors, have channels
   /// of their own from now on.
   void lay_out_again(const Simulation& simulation) {
-    every_ = traces::steps_in(1.0 / options_.rate_hz, simulation.world().physics.step);
     add_robots(simulation);
     write_world(simulation);
     write_scene(simulation);
@@ -287,12 +288,17 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
 
   void write_world(const Simulation& simulation) {
     const world::World& world = simulation.world();
+    Json robots = Json::array();
+    for (const world::Robot& robot : world.robots) {
+      robots.push_back(robot.id);
+    }
     write(world_, now(simulation),
           {{"name", world.name},
            {"file", world.file},
            {"seed", std::to_string(simulation.seed())},
            {"program", options_.program},
-           {"xml", world::write_world(world)}});
+           {"xml", world::write_world(world)},
+           {"robots", std::move(robots)}});
   }
 
   static std::size_t standing_boxes(const Simulation& simulation) {
@@ -410,7 +416,8 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
 
   RecorderOptions options_;
   mcap::Writer out_;
-  std::uint64_t every_ = 1;                       // steps from one sample to the next
+  std::uint64_t every_ = 1;  // steps from one sample to the next, as the run begins
+  traces::Sampling sampling_;
   std::uint64_t control_steps_ = 1;               // from one decision to the next
   std::map<std::string, std::uint16_t> schemas_;  // by name and text
   std::uint16_t world_ = 0, scene_ = 0, transforms_ = 0, events_ = 0;

@@ -1,11 +1,11 @@
 #include "elsie/recording/recorded_run.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "elsie/api/simulator_events.h"
 #include "elsie/plugin/host.h"
+#include "elsie/traces/sampling.h"
 #include "elsie/world/reader.h"
 
 #include "format.h"
@@ -38,7 +38,7 @@ class Follower final : public Visitor {
     } else if (channel.topic == kEventsTopic) {
       read_event(json(), message.log_time_ns);
     } else if (channel.topic == kWorldTopic) {
-      run_.world_xml = json().at("xml").get<std::string>();
+      read_world(json());
     }
   }
 
@@ -58,13 +58,30 @@ class Follower final : public Visitor {
     return run_.robots.back();
   }
 
+  /// Robots that an edit removed are gone.
+  void read_world(const Json& world) {
+    run_.world_xml = world.at("xml").get<std::string>();
+    ids_ = world.at("robots").get<std::set<std::string>>();
+    std::erase_if(run_.robots, [&](const auto& track) { return !ids_.contains(track.id); });
+    std::erase_if(memory_, [&](const auto& known) { return !ids_.contains(known.first); });
+  }
+
   void read_state(picture::RobotTrack& track, const Json& state, std::uint64_t time_ns) {
     const double time_s = static_cast<double>(time_ns) / kSecondNs;
     track.now = {number(state, "x_m"), number(state, "y_m"), number(state, "heading_rad")};
     run_.shown_s = time_s;
     // The last sample of a run may be between two periods.
-    const double steps = std::round(time_s / run_.step_s);
-    if (run_.sample_steps > 0 && std::fmod(steps, static_cast<double>(run_.sample_steps)) == 0.0) {
+    if (!sampling_ && run_.period_s > 0.0) {
+      sampling_.emplace(run_.period_s);
+    }
+    if (sampling_ && time_ns != sampled_ns_) {
+      sampled_ns_ = time_ns;
+      is_due_ = sampling_->is_due(time_s);
+    }
+    if (is_due_) {
+      if (track.path.empty()) {
+        track.from_s = sampling_->last_s();
+      }
       if (std::exchange(memory_[track.id].placed, false)) {
         track.placed.push_back(track.path.size());
       }
@@ -123,6 +140,9 @@ class Follower final : public Visitor {
   void read_event(const Json& event, std::uint64_t time_ns) {
     const std::string robot = event.at("name").get<std::string>();
     const std::string name = event.at("event").get<std::string>();
+    if (!ids_.contains(robot)) {
+      return;
+    }
     Memory& memory = memory_[robot];
     if (name == events::Collision::kFacts.name && event.contains("x_m") &&
         memory.touched_ns != time_ns) {
@@ -136,7 +156,11 @@ class Follower final : public Visitor {
 
   RecordedRun& run_;
   double until_s_;
-  std::map<std::string, Memory> memory_;  // of each robot
+  std::set<std::string> ids_;             // of the robots that are there
+  std::map<std::string, Memory> memory_;  // of each of them
+  std::optional<traces::Sampling> sampling_;
+  std::uint64_t sampled_ns_ = ~0ULL;  // when the last state was sampled
+  bool is_due_ = false;               // whether that belongs to the path
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -67,13 +69,21 @@ class TraceBuilder final : public Visitor {
       }
       robot.members.push_back(std::move(member));
     }
-    places_[channel.id] = trace_.robots.size();
-    trace_.robots.push_back(std::move(robot));
+    // Other sensors give a robot other channels, but its trace goes on.
+    const auto known = std::find_if(
+        trace_.robots.begin(), trace_.robots.end(),
+        [&](const TraceRobot& each) { return is_there(each) && same_cast(each, robot); });
+    places_[channel.id] = static_cast<std::size_t>(known - trace_.robots.begin());
+    if (known == trace_.robots.end()) {
+      trace_.robots.push_back(std::move(robot));
+    }
   }
 
   void message(const mcap::Channel& channel, const mcap::Message& message) override {
     const double time_s = static_cast<double>(message.log_time_ns) / kSecondNs;
-    if (channel.topic == kEventsTopic) {
+    if (channel.topic == kWorldTopic) {
+      read_world(Json::parse(message.data), time_s);
+    } else if (channel.topic == kEventsTopic) {
       read_event(Json::parse(message.data), time_s);
     } else if (const auto robot = places_.find(channel.id); robot != places_.end()) {
       if (time_s < decided_s_) {
@@ -97,14 +107,40 @@ class TraceBuilder final : public Visitor {
     return at->second;
   }
 
+  static bool is_there(const TraceRobot& robot) { return std::isinf(robot.to_s); }
+
+  /// Comes with every edit that robots may come, go or change by.
+  void read_world(const Json& world, double time_s) {
+    const auto ids = world.at("robots").get<std::set<std::string>>();
+    for (std::size_t i = 0; i < trace_.robots.size(); ++i) {
+      TraceRobot& robot = trace_.robots[i];
+      const auto is_newer = [&](const TraceRobot& other) { return other.id == robot.id; };
+      if (i >= introduced_) {
+        robot.from_s = time_s;
+      } else if (is_there(robot) &&
+                 (!ids.contains(robot.id) ||
+                  std::any_of(trace_.robots.begin() + static_cast<std::ptrdiff_t>(introduced_),
+                              trace_.robots.end(), is_newer))) {
+        robot.to_s = time_s;
+      }
+    }
+    introduced_ = trace_.robots.size();
+  }
+
   void read_event(const Json& event, double time_s) {
     const std::string id = event.at("name").get<std::string>();
     if (id.empty()) {
       return;  // an edit of the world
     }
-    const auto robot = std::find_if(trace_.robots.begin(), trace_.robots.end(),
-                                    [&](const TraceRobot& each) { return each.id == id; });
-    if (robot == trace_.robots.end()) {
+    const auto is_of = [&](const TraceRobot& each) { return each.id == id; };
+    const auto before =
+        std::partition_point(trace_.robots.begin(), trace_.robots.end(),
+                             [&](const TraceRobot& each) { return each.from_s <= time_s; });
+    auto robot = std::find_if(std::reverse_iterator(before), trace_.robots.rend(), is_of);
+    if (robot == trace_.robots.rend()) {
+      robot = std::find_if(trace_.robots.rbegin(), trace_.robots.rend(), is_of);
+    }
+    if (robot == trace_.robots.rend()) {
       throw Unexpected("the recording has no robot '" + one_line(id) + "'");
     }
     robot->events.push_back({time_s, one_line(event.at("event").get<std::string>()),
@@ -158,6 +194,7 @@ class TraceBuilder final : public Visitor {
 
   Trace& trace_;
   double decided_s_ = -1.0;
+  std::size_t introduced_ = 0;                   // robots of the world's last message
   std::map<std::uint16_t, std::size_t> places_;  // of robots, by the ids of their channels
   std::map<std::string, std::uint32_t> reasons_{{"", 0}};
 };

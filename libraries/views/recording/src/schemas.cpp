@@ -89,7 +89,8 @@ std::string world() {
                  {"file", text("that it was read from")},
                  {"seed", text("of all randomness in the run; it may have 20 digits")},
                  {"program", text("that ran it")},
-                 {"xml", text("the world file, templates merged in")}})
+                 {"xml", text("the world file, templates merged in")},
+                 {"robots", list(text("id of a robot that is there"))}})
       .dump();
 }
 

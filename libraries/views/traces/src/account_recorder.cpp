@@ -20,18 +20,24 @@ class AccountRecorder::Impl {
 
   /// A robot whose behaviours are others than before begins anew.
   void list_robots(const simulation::Simulation& simulation) {
-    const std::vector<TraceRobot> robots = std::exchange(robots_, {});
-    std::deque<Watch> watches = std::exchange(watches_, {});
+    const double now_s = output::tidy_time(simulation.time_s());
+    const std::vector<std::size_t> before = std::exchange(present_, {});
     for (std::size_t r = 0; r < simulation.robots(); ++r) {
-      robots_.push_back(introduced(simulation.robot(r)));
-      const auto known = std::find_if(robots.begin(), robots.end(), [&](const TraceRobot& robot) {
-        return same_cast(robot, robots_.back());
+      TraceRobot robot = introduced(simulation.robot(r));
+      const auto known = std::find_if(before.begin(), before.end(), [&](std::size_t place) {
+        return same_cast(robots_[place], robot);
       });
-      if (known == robots.end()) {
-        watches_.emplace_back(robots_.back());
-      } else {
-        watches_.push_back(std::move(watches[static_cast<std::size_t>(known - robots.begin())]));
-        watches_.back().find_current();
+      present_.push_back(known == before.end() ? robots_.size() : *known);
+      if (known == before.end()) {
+        robot.from_s = now_s;
+        watches_.emplace_back(robot);
+        robots_.push_back(std::move(robot));
+      }
+    }
+    for (const std::size_t place : before) {
+      if (std::find(present_.begin(), present_.end(), place) == present_.end()) {
+        add_up(robots_[place], watches_[place], now_s);
+        robots_[place].to_s = now_s;
       }
     }
   }
@@ -41,8 +47,8 @@ class AccountRecorder::Impl {
       return;
     }
     const double now_s = output::tidy_time(simulation.step_began_s());
-    for (std::size_t r = 0; r < watches_.size(); ++r) {
-      look(simulation.robot(r), robots_[r], watches_[r], now_s);
+    for (std::size_t r = 0; r < present_.size(); ++r) {
+      look(simulation.robot(r), robots_[present_[r]], watches_[present_[r]], now_s);
     }
   }
 
@@ -55,8 +61,12 @@ class AccountRecorder::Impl {
       }
     }
     for (std::size_t r = 0; r < watches_.size(); ++r) {
-      add_up(robots_[r], watches_[r], end_s);
-      accounts_.push_back(watches_[r].tally.finish({first_s, end_s}));
+      Watch& watch = watches_[r];
+      const double to_s = std::min(end_s, robots_[r].to_s);
+      add_up(robots_[r], watch, to_s);
+      const double from_s =
+          watch.begun && watch.count() > 0 ? watch.first_s : std::max(first_s, robots_[r].from_s);
+      accounts_.push_back(watch.tally.finish({std::min(from_s, to_s), to_s}));
     }
   }
 
@@ -74,11 +84,6 @@ class AccountRecorder::Impl {
           shares(robot->members.size()),
           tally(*robot) {}
     std::size_t count() const { return rows.size(); }
-    void find_current() {
-      for (std::size_t i = 0; begun && i < count(); ++i) {
-        current[i] = &notes[i];
-      }
-    }
 
     std::unique_ptr<const TraceRobot> robot;  // that the tally is about
     std::vector<TraceRow> rows;               // as they were last looked at
@@ -90,13 +95,6 @@ class AccountRecorder::Impl {
     double first_s = 0.0;
     double since_s = 0.0;  // that nothing has changed
   };
-
-  static bool same_cast(const TraceRobot& a, const TraceRobot& b) {
-    return a.id == b.id && std::equal(a.members.begin(), a.members.end(), b.members.begin(),
-                                      b.members.end(), [](const auto& one, const auto& other) {
-                                        return one.path == other.path && one.plugin == other.plugin;
-                                      });
-  }
 
   static TraceRobot introduced(const simulation::RobotView& view) {
     const world::Robot& description = *view.description;
@@ -137,7 +135,9 @@ class AccountRecorder::Impl {
     if (!watch.begun) {
       watch.begun = true;
       watch.first_s = watch.since_s = now_s;
-      watch.find_current();
+      for (std::size_t i = 0; i < watch.count(); ++i) {
+        watch.current[i] = &watch.notes[i];
+      }
     }
   }
 
@@ -163,7 +163,8 @@ class AccountRecorder::Impl {
     return known->second;
   }
 
-  std::deque<Watch> watches_;
+  std::deque<Watch> watches_;         // parallel to robots_
+  std::vector<std::size_t> present_;  // places of the world's robots, in their order
   std::map<std::string, std::uint32_t> places_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -67,8 +69,30 @@ TimeSpan within(const TimeSpan& span, const Trace& trace) {
   return {from, std::clamp(span.to_s, from, trace.end_s)};
 }
 
-void walk(const TraceRobot& robot, const TimeSpan& span,
+TimeSpan within(const TimeSpan& span, const TraceRobot& robot) {
+  double first = std::numeric_limits<double>::infinity();
+  for (const TraceMember& member : robot.members) {
+    if (!member.notes.empty()) {
+      first = std::min(first, member.notes.front().time_s);
+    }
+  }
+  const double to = std::max(span.from_s, std::min(span.to_s, robot.to_s));
+  const double begin = std::isfinite(first) ? first : robot.from_s;
+  return {std::min(to, std::max(span.from_s, begin)), to};
+}
+
+bool same_cast(const TraceRobot& a, const TraceRobot& b) {
+  return a.id == b.id && a.coordinator == b.coordinator &&
+         std::equal(a.members.begin(), a.members.end(), b.members.begin(), b.members.end(),
+                    [](const TraceMember& one, const TraceMember& other) {
+                      return one.path == other.path && one.plugin == other.plugin &&
+                             one.coordinator == other.coordinator;
+                    });
+}
+
+void walk(const TraceRobot& robot, const TimeSpan& asked,
           const std::function<void(const TraceMoment&)>& see) {
+  const TimeSpan span = within(asked, robot);
   const std::size_t count = robot.members.size();
   std::vector<std::size_t> next(count, 0);  // note of each member that comes next
   std::vector<const TraceNote*> notes(count, nullptr);
@@ -115,7 +139,7 @@ Decider decider(const TraceRobot& robot, int parent, const TraceMoment& moment) 
 RobotAccount account(const TraceRobot& robot, const TimeSpan& span) {
   RobotTally tally(robot);
   walk(robot, span, [&](const TraceMoment& moment) { tally.add(moment); });
-  return tally.finish(span);
+  return tally.finish(within(span, robot));
 }
 
 }  // namespace elsie::traces

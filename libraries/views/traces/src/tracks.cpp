@@ -4,26 +4,25 @@
 #include <utility>
 
 #include "elsie/simulation/simulation.h"
-#include "elsie/traces/sampling.h"
 
 namespace elsie::traces {
 
 void TrackRecorder::started(const simulation::Simulation& simulation) {
   const double step = simulation.world().physics.step;
-  every_ = traces::steps_in(asked_period_s_, step);
-  period_s_ = static_cast<double>(every_) * step;
+  sampling_ = Sampling(static_cast<double>(steps_in(asked_period_s_, step)) * step);
   ids_.clear();
   tracks_.clear();
   collisions_.clear();
   was_placed_.clear();
   replaced(simulation);
   events_ = simulation.events().size();
+  sampling_.is_due(simulation.time_s());
   sample(simulation);
 }
 
 void TrackRecorder::stepped(const simulation::Simulation& simulation) {
   note_placements(simulation);
-  if (simulation.steps() % every_ == 0) {
+  if (sampling_.is_due(simulation.time_s())) {
     sample(simulation);
   }
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
@@ -36,7 +35,6 @@ void TrackRecorder::stepped(const simulation::Simulation& simulation) {
 }
 
 void TrackRecorder::replaced(const simulation::Simulation& simulation) {
-  every_ = traces::steps_in(asked_period_s_, simulation.world().physics.step);
   const std::vector<std::string> ids = std::exchange(ids_, {});
   std::vector<Track> tracks = std::exchange(tracks_, {});
   const std::vector<int> collisions = std::exchange(collisions_, {});
@@ -55,6 +53,9 @@ void TrackRecorder::replaced(const simulation::Simulation& simulation) {
 void TrackRecorder::sample(const simulation::Simulation& simulation) {
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
     Track& track = tracks_[i];
+    if (track.path.empty()) {
+      track.from_s = sampling_.last_s();
+    }
     if (was_placed_[i]) {
       track.placed.push_back(track.path.size());
       was_placed_[i] = false;
@@ -72,7 +73,7 @@ void TrackRecorder::note_placements(const simulation::Simulation& simulation) {
       continue;
     }
     for (std::size_t i = 0; i < simulation.robots(); ++i) {
-      if (simulation.robot(i).description->id == event.robot) {
+      if (simulation.robot(i).description->id == event.robot && !tracks_[i].path.empty()) {
         was_placed_[i] = true;
       }
     }

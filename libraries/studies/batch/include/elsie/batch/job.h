@@ -45,6 +45,7 @@ struct Event {
 /// Texts are JSON, as schema.sql says.
 struct Trajectory {
   std::string robot;
+  double from_s = 0.0;
   double period_s = 0.0;
   std::string poses;
   std::string touches;

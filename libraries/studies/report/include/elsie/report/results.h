@@ -79,7 +79,7 @@ struct Trajectory {
   std::int64_t run = 0;
   std::string robot;
   double period_s = 0.0;
-  /// The first at time 0, the last at the end of the run, less than a period after its predecessor.
+  /// The last is at the end of the run, less than a period after its predecessor.
   std::vector<Pose> poses;
 };
 

@@ -36,6 +36,7 @@ struct RobotTrack {
   std::vector<Vector2> touches;       // where it collided
   std::vector<Pose> segments{};       // poses of its segments; missing ones stand in line
   std::vector<std::size_t> placed{};  // indices of poses to which it did not drive, ascending
+  double from_s = 0.0;                // time of the first pose of the path
 };
 
 /// The parts of the paths to draw. The long paths of many robots hide each other.

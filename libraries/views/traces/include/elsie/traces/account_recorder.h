@@ -23,7 +23,8 @@ class AccountRecorder final : public simulation::Observer {
   void replaced(const simulation::Simulation& simulation) override;
   void ended(const simulation::Simulation& simulation) override;
 
-  /// The robots and their members, as in Trace::robots, but without notes and events.
+  /// The robots and their members, as in Trace::robots, but without notes and events. Those that
+  /// an edit removed or gave other behaviours stay in the list.
   const std::vector<TraceRobot>& robots() const;
   /// One for each of the robots, once the run has ended.
   const std::vector<RobotAccount>& accounts() const;

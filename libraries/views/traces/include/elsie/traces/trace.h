@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -51,13 +52,21 @@ struct TraceEvent {
   std::string detail;
 };
 
+/// A robot with the behaviours that it has for a time. One whose behaviours an edit changes is
+/// another TraceRobot of the same id from then on.
 struct TraceRobot {
   std::string id;
   std::string team;
   std::string coordinator;           // its own, the outermost
   std::vector<TraceMember> members;  // each before those inside it, in file order
   std::vector<TraceEvent> events;
+  /// The time for which it is in the world with these behaviours, s.
+  double from_s = 0.0;
+  double to_s = std::numeric_limits<double>::infinity();
 };
+
+/// Whether both are one robot with the same behaviours under the same coordinators.
+bool same_cast(const TraceRobot& a, const TraceRobot& b);
 
 struct Trace {
   std::string world;       // its name

@@ -21,6 +21,8 @@ struct TimeSpan {
 /// The part of the span that is in the trace; may be empty (from_s == to_s). It begins with the
 /// first decision at the earliest.
 TimeSpan within(const TimeSpan& span, const Trace& trace);
+/// The part of the span for which the robot is there, likewise.
+TimeSpan within(const TimeSpan& span, const TraceRobot& robot);
 
 /// Who decides: a place among the members of a robot, or one of the following.
 using Decider = int;
@@ -38,7 +40,7 @@ struct TraceMoment {
   std::span<const double> shares;
 };
 
-/// Calls `see` for the moments of the span, in order and without gaps.
+/// Calls `see` for the moments of the span while the robot is there, in order and without gaps.
 void walk(const TraceRobot& robot, const TimeSpan& span,
           const std::function<void(const TraceMoment&)>& see);
 

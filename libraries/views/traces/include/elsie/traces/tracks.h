@@ -2,22 +2,23 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "elsie/api/geometry.h"
 #include "elsie/simulation/observer.h"
+#include "elsie/traces/sampling.h"
 
 namespace elsie::traces {
 
 /// The path of one robot.
 struct Track {
-  std::vector<Pose> path;        // a pose per period, the first at the start
+  std::vector<Pose> path;        // a pose per period
   std::vector<Vector2> touches;  // where it was when it collided
   /// Poses that it did not drive to, because a user had moved it since the pose before. Places in
   /// `path`, ascending.
   std::vector<std::size_t> placed{};
+  double from_s = 0.0;  // time of the first pose; later than 0 for a robot that an edit added
 };
 
 /// Keeps the path of every robot.
@@ -33,15 +34,14 @@ class TrackRecorder final : public simulation::Observer {
   /// In the order of the world's robots; without those that an edit removed.
   const std::vector<Track>& tracks() const { return tracks_; }
   /// Time between two poses, s.
-  double period_s() const { return period_s_; }
+  double period_s() const { return sampling_.period_s(); }
 
  private:
   void sample(const simulation::Simulation& simulation);
   void note_placements(const simulation::Simulation& simulation);
 
   double asked_period_s_;
-  double period_s_ = 0.0;
-  std::uint64_t every_ = 1;
+  Sampling sampling_;
   std::vector<std::string> ids_;
   std::vector<Track> tracks_;
   std::vector<int> collisions_;
