@@ -32,7 +32,9 @@ OdeRobot::OdeRobot(dWorldID world, const BodyPlan& plan, const Pose& pose, doubl
   }
   for (const Part& part : plan_.parts) {
     height_ = std::max(height_, part.frame.origin.z + 0.5 * part.shape.size.z);
-    if (can_be_set(part.joint)) joints_.emplace_back();
+    if (!can_be_set(part.joint)) continue;
+    joints_.emplace_back();
+    radii_.push_back(std::holds_alternative<WheelJoint>(part.joint) ? part.shape.radius() : 0.0);
   }
   put(pose, z);
   const Frame frame = standing(pose, z);
@@ -113,13 +115,8 @@ SegmentState OdeRobot::segment(std::size_t segment) const {
 
 double OdeRobot::most_speed(std::span<const JointSetting> settings) const {
   double rim = 0.0;
-  auto setting = settings.begin();
-  for (const Part& part : plan_.parts) {
-    if (!can_be_set(part.joint)) continue;
-    if (std::holds_alternative<WheelJoint>(part.joint)) {
-      rim = std::max(rim, part.shape.radius() * std::abs(setting->rate_rad_s));
-    }
-    ++setting;
+  for (std::size_t i = 0; i < radii_.size(); ++i) {
+    rim = std::max(rim, radii_[i] * std::abs(settings[i].rate_rad_s));
   }
   return lever_ * rim;
 }

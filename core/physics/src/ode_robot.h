@@ -65,6 +65,7 @@ class OdeRobot {
   RobotState state_;
   double height_ = 0.0;
   double lever_ = 1.0;
+  std::vector<double> radii_;  // of the joints that can be set; 0 for one that is no wheel
 };
 
 }  // namespace elsie::physics

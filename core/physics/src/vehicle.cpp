@@ -45,7 +45,7 @@ void place_vehicle(Scene& scene, Scene::Id id, const Shape& shape, const Vector3
     const double side = std::abs(dot(at, frame.left)) + aside;
     half_length = std::max(half_length, front);
     half_width = std::max(half_width, side);
-    radius = std::max(radius, std::hypot(front, side));
+    if (shape.is_round()) radius = std::max(radius, std::hypot(front, side));
     top = std::max(top, 2.0 * wheel.radius);
   }
   const Vector3 half{half_length, half_width, 0.5 * top};

@@ -19,6 +19,10 @@ void Neighbours::place(std::size_t robot, const Vector2& at) {
 }
 
 std::span<const base::Grid::Id> Neighbours::near(const Vector2& place, double reach) const {
+  constexpr std::size_t kFew = 8;
+  if (all_.size() <= kFew) {
+    return all_;
+  }
   const base::Grid::Block block =
       grid_.block(place.x - reach, place.y - reach, place.x + reach, place.y + reach);
   // To look at a few robots takes less time than to look into many cells.
