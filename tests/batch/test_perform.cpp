@@ -97,6 +97,37 @@ TEST_CASE("A record has the way of every robot and who decided when") {
   CHECK(episodes[0]["share"] == 1.0);
 }
 
+TEST_CASE("A record of an edited run has each robot for the time that it was there") {
+  const test::Folder folder;
+  batch::Job job = small_job(folder);
+  job.world_text = R"(<world format="1"><limits time="4"/><arena length="6" width="6"/>
+      <robots><robot id="r1"><behaviors><wander/></behaviors><coordinator>
+      <arbiter_suppression/></coordinator></robot></robots><changes>
+      <change time="1" path="robot[r1]/behavior[+]"><wander id="more" priority="2"/></change>
+      <change time="2.03" path="robot[+]"><robot id="r2" x="1"><behaviors><wander/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator></robot></change>
+      <change time="3" path="robot[r1]/@remove" value="true"/></changes></world>)";
+  job.libraries = {test::plugin_directory() + "/arbiter_suppression.so",
+                   test::plugin_directory() + "/wander.so"};
+  job.trajectory_period_s = 0.1;
+  const batch::RunRecord record = batch::perform(job);
+  CAPTURE(record.message);
+  REQUIRE(record.state == batch::RunState::done);
+  REQUIRE(record.trajectories.size() == 1);
+  CHECK(record.trajectories[0].robot == "r2");
+  CHECK(record.trajectories[0].from_s == Approx(2.1));
+  CHECK(nlohmann::json::parse(record.trajectories[0].poses).size() == 20);
+  REQUIRE(record.timelines.size() == 2);
+  CHECK(record.timelines[0].robot == "r1");
+  const auto episodes = nlohmann::json::parse(record.timelines[0].episodes);
+  CHECK(episodes.back()["to_s"].get<double>() == Approx(3.0).margin(0.05));
+  const auto behaviors = nlohmann::json::parse(record.timelines[0].behaviors);
+  REQUIRE(behaviors.size() == 2);
+  CHECK(behaviors[0]["decided_s"].get<double>() + behaviors[1]["decided_s"].get<double>() ==
+        Approx(3.0).margin(0.05));
+  CHECK(record.timelines[1].robot == "r2");
+}
+
 TEST_CASE("A record has the measures of its world, after those of every run") {
   const test::Folder folder;
   auto experiment = test::small_experiment(folder);

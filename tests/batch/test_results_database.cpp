@@ -280,8 +280,8 @@ TEST_CASE("Files that are no database of results are refused with a sentence, an
   refused(other, "is a database of another program");
   const std::string newer = folder.file("newer.sqlite");
   ResultsDatabase::create(newer, plan);
-  test::rows(newer, "PRAGMA user_version = 3");
-  refused(newer, "has version 3 of the schema, and this program reads version 2");
+  test::rows(newer, "PRAGMA user_version = 4");
+  refused(newer, "has version 4 of the schema, and this program reads version 3");
   CHECK_THROWS_WITH(ResultsDatabase::open(folder.file("none.sqlite")), Contains("there is no"));
   CHECK_THROWS_WITH(ResultsDatabase::create(folder.file("no/r.sqlite"), plan),
                     Contains("there is no folder"));

@@ -176,6 +176,23 @@ TEST_CASE("The path is drawn, paler where it is old") {
   CHECK(image.at(scene.place(0, 0.3)).light());
 }
 
+TEST_CASE("A part of the run is that part of the path of a robot that came later") {
+  Scene scene;
+  scene.add_robot("r", "red", {0, 0, 0});
+  RobotTrack track{"r", {}, {4, 0, 0}, {}, {}};
+  for (int i = 0; i <= 80; ++i) track.path.push_back({-4 + 0.1 * i, 0, 0});
+  track.from_s = 20.0;
+  scene.view.robots = {track};
+  scene.view.path_period_s = 1.0;
+  scene.view.paths = {.from_s = 60.0, .to_s = 80.0};
+  const Bitmap image = scene.image();
+  CHECK(image.at(scene.place(-1, 0)).light());
+  CHECK_FALSE(image.at(scene.place(1.1, 0)).light());
+  CHECK(image.at(scene.place(3, 0)).light());
+  scene.view.paths = {.from_s = 0.0, .to_s = 19.0};  // before it was there
+  CHECK(scene.image().at(scene.place(-1, 0)).light());
+}
+
 TEST_CASE("Between the poses where a robot was put elsewhere there is no line") {
   Scene scene;
   scene.add_robot("r", "red", {0, 0, 0});

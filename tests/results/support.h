@@ -46,7 +46,7 @@ inline std::string made_database(const Folder& folder, const std::string& name =
                                  "INSERT INTO runs (id, cell_id, seed, repetition, state, outcome, "
                                  "ended) VALUES (?, ?, ?, 1, 'done', 'success', 'now')");
   results::sqlite::Statement way(connection,
-                                 "INSERT INTO trajectories VALUES (?, 'r1', 0.1, ?, '[]')");
+                                 "INSERT INTO trajectories VALUES (?, 'r1', 0, 0.1, ?, '[]')");
   results::sqlite::Statement timeline(
       connection, "INSERT INTO timelines VALUES (?, 'r1', '[{\"path\":\"wander\"}]', '[]')");
   for (std::int64_t i = 1; i <= runs; ++i) {

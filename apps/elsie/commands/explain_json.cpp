@@ -98,6 +98,8 @@ std::string json(const Trace& trace, const traces::TimeSpan& span,
   for (const ExplainedRobot& explained : robots) {
     const TraceRobot& robot = *explained.robot;
     Json entry{{"id", robot.id}, {"team", robot.team}, {"coordinator", robot.coordinator}};
+    entry["from_s"] = tidy(explained.account.span.from_s);
+    entry["to_s"] = tidy(explained.account.span.to_s);
     entry["behaviors"] = Json::array();
     for (std::size_t i = 0; i < robot.members.size(); ++i) {
       entry["behaviors"].push_back(member(robot, i, explained.account.members[i]));

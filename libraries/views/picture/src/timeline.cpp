@@ -172,8 +172,12 @@ class Sheet {
     const TextStyle about{.size = kLabel, .ink = kFaintText, .down = Down::top};
     canvas.text(robot.id, {kPageMargin, y}, name);
     const double beside = kPageMargin + canvas.text_width(robot.id, name) + 12;
-    const std::string text = "team " + robot.team + ", " +
-                             (robot.coordinator.empty() ? "no coordinator" : robot.coordinator);
+    std::string text = "team " + robot.team + ", " +
+                       (robot.coordinator.empty() ? "no coordinator" : robot.coordinator);
+    if (account.span.from_s > span_.from_s || account.span.to_s < span_.to_s) {
+      text += ", from " + number_text(account.span.from_s) + " s to " +
+              number_text(account.span.to_s) + " s";
+    }
     canvas.text(canvas.fitted(text, about, width_ - beside - kPageMargin), {beside, y + 1}, about);
     y += kHeadline;
 
