@@ -575,6 +575,27 @@ TEST_CASE("Parameters that were set are set back when the edit is refused") {
   CHECK(run(true) == run(false));
 }
 
+TEST_CASE("What an edit sets has the warnings of the physics, each once") {
+  Simulation simulation(lively(), shipped(), {7});
+  const auto warnings = [&] {
+    std::string texts;
+    for (const simulation::Note& note : simulation.notes()) {
+      texts += note.text.find("warning") != std::string::npos ? note.text + "\n" : "";
+    }
+    return texts;
+  };
+  CHECK(warnings() == "");
+  advance(simulation, 200);
+  simulation.change("physics/@cfm", "0");
+  CHECK_THAT(warnings(), Catch::StartsWith("warning after an edit at 2 s: cfm is 0: "));
+  const std::string first = warnings();
+  simulation.change("arena/@length", "7");
+  CHECK(warnings() == first);
+  simulation.change("robot[r1]/@max_speed", "20");
+  CHECK_THAT(warnings(), Catch::StartsWith(first) &&
+                             Catch::Contains("the robot 'r1' moves up to 0.2 m in a step"));
+}
+
 TEST_CASE("The event of an edit names each robot that its path leads to") {
   Simulation simulation(lively(), shipped(), {7});
   const auto robots = [&](const std::string& path, const std::string& value) {

@@ -97,6 +97,11 @@ void Simulation::Impl::change(std::span<const Change> changes) {
       pending_.push_back(one.text());
     }
     log_events();
+    // Of what is live, the physics warns of speeds only.
+    if (std::any_of(changes.begin(), changes.end(),
+                    [](const Change& one) { return one.path.ends_with("@max_speed"); })) {
+      note_new_warnings(present(), time_s(), said_.notes);
+    }
     return;
   }
   Becoming becoming(*host_, seed_);
@@ -451,6 +456,7 @@ void Simulation::Impl::settle(Becoming& becoming) {
   const Statements& said = becoming.said();
   said_.notes.insert(said_.notes.end(), said.notes.begin(), said.notes.end());
   said_.curves.insert(said_.curves.end(), said.curves.begin(), said.curves.end());
+  note_new_warnings(pending_.empty() ? world_ : present(), time_s(), said_.notes);
   ++renewals_;
   becoming.undo().settle();
 }

@@ -73,6 +73,19 @@ void note_warnings(const world::World& world, std::vector<Note>& notes) {
   }
 }
 
+void note_new_warnings(const world::World& world, double time_s, std::vector<Note>& notes) {
+  for (const world::Warning& warning : world::warnings(world)) {
+    const bool is_known = std::any_of(notes.begin(), notes.end(), [&](const Note& note) {
+      return note.plugin == kPhysicsNotes && note.text.ends_with(": " + warning.message);
+    });
+    if (!is_known) {
+      notes.push_back(
+          {"", kPhysicsNotes,
+           "warning after an edit at " + base::seconds_text(time_s) + ": " + warning.message});
+    }
+  }
+}
+
 void note_give_ups(const world::World& world, const physics::GiveUps& give_ups, std::uint64_t steps,
                    std::vector<Note>& notes) {
   if (give_ups.steps == 0) {

@@ -15,6 +15,8 @@ namespace elsie::simulation {
 
 /// Appends a note for each setting of the world that the physics can hardly keep up with.
 void note_warnings(const world::World& world, std::vector<Note>& notes);
+/// The same after an edit, without those that are noted already.
+void note_new_warnings(const world::World& world, double time_s, std::vector<Note>& notes);
 /// Appends a note if the solver gave up in some of the steps.
 void note_give_ups(const world::World& world, const physics::GiveUps& give_ups, std::uint64_t steps,
                    std::vector<Note>& notes);
