@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -112,6 +113,28 @@ class Noting final : public TwoWheels {
   }
 };
 
+/// Heeds no maximum speed.
+class Racing final : public TwoWheels {};
+
+/// Says that it moves as asked, and moves at half the speed.
+class Boasting final : public TwoWheels {
+ public:
+  Motion command(const Motion& asked, const DriveState& now,
+                 std::span<JointSetting> joints) override {
+    TwoWheels::command(0.5 * asked, now, joints);
+    return asked;
+  }
+};
+
+/// Has an odometry that is no number, once it drives.
+class Lost final : public TwoWheels {
+ public:
+  Motion odometry(std::span<const JointSetting> joints) const override {
+    return joints[0].rate_rad_s > 0.1 ? Motion{std::numeric_limits<double>::infinity()}
+                                      : TwoWheels::odometry(joints);
+  }
+};
+
 class Wider final : public TwoWheels {
   double half_track(const Chassis& chassis) const override { return 2.0 * chassis.half_axle; }
 };
@@ -208,17 +231,28 @@ TEST_CASE("Segments hang behind the last vehicle of a drive") {
   CHECK(simulation.robot(0).distance_m > 0.45);
 }
 
-TEST_CASE("The drive that fails is named") {
-  ScriptedHost scripted([](const Perception&) { return Motion{0.02, 0.0, 0.0}; });
+TEST_CASE("The drive that fails is named, and what is wrong with its answer") {
+  ScriptedHost scripted([](const Perception&) { return Motion{0.8, 0.0, 0.0}; });
   scripted.host.add(declare<Failing>(PluginKind::drive, "failing", "For a test"));
-  world::World world;
-  world.robots.push_back(driven("failing"));
-  Simulation simulation(world, scripted.host);
-  const auto run = [&] {
-    for (int i = 0; i < 10; ++i) simulation.step();
+  scripted.host.add(declare<Racing>(PluginKind::drive, "racing", "For a test"));
+  scripted.host.add(declare<Boasting>(PluginKind::drive, "boasting", "For a test"));
+  scripted.host.add(declare<Lost>(PluginKind::drive, "lost", "For a test"));
+  const auto run = [&](const std::string& drive, double max_speed) {
+    world::World world;
+    world.robots.push_back(driven(drive));
+    world.robots[0].max_speed = max_speed;
+    Simulation simulation(world, scripted.host);
+    for (int i = 0; i < 20; ++i) simulation.step();
   };
-  CHECK_THROWS_WITH(
-      run(), Catch::Contains("plugin 'failing'") && Catch::Contains("numbers that are not finite"));
+  for (const auto& [drive, max_speed, problem] :
+       {std::tuple("failing", 1.0, "command() gives numbers that are not finite"),
+        std::tuple("racing", 0.5, "a wheel rolls at 0.8 m/s, and the most is 0.5 m/s"),
+        std::tuple("boasting", 1.0, "is (0.4 m/s, 0 m/s, 0 rad/s), and command() returned (0.8"),
+        std::tuple("lost", 1.0, "odometry() of the joints that command() set is (inf m/s")}) {
+    CHECK_THROWS_WITH(run(drive, max_speed),
+                      Catch::Contains("plugin '" + std::string(drive)) && Catch::Contains(problem));
+  }
+  CHECK_NOTHROW(run("racing", 1.0));
 }
 
 TEST_CASE("A drive that does not fit its chassis is refused when the simulation is made") {

@@ -544,6 +544,12 @@ class Deep final : public Wheeled {
   double height(const elsie::Chassis& chassis) const override { return 0.5 * chassis.wheel_radius; }
 };
 ELSIE_DRIVE(Deep, "deep", "Has wheels that reach into the floor");
+class Floating final : public Wheeled {
+  double height(const elsie::Chassis& chassis) const override {
+    return 1.01 * chassis.wheel_radius;
+  }
+};
+ELSIE_DRIVE(Floating, "floating", "Has wheels that do not reach the floor");
 class Racing final : public Wheeled {
  public:
   elsie::Motion command(const elsie::Motion& asked, const elsie::DriveState&,

@@ -40,6 +40,7 @@ constexpr PluginKind kDrive = PluginKind::drive;
 
 const Fault kFaults[] = {
     {kDrive, "deep", "The part 'left_wheel' of a robot's body is below the floor."},
+    {kDrive, "floating", "The part 'left_wheel' of a robot's body is in the air"},
     {kDrive, "racing", "m/s, and the most is 0.5 m/s"},
     {kDrive, "boasting", "odometry() of the joints that command() set is"},
     {kDrive, "creeping", "command() for the motion that it returned is"},

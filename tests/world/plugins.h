@@ -1,6 +1,7 @@
 // Plugins made up for the tests, so that these depend on none that is shipped.
 #pragma once
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -43,13 +44,15 @@ class Cart final : public Drive {
   double gauge = 0.0;    // m
   double deeper = 0.0;   // m, below where wheels belong
   bool steered = false;  // by wheels without a limit
+  std::string flaw;      // another one: "twins", "bare" or "no_number"
 
   void build(const Chassis& chassis, BodyPlan& plan) override {
     if (gauge > 5.0) throw std::invalid_argument("that is no cart but a bridge");
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < (flaw == "bare" ? 0 : 4); ++i) {
       WheelJoint joint{.torque = chassis.wheel_torque, .steered = steered};
       if (steered) joint.max_steer_rad = 0.0;
-      plan.parts.push_back({"wheel" + std::to_string(i),
+      if (flaw == "no_number") joint.torque = std::numeric_limits<double>::quiet_NaN();
+      plan.parts.push_back({"wheel" + std::to_string(flaw == "twins" ? 0 : i),
                             PartRole::wheel,
                             Shape::wheel(chassis.wheel_radius, chassis.wheel_width),
                             {.origin = {i < 2 ? 0.1 : -0.1, (i % 2 ? -0.5 : 0.5) * gauge,
@@ -290,7 +293,8 @@ inline plugin::Host make_host() {
       PluginKind::drive, "cart", "Four wheels",
       parameter("gauge", &Cart::gauge, {.unit = "m", .min = 0, .meaning = "between its sides"}),
       parameter("deeper", &Cart::deeper, {.unit = "m", .meaning = "below where wheels belong"}),
-      parameter("steered", &Cart::steered, {.meaning = "without a limit"})));
+      parameter("steered", &Cart::steered, {.meaning = "without a limit"}),
+      parameter("flaw", &Cart::flaw, {.meaning = "that it has"})));
   host.add(declare<Hits>(PluginKind::measure, "hits", "How often robots touched something"));
   host.add(declare<Pick>(PluginKind::coordinator, "pick", "Runs the first behaviour"));
   host.add(declare<Sum>(PluginKind::coordinator, "sum", "Adds the commands",

@@ -119,6 +119,12 @@ std::vector<Part> parts_of(const Segment& d) {
 BodyPlan plan_of(const Chassis& chassis, Drive& drive) {
   BodyPlan plan = unchecked_plan(chassis, drive);
   check(plan);
+  if (std::none_of(plan.parts.begin(), plan.parts.end(),
+                   [](const Part& part) { return can_be_set(part.joint); })) {
+    throw std::invalid_argument(
+        "A drive must have a joint that it can set: a wheel with a motor or with steering, or a "
+        "joint between two vehicles with a motor.");
+  }
   return plan;
 }
 

@@ -111,11 +111,10 @@ void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& pro
   blaming(use, problems, [&] {
     const Chassis chassis = world::chassis_of(description_->body);
     BodyPlan plan = world::plan_of(chassis, *drive_);
+    drive_check_ = world::DriveCheck(plan);
     state_.wheels = drive_->wheels(chassis);
     state_.channels = drive_->channels();
-    const auto settable = std::count_if(plan.parts.begin(), plan.parts.end(),
-                                        [](const Part& part) { return can_be_set(part.joint); });
-    joints_.assign(static_cast<std::size_t>(settable), {});
+    joints_.assign(drive_check_.joints(), {});
     wanted_joints_ = joints_;
     if (description_->drive) driven_ = std::move(plan);
   });
@@ -127,16 +126,22 @@ void Robot::command(const Motion& asked) {
 }
 
 void Robot::carry_out(const Motion& motion) {
-  guard_.run(drive_use(), [&] {
+  const auto command = [&] {
     state_.commanded =
         drive_->command(motion, {joints_, state_.max_speed_m_s, period_s_}, wanted_joints_);
+  };
+  if (!description_->drive) {  // the core's own drive needs no guard
+    command();
+    if (!state_.commanded.is_finite()) {
+      guard_.fail(drive_use(), "command() gives numbers that are not finite");
+    }
+    return;
+  }
+  const std::string problem = guard_.run(drive_use(), [&] {
+    command();
+    return drive_check_.problem(*drive_, state_.commanded, state_.max_speed_m_s, wanted_joints_);
   });
-  const bool is_finite =
-      state_.commanded.is_finite() &&
-      std::all_of(wanted_joints_.begin(), wanted_joints_.end(), [](const JointSetting& joint) {
-        return std::isfinite(joint.rate_rad_s + joint.angle_rad + joint.turn_rad_s);
-      });
-  if (!is_finite) guard_.fail(drive_use(), "command() gives numbers that are not finite");
+  if (!problem.empty()) guard_.fail(drive_use(), problem);
 }
 
 /// What may have changed since.
@@ -388,6 +393,9 @@ void Robot::set_body(const physics::RobotState& state, std::span<const JointSett
       turret = drive_->turret(joints_);
       state_.odometry = drive_->odometry(joints_);
     });
+    if (!state_.odometry.is_finite() || !std::isfinite(turret.angle_rad + turret.turn_rad_s)) {
+      guard_.fail(drive_use(), "odometry() or turret() gives numbers that are not finite");
+    }
   } else {  // the core's own drive needs no guard
     state_.odometry = drive_->odometry(joints_);
   }

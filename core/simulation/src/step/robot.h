@@ -17,6 +17,7 @@
 #include "elsie/plugin/host.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/description.h"
+#include "elsie/world/drive_check.h"
 
 #include "changes/tuning.h"
 #include "plugins/guard.h"
@@ -210,7 +211,8 @@ class Robot final : private Wishes {
   BodyPlan driven_;
   std::vector<JointSetting> joints_;         // measured
   std::vector<JointSetting> wanted_joints_;  // as many
-  double period_s_ = 0.01;                   // of the last decision
+  world::DriveCheck drive_check_;
+  double period_s_ = 0.01;  // of the last decision
 
   std::vector<std::shared_ptr<SensorSlot>> sensors_;
   std::unique_ptr<Controller> controller_;
