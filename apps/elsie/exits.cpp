@@ -8,15 +8,15 @@
 
 extern "C" {
 
-[[noreturn, gnu::visibility("default")]] void _exit(int exit_code) {
+__attribute__((noreturn, visibility("default"))) void _exit(int exit_code) {
   elsie::process::report_exit("_exit()", exit_code, __builtin_return_address(0));
 }
 
-[[noreturn, gnu::visibility("default")]] void _Exit(int exit_code) noexcept {
+__attribute__((noreturn, visibility("default"))) void _Exit(int exit_code) noexcept {
   elsie::process::report_exit("_Exit()", exit_code, __builtin_return_address(0));
 }
 
-[[noreturn, gnu::visibility("default")]] void quick_exit(int exit_code) noexcept {
+__attribute__((noreturn, visibility("default"))) void quick_exit(int exit_code) noexcept {
   elsie::process::report_exit("quick_exit()", exit_code, __builtin_return_address(0));
 }
 }

@@ -131,4 +131,6 @@ int work(int argc, char** argv) {
 
 }  // namespace elsie::program
 
+// An exception here ends the program with a report of a crash.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) { elsie::program::perform(argc, argv); }

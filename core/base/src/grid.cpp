@@ -24,7 +24,7 @@ Grid::Grid(double length, double width)
 void Grid::insert(Id id, const Block& block) {
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
-      cells_[static_cast<std::size_t>(y * columns_ + x)].push_back(id);
+      cells_[index(x, y)].push_back(id);
     }
   }
 }
@@ -32,7 +32,7 @@ void Grid::insert(Id id, const Block& block) {
 void Grid::erase(Id id, const Block& block) {
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
-      std::erase(cells_[static_cast<std::size_t>(y * columns_ + x)], id);
+      std::erase(cells_[index(x, y)], id);
     }
   }
 }

@@ -30,7 +30,7 @@ constexpr unsigned kMachine = EM_AARCH64;
 constexpr std::string_view kOwner{ELSIE_ABI_NOTE_OWNER, sizeof(ELSIE_ABI_NOTE_OWNER)};  // with NUL
 constexpr std::size_t kLongestWord = 4096;
 constexpr std::size_t kMostSegments = 1024;
-constexpr std::size_t kMostNoteBytes = 64 * 1024;
+constexpr std::size_t kMostNoteBytes = 65'536;
 
 /// Random access to the bytes of a file. It is not mapped into memory: a file that shrinks
 /// meanwhile would kill the program.

@@ -72,9 +72,8 @@ bool Behavior::take_over(Behavior& before) {
 }
 
 void Behavior::equip(const Situation& example) {
-  const Situation copy = example;  // `example` may be example_ itself
-  object_->equipped(copy.perception());
-  example_ = copy;
+  object_->equipped(example.perception());
+  example_ = example;
 }
 
 void Behavior::set(const Settings& settings) {

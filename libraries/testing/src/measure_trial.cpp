@@ -84,7 +84,8 @@ class MeasureTrial final : public Trial {
   void show(std::size_t step) {
     const auto& instants = input_.watched;
     const std::size_t count = instants.size() - 1;  // the first is the start
-    const auto laps = static_cast<double>(step / count);
+    const std::size_t whole_laps = step / count;
+    const auto laps = static_cast<double>(whole_laps);
     now_ = instants[1 + step % count];
     const Observation& last = instants.back().observation();
     for (const ObservedRobot& total : last.robots) {

@@ -3,6 +3,7 @@
 #include <malloc.h>
 
 // Exists with the address sanitizer, which has its own allocator.
+// NOLINTNEXTLINE(bugprone-reserved-identifier, readability-identifier-naming)
 extern "C" __attribute__((weak)) std::size_t __sanitizer_get_current_allocated_bytes();
 
 namespace elsie::testing {

@@ -99,7 +99,8 @@ class SensorTrial final : public Trial {
       return Trial::run_length();
     }
     // Pictures take a long time.
-    const auto pixels = static_cast<std::size_t>(camera_->width * camera_->height);
+    const auto pixels =
+        static_cast<std::size_t>(camera_->width) * static_cast<std::size_t>(camera_->height);
     return std::clamp<std::size_t>(400'000 / pixels, 10, Trial::run_length());
   }
 

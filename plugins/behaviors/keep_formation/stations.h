@@ -13,7 +13,7 @@
 ///   diamond  1 and 2 one spacing back to the left and right, 3 two back in the middle; each three
 ///            more another diamond behind
 inline elsie::Vector2 station(const std::string& formation, int slot, double spacing_m) {
-  const double pair = (slot + 1) / 2;
+  const int pair = (slot + 1) / 2;
   const double side = slot % 2 == 1 ? 1.0 : -1.0;
   if (formation == "line") {
     return {0.0, side * pair * spacing_m};
@@ -24,7 +24,7 @@ inline elsie::Vector2 station(const std::string& formation, int slot, double spa
   if (formation == "wedge") {
     return {-pair * spacing_m, side * pair * spacing_m};
   }
-  const double diamonds_ahead = (slot - 1) / 3;
+  const int diamonds_ahead = (slot - 1) / 3;
   const int place = (slot - 1) % 3;
   const double back = 2.0 * diamonds_ahead + (place == 2 ? 2.0 : 1.0);
   return {-back * spacing_m, place == 2 ? 0.0 : (place == 0 ? 1.0 : -1.0) * spacing_m};

@@ -9,6 +9,7 @@
 #include "elsie/base/number_text.h"
 
 // Of the address sanitizer, which has an allocator of its own; null without it.
+// NOLINTNEXTLINE(bugprone-reserved-identifier, readability-identifier-naming)
 extern "C" __attribute__((weak)) std::size_t __sanitizer_get_current_allocated_bytes();
 
 namespace elsie::simulation {

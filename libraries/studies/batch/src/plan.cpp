@@ -205,7 +205,7 @@ class Planner {
       if (file.name.empty()) {
         const auto declaration =
             std::find_if(declared.begin(), declared.end(),
-                         [&](const auto& other) { return other.name == parameter; });
+                         [&name = parameter](const auto& other) { return other.name == name; });
         file.name = std::get<std::string>(declaration->default_value);
       }
       if (names.paths.try_emplace(file.name, file.path).first->second != file.path) {

@@ -133,7 +133,7 @@ void handle_signals() {
 
 std::string standard_input() {
   std::string text;
-  std::array<char, 64 * 1024> buffer;
+  std::array<char, 65'536> buffer;
   for (;;) {
     const ssize_t size = read(STDIN_FILENO, buffer.data(), buffer.size());
     if (size > 0) {

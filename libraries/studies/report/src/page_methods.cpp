@@ -16,6 +16,7 @@ std::string row(const std::string& name, const std::string& value) {
 
 std::vector<std::string> notes() {
   return {
+      // NOLINTNEXTLINE(bugprone-suspicious-missing-comma)
       "A cell\xe2\x80\x99s sample has one run for each seed; repetitions of a seed are compared, "
       "not counted again.",
       "Runs that ended abnormally count as not successful; means, quartiles and boxes "

@@ -10,14 +10,16 @@ constexpr Ink kTogetherInk = hex(0xb4bac1);
 
 /// The nth colour; after the palette, the same colours lighter and slightly turned.
 Ink nth_ink(std::size_t index) {
-  const auto round = static_cast<double>(index / kSeriesInks);
+  const std::size_t rounds = index / kSeriesInks;
+  const auto round = static_cast<double>(rounds);
   const Ink base = series_ink(index);
   return round == 0.0 ? base : shifted(base, 0.13 * round, 0.3 * round);
 }
 
 /// The nth shade of a behaviour's colour, alternating between its two sides.
 Ink shade(const Ink& base, std::size_t index) {
-  const double step = 0.42 * static_cast<double>(index / 2 + 1);
+  const std::size_t level = index / 2 + 1;
+  const double step = 0.42 * static_cast<double>(level);
   return shifted(base, index % 2 == 0 ? 0.10 : -0.04, index % 2 == 0 ? step : -step);
 }
 

@@ -38,7 +38,7 @@ std::atomic<int> status_of_crash{0};
 std::atomic<pid_t> own_process{0};  // not that of its children
 std::atomic<int> crash_signal{0};
 
-constexpr std::size_t kStackSize = 256 * 1024;
+constexpr std::size_t kStackSize = 262'144;
 
 struct Crash {
   int signal;

@@ -30,10 +30,7 @@ class Grid {
   void insert(Id id, const Block& block);
   void erase(Id id, const Block& block);
 
-  std::span<const Id> cell(int x, int y) const {
-    return cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
-                  static_cast<std::size_t>(x)];
-  }
+  std::span<const Id> cell(int x, int y) const { return cells_[index(x, y)]; }
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   int column(double x) const { return clamped((x - left_) * per_cell_, columns_); }
@@ -43,6 +40,10 @@ class Grid {
   double row_border(int i) const { return bottom_ + i * cell_size_; }
 
  private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(x);
+  }
   static int clamped(double place, int count) {
     // In this order a place that is not a number lands in the first cell.
     if (!(place > 0.0)) return 0;

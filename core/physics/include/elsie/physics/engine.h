@@ -30,7 +30,7 @@ struct Body {
   BodyKind kind = BodyKind::wall;
   std::size_t index = 0;  // among its kind
 
-  friend auto operator<=>(const Body&, const Body&) = default;
+  friend auto operator<=>(const Body&, const Body&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// The state of a robot's body.

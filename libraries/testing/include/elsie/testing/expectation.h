@@ -27,7 +27,9 @@ class Expectation {
 
   // Catch2 knows a matcher by these two functions.
   bool match(const Response& response) const { return test_(response); }
-  std::string toString() const { return "should " + says_; }
+  std::string toString() const {  // NOLINT(readability-identifier-naming)
+    return "should " + says_;
+  }
 
   friend Expectation operator&&(const Expectation& a, const Expectation& b);
   friend Expectation operator||(const Expectation& a, const Expectation& b);

@@ -40,9 +40,9 @@ class Situation {
     return reading(std::move(value), Mounting{{}, radians(azimuth_deg), 0.0});
   }
   template <class Reading>
-  Situation& reading(Reading value, const Mounting& mounting, std::string sensor = "") {
+  Situation& reading(Reading value, const Mounting& mounting, const std::string& sensor = "") {
     return sensed(ReadingKind::of<Reading>(), std::make_shared<const Reading>(std::move(value)),
-                  mounting, std::move(sensor));
+                  mounting, sensor);
   }
   /// The same without its type. `kind.name` must remain valid.
   Situation& sensed(const ReadingKind& kind, std::shared_ptr<const void> value,

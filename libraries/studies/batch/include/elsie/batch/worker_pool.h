@@ -21,7 +21,7 @@ namespace elsie::batch {
 /// The descriptor to which a worker writes its answer.
 inline constexpr int kResultDescriptor = 3;
 /// The number of bytes kept of a worker's output.
-inline constexpr std::size_t kLogTail = 16 * 1024;
+inline constexpr std::size_t kLogTail = 16'384;
 
 struct PoolOptions {
   /// The program of a worker with its arguments. It begins with SIGTERM blocked, until it can

@@ -31,7 +31,7 @@ class RecordFile final : private base::EmergencyWriter {
   void close();
 
  private:
-  static constexpr std::size_t kFull = 8 * 1024;
+  static constexpr std::size_t kFull = 8'192;
 
   bool write_now() noexcept override;
 
