@@ -52,6 +52,8 @@ TEST_CASE("The detail of a change is read back") {
     CHECK_FALSE(events::Changed::from(other));
   }
   CHECK(events::Changed{"robot[r1]", "x", "3"}.moves_robot());
+  CHECK(events::Changed{"robot[r1]", "", "<robot x=\"3\"/>"}.moves_robot());
+  CHECK_FALSE(events::Changed{"robot[r1]/drive", "", "<car/>"}.moves_robot());
   CHECK_FALSE(events::Changed{"robot[r1]", "heading_deg", "3"}.moves_robot());
   CHECK_FALSE(events::Changed{"robot[r1]/sensor[a]", "x", "3"}.moves_robot());
 }

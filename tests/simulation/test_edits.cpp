@@ -575,6 +575,23 @@ TEST_CASE("Parameters that were set are set back when the edit is refused") {
   CHECK(run(true) == run(false));
 }
 
+TEST_CASE("A refused edit of a drive leaves the drive and its limits") {
+  Simulation simulation = of("<arena length=\"6\" width=\"6\"/>",
+                             "<drive><mecanum/></drive><behaviors><wander/></behaviors>"
+                             "<coordinator><arbiter_suppression/></coordinator>");
+  advance(simulation, 300);
+  const Pose pose = simulation.robot(0).state->pose;
+  REQUIRE(std::abs(pose.x) > 0.3);
+  CHECK_THAT(why_not([&] {
+               simulation.change(std::vector<simulation::Change>{
+                   {"robot[r1]/drive", "<car/>"},
+                   {"obstacle[+]", "<static_box id=\"b\" x=\"" + std::to_string(pose.x) +
+                                       "\" y=\"" + std::to_string(pose.y) + "\"/>"}});
+             }),
+             Catch::Contains("'b'"));
+  CHECK_NOTHROW(advance(simulation, 100));
+}
+
 TEST_CASE("What an edit sets has the warnings of the physics, each once") {
   Simulation simulation(lively(), shipped(), {7});
   const auto warnings = [&] {

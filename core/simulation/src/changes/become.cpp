@@ -285,6 +285,7 @@ void Robot::become(const world::Robot& was, const world::Robot& next, const Memb
   undo.keep(body_frame_);
   undo.keep(joints_);
   undo.keep(wanted_joints_);
+  undo.keep(drive_check_);
   description_ = &next;
   tuning_.settle();
   guard_.forget();

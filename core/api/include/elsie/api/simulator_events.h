@@ -76,7 +76,8 @@ struct Changed {
   static std::optional<Changed> from(std::string_view detail);
   /// Whether it puts the robot at another place.
   bool moves_robot() const {
-    return element.find('/') == std::string::npos && (attribute == "x" || attribute == "y");
+    return element.find('/') == std::string::npos &&
+           (attribute.empty() || attribute == "x" || attribute == "y");
   }
 };
 
