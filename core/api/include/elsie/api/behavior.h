@@ -74,9 +74,9 @@ class Coordination {
 
 class Behavior : public Component {
  public:
-  /// Called after configured(), when the robot is complete, and again after a change of parameters
-  /// while a run goes on: `example` has every reading that the robot will ever have, with values
-  /// that mean nothing. What never changes is true
+  /// Called after configured(), when the robot is complete, and again while a run goes on, after a
+  /// change of parameters or an edit of the robot: what is remembered should last then. `example`
+  /// has every reading that the robot has, with values that mean nothing. What the robot is counts
   /// already: the body's measures, the team, whether it has a charger. Throw
   /// (std::invalid_argument, with a sentence) when the parameters do not fit the sensors.
   virtual void equipped(const Perception& example);

@@ -99,8 +99,8 @@ class Member {
 
 class Coordinator : public Component {
  public:
-  /// Called after configured(), when the robot is complete; see Behavior::equipped(). Do not
-  /// ask the members here.
+  /// Called after configured(), when the robot is complete, and again when there are other members;
+  /// see Behavior::equipped(). Do not ask the members here.
   virtual void equipped(std::span<const Member> members, const Perception& example);
 
   /// The command for this control period. `members` is in file order and may be empty: answer zero

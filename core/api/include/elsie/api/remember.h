@@ -116,9 +116,10 @@ class Memory {
 class Remembers {
  public:
   /// Names every member that should outlive a replacement. Called between two steps: on the old
-  /// object; then on the new one, which was configured, equipped and reset before. May throw
-  /// (std::invalid_argument, with a sentence) when it cannot use what it reads: the old object goes
-  /// on then.
+  /// object; then on the new one, which was configured, equipped and reset before. Where an edit
+  /// has an object equipped again, both are the same. May throw (std::invalid_argument, with a
+  /// sentence) when it cannot use what it reads: the old object goes on then, or the edit is
+  /// refused.
   virtual void remember(Memory& memory) = 0;
 
  protected:
