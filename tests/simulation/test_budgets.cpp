@@ -78,3 +78,22 @@ TEST_CASE("A leak meets the memory budget; what is freed or replaced does not") 
   simulation.reset();
   CHECK_NOTHROW(simulation.run());
 }
+
+TEST_CASE("An edit that is refused does not hide a leak") {
+  std::vector<std::vector<char>> kept;
+  kept.reserve(1000);
+  ScriptedHost scripted([&](const Perception&) {
+    kept.emplace_back(1000);
+    return Response();
+  });
+  Simulation simulation(one_robot(), scripted.host, with({.time_s = 0.0, .memory = 20'000}));
+  const auto run = [&] {
+    for (int step = 0; step < 60; ++step) {
+      // A wall through the robot.
+      CHECK_THROWS_AS(simulation.change("obstacle[+]", "<static_box length=\"1\"/>"),
+                      simulation::ChangeRefused);
+      simulation.step();
+    }
+  };
+  CHECK_THROWS_AS(run(), PluginFault);
+}

@@ -288,7 +288,7 @@ void Robot::become(const world::Robot& was, const world::Robot& next, const Memb
   undo.keep(drive_check_);
   description_ = &next;
   tuning_.settle();
-  guard_.forget();
+  guard_.forget(undo);
   take_membership(membership);
   state_.energy = std::min(state_.energy, state_.capacity);
   drive_use_.location = next.location;

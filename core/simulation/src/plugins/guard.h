@@ -17,6 +17,8 @@
 #include "elsie/world/description.h"
 #include "elsie/world/error.h"
 
+#include "changes/undo.h"
+
 namespace elsie::simulation {
 
 /// What is allocated on the heap of the process, bytes. Takes a microsecond or so.
@@ -90,8 +92,11 @@ class Guard {
   void list_notes(std::vector<Note>& notes) const;
   /// The object is another one now.
   void forget(const world::PluginUse& use) { held_.erase(&use); }
-  /// The same of all.
-  void forget() { held_.clear(); }
+  /// The same of all; puts back what they held if that is undone.
+  void forget(Undo& undo) {
+    undo.keep(held_);
+    held_.clear();
+  }
   /// As if there had been no fault: what failed is undone.
   void forgive() { fault_.reset(); }
 
