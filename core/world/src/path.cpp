@@ -365,6 +365,17 @@ Path parse_path(std::string_view text) {
   }
 }
 
+namespace {
+
+// How an element that is missing is added, if the path is that of an element.
+std::string way_to_add(const Path& path, const PathStep& step) {
+  return path.attribute.empty() && &step == &path.steps.back() && step.key.empty()
+             ? "; to add one, write " + step.name + "[+] in the path"
+             : "";
+}
+
+}  // namespace
+
 std::vector<Place> find_places(Element& world, const Path& path) {
   std::vector<Place> places{{&world, &vocabulary()}};
   for (const PathStep& step : path.steps) {
@@ -386,7 +397,8 @@ std::vector<Place> find_places(Element& world, const Path& path) {
       const auto names = names_at(places.front());
       const bool known = std::find(names.begin(), names.end(), step.name) != names.end();
       refuse("there is no '" + step.name + "' in <" + places.front().element->name + ">" +
-             (known ? " of this world" : base::near_or_all(step.name, names, "there are")));
+             (known ? " of this world" + way_to_add(path, step)
+                    : base::near_or_all(step.name, names, "there are")));
     }
     places = std::move(next);
   }

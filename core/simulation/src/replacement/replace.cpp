@@ -113,11 +113,11 @@ void Robot::replace(Swap& swap, SensorSlot& slot, const Cameras& cameras) {
   if (kind != slot.object->kind().name) {
     refuse("it makes readings of the kind '" + std::string(slot.object->kind().name) +
            "' now, and made some of the kind '" + kind +
-           "' before, which is settled before a run; run the world anew");
+           "' before; replace its element by an edit, or run the world anew");
   }
   if (slot.camera.has_value() != before.has_value()) {
     refuse("it would " + std::string(before ? "cease" : "begin") +
-           " to look through a camera; whether it does is settled before a run");
+           " to look through a camera; replace its element by an edit, or run the world anew");
   }
   if (const auto problem = slot.camera ? cameras.problem_of(*slot.camera) : std::nullopt) {
     refuse(*problem);
@@ -141,9 +141,10 @@ void Robot::replace_drive(Swap& swap) {
     state_.channels = drive_->channels();
   });
   if (!same_body(plan, world::driven_plan(*description_))) {
-    Swap::refuse(description_->id, "drive",
-                 "it would build another body now, which is settled before a run; run the world "
-                 "anew");
+    Swap::refuse(
+        description_->id, "drive",
+        "it would build another body now; replace its element by an edit, or run the world "
+        "anew");
   }
 }
 

@@ -71,7 +71,7 @@ const Declaration* Swap::checked(PluginKind kind, const world::PluginUse& use,
   if (static_cast<bool>(fresh->hold) != static_cast<bool>(before.hold)) {
     refuse(robot_, path,
            std::string(fresh->hold ? "it holds behaviours now" : "it no longer holds behaviours") +
-               ", which is settled before a run; run the world anew");
+               "; replace its element by an edit, or run the world anew");
   }
   return fresh;
 }

@@ -72,7 +72,8 @@ std::string table_of(const std::vector<ParameterDeclaration>& parameters) {
     const world::Field field = world::field_of(parameter);
     text += table_row({"`" + field.name + "`", type_in_words(field.type), field.facts.unit,
                        default_text(field), range_in_words(field),
-                       field.facts.meaning + (field.is_live() ? "" : "; settled before a run")});
+                       field.facts.meaning +
+                           (field.is_live() ? "" : "; an edit in a run makes the plugin anew")});
   }
   return text;
 }
