@@ -137,7 +137,7 @@ TEST_CASE("What is set while a world runs is a change of the cell's world") {
       "value='0.1'/></at></world></worlds>"
       "<at time='1'><set path='robot[r1]/@coverage' value='2'/><set path='obstacle[+]'>"
       "<static_box id='wall' x='2'/></set></at>"
-      "<vary name='fate'><level label='none'/><level label='lost'><at time='2.5'>"
+      "<vary name='fate'><level label='none'/><level label='lost'><at time='3.5'>"
       "<set path='robot[r1]/@remove' value='true'/></at></level></vary>");
   const auto changes_of = [&](std::size_t cell) {
     Texts texts;
@@ -150,7 +150,7 @@ TEST_CASE("What is set while a world runs is a change of the cell's world") {
   CHECK(changes_of(0) == Texts{"1.0 robot[r1]/@coverage=2",
                                "1.0 obstacle[+]=<static_box id=\"wall\" x=\"2\"/>",
                                "3.0 robot[r1]/@max_speed=0.1"});
-  CHECK(changes_of(1).back() == "2.5 robot[r1]/@remove=true");
+  CHECK(changes_of(1).back() == "3.5 robot[r1]/@remove=true");
   CHECK(experiment::cells(e)[1].overrides.empty());
 }
 

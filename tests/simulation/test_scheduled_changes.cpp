@@ -5,6 +5,7 @@
 #include "elsie/recording/mcap_recorder.h"
 #include "elsie/recording/recorded_run.h"
 #include "elsie/traces/trace.h"
+#include "elsie/world/reader.h"
 
 #include "change_support.h"
 #include "wheels.h"
@@ -187,4 +188,128 @@ TEST_CASE("Recordings tell what was changed, and observers see the start as it i
   REQUIRE(trace.robots.at(0).events.size() == 2);
   CHECK(trace.robots[0].events[0].detail == "robot[r1]/@x=-2");
   CHECK(trace.robots[0].events[1].detail == "robot[r1]/@max_speed=0.05");
+}
+
+namespace {
+
+/// A robot that stands, in a world with this in it.
+Simulation standing(const std::string& content, std::optional<double> duration = {}) {
+  return Simulation(world::parse_world("<world format=\"1\"><robots><robot id=\"r1\"/></robots>" +
+                                           content + "</world>",
+                                       "small.xml", shipped()),
+                    shipped(), {.time_limit_s = duration});
+}
+
+}  // namespace
+
+TEST_CASE("After an edit of the step the later edits are made at their own times") {
+  Simulation simulation = standing("<limits time=\"2\"/>");
+  simulation.run({}, std::vector<TimedChange>{{1.0, {"physics/@step", "0.001"}},
+                                              {1.508, {"robot[r1]/@max_speed", "0.2"}},
+                                              {1.502, {"robot[r1]/@max_speed", "0.1"}}});
+  CHECK(events_of(simulation) ==
+        std::vector<std::string>{"1 changed physics/@step=0.001",
+                                 "1.502 changed robot[r1]/@max_speed=0.1",
+                                 "1.508 changed robot[r1]/@max_speed=0.2"});
+}
+
+TEST_CASE("A time is checked against the limit that earlier edits leave") {
+  const TimedChange late{3.0, {"robot[r1]/@max_speed", "0.2"}};
+  CHECK(standing("<limits time=\"2\"/>")
+            .run({}, std::vector<TimedChange>{late, {1.0, {"limits/@time", "4"}}})
+            .simulated_s == Approx(4));
+  Simulation cut = standing("<limits time=\"4\"/>");
+  CHECK(why_not([&] {
+          cut.check(std::vector<TimedChange>{late, {1.0, {"limits/@time", "2"}}});
+        }) ==
+        "robot[r1]/@max_speed=0.2: its time is 3 s, but the run begins at 0 and ends after "
+        "2 s at the latest; expected a time in between, before the last step begins");
+}
+
+TEST_CASE("A run that was given a duration keeps it, and says so") {
+  const RunResult result = standing("<limits time=\"4\"/>", 2.0)
+                               .run({}, std::vector<TimedChange>{{1.0, {"limits/@time", "3"}}});
+  CHECK(result.simulated_s == Approx(2));
+  REQUIRE(result.notes.size() == 1);
+  CHECK(result.notes[0].plugin == "limits");
+  CHECK(result.notes[0].text ==
+        "An edit at 1 s gives limits/@time another value, but this run ends after 2 s at the "
+        "latest: it was given that duration.");
+}
+
+TEST_CASE("A world's own edits after the end of its run are not made, which a note says") {
+  Simulation simulation = standing(
+      "<limits time=\"20\"/><changes><change time=\"1\" path=\"robot[r1]/@max_speed\" "
+      "value=\"0.2\"/><change time=\"9\" path=\"robot[r1]/@max_speed\" value=\"0.3\"/></changes>",
+      2.0);
+  const RunResult result = simulation.run();
+  CHECK(events_of(simulation) == std::vector<std::string>{"1 changed robot[r1]/@max_speed=0.2"});
+  REQUIRE(result.notes.size() == 1);
+  CHECK(result.notes[0].text ==
+        "The edits at 9 s are not made: the run ends after 2 s at the latest.");
+}
+
+TEST_CASE("A battery that an edit makes smaller holds less, whatever the robot began with") {
+  Simulation simulation = standing("<limits time=\"4\"/>");
+  const RunResult result =
+      simulation.run({}, std::vector<TimedChange>{{1.0, {"robot[r1]/@energy", "3000"}},
+                                                  {2.0, {"robot[r1]/@battery", "2000"}}});
+  CHECK(result.robots[0].energy == 2000);
+}
+
+TEST_CASE("A world's own edits are checked when it is read, all of them, each at its line") {
+  world::ReadOptions options;
+  options.check_plugins = true;
+  std::string problems;
+  try {
+    world::parse_world(
+        "<world format=\"1\"><robots><robot id=\"r1\"/></robots>\n<changes>\n"
+        "<change time=\"3\" path=\"robot[r9]/@x\" value=\"1\"/>\n"
+        "<change time=\"2\" path=\"obstacle[+]\"><static_box id=\"a\" x=\"1\"/></change>\n"
+        "<change time=\"1\" path=\"robot[r1]/@max_speed\" value=\"fast\"/>\n"
+        "<change time=\"4\" path=\"obstacle[+]\"><static_box id=\"a\" x=\"2\"/></change>\n"
+        "</changes></world>",
+        "small.xml", shipped(), options);
+  } catch (const world::WorldError& error) {
+    problems = error.what();
+  }
+  CHECK(problems ==
+        "small.xml:3: at 3 s, robot[r9]/@x=1: there is no robot[r9]; there are: r1\n"
+        "small.xml:5: at 1 s, robot[r1]/@max_speed=fast: max_speed=\"fast\" of <robot>: expected a "
+        "number at least 0 and at most 100 m/s\n"
+        "small.xml:6: at 4 s, obstacle[+]=<static_box id=\"a\" x=\"2\"/>: a second box with the id "
+        "'a'; the first is there already");
+}
+
+TEST_CASE("The world of the start with a run's edits gives the same run") {
+  const std::vector<TimedChange> edits{
+      {0.0, {"obstacle[+]", "<static_box id=\"a\" x=\"2\" y=\"2\"/>"}},
+      {1.0, {"robot[*]/@max_speed", "0.2"}},
+      {2.0, {"robot[+]", "<robot id=\"late\" x=\"-2\" y=\"-2\"/>"}},
+      {3.0, {"robot[r2]/@remove", "true"}},
+      {4.0, {"physics/@step", "0.005"}}};
+  world::ReadOptions options;
+  options.data_directories = {source_path("")};
+  world::World world = world::read_world(source_path("worlds/ten_robots.xml"), shipped(), options);
+  Simulation first(std::move(world), shipped(),
+                   {.seed = 3, .data_directories = options.data_directories, .time_limit_s = 6.0});
+  const std::uint64_t hash = first.run({}, edits).state_hash;
+  Simulation again(first.start(), shipped(),
+                   {.seed = 3, .data_directories = options.data_directories, .time_limit_s = 6.0});
+  CHECK(again.run().state_hash == hash);
+}
+
+TEST_CASE("A goal of time, way or touches that an edit brings counts from then on") {
+  ScriptedHost scripted([](const Perception&) { return wheels(10, 10); });
+  world::World world;
+  world.limits.time = 20;
+  world.arena.length = 20;
+  world.robots = {robot("r1", -4, 0, 0, behavior("scripted"))};
+  const auto ends = [&](const std::string& goal) {
+    Simulation simulation(world, scripted.host);
+    return simulation.run({}, std::vector<TimedChange>{{3.0, {"goal[+]", goal}}}).simulated_s;
+  };
+  CHECK(ends("<endure time=\"4\"/>") == Approx(7));
+  const double speed = Simulation(world, scripted.host).run().robots[0].distance_m / 20;
+  CHECK(ends("<travel robot=\"r1\" distance=\"1\"/>") == Approx(3 + 1 / speed).margin(0.1));
 }

@@ -59,7 +59,7 @@ std::string damaged(unsigned seed, const std::string& text) {
 TEST_CASE("A damaged world is read or refused") {
   const std::string original = text_of(kFolder + "data/everything.xml");
   int accepted = 0;
-  for (unsigned seed = 0; seed < 4000; ++seed) {
+  for (unsigned seed = 0; seed < 5000; ++seed) {
     const std::string text = damaged(seed, original);
     CAPTURE(seed);
     try {

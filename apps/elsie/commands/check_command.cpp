@@ -35,7 +35,13 @@ std::string check_world(const std::string& file, const plugin::Host& host,
                         const CheckOptions& options) {
   const world::World world = world::read_world(file, host, read_options(options.overrides));
   // This asks the plugins whether they fit their robots.
-  const simulation::Simulation simulation(world, host, {.cameras = render::world_cameras});
+  const simulation::Simulation simulation(
+      world, host, {.data_directories = data_directories(), .cameras = render::world_cameras});
+  try {
+    simulation.check({});
+  } catch (const simulation::ChangeRefused& refused) {
+    throw BadInput(refused.from() + ": " + refused.what());
+  }
   for (const world::Warning& warning : world::warnings(world)) {
     std::cerr << warning.text() << '\n';
   }

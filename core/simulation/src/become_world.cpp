@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "elsie/base/number_text.h"
+#include "elsie/world/ahead.h"
 #include "elsie/world/attributes.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/same.h"
@@ -77,9 +78,9 @@ std::string text_of(std::span<const Change> edits) {
 }
 
 /// What is wrong with a description that was edited.
-std::string problem_of(const std::vector<base::Problem>& problems) {
+std::string problem_of(const std::vector<base::Problem>& problems, const std::string& file) {
   const std::size_t more = problems.size() - 1;
-  return problems.front().message +
+  return world::without_lines(problems.front().message, file) +
          (more == 0 ? ""
                     : "; there " + std::string(more == 1 ? "is " : "are ") + std::to_string(more) +
                           " more such problem" + (more == 1 ? "" : "s"));
@@ -112,7 +113,7 @@ void Simulation::Impl::change(std::span<const Change> changes) {
   } catch (const PluginFault&) {
     throw;  // of what was running; it ends the run
   } catch (const world::WorldError& error) {
-    throw ChangeRefused(text_of(changes) + ": " + problem_of(error.problems()));
+    throw ChangeRefused(text_of(changes) + ": " + problem_of(error.problems(), world_.file));
   } catch (const std::exception& error) {
     throw ChangeRefused(text_of(changes) + ": " + error.what());
   }
@@ -120,29 +121,49 @@ void Simulation::Impl::change(std::span<const Change> changes) {
   log_events();
 }
 
-std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> changes) {
-  std::vector<DueChanges> schedule = by_step(changes, world_.physics.step, time_limit_s_);
-  const auto first = std::find_if(schedule.begin(), schedule.end(), [&](const DueChanges& due) {
-    return !std::all_of(due.changes.begin(), due.changes.end(),
-                        [&](const Change& one) { return changes_->is_live(one); });
-  });
-  const auto in_place = static_cast<std::size_t>(first - schedule.begin());
-  changes_->check(std::span(schedule).first(in_place), stage());
-  if (first == schedule.end()) {
-    return schedule;
-  }
-  std::optional<world::World> ahead;
-  for (auto due = schedule.begin(); due != schedule.end(); ++due) {
+std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> changes,
+                                                  std::vector<Note>& notes) {
+  std::vector<DueChanges> made;
+  std::vector<Change> in_place;       // all that come before the world becomes another one
+  std::optional<world::World> ahead;  // what it is by then
+  for (DueChanges& due : by_time(changes)) {
+    const world::World& then = ahead ? *ahead : world_;
+    const double end_s = options_.time_limit_s.value_or(then.limits.time);
+    if (!due.come_before(end_s, then.physics.step)) {
+      const std::string time = base::number_text(due.time_s) + " s";
+      const std::string end = base::number_text(end_s) + " s at the latest";
+      if (!due.given.empty()) {
+        throw ChangeRefused(due.given + ": its time is " + time +
+                            ", but the run begins at 0 and ends after " + end +
+                            "; expected a time in between, before the last step begins");
+      }
+      notes.push_back({"", "changes",
+                       "The edits at " + time + " are not made: the run ends after " + end + "."});
+      continue;
+    }
+    made.push_back(std::move(due));
+    const std::vector<Change>& now = made.back().changes;
+    const auto is_live = [&](const Change& one) { return changes_->is_live(one); };
+    if (!ahead && std::all_of(now.begin(), now.end(), is_live)) {
+      in_place.insert(in_place.end(), now.begin(), now.end());
+      continue;
+    }
+    if (!ahead) {
+      changes_->check(std::span(made).first(made.size() - 1), stage());
+    }
     try {
-      ahead = edited(ahead ? *ahead : present(), due->changes, due >= first);
+      ahead = edited(ahead ? *ahead : edited(present(), in_place, false), now, true);
     } catch (const ChangeRefused& refused) {
-      throw refused.at(due->time_s);
+      throw refused.at(made.back().time_s, made.back().from);
     } catch (const world::WorldError& error) {
-      throw ChangeRefused(text_of(due->changes) + ": " + problem_of(error.problems()))
-          .at(due->time_s);
+      throw ChangeRefused(text_of(now) + ": " + problem_of(error.problems(), world_.file))
+          .at(made.back().time_s, made.back().from);
     }
   }
-  return schedule;
+  if (!ahead) {
+    changes_->check(made, stage());
+  }
+  return made;
 }
 
 /// The world after these edits, checked as a file is. Throws ChangeRefused.
@@ -155,7 +176,7 @@ world::World Simulation::Impl::edited(const world::World& from, std::span<const 
   try {
     return reread(from, texts, check_plugins);
   } catch (const world::WorldError& error) {
-    throw ChangeRefused(text_of(edits) + ": " + problem_of(error.problems()));
+    throw ChangeRefused(text_of(edits) + ": " + problem_of(error.problems(), from.file));
   }
 }
 
@@ -164,12 +185,19 @@ world::World Simulation::Impl::present() { return reread(world_, pending_, false
 
 world::World Simulation::Impl::reread(const world::World& from,
                                       const std::vector<std::string>& edits, bool check_plugins) {
-  world::ReadOptions options;
-  options.data_directories = options_.data_directories;
-  options.is_running = true;
+  world::ReadOptions options = reading();
   options.check_plugins = check_plugins;
   options.overrides = edits;
   return world::parse_world(world::write_world(from), from.file, *host_, options);
+}
+
+/// How the text of a running world is read.
+world::ReadOptions Simulation::Impl::reading() const {
+  world::ReadOptions options;
+  options.data_directories = options_.data_directories;
+  options.files = options_.files;
+  options.is_running = true;
+  return options;
 }
 
 void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming) {
@@ -203,7 +231,7 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
   auto before = std::make_shared<world::World>(std::move(next));
   std::swap(world_, *before);
   const auto renew = [this] {
-    changes_.emplace(world_, *host_, options_.data_directories);
+    changes_.emplace(world_, *host_, options_);
     neighbours_ = Neighbours(world_.arena);
   };
   undo.add([this, before, renew] {
@@ -216,6 +244,14 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
   pending_.clear();
   undo.keep(time_limit_s_);
   time_limit_s_ = options_.time_limit_s.value_or(world_.limits.time);
+  if (options_.time_limit_s && was.limits.time != world_.limits.time) {
+    becoming.said().notes.push_back({"", "limits",
+                                     "An edit at " + base::number_text(time_s()) +
+                                         " s gives limits/@time another value, but this run ends "
+                                         "after " +
+                                         base::number_text(time_limit_s_) +
+                                         " s at the latest: it was given that duration."});
+  }
   undo.keep(base_time_s_);
   undo.keep(base_steps_);
   if (was.physics.step != world_.physics.step ||
@@ -239,6 +275,7 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
     check_room(was, become_bodies(was, becoming));
   }
   become_measures(was, becoming);
+  become_goals(was, becoming);
   auto cameras = std::make_shared<std::optional<Cameras>>(std::move(cameras_));
   cameras_.reset();
   undo.add([this, cameras] {
@@ -267,14 +304,18 @@ void Simulation::Impl::become_changes(const world::World& was, Undo& undo) {
       added.push_back(timed(edit));
     }
   }
-  for (const TimedChange& change : added) {
-    if (change.time_s <= time_s()) {
-      throw std::invalid_argument("the time of a change is " + base::number_text(change.time_s) +
-                                  " s, but the run is at " + base::number_text(time_s()) +
+  for (const DueChanges& due : by_time(added)) {
+    const std::string time = "the time of a change is " + base::number_text(due.time_s) + " s";
+    if (due.time_s <= time_s()) {
+      throw std::invalid_argument(time + ", but the run is at " + base::number_text(time_s()) +
                                   " s already; expected a later time");
     }
+    if (!due.come_before(time_limit_s_, world_.physics.step)) {
+      throw std::invalid_argument(time + ", but the run ends after " +
+                                  base::number_text(time_limit_s_) +
+                                  " s at the latest; expected an earlier time");
+    }
   }
-  by_step(added, world_.physics.step, time_limit_s_);
 }
 
 void Simulation::Impl::become_robots(const world::World& was, Becoming& becoming) {
@@ -447,6 +488,25 @@ void Simulation::Impl::become_measures(const world::World& was, Becoming& becomi
     measuring_->take(**before, was.measures);
   }
   measuring_->reset_new(seed_, becoming.said());
+}
+
+/// One that was there before counts on.
+void Simulation::Impl::become_goals(const world::World& was, Becoming& becoming) {
+  becoming.undo().keep(goal_starts_);
+  GoalStart now{time_s(), {}};
+  for (const auto& robot : robots_) {
+    now.done[robot->description().id] = {robot->distance_m(), robot->collisions()};
+  }
+  std::vector<GoalStart> starts;
+  for (const world::Goal& goal : world_.goals) {
+    const auto known =
+        std::find_if(was.goals.begin(), was.goals.end(),
+                     [&](const world::Goal& other) { return same_goal(goal, other); });
+    starts.push_back(known == was.goals.end()
+                         ? now
+                         : goal_starts_[static_cast<std::size_t>(known - was.goals.begin())]);
+  }
+  goal_starts_ = std::move(starts);
 }
 
 void Simulation::Impl::settle(Becoming& becoming) {

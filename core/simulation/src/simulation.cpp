@@ -47,7 +47,8 @@ RunResult Simulation::run(std::span<Observer* const> observers,
   const Clock::time_point start = Clock::now();
   const auto wall = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   const auto& limits = world().limits;
-  std::vector<DueChanges> schedule = impl_->checked(with_own(world(), changes));
+  std::vector<DueChanges> schedule = impl_->checked(with_own(world(), changes), impl_->said_.notes);
+  impl_->given_.assign(changes.begin(), changes.end());
   auto next = schedule.cbegin();
   std::uint64_t scheduled = impl_->own_changes_;
   double made_until_s = 0.0;
@@ -66,9 +67,10 @@ RunResult Simulation::run(std::span<Observer* const> observers,
     if (impl_->own_changes_ != scheduled) {  // those of the world are others since
       std::vector<TimedChange> rest = with_own(world(), changes);
       std::erase_if(rest, [&](const TimedChange& change) {
-        return DueChanges{0, change.time_s, {}}.are_due(made_until_s, step_s);
+        return DueChanges{change.time_s, {}}.are_due(made_until_s, step_s);
       });
-      schedule = impl_->checked(rest);
+      std::vector<Note> known;  // what is not made was said
+      schedule = impl_->checked(rest, known);
       next = schedule.cbegin();
       scheduled = impl_->own_changes_;
     }
@@ -118,7 +120,8 @@ RunResult Simulation::run(std::span<Observer* const> observers,
 }
 
 void Simulation::check(std::span<const TimedChange> changes) const {
-  impl_->checked(with_own(world(), changes));
+  std::vector<Note> notes;
+  impl_->checked(with_own(world(), changes), notes);
 }
 
 void Simulation::change(std::string_view path, std::string_view value) {
@@ -162,6 +165,15 @@ RunResult Simulation::result() const {
 }
 
 const world::World& Simulation::world() const { return impl_->world_; }
+world::World Simulation::start() const {
+  world::World start = impl_->start_ ? *impl_->start_ : impl_->world_;
+  for (const TimedChange& given : impl_->given_) {
+    const auto& [path, value] = given.change;
+    world::TimedEdit& edit = start.changes.emplace_back(given.time_s, path);
+    (value.starts_with('<') ? edit.element : edit.value) = value;
+  }
+  return start;
+}
 std::uint64_t Simulation::seed() const { return impl_->seed_; }
 double Simulation::time_s() const { return impl_->time_s(); }
 double Simulation::time_limit_s() const { return impl_->time_limit_s_; }

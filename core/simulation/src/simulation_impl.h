@@ -18,6 +18,7 @@
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/error.h"
 #include "elsie/world/parts.h"
+#include "elsie/world/reader.h"
 
 #include "changes/becoming.h"
 #include "changes/changes.h"
@@ -42,7 +43,7 @@ class Simulation::Impl {
         seed_(options.seed),
         host_(&host),
         options_(options) {
-    changes_.emplace(world_, host, options_.data_directories);
+    changes_.emplace(world_, host, options_);
     std::vector<base::Problem> problems;
     for (std::size_t i = 0; i < world_.robots.size(); ++i) {
       try {
@@ -70,6 +71,7 @@ class Simulation::Impl {
     base_time_s_ = 0.0;
     // A new engine: ODE keeps nothing from the last run then.
     engine_ = physics::make_ode_engine(world_.arena, world_.physics);
+    goal_starts_.assign(world_.goals.size(), {});
     pending_.clear();
     moving_.clear();
     for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
@@ -86,6 +88,7 @@ class Simulation::Impl {
     verdict_ = {};
     touches_.forget();
     events_.clear();
+    given_.clear();
     log_events();
     said_ = {};
     note_warnings(world_, said_.notes);
@@ -124,7 +127,7 @@ class Simulation::Impl {
     }
     log_events();
     if (verdict_.outcome == Outcome::running) {
-      verdict_ = judge(self);
+      verdict_ = judge(self, goal_starts_);
     }
     if (!measuring_->empty()) {
       observe(decides);
@@ -136,10 +139,11 @@ class Simulation::Impl {
     try {
       change(due.changes);
     } catch (const ChangeRefused& refused) {
-      throw refused.at(due.time_s);
+      throw refused.at(due.time_s, due.from);
     }
   }
-  std::vector<DueChanges> checked(std::span<const TimedChange> changes);
+  /// Those that are made, in their order; says which are not.
+  std::vector<DueChanges> checked(std::span<const TimedChange> changes, std::vector<Note>& notes);
 
   Replacement replace_plugins(const plugin::Host& host) {
     Swap swap(host, seed_, options_.data_directories);
@@ -151,7 +155,7 @@ class Simulation::Impl {
                             [&](const auto& robot) { return robot->description().id == id; }))
           ->tuning();
     });
-    changes_.emplace(world_, host, options_.data_directories);
+    changes_.emplace(world_, host, options_);
     host_ = &host;
     Replacement replacement = swap.result();
     measuring_->list_replaced(host, replacement.notes);
@@ -212,7 +216,8 @@ class Simulation::Impl {
   double wall_s_ = 0.0;
   Verdict verdict_;
   std::vector<EventRecord> events_;
-  Statements said_;  // before the first step
+  std::vector<TimedChange> given_;  // to run()
+  Statements said_;                 // before the first step
   std::unique_ptr<Measuring> measuring_;
   std::uint64_t renewals_ = 0;     // how often objects were replaced or made anew
   std::uint64_t own_changes_ = 0;  // how often those were edited that stand in the world
@@ -236,6 +241,8 @@ class Simulation::Impl {
   world::World present();
   world::World reread(const world::World& from, const std::vector<std::string>& edits,
                       bool check_plugins);
+  world::ReadOptions reading() const;
+  void become_goals(const world::World& was, Becoming& becoming);
   void settle(Becoming& becoming);
 
   void add_box(std::size_t i) {
@@ -347,6 +354,7 @@ class Simulation::Impl {
   std::uint64_t base_steps_ = 0;
   double base_time_s_ = 0.0;
   std::vector<MovingBox> moving_;
+  std::vector<GoalStart> goal_starts_;  // of the world's goals
   Touches touches_{world_};
   Neighbours neighbours_{world_.arena};  // at the last control step
   double farthest_call_m_ = 0.0;         // the largest coverage then

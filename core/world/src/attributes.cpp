@@ -17,8 +17,11 @@ namespace elsie::world {
 
 class Attributes::Impl {
  public:
-  Impl(const World& world, const plugin::Host& host, std::vector<std::string> data_directories)
-      : world_(world), host_(host), files_(world.file, std::move(data_directories)) {}
+  Impl(const World& world, const plugin::Host& host, std::vector<std::string> data_directories,
+       std::map<std::string, std::string> files)
+      : world_(world),
+        host_(host),
+        files_(world.file, std::move(data_directories), "", std::move(files)) {}
 
   std::vector<AttributePlace> find(std::string_view text) {
     const Path path = parse_path(text);
@@ -123,8 +126,9 @@ class Attributes::Impl {
 };
 
 Attributes::Attributes(const World& world, const plugin::Host& host,
-                       std::vector<std::string> data_directories)
-    : impl_(std::make_unique<Impl>(world, host, std::move(data_directories))) {}
+                       std::vector<std::string> data_directories,
+                       std::map<std::string, std::string> files)
+    : impl_(std::make_unique<Impl>(world, host, std::move(data_directories), std::move(files))) {}
 Attributes::Attributes(Attributes&&) noexcept = default;
 Attributes& Attributes::operator=(Attributes&&) noexcept = default;
 Attributes::~Attributes() = default;

@@ -277,9 +277,11 @@ void check_coordination(const Robot& robot, const Coordination& coordination,
 }
 
 void check_robot(const Reading& reading, std::size_t index, const plugin::Host& host,
-                 Problems& problems) {
+                 bool is_running, Problems& problems) {
   const Robot& robot = reading.world.robots[index];
-  if (robot.energy && *robot.energy > robot.battery && reading.sound(robot.location)) {
+  // A robot that runs began with its energy, whatever its battery holds now.
+  if (!is_running && robot.energy && *robot.energy > robot.battery &&
+      reading.sound(robot.location)) {
     problems.add(robot.location, in_words(robot) + " starts with energy " +
                                      number_text(*robot.energy) + ", but its battery holds " +
                                      number_text(robot.battery));
@@ -378,7 +380,7 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
   check_physics(root, reading.world.physics, problems);
   check_changes(reading.world, problems);
   for (std::size_t i = 0; i < reading.world.robots.size(); ++i) {
-    check_robot(reading, i, host, problems);
+    check_robot(reading, i, host, is_running, problems);
   }
   // With any mistake in the file's sizes, what follows would be about defaults.
   if (const auto locate =

@@ -36,27 +36,37 @@ bool Files::given_by_hand(const Location& from) const {
 }
 
 std::optional<std::string> Files::find(const std::string& name, const Location& from) const {
-  if (const auto known = known_.find(name); known != known_.end()) {
-    return known->second;
+  if (known_.contains(name)) {
+    return find_data(name);
   }
   if (auto beside = file_in(folder(from), name)) {
-    return beside;
+    return noted(name, *beside);
   }
   if (given_by_hand(from)) {
     if (auto here = file_in(".", name)) {
-      return here;
+      return noted(name, *here);
     }
   }
   return find_data(name);
 }
 
 std::optional<std::string> Files::find_data(const std::string& name) const {
+  if (const auto known = known_.find(name); known != known_.end()) {
+    return noted(name, known->second);
+  }
   for (const std::string& directory : data_directories_) {
     if (auto found = file_in(directory, name)) {
-      return found;
+      return noted(name, *found);
     }
   }
   return std::nullopt;
+}
+
+std::optional<std::string> Files::noted(const std::string& name, std::string path) const {
+  if (found_) {
+    found_->try_emplace(name, absolute(path));
+  }
+  return path;
 }
 
 std::string Files::name_for_world(const std::string& found, const std::string& written) const {

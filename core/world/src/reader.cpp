@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "elsie/plugin/host.h"
+#include "elsie/world/ahead.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/data_directories.h"
 #include "elsie/world/error.h"
@@ -96,7 +97,8 @@ Element tree_of_world(std::string_view text, const std::string& file,
 World parse_world(std::string_view text, const std::string& file, const plugin::Host& host,
                   const ReadOptions& options) {
   Problems problems;
-  const Files files(file, options.data_directories, options.overrides_from, options.files);
+  const Files files(file, options.data_directories, options.overrides_from, options.files,
+                    options.found);
   std::vector<ElementSpan> spans;
   Element root = tree_of_world(text, file, spans);
   Templates templates(host, files, problems);
@@ -135,6 +137,9 @@ World world_of_tree(Element root, const std::string& file, const plugin::Host& h
                         [](const Box& box) { return box.kind != BoxKind::resource; });
   check_world(reading, root, host, options.is_running, problems);
   problems.raise<WorldError>(file);
+  if (options.check_plugins && !options.is_running) {
+    worlds_ahead(world, host, options);
+  }
   return std::move(world);
 }
 

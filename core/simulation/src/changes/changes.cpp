@@ -29,38 +29,49 @@ void add_text(std::string& list, const std::string& text) {
   list += (list.empty() ? "" : ", ") + text;
 }
 
-}  // namespace
-
-ChangeRefused ChangeRefused::at(double time_s) const {
-  return ChangeRefused("at " + number(time_s) + " s, " + what());
+std::string file_and_line(const base::Location& where) {
+  return where.line > 0 ? where.file + ":" + std::to_string(where.line) : "the world's <changes>";
 }
 
-std::vector<DueChanges> by_step(std::span<const TimedChange> changes, double step_s, double end_s) {
-  constexpr double kRounding = DueChanges::kRounding;
+}  // namespace
+
+ChangeRefused ChangeRefused::at(double time_s, std::string from) const {
+  ChangeRefused refused("at " + number(time_s) + " s, " + what());
+  refused.from_ = std::move(from);
+  return refused;
+}
+
+bool DueChanges::come_before(double end_s, double step_s) const {
+  const double begins = std::ceil(time_s / step_s - kRounding);  // steps
+  return time_s >= 0.0 && time_s < end_s && begins < end_s / step_s - kRounding;
+}
+
+TimedChange timed(const world::TimedEdit& edit) {
+  return {edit.time,
+          {edit.path, edit.element ? *edit.element : edit.value.value_or("")},
+          file_and_line(edit.location)};
+}
+
+std::vector<DueChanges> by_time(std::span<const TimedChange> changes) {
   std::vector<DueChanges> schedule;
   for (const TimedChange& timed : changes) {
-    const std::string text = timed.change.path + "=" + timed.change.value;
-    const double begins = std::max(0.0, std::ceil(timed.time_s / step_s - kRounding));  // steps
-    if (!(timed.time_s >= 0.0 && timed.time_s < end_s && begins < end_s / step_s - kRounding)) {
-      refuse(text, "its time is " + number(timed.time_s) +
-                       " s, but the run begins at 0 and ends after " + number(end_s) +
-                       " s at the latest; expected a time in between, before the last step begins");
+    auto due = std::find_if(schedule.begin(), schedule.end(), [&](const DueChanges& other) {
+      return !(other.time_s < timed.time_s);
+    });
+    if (due == schedule.end() || due->time_s != timed.time_s) {
+      due = schedule.insert(due, {timed.time_s, {}});
     }
-    const auto step = static_cast<std::uint64_t>(begins);
-    auto at = std::upper_bound(
-        schedule.begin(), schedule.end(), step,
-        [](std::uint64_t asked, const DueChanges& due) { return asked < due.step; });
-    if (at == schedule.begin() || std::prev(at)->step != step) {
-      at = std::next(schedule.insert(at, {step, timed.time_s, {}}));
+    due->changes.push_back(timed.change);
+    std::string& first = timed.from.empty() ? due->given : due->from;
+    if (first.empty()) {
+      first = timed.from.empty() ? timed.change.text() : timed.from;
     }
-    std::prev(at)->changes.push_back(timed.change);
   }
   return schedule;
 }
 
-Changes::Changes(const world::World& world, const plugin::Host& host,
-                 std::vector<std::string> data_directories)
-    : world_(world), attributes_(world, host, std::move(data_directories)) {}
+Changes::Changes(const world::World& world, const plugin::Host& host, const Options& options)
+    : world_(world), attributes_(world, host, options.data_directories, options.files) {}
 
 bool Changes::is_live(const Change& change) const {
   const auto places = this->places(change);
@@ -103,7 +114,7 @@ void Changes::check(std::span<const DueChanges> schedule, const Stage& stage) co
         setups[tuned.use] = std::move(tuned.setup);
       }
     } catch (const ChangeRefused& refused) {
-      throw refused.at(due.time_s);
+      throw refused.at(due.time_s, due.from);
     }
   }
 }
@@ -241,7 +252,7 @@ void Changes::check_tuned(const Tuned& tuned, const Stage& stage) const {
     }
     if (camera.has_value() != robot.camera(i).has_value()) {
       refuse(tuned.text, "the sensor would " + std::string(camera ? "begin" : "cease") +
-                             " to look through a camera; whether it does is settled before a run");
+                             " to look through a camera; replace the whole element instead");
     }
     if (const auto problem = camera ? stage.cameras.problem_of(*camera) : std::nullopt) {
       refuse(tuned.text, *problem);

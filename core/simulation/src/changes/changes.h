@@ -12,6 +12,7 @@
 #include "elsie/plugin/host.h"
 #include "elsie/simulation/change.h"
 #include "elsie/simulation/run_result.h"
+#include "elsie/simulation/simulation.h"
 #include "elsie/world/attributes.h"
 #include "elsie/world/description.h"
 
@@ -22,23 +23,23 @@ namespace elsie::simulation {
 
 /// Changes that are to be made together, before a step.
 struct DueChanges {
-  std::uint64_t step = 0;  // the one that comes after them, if none gets another length
-  double time_s = 0.0;     // as it was asked for
+  double time_s = 0.0;  // as it was asked for
   std::vector<Change> changes;
+  std::string from{};   // TimedChange::from of the first that has one
+  std::string given{};  // the first that the user gave
 
   /// Whether a step that begins now comes after them.
   bool are_due(double now_s, double step_s) const { return now_s >= time_s - kRounding * step_s; }
+  /// Whether a run that ends then has such a step.
+  bool come_before(double end_s, double step_s) const;
   static constexpr double kRounding = 1e-6;  // of a step: 0.57 is not a little after 57 of 0.01 s
 };
 
 /// One that stands in the world.
-inline TimedChange timed(const world::TimedEdit& edit) {
-  return {edit.time, {edit.path, edit.element ? *edit.element : edit.value.value_or("")}};
-}
+TimedChange timed(const world::TimedEdit& edit);
 
-/// In the order of their steps; those for one step in the order given. Throws ChangeRefused for a
-/// time that is not finite, is negative, or does not come before `end_s`.
-std::vector<DueChanges> by_step(std::span<const TimedChange> changes, double step_s, double end_s);
+/// In the order of their times; those of one time in the order given.
+std::vector<DueChanges> by_time(std::span<const TimedChange> changes);
 
 class Changes {
  public:
@@ -51,9 +52,8 @@ class Changes {
   };
 
   /// Both stay where they are as long as this lives. Data files that a change names are looked for
-  /// as those of the world, in `data_directories` last.
-  Changes(const world::World& world, const plugin::Host& host,
-          std::vector<std::string> data_directories);
+  /// as the options say.
+  Changes(const world::World& world, const plugin::Host& host, const Options& options);
 
   /// Whether it is put in place, or cannot be made at all: the world becomes no other one.
   bool is_live(const Change& change) const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "elsie/simulation/simulation.h"
@@ -31,6 +33,7 @@ bool every_robot(const Simulation& simulation, const std::string& id, Test test)
 
 struct Judge {
   const Simulation& simulation;
+  const GoalStart& start;
 
   Standing operator()(const world::CollectGoal& goal) const {
     const auto& boxes = simulation.world().boxes;
@@ -68,15 +71,16 @@ struct Judge {
   }
   Standing operator()(const world::TravelGoal& goal) const {
     return reached(every_robot(simulation, goal.robot, [&](std::size_t i) {
-      return simulation.robot(i).distance_m >= goal.distance;
+      return simulation.robot(i).distance_m - done(i).distance_m >= goal.distance;
     }));
   }
   Standing operator()(const world::EndureGoal& goal) const {
-    return reached(simulation.time_s() >= goal.time - kTimeTolerance);
+    return reached(simulation.time_s() - start.time_s >= goal.time - kTimeTolerance);
   }
   Standing operator()(const world::NoCollisionGoal& goal) const {
-    return kept(every_robot(simulation, goal.robot,
-                            [&](std::size_t i) { return simulation.robot(i).collisions == 0; }));
+    return kept(every_robot(simulation, goal.robot, [&](std::size_t i) {
+      return simulation.robot(i).collisions == done(i).collisions;
+    }));
   }
   Standing operator()(const world::BatteryGoal& goal) const {
     return kept(every_robot(simulation, goal.robot,
@@ -84,6 +88,9 @@ struct Judge {
   }
 
  private:
+  GoalStart::Done done(std::size_t i) const {
+    return start.of(simulation.robot(i).description->id);
+  }
   Vector2 place_of(const world::ReachGoal& goal) const {
     for (std::size_t i = 0; i < simulation.robots() && !goal.of.empty(); ++i) {
       if (simulation.robot(i).description->id == goal.of) {
@@ -129,11 +136,32 @@ const char* broken_sentence(const world::Goal& goal) {
 
 }  // namespace
 
-Verdict judge(const Simulation& simulation) {
+bool same_goal(const world::Goal& a, const world::Goal& b) {
+  const auto what = [](const world::Goal& goal) {
+    return std::visit(
+        [](const auto& one) {
+          using Kind = std::decay_t<decltype(one)>;
+          if constexpr (std::is_same_v<Kind, world::TravelGoal>) {
+            return std::pair(one.robot, one.distance);
+          } else if constexpr (std::is_same_v<Kind, world::EndureGoal>) {
+            return std::pair(std::string(), one.time);
+          } else if constexpr (std::is_same_v<Kind, world::NoCollisionGoal>) {
+            return std::pair(one.robot, 0.0);
+          } else {
+            return std::pair(std::string(), 0.0);  // it does not matter when they came
+          }
+        },
+        goal);
+  };
+  return a.index() == b.index() && what(a) == what(b);
+}
+
+Verdict judge(const Simulation& simulation, std::span<const GoalStart> starts) {
   bool any_to_reach = false;
   bool all_reached = true;
+  auto start = starts.begin();
   for (const world::Goal& goal : simulation.world().goals) {
-    switch (std::visit(Judge{simulation}, goal)) {
+    switch (std::visit(Judge{simulation, *start++}, goal)) {
       case Standing::broken:
         return {Outcome::failure, broken_sentence(goal)};
       case Standing::open:

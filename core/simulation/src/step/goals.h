@@ -1,13 +1,33 @@
 // Deciding whether a run has reached its goals.
 #pragma once
 
+#include <map>
+#include <span>
 #include <string>
 
 #include "elsie/simulation/run_result.h"
+#include "elsie/world/description.h"
 
 namespace elsie::simulation {
 
 class Simulation;
+
+/// Where things stood when an edit brought a goal; that of the start is empty.
+struct GoalStart {
+  struct Done {
+    double distance_m = 0.0;
+    int collisions = 0;
+  };
+  double time_s = 0.0;
+  std::map<std::string, Done> done;  // by the robot's id; without one it came later
+  Done of(const std::string& robot) const {
+    const auto known = done.find(robot);
+    return known == done.end() ? Done{} : known->second;
+  }
+};
+
+/// Whether two goals ask for the same.
+bool same_goal(const world::Goal& a, const world::Goal& b);
 
 struct Verdict {
   Outcome outcome = Outcome::running;
@@ -16,6 +36,7 @@ struct Verdict {
 
 /// Failure when a goal to keep is broken; success when all goals to reach are met, or at the time
 /// limit when there are only goals to keep; else time_limit at the world's limit of simulated time.
-Verdict judge(const Simulation& simulation);
+/// `starts`: of the goals, in their order.
+Verdict judge(const Simulation& simulation, std::span<const GoalStart> starts);
 
 }  // namespace elsie::simulation

@@ -31,6 +31,7 @@ struct Change {
 struct TimedChange {
   double time_s = 0.0;  // before the first step that begins at this time or after it
   Change change;
+  std::string from{};  // "maze.xml:12", where it stands; "": the user gave it
 };
 
 /// A change that cannot be made. what() is a sentence that starts with the change:
@@ -40,7 +41,12 @@ class ChangeRefused : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 
   /// The same about a change for a certain time: "at 3 s, robot[r1]/@max_speed=fast: ...".
-  ChangeRefused at(double time_s) const;
+  ChangeRefused at(double time_s, std::string from = "") const;
+  /// TimedChange::from.
+  const std::string& from() const { return from_; }
+
+ private:
+  std::string from_;
 };
 
 }  // namespace elsie::simulation

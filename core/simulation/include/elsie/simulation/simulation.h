@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -49,6 +50,8 @@ struct Options {
   bool measure_time = false;
   /// Where data files that a change names are looked for when they are not beside the world's file.
   std::vector<std::string> data_directories{};
+  /// Paths of data files by their names, as in world::ReadOptions. They are used before any search.
+  std::map<std::string, std::string> files{};
   Budget budget{};
   /// Simulated time after which the run ends, s, instead of the world's <limits>; above 0. The
   /// world stays as its file says: an <endure> goal may last longer.
@@ -126,10 +129,11 @@ class Simulation {
   /// Steps until a goal or a limit ends the run. Throws PluginFault, also of a measure, and
   /// PhysicsFault.
   ///
-  /// The edits in World::changes and `changes` are made on the way, those for one step together, at
+  /// The edits in World::changes and `changes` are made on the way, those of one time together, at
   /// time zero before observers hear of the start. They are checked before the run begins:
   /// ChangeRefused tells of what can be known then (a path, a type, a range, a time that never
-  /// comes), in which case nothing has happened. It also ends a run in which there is no room for a
+  /// comes), in which case nothing has happened. One of the world's own whose time never comes is
+  /// not made, which a note says. It also ends a run in which there is no room for a
   /// robot when its time comes. One whose time has not come when a goal ends the run is not made.
   ///
   /// `before_control`: called before every step in which robots sense and decide, after the changes
@@ -167,6 +171,9 @@ class Simulation {
 
   /// As it was edited, without what was put in place since.
   const world::World& world() const;
+  /// As it was at time zero, with all edits that run() was given among World::changes: a run of it
+  /// with the same seed and time limit is the same, bit for bit.
+  world::World start() const;
   std::uint64_t seed() const;
   double time_s() const;
   /// Simulated time after which a run ends, whatever its goals.

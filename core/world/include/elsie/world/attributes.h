@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,9 +37,11 @@ struct AttributePlace {
 class Attributes {
  public:
   /// The world and the host must outlive this object, and the world must not change. Data files are
-  /// searched beside the world's file, in the current folder, then in `data_directories`.
+  /// searched beside the world's file, in the current folder, then in `data_directories`; those in
+  /// `files` by their names there.
   Attributes(const World& world, const plugin::Host& host,
-             std::vector<std::string> data_directories = {});
+             std::vector<std::string> data_directories = {},
+             std::map<std::string, std::string> files = {});
   Attributes(Attributes&&) noexcept;
   Attributes& operator=(Attributes&&) noexcept;
   ~Attributes();

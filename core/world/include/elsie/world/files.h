@@ -12,13 +12,15 @@ namespace elsie::world {
 
 class Files {
  public:
-  /// `overrides_from`: ReadOptions::overrides_from. `known`: ReadOptions::files.
+  /// `overrides_from`, `found`: as in ReadOptions. `known`: ReadOptions::files.
   Files(std::string main_file, std::vector<std::string> data_directories,
-        std::string overrides_from = "", std::map<std::string, std::string> known = {})
+        std::string overrides_from = "", std::map<std::string, std::string> known = {},
+        std::map<std::string, std::string>* found = nullptr)
       : main_file_(std::move(main_file)),
         data_directories_(std::move(data_directories)),
         overrides_from_(std::move(overrides_from)),
-        known_(std::move(known)) {}
+        known_(std::move(known)),
+        found_(found) {}
 
   /// The regular file that the text at `from` calls `name`: in the folder of that text's file (for
   /// an override: of the world file, or of the file with the overrides), else in the data
@@ -48,6 +50,7 @@ class Files {
   static std::string absolute(const std::string& file);
 
  private:
+  std::optional<std::string> noted(const std::string& name, std::string path) const;
   std::string folder(const Location& from) const;
   std::string advice(const std::string& attribute, const std::string& value) const;
   bool given_by_hand(const Location& from) const;
@@ -56,6 +59,7 @@ class Files {
   std::vector<std::string> data_directories_;
   std::string overrides_from_;
   std::map<std::string, std::string> known_;  // by name, searched first
+  std::map<std::string, std::string>* found_;
 };
 
 /// The regular file in the same folder with the name nearest to that of a missing file; or "".

@@ -59,6 +59,8 @@ struct ReadOptions {
   std::vector<std::string> data_directories;
   /// Paths of files by their names in the text. They are used before any search.
   std::map<std::string, std::string> files{};
+  /// Gets the absolute paths of all files that are found, by their names, unless null.
+  std::map<std::string, std::string>* found = nullptr;
   /// Whether to make an object of every plugin, so that errors of Component::configured() are
   /// reported, too. Drives are made in any case: they say which parts a body has.
   bool check_plugins = false;

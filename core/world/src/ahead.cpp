@@ -1,0 +1,82 @@
+#include "elsie/world/ahead.h"
+
+#include <algorithm>
+#include <cctype>
+#include <span>
+#include <utility>
+
+#include "elsie/base/number_text.h"
+#include "elsie/world/writer.h"
+
+namespace elsie::world {
+namespace {
+
+std::string in_words(const TimedEdit& edit) {
+  return "at " + base::number_text(edit.time) + " s, " + edit.text() + ": ";
+}
+
+/// Every problem at the edit that it is about, or at the first of them.
+void add_at_edits(std::span<const TimedEdit> edits, const std::string& file,
+                  const WorldError& error, Problems& problems) {
+  for (const Problem& problem : error.problems()) {
+    const auto own = std::find_if(edits.begin(), edits.end(), [&](const TimedEdit& edit) {
+      return problem.file == "--set " + edit.text();
+    });
+    const TimedEdit& edit = own == edits.end() ? edits.front() : *own;
+    problems.add(edit.location, in_words(edit) + without_lines(problem.message, file),
+                 problem.plugin_failed);
+  }
+}
+
+}  // namespace
+
+std::vector<World> worlds_ahead(const World& world, const plugin::Host& host,
+                                const ReadOptions& options) {
+  std::vector<TimedEdit> edits = world.changes;
+  std::stable_sort(edits.begin(), edits.end(),
+                   [](const TimedEdit& a, const TimedEdit& b) { return a.time < b.time; });
+  std::vector<World> worlds;
+  Problems problems;
+  ReadOptions reading = options;
+  reading.is_running = true;
+  for (auto first = edits.begin(), last = first; first != edits.end(); first = last) {
+    last = std::find_if(first, edits.end(),
+                        [&](const TimedEdit& edit) { return edit.time != first->time; });
+    reading.overrides_from = first->location.file;
+    reading.overrides.clear();
+    for (const TimedEdit& edit : std::span(first, last)) {
+      reading.overrides.push_back(edit.text());
+    }
+    try {
+      worlds.push_back(parse_world(write_world(worlds.empty() ? world : worlds.back()), world.file,
+                                   host, reading));
+    } catch (const WorldError& error) {
+      add_at_edits({first, last}, world.file, error, problems);
+    }
+  }
+  problems.raise<WorldError>(world.file);
+  return worlds;
+}
+
+std::string without_lines(std::string message, const std::string& file) {
+  const std::string before_line = file + ":";
+  for (std::size_t at = 0; (at = message.find(before_line, at)) != std::string::npos;) {
+    std::size_t end = at + before_line.size();
+    const std::size_t digits = end;
+    while (end < message.size() && std::isdigit(static_cast<unsigned char>(message[end]))) {
+      ++end;
+    }
+    if (end == digits) {
+      at = end;
+    } else if (at >= 2 && message.compare(at - 2, 2, " (") == 0 && message[end] == ')') {
+      message.erase(at - 2, end + 1 - (at - 2));
+      at -= 2;
+    } else {
+      message.erase(digits - 1, end + 1 - digits);
+      at = digits - 1;
+    }
+  }
+  return message;
+}
+
+}  // namespace elsie::world
