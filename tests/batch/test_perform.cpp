@@ -299,3 +299,32 @@ TEST_CASE("A measure that cannot report does not hide which plugin failed before
   CHECK_FALSE(ended.outcome);
   CHECK(ended.trajectories.size() == 1);
 }
+
+TEST_CASE("A job makes the edits of its cell, also with plugins and files that the world has not") {
+  const test::Folder folder;
+  const auto at = [](double time_s, const std::string& path, const std::string& value) {
+    return experiment::Setting{path, value, {}, time_s};
+  };
+  auto experiment = test::small_experiment(folder);
+  experiment.settings = {at(0.5, "obstacle[+]", "<static_box id=\"late\" x=\"1\" y=\"1\"/>"),
+                         at(0.7, "robot[r2]/behavior[+]", "<turn_left/>"),
+                         at(0.9, "robot[r2]/coordinator", "<fusion_vector_summation/>")};
+  const batch::Plan plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  CHECK(std::any_of(plan.plugins.begin(), plan.plugins.end(),
+                    [](const auto& plugin) { return plugin.name == "turn_left"; }));
+  const batch::RunRecord record = batch::perform(batch::job_of(plan, plan.runs[4]));
+  CAPTURE(record.message);
+  REQUIRE(record.state == batch::RunState::done);
+
+  world::ReadOptions options;
+  options.data_directories = {test::source_path("")};
+  options.overrides = {"robot[r1]/@max_speed=0.4"};
+  simulation::Simulation alone(
+      world::read_world(folder.file("small.xml"), test::shipped(), options), test::shipped(),
+      {.seed = 2, .data_directories = options.data_directories});
+  std::vector<simulation::TimedChange> edits;
+  for (const experiment::Setting& setting : experiment.settings) {
+    edits.push_back({*setting.at_s, {setting.path, setting.value}});
+  }
+  CHECK(record.state_hash == simulation::hash_text(alone.run({}, edits).state_hash));
+}

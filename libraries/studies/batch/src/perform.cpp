@@ -121,8 +121,9 @@ RunRecord perform(const Job& job) {
   RunRecord record;
   try {
     const plugin::Host host = host_of(job);
-    simulation::Simulation run(world_of(job, host), host,
-                               {.seed = job.seed, .cameras = render::world_cameras});
+    simulation::Simulation run(
+        world_of(job, host), host,
+        {.seed = job.seed, .files = job.files, .cameras = render::world_cameras});
     run_to_end(run, job, record);
   } catch (const simulation::PluginFault& fault) {
     record.state = RunState::fault;

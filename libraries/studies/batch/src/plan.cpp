@@ -14,6 +14,7 @@
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/results/hash.h"
+#include "elsie/world/ahead.h"
 #include "elsie/world/writer.h"
 
 #include "plugins_in_use.h"
@@ -90,10 +91,24 @@ class Planner {
     world::World world = world_of(cell);
     Names names;
     std::vector<std::size_t> plugins;
-    for_each_use(world, [&](PluginKind kind, world::PluginUse& plugin) {
+    const auto see = [&](PluginKind kind, world::PluginUse& plugin) {
       plugins.push_back(add_plugin(kind, plugin.plugin));
       name_files(host_.find(kind, plugin.plugin), plugin, names);
-    });
+    };
+    std::map<std::string, std::string> found;
+    std::vector<world::World> ahead = worlds_ahead(world, found);
+    for_each_use(world, see);
+    for (world::World& later : ahead) {
+      for_each_use(later, see);
+    }
+    for (const auto& [name, path] : found) {
+      if (names.paths.try_emplace(name, path).first->second != path) {
+        throw world::WorldError(
+            {{planned.world_file, 0,
+              "the files '" + names.paths[name] + "' and '" + path + "' are both called '" + name +
+                  "', one of them by an edit; expected two names"}});
+      }
+    }
     std::sort(plugins.begin(), plugins.end());
     plugins.erase(std::unique(plugins.begin(), plugins.end()), plugins.end());
     planned.plugins = std::move(plugins);
@@ -158,6 +173,15 @@ class Planner {
     world::World world = experiment::read_cell(experiment_, cell, host_, options);
     world.limits.wall_time.reset();
     return world;
+  }
+
+  /// What the world's edits bring. Gets the files that they name.
+  std::vector<world::World> worlds_ahead(const world::World& world,
+                                         std::map<std::string, std::string>& found) const {
+    world::ReadOptions options;
+    options.data_directories = options_.data_directories;
+    options.found = &found;
+    return world::worlds_ahead(world, host_, options);
   }
 
   std::size_t add_plugin(PluginKind kind, const std::string& name) {

@@ -14,6 +14,7 @@
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/measures.h"
 #include "elsie/simulation/simulation.h"
+#include "elsie/world/ahead.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/writer.h"
 
@@ -36,6 +37,17 @@ world::World read(const Experiment& experiment, const Cell& cell, const std::str
     world.changes.push_back({*change.at_s, change.path, change.value, {}, change.location});
   }
   return world;
+}
+
+// The problem at the edit that cannot be made.
+base::Problem problem_of(const world::World& world, const simulation::ChangeRefused& refused) {
+  for (const world::TimedEdit& edit : world.changes) {
+    const Location& where = edit.location;
+    if (where.file + ":" + std::to_string(where.line) == refused.from()) {
+      return {where.file, where.line, refused.what()};
+    }
+  }
+  return {world.file, 0, refused.what()};
 }
 
 // A problem that several cells have.
@@ -121,8 +133,21 @@ class CellCheck {
   Found look(const Cell& cell, bool plugins_before) const {
     const world::World world =
         read(experiment_, cell, files_[cell.world], host_, options_, plugins_before);
+    simulation::Options running{.cameras = render::world_cameras};
+    if (!world.changes.empty()) {
+      world::ReadOptions reading;
+      reading.data_directories = running.data_directories = options_.data_directories;
+      reading.check_plugins = true;
+      reading.found = &running.files;
+      world::worlds_ahead(world, host_, reading);
+    }
     // This asks the plugins whether they fit their robots.
-    const simulation::Simulation simulation(world, host_, {.cameras = render::world_cameras});
+    const simulation::Simulation simulation(world, host_, running);
+    try {
+      simulation.check({});
+    } catch (const simulation::ChangeRefused& refused) {
+      throw world::WorldError({problem_of(world, refused)});
+    }
     return {simulation::measure_names(world, host_), world::write_world(world)};
   }
 
@@ -166,7 +191,9 @@ class CellCheck {
   void complain(const Cell& cell, const base::Problem& problem) {
     Complaint complaint{{problem.file, problem.line}, problem.message, false, {}};
     for (const Setting& setting : settings_of(experiment_, cell)) {
-      if (problem.file == "--set " + override_of(setting)) {
+      if (setting.at_s
+              ? problem.file == setting.location.file && problem.line == setting.location.line
+              : problem.file == "--set " + override_of(setting)) {
         complaint.where = setting.location;
         complaint.is_setting = true;
       }
