@@ -1,5 +1,6 @@
 // elsie run --at: changing a world while it runs.
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -142,10 +143,70 @@ TEST_CASE("elsie lists what may change while a world runs") {
                                     "runs"));
   CHECK_THAT(world, !Catch::Contains("its battery when full; may change"));
   CHECK_THAT(here.elsie("describe fusion_neural_network").out,
-             Catch::Contains("settled before a run"));
-  CHECK_THAT(here.elsie("describe wander").out, !Catch::Contains("settled before a run"));
+             Catch::Contains("an edit in a run makes the plugin anew"));
+  CHECK_THAT(here.elsie("describe wander").out,
+             !Catch::Contains("an edit in a run makes the plugin anew"));
   const json network = json::parse(here.elsie("describe fusion_neural_network --json").out);
   for (const json& parameter : network.at("parameters")) {
     CHECK(parameter.value("live", true) == (parameter.at("name") == "weights"));
   }
+}
+
+TEST_CASE("Wrong edits of a file are reported where they stand, by check, run and batch") {
+  Workplace here;
+  const auto world = [](const std::string& changes) {
+    return "<world format=\"1\"><limits time=\"2\"/><robots><robot id=\"r1\"/></robots>\n" +
+           changes + "</world>\n";
+  };
+  here.write("wrong.xml",
+             world("<changes>\n<change time=\"1\" path=\"robot[r9]/@x\" value=\"1\"/>\n"
+                   "<change time=\"1.5\" path=\"robot[r1]/@max_speed\" value=\"fast\"/>\n"
+                   "</changes>"));
+  for (const std::string command : {"check ", "run "}) {
+    const auto wrong = here.elsie(command + "wrong.xml");
+    CHECK(wrong.exit_code == 2);
+    CHECK_THAT(wrong.err,
+               Catch::Contains("wrong.xml:3: at 1 s, robot[r9]/@x=1: there is no "
+                               "robot[r9]; there are: r1\n") &&
+                   Catch::Contains("wrong.xml:4: at 1.5 s, robot[r1]/@max_speed=fast: ") &&
+                   !Catch::Contains("--at"));
+  }
+  here.write("right.xml", world(""));
+  here.write("study.xml",
+             "<experiment format=\"1\"><worlds><world file=\"right.xml\"/></worlds>\n"
+             "<at time=\"1\">\n<set path=\"robot[r9]/@remove\" value=\"true\"/></at>\n"
+             "<seeds from=\"1\" to=\"2\"/></experiment>\n");
+  for (const std::string command : {"check study.xml", "batch study.xml --database s.sqlite"}) {
+    const auto wrong = here.elsie(command);
+    CHECK(wrong.exit_code == 2);
+    CHECK_THAT(wrong.err,
+               Catch::Contains("study.xml:3: at 1 s, robot[r9]/@remove=true: there is no "
+                               "robot[r9]; there are: r1"));
+  }
+  CHECK(!std::filesystem::exists(here.file("s.sqlite")));
+}
+
+TEST_CASE("A recording gives its run again, with all edits") {
+  Workplace here;
+  const std::string edits =
+      " --at '0:obstacle[+]=<static_box id=\"a\" x=\"1\" y=\"1.2\"/>' --at "
+      "'1:robot[r1]/@max_speed=0.2'"
+      " --at '1.5:robot[+]=<robot id=\"late\" x=\"-1.5\" y=\"1.5\"/>' --at '2:physics/@step=0.005'"
+      " --at '3:obstacle[a]/@remove=true'";
+  const auto hash = [&](const std::string& run) {
+    const auto result = here.elsie(run + " --json");
+    CAPTURE(result.err);
+    REQUIRE(result.exit_code <= 1);
+    return json::parse(result.out).at("state_hash").get<std::string>();
+  };
+  const std::string first =
+      hash("run worlds/open_arena.xml --seed 5 --duration 4 --record run.mcap" + edits);
+  const auto replayed = here.elsie("replay run.mcap --world again.xml");
+  CAPTURE(replayed.err);
+  REQUIRE(replayed.exit_code == 0);
+  CHECK_THAT(replayed.out,
+             Catch::StartsWith("the same run: elsie run again.xml --seed 5 --duration 4\n"));
+  CHECK(hash("run again.xml --seed 5 --duration 4") == first);
+  CHECK(hash("run worlds/open_arena.xml --seed 5 --duration 4") != first);
+  CHECK(here.elsie("replay run.mcap --world again.xml").exit_code == 2);
 }

@@ -32,6 +32,7 @@ Examples:
   elsie replay clutter.mcap
   elsie replay clutter.mcap --picture end.png
   elsie replay clutter.mcap --picture half-way.svg --at 30
+  elsie replay clutter.mcap --world again.xml
   elsie batch experiments/top_speed.xml --database speed.sqlite
   elsie replay speed.sqlite 17
   elsie replay speed.sqlite 17 --picture run.png --record run.mcap
@@ -52,6 +53,7 @@ struct ReplayOptions {
   std::optional<std::int64_t> run;
   std::optional<std::string> picture;
   int width = 1000;
+  std::optional<std::string> world;
   std::optional<double> at;
   RunAgainOptions again;
 };
@@ -103,10 +105,12 @@ void refuse(const CLI::App& command, const std::string& group, const std::string
 
 int replay(const CLI::App& command, const ReplayOptions& options) {
   require_content(options.file);
+  const RecordingOptions recording{options.file, options.picture, options.world, options.at,
+                                   options.width};
   if (mcap::may_be_mcap(options.file)) {
     refuse(command, kForRuns,
            "'" + options.file + "' is a recording of one run, in which nothing is run again");
-    return replay_recording({options.file, options.picture, options.at, options.width});
+    return replay_recording(recording);
   }
   const bool database = may_be_database(options.file);
   if (database && !options.run) {
@@ -119,9 +123,10 @@ int replay(const CLI::App& command, const ReplayOptions& options) {
                      "' is neither a recording, as `elsie run --record FILE.mcap` writes it, nor a "
                      "database that `elsie batch` has written");
     }
-    return replay_recording({options.file, options.picture, options.at, options.width});
+    return replay_recording(recording);
   }
-  refuse(command, kForRecordings, "only a recording can be drawn as it was at another time");
+  refuse(command, kForRecordings,
+         "only a recording can be drawn as it was at another time, and has a world to write");
   RunAgainOptions again = options.again;
   again.database = options.file;
   again.run = *options.run;
@@ -161,6 +166,12 @@ void add_replay_command(CLI::App& program, Job& job) {
                    "Draw the state at this simulated time (s) instead of the end")
       ->needs(picture)
       ->check(non_negative_number())
+      ->group(kForRecordings);
+  command
+      ->add_option("--world", options->world,
+                   "Write the world as it was at the start of the run, with the edits that the run "
+                   "was given under <changes>: `elsie run` makes the same run of it")
+      ->type_name("FILE.xml")
       ->group(kForRecordings);
   const auto before = command->get_options().size();
   RunAgainOptions& again = options->again;

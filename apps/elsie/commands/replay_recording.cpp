@@ -1,5 +1,7 @@
 #include "replay_recording.h"
 
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -8,7 +10,9 @@
 #include "elsie/mcap/records.h"
 #include "elsie/process/text_table.h"
 #include "elsie/recording/recorded_run.h"
+#include "elsie/world/markup.h"
 
+#include "arguments.h"
 #include "command.h"
 #include "environment.h"
 #include "output_files.h"
@@ -96,17 +100,43 @@ void draw(const RecordedRun& run, const RecordingOptions& options) {
   recording::save_picture(run, drives, {line}, *options.picture, {options.width, 0});
 }
 
+/// Writes the world, and returns how it is run as it was.
+std::string write_world(const RecordedRun& run, const std::string& file) {
+  if (run.start_xml.empty()) {
+    throw BadInput("--world: there is no world in the recording");
+  }
+  std::ofstream out(file);
+  out << run.start_xml;
+  if (!out.flush()) {
+    throw BadInput("--world: '" + file + "' cannot be written");
+  }
+  world::Element root = world::parse_markup(run.start_xml, file);
+  const world::Element* const limits = root.child("limits");
+  const world::Attribute* const time = limits ? limits->find("time") : nullptr;
+  const double own_s = time ? parse_number(time->value).value_or(0.0) : world::Limits{}.time;
+  return "the same run: elsie run " + file + " --seed " + std::to_string(run.seed) +
+         (own_s == run.time_limit_s ? "" : " --duration " + base::number_text(run.time_limit_s)) +
+         "\n\n";
+}
+
 }  // namespace
 
 int replay_recording(const RecordingOptions& options) {
   if (options.picture) {
     require_picture(*options.picture, "--picture");
   }
+  if (options.world) {
+    require_writable(*options.world, "--world");
+    if (std::filesystem::exists(*options.world)) {
+      throw BadInput("--world: '" + *options.world + "' is there already; expected a new file");
+    }
+  }
   const RecordedRun run = read(options);
   if (options.picture) {
     draw(run, options);
   }
-  out() << report(run);
+  const std::string again = options.world ? write_world(run, *options.world) : "";
+  out() << again << report(run);
   return kSuccess;
 }
 

@@ -10,8 +10,9 @@ namespace elsie::program {
 struct RecordingOptions {
   std::string recording;
   std::optional<std::string> picture;
-  std::optional<double> at;  // s; none: at the end
-  int width = 1000;          // of the picture, pixels
+  std::optional<std::string> world;  // file for the world with the run's edits
+  std::optional<double> at;          // s; none: at the end
+  int width = 1000;                  // of the picture, pixels
 };
 
 /// Prints its contents, draws it, and returns the exit code. Throws BadInput.

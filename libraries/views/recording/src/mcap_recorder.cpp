@@ -292,13 +292,16 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     for (const world::Robot& robot : world.robots) {
       robots.push_back(robot.id);
     }
-    write(world_, now(simulation),
-          {{"name", world.name},
-           {"file", world.file},
-           {"seed", std::to_string(simulation.seed())},
-           {"program", options_.program},
-           {"xml", world::write_world(world)},
-           {"robots", std::move(robots)}});
+    Json message{{"name", world.name},
+                 {"file", world.file},
+                 {"seed", std::to_string(simulation.seed())},
+                 {"program", options_.program},
+                 {"xml", world::write_world(world)},
+                 {"robots", std::move(robots)}};
+    if (std::string start = world::write_world(simulation.start()); start != message["xml"]) {
+      message["start_xml"] = std::move(start);
+    }
+    write(world_, now(simulation), message);
   }
 
   static std::size_t standing_boxes(const Simulation& simulation) {

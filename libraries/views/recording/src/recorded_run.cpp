@@ -61,6 +61,9 @@ class Follower final : public Visitor {
   /// Robots that an edit removed are gone.
   void read_world(const Json& world) {
     run_.world_xml = world.at("xml").get<std::string>();
+    if (run_.start_xml.empty()) {
+      run_.start_xml = world.value("start_xml", run_.world_xml);
+    }
     ids_ = world.at("robots").get<std::set<std::string>>();
     std::erase_if(run_.robots, [&](const auto& track) { return !ids_.contains(track.id); });
     std::erase_if(memory_, [&](const auto& known) { return !ids_.contains(known.first); });

@@ -90,7 +90,11 @@ std::string world() {
                  {"seed", text("of all randomness in the run; it may have 20 digits")},
                  {"program", text("that ran it")},
                  {"xml", text("the world file, templates merged in")},
-                 {"robots", list(text("id of a robot that is there"))}})
+                 {"robots", list(text("id of a robot that is there"))},
+                 {"start_xml",
+                  text("the same at the start, with the edits that the run was given among its "
+                       "changes; missing: xml"),
+                  false}})
       .dump();
 }
 

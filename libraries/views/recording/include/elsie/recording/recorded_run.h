@@ -53,6 +53,7 @@ struct RecordedRun {
   std::string world;  // its name
   std::string world_file;
   std::string world_xml;  // the file's text, templates merged in
+  std::string start_xml;  // the same at the start, with all edits of the run among its changes
   std::uint64_t seed = 0;
   double time_limit_s = 0.0;  // of the run, which may differ from the world's
   double step_s = 0.0;
