@@ -249,7 +249,7 @@ TEST_CASE("A version that cannot be used leaves the old one in place, on all rob
   CHECK_THAT(stage.refusal(9, 'k'),
              Contains("robot 'r1', sensor[level]: it makes readings of the kind 'other' now"));
   CHECK_THAT(stage.refusal(10, 'o'), Contains("sensor[level]: it would begin to look through a "
-                                              "camera; whether it does is settled"));
+                                              "camera; replace its element by an edit"));
   CHECK(Versions::loaded() == 1);
   CHECK(run(stage, 20) == undisturbed);
   CHECK(rates(stage.simulation->robot(1).command).left == Approx(0.01));

@@ -139,6 +139,8 @@ TEST_CASE("A path that leads nowhere says what is there instead") {
         "there is no 'sensro' in <robot>; did you mean 'sensor'?");
   CHECK(message("charger[1]/@x=1") == "there is no 'charger' in <world> of this world");
   CHECK(message("robot[r2]/behavior[1]/@x=1") == "there is no 'behavior' in <robot> of this world");
+  CHECK(message("robot[r2]/drive=<car/>") ==
+        "there is no 'drive' in <robot> of this world; to add one, write drive[+] in the path");
 }
 
 TEST_CASE("A path that is none is refused in words") {
