@@ -144,7 +144,7 @@ class Measure : public Component {
 };
 
 /// Makes a measure class a plugin; see ELSIE_BEHAVIOR. A measure raises no events and needs no
-/// readings. Its parameters are settled before a run.
+/// readings. An edit of it in a run makes it anew.
 #define ELSIE_MEASURE(Class, ...) \
   ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::measure, Class, __VA_ARGS__)
 
