@@ -60,6 +60,9 @@ std::vector<std::string> blocks(const std::string& page, const std::string& lang
 /// Commands that end a run before its goal is met (exit code 1) on purpose, because a short run
 /// shows enough. All others must reach their goals.
 const std::set<std::string> kCutShort = {
+    "elsie run worlds/open_arena.xml --seed 5 --duration 6 --record edited.mcap "
+    "--at '2:obstacle[+]=<static_box x=\"1\" y=\"1\"/>' --at '3:robot[r1]/@max_speed=0.2'",
+    "elsie run edited.xml --seed 5 --duration 6",
     "elsie run worlds/ten_robots.xml --duration 60 --record run.mcap",
     "elsie run worlds/open_arena.xml --duration 10 --json",
     "elsie run worlds/open_arena.xml --duration 12 --at '3:obstacle[+]=<static_box id=\"block\" "
