@@ -191,7 +191,8 @@ TEST_CASE("A recording gives its run again, with all edits") {
   const std::string edits =
       " --at '0:obstacle[+]=<static_box id=\"a\" x=\"1\" y=\"1.2\"/>' --at "
       "'1:robot[r1]/@max_speed=0.2'"
-      " --at '1.5:robot[+]=<robot id=\"late\" x=\"-1.5\" y=\"1.5\"/>' --at '2:physics/@step=0.005'"
+      " --at '1.5:robot[+]=<robot id=\"late\" x=\"-1.5\" y=\"1.5\" "
+      "template=\"../robots/scout.xml\"/>' --at '2:physics/@step=0.005'"
       " --at '3:obstacle[a]/@remove=true'";
   const auto hash = [&](const std::string& run) {
     const auto result = here.elsie(run + " --json");

@@ -449,6 +449,16 @@ TEST_CASE("A document is saved elsewhere with names that lead to the same files"
       world::parse_world(text, files.path("other/deep/copy.xml"), host(), reading());
   CHECK(there.robots[0].behaviors[1].inside.at(0).behaviors[0].parameters ==
         d.world().robots[0].behaviors[1].inside.at(0).behaviors[0].parameters);
+  // Names in what is edited later, too.
+  d.apply(
+      "change[+]=<change time=\"1\" path=\"robot[r1]/behavior[both]/behavior[roam]/@song\" "
+      "value=\"here.txt\"/>");
+  d.apply(
+      "change[+]=<change time=\"2\" path=\"robot[+]\"><robot id=\"r9\" x=\"5\" "
+      "template=\"../robots/two.xml\"/></change>");
+  const std::string later = d.text_for(files.path("other/deep"));
+  CHECK_THAT(later, Catch::Contains("value=\"../../worlds/here.txt\"") &&
+                        Catch::Contains("x=\"5\" template=\"../../robots/two.xml\""));
   try {
     (void)d.text_for(files.path("nowhere"));
     FAIL("there is no such folder");

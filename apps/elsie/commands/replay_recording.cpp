@@ -10,6 +10,8 @@
 #include "elsie/mcap/records.h"
 #include "elsie/process/text_table.h"
 #include "elsie/recording/recorded_run.h"
+#include "elsie/world/document.h"
+#include "elsie/world/error.h"
 #include "elsie/world/markup.h"
 
 #include "arguments.h"
@@ -100,13 +102,26 @@ void draw(const RecordedRun& run, const RecordingOptions& options) {
   recording::save_picture(run, drives, {line}, *options.picture, {options.width, 0});
 }
 
+/// The world at the start of the run, whose files are found from another folder, too. Where they
+/// are no longer what the world needs, it is as it was recorded, and whoever reads it says what is
+/// missing.
+std::string start_from(const RecordedRun& run, const std::filesystem::path& folder) {
+  try {
+    const plugin::Host host = load_plugins({});
+    return world::Document(run.start_xml, run.world_file, host, read_options())
+        .text_for(folder.string());
+  } catch (const world::WorldError&) {
+    return run.start_xml;
+  }
+}
+
 /// Writes the world, and returns how it is run as it was.
 std::string write_world(const RecordedRun& run, const std::string& file) {
   if (run.start_xml.empty()) {
     throw BadInput("--world: there is no world in the recording");
   }
   std::ofstream out(file);
-  out << run.start_xml;
+  out << start_from(run, std::filesystem::path(file).parent_path());
   if (!out.flush()) {
     throw BadInput("--world: '" + file + "' cannot be written");
   }

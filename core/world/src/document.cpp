@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "elsie/plugin/host.h"
+#include "elsie/world/attributes.h"
 #include "elsie/world/data_directories.h"
 #include "elsie/world/error.h"
 #include "elsie/world/files.h"
@@ -267,6 +268,14 @@ class Document::Impl {
   }
 
   std::vector<std::string> apply_texts(const std::vector<std::string>& edits);
+  /// What the attribute at the end of a path may be; none if there is none in this world.
+  std::optional<Field> field_at(const std::string& path) const {
+    try {
+      return Attributes(world_, host_, options_.data_directories).find(path).front().field;
+    } catch (const std::invalid_argument&) {
+      return std::nullopt;
+    }
+  }
   WorldText edited(const WorldText& from, const std::string& edit, Element& wanted,
                    std::vector<std::string>& inverse) const;
 
@@ -361,7 +370,9 @@ std::string Document::Impl::text_for(const std::string& folder) const {
                                               : std::vector<ElementSpan::Attribute>()) {
       const std::string name = now_.text.substr(span.begin, span.name_end - span.begin);
       const Attribute* attribute = element.find(name);
-      const auto field = meaning.field(name);
+      const auto field = element.name == "change" && name == "value"
+                             ? field_at(element.value("path"))
+                             : meaning.field(name);
       const bool is_schema = name == "xsi:noNamespaceSchemaLocation";
       if (!attribute || attribute->value.empty() ||
           !(is_schema || (field && field->type == ParameterType::file))) {
@@ -382,7 +393,8 @@ std::string Document::Impl::text_for(const std::string& folder) const {
       }
     }
     for (const Element& child : element.children) {
-      visit(child, meaning.child(child, host_));
+      visit(child, element.name == "change" ? Meaning::of_name(child.name, host_)
+                                            : meaning.child(child, host_));
     }
   };
   visit(now_.raw, Meaning::of_world());

@@ -15,6 +15,21 @@ class Meaning {
  public:
   static Meaning of_world() { return {&vocabulary(), nullptr, nullptr}; }
 
+  /// Of an element that stands by itself, as in a <change>; empty if nothing has its name.
+  static Meaning of_name(const std::string& name, const plugin::Host& host,
+                         const ElementSpec& among = vocabulary()) {
+    for (const ElementSpec& each : among.children) {
+      const Declaration* plugin = each.plugins ? host.find(*each.plugins, name) : nullptr;
+      if (plugin || (!each.plugins && !each.group && each.name == name)) {
+        return {&each, plugin, nullptr};
+      }
+      if (Meaning inside = of_name(name, host, each); inside.spec_) {
+        return inside;
+      }
+    }
+    return {};
+  }
+
   /// Of an element in this one; empty if nothing is known of it.
   Meaning child(const Element& child, const plugin::Host& host) const {
     if (!spec_) {
