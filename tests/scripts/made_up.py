@@ -38,7 +38,7 @@ class MadeUp:
         for robot, poses in robots:
             self.add("run_robots", run_id=self.runs, robot=robot, team="", distance_m=0, collected=0, energy=0, collisions=0, x_m=poses[-1][0],
                      y_m=poses[-1][1], heading_rad=0)
-            self.add("trajectories", run_id=self.runs, robot=robot, period_s=1, poses=json.dumps(poses), touches="[]")
+            self.add("trajectories", run_id=self.runs, robot=robot, from_s=0, period_s=1, poses=json.dumps(poses), touches="[]")
         return self
 
     def pending(self, cell, seed):
