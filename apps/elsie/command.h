@@ -43,5 +43,6 @@ void add_new_command(CLI::App& program, Job& job);
 void add_build_command(CLI::App& program, Job& job);
 void add_manual_command(CLI::App& program, Job& job);
 void add_completion_command(CLI::App& program, Job& job);
+void add_session_command(CLI::App& program, Job& job);
 
 }  // namespace elsie::program

@@ -332,6 +332,24 @@ TEST_CASE("A program of one's own runs a shipped world by its name from any fold
           .exit_code == 2);
 }
 
+TEST_CASE("The page on sessions quotes the example, which edits and runs a world") {
+  const fs::path source(elsie::test::source_path(""));
+  CHECK(blocks(read(source / "docs" / "session.md"), "cpp").at(0) ==
+        read(source / "examples" / "07-session" / "main.cpp"));
+  Workplace here;
+  const std::string program = elsie::test::build_path("examples") + "/own_session " +
+                              elsie::test::build_path("bin/elsie") + " ";
+  const auto session = here.sh(program + "worlds/clutter.xml '@name=edited'");
+  CAPTURE(session.out, session.err);
+  CHECK(session.exit_code == 0);
+  const auto run = nlohmann::json::parse(here.elsie("run worlds/clutter.xml --json").out);
+  CHECK(session.out == "success " + run["state_hash"].get<std::string>() + "\n");
+
+  const auto refused = here.sh(program + "worlds/clutter.xml 'robot[r9]/@x=1'");
+  CHECK(refused.exit_code == 2);
+  CHECK_THAT(refused.err, Catch::Contains("r9"));
+}
+
 TEST_CASE("The examples of inference alone load nothing else of Elsie") {
   Workplace here;
   for (const std::string program : {"braking", "exclusive_or"}) {

@@ -30,6 +30,7 @@ void add_commands(CLI::App& program, Job& job) {
   add_build_command(program, job);
   add_manual_command(program, job);
   add_completion_command(program, job);
+  add_session_command(program, job);
 }
 
 }  // namespace

@@ -240,6 +240,8 @@ class Document::Impl {
   const std::string& file() const { return file_; }
   const std::string& text() const { return now_.text; }
   const World& world() const { return world_; }
+  const Element& tree() const { return now_.merged; }
+  bool holds(const Element& element) const { return now_.has(element); }
 
  private:
   WorldText read(std::string text) const {
@@ -352,6 +354,8 @@ Document Document::open(const std::string& file, const plugin::Host& host, ReadO
 const std::string& Document::file() const { return impl_->file(); }
 const std::string& Document::text() const { return impl_->text(); }
 const World& Document::world() const { return impl_->world(); }
+const Element& Document::tree() const { return impl_->tree(); }
+bool Document::holds(const Element& element) const { return impl_->holds(element); }
 Edits Document::apply(const Edits& edits) { return impl_->apply(edits); }
 std::string Document::text_for(const std::string& folder) const { return impl_->text_for(folder); }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "elsie/world/description.h"
+#include "elsie/world/markup.h"
 #include "elsie/world/reader.h"
 
 namespace elsie::world {
@@ -54,6 +55,10 @@ class Document {
   const std::string& file() const;
   const std::string& text() const;
   const World& world() const;
+  /// The elements of the world, those of templates among them; valid until the next edit.
+  const Element& tree() const;
+  /// Whether an element of the tree stands in the text, not in a template.
+  bool holds(const Element& element) const;
 
   /// Makes the edits, checks the result as a file is checked, and returns the edits that undo them.
   /// Applied next, these restore the text byte for byte; applied to any other text, they do what

@@ -1,0 +1,28 @@
+// elsie session: the other process of a window, which elsie::client starts.
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "elsie/server/server.h"
+
+#include "command.h"
+#include "environment.h"
+
+namespace elsie::program {
+
+void add_session_command(CLI::App& program, Job& job) {
+  CLI::App* command = program.add_subcommand(
+      "session", "Edit and run a world for a window, which starts this by itself");
+  command->group("");  // not among those for users
+  auto options = std::make_shared<PluginOptions>();
+  options->add_to(*command);
+  command->callback([&job, options] {
+    job = [options] {
+      const plugin::Host host = load_plugins(*options);
+      server::Server(host, data_directories()).serve();
+      return kSuccess;
+    };
+  });
+}
+
+}  // namespace elsie::program

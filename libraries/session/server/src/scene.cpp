@@ -1,0 +1,120 @@
+#include "scene.h"
+
+#include <array>
+#include <string>
+
+#include "elsie/recording/beams.h"
+#include "elsie/world/colours.h"
+#include "elsie/world/parts.h"
+
+namespace elsie::server {
+namespace {
+
+constexpr world::BoxColours kBoxes{{0x8a, 0x8f, 0x98}, {0xb0, 0x8d, 0x57}, {0x7a, 0x5c, 0xa8}};
+constexpr Colour kWall{0x9a, 0x9f, 0xa6};
+constexpr Colour kTyre{0x20, 0x20, 0x20};
+
+Json json(const Vector3& vector) { return {vector.x, vector.y, vector.z}; }
+
+Json json(const Frame& frame) {
+  return {json(frame.origin), json(frame.forward), json(frame.left), json(frame.up)};
+}
+
+Json json(const Shape& shape, const Frame& frame, const Colour& colour, int body) {
+  constexpr std::array kKinds{"box", "cylinder", "sphere", "capsule"};
+  constexpr std::array kAxes{"forward", "left", "up"};
+  return {{"shape", kKinds.at(static_cast<std::size_t>(shape.kind))},
+          {"axis", kAxes.at(static_cast<std::size_t>(shape.axis))},
+          {"size", json(shape.size)},
+          {"frame", json(frame)},
+          {"colour", {colour.red, colour.green, colour.blue}},
+          {"body", body}};
+}
+
+const char* group_of(const world::Box& box) {
+  return box.kind == world::BoxKind::resource ? "resource" : "obstacle";
+}
+
+std::string path(const char* group, const std::string& id) {
+  return std::string(group) + "[" + id + "]";
+}
+
+}  // namespace
+
+Json scene_json(const world::World& world) {
+  Json bodies = Json::array(), shapes = Json::array();
+  int body = -1;
+  for (const world::Fixture& wall : world::walls_of(world.arena)) {
+    shapes.push_back(json(wall.shape, wall.frame, kWall, body));
+  }
+  for (const world::Charger& charger : world.chargers) {
+    const world::Fixture fixture = world::fixture_of(charger);
+    shapes.push_back(json(fixture.shape, fixture.frame, world::kChargerColour, body));
+    shapes.back()["path"] = path("charger", charger.id);
+  }
+  for (const world::Robot& robot : world.robots) {
+    const BodyPlan plan = world::plan_of(robot);
+    const Colour colour = world::team_colour(world, robot.team);
+    for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
+      ++body;
+      bodies.push_back({{"path", path("robot", robot.id)}, {"vehicle", vehicle}});
+      for (const Part& part : world::vehicle_of(plan, vehicle)) {
+        shapes.push_back(
+            json(part.shape, part.frame, part.role == PartRole::chassis ? colour : kTyre, body));
+      }
+    }
+  }
+  for (const world::Box& box : world.boxes) {
+    const Shape shape = world::fixture_of(box).shape;
+    bodies.push_back({{"path", path(group_of(box), box.id)}});
+    shapes.push_back(json(shape, {.origin = {0.0, 0.0, 0.5 * shape.size.z}},
+                          world::box_colour(world, box, kBoxes), ++body));
+  }
+  return {{"arena", {world.arena.length, world.arena.width}},
+          {"bodies", std::move(bodies)},
+          {"shapes", std::move(shapes)}};
+}
+
+void place_bodies(const simulation::Simulation& simulation,
+                  std::vector<snapshots::BodyState>& bodies) {
+  bodies.clear();
+  for (std::size_t i = 0; i < simulation.robots(); ++i) {
+    const Pose& pose = simulation.robot(i).state->pose;
+    bodies.push_back(
+        snapshots::BodyState::of(Frame::turned({pose.x, pose.y, 0.0}, pose.heading_rad, 0.0)));
+    for (std::size_t k = 0; k < simulation.segments(i); ++k) {
+      bodies.push_back(snapshots::BodyState::of(simulation.segment(i, k).frame));
+    }
+  }
+  const std::vector<world::Box>& boxes = simulation.world().boxes;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const auto pose = simulation.box(i);
+    bodies.push_back({});
+    if (pose) {
+      bodies.back() = snapshots::BodyState::of(
+          Frame::turned({pose->x, pose->y, boxes[i].z}, pose->heading_rad, 0.0));
+    }
+    bodies.back().present = pose ? 1.0F : 0.0F;
+  }
+}
+
+void list_beams(const simulation::Simulation& simulation,
+                std::vector<snapshots::BeamState>& beams) {
+  beams.clear();
+  const auto put = [](float(&to)[3], const Vector3& from) {
+    to[0] = static_cast<float>(from.x);
+    to[1] = static_cast<float>(from.y);
+    to[2] = static_cast<float>(from.z);
+  };
+  for (std::size_t i = 0; i < simulation.robots(); ++i) {
+    for (const recording::RangeBeam& beam : recording::range_beams(simulation, i)) {
+      snapshots::BeamState& state = beams.emplace_back();
+      put(state.from, beam.from);
+      put(state.to, beam.to);
+      state.robot = static_cast<std::uint32_t>(i);
+      state.hit = beam.hit ? 1 : 0;
+    }
+  }
+}
+
+}  // namespace elsie::server

@@ -1,0 +1,23 @@
+// What there is to draw: shapes on bodies, and where the bodies are.
+#pragma once
+
+#include <vector>
+
+#include "elsie/simulation/simulation.h"
+#include "elsie/snapshots/snapshots.h"
+
+#include "link.h"
+
+namespace elsie::server {
+
+/// The shapes of a world, each with the body that carries it. Bodies are the vehicles of all
+/// robots, each robot's in a row, then the boxes; body -1 is the arena.
+Json scene_json(const world::World& world);
+
+/// Where the bodies are now.
+void place_bodies(const simulation::Simulation& simulation,
+                  std::vector<snapshots::BodyState>& bodies);
+/// The rays of all range sensors.
+void list_beams(const simulation::Simulation& simulation, std::vector<snapshots::BeamState>& beams);
+
+}  // namespace elsie::server
