@@ -46,7 +46,7 @@ constexpr const char* kSecond =
 class Session {
  public:
   explicit Session(const std::vector<std::string>& arguments = {})
-      : connection_(test::build_path("bin/elsie"), words(arguments)) {}
+      : connection_(test::build_path("bin/elsie"), arguments) {}
 
   Connection& connection() { return connection_; }
 
@@ -72,12 +72,6 @@ class Session {
   }
 
  private:
-  static std::vector<std::string> words(const std::vector<std::string>& arguments) {
-    std::vector<std::string> all{"session"};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    return all;
-  }
-
   Json wait(const std::function<bool(const Json&)>& is_it) {
     const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(120);
     while (std::chrono::steady_clock::now() < patience) {

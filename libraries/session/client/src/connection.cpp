@@ -158,7 +158,7 @@ class Connection::Impl {
     posix_spawn_file_actions_adddup2(&actions, their_output, STDERR_FILENO);
     posix_spawn_file_actions_adddup2(&actions, theirs, kMessages);
     posix_spawn_file_actions_adddup2(&actions, memory_.descriptor(), kMemory);
-    std::vector<std::string> words{program};
+    std::vector<std::string> words{program, "session"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& word : words) {

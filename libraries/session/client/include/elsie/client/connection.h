@@ -27,8 +27,8 @@ struct SessionEnd {
 
 class Connection {
  public:
-  /// Starts the program of sessions with these arguments. `most_bytes`: of a snapshot. Throws
-  /// base::Error.
+  /// Starts `program`, which is `elsie`, with these options: those of plugins. `most_bytes`: of a
+  /// snapshot. Throws base::Error.
   Connection(const std::string& program, const std::vector<std::string>& arguments = {},
              std::size_t most_bytes = std::size_t{256} << 20);
   /// Ends the process: by closing the connection, and by force when it is still there a moment
