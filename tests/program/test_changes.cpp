@@ -211,3 +211,26 @@ TEST_CASE("A recording gives its run again, with all edits") {
   CHECK(hash("run worlds/open_arena.xml --seed 5 --duration 4") != first);
   CHECK(here.elsie("replay run.mcap --world again.xml").exit_code == 2);
 }
+
+TEST_CASE("A run of a batch is done again with its edits and the data files of its world") {
+  Workplace here;
+  here.write("study.xml", R"(<experiment format="1" name="study">
+  <worlds><world file="worlds/maze.xml"/></worlds>
+  <set path="limits/@time" value="4"/>
+  <vary name="edit">
+    <level label="slow"><at time="2"><set path="robot[1]/@max_speed" value="0.1"/></at></level>
+    <level label="more"><at time="2"><set path="obstacle[+]"><static_box id="more" x="2.8" y="-2.8" length="0.05" width="0.05"/></set></at></level>
+  </vary>
+  <seeds from="1" to="1"/>
+</experiment>
+)");
+  const auto batch = here.elsie("batch study.xml --database s.sqlite");
+  CAPTURE(batch.out, batch.err);
+  REQUIRE(batch.exit_code <= 1);
+  for (const std::string run : {"1", "2"}) {
+    const auto replay = here.elsie("replay s.sqlite " + run);
+    CAPTURE(replay.out, replay.err);
+    CHECK(replay.exit_code == 0);
+    CHECK_THAT(replay.out, Catch::Contains("the same: state hash"));
+  }
+}

@@ -2,6 +2,7 @@
 // does not concern goes on.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -611,6 +612,28 @@ TEST_CASE("What an edit sets has the warnings of the physics, each once") {
   simulation.change("robot[r1]/@max_speed", "20");
   CHECK_THAT(warnings(), Catch::StartsWith(first) &&
                              Catch::Contains("the robot 'r1' moves up to 0.2 m in a step"));
+}
+
+TEST_CASE("Measures of all robots count those that an edit removed") {
+  const auto measures = [](std::vector<TimedChange> edits) {
+    Simulation simulation(lively(), shipped(), {7});
+    std::map<std::string, double> values;
+    for (const simulation::MeasuredValue& measured : simulation.run({}, edits).measures) {
+      values[measured.name] = measured.value.value_or(-1.0);
+    }
+    return values;
+  };
+  const auto all = measures({}), late = measures({{5.99, {"robot[r3]/@remove", "true"}}});
+  CHECK(late.at("path_length_m") == Approx(all.at("path_length_m")).margin(0.05));
+  CHECK(late.at("path_length_m") > 0.1);
+  CHECK(late.at("collisions") == all.at("collisions"));
+  CHECK(late.at("collected") == all.at("collected"));
+}
+
+TEST_CASE("A robot's template is read before the run, and no edit sets it later") {
+  Simulation simulation(lively(), shipped(), {7});
+  CHECK(refusal(simulation, "robot[r1]/@template", "robots/scout.xml")
+            .find("what the template brings is in the robot since the start") != std::string::npos);
 }
 
 TEST_CASE("The event of an edit names each robot that its path leads to") {

@@ -456,9 +456,13 @@ TEST_CASE("A document is saved elsewhere with names that lead to the same files"
   d.apply(
       "change[+]=<change time=\"2\" path=\"robot[+]\"><robot id=\"r9\" x=\"5\" "
       "template=\"../robots/two.xml\"/></change>");
+  d.apply(
+      "change[+]=<change time=\"3\" path=\"robot[+]\" value=\"&lt;robot id='r8' x='5' "
+      "template='../robots/two.xml'/&gt;\"/>");
   const std::string later = d.text_for(files.path("other/deep"));
   CHECK_THAT(later, Catch::Contains("value=\"../../worlds/here.txt\"") &&
-                        Catch::Contains("x=\"5\" template=\"../../robots/two.xml\""));
+                        Catch::Contains("x=\"5\" template=\"../../robots/two.xml\"") &&
+                        Catch::Contains("template=&quot;../../robots/two.xml&quot;"));
   try {
     (void)d.text_for(files.path("nowhere"));
     FAIL("there is no such folder");

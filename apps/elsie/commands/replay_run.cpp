@@ -138,6 +138,8 @@ int replay_run(const RunAgainOptions& options) {
   Simulation simulation(restored.world(), restored.host(),
                         {.seed = run.job.seed,
                          .measure_time = options.views.record.times,
+                         .data_directories = data_directories(),
+                         .files = restored.files(),
                          .cameras = render::world_cameras});
   views->open(simulation);
   const Watchers watchers(options, std::move(views), end ? &*end : nullptr);

@@ -73,7 +73,8 @@ RestoredRun::RestoredRun(const StoredRun& run, const PluginOptions& plugins)
   }
   compare_libraries(run);
   world::ReadOptions options = read_options();
-  restore_data(run, options.files);
+  restore_data(run);
+  options.files = files_;
   world_ = world::parse_world(run.job.world_text, run.job.world_file, host_, options);
 }
 
@@ -117,12 +118,12 @@ void RestoredRun::compare_libraries(const StoredRun& run) {
   }
 }
 
-void RestoredRun::restore_data(const StoredRun& run, std::map<std::string, std::string>& files) {
+void RestoredRun::restore_data(const StoredRun& run) {
   std::size_t place = 0;
   for (const StoredRun::Data& data : run.data) {
     const auto now = hash_of(data.path);
     if (now == data.sha256) {
-      files[data.name] = data.path;
+      files_[data.name] = data.path;
       continue;
     }
     if (folder_.empty()) {
@@ -142,7 +143,7 @@ void RestoredRun::restore_data(const StoredRun& run, std::map<std::string, std::
     if (!out.flush()) {
       throw std::runtime_error("the file '" + file.string() + "' cannot be written");
     }
-    files[data.name] = file.string();
+    files_[data.name] = file.string();
     differences_.push_back("'" + data.path + "' " + (now ? "has changed since" : "is gone") +
                            "; the run uses its stored content from the database");
   }

@@ -27,15 +27,18 @@ class RestoredRun {
 
   const world::World& world() const { return world_; }
   const plugin::Host& host() const { return host_; }
+  /// Paths of its data files, by their names in the world and its edits.
+  const std::map<std::string, std::string>& files() const { return files_; }
   /// Sentences on differences from the original run.
   const std::vector<std::string>& differences() const { return differences_; }
 
  private:
-  void restore_data(const batch::StoredRun& run, std::map<std::string, std::string>& files);
+  void restore_data(const batch::StoredRun& run);
   void compare_program(const batch::StoredRun& run);
   void compare_libraries(const batch::StoredRun& run);
 
   std::vector<std::string> differences_;
+  std::map<std::string, std::string> files_;
   std::filesystem::path folder_;  // of restored data files; empty: none
   plugin::Host host_;
   world::World world_;

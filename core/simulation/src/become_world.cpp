@@ -345,6 +345,14 @@ void Simulation::Impl::become_robots(const world::World& was, Becoming& becoming
     robots_.push_back(std::move((*before)[places[i]]));
     robots_.back()->become(was.robots[places[i]], next, membership, becoming);
   }
+  becoming.undo().keep(departed_);
+  for (const auto& robot : *before) {
+    if (robot) {
+      departed_.distance_m += robot->distance_m();
+      departed_.collected += robot->collected();
+      departed_.collisions += robot->collisions();
+    }
+  }
 }
 
 /// Returns the robots that are new, have a new body, or are at a new place.

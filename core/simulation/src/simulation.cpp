@@ -159,7 +159,7 @@ RunResult Simulation::result() const {
   // A step that a fault ended is none of the steps.
   note_give_ups(world(), give_ups, std::max(steps(), give_ups.steps), result.notes);
   result.curves = impl_->said_.curves;
-  measure_every_run(result);
+  measure_every_run(result, impl_->departed_);
   impl_->measuring_->report({outcome(), time_s()}, result.measures);
   return result;
 }

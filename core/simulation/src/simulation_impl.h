@@ -219,6 +219,7 @@ class Simulation::Impl {
   std::vector<TimedChange> given_;  // to run()
   Statements said_;                 // before the first step
   std::unique_ptr<Measuring> measuring_;
+  Departed departed_;
   std::uint64_t renewals_ = 0;     // how often objects were replaced or made anew
   std::uint64_t own_changes_ = 0;  // how often those were edited that stand in the world
 

@@ -367,33 +367,50 @@ std::string Document::Impl::text_for(const std::string& folder) const {
   }
   const std::string elsewhere = (fs::path(folder) / fs::path(file_).filename()).string();
   const Files there(elsewhere, options_.data_directories, elsewhere, options_.files);
+  // The name there of the file that an attribute names; none if it names none.
+  const auto renamed = [&](const Element& element, const std::string& name,
+                           const Meaning& meaning) -> std::optional<std::string> {
+    const auto field = element.name == "change" && name == "value" ? field_at(element.value("path"))
+                                                                   : meaning.field(name);
+    const bool is_schema = name == "xsi:noNamespaceSchemaLocation";
+    const std::string value = element.value(name);
+    if (value.empty() || !(is_schema || (field && field->type == ParameterType::file))) {
+      return std::nullopt;
+    }
+    const auto file = files_.find(value, element.where);
+    if (!file) {
+      return std::nullopt;  // a schema that is not there
+    }
+    return is_schema ? fs::path(Files::absolute(*file))
+                           .lexically_relative(Files::absolute(folder.empty() ? "." : folder))
+                           .generic_string()
+                     : there.name_for_world(*file, value);
+  };
+  const std::function<void(Element&, const Meaning&)> rename = [&](Element& element,
+                                                                   const Meaning& meaning) {
+    for (Attribute& attribute : element.attributes) {
+      attribute.value = renamed(element, attribute.name, meaning).value_or(attribute.value);
+    }
+    for (Element& child : element.children) {
+      rename(child, meaning.child(child, host_));
+    }
+  };
   std::vector<Splice> splices;
   const std::function<void(const Element&, const Meaning&)> visit = [&](const Element& element,
                                                                         const Meaning& meaning) {
     for (const auto& span : now_.has(element) ? now_.spans[*element.object].attributes
                                               : std::vector<ElementSpan::Attribute>()) {
       const std::string name = now_.text.substr(span.begin, span.name_end - span.begin);
-      const Attribute* attribute = element.find(name);
-      const auto field = element.name == "change" && name == "value"
-                             ? field_at(element.value("path"))
-                             : meaning.field(name);
-      const bool is_schema = name == "xsi:noNamespaceSchemaLocation";
-      if (!attribute || attribute->value.empty() ||
-          !(is_schema || (field && field->type == ParameterType::file))) {
-        continue;
+      const std::string value = element.value(name);
+      auto other = renamed(element, name, meaning);
+      if (element.name == "change" && name == "value" && value.starts_with('<')) {
+        Element given = parse_markup(value, file_);
+        rename(given, Meaning::of_name(given.name, host_));
+        other = markup_of(given);
       }
-      const auto file = files_.find(attribute->value, element.where);
-      if (!file) {
-        continue;  // a schema that is not there
-      }
-      const std::string other =
-          is_schema ? fs::path(Files::absolute(*file))
-                          .lexically_relative(Files::absolute(folder.empty() ? "." : folder))
-                          .generic_string()
-                    : there.name_for_world(*file, attribute->value);
-      if (other != attribute->value) {
+      if (other && *other != value) {
         splices.push_back(
-            {span.value, span.end - 1, quoted_value(other, now_.text[span.value - 1])});
+            {span.value, span.end - 1, quoted_value(*other, now_.text[span.value - 1])});
       }
     }
     for (const Element& child : element.children) {

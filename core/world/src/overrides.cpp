@@ -170,9 +170,12 @@ std::optional<std::string> attribute_of_robot(const std::string& override) {
 
 }  // namespace
 
+bool sets_template(const std::string& override) {
+  return attribute_of_robot(override) == "template";
+}
+
 bool concerns_templates(const std::string& override) {
-  const auto attribute = attribute_of_robot(override);
-  return attribute && (attribute->empty() || *attribute == "template");
+  return sets_template(override) || attribute_of_robot(override) == "";
 }
 
 bool concerns_robots(const std::string& override) {

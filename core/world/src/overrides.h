@@ -12,6 +12,9 @@ namespace elsie::world {
 /// robots.
 bool concerns_templates(const std::string& override);
 
+/// Whether an override sets the template of a robot that is there.
+bool sets_template(const std::string& override);
+
 /// Whether an override adds, replaces or removes robots, or sets their templates.
 bool concerns_robots(const std::string& override);
 

@@ -110,6 +110,12 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
       // What runs has no templates any more: its edits are made in the order given.
       const bool is_first = !options.is_running && concerns_templates(override);
       if (is_first == before_templates) {
+        if (options.is_running && sets_template(override)) {
+          problems.add({"--set " + override, 0},
+                       "what the template brings is in the robot since the start; replace the "
+                       "robot, or edit what is in it");
+          continue;
+        }
         apply_override(root, override, problems);
         if (options.is_running) {
           templates.merge_given(root);

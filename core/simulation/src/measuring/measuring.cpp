@@ -52,13 +52,15 @@ std::vector<Quantity> measures_of_every_run() {
           {"energy_left", "units", "in the batteries at the end, all together"}};
 }
 
-void measure_every_run(RunResult& result) {
+void measure_every_run(RunResult& result, const Departed& departed) {
   const double values[kMeasuresOfEveryRun] = {
       result.outcome == Outcome::success ? 1.0 : 0.0,
       result.simulated_s,
-      sum(result, [](const RobotResult& robot) { return robot.distance_m; }),
-      sum(result, [](const RobotResult& robot) { return double(robot.collected); }),
-      sum(result, [](const RobotResult& robot) { return double(robot.collisions); }),
+      departed.distance_m + sum(result, [](const RobotResult& robot) { return robot.distance_m; }),
+      departed.collected +
+          sum(result, [](const RobotResult& robot) { return double(robot.collected); }),
+      departed.collisions +
+          sum(result, [](const RobotResult& robot) { return double(robot.collisions); }),
       sum(result, [](const RobotResult& robot) { return robot.energy; })};
   std::size_t i = 0;
   for (Quantity& quantity : measures_of_every_run()) {

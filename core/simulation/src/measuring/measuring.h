@@ -81,7 +81,14 @@ class Measuring {
   bool has_failed_ = false;
 };
 
+/// What robots did that an edit has removed since.
+struct Departed {
+  double distance_m = 0.0;
+  int collected = 0;
+  int collisions = 0;
+};
+
 /// Adds the values that every run has.
-void measure_every_run(RunResult& result);
+void measure_every_run(RunResult& result, const Departed& departed);
 
 }  // namespace elsie::simulation
