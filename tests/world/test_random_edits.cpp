@@ -30,8 +30,17 @@ void reduce(world::PluginUse& use, PluginKind kind) {
   use.id.clear();
   for (const ParameterDeclaration& parameter : shipped().find(kind, use.plugin)->parameters) {
     const auto given = use.parameters.find(parameter.name);
-    if (given != use.parameters.end() && given->second == parameter.default_value) {
+    if (given == use.parameters.end()) {
+      continue;
+    }
+    const auto file = use.file_names.find(parameter.name);
+    const bool is_default = file == use.file_names.end()
+                                ? given->second == parameter.default_value
+                                : file->second.name.empty() ||
+                                      ParameterValue(file->second.name) == parameter.default_value;
+    if (is_default) {
       use.parameters.erase(given);
+      use.file_names.erase(parameter.name);
     }
   }
 }
