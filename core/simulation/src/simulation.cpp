@@ -169,7 +169,8 @@ world::World Simulation::start() const {
   world::World start = impl_->start_ ? *impl_->start_ : impl_->world_;
   for (const TimedChange& given : impl_->given_) {
     const auto& [path, value] = given.change;
-    world::TimedEdit& edit = start.changes.emplace_back(given.time_s, path);
+    world::TimedEdit& edit =
+        start.changes.emplace_back(world::TimedEdit{given.time_s, path, {}, {}});
     (value.starts_with('<') ? edit.element : edit.value) = value;
   }
   return start;
