@@ -33,6 +33,17 @@ void PluginOptions::add_to(CLI::App& command) {
       ->allow_extra_args(false);
 }
 
+std::vector<std::string> PluginOptions::words() const {
+  std::vector<std::string> words;
+  for (const std::string& directory : directories) {
+    words.insert(words.end(), {"--plugin-path", directory});
+  }
+  for (const std::string& file : files) {
+    words.insert(words.end(), {"--plugin", file});
+  }
+  return words;
+}
+
 namespace {
 
 /// Whether a debugger is at work, which may hold the program for as long as it likes.

@@ -25,6 +25,8 @@ struct PluginOptions {
   std::vector<std::string> files;  // libraries, or sources to compile
 
   void add_to(CLI::App& command);
+  /// The same as words of a command line.
+  std::vector<std::string> words() const;
 };
 
 /// Compiles a plugin's source, unless the cache has it. On a terminal a line on standard error says

@@ -21,7 +21,7 @@ STOREYS = {
     "libelsie-workshop": {"libelsie-base", "libelsie", "libelsie-inference"},
     "libelsie-views": {"libelsie-base", "libelsie", "libcairo", "libepoxy", "libzstd", "libz"},
     "libelsie-session": {"libelsie-base"},
-    "libelsie-server": {"libelsie-base", "libelsie", "libelsie-session", "libelsie-views"},
+    "libelsie-server": {"libelsie-base", "libelsie", "libelsie-session", "libelsie-views", "libelsie-workshop"},
     "libelsie-studies": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop", "libsqlite3", "libcrypto"},
     "libelsie-vision": {"libelsie-base", "libelsie", "libopencv_core", "libopencv_imgproc"},
     "libelsie-testing": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop"},

@@ -91,6 +91,29 @@ TEST_CASE("train takes its options from the command line, and says how it went")
   CHECK_THAT(here.read("curve.png"), Catch::StartsWith("\x89PNG"));
 }
 
+TEST_CASE("train --progress prints lines of JSON before the object") {
+  Workplace here;
+  const std::string most = " --presentations 2000000 --threshold 0 --json";
+  const auto run = here.elsie("train " + kWorld + most + " --progress");
+  CAPTURE(run.err);
+  std::istringstream lines(run.out);
+  std::vector<json> objects;
+  for (std::string line; std::getline(lines, line);) {
+    objects.push_back(json::parse(line));
+  }
+  REQUIRE(objects.size() >= 2);
+  std::uint64_t last = 0;
+  for (std::size_t i = 0; i + 1 < objects.size(); ++i) {
+    CHECK(objects[i].size() == 3);
+    CHECK(objects[i].at("of") == 2000000);
+    CHECK(objects[i].at("error").get<double>() > 0.0);
+    CHECK(objects[i].at("presentations").get<std::uint64_t>() >= last);
+    last = objects[i].at("presentations");
+  }
+  CHECK(objects.back() == json::parse(here.elsie("train " + kWorld + most).out));
+  CHECK(here.elsie("train " + kWorld + " --progress").exit_code == 2);
+}
+
 TEST_CASE("A network on the plateau ends train with exit code 1, and says so") {
   Workplace here;
   int untrained = 0;

@@ -1,113 +1,10 @@
 // Sessions: a document and its run in a process of their own.
-#include <chrono>
-#include <fstream>
-#include <functional>
-#include <sstream>
 #include <thread>
 
-#include <catch2/catch.hpp>
-#include <poll.h>
-
-#include "elsie/client/connection.h"
-
-#include "places.h"
-#include "program.h"
+#include "session.h"
 
 using namespace elsie;
-using client::Connection;
-using client::Json;
-
-namespace {
-
-std::string text_of(const std::string& file) {
-  std::ifstream stream(test::source_path(file));
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-constexpr const char* kRoom = R"(<world format="1">
-  <!-- a room -->
-  <arena length="4" width="4"/>
-  <robots>
-    <robot id="r1" x="-1">
-      <behaviors><turn_left/></behaviors>
-      <coordinator><arbiter_suppression/></coordinator>
-    </robot>
-  </robots>
-  <limits time="2"/>
-</world>
-)";
-
-constexpr const char* kSecond =
-    "robot[+]=<robot id=\"r2\" x=\"1\"><behaviors><turn_right/></behaviors>"
-    "<coordinator><arbiter_suppression/></coordinator></robot>";
-
-class Session {
- public:
-  explicit Session(const std::vector<std::string>& arguments = {})
-      : connection_(test::build_path("bin/elsie"), arguments) {}
-
-  Connection& connection() { return connection_; }
-
-  /// Sends an order and waits for its answer; what comes meanwhile is kept for event().
-  Json ask(Json order) {
-    order["id"] = ++last_id_;
-    connection_.send(order);
-    return wait([&](const Json& message) { return message.value("answer", 0) == last_id_; });
-  }
-  Json open(const std::string& text, const std::string& file = "") {
-    return ask({{"do", "open"}, {"text", text}, {"file", file}});
-  }
-  Json edit(const std::vector<std::string>& edits) {
-    return ask({{"do", "edit"}, {"edits", edits}});
-  }
-  Json end_of_run() {
-    return wait([](const Json& message) { return message.value("event", "") == "ended"; });
-  }
-  client::SessionEnd end() {
-    wait([](const Json&) { return false; });
-    REQUIRE(end_);
-    return *end_;
-  }
-
- private:
-  Json wait(const std::function<bool(const Json&)>& is_it) {
-    const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(120);
-    while (std::chrono::steady_clock::now() < patience) {
-      for (Json& message : connection_.receive()) {
-        kept_.push_back(std::move(message));
-      }
-      for (auto it = kept_.begin(); it != kept_.end(); ++it) {
-        if (is_it(*it)) {
-          const Json found = *it;
-          kept_.erase(it);
-          return found;
-        }
-      }
-      if (const auto end = connection_.ended()) {
-        end_ = *end;
-        return {};
-      }
-      pollfd waiting{connection_.descriptor(), POLLIN, 0};
-      poll(&waiting, 1, 100);
-    }
-    FAIL("no answer within two minutes");
-    return {};
-  }
-
-  Connection connection_;
-  std::vector<Json> kept_;
-  std::optional<client::SessionEnd> end_;
-  int last_id_ = 0;
-};
-
-std::string hash_of_run(const test::Workplace& place, const std::string& arguments) {
-  return Json::parse(place.elsie("run --json " + arguments).out).at("state_hash");
-}
-
-}  // namespace
-
+using namespace elsie::test;
 TEST_CASE("An opened world is described: its text, its elements, its shapes") {
   Session session;
   const Json answer = session.open(kRoom);
@@ -208,6 +105,44 @@ TEST_CASE("A run can be paused, paced and left") {
   CHECK(session.connection().snapshots().take()->facts.steps == steps + 1);
   session.ask({{"do", "reset"}});
   CHECK(session.connection().snapshots().take()->facts.steps == 0);
+}
+
+TEST_CASE("Orders without sense are refused, and change nothing") {
+  Session session;
+  session.open(kRoom);
+  for (const Json& order :
+       {Json{{"do", 5}}, Json{{"do", "dance"}}, Json{{"what", "edit"}}, Json{{"do", "edit"}},
+        Json{{"do", "edit"}, {"edits", 7}}, Json{{"do", "become"}},
+        Json{{"do", "undo"}, {"edit", 99}}, Json{{"do", "at"}, {"time_s", "now"}},
+        Json{{"do", "watch"}}, Json{{"do", "watch"}, {"what", "all"}}, Json{{"do", "record"}},
+        Json{{"do", "open"}}, Json{{"do", "speed"}, {"factor", "fast"}}}) {
+    CAPTURE(order.dump());
+    const Json answer = session.ask(order);
+    REQUIRE(answer.contains("refused"));
+    CHECK_FALSE(answer["refused"][0]["message"].get<std::string>().empty());
+  }
+  CHECK(session.ask({{"do", "reset"}})["text"] == kRoom);
+}
+
+TEST_CASE("Steps that are ordered all at once are all made, and all answered") {
+  Session session;
+  session.open(kRoom);
+  for (int id = 1001; id <= 1005; ++id) {
+    session.connection().send({{"id", id}, {"do", "step"}});
+  }
+  for (int id = 1001; id <= 1005; ++id) {
+    CHECK(session.answer(id)["answer"] == id);
+  }
+  const auto snapshot = session.connection().snapshots().take();
+  REQUIRE(snapshot);
+  CHECK(snapshot->facts.time_s == Approx(0.05));
+  for (int id = 1006; id <= 1010; ++id) {
+    session.connection().send({{"id", id}, {"do", "step"}});
+  }
+  session.ask({{"do", "reset"}});
+  for (int id = 1006; id <= 1010; ++id) {
+    CHECK(session.answer(id)["answer"] == id);
+  }
 }
 
 TEST_CASE("A plugin that ends its process leaves the other end alive, with its name") {

@@ -252,8 +252,8 @@ TEST_CASE("Edits of a document are refused as those of a file are") {
         "max_speed=\"fast\" of <robot>: expected a number at least 0 and at most 100 m/s");
   CHECK(refusal("robot[+]=<robot id='r1' x='3'/>") ==
         "a second robot with the id 'r1'; the first is there already (" + file() + ":14)");
-  CHECK_THAT(refusal("obstacle[+1]=<static_box id='static_box_2' x='-3'/>"),
-             Catch::Contains("a second box with the id 'static_box_2'"));
+  CHECK_THAT(refusal("obstacle[+1]=<static_box id='crate' x='-3'/>"),
+             Catch::Contains("a second box with the id 'crate'"));
   CHECK_THAT(refusal("robot[r1]/coordinator/@remove=true"),
              Catch::Contains("has behaviours but no coordinator"));
   CHECK(refusal("robot[r1]/@weight=1") ==
@@ -287,6 +287,24 @@ TEST_CASE("An inverse that comes late does what its text says") {
   CHECK(d.world().robots[0].max_speed == 0.3);
   CHECK(d.world().robots[0].x == -2);
   CHECK(inverse.texts() == std::vector<std::string>{"robot[r1]/@max_speed=0.30"});
+}
+
+TEST_CASE("A member that is named by its place yields its name to one that is given it") {
+  Document d = document(R"(<world format="1">
+  <obstacles>
+    <static_box x="1"/>
+    <dynamic_box x="2" id="static_box_2"/>
+    <static_box x="3"/>
+  </obstacles>
+</world>
+)");
+  const std::string before = d.text();
+  CHECK(d.world().boxes[2].id == "static_box_3");
+  const world::Edits inverse = d.apply("obstacle[2]/@remove=true");
+  CHECK(d.world().boxes[1].id == "static_box_2");
+  d.apply(inverse.texts());
+  CHECK(d.text() == before);
+  CHECK(d.world().boxes[2].id == "static_box_3");
 }
 
 TEST_CASE("A member that is named elsewhere keeps its name when its place changes") {

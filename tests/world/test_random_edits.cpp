@@ -5,7 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/world/between.h"
 #include "elsie/world/document.h"
+#include "elsie/world/writer.h"
 
 #include "equal.h"
 #include "fixture.h"
@@ -150,6 +152,19 @@ TEST_CASE("Random edits of a document are undone byte for byte") {
       other.apply(texts);
       REQUIRE(same(reduced(other.world()), reduced(old)));
     }
+    // Another way leads to the same world.
+    const world::World end = document.world();
+    const auto way = world::edits_between(start, end, shipped(), shipped_options());
+    CAPTURE(way);
+    const world::World there = world::parse_world(first, file, shipped(), shipped_options(way));
+    CHECK(world::write_world(there) == world::write_world(end));
+    world::Document stepwise(first, file, shipped(), shipped_options());
+    stepwise.apply(way);
+    CHECK(world::write_world(stepwise.world()) == world::write_world(end));
+    const std::string last = document.text();
+    const world::Edits back = stepwise.become(last);
+    CHECK(stepwise.text() == last);
+    CHECK(stepwise.apply(back).texts().size() == 0);
     while (!inverses.empty()) {
       document.apply(inverses.back());
       inverses.pop_back();

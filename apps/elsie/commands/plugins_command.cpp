@@ -1,6 +1,5 @@
 // elsie plugins and elsie describe: which plugins there are, and what one of them is.
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -9,10 +8,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "elsie/api/simulator_events.h"
 #include "elsie/base/near_name.h"
 #include "elsie/experiment/vocabulary.h"
 #include "elsie/plugin/kind_name.h"
+#include "elsie/reference/json.h"
 #include "elsie/reference/reference.h"
 
 #include "command.h"
@@ -24,12 +23,10 @@ namespace elsie::program {
 namespace {
 
 using elsie::Declaration;
-using elsie::ParameterDeclaration;
 using elsie::PluginKind;
 using nlohmann::ordered_json;
 using plugin::DirectoryReport;
 using plugin::FileReport;
-using plugin::FileStatus;
 using plugin::Host;
 using plugin::kind_name;
 using plugin::kPluginKinds;
@@ -48,18 +45,6 @@ struct DescribeOptions {
   bool json = false;
   bool declaration = false;
 };
-
-const char* to_string(FileStatus status) {
-  switch (status) {
-    case FileStatus::loaded:
-      return "loaded";
-    case FileStatus::ignored:
-      return "ignored";
-    case FileStatus::refused:
-      break;
-  }
-  return "refused";
-}
 
 /// "<suppress>, <inhibit>": what may stand in a plugin's element.
 std::string contents_of(const Declaration& plugin) {
@@ -101,7 +86,7 @@ void print_check(const Host& host) {
     out() << directory.directory.path.string() << " (" << directory.directory.origin << ")"
           << (directory.problem.empty() ? "" : ": " + directory.problem) << '\n';
     for (const FileReport& file : directory.files) {
-      out() << "  " << file.path.filename().string() << ": " << to_string(file.status);
+      out() << "  " << file.path.filename().string() << ": " << reference::to_string(file.status);
       if (!file.sentence.empty()) {
         out() << ": " << file.sentence;
       }
@@ -118,152 +103,8 @@ void print_check(const Host& host) {
   }
 }
 
-ordered_json to_json(const elsie::ParameterValue& value) {
-  return std::visit([](const auto& v) { return ordered_json(v); }, value);
-}
-
-const char* type_name(elsie::ParameterType type) {
-  switch (type) {
-    case elsie::ParameterType::real:
-      return "number";
-    case elsie::ParameterType::integer:
-      return "integer";
-    case elsie::ParameterType::boolean:
-      return "boolean";
-    case elsie::ParameterType::text:
-      return "text";
-    case elsie::ParameterType::file:
-      return "file";
-    case elsie::ParameterType::reals:
-      break;
-  }
-  return "numbers";
-}
-
-ordered_json to_json(const ParameterDeclaration& parameter) {
-  ordered_json json{{"name", parameter.name},
-                    {"type", type_name(parameter.type)},
-                    {"unit", parameter.facts.unit},
-                    {"default", to_json(parameter.default_value)},
-                    {"meaning", parameter.facts.meaning}};
-  const auto bound = [&json](const char* name, double value) {
-    if (std::isfinite(value)) {
-      json[name] = value;
-    }
-  };
-  bound("min", parameter.facts.min);
-  bound("above", parameter.facts.above);
-  bound("max", parameter.facts.max);
-  if (!parameter.facts.choices.empty()) {
-    json["choices"] = parameter.facts.choices;
-  }
-  if (parameter.facts.required) {
-    json["required"] = true;
-  }
-  if (!parameter.facts.live) {
-    json["live"] = false;
-  }
-  return json;
-}
-
-ordered_json to_json(const std::vector<ParameterDeclaration>& parameters) {
-  ordered_json json = ordered_json::array();
-  for (const ParameterDeclaration& parameter : parameters) {
-    json.push_back(to_json(parameter));
-  }
-  return json;
-}
-
-ordered_json to_json(const elsie::ElementValue& value) {
-  ordered_json parameters = ordered_json::object();
-  for (const auto& [name, given] : value.parameters) {
-    parameters[name] = to_json(given);
-  }
-  return {{"name", value.element}, {"parameters", parameters}};
-}
-
-ordered_json to_json(const Host& host, const Declaration& plugin) {
-  ordered_json json{{"kind", kind_name(plugin.kind)},
-                    {"name", plugin.name},
-                    {"version", plugin.version},
-                    {"description", plugin.description},
-                    {"library", host.file_of(plugin.kind, plugin.name).string()}};
-  json["parameters"] = to_json(plugin.parameters);
-  json["elements"] = ordered_json::array();
-  for (const auto& element : plugin.elements) {
-    json["elements"].push_back({{"name", element.name},
-                                {"meaning", element.meaning},
-                                {"list", element.list},
-                                {"parameters", to_json(element.parameters)}});
-  }
-  json["default_elements"] = ordered_json::array();
-  for (const auto& value : plugin.default_elements) {
-    json["default_elements"].push_back(to_json(value));
-  }
-  json["holds_behaviors"] = static_cast<bool>(plugin.hold);
-  const auto kinds = [](const std::vector<elsie::ReadingDeclaration>& readings) {
-    ordered_json names = ordered_json::array();
-    for (const auto& reading : readings) {
-      names.push_back(reading.kind);
-    }
-    return names;
-  };
-  json["needs"] = kinds(plugin.needs);
-  json["produces"] = kinds(plugin.produces);
-  json["reacts_to"] = plugin.reacts_to;
-  json["events"] = ordered_json::array();
-  for (const auto& event : plugin.events) {
-    json["events"].push_back({{"name", event.name}, {"meaning", event.meaning}});
-  }
-  return json;
-}
-
-ordered_json events_json(const Host& host) {
-  ordered_json json{{"simulator", ordered_json::array()}, {"plugins", ordered_json::array()}};
-  for (const auto& event : events::of_simulator()) {
-    json["simulator"].push_back({{"name", event.name},
-                                 {"meaning", event.meaning},
-                                 {"detail", event.detail},
-                                 {"perceived", event.is_perceived}});
-  }
-  for (const PluginKind kind : kPluginKinds) {
-    for (const Declaration* plugin : host.all(kind)) {
-      for (const auto& event : plugin->events) {
-        json["plugins"].push_back(
-            {{"name", event.name}, {"plugin", plugin->name}, {"meaning", event.meaning}});
-      }
-    }
-  }
-  return json;
-}
-
 void print(const ordered_json& json) {
   out() << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
-}
-
-void print_json(const Host& host) {
-  ordered_json json;
-  json["plugins"] = ordered_json::array();
-  for (const PluginKind kind : kPluginKinds) {
-    for (const Declaration* plugin : host.all(kind)) {
-      json["plugins"].push_back(to_json(host, *plugin));
-    }
-  }
-  json["directories"] = ordered_json::array();
-  for (const DirectoryReport& directory : host.report().directories) {
-    ordered_json files = ordered_json::array();
-    for (const FileReport& file : directory.files) {
-      files.push_back({{"path", file.path.string()},
-                       {"status", to_string(file.status)},
-                       {"abi", file.abi_word},
-                       {"message", file.sentence}});
-    }
-    json["directories"].push_back({{"path", directory.directory.path.string()},
-                                   {"origin", directory.directory.origin},
-                                   {"problem", directory.problem},
-                                   {"files", files}});
-  }
-  print(json);
 }
 
 void print_names(const Host& host) {
@@ -277,7 +118,7 @@ void print_names(const Host& host) {
 int plugins(const PluginsOptions& options) {
   const Host host = load_plugins(options.plugins);
   if (options.json) {
-    print_json(host);
+    print(reference::plugins_json(host));
   } else if (options.names) {
     print_names(host);
   } else {
@@ -299,7 +140,7 @@ int describe(const DescribeOptions& options) {
   const Host host = load_plugins(options.plugins);
   if (options.name == "events") {
     if (options.json) {
-      print(events_json(host));
+      print(reference::events_json(host));
     } else {
       out() << reference::events_reference(host);
     }
@@ -318,7 +159,7 @@ int describe(const DescribeOptions& options) {
     if (const Declaration* plugin = host.find(kind, options.name)) {
       found = true;
       if (options.json) {
-        all.push_back(to_json(host, *plugin));
+        all.push_back(reference::plugin_json(host, *plugin));
       } else {
         out() << (options.declaration ? reference::plugin_declaration(*plugin)
                                       : reference::plugin_reference(*plugin));

@@ -18,8 +18,8 @@ void add_session_command(CLI::App& program, Job& job) {
   options->add_to(*command);
   command->callback([&job, options] {
     job = [options] {
-      const plugin::Host host = load_plugins(*options);
-      server::Server(host, data_directories()).serve();
+      const auto plugins = watch_plugins(*options);
+      server::Server(*plugins, {data_directories(), options->words()}).serve();
       return kSuccess;
     };
   });

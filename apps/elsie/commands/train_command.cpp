@@ -44,6 +44,7 @@ struct TrainOptions {
   std::optional<std::string> weights;
   std::optional<std::string> curve;
   bool json = false;
+  bool progress = false;  // as lines of JSON
   bool quiet = false;
 };
 
@@ -91,7 +92,9 @@ std::string rough(double value) { return base::number_text(value, 4); }
 /// Shows the progress of a training, and stops it when the user interrupts.
 class TrainingWatcher {
  public:
-  explicit TrainingWatcher(bool shown) : shown_(shown) {}
+  enum class Shown { nothing, bar, lines };  // lines of JSON, for a program
+
+  explicit TrainingWatcher(Shown shown) : shown_(shown) {}
   ~TrainingWatcher() {
     if (drawn_) {
       std::fputs("\r\033[K", stderr);
@@ -103,20 +106,31 @@ class TrainingWatcher {
   bool operator()(const neural::TrainingProgress& progress) {
     constexpr auto kRedraw = std::chrono::milliseconds(100);
     const auto now = std::chrono::steady_clock::now();
-    if (shown_ && now - last_ >= kRedraw) {
+    if (shown_ != Shown::nothing && now - last_ >= kRedraw) {
       last_ = now;
-      drawn_ = true;
-      const double part =
-          static_cast<double>(progress.presentations) / static_cast<double>(progress.of);
-      std::fprintf(stderr, "\r%s  mean error %s\033[K", bar_text(part).c_str(),
-                   rough(progress.error).c_str());
-      std::fflush(stderr);
+      shown_ == Shown::bar ? draw(progress) : print(progress);
     }
     return !InterruptGuard::is_interrupted();
   }
 
  private:
-  bool shown_;
+  void draw(const neural::TrainingProgress& progress) {
+    drawn_ = true;
+    const double part =
+        static_cast<double>(progress.presentations) / static_cast<double>(progress.of);
+    std::fprintf(stderr, "\r%s  mean error %s\033[K", bar_text(part).c_str(),
+                 rough(progress.error).c_str());
+    std::fflush(stderr);
+  }
+  static void print(const neural::TrainingProgress& progress) {
+    out() << nlohmann::ordered_json{{"presentations", progress.presentations},
+                                    {"of", progress.of},
+                                    {"error", progress.error}}
+                 .dump()
+          << std::endl;
+  }
+
+  Shown shown_;
   bool drawn_ = false;
   std::chrono::steady_clock::time_point last_;
 };
@@ -266,7 +280,11 @@ int train(const TrainOptions& options) {
   const InterruptGuard interrupt;
   const auto start = std::chrono::steady_clock::now();
   neural::Lesson lesson = [&] {
-    TrainingWatcher watcher(!options.quiet && !options.json && isatty(STDERR_FILENO));
+    using Shown = TrainingWatcher::Shown;
+    const bool has_bar = !options.quiet && !options.json && isatty(STDERR_FILENO) != 0;
+    TrainingWatcher watcher(options.progress ? Shown::lines
+                            : has_bar        ? Shown::bar
+                                             : Shown::nothing);
     try {
       return learner.network->learn(random, std::ref(watcher));
     } catch (const std::invalid_argument& problem) {
@@ -342,7 +360,13 @@ void add_train_command(CLI::App& program, Job& job) {
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   options->plugins.add_to(*command);
-  command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
+  CLI::Option* json =
+      command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
+  command
+      ->add_flag("--progress", options->progress,
+                 "Before it, print a line of JSON about ten times a second: presentations, of how "
+                 "many at most, error")
+      ->needs(json);
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->callback([&job, options] { job = [options] { return train(*options); }; });
 }

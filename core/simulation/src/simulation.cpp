@@ -135,19 +135,12 @@ Replacement Simulation::replace_plugins(const plugin::Host& host) {
 }
 
 RunResult Simulation::result() const {
-  RunResult result;
-  result.outcome = outcome();
+  RunResult result = impl_->figures();
   result.reason = impl_->verdict_.reason;
   result.seed = impl_->seed_;
-  result.simulated_s = time_s();
   result.wall_s = impl_->wall_s_;
   result.steps = steps();
   result.state_hash = state_hash();
-  for (const auto& robot : impl_->robots_) {
-    result.robots.push_back({robot->description().id, robot->description().team,
-                             robot->distance_m(), robot->collected(), robot->state().energy,
-                             robot->state().pose, robot->collisions()});
-  }
   result.events = impl_->events_;
   result.notes = impl_->said_.notes;
   for (const auto& robot : impl_->robots_) {
@@ -159,8 +152,23 @@ RunResult Simulation::result() const {
   // A step that a fault ended is none of the steps.
   note_give_ups(world(), give_ups, std::max(steps(), give_ups.steps), result.notes);
   result.curves = impl_->said_.curves;
-  measure_every_run(result, impl_->departed_);
-  impl_->measuring_->report({outcome(), time_s()}, result.measures);
+  return result;
+}
+
+std::vector<MeasuredValue> Simulation::measures() const { return impl_->figures().measures; }
+
+/// What can be said of a run by numbers.
+RunResult Simulation::Impl::figures() const {
+  RunResult result;
+  result.outcome = verdict_.outcome;
+  result.simulated_s = time_s();
+  for (const auto& robot : robots_) {
+    result.robots.push_back({robot->description().id, robot->description().team,
+                             robot->distance_m(), robot->collected(), robot->state().energy,
+                             robot->state().pose, robot->collisions()});
+  }
+  measure_every_run(result, departed_);
+  measuring_->report({result.outcome, result.simulated_s}, result.measures);
   return result;
 }
 
@@ -189,9 +197,9 @@ std::span<const EventRecord> Simulation::events() const { return impl_->events_;
 std::size_t Simulation::robots() const { return impl_->robots_.size(); }
 RobotView Simulation::robot(std::size_t index) const {
   const Robot& robot = *impl_->robots_[index];
-  return {&robot.description(), &robot.state(),     robot.asked(),
-          robot.command(),      robot.members(),    robot.trace(),
-          robot.distance_m(),   robot.collisions(), robot.empty()};
+  return {&robot.description(), &robot.state(), robot.asked(),      robot.command(),
+          robot.members(),      robot.trace(),  robot.distance_m(), robot.collisions(),
+          robot.empty(),        robot.joints()};
 }
 std::size_t Simulation::sensors(std::size_t robot) const {
   return impl_->robots_[robot]->sensor_count();
@@ -202,6 +210,9 @@ SensorView Simulation::sensor(std::size_t robot, std::size_t index) const {
 void Simulation::list_values(std::size_t robot, std::size_t sensor,
                              std::vector<NamedValue>& values) const {
   impl_->robots_[robot]->list_values(sensor, values);
+}
+std::vector<MadeInference> Simulation::inferences(std::size_t robot) const {
+  return impl_->robots_[robot]->inferences();
 }
 Frame Simulation::sensor_frame(std::size_t robot, std::size_t index) const {
   return impl_->robots_[robot]->sensor_frame(index);

@@ -195,6 +195,8 @@ class Simulation::Impl {
             state.yaw_rad, state.pitch_rad};
   }
 
+  RunResult figures() const;
+
   std::optional<Pose> box(std::size_t index) const {
     if (!engine_->has_box(index)) {
       return std::nullopt;

@@ -9,6 +9,7 @@
 
 #include "elsie/plugin/host.h"
 #include "elsie/world/attributes.h"
+#include "elsie/world/between.h"
 #include "elsie/world/data_directories.h"
 #include "elsie/world/error.h"
 #include "elsie/world/files.h"
@@ -227,11 +228,27 @@ class Document::Impl {
     if (edits.restored_ && edits.restored_->hash == std::hash<std::string>()(old)) {
       take(read(spliced(old, {edits.restored_->splice})));
       inverse.texts_ = edits.restored_->inverse;
+    } else if (edits.restored_ && edits.texts_.empty()) {
+      throw WorldError({{file_, 0, "this edit can be undone only in the text that it has made"}});
     } else {
       inverse.texts_ = apply_texts(edits.texts_);
     }
     inverse.restored_ = std::make_shared<Edits::Restored>(Edits::Restored{
         difference(old, now_.text), std::hash<std::string>()(now_.text), edits.texts_});
+    return inverse;
+  }
+
+  Edits become(std::string text) {
+    const World& before = world_;
+    WorldText next = read(std::move(text));
+    World world = world_of(next.merged);
+    Edits inverse;
+    inverse.texts_ = edits_from(world, before);
+    inverse.restored_ = std::make_shared<Edits::Restored>(
+        Edits::Restored{difference(now_.text, next.text), std::hash<std::string>()(next.text),
+                        edits_from(before, world)});
+    now_ = std::move(next);
+    world_ = std::move(world);
     return inverse;
   }
 
@@ -270,6 +287,14 @@ class Document::Impl {
   }
 
   std::vector<std::string> apply_texts(const std::vector<std::string>& edits);
+  /// Empty if there are none: then only the text itself can be put back.
+  std::vector<std::string> edits_from(const World& from, const World& to) const {
+    try {
+      return edits_between(from, to, host_, options_);
+    } catch (const WorldError&) {
+      return {};
+    }
+  }
   /// What the attribute at the end of a path may be; none if there is none in this world.
   std::optional<Field> field_at(const std::string& path) const {
     try {
@@ -357,6 +382,7 @@ const World& Document::world() const { return impl_->world(); }
 const Element& Document::tree() const { return impl_->tree(); }
 bool Document::holds(const Element& element) const { return impl_->holds(element); }
 Edits Document::apply(const Edits& edits) { return impl_->apply(edits); }
+Edits Document::become(std::string text) { return impl_->become(std::move(text)); }
 std::string Document::text_for(const std::string& folder) const { return impl_->text_for(folder); }
 
 // Names of files in the text lead, from the other folder, to the same files.

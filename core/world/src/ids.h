@@ -11,4 +11,8 @@ namespace elsie::world {
 /// other elements always get a number. Ids in use are skipped.
 void complete_ids(Element& element, const ElementSpec& spec);
 
+/// Names a member by its place anew when another one of its list was given its id since, unless
+/// something else in the world uses that id.
+void yield_ids(Element& world, const ElementSpec& spec);
+
 }  // namespace elsie::world

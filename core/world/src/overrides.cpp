@@ -193,7 +193,7 @@ void apply_override(Element& world, const std::string& override, Problems& probl
     const std::string value = override.substr(equals + 1);
     if (path.from_attribute) {
       take_out(find_places(world, path), path.attribute, value);
-      complete_ids(world, vocabulary());
+      yield_ids(world, vocabulary());
       return;
     }
     if (path.attribute == kRemove) {
@@ -212,11 +212,14 @@ void apply_override(Element& world, const std::string& override, Problems& probl
           replace(*place.element, given);
         }
       }
-      complete_ids(world, vocabulary());  // of what stands in the new element
+      yield_ids(world, vocabulary());  // completed are those of what stands in the new element
       return;
     }
     for (const Place& place : find_places(world, path)) {
       place.element->set(path.attribute, value, where);
+    }
+    if (path.attribute == "id") {
+      yield_ids(world, vocabulary());
     }
   } catch (const WorldError& error) {
     problems.add(where, error.problems().front().message);

@@ -88,6 +88,24 @@ elsie::Response BeamSteering::respond(const elsie::Perception& now) {
   return response;
 }
 
+void BeamSteering::list_inferences(std::vector<elsie::Inference>& list) const {
+  const auto nearest =
+      std::min_element(beams_.begin(), beams_.end(),
+                       [](const elsie::Vector2& a, const elsie::Vector2& b) { return a.x < b.x; });
+  if (nearest == beams_.end()) {
+    return;
+  }
+  const auto add = [&](const BeamController& controller, const elsie::FilePath& model,
+                       const std::string& block) {
+    list.push_back({model.path,
+                    block,
+                    {{"range", nearest->x}, {"azimuth", nearest->y}},
+                    {{controller.output(), controller.speed(nearest->x, nearest->y)}}});
+  };
+  add(*left_, left_model, left_block);
+  add(*right_, right_model, right_block);
+}
+
 elsie::CommandSets BeamSteering::command_sets(const elsie::Perception& now,
                                               const elsie::Response& given) const {
   if (beams_.empty()) {

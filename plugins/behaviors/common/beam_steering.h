@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <elsie/api/behavior.h>
+#include <elsie/api/inference.h>
 #include <elsie/fuzzy/model.h>
 
 /// One wheel: a model with inputs `range` (m) and `azimuth` (deg, positive to the left) and the
@@ -23,6 +24,8 @@ class BeamController {
   void list_notes(std::vector<std::string>& notes) const;
 
   double speed(double range_m, double azimuth_deg) const;
+  /// The name of its output.
+  const std::string& output() const { return model_.outputs().front().name; }
   /// The output set before defuzzification.
   elsie::FuzzySet wish(double range_m, double azimuth_deg) const;
 
@@ -37,7 +40,7 @@ class BeamController {
 
 /// A behaviour that sums the outputs of both controllers over all beams. Its activation is the
 /// nearness of the nearest relevant object: 0 at a beam's maximum range and beyond, 1 at contact.
-class BeamSteering : public elsie::Behavior {
+class BeamSteering : public elsie::Behavior, public elsie::Infers {
  public:
   elsie::FilePath left_model;
   elsie::FilePath right_model;
@@ -50,6 +53,8 @@ class BeamSteering : public elsie::Behavior {
   /// For each wheel, the union of its controller's output sets over all beams.
   elsie::CommandSets command_sets(const elsie::Perception& now,
                                   const elsie::Response& given) const override;
+  /// Both controllers at the nearest beam.
+  void list_inferences(std::vector<elsie::Inference>& list) const override;
 
  protected:
   BeamSteering(const char* left, const char* right, bool nearest_counts_twice)

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <elsie/api/inference.h>
 #include <elsie/api/remember.h>
 #include <elsie/base/near_name.h>
 #include <elsie/fuzzy/fcl.h>
@@ -20,7 +21,9 @@ namespace {
 
 namespace fuzzy = elsie::fuzzy;
 
-class FusionContextBlending final : public SetFusion, public elsie::Remembers {
+class FusionContextBlending final : public SetFusion,
+                                    public elsie::Remembers,
+                                    public elsie::Infers {
  public:
   FusionContextBlending() : SetFusion("clip", "gate") {}
 
@@ -56,6 +59,7 @@ class FusionContextBlending final : public SetFusion, public elsie::Remembers {
   }
 
   void reset(elsie::Random&) override {
+    has_decided_ = false;
     // NaN: outputs that keep their last value have none yet.
     std::fill(outputs_.begin(), outputs_.end(), std::numeric_limits<double>::quiet_NaN());
   }
@@ -66,6 +70,18 @@ class FusionContextBlending final : public SetFusion, public elsie::Remembers {
   }
 
   std::vector<std::string> notes() const override;
+  void list_inferences(std::vector<elsie::Inference>& list) const override {
+    if (!has_decided_) {
+      return;
+    }
+    elsie::Inference& made = list.emplace_back(elsie::Inference{model.path, block, {}, {}});
+    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+      made.inputs.push_back({rules_->inputs()[i].name, inputs_[i]});
+    }
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      made.outputs.push_back({rules_->outputs()[i].name, outputs_[i]});
+    }
+  }
 
   elsie::Motion coordinate(std::span<elsie::Member> members,
                            const elsie::Perception& now) override {
@@ -76,6 +92,7 @@ class FusionContextBlending final : public SetFusion, public elsie::Remembers {
       inputs_[i] = sources_[i]->value(now);
     }
     rules_->evaluate(inputs_, outputs_, workspace_);
+    has_decided_ = true;
     for (std::size_t i = 0; i < members.size(); ++i) {
       const double degree = contexts_[i] ? outputs_[*contexts_[i]] : 1.0;
       degrees_[i] = degree > 0.0 ? std::min(degree, 1.0) : 0.0;
@@ -101,6 +118,7 @@ class FusionContextBlending final : public SetFusion, public elsie::Remembers {
   std::vector<const PerceptionInput*> lacking_;       // inputs that this robot cannot perceive
   std::vector<const PerceptionInput*> sources_;       // for each input
   std::vector<std::optional<std::size_t>> contexts_;  // for each member: its output
+  bool has_decided_ = false;  // since the model or the robot became another one
   std::vector<double> inputs_;
   std::vector<double> outputs_;
   std::vector<double> degrees_;  // for each member, in [0, 1]
@@ -144,6 +162,7 @@ void FusionContextBlending::connect() {
     members_.clear();
     throw std::invalid_argument(all);
   }
+  has_decided_ = false;
   inputs_.assign(sources_.size(), 0.0);
   outputs_.assign(used.size(), std::numeric_limits<double>::quiet_NaN());
   degrees_.assign(members_.size(), 0.0);

@@ -371,6 +371,31 @@ void Controller::list_members(const std::string& path, int depth, int parent,
   }
 }
 
+void Controller::list_inferences(const std::string& path, std::vector<MadeInference>& list) const {
+  const auto add = [&](const Component* object, const world::PluginUse& use) {
+    const auto* infers = dynamic_cast<const Infers*>(object);
+    if (!infers) {
+      return;
+    }
+    std::vector<Inference> made;
+    setting_.guard.run(use, [&] { infers->list_inferences(made); });
+    for (Inference& each : made) {
+      list.push_back({path + use.id, std::move(each)});
+    }
+  };
+  if (coordinator_) {
+    add(coordinator_.get(), *description_->coordinator);
+  }
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (members_[i].trace.asked) {
+      add(slots_[i]->object.get(), *slots_[i]->use);
+      if (slots_[i]->inside) {
+        slots_[i]->inside->list_inferences(path + slots_[i]->use->id + "/", list);
+      }
+    }
+  }
+}
+
 const TracedMember* inhibitor_of(const TracedMember& member, std::span<const TracedMember> all) {
   int place = member.member->trace.inhibited_by;
   for (const TracedMember& other : all) {

@@ -94,6 +94,8 @@ class Controller final : public Coordination, private Member::Runner {
   void set_priority(const world::PluginUse& use, double priority);
 
   std::span<const Member> members() const { return members_; }
+  /// Appends what was inferred in the last decision. `path` as in list_members().
+  void list_inferences(const std::string& path, std::vector<MadeInference>& list) const;
   /// Appends all members, each followed by those inside it. `path` is what stands before their
   /// names; they stay where they are for the life of the controller.
   void list_members(const std::string& path, int depth, int parent,

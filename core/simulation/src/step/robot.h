@@ -122,6 +122,12 @@ class Robot final : private Wishes {
   }
   /// Appends the numbers of one sensor's reading. Throws PluginFault.
   void list_values(std::size_t sensor, std::vector<NamedValue>& values) const;
+  /// What its plugins have inferred in the last decision. Throws PluginFault.
+  std::vector<MadeInference> inferences() const {
+    std::vector<MadeInference> list;
+    controller_->list_inferences("", list);
+    return list;
+  }
   /// Appends to the log the events since the last call.
   void take_log(double time_s, std::vector<EventRecord>& log);
 
@@ -137,6 +143,7 @@ class Robot final : private Wishes {
   const Motion& command() const { return state_.commanded; }
   /// What the drive makes of it, for the joints of the body that can be set.
   std::span<const JointSetting> wanted_joints() const { return wanted_joints_; }
+  std::span<const JointSetting> joints() const { return joints_; }
   /// The parts of its drive, for Robot::driven of the description; once. None: of the default one.
   BodyPlan take_driven() { return std::move(driven_); }
   std::span<const Member> members() const { return controller_->members(); }

@@ -3,25 +3,32 @@
 #include <array>
 #include <cerrno>
 
+#include <linux/sockios.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 
 namespace elsie::server {
 
-bool Link::poll(int timeout_ms) {
-  pollfd waiting{descriptor_, POLLIN, 0};
-  return received_.find('\n') != std::string::npos || ::poll(&waiting, 1, timeout_ms) > 0;
-}
-
-void Link::wait() { poll(-1); }
-
 void Link::wait(std::chrono::microseconds most) {
-  if (received_.find('\n') != std::string::npos) {
-    return;
+  const auto end = std::chrono::steady_clock::now() + most;
+  flush();
+  while (!closed_ && received_.find('\n') == std::string::npos) {
+    const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(
+        end - std::chrono::steady_clock::now());
+    if (left.count() <= 0) {
+      return;
+    }
+    pollfd waiting{descriptor_, static_cast<short>(unsent_.empty() ? POLLIN : POLLIN | POLLOUT), 0};
+    const timespec limit{left.count() / 1'000'000'000, left.count() % 1'000'000'000};
+    ppoll(&waiting, 1, &limit, nullptr);
+    if ((waiting.revents & POLLOUT) != 0) {
+      flush();
+    }
+    if ((waiting.revents & ~POLLOUT) != 0) {
+      return;
+    }
   }
-  pollfd waiting{descriptor_, POLLIN, 0};
-  const timespec limit{most.count() / 1'000'000, most.count() % 1'000'000 * 1000};
-  ppoll(&waiting, 1, &limit, nullptr);
 }
 
 std::optional<Json> Link::next() {
@@ -45,19 +52,36 @@ std::optional<Json> Link::next() {
       break;
     }
   }
+  flush();
   return std::nullopt;
 }
 
 void Link::send(const Json& message) {
-  const std::string text = message.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
-  for (std::size_t sent = 0; sent < text.size() && !closed_;) {
-    const ssize_t count = ::send(descriptor_, text.data() + sent, text.size() - sent, MSG_NOSIGNAL);
+  unsent_ += message.dump(-1, ' ', false, Json::error_handler_t::replace);
+  unsent_ += '\n';
+  flush();
+}
+
+bool Link::is_idle() {
+  flush();
+  int unread = 0;
+  return unsent_.empty() && ioctl(descriptor_, SIOCOUTQ, &unread) == 0 && unread == 0;
+}
+
+void Link::flush() {
+  std::size_t sent = 0;
+  while (sent < unsent_.size() && !closed_) {
+    const ssize_t count = ::send(descriptor_, unsent_.data() + sent, unsent_.size() - sent,
+                                 MSG_NOSIGNAL | MSG_DONTWAIT);
     if (count > 0) {
       sent += static_cast<std::size_t>(count);
+    } else if (errno == EAGAIN) {
+      break;
     } else if (errno != EINTR) {
       closed_ = true;
     }
   }
+  unsent_.erase(0, sent);
 }
 
 }  // namespace elsie::server

@@ -75,6 +75,19 @@ Json scene_json(const world::World& world) {
           {"shapes", std::move(shapes)}};
 }
 
+std::vector<std::string> body_names(const world::World& world) {
+  std::vector<std::string> names;
+  for (const world::Robot& robot : world.robots) {
+    for (std::size_t i = 0; i < world::plan_of(robot).vehicles(); ++i) {
+      names.push_back(path("robot", robot.id) + " " + std::to_string(i));
+    }
+  }
+  for (const world::Box& box : world.boxes) {
+    names.push_back(path(group_of(box), box.id));
+  }
+  return names;
+}
+
 void place_bodies(const simulation::Simulation& simulation,
                   std::vector<snapshots::BodyState>& bodies) {
   bodies.clear();

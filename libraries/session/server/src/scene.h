@@ -1,6 +1,7 @@
 // What there is to draw: shapes on bodies, and where the bodies are.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "elsie/simulation/simulation.h"
@@ -13,6 +14,9 @@ namespace elsie::server {
 /// The shapes of a world, each with the body that carries it. Bodies are the vehicles of all
 /// robots, each robot's in a row, then the boxes; body -1 is the arena.
 Json scene_json(const world::World& world);
+
+/// The bodies by name, in the same order: those of two worlds that have one name are one.
+std::vector<std::string> body_names(const world::World& world);
 
 /// Where the bodies are now.
 void place_bodies(const simulation::Simulation& simulation,

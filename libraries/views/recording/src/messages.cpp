@@ -3,10 +3,9 @@
 #include <cmath>
 
 #include "elsie/base/number_text.h"
+#include "elsie/output/base64.h"
 #include "elsie/picture/image_file.h"
 #include "elsie/traces/trace_rows.h"
-
-#include "base64.h"
 
 namespace elsie::recording {
 namespace {
@@ -165,7 +164,7 @@ std::map<std::string, std::string> trace_metadata(const simulation::RobotView& r
 Json image_message(std::uint64_t decided_ns, std::string_view robot, const Image& image) {
   return {{"timestamp", time_json(decided_ns)},
           {"frame_id", robot_frame(robot)},
-          {"data", base64(picture::png(image))},
+          {"data", output::base64(picture::png(image))},
           {"format", "png"}};
 }
 

@@ -20,7 +20,9 @@
 #include <string_view>
 #include <vector>
 
+#include "elsie/api/body.h"
 #include "elsie/api/coordinator.h"
+#include "elsie/api/inference.h"
 #include "elsie/api/perception.h"
 #include "elsie/api/sensor.h"
 #include "elsie/plugin/host.h"
@@ -91,6 +93,12 @@ struct TracedMember {
   const Member* member = nullptr;
 };
 
+/// What a behaviour or coordinator has inferred in the last decision.
+struct MadeInference {
+  std::string path;  // of ids from the robot on: "explore/avoid_obstacle"
+  Inference inference;
+};
+
 /// The member that silenced this one in the last decision, or null.
 const TracedMember* inhibitor_of(const TracedMember& member, std::span<const TracedMember> all);
 
@@ -107,6 +115,8 @@ struct RobotView {
   double distance_m;  // driven so far
   int collisions;
   bool empty;  // the battery is
+  /// What the joints of its body hold that can be set, in the order of their parts, measured.
+  std::span<const JointSetting> joints;
 };
 
 class Simulation {
@@ -169,6 +179,9 @@ class Simulation {
   /// no values.
   RunResult result() const;
 
+  /// The measures so far, as in result(). Throws as that.
+  std::vector<MeasuredValue> measures() const;
+
   /// As it was edited, without what was put in place since.
   const world::World& world() const;
   /// As it was at time zero, with all edits that run() was given among World::changes: a run of it
@@ -194,6 +207,9 @@ class Simulation {
   SensorView sensor(std::size_t robot, std::size_t index) const;
   /// Appends the numbers of a sensor's current reading, by name. Throws PluginFault.
   void list_values(std::size_t robot, std::size_t sensor, std::vector<NamedValue>& values) const;
+  /// What those of the robot's plugins have inferred that say so and were asked in the last
+  /// decision. Throws PluginFault.
+  std::vector<MadeInference> inferences(std::size_t robot) const;
   /// Where a sensor is in the world now.
   Frame sensor_frame(std::size_t robot, std::size_t index) const;
   /// How many vehicles a robot pulls: those of its drive, then its segments.

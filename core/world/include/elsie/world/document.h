@@ -66,6 +66,10 @@ class Document {
   /// file cannot say what they ask for.
   Edits apply(const Edits& edits);
 
+  /// Takes another text of the same file, and returns the edits that undo this, as apply() does.
+  /// Throws WorldError and changes nothing if the text is not a right world.
+  Edits become(std::string text);
+
   /// The text for a file in another folder: names of files that would not lead to the same files
   /// from there are replaced. Throws WorldError if there is no such folder.
   std::string text_for(const std::string& folder) const;

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace elsie::recording {
+namespace elsie::output {
 
 inline std::string base64(std::string_view bytes) {
   constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -24,4 +24,4 @@ inline std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace elsie::recording
+}  // namespace elsie::output

@@ -1,0 +1,75 @@
+#include "described.h"
+
+#include "elsie/reference/json.h"
+#include "elsie/simulation/equipped_robot.h"
+#include "elsie/simulation/measures.h"
+#include "elsie/world/error.h"
+#include "elsie/world/warnings.h"
+
+namespace elsie::server {
+namespace {
+
+Json element_json(const world::Element& element, const world::Document& document) {
+  Json attributes = Json::object(), children = Json::array();
+  for (const world::Attribute& each : element.attributes) {
+    attributes[each.name] = each.value;
+  }
+  for (const world::Element& child : element.children) {
+    children.push_back(element_json(child, document));
+  }
+  Json all = {{"name", element.name}, {"line", element.where.line}};
+  all["attributes"] = std::move(attributes);
+  if (!element.text.empty()) all["text"] = element.text;
+  if (!document.holds(element)) all["inherited"] = true;
+  if (!children.empty()) all["children"] = std::move(children);
+  return all;
+}
+
+}  // namespace
+
+Json problems_json(std::span<const base::Problem> problems) {
+  Json all = Json::array();
+  for (const base::Problem& each : problems) {
+    all.push_back({{"file", each.file}, {"line", each.line}, {"message", each.message}});
+  }
+  return all;
+}
+
+Json tree_json(const world::Document& document) { return element_json(document.tree(), document); }
+
+Json catalog_json(const plugin::Host& host) {
+  return {{"elements", reference::world_json()},
+          {"plugins", reference::plugins_json(host)["plugins"]},
+          {"events", reference::events_json(host)}};
+}
+
+Json check_json(const std::string& text, const std::string& file, const plugin::Host& host,
+                const std::vector<std::string>& data_directories) {
+  std::vector<base::Problem> problems, warnings;
+  const auto attempt = [&](const auto& check) {
+    try {
+      check();
+    } catch (const base::FileError& error) {
+      problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+    } catch (const std::exception& error) {  // a plugin failed
+      problems.push_back({file, 0, error.what()});
+    }
+  };
+  attempt([&] {
+    world::ReadOptions options;
+    options.data_directories = data_directories;
+    options.check_plugins = true;
+    const world::World world = world::parse_world(text, file, host, options);
+    // Plugins are asked whether they fit, but not prepared for a run: networks are not trained.
+    for (std::size_t i = 0; i < world.robots.size(); ++i) {
+      attempt([&] { const simulation::EquippedRobot robot(world, i, host); });
+    }
+    attempt([&] { simulation::measure_names(world, host); });
+    for (const world::Warning& warning : world::warnings(world)) {
+      warnings.push_back({warning.location.file, warning.location.line, warning.message});
+    }
+  });
+  return {{"problems", problems_json(problems)}, {"warnings", problems_json(warnings)}};
+}
+
+}  // namespace elsie::server

@@ -1,0 +1,133 @@
+#include <filesystem>
+#include <utility>
+
+#include "elsie/base/error.h"
+#include "elsie/world/between.h"
+#include "elsie/world/error.h"
+
+#include "described.h"
+#include "scene.h"
+#include "server_impl.h"
+
+namespace elsie::server {
+namespace {
+
+std::vector<simulation::Change> changes_of(const std::vector<std::string>& edits) {
+  std::vector<simulation::Change> changes;
+  for (const std::string& edit : edits) {
+    const std::size_t equals = edit.find('=');
+    changes.push_back({edit.substr(0, equals),
+                       equals == std::string::npos ? std::string() : edit.substr(equals + 1)});
+  }
+  return changes;
+}
+
+}  // namespace
+
+world::ReadOptions Server::Impl::reading() const {
+  world::ReadOptions options;
+  options.data_directories = options_.data_directories;
+  options.check_plugins = true;
+  return options;
+}
+
+void Server::Impl::open(const Json& message, Json& answer) {
+  const std::uint64_t seed = message.value("seed", seed_);
+  world::Document document(message.at("text").get<std::string>(),
+                           message.value("file", std::string()), host(), reading());
+  auto simulation = simulation_of(document.world(), seed, host());
+  document_ = std::move(document);
+  inverses_.clear();
+  seed_ = seed;
+  begin(std::move(simulation));
+  describe(answer);
+}
+
+void Server::Impl::edit(const Json& message, Json& answer) {
+  const world::Edits edits(message.at("edits").get<std::vector<std::string>>());
+  change([&] { return document_->apply(edits); }, edits.texts(), answer);
+}
+
+void Server::Impl::become(const Json& message, Json& answer) {
+  const auto text = message.at("text").get<std::string>();
+  change([&] { return document_->become(text); }, {}, answer);
+}
+
+void Server::Impl::undo(const Json& message, Json& answer) {
+  const auto kept = inverses_.find(message.at("edit").get<std::uint64_t>());
+  if (kept == inverses_.end()) {
+    throw base::BadInput("there is no such edit");
+  }
+  change([&] { return document_->apply(kept->second); }, {}, answer);
+}
+
+void Server::Impl::text_for(const Json& message, Json& answer) {
+  const std::filesystem::path file(message.at("file").get<std::string>());
+  answer["text"] = document_->text_for(file.parent_path().string());
+}
+
+void Server::Impl::check(const Json& message, Json& answer) {
+  const std::string file = message.value("file", document_ ? document_->file() : "");
+  answer.update(
+      check_json(message.at("text").get<std::string>(), file, host(), options_.data_directories));
+}
+
+void Server::Impl::catalog(const Json&, Json& answer) { answer.update(catalog_json(host())); }
+
+void Server::Impl::change(const std::function<world::Edits()>& make, std::vector<std::string> edits,
+                          Json& answer) {
+  std::optional<world::World> before;
+  if (phase_ == Phase::under_way) {
+    before = document_->world();
+  }
+  world::Edits inverse = make();
+  try {
+    if (phase_ != Phase::under_way) {
+      restart(seed_);
+    } else {
+      // In the document, edits are made one after the other, and what has no id is called by its
+      // place; to the run, they may mean something else.
+      const bool are_right =
+          !edits.empty() && world::lead_to(document_->world(), *before, edits, host(), reading());
+      change_run(are_right ? std::move(edits) : edits_from(*before));
+    }
+  } catch (...) {
+    document_->apply(inverse);
+    throw;
+  }
+  answer["undo"] = ++last_inverse_;
+  inverses_.emplace(last_inverse_, std::move(inverse));
+  describe(answer);
+}
+
+std::vector<std::string> Server::Impl::edits_from(const world::World& before) const {
+  try {
+    return world::edits_between(before, document_->world(), host(), reading());
+  } catch (const world::WorldError&) {
+    throw base::BadInput(
+        "no edits lead from the world that runs to this one; reset the run, and it begins with "
+        "this one");
+  }
+}
+
+void Server::Impl::change_run(std::vector<std::string> edits) {
+  if (edits.empty()) {
+    return;
+  }
+  simulation_->change(changes_of(edits));
+  ++epoch_;
+  history_.rename(body_names(simulation_->world()));
+  repetition_.add(simulation_->time_s(), simulation_->world().physics.step, std::move(edits));
+  if (!running_) {
+    show();
+  }
+}
+
+void Server::Impl::describe(Json& answer) {
+  answer["epoch"] = epoch_;
+  answer["text"] = document_->text();
+  answer["tree"] = tree_json(*document_);
+  answer["scene"] = scene_json(next_ ? next_->world() : simulation_->world());
+}
+
+}  // namespace elsie::server

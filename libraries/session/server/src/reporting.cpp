@@ -1,0 +1,87 @@
+#include "elsie/base/error.h"
+
+#include "scene.h"
+#include "server_impl.h"
+
+namespace elsie::server {
+namespace {
+
+constexpr std::size_t kMostWaiting = std::size_t{1} << 20;  // bytes; then news is held back
+
+}  // namespace
+
+void Server::Impl::show() {
+  if (!simulation_) {
+    return;
+  }
+  const Clock::time_point now = Clock::now();
+  place_bodies(*simulation_, bodies_);
+  list_beams(*simulation_, beams_);
+  const double clock_s = seconds(now - shown_);
+  const double time_s = simulation_->time_s();
+  const double pace = running_ && clock_s > 0.0 ? (time_s - shown_s_) / clock_s : 0.0;
+  writer_.write({epoch_, simulation_->steps(), time_s, pace}, bodies_, beams_);
+  shown_ = now;
+  shown_s_ = time_s;
+  is_state_due_ = !running_;
+}
+
+void Server::Impl::keep() {
+  place_bodies(*simulation_, bodies_);
+  history_.add(simulation_->time_s(), simulation_->steps(), bodies_);
+}
+
+void Server::Impl::watch(const Json& message, Json&) {
+  watching_.choose(message);
+  is_state_due_ = watching_.is_on() && simulation_;
+}
+
+void Server::Impl::look_back(const Json& message, Json& answer) {
+  if (running_) {
+    throw base::BadInput("the run goes on; pause it to look back");
+  }
+  double time_s = simulation_->time_s();
+  answer["from_s"] = history_.from_s();
+  answer["to_s"] = time_s;
+  if (message.contains("time_s") && message["time_s"].get<double>() < time_s) {
+    const History::Sample sample = history_.at(message["time_s"].get<double>());
+    time_s = sample.time_s;
+    writer_.write({epoch_, sample.steps, time_s, 0.0}, sample.bodies, {});
+  } else {
+    show();
+  }
+  answer["time_s"] = time_s;
+}
+
+void Server::Impl::report_state() {
+  is_state_due_ = false;
+  if (watching_.is_on()) {
+    stated_ = Clock::now();
+    link_.send(watching_.state(*simulation_, epoch_));
+  }
+}
+
+void Server::Impl::report_news() {
+  if (!simulation_ || next_) {
+    return;
+  }
+  const auto events = simulation_->events();
+  for (; told_events_ < events.size() && link_.waiting_bytes() < kMostWaiting; ++told_events_) {
+    const simulation::EventRecord& event = events[told_events_];
+    link_.send({{"event", "raised"},
+                {"time_s", event.time_s},
+                {"robot", event.robot},
+                {"name", event.name()},
+                {"detail", event.detail()}});
+  }
+  const auto notes = simulation_->notes();
+  for (; told_notes_ < notes.size() && link_.waiting_bytes() < kMostWaiting; ++told_notes_) {
+    const simulation::Note& note = notes[told_notes_];
+    link_.send({{"event", "note"},
+                {"robot", note.robot},
+                {"plugin", note.plugin},
+                {"text", text_of(note)}});
+  }
+}
+
+}  // namespace elsie::server

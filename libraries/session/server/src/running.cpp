@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include "elsie/base/error.h"
+#include "elsie/render/world_cameras.h"
+#include "elsie/simulation/fault.h"
+
+#include "scene.h"
+#include "server_impl.h"
+
+namespace elsie::server {
+namespace {
+
+constexpr std::chrono::microseconds kBetweenMessages{2'000};
+constexpr std::chrono::microseconds kBetweenSnapshots{16'000};
+constexpr std::chrono::microseconds kBetweenStates{33'000};
+constexpr std::chrono::microseconds kLongestNap{5'000};
+
+/// Ends a run that is not to go on.
+struct Left {};
+
+}  // namespace
+
+std::unique_ptr<Simulation> Server::Impl::simulation_of(const world::World& world,
+                                                        std::uint64_t seed,
+                                                        const plugin::Host& host) const {
+  return std::make_unique<Simulation>(
+      world, host,
+      simulation::Options{.seed = seed,
+                          .data_directories = options_.data_directories,
+                          .cameras = render::world_cameras});
+}
+
+void Server::Impl::restart(std::uint64_t seed) {
+  auto simulation = simulation_of(document_->world(), seed, host());
+  seed_ = seed;
+  begin(std::move(simulation));
+}
+
+void Server::Impl::begin(std::unique_ptr<Simulation> simulation) {
+  left_ = phase_ == Phase::under_way;
+  phase_ = Phase::ready;
+  running_ = false;
+  pause_at_.reset();
+  answer_later();
+  ++epoch_;
+  next_ = std::move(simulation);
+  if (!left_) {
+    take_next();
+  }
+}
+
+void Server::Impl::take_next() {
+  simulation_ = std::move(next_);
+  recording_.close();
+  repetition_.begin(document_->file(), document_->text(), seed_);
+  told_events_ = told_notes_ = 0;
+  history_.begin(body_names(simulation_->world()));
+  keep();
+  show();
+}
+
+void Server::Impl::start(const Json&, Json&) {
+  get_ready();
+  start_clock();
+  hold();
+  running_ = true;
+}
+
+void Server::Impl::get_ready() {
+  if (phase_ == Phase::ended) {
+    throw base::BadInput("the run has ended; reset it to start it again");
+  }
+  if (phase_ == Phase::ready) {
+    recording_.start();
+  }
+}
+
+void Server::Impl::pause(const Json&, Json&) { hold(); }
+
+void Server::Impl::step(const Json&, Json&) {
+  get_ready();
+  // Orders that have not been carried out yet add up.
+  const auto period = static_cast<std::uint64_t>(simulation_->world().physics.control_steps);
+  pause_at_ = pause_at_ ? *pause_at_ + period : simulation_->steps() + 1;
+  running_ = answers_later_ = true;
+}
+
+void Server::Impl::set_speed(const Json& message, Json&) {
+  speed_ = message.value("factor", 0.0);
+  start_clock();
+}
+
+void Server::Impl::reset(const Json& message, Json& answer) {
+  restart(message.value("seed", seed_));
+  describe(answer);
+}
+
+void Server::Impl::record(const Json& message, Json&) {
+  if (phase_ == Phase::under_way) {
+    throw base::BadInput("the run is under way, and a recording begins with it; reset it first");
+  }
+  recording_.choose(message);
+}
+
+void Server::Impl::command(const Json&, Json& answer) {
+  answer.update(repetition_.command(options_.plugin_options));
+}
+
+void Server::Impl::run() {
+  phase_ = Phase::under_way;
+  Json end = {{"event", "ended"}};
+  try {
+    const simulation::RunResult result =
+        simulation_->run(recording_.observers(), {}, [this](Simulation&) { between_decisions(); });
+    end["outcome"] = to_string(result.outcome);
+    end["reason"] = result.reason;
+    end["seed"] = result.seed;
+    end["time_s"] = result.simulated_s;
+    end["steps"] = result.steps;
+    end["state_hash"] = simulation::hash_text(result.state_hash);
+    end["measures"] = measures_json(result.measures);
+    end["notes"] = Json::array();
+    for (const simulation::Note& note : result.notes) {
+      end["notes"].push_back(text_of(note));
+    }
+  } catch (const Left&) {
+    left_ = false;
+    if (next_) {
+      take_next();
+      answer_later();
+      report_news();
+      report_state();
+    }
+    return;
+  } catch (const simulation::PluginFault&) {
+    throw;
+  } catch (const std::exception& error) {
+    end["outcome"] = "stopped";
+    end["reason"] = error.what();
+  }
+  phase_ = Phase::ended;
+  recording_.close();
+  keep();
+  hold();
+  report_news();
+  report_state();
+  link_.send(end);
+}
+
+void Server::Impl::between_decisions() {
+  if (history_.is_due(simulation_->time_s())) {
+    keep();
+  }
+  if (pause_at_ && simulation_->steps() >= *pause_at_) {
+    hold();
+    report_news();
+    report_state();
+  }
+  const Clock::time_point now = Clock::now();
+  if (now - shown_ >= kBetweenSnapshots && writer_.taken()) {
+    show();
+  }
+  if (watching_.is_on() && now - stated_ >= kBetweenStates && link_.is_idle()) {
+    report_state();
+  }
+  if (now - heard_ >= kBetweenMessages) {
+    hear();
+  }
+  while (running_ && speed_ > 0.0 && !link_.closed()) {
+    const double early =
+        (simulation_->time_s() - paced_from_s_) / speed_ - seconds(Clock::now() - paced_from_);
+    if (early <= 0.0) {
+      break;
+    }
+    link_.wait(std::min(kLongestNap, std::chrono::microseconds(std::llround(early * 1e6))));
+    hear();
+  }
+  while (!running_) {
+    link_.wait(kLongestWait);
+    hear();
+  }
+}
+
+void Server::Impl::hold() {
+  running_ = false;
+  pause_at_.reset();
+  show();
+  answer_later();
+}
+
+void Server::Impl::answer_later() {
+  for (const Json& answer : std::exchange(later_, {})) {
+    link_.send(answer);
+  }
+}
+
+void Server::Impl::hear() {
+  heard_ = Clock::now();
+  report_news();
+  renew_plugins();
+  while (const auto message = link_.next()) {
+    handle(*message);
+    if (left_) {
+      throw Left{};
+    }
+  }
+  if (link_.closed()) {
+    throw Left{};
+  }
+}
+
+void Server::Impl::start_clock() {
+  paced_from_ = Clock::now();
+  paced_from_s_ = simulation_ ? simulation_->time_s() : 0.0;
+}
+
+}  // namespace elsie::server

@@ -1,0 +1,209 @@
+// Sessions: what a window offers, and texts that are typed.
+#include <algorithm>
+#include <filesystem>
+#include <tuple>
+
+#include "session.h"
+
+using namespace elsie;
+using namespace elsie::test;
+
+namespace {
+
+std::string room(const std::string& from, const std::string& to) {
+  std::string text = kRoom;
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+Json become(Session& session, const std::string& text) {
+  return session.ask({{"do", "become"}, {"text", text}});
+}
+
+}  // namespace
+
+TEST_CASE("The catalog has elements, plugins and events, with and without a world") {
+  Session session;
+  const Json catalog = session.ask({{"do", "catalog"}});
+  REQUIRE(catalog.contains("elements"));
+  const Json& robot = catalog["elements"]["robot"];
+  const auto speed = std::find_if(robot["attributes"].begin(), robot["attributes"].end(),
+                                  [](const Json& each) { return each["name"] == "max_speed"; });
+  REQUIRE(speed != robot["attributes"].end());
+  CHECK((*speed)["type"] == "number");
+  CHECK((*speed)["unit"] == "m/s");
+  CHECK((*speed)["cost"] == "in place");
+  CHECK(robot["children"].dump().find("\"behaviors\"") != std::string::npos);
+  CHECK(catalog["elements"]["behaviors"]["holds"] == "behavior");
+  CHECK(catalog["elements"]["behavior"]["attributes"].dump().find("priority") != std::string::npos);
+  CHECK(catalog["elements"]["coordinator"]["holds"] == "coordinator");
+  CHECK(catalog["elements"]["coordinator"]["attributes"].size() > 0);
+
+  const test::Workplace place;
+  CHECK(catalog["plugins"] == Json::parse(place.elsie("plugins --json").out)["plugins"]);
+  CHECK(catalog["events"] == Json::parse(place.elsie("describe events --json").out));
+
+  session.open(kRoom);
+  CHECK(session.ask({{"do", "catalog"}})["elements"] == catalog["elements"]);
+}
+
+TEST_CASE("A typed text becomes the document, and can be undone") {
+  Session session;
+  session.open(kRoom);
+  const std::string typed = room("<!-- a room -->", "<!-- my room -->\n  <teams/>");
+  const Json answer = become(session, typed);
+  REQUIRE(answer.contains("undo"));
+  CHECK(answer["text"] == typed);
+  CHECK(session.ask({{"do", "undo"}, {"edit", answer["undo"]}})["text"] == kRoom);
+}
+
+TEST_CASE("A wrong text is refused with its line, and nothing changes") {
+  Session session;
+  REQUIRE_FALSE(session.open(kRoom, "w.xml").contains("refused"));
+  const Json refused = become(session, room("x=\"-1\"", "x=\"-1\" hue=\"red\""));
+  REQUIRE(refused.contains("refused"));
+  CHECK(refused["refused"][0]["file"] == "w.xml");
+  CHECK(refused["refused"][0]["line"] == 5);
+  CHECK(become(session, "<world").contains("refused"));
+  CHECK(session.ask({{"do", "reset"}})["text"] == kRoom);
+}
+
+TEST_CASE("A run that is under way becomes the typed world, as with --at") {
+  const auto [from, to, edit] =
+      GENERATE(std::tuple("</robots>",
+                          "<robot id=\"r2\" x=\"1\"><behaviors><turn_right/></behaviors>"
+                          "<coordinator><arbiter_suppression/></coordinator></robot></robots>",
+                          std::string(kSecond)),
+               std::tuple("<turn_left/>", "<turn_left priority=\"2\"/>",
+                          std::string("robot[r1]/behavior[turn_left]/@priority=2")),
+               std::tuple("<turn_left/>", "<turn_right/>",
+                          std::string("robot[r1]/behavior[turn_left]=<turn_right/>")),
+               std::tuple("<!-- a room -->", "<!-- the room -->", std::string()));
+  Session session;
+  session.open(kRoom);
+  for (int i = 0; i < 50; ++i) {
+    session.ask({{"do", "step"}});
+  }
+  const std::string typed = room(from, to);
+  const Json answer = become(session, typed);
+  INFO(answer.dump());
+  REQUIRE_FALSE(answer.contains("refused"));
+  CHECK(answer["text"] == typed);
+  session.ask({{"do", "run"}});
+  const Json end = session.end_of_run();
+
+  const test::Workplace place;
+  place.write("room.xml", kRoom);
+  CHECK(end["state_hash"] ==
+        hash_of_run(place, edit.empty() ? "room.xml" : "room.xml --at '0.5:" + edit + "'"));
+}
+
+TEST_CASE("A run for which the typed world has no room stays, and so does its text") {
+  Session session;
+  session.open(kRoom);
+  session.ask({{"do", "step"}});
+  const Json refused =
+      become(session, room("</robots>",
+                           "<robot id=\"r2\" x=\"-1\"><behaviors><turn_right/></behaviors>"
+                           "<coordinator><arbiter_suppression/></coordinator></robot></robots>"));
+  REQUIRE(refused.contains("refused"));
+  session.ask({{"do", "run"}});
+  const test::Workplace place;
+  place.write("room.xml", kRoom);
+  CHECK(session.end_of_run()["state_hash"] == hash_of_run(place, "room.xml"));
+  CHECK(session.ask({{"do", "reset"}})["text"] == kRoom);
+}
+
+TEST_CASE("A run that is under way goes back by an undo, whatever came between") {
+  Session session;
+  session.open(kRoom);
+  session.ask({{"do", "step"}});
+  const Json typed = become(session, room("<turn_left/>", "<turn_left/><turn_right/>"));
+  REQUIRE_FALSE(typed.contains("refused"));
+  const Json edited = session.edit({"robot[r1]/@max_speed=0.3"});
+  REQUIRE_FALSE(edited.contains("refused"));
+  const Json undone = session.ask({{"do", "undo"}, {"edit", typed["undo"]}});
+  INFO(undone.dump());
+  REQUIRE_FALSE(undone.contains("refused"));
+  CHECK(undone["text"].get<std::string>().find("turn_right") == std::string::npos);
+  CHECK(undone["text"].get<std::string>().find("max_speed=\"0.3\"") != std::string::npos);
+}
+
+TEST_CASE("Several edits of a run mean what they mean in the text") {
+  Session session;
+  session.open(room("<robots>",
+                    "<obstacles><static_box x=\"0\" y=\"1\"/><static_box x=\"1\" y=\"1\"/>"
+                    "</obstacles><robots>"));
+  session.ask({{"do", "step"}});
+  // The second edit is of the box that is the first one by then.
+  const Json edited = session.edit({"obstacle[1]/@remove=true", "obstacle[1]/@x=-1"});
+  INFO(edited.dump());
+  REQUIRE_FALSE(edited.contains("refused"));
+  const auto snapshot = session.connection().snapshots().take();
+  REQUIRE(snapshot);
+  REQUIRE(snapshot->bodies.size() == 2);
+  CHECK(snapshot->bodies[1].origin[0] == -1.0F);
+}
+
+TEST_CASE("What has no id is called by its place, in the text and in the run") {
+  Session session;
+  session.open(room("<robots>",
+                    "<obstacles><static_box x=\"0\" y=\"1\"/><static_box x=\"1\" y=\"1\"/>"
+                    "<static_box x=\"1\" y=\"-1\"/></obstacles><robots>"));
+  session.ask({{"do", "step"}});
+  REQUIRE_FALSE(session.edit({"obstacle[1]/@remove=true"}).contains("refused"));
+  const Json moved = session.edit({"obstacle[static_box_2]/@x=-1"});
+  INFO(moved.dump());
+  REQUIRE_FALSE(moved.contains("refused"));
+  CHECK(moved["text"].get<std::string>().find("<static_box x=\"-1\" y=\"-1\"/>") !=
+        std::string::npos);
+  CHECK(moved["scene"]["bodies"][2]["path"] == "obstacle[static_box_2]");
+  const auto snapshot = session.connection().snapshots().take();
+  REQUIRE(snapshot);
+  CHECK(snapshot->bodies[2].origin[0] == -1.0F);
+  CHECK(snapshot->bodies[2].origin[1] == -1.0F);
+}
+
+TEST_CASE("The text for another folder names the same files from there") {
+  const test::Workplace place;
+  std::filesystem::create_directory(place.file("here"));
+  std::filesystem::create_directory(place.file("there"));
+  place.write("here/robot.xml", "<robot_template format=\"1\" max_speed=\"0.3\"/>\n");
+  const std::string text = room("id=\"r1\"", "id=\"r1\" template=\"robot.xml\"");
+  Session session;
+  const Json opened = session.open(text, place.file("here/w.xml").string());
+  INFO(opened.dump());
+  REQUIRE_FALSE(opened.contains("refused"));
+  const auto text_for = [&](const std::string& file) {
+    return session.ask({{"do", "text_for"}, {"file", place.file(file).string()}});
+  };
+  CHECK(text_for("here/v.xml")["text"] == text);
+  const std::string there = text_for("there/w.xml")["text"];
+  CHECK(there.find("template=\"robot.xml\"") == std::string::npos);
+  CHECK(there.find("here/robot.xml\"") != std::string::npos);
+  CHECK(text_for("nowhere/w.xml").contains("refused"));
+}
+
+TEST_CASE("Any text can be checked, which changes nothing") {
+  Session session;
+  const auto check = [&](const std::string& text) {
+    return session.ask({{"do", "check"}, {"text", text}, {"file", "typed.xml"}});
+  };
+  CHECK(check(kRoom)["problems"].empty());
+  CHECK(check(kRoom)["warnings"].empty());
+  const Json wrong = check(room("<turn_left/>", "<turn_lef/>"));
+  REQUIRE(wrong["problems"].size() == 1);
+  CHECK(wrong["problems"][0]["file"] == "typed.xml");
+  CHECK(wrong["problems"][0]["line"] == 6);
+  // What only the robot as a whole says: it has no beam for this behaviour.
+  const Json unfit = check(room("<turn_left/>", "<find_resource/>"));
+  CHECK_FALSE(unfit["problems"].empty());
+  const Json risky = check(room("<robots>", "<physics cfm=\"0\"/>\n  <robots>"));
+  REQUIRE(risky["warnings"].size() == 1);
+  CHECK(risky["warnings"][0]["line"] == 4);
+
+  session.open(kRoom);
+  check("<world/>");
+  CHECK(session.ask({{"do", "reset"}})["text"] == kRoom);
+}

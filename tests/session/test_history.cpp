@@ -1,0 +1,66 @@
+// The history of a session: what it keeps, and what it drops.
+#include <catch2/catch.hpp>
+
+#include "history.h"
+
+using namespace elsie;
+using server::History;
+using snapshots::BodyState;
+
+namespace {
+
+std::vector<BodyState> at(double x) { return {BodyState::of({.origin = {x, 0.0, 0.0}})}; }
+
+void run(History& history, double from_s, double to_s) {
+  for (int step = static_cast<int>(from_s * 100); step <= static_cast<int>(to_s * 100); ++step) {
+    const double time_s = 0.01 * step;
+    if (step == 0 || history.is_due(time_s)) {
+      history.add(time_s, static_cast<std::uint64_t>(step), at(time_s));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("A history has a sample each 0.05 s, and answers with the nearest") {
+  History history;
+  history.begin({"robot[r1] 0"});
+  run(history, 0.0, 2.0);
+  CHECK(history.size() == 41);
+  CHECK(history.from_s() == 0.0);
+  CHECK(history.at(1.01).time_s == Approx(1.0));
+  CHECK(history.at(1.04).time_s == Approx(1.05));
+  CHECK(history.at(1.04).steps == 105);
+  CHECK(history.at(-1.0).time_s == 0.0);
+  CHECK(history.at(99.0).time_s == Approx(2.0));
+  CHECK(history.at(1.0).bodies[0].origin[0] == Approx(1.0));
+  history.begin({"robot[r1] 0"});
+  CHECK(history.size() == 0);
+}
+
+TEST_CASE("A history that is full drops every second sample, and goes on at that pace") {
+  constexpr std::size_t kMost = 20'000;
+  History history(kMost);
+  history.begin({"robot[r1] 0"});
+  run(history, 0.0, 60.0);
+  CHECK(history.size() < kMost / sizeof(History::Sample));
+  CHECK(history.size() > 50);
+  CHECK(history.from_s() == 0.0);
+  for (const double time_s : {0.0, 15.0, 30.0, 45.0, 59.0}) {
+    CHECK(history.at(time_s).time_s == Approx(time_s).margin(0.5));
+  }
+}
+
+TEST_CASE("Bodies are known by their names, whatever scene they were in") {
+  History history;
+  history.begin({"a", "b"});
+  history.add(0.0, 0, {at(1.0)[0], at(2.0)[0]});
+  history.rename({"c", "b"});
+  history.add(1.0, 100, {at(3.0)[0], at(4.0)[0]});
+  const History::Sample before = history.at(0.0);
+  REQUIRE(before.bodies.size() == 2);
+  CHECK(before.bodies[0].present == 0.0F);
+  CHECK(before.bodies[1].present == 1.0F);
+  CHECK(before.bodies[1].origin[0] == 2.0F);
+  CHECK(history.at(1.0).bodies[0].origin[0] == 3.0F);
+}

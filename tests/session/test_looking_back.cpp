@@ -1,0 +1,225 @@
+// Sessions: the past of a run, the command that repeats it, recordings, new plugins.
+#include <filesystem>
+#include <fstream>
+
+#include "session.h"
+
+using namespace elsie;
+using namespace elsie::test;
+
+namespace {
+
+Json at(Session& session, double time_s) { return session.ask({{"do", "at"}, {"time_s", time_s}}); }
+
+float x_of_first(Session& session) {
+  const auto snapshot = session.connection().snapshots().take();
+  REQUIRE(snapshot);
+  return snapshot->bodies[0].origin[0];
+}
+
+constexpr const char* kDriver = R"(<world format="1">
+  <robots>
+    <robot id="r1" x="-1">
+      <behaviors><go_to_point x="2" y="0"/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator>
+    </robot>
+  </robots>
+  <limits time="3"/>
+</world>
+)";
+
+}  // namespace
+
+TEST_CASE("A paused or ended run can be looked at as it was") {
+  Session session;
+  REQUIRE_FALSE(session.open(kDriver).contains("refused"));
+  session.ask({{"do", "run"}});
+  const Json end = session.end_of_run();
+  const float last = x_of_first(session);
+
+  const Json then = at(session, 1.01);
+  CHECK(then["from_s"] == 0.0);
+  CHECK(then["to_s"].get<double>() == Approx(3.0));
+  CHECK(then["time_s"].get<double>() == Approx(1.0));
+  const auto snapshot = session.connection().snapshots().take();
+  REQUIRE(snapshot);
+  CHECK(snapshot->facts.time_s == Approx(1.0));
+  CHECK(snapshot->bodies[0].origin[0] > -1.0F);
+  CHECK(snapshot->bodies[0].origin[0] < last);
+  at(session, -5.0);
+  CHECK(x_of_first(session) == -1.0F);
+  CHECK(session.ask({{"do", "at"}})["time_s"] == then["to_s"]);
+  CHECK(x_of_first(session) == last);
+}
+
+TEST_CASE("Looking back changes nothing, and a run that goes on cannot be looked back at") {
+  Session session;
+  session.open(kDriver);
+  for (int i = 0; i < 30; ++i) {
+    session.ask({{"do", "step"}});
+  }
+  at(session, 0.0);
+  CHECK(x_of_first(session) == -1.0F);
+  session.ask({{"do", "step"}});
+  CHECK(session.connection().snapshots().take()->facts.steps > 30);
+  session.ask({{"do", "speed"}, {"factor", 1}});
+  session.ask({{"do", "run"}});
+  CHECK(at(session, 0.0).contains("refused"));
+  session.ask({{"do", "speed"}, {"factor", 0}});
+  const test::Workplace place;
+  place.write("driver.xml", kDriver);
+  CHECK(session.end_of_run()["state_hash"] == hash_of_run(place, "driver.xml"));
+}
+
+TEST_CASE("What an edit has added was not there before") {
+  Session session;
+  session.open(kRoom);
+  for (int i = 0; i < 20; ++i) {
+    session.ask({{"do", "step"}});
+  }
+  session.edit({kSecond});
+  session.ask({{"do", "step"}});
+  at(session, 0.1);
+  const auto snapshot = session.connection().snapshots().take();
+  REQUIRE(snapshot);
+  REQUIRE(snapshot->bodies.size() == 2);
+  CHECK(snapshot->bodies[0].present == 1.0F);
+  CHECK(snapshot->bodies[1].present == 0.0F);
+}
+
+TEST_CASE("The command line repeats a run with its edits") {
+  const test::Workplace place;
+  place.write("my room.xml", kRoom);
+  Session session;
+  session.ask(
+      {{"do", "open"}, {"text", kRoom}, {"file", place.file("my room.xml").string()}, {"seed", 5}});
+  for (int i = 0; i < 50; ++i) {
+    session.ask({{"do", "step"}});
+  }
+  // Two edits before one step: the robot is taken out and comes back, from where it starts.
+  std::string without = kRoom;
+  const std::size_t begin = without.find("    <robot ");
+  without.erase(begin, without.find("</robot>") + 9 - begin);
+  REQUIRE_FALSE(session.edit({kSecond}).contains("refused"));
+  REQUIRE_FALSE(session.edit({"robot[r1]/@remove=true"}).contains("refused"));
+  REQUIRE_FALSE(session.ask({{"do", "become"}, {"text", kRoom}}).contains("refused"));
+  session.ask({{"do", "step"}});
+  REQUIRE_FALSE(session.edit({"robot[r1]/@max_speed=0.2"}).contains("refused"));
+  session.ask({{"do", "run"}});
+  const Json end = session.end_of_run();
+  const Json command = session.ask({{"do", "command"}});
+  CHECK(command["saved"] == true);
+  const std::string text = command["text"];
+  INFO(text);
+  CHECK_THAT(text, Catch::StartsWith("elsie run "));
+  CHECK_THAT(text, Catch::Contains("--seed 5"));
+  CHECK(Json::parse(place.sh(text + " --json").out).at("state_hash") == end["state_hash"]);
+
+  session.edit({"robot[r1]/@x=1"});
+  CHECK(session.ask({{"do", "command"}})["saved"] == false);
+}
+
+TEST_CASE("The run that starts next is recorded, whole, and that alone") {
+  const test::Workplace place;
+  place.write("room.xml", kRoom);
+  Session session;
+  session.open(kRoom, place.file("room.xml").string());
+  const std::string csv = place.file("a.csv").string(), mcap = place.file("b.mcap").string();
+  const auto record = [&](const std::vector<std::string>& files) {
+    return session.ask({{"do", "record"}, {"files", files}});
+  };
+  CHECK(record({"a.txt"}).contains("refused"));
+  CHECK(record({"/nowhere/a.csv"}).contains("refused"));
+  CHECK_FALSE(record({csv, mcap}).contains("refused"));
+  CHECK_FALSE(std::filesystem::exists(csv));
+  session.ask({{"do", "step"}});
+  const Json late = record({csv});
+  REQUIRE(late.contains("refused"));
+  CHECK_THAT(late["refused"][0]["message"].get<std::string>(), Catch::Contains("reset"));
+  session.ask({{"do", "run"}});
+  session.end_of_run();
+
+  place.elsie("run " + place.file("room.xml").string() + " --record c.csv --record d.mcap --quiet");
+  CHECK(place.read("a.csv") == place.read("c.csv"));
+  CHECK(place.read("b.mcap") == place.read("d.mcap"));
+  session.ask({{"do", "reset"}});
+  std::filesystem::remove(csv);
+  session.ask({{"do", "run"}});
+  session.end_of_run();
+  CHECK_FALSE(std::filesystem::exists(csv));
+}
+
+TEST_CASE("A recording that cannot be made refuses the start of the run") {
+  const test::Workplace place;
+  Session session;
+  session.open(kRoom);
+  const std::string file = place.file("a.csv").string();
+  session.ask({{"do", "record"}, {"files", {file}}});
+  std::filesystem::create_directory(file);
+  CHECK(session.ask({{"do", "run"}}).contains("refused"));
+  std::filesystem::remove(file);
+  CHECK_FALSE(session.ask({{"do", "run"}}).contains("refused"));
+  session.end_of_run();
+  CHECK(std::filesystem::is_regular_file(file));
+}
+
+TEST_CASE("A plugin that changes on disk is taken, before, in and after a run") {
+  const test::Workplace place;
+  const auto write = [&](const std::string& name, const char* speed) {
+    place.write("mine.cpp", std::string("#include <elsie/api/behavior.h>\n"
+                                        "class Mine final : public elsie::Behavior {\n"
+                                        " public:\n"
+                                        "  double speed = ") +
+                                speed +
+                                ";\n"
+                                "  elsie::Response respond(const elsie::Perception&) override {\n"
+                                "    return elsie::Motion{.forward = speed};\n"
+                                "  }\n"
+                                "};\n"
+                                "ELSIE_BEHAVIOR(Mine, \"" +
+                                name + "\", \"drives\",\n" +
+                                "  elsie::parameter(\"speed\", &Mine::speed, {}));\n");
+  };
+  write("mine", "0.1");
+  Session session({"--plugin", place.file("mine.cpp").string()});
+  std::string text = kRoom;
+  text.replace(text.find("turn_left"), 9, "mine");
+  text.replace(text.find("time=\"2\""), 8, "time=\"1000\"");
+  const Json opened = session.open(text);
+  INFO(opened.dump());
+  REQUIRE_FALSE(opened.contains("refused"));
+  const auto default_speed = [&] {
+    const Json catalog = session.ask({{"do", "catalog"}});
+    for (const Json& plugin : catalog["plugins"]) {
+      if (plugin["name"] == "mine") {
+        return plugin["parameters"][0]["default"].get<double>();
+      }
+    }
+    return 0.0;
+  };
+  CHECK(default_speed() == 0.1);
+
+  write("mine", "0.2");
+  const Json before = session.event("plugins");
+  INFO(before.dump());
+  CHECK(before["problems"].empty());
+  CHECK(before["files"].size() == 1);
+  CHECK(before["epoch"] > opened["epoch"]);
+  CHECK(default_speed() == 0.2);
+
+  session.ask({{"do", "speed"}, {"factor", 1}});
+  session.ask({{"do", "run"}});
+  write("mine", "0.05");
+  CHECK(session.event("plugins")["problems"].empty());
+  CHECK(default_speed() == 0.05);
+  session.ask({{"do", "step"}});
+  session.ask({{"do", "watch"}, {"what", {"decisions"}}});
+  CHECK(session.event("state")["robots"][0]["asked"][0] == 0.05);
+
+  write("yours", "0.3");  // the world could not be read with it
+  const Json kept = session.event("plugins");
+  INFO(kept.dump());
+  CHECK_FALSE(kept["problems"].empty());
+  session.ask({{"do", "step"}});
+  CHECK(session.ask({{"do", "reset"}})["text"] == text);
+}

@@ -1,0 +1,216 @@
+// Sessions: what a window watches, which changes nothing.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <set>
+#include <thread>
+
+#include "session.h"
+
+using namespace elsie;
+using namespace elsie::test;
+
+namespace {
+
+Json watch(Session& session, const std::vector<std::string>& what,
+           const std::vector<std::string>& robots = {}) {
+  return session.ask({{"do", "watch"}, {"what", what}, {"robots", robots}});
+}
+
+const std::vector<std::string> kEverything{"decisions", "sensors", "cameras", "fuzzy", "measures"};
+
+void open_shipped(Session& session, const std::string& world) {
+  const std::string file = test::source_path("worlds/" + world);
+  const Json opened = session.open(text_of("worlds/" + world), file);
+  INFO(opened.dump());
+  REQUIRE_FALSE(opened.contains("refused"));
+}
+
+Json step(Session& session, int count = 1) {
+  for (int i = 0; i < count; ++i) {
+    session.ask({{"do", "step"}});
+  }
+  session.ask({{"do", "command"}});  // what has come before its answer is here
+  return session.latest("state");
+}
+
+}  // namespace
+
+TEST_CASE("Watching begins at once, and shows what robots decide and sense") {
+  Session session;
+  open_shipped(session, "clutter.xml");
+  REQUIRE_FALSE(watch(session, {"decisions", "sensors", "measures"}).contains("refused"));
+  const Json before = session.event("state");
+  CHECK(before["time_s"] == 0.0);
+  CHECK(before["outcome"] == "");
+  REQUIRE(before["robots"].size() > 0);
+  CHECK(before["robots"][0]["members"][0]["asked"] == false);
+
+  const Json state = step(session, 3);
+  const Json& robot = state["robots"][0];
+  CHECK(robot["id"] == "r1");
+  CHECK(robot["energy"].is_number());
+  CHECK(robot["asked"].size() == 3);
+  CHECK(robot["possible"].size() == 3);
+  REQUIRE(robot["joints"].size() == 2);
+  CHECK(robot["joints"][0]["name"] == "left_wheel");
+  CHECK_FALSE(robot["coordinator"].get<std::string>().empty());
+  const Json& member = robot["members"][0];
+  for (const char* name :
+       {"path", "plugin", "coordinator", "depth", "parent", "priority", "activation", "strength",
+        "weight", "share", "asked", "command", "inhibited_by", "reason"}) {
+    CHECK(member.contains(name));
+  }
+  CHECK(std::any_of(robot["members"].begin(), robot["members"].end(),
+                    [](const Json& each) { return each["asked"] == true; }));
+  const Json& sensor = robot["sensors"][0];
+  CHECK(sensor["names"][0] == "distance_m");
+  CHECK(sensor["values"][0].get<double>() > 0.0);
+  CHECK(state["measures"]["time_s"].get<double>() == Approx(state["time_s"].get<double>()));
+  CHECK_FALSE(robot.contains("cameras"));
+  CHECK_FALSE(robot.contains("fuzzy"));
+}
+
+TEST_CASE("Only what is watched comes, of the robots that are watched") {
+  Session session;
+  session.open(kRoom);
+  session.edit({kSecond});
+  watch(session, {"sensors"}, {"r2"});
+  const Json state = session.event("state");
+  REQUIRE(state["robots"].size() == 1);
+  CHECK(state["robots"][0]["id"] == "r2");
+  CHECK_FALSE(state["robots"][0].contains("members"));
+  CHECK_FALSE(state.contains("measures"));
+  CHECK(watch(session, {"thoughts"}).contains("refused"));
+  watch(session, {});
+  session.ask({{"do", "step"}});
+  session.ask({{"do", "catalog"}});
+  CHECK_FALSE(session.has_event("state"));
+}
+
+TEST_CASE("Camera pictures come raw and processed, as RGB bytes in base64") {
+  Session session;
+  open_shipped(session, "find_resource.xml");
+  watch(session, {"cameras"});
+  CHECK_FALSE(session.event("state")["robots"][0]["cameras"][0].contains("raw"));
+  const Json state = step(session);
+  const Json& camera = state["robots"][0]["cameras"][0];
+  const std::size_t bytes =
+      3 * camera["width"].get<std::size_t>() * camera["height"].get<std::size_t>();
+  CHECK(camera["raw"].get<std::string>().size() == (bytes + 2) / 3 * 4);
+  CHECK(camera["processed"].get<std::string>().size() == (bytes + 2) / 3 * 4);
+}
+
+TEST_CASE("Fuzzy models come with their file and the numbers of this instant") {
+  Session session;
+  open_shipped(session, "clutter.xml");
+  watch(session, {"fuzzy", "sensors", "decisions"});
+  CHECK(session.event("state")["robots"][0]["fuzzy"].empty());
+  const Json state = step(session);
+  const Json& robot = state["robots"][0];
+  REQUIRE(robot["fuzzy"].size() == 2);  // a wheel each
+  double nearest = 1e9;
+  for (const Json& sensor : robot["sensors"]) {
+    if (sensor["names"][0] == "distance_m") {
+      nearest = std::min(nearest, sensor["values"][0].get<double>());
+    }
+  }
+  for (const Json& model : robot["fuzzy"]) {
+    CHECK_THAT(model["path"].get<std::string>(), Catch::Contains("avoid"));
+    CHECK(std::filesystem::path(model["file"].get<std::string>()).is_absolute());
+    CHECK(std::filesystem::exists(model["file"].get<std::string>()));
+    CHECK(model["inputs"]["range"].get<double>() == Approx(nearest));
+    CHECK(model["inputs"]["azimuth"].is_number());
+    CHECK(model["outputs"].size() == 1);
+  }
+}
+
+TEST_CASE("A fuzzy coordinator shows its rules' inputs and outputs") {
+  Session session;
+  open_shipped(session, "contexts.xml");
+  watch(session, {"fuzzy"});
+  const Json state = step(session);
+  bool found = false;
+  for (const Json& model : state["robots"][0]["fuzzy"]) {
+    found = found || (model["path"] == "fusion_context_blending" && model["inputs"].size() > 0 &&
+                      model["outputs"].size() > 0);
+  }
+  INFO(state.dump());
+  CHECK(found);
+}
+
+TEST_CASE("Whatever is watched, the run is the same") {
+  const std::string world =
+      GENERATE("clutter.xml", "find_resource.xml", "contexts.xml", "train.xml");
+  Session session;
+  open_shipped(session, world);
+  watch(session, kEverything);
+  session.ask({{"do", "run"}});
+  const Json end = session.end_of_run();
+  CHECK(session.latest("state")["outcome"] == end["outcome"]);
+  CHECK(end["state_hash"] ==
+        hash_of_run(test::Workplace(), test::source_path("worlds/" + world) + " --seed 1"));
+  CHECK(end["measures"]["time_s"] == end["time_s"]);
+}
+
+TEST_CASE("At most thirty states come a second, however fast the run") {
+  Session session;
+  open_shipped(session, "clutter.xml");
+  watch(session, {"decisions"});
+  session.event("state");
+  const auto start = std::chrono::steady_clock::now();
+  session.ask({{"do", "run"}});
+  session.end_of_run();
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  std::size_t count = 0;
+  while (session.has_event("state")) {
+    session.event("state");
+    ++count;
+  }
+  CHECK(count >= 1);
+  CHECK(static_cast<double>(count) <= 31.0 * taken.count() + 2.0);
+}
+
+TEST_CASE("A window that reads nothing does not hold up the run") {
+  Session session;
+  open_shipped(session, "find_resource.xml");
+  session.ask({{"do", "speed"}, {"factor", 0}});
+  watch(session, kEverything);
+  session.ask({{"do", "run"}});
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  const auto snapshot = session.connection().snapshots().take();
+  REQUIRE(snapshot);
+  const double then_s = snapshot->facts.time_s;
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  session.connection().snapshots().take();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  const auto later = session.connection().snapshots().take();
+  REQUIRE(later);
+  CHECK(later->facts.time_s > then_s);
+}
+
+TEST_CASE("Events and notes of a run come as they arise") {
+  Session session;
+  open_shipped(session, "clutter.xml");
+  session.ask({{"do", "run"}});
+  const Json end = session.end_of_run();
+  double last_s = 0.0;
+  std::size_t collisions = 0;
+  while (session.has_event("raised")) {
+    const Json event = session.event("raised");
+    CHECK(event["time_s"].get<double>() >= last_s);
+    last_s = event["time_s"];
+    CHECK(event.contains("robot"));
+    CHECK(event.contains("detail"));
+    collisions += event["name"] == "collision" ? 1 : 0;
+  }
+  CHECK(collisions == end["measures"]["collisions"].get<std::size_t>());
+
+  std::string text = kRoom;
+  text.replace(text.find("<robots>"), 8, "<physics cfm=\"0\"/><robots>");
+  session.open(text);
+  const Json note = session.event("note");
+  CHECK_THAT(note["text"].get<std::string>(), Catch::Contains("physics: "));
+  session.ask({{"do", "run"}});
+  CHECK(session.end_of_run()["notes"][0] == note["text"]);
+}
