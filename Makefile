@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: configure-program transcript api install package all demo test sanitize fuzz fuzz-check bench figures four-resources pictures tables reference format lint lint-changed dependencies configure clean
+.PHONY: desktop configure-program transcript api install package all demo test sanitize fuzz fuzz-check bench figures four-resources pictures tables reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -26,6 +26,14 @@ demo: configure-program
 	$(ELSIE) run worlds/four_resources.xml --seed 1 --picture out/four_resources.png --record out/four_resources.csv --record out/four_resources.mcap
 	$(ELSIE) explain out/four_resources.mcap --picture out/who_decided.png
 	@echo "Look at out/four_resources.png and out/who_decided.png; the whole run is in out/four_resources.csv."
+
+# Builds and starts the window: docs/desktop.md.
+desktop:
+	@scripts/install-dependencies --desktop
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) --log-level=WARNING -DELSIE_BUILD_TESTS=OFF -DELSIE_BUILD_BENCHMARKS=OFF
+	@cmake $(BUILD) --log-level=WARNING >/dev/null
+	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins elsie_desktop
+	$(BUILD)/bin/elsie-desktop
 
 test: all
 	ctest --preset $(PRESET)

@@ -1,0 +1,210 @@
+#include "control_bar.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QRegularExpressionValidator>
+#include <QSlider>
+#include <QStyleOptionSlider>
+#include <QToolButton>
+#include <array>
+#include <cmath>
+
+#include "engine/workbench.h"
+
+namespace elsie::desktop {
+namespace {
+
+constexpr std::array kSpeeds{0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 0.0};  // 0: as fast as it goes
+constexpr int kTicks = 10'000;                                          // of the time line
+
+}  // namespace
+
+ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), workbench_(workbench) {
+  setObjectName("control_bar");
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(4, 0, 4, 0);
+  const auto button = [&](const char* name, const QString& text, const QString& tip) {
+    auto* made = new QToolButton;
+    made->setObjectName(name);
+    made->setText(text);
+    made->setToolTip(tip);
+    made->setAccessibleName(tip);
+    row->addWidget(made);
+    return made;
+  };
+  run_ = button("run", tr("\u25b6 Start"), tr("Start the run, or let it go on (F5)"));
+  step_ = button("step", tr("\u2758\u25b6 Step"), tr("One control period (F10)"));
+  reset_ = button("reset", tr("\u21ba Reset"),
+                  tr("Back to the start, with the world as it is now (Ctrl+R)"));
+  connect(run_, &QToolButton::clicked, this, [this] {
+    workbench_.run_state() == Workbench::Run::running ? workbench_.pause() : workbench_.run();
+  });
+  connect(step_, &QToolButton::clicked, &workbench_, &Workbench::step);
+  connect(reset_, &QToolButton::clicked, this, [this] { workbench_.reset(workbench_.seed()); });
+
+  auto* speed_label = new QLabel(tr("Speed"));
+  row->addWidget(speed_label);
+  speed_ = new QComboBox;
+  speed_->setObjectName("speed");
+  speed_->setAccessibleName(tr("Speed"));
+  speed_->setToolTip(tr("Simulated seconds for each second on the clock"));
+  for (const double speed : kSpeeds) {
+    speed_->addItem(speed > 0.0 ? QString::number(speed) + "x" : tr("maximum"), speed);
+  }
+  speed_->setCurrentIndex(speed_->findData(1.0));
+  connect(speed_, &QComboBox::activated, this,
+          [this](int index) { workbench_.set_speed(speed_->itemData(index).toDouble()); });
+  row->addWidget(speed_);
+
+  row->addWidget(new QLabel(tr("Seed")));
+  seed_ = new QLineEdit("1");
+  seed_->setObjectName("seed");
+  seed_->setAccessibleName(tr("Seed"));
+  seed_->setToolTip(tr("Seed of all random numbers; a new one begins the run anew"));
+  seed_->setMaximumWidth(10 * fontMetrics().averageCharWidth() + 20);
+  seed_->setValidator(new QRegularExpressionValidator(QRegularExpression("[0-9]{1,19}"), seed_));
+  connect(seed_, &QLineEdit::editingFinished, this, [this] {
+    const std::uint64_t seed = seed_->text().toULongLong();
+    if (seed != workbench_.seed()) {
+      workbench_.reset(seed);
+    }
+  });
+  row->addWidget(seed_);
+  row->addStretch(1);
+  connect(&workbench_, &Workbench::run_changed, this, &ControlBar::show_state);
+  show_state();
+}
+
+void ControlBar::show_state() {
+  const Workbench::Run run = workbench_.run_state();
+  const bool is_running = run == Workbench::Run::running;
+  run_->setText(is_running ? tr("\u2759\u2759 Pause") : tr("\u25b6 Start"));
+  run_->setEnabled(is_running || run == Workbench::Run::ready || run == Workbench::Run::paused);
+  step_->setEnabled(run == Workbench::Run::ready || run == Workbench::Run::paused);
+  reset_->setEnabled(run != Workbench::Run::none);
+  if (speed_->findData(workbench_.speed()) < 0) {
+    speed_->addItem(QString::number(workbench_.speed()) + "x", workbench_.speed());
+  }
+  speed_->setCurrentIndex(speed_->findData(workbench_.speed()));
+  if (!seed_->hasFocus()) {
+    seed_->setText(QString::number(workbench_.seed()));
+  }
+}
+
+TimeLine::TimeLine(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
+  setObjectName("time_line");
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(4, 0, 4, 6);
+  slider_ = new QSlider(Qt::Horizontal);
+  slider_->setObjectName("time");
+  slider_->setAccessibleName(tr("Time of the run"));
+  slider_->setRange(0, kTicks);
+  row->addWidget(slider_, 1);
+  label_ = new QLabel("0.00 s");
+  label_->setObjectName("shown_time");
+  label_->setMinimumWidth(14 * fontMetrics().averageCharWidth());
+  row->addWidget(label_);
+  now_ = new QToolButton;
+  now_->setObjectName("now");
+  now_->setText(tr("Now"));
+  now_->setToolTip(tr("Back to the present (End)"));
+  row->addWidget(now_);
+  connect(slider_, &QSlider::valueChanged, this, [this](int value) {
+    if (!is_showing_) {
+      go_to(until_s_ * value / kTicks);
+    }
+  });
+  connect(now_, &QToolButton::clicked, this, &TimeLine::go_to_now);
+  connect(&workbench_, &Workbench::snapshot, this, [this](const snapshots::Snapshot& snapshot) {
+    shown_s_ = snapshot.facts.time_s;
+    if (!is_in_the_past_) {
+      until_s_ = shown_s_;
+    }
+    show_now();
+  });
+  connect(&workbench_, &Workbench::run_changed, this, [this] {
+    if (workbench_.run_state() == Workbench::Run::running ||
+        workbench_.run_state() == Workbench::Run::ready) {
+      is_in_the_past_ = false;
+    }
+    show_now();
+  });
+}
+
+void TimeLine::show_now() {
+  is_showing_ = true;
+  const double part = until_s_ > 0.0 ? shown_s_ / until_s_ : 1.0;
+  slider_->setValue(static_cast<int>(std::lround(kTicks * std::min(1.0, part))));
+  is_showing_ = false;
+  label_->setText(is_in_the_past_
+                      ? tr("%1 of %2 s").arg(shown_s_, 0, 'f', 2).arg(until_s_, 0, 'f', 2)
+                      : tr("%1 s").arg(shown_s_, 0, 'f', 2));
+  now_->setEnabled(is_in_the_past_);
+  update();
+}
+
+void TimeLine::go_to(double time_s) {
+  const double wanted = std::clamp(time_s, 0.0, until_s_);
+  if (workbench_.run_state() == Workbench::Run::running) {
+    workbench_.pause();
+  }
+  is_in_the_past_ = true;
+  workbench_.ask({{"do", "at"}, {"time_s", wanted}}, [this](const Json& answer) {
+    if (answer.contains("refused")) {
+      is_in_the_past_ = false;
+      show_now();
+    }
+  });
+}
+
+void TimeLine::go_to_now() {
+  is_in_the_past_ = false;
+  workbench_.ask({{"do", "at"}}, {});
+  show_now();
+}
+
+void TimeLine::move_by(double by_s) { go_to(shown_s_ + by_s); }
+
+void TimeLine::go_to_event(bool next) {
+  double found = next ? until_s_ : 0.0;
+  for (const auto& [time, what] : marks_) {
+    if (next ? time > shown_s_ + 0.05 && time < found : time < shown_s_ - 0.05 && time > found) {
+      found = time;
+    }
+  }
+  go_to(found);
+}
+
+void TimeLine::mark(double time_s, const QString& what) {
+  constexpr std::size_t kMost = 2000;
+  if (marks_.size() < kMost) {
+    marks_.emplace_back(time_s, what);
+    update();
+  }
+}
+
+void TimeLine::clear() {
+  marks_.clear();
+  until_s_ = shown_s_ = 0.0;
+  is_in_the_past_ = false;
+  show_now();
+}
+
+void TimeLine::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+  if (until_s_ <= 0.0) {
+    return;
+  }
+  const QRect groove = slider_->geometry();
+  for (const auto& [time, what] : marks_) {
+    const double x = groove.left() + 6.0 + (groove.width() - 12.0) * time / until_s_;
+    painter.drawLine(QPointF(x, groove.bottom() - 2.0), QPointF(x, height() - 1.0));
+  }
+}
+
+}  // namespace elsie::desktop

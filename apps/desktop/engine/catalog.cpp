@@ -1,0 +1,172 @@
+#include "engine/catalog.h"
+
+#include <QHash>
+#include <QLocale>
+
+namespace elsie::desktop {
+namespace {
+
+QString text_of(const Json& value) {
+  if (value.is_string()) {
+    return QString::fromStdString(value.get<std::string>());
+  }
+  if (value.is_array()) {
+    QStringList parts;
+    for (const Json& each : value) {
+      parts << text_of(each);
+    }
+    return parts.join(' ');
+  }
+  return value.is_null() ? QString() : QString::fromStdString(value.dump());
+}
+
+QString text_at(const Json& object, const char* name) {
+  const auto found = object.find(name);
+  return found == object.end() ? QString() : text_of(*found);
+}
+
+Field field_of(const Json& json) {
+  Field field;
+  field.name = text_at(json, "name");
+  field.type = text_at(json, "type");
+  field.unit = text_at(json, "unit");
+  field.default_text = text_at(json, "default");
+  field.meaning = text_at(json, "meaning");
+  field.is_required = json.value("required", false);
+  field.is_live = json.value("live", true);
+  const auto number = [&](const char* name) -> std::optional<double> {
+    const auto found = json.find(name);
+    return found != json.end() && found->is_number() ? std::optional(found->get<double>())
+                                                     : std::nullopt;
+  };
+  QStringList bounds;
+  const auto bound = [&](const char* name, const QString& words) {
+    if (const auto value = number(name)) {
+      bounds << words + ' ' + QString::number(*value, 'g', 6);
+    }
+  };
+  bound("min", "at least");
+  bound("above", "above");
+  bound("max", "at most");
+  field.range = bounds.join(" and ");
+  field.least = number("min");
+  field.most = number("max");
+  if (const auto choices = json.find("choices"); choices != json.end()) {
+    for (const Json& each : *choices) {
+      field.choices << text_of(each);
+    }
+  }
+  return field;
+}
+
+void add_fields(Kind& kind, const Json& json, const char* list) {
+  const auto found = json.find(list);
+  if (found == json.end()) {
+    return;
+  }
+  for (const Json& each : *found) {
+    kind.fields.push_back(field_of(each));
+  }
+}
+
+Kind plugin_of(const Json& json) {
+  Kind kind;
+  kind.name = text_at(json, "name");
+  kind.description = text_at(json, "description");
+  kind.holds_behaviors = json.value("holds_behaviors", false);
+  add_fields(kind, json, "parameters");
+  for (const Json& each : json.value("elements", Json::array())) {
+    kind.elements << text_at(each, "name");
+  }
+  return kind;
+}
+
+}  // namespace
+
+std::vector<Kind> Catalog::plugins(const QString& kind) const {
+  std::vector<Kind> kinds;
+  for (const Json& each : answer_.value("plugins", Json::array())) {
+    if (text_at(each, "kind") == kind) {
+      kinds.push_back(*plugin(kind, text_at(each, "name")));
+    }
+  }
+  return kinds;
+}
+
+// With the attributes that all plugins of the kind may have in a world: where a sensor sits, the
+// priority of a behaviour.
+std::optional<Kind> Catalog::plugin(const QString& kind, const QString& name) const {
+  for (const Json& each : answer_.value("plugins", Json::array())) {
+    if (text_at(each, "kind") == kind && text_at(each, "name") == name) {
+      Kind found = plugin_of(each);
+      if (const auto common = element(kind)) {
+        found.fields.insert(found.fields.begin(), common->fields.begin(), common->fields.end());
+      }
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Kind> Catalog::element(const QString& name) const {
+  const Json elements = answer_.value("elements", Json::object());
+  const auto found = elements.find(name.toStdString());
+  if (found == elements.end()) {
+    return std::nullopt;
+  }
+  Kind kind;
+  kind.name = name;
+  kind.description = text_at(*found, "meaning");
+  add_fields(kind, *found, "attributes");
+  for (const Json& each : found->value("children", Json::array())) {
+    kind.elements << text_of(each);
+  }
+  return kind;
+}
+
+std::vector<Kind> Catalog::members(const QString& list) const {
+  static const QHash<QString, QString> plugin_lists{{"sensors", "sensor"},
+                                                    {"behaviors", "behavior"},
+                                                    {"coordinator", "coordinator"},
+                                                    {"drive", "drive"},
+                                                    {"measures", "measure"}};
+  std::vector<Kind> kinds;
+  if (const QString kind = plugin_lists.value(list); !kind.isEmpty()) {
+    return plugins(kind);
+  }
+  if (const auto holder = element(list)) {
+    for (const QString& name : holder->elements) {
+      if (auto member = element(name)) {
+        kinds.push_back(std::move(*member));
+      }
+    }
+  }
+  return kinds;
+}
+
+std::optional<Kind> Catalog::kind_of(const ElementPlace& place) const {
+  if (!place.element) {
+    return std::nullopt;
+  }
+  const QString name = name_of(*place.element);
+  const QString holder = place.parent ? name_of(*place.parent) : QString();
+  for (const Kind& each : members(holder)) {
+    if (each.name == name) {
+      return each;
+    }
+  }
+  for (const Json& plugin : answer_.value("plugins", Json::array())) {
+    for (const Json& each : plugin.value("elements", Json::array())) {
+      if (text_at(each, "name") == name && text_at(plugin, "name") == holder) {
+        Kind kind;
+        kind.name = name;
+        kind.description = text_at(each, "meaning");
+        add_fields(kind, each, "parameters");
+        return kind;
+      }
+    }
+  }
+  return element(name);
+}
+
+}  // namespace elsie::desktop

@@ -1,0 +1,59 @@
+// What may stand in a world: the vocabulary of world files and the declarations of all plugins that
+// the engine has found.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+#include "engine/elements.h"
+
+namespace elsie::desktop {
+
+/// An attribute of an element, or a parameter of a plugin.
+struct Field {
+  QString name;
+  QString type;  // "number", "integer", "boolean", "text", "file", "id", "colour"; see Catalog
+  QString unit;
+  QString default_text;  // as a file has it; "" is none
+  QString meaning;
+  QString range;        // "at least 0 and at most 1"; "" is any
+  QStringList choices;  // if not empty, the only values
+  std::optional<double> least, most;
+  bool is_required = false;
+  bool is_live = true;
+};
+
+/// A plugin, or an element of the vocabulary.
+struct Kind {
+  QString name;
+  QString description;
+  std::vector<Field> fields;
+  bool holds_behaviors = false;
+  QStringList elements;  // names of those that may stand in it
+};
+
+class Catalog {
+ public:
+  Catalog() = default;
+  explicit Catalog(Json answer) : answer_(std::move(answer)) {}
+
+  const Json& json() const { return answer_; }
+  bool is_empty() const { return answer_.is_null(); }
+  /// All plugins of a kind, by name: "sensor", "behavior", "coordinator", "measure", "drive".
+  std::vector<Kind> plugins(const QString& kind) const;
+  /// Names that the vocabulary has for members of a list: "static_box"... of "obstacles".
+  std::vector<Kind> members(const QString& list) const;
+  /// What the element at a place may be given; none: it is unknown.
+  std::optional<Kind> kind_of(const ElementPlace& place) const;
+  /// An element of the vocabulary by name: "robot", "physics".
+  std::optional<Kind> element(const QString& name) const;
+
+ private:
+  std::optional<Kind> plugin(const QString& kind, const QString& name) const;
+
+  Json answer_;
+};
+
+}  // namespace elsie::desktop

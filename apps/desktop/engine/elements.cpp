@@ -1,0 +1,151 @@
+#include "engine/elements.h"
+
+#include <QHash>
+#include <QStringList>
+
+namespace elsie::desktop {
+namespace {
+
+const Json kNone = Json::array();
+
+const Json& children_of(const Json& element) {
+  const auto found = element.find("children");
+  return found == element.end() ? kNone : *found;
+}
+
+/// The word for the members of a list; "" if the element is none.
+QString list_of(const QString& name) {
+  static const QHash<QString, QString> lists{{"teams", "team"},
+                                             {"obstacles", "obstacle"},
+                                             {"resources", "resource"},
+                                             {"chargers", "charger"},
+                                             {"robots", "robot"},
+                                             {"goals", "goal"},
+                                             {"measures", "measure"},
+                                             {"changes", "change"},
+                                             {"sensors", "sensor"},
+                                             {"behaviors", "behavior"},
+                                             {"coordinator", "coordinator"},
+                                             {"drive", "drive"},
+                                             {"segments", "segment"}};
+  return lists.value(name);
+}
+
+QString joined(const QString& path, const QString& step) {
+  return path.isEmpty() ? step : path + '/' + step;
+}
+
+QString step_of(const Json& parent, std::size_t index, const QString& list) {
+  const Json& siblings = children_of(parent);
+  const Json& element = siblings[index];
+  const QString name = name_of(element);
+  if (list == "coordinator" || list == "drive") {
+    return list;
+  }
+  if (!list.isEmpty()) {
+    const QString id = attribute(element, "id");
+    return list + '[' + (id.isEmpty() ? QString::number(index + 1) : id) + ']';
+  }
+  int number = 0, count = 0;
+  for (std::size_t i = 0; i < siblings.size(); ++i) {
+    if (name_of(siblings[i]) == name) {
+      ++count;
+      number += i <= index ? 1 : 0;
+    }
+  }
+  return count > 1 ? name + '[' + QString::number(number) + ']' : name;
+}
+
+void visit(const ElementPlace& place, const std::function<bool(const ElementPlace&)>& see) {
+  if (see(place)) {
+    visit_children(place, [&](const ElementPlace& child) { visit(child, see); });
+  }
+}
+
+}  // namespace
+
+void visit_children(const ElementPlace& place,
+                    const std::function<void(const ElementPlace&)>& see) {
+  const Json& children = children_of(*place.element);
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    // In a list there are no lists: a plugin may be called as one is.
+    const QString list = place.list.isEmpty() ? list_of(name_of(children[i])) : QString();
+    see({&children[i], place.element,
+         list.isEmpty() ? joined(place.path, step_of(*place.element, i, place.list)) : place.path,
+         list});
+  }
+}
+
+void visit(const Json& world, const std::function<bool(const ElementPlace&)>& see) {
+  if (world.is_object()) {
+    visit(ElementPlace{&world, nullptr, {}, {}}, see);
+  }
+}
+
+ElementPlace place_of(const Json& world, const QString& path) {
+  ElementPlace found;
+  visit(world, [&](const ElementPlace& place) {
+    if (!found.element && place.list.isEmpty() && place.path == path) {
+      found = place;
+    }
+    return !found.element;
+  });
+  return found;
+}
+
+QString name_of(const Json& element) {
+  return QString::fromStdString(element.value("name", std::string()));
+}
+
+const Json& attributes_of(const Json& element) {
+  static const Json none = Json::object();
+  const auto found = element.find("attributes");
+  return found == element.end() ? none : *found;
+}
+
+QString attribute(const Json& element, const char* name) {
+  return QString::fromStdString(attributes_of(element).value(name, std::string()));
+}
+
+QString title_of(const Json& element) {
+  const QString id = attribute(element, "id");
+  return id.isEmpty() ? name_of(element) : id;
+}
+
+QString attribute_path(const QString& element, const QString& attribute) {
+  return element.isEmpty() ? '@' + attribute : element + "/@" + attribute;
+}
+
+QString holder_of(const QString& path) {
+  int depth = 0;
+  for (qsizetype i = path.size() - 1; i >= 0; --i) {
+    depth += path[i] == ']' ? 1 : path[i] == '[' ? -1 : 0;
+    if (path[i] == '/' && depth == 0) {
+      return path.left(i);
+    }
+  }
+  return {};
+}
+
+QString escaped(const QString& value) {
+  QString text = value.toHtmlEscaped();
+  return text.replace('\n', "&#10;").replace('\t', "&#9;");
+}
+
+QString markup_of(const Json& element, const QStringList& but) {
+  QString text = '<' + name_of(element);
+  for (const auto& [name, value] : attributes_of(element).items()) {
+    const QString attribute = QString::fromStdString(name);
+    if (!but.contains(attribute)) {
+      text +=
+          ' ' + attribute + "=\"" + escaped(QString::fromStdString(value.get<std::string>())) + '"';
+    }
+  }
+  QString content = QString::fromStdString(element.value("text", std::string())).toHtmlEscaped();
+  for (const Json& child : children_of(element)) {
+    content += markup_of(child);
+  }
+  return text + (content.isEmpty() ? "/>" : '>' + content + "</" + name_of(element) + '>');
+}
+
+}  // namespace elsie::desktop

@@ -1,0 +1,48 @@
+// The elements of a world, as the engine describes them, and the paths that edits call them by.
+#pragma once
+
+#include <QString>
+#include <functional>
+
+#include "elsie/client/connection.h"
+
+namespace elsie::desktop {
+
+using client::Json;
+
+/// One element of a world.
+struct ElementPlace {
+  const Json* element = nullptr;
+  const Json* parent = nullptr;  // null: it is the world
+  QString path;  // as edits have it; "" is the world. That of a list is its holder's
+  QString list;  // the word for its members if it is a list: "robot"; otherwise ""
+};
+
+/// Calls `see` for all elements, each before those in it; those in an element for which it returns
+/// false are left out.
+void visit(const Json& world, const std::function<bool(const ElementPlace&)>& see);
+/// The same for the elements directly in one.
+void visit_children(const ElementPlace& place, const std::function<void(const ElementPlace&)>& see);
+/// The element with that path; its `element` is null if there is none. A list has no path of its
+/// own.
+ElementPlace place_of(const Json& world, const QString& path);
+
+QString name_of(const Json& element);
+/// An object; empty if it has none.
+const Json& attributes_of(const Json& element);
+/// "" if it has no such attribute.
+QString attribute(const Json& element, const char* name);
+/// What a user calls it: its id, or its element's name.
+QString title_of(const Json& element);
+
+/// "robot[r1]/@x" and "@name" of the world.
+QString attribute_path(const QString& element, const QString& attribute);
+/// The path of the element in which another one is; "" for those directly in the world.
+QString holder_of(const QString& path);
+
+/// An element as a piece of XML, with all that is in it; `but`: without these attributes.
+QString markup_of(const Json& element, const QStringList& but = {});
+/// A value as it stands between quotation marks in XML.
+QString escaped(const QString& value);
+
+}  // namespace elsie::desktop

@@ -1,0 +1,109 @@
+#include "engine/engine.h"
+
+#include <QDateTime>
+#include <QSocketNotifier>
+
+namespace elsie::desktop {
+namespace {
+
+constexpr int kBetweenSnapshots_ms = 16;
+
+}  // namespace
+
+Engine::Engine(QString program, QStringList options, QObject* parent)
+    : QObject(parent), program_(std::move(program)), options_(std::move(options)) {
+  timer_.setTimerType(Qt::PreciseTimer);
+  timer_.setInterval(kBetweenSnapshots_ms);
+  connect(&timer_, &QTimer::timeout, this, &Engine::read);
+}
+
+Engine::~Engine() = default;
+
+void Engine::start() {
+  notifier_.reset();
+  connection_.reset();
+  pending_.clear();
+  std::vector<std::string> options;
+  for (const QString& option : options_) {
+    options.push_back(option.toStdString());
+  }
+  connection_ = std::make_unique<client::Connection>(program_.toStdString(), options);
+  ++generation_;
+  notifier_ = std::make_unique<QSocketNotifier>(connection_->descriptor(), QSocketNotifier::Read);
+  connect(notifier_.get(), &QSocketNotifier::activated, this, &Engine::read);
+}
+
+void Engine::ask(Json order, Answer answer) {
+  if (!connection_) {
+    return;
+  }
+  order["id"] = ++last_id_;
+  pending_[last_id_] = {std::move(answer), QDateTime::currentMSecsSinceEpoch()};
+  connection_->send(order);
+  pace();
+}
+
+void Engine::set_live(bool live) {
+  live_ = live;
+  pace();
+}
+
+void Engine::kill() {
+  if (connection_) {
+    connection_->kill();
+  }
+}
+
+qint64 Engine::waiting_ms() const {
+  return pending_.empty() ? 0
+                          : QDateTime::currentMSecsSinceEpoch() - pending_.begin()->second.since_ms;
+}
+
+// While nothing moves and nobody waits, nothing here runs.
+void Engine::pace() {
+  const bool is_needed = connection_ && (live_ || !pending_.empty());
+  if (is_needed != timer_.isActive()) {
+    is_needed ? timer_.start() : timer_.stop();
+  }
+}
+
+void Engine::read() {
+  if (!connection_) {
+    return;
+  }
+  const int generation = generation_;
+  for (const Json& message : connection_->receive()) {
+    take_snapshot();
+    const auto pending = pending_.find(message.value("answer", std::int64_t{0}));
+    if (pending != pending_.end()) {
+      const Answer answer = std::move(pending->second.answer);
+      pending_.erase(pending);
+      if (answer) {
+        answer(message);
+      }
+    } else if (message.contains("event")) {
+      Q_EMIT event(message);
+    }
+    if (generation != generation_ || !connection_) {
+      return;  // started anew by a listener
+    }
+  }
+  take_snapshot();
+  if (const auto end = connection_->ended()) {
+    notifier_.reset();
+    connection_.reset();
+    pending_.clear();
+    pace();
+    Q_EMIT died(end->exit_code, QString::fromStdString(end->report));
+    return;
+  }
+  pace();
+}
+
+void Engine::take_snapshot() {
+  if (const auto taken = connection_->snapshots().take()) {
+    Q_EMIT snapshot(*taken);
+  }
+}
+
+}  // namespace elsie::desktop

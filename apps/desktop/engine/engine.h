@@ -1,0 +1,73 @@
+// The process with the simulation and the plugins, for a program with an event loop.
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <QTimer>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "elsie/client/connection.h"
+
+class QSocketNotifier;
+
+namespace elsie::desktop {
+
+using client::Json;
+
+/// Orders go to the engine, answers and snapshots come from it (docs/session.md); nothing waits.
+/// When the process ends by itself, died() says so, and start() begins anew.
+class Engine : public QObject {
+  Q_OBJECT
+
+ public:
+  using Answer = std::function<void(const Json&)>;
+
+  /// `program`: elsie; `options`: those of plugins.
+  Engine(QString program, QStringList options, QObject* parent = nullptr);
+  ~Engine() override;
+
+  /// Throws base::Error if the program cannot be started.
+  void start();
+  bool is_there() const { return connection_ != nullptr; }
+  /// Counts the starts.
+  int generation() const { return generation_; }
+  /// The answer is not called if the engine ends before.
+  void ask(Json order, Answer answer = {});
+  /// Whether snapshots are expected at any time; otherwise they come with messages.
+  void set_live(bool live);
+  /// Ends the process at once: for one that does not answer.
+  void kill();
+  /// How long the oldest order has been waiting for its answer, ms; 0: none waits.
+  qint64 waiting_ms() const;
+
+ Q_SIGNALS:
+  void event(const elsie::desktop::Json& message);
+  /// Valid during the signal.
+  void snapshot(const elsie::snapshots::Snapshot& snapshot);
+  void died(int exit_code, const QString& report);
+
+ private:
+  struct Pending {
+    Answer answer;
+    qint64 since_ms = 0;
+  };
+
+  void read();
+  void take_snapshot();
+  void pace();
+
+  QString program_;
+  QStringList options_;
+  std::unique_ptr<client::Connection> connection_;
+  std::unique_ptr<QSocketNotifier> notifier_;
+  std::map<std::int64_t, Pending> pending_;
+  std::int64_t last_id_ = 0;
+  int generation_ = 0;
+  bool live_ = false;
+  QTimer timer_;
+};
+
+}  // namespace elsie::desktop

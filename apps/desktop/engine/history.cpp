@@ -1,0 +1,56 @@
+#include "engine/history.h"
+
+namespace elsie::desktop {
+namespace {
+
+constexpr qint64 kMerging_ms = 2000;
+
+}  // namespace
+
+void History::clear() {
+  entries_.clear();
+  place_ = 0;
+  clean_ = 0;
+}
+
+void History::push(Entry entry) {
+  if (clean_ && *clean_ > place_) {
+    clean_ = std::nullopt;
+  }
+  entries_.resize(place_);
+  if (!entries_.empty() && clean_ != place_) {
+    Entry& last = entries_.back();
+    if (!entry.merge.isEmpty() && last.merge == entry.merge &&
+        entry.at_ms - last.at_ms < kMerging_ms) {
+      last.after = entry.after;
+      last.at_ms = entry.at_ms;
+      last.inverse = 0;  // one text leads back
+      return;
+    }
+  }
+  entries_.push_back(std::move(entry));
+  ++place_;
+}
+
+const History::Entry* History::next_undo() const {
+  return place_ > 0 ? &entries_[place_ - 1] : nullptr;
+}
+
+const History::Entry* History::next_redo() const {
+  return place_ < entries_.size() ? &entries_[place_] : nullptr;
+}
+
+void History::undone(std::uint64_t inverse, int engine) {
+  Entry& entry = entries_[--place_];
+  entry.inverse = inverse;
+  entry.engine = engine;
+  entry.merge.clear();
+}
+
+void History::redone(std::uint64_t inverse, int engine) {
+  Entry& entry = entries_[place_++];
+  entry.inverse = inverse;
+  entry.engine = engine;
+}
+
+}  // namespace elsie::desktop

@@ -1,0 +1,14 @@
+// A problem of a file, as the engine reports it.
+#pragma once
+
+#include <QString>
+
+namespace elsie::desktop {
+
+struct Problem {
+  QString file;
+  int line = 0;  // from 1; 0: of the whole file
+  QString message;
+};
+
+}  // namespace elsie::desktop

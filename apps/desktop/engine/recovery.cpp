@@ -1,0 +1,61 @@
+#include "engine/recovery.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <csignal>
+
+#include "engine/elements.h"
+
+namespace elsie::desktop {
+namespace {
+
+QDir folder() {
+  return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");
+}
+
+}  // namespace
+
+Recovery::Recovery() {
+  static int windows = 0;
+  kept_in_ = folder().filePath(
+      QString("%1-%2.json").arg(QCoreApplication::applicationPid()).arg(++windows));
+}
+
+Recovery::~Recovery() { forget(); }
+
+bool Recovery::keep(const QString& file, const QString& text) {
+  folder().mkpath(".");
+  QSaveFile kept(kept_in_);
+  const Json json{{"file", file.toStdString()}, {"text", text.toStdString()}};
+  return kept.open(QIODevice::WriteOnly) && kept.write(json.dump().c_str()) >= 0 && kept.commit();
+}
+
+void Recovery::forget() { QFile::remove(kept_in_); }
+
+std::vector<Recovered> Recovery::left_behind() {
+  std::vector<Recovered> all;
+  const QDir kept = folder();
+  for (const QString& name : kept.entryList({"*-*.json"}, QDir::Files, QDir::Time)) {
+    const int process = name.section('-', 0, 0).toInt();
+    if (process <= 0 || ::kill(process, 0) == 0) {
+      continue;  // its window is open
+    }
+    QFile file(kept.filePath(name));
+    if (!file.open(QIODevice::ReadOnly)) {
+      continue;
+    }
+    const Json json = Json::parse(file.readAll().toStdString(), nullptr, false);
+    if (json.is_object()) {
+      all.push_back({QString::fromStdString(json.value("file", std::string())),
+                     QString::fromStdString(json.value("text", std::string())), file.fileName()});
+    }
+  }
+  return all;
+}
+
+void Recovery::discard(const Recovered& recovered) { QFile::remove(recovered.kept_in); }
+
+}  // namespace elsie::desktop

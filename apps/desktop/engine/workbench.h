@@ -1,0 +1,148 @@
+// What a window works on: a world in an engine, its run, and what can be undone.
+//
+// There is no world here, only what the engine said last about the one that it has. Every change is
+// an order; when the engine has carried it out, described() tells all views.
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "engine/catalog.h"
+#include "engine/engine.h"
+#include "engine/history.h"
+#include "engine/problem.h"
+#include "engine/recovery.h"
+
+class QFileSystemWatcher;
+
+namespace elsie::desktop {
+
+using Problems = std::vector<Problem>;
+
+class Workbench : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class Run { none, ready, running, paused, ended };
+
+  Workbench(QString elsie, QStringList options, QObject* parent = nullptr);
+  ~Workbench() override;
+
+  /// @name The world
+  /// @{
+  QString file() const { return file_; }  // "" while it has none
+  /// The text as it is now, right or wrong.
+  const QString& text() const { return text_; }
+  /// Whether the text is one that the engine has; otherwise problems() says why not.
+  bool is_right() const { return is_right_; }
+  const Problems& problems() const { return problems_; }
+  const Json& tree() const { return tree_; }
+  const Json& scene() const { return scene_; }
+  std::uint64_t epoch() const { return epoch_; }
+  const Catalog& catalog() const { return catalog_; }
+  bool is_modified() const { return !history_.is_clean() || text_ != history_text_; }
+  /// @}
+
+  /// @name Files
+  /// @{
+  /// Takes over this text as a new world; what was there is gone.
+  void open_text(const QString& text, const QString& file, bool is_saved = true);
+  /// False, with a sentence, if the file cannot be read; then nothing has changed.
+  bool open(const QString& file, QString& why);
+  /// Asks the engine for the text as it reads there, writes it whole or not at all, and calls back
+  /// with "" or a sentence.
+  void save_as(const QString& file, std::function<void(const QString&)> done);
+  /// Whether another program wrote the file since it was read or saved.
+  bool is_changed_on_disk() const;
+  /// @}
+
+  /// @name Changes
+  /// All of them, or none; `refused` hears why not, as does refused().
+  /// @{
+  using Refused = std::function<void(const Problems&)>;
+  void edit(const QStringList& edits, const QString& name, const QString& merge = {},
+            Refused refused = {});
+  /// The text as a user typed it: it stays as it is, right or wrong.
+  void type(const QString& text);
+  void undo();
+  void redo();
+  QString undo_name() const;  // "" if there is nothing
+  QString redo_name() const;
+  /// @}
+
+  /// @name The run
+  /// @{
+  Run run_state() const { return run_; }
+  double time_s() const { return time_s_; }
+  double pace() const { return pace_; }
+  std::uint64_t seed() const { return seed_; }
+  double speed() const { return speed_; }
+  void run();
+  void pause();
+  void step();
+  /// Back to the start, with this seed from now on.
+  void reset(std::uint64_t seed);
+  void set_speed(double factor);
+  /// Any other order: watch, at, record, command.
+  void ask(Json order, Engine::Answer answer) { engine_.ask(std::move(order), std::move(answer)); }
+  Engine& engine() { return engine_; }
+  /// @}
+
+ Q_SIGNALS:
+  void described();  // the world changed: text, tree, scene
+  void problems_changed();
+  void catalog_changed();
+  void refused(const elsie::desktop::Problems& problems);
+  void history_changed();
+  void run_changed();
+  void snapshot(const elsie::snapshots::Snapshot& snapshot);
+  void state(const elsie::desktop::Json& state);
+  void noted(const QString& note);
+  void raised(const elsie::desktop::Json& event);
+  void ended(const elsie::desktop::Json& end);
+  /// The engine ended and was started again, with the world as it was; the report says what its
+  /// plugin did.
+  void engine_lost(const QString& report);
+  void changed_on_disk();
+
+ private:
+  void start_engine();
+  void load_catalog();
+  void heard(const Json& event);
+  void lost(int exit_code, const QString& report);
+  void take(const Json& answer);
+  void set_run(Run run);
+  void set_problems(Problems problems);
+  void refuse(const Json& answer, const Refused& refused);
+  void lead(const QString& text, std::uint64_t inverse, int engine,
+            std::function<void(std::uint64_t)> done);
+  void open_in_engine();
+  void keep();
+  void watch_file();
+
+  Engine engine_;
+  Catalog catalog_;
+  QString file_;
+  QString text_;
+  QString history_text_;  // the last right one, to which the history leads
+  QByteArray on_disk_;
+  Json tree_, scene_;
+  Json asked_watch_;
+  std::uint64_t epoch_ = 0;
+  bool is_right_ = false;
+  Problems problems_;
+  History history_;
+  bool is_leading_ = false;  // an undo or redo is under way
+  Run run_ = Run::none;
+  double time_s_ = 0.0;
+  double pace_ = 0.0;
+  double speed_ = 1.0;
+  std::uint64_t seed_ = 1;
+  int deaths_ = 0;  // of the engine since it carried out an order
+  Recovery recovery_;
+  std::unique_ptr<QFileSystemWatcher> on_disk_watcher_;
+};
+
+Problems problems_of(const Json& answer);
+
+}  // namespace elsie::desktop

@@ -1,0 +1,38 @@
+// Films that players open.
+#pragma once
+
+#include <QFile>
+#include <QString>
+#include <utility>
+#include <vector>
+
+class QImage;
+
+namespace elsie::desktop {
+
+/// Writes pictures of one size as JPEG into an AVI file (Motion JPEG), which ffmpeg, VLC, mpv and
+/// browsers' converters read. The layout of the file: "AVI RIFF File Reference" (Microsoft).
+class Film {
+ public:
+  Film(const QString& file, double frames_per_second);
+  /// Ends the film. Without a call the file is not one.
+  bool end();
+  bool add(const QImage& picture);
+  QString error() const { return file_.errorString(); }
+  int frames() const { return static_cast<int>(places_.size()); }
+
+ private:
+  void head(quint32 frames, quint32 bytes);
+  void word(quint32 value);
+  void half(quint16 value);
+  void name(const char* four);
+
+  QFile file_;
+  double rate_;
+  int width_ = 0, height_ = 0;
+  std::vector<std::pair<quint32, quint32>>
+      places_;  // of the frames from the list's start, and their lengths
+  quint32 largest_ = 0;
+};
+
+}  // namespace elsie::desktop

@@ -1,0 +1,70 @@
+// elsie-desktop: the window of Elsie.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <clocale>
+#include <iostream>
+
+#include "elsie/base/error.h"
+
+#include "main_window.h"
+
+namespace {
+
+constexpr int kBadInput = 2;
+
+/// elsie lies beside this program, installed and in a build folder.
+QString program_beside() { return QCoreApplication::applicationDirPath() + "/elsie"; }
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's, in which 1.5 may be 15
+  QApplication::setOrganizationName("elsie");
+  QApplication::setApplicationName("elsie-desktop");
+  QApplication::setApplicationDisplayName("Elsie");
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      "A window on worlds of behaviour-based robots: build, run, watch and change them.");
+  parser.addHelpOption();
+  parser.addPositionalArgument("world", "World file to open", "[WORLD]");
+  const QCommandLineOption plugin_path(
+      "plugin-path", "Directory with plugin libraries, searched before all others; may be repeated",
+      "DIR");
+  const QCommandLineOption plugin(
+      "plugin", "Plugin library, or a plugin's one source file; may be repeated", "FILE");
+  const QCommandLineOption elsie("elsie", "The program elsie, if it is not beside this one",
+                                 "FILE");
+  parser.addOptions({plugin_path, plugin, elsie});
+  parser.process(application);
+
+  QStringList options;
+  for (const QString& each : parser.values(plugin_path)) options << "--plugin-path" << each;
+  for (const QString& each : parser.values(plugin)) options << "--plugin" << each;
+  const QString program = parser.isSet(elsie) ? parser.value(elsie) : program_beside();
+  if (!QFileInfo(program).isExecutable()) {
+    std::cerr << "elsie-desktop: '" << program.toStdString()
+              << "' is no program; install Elsie anew, or name it with --elsie FILE\n";
+    return kBadInput;
+  }
+  if (parser.positionalArguments().size() > 1) {
+    std::cerr << "elsie-desktop: expected one world, but found "
+              << parser.positionalArguments().size() << "; each window has one\n";
+    return kBadInput;
+  }
+  try {
+    elsie::desktop::MainWindow window(program, options);
+    window.show();
+    window.offer_recovered();
+    if (!parser.positionalArguments().isEmpty()) {
+      window.open(parser.positionalArguments().front());
+    }
+    return QApplication::exec();
+  } catch (const elsie::base::Error& error) {
+    std::cerr << "elsie-desktop: " << error.what() << '\n';
+    return error.exit_code();
+  }
+}

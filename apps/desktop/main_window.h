@@ -1,0 +1,139 @@
+// The window.
+#pragma once
+
+#include <QHash>
+#include <QMainWindow>
+#include <QPointer>
+
+#include "engine/workbench.h"
+
+class QAction;
+class QLabel;
+class QStackedWidget;
+
+namespace elsie::desktop {
+
+class ControlBar;
+class CoordinationPanel;
+class FuzzyPanel;
+class PlotsPanel;
+class ProblemsPanel;
+class SceneView;
+class SensorsPanel;
+class StartPage;
+class TimeLine;
+class VisionPanel;
+class WorldEditor;
+class WorldTree;
+class Properties;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// `elsie`: the program with the engine; `options`: of plugins, for it.
+  MainWindow(const QString& elsie, const QStringList& options, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  Workbench& workbench() { return workbench_; }
+  SceneView& scene() { return *scene_; }
+  /// Asks about unsaved work first. False if the user stays with it, or the file cannot be read.
+  bool open(const QString& file);
+  /// Layouts for three kinds of work: "author", "watch", "train".
+  void arrange(const QString& layout);
+  /// Offers what a window left behind that did not close properly.
+  void offer_recovered();
+  /// The bodies of all dialogs are asked in this way; tests answer at once.
+  enum class Answer { save, discard, cancel };
+  std::function<Answer(const QString& question)> ask_about_unsaved;
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  QAction* action(const char* name, const QString& text, const QKeySequence& key,
+                  std::function<void()> does, const QString& tip = {});
+  QDockWidget* dock(const char* name, const QString& title, QWidget* widget,
+                    Qt::DockWidgetArea area);
+  void make_actions();
+  void make_menus();
+  void make_docks();
+  void connect_workbench();
+  void connect_views();
+
+  bool may_leave();
+  bool save(bool elsewhere);
+  void new_world();
+  void show_start();
+  void show_state();
+  void show_title();
+  void show_teams();
+  void show_recent();
+  void note_recent(const QString& file);
+  /// The engine sends only what a window shows.
+  void watch();
+  void watch_robot(const QString& id);
+  void go_to(const QString& file, int line);
+  void say(const QString& text);
+
+  void select(const QStringList& paths);
+  void edit_element(const QString& path);
+  void add_element(const QString& holder, const QString& list, const QString& kind = {},
+                   std::optional<QPointF> at = {});
+  void edit_behaviors(const QString& holder);
+  void element_menu(const QString& path, const QPoint& global);
+  void floor_menu(const QPoint& global, double x, double y);
+  void remove_selected();
+  void copy_selected();
+  void paste(const QString& text);
+  void duplicate_selected();
+  void rename_selected();
+  void make_start_poses();
+  void moved(const QStringList& paths, double by_x, double by_y);
+  void turned(const QString& path, double by_rad);
+  void resized(const QString& path, double length, double width);
+  void export_picture();
+  void export_film();
+  void record();
+  void copy_command();
+  void about();
+
+  QString elsie_;
+  QStringList options_;
+  Workbench workbench_;
+  QStackedWidget* centre_;
+  SceneView* scene_;
+  StartPage* start_;
+  TimeLine* time_line_;
+  ControlBar* control_bar_;
+  WorldTree* world_tree_;
+  QHash<QString, WorldTree*> teams_;
+  QHash<QString, QDockWidget*> docks_;
+  Properties* properties_;
+  WorldEditor* editor_;
+  ProblemsPanel* problems_;
+  CoordinationPanel* coordination_;
+  PlotsPanel* plots_;
+  VisionPanel* vision_;
+  FuzzyPanel* fuzzy_;
+  SensorsPanel* sensors_;
+  QHash<QString, QAction*> actions_;
+  QMenu* recent_;
+  QMenu* windows_;
+  QLabel* time_label_;
+  QLabel* pace_label_;
+  QLabel* seed_label_;
+  QLabel* outcome_label_;
+  QStringList selection_;
+  QString outcome_;
+  QByteArray default_state_;
+  QString watched_;        // what the engine was last asked to send
+  QString watched_robot_;  // of the panels that show one
+  bool was_shown_ = false;
+  QSet<QString> locked_;
+};
+
+}  // namespace elsie::desktop

@@ -1,0 +1,154 @@
+// The main view: the world in three dimensions, in real time.
+#pragma once
+
+#include <QHash>
+#include <QImage>
+#include <QSet>
+#include <QStringList>
+#include <QWidget>
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "scene/camera.h"
+#include "scene/stage.h"
+
+namespace elsie::render {
+class Renderer;
+}
+
+namespace elsie::desktop {
+
+/// Draws the solids off screen, where Mesa's software is faster than in a window, and lines,
+/// handles and words over them.
+///
+/// The left button orbits, the right one pans, the wheel zooms to the pointer; a click selects,
+/// with Shift several; a right click asks for the editor. The selected thing has handles: its foot
+/// moves it, the knob ahead turns it, the corner resizes a box. Ctrl at the press always moves the
+/// camera; Ctrl during a drag snaps.
+class SceneView : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum class Tool { move, turn, resize, measure };
+  /// What is drawn over the solids.
+  struct Overlays {
+    bool trails = true;
+    bool beams = true;
+    bool views = true;  // of cameras
+    bool names = true;
+    bool grid = true;
+  };
+
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  void set_scene(const Json& scene, std::uint64_t epoch);
+  void take(const snapshots::Snapshot& snapshot);
+  /// Forgets the lines behind the robots.
+  void clear_trails();
+  void set_selection(const QStringList& paths);
+  /// The things whose mouse handles are off.
+  void set_locked(const QSet<QString>& paths) { locked_ = paths; }
+
+  const Stage& stage() const { return stage_; }
+  OrbitCamera& camera() { return camera_; }
+  Overlays& overlays() { return overlays_; }
+  void set_tool(Tool tool);
+  Tool tool() const { return tool_; }
+
+  void show_all();
+  void look_from_top();
+  void look_from_front();
+  void look_from_side();
+  void frame_selection();
+  /// The camera moves with that robot; "": with none.
+  void follow(const QString& path);
+  QString followed() const { return followed_; }
+
+  /// The view as it is, without handles.
+  QImage picture();
+  /// What draws: "llvmpipe ...", or "" for outlines by Qt, when there is no OpenGL.
+  QString device() const;
+  /// Where something of the world is in the widget: for tests and tutorials.
+  std::optional<QPointF> pixel_of(const Vector3& point) const {
+    return camera_.project(point, size());
+  }
+  /// The middle of the handle of the selected thing that a tool has.
+  std::optional<QPointF> handle(Tool tool) const;
+
+ Q_SIGNALS:
+  void selected(const QStringList& paths);
+  void edit_wished(const QString& path, const QPoint& global);
+  void menu_wished(const QPoint& global, double x, double y);
+  /// A drag has ended: by this much, m and rad.
+  void moved(const QStringList& paths, double by_x, double by_y);
+  void turned(const QString& path, double by_rad);
+  void resized(const QString& path, double length, double width);
+  void measured(double from_x, double from_y, double to_x, double to_y);
+  void pointed_at(double x, double y);
+  void camera_changed();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  QSize sizeHint() const override { return {640, 480}; }
+
+ private:
+  enum class Drag { none, pressed, orbit, pan, move, turn, resize, measure };
+  struct Ghost {
+    double x = 0.0, y = 0.0, turn = 0.0;
+    std::optional<Vector3> size;
+  };
+
+  void draw_solids();
+  void paint(QPainter& painter, bool with_handles);
+  void paint_outlines(QPainter& painter);
+  void paint_grid(QPainter& painter) const;
+  void paint_trails(QPainter& painter) const;
+  void paint_beams(QPainter& painter) const;
+  void paint_views(QPainter& painter) const;
+  void paint_names(QPainter& painter) const;
+  void paint_selection(QPainter& painter) const;
+  void paint_tape(QPainter& painter) const;
+  void line(QPainter& painter, const Vector3& from, const Vector3& to) const;
+  void note_trails();
+  void camera_moved();
+  std::optional<Tool> handle_at(const QPointF& pixel) const;
+  std::optional<Frame> frame_of_selected() const;
+  void drag_to(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
+  void end_drag();
+  void stop_drag();
+
+  Stage stage_;
+  Json views_;
+  OrbitCamera camera_;
+  Overlays overlays_;
+  std::unique_ptr<render::Renderer> renderer_;
+  bool has_no_renderer_ = false;
+  Image pixels_;
+  QImage drawn_;
+  bool is_stale_ = true;
+  bool was_shown_ = false;
+  QHash<QString, std::deque<Vector3>> trails_;
+  double trails_until_s_ = 0.0;
+  QStringList selection_;
+  QSet<QString> locked_;
+  QString followed_;
+  Tool tool_ = Tool::move;
+
+  Drag drag_ = Drag::none;
+  Qt::MouseButton button_ = Qt::NoButton;
+  QPointF pressed_, last_;
+  Vector3 pressed_at_;
+  Ghost ghost_;
+  std::optional<std::pair<Vector3, Vector3>> tape_;
+};
+
+}  // namespace elsie::desktop

@@ -1,0 +1,76 @@
+// What stands where: the scene of the engine's world with the last snapshot.
+#pragma once
+
+#include <QHash>
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "elsie/api/body.h"
+#include "elsie/client/connection.h"
+#include "elsie/render/scene.h"
+#include "elsie/snapshots/snapshots.h"
+
+namespace elsie::desktop {
+
+using client::Json;
+
+class Stage {
+ public:
+  struct Body {
+    QString path;  // of its element: "robot[r1]"
+    int vehicle = 0;
+    Frame frame;
+    bool is_present = true;
+  };
+  /// A part of a body, or of the arena.
+  struct Solid {
+    Shape shape;
+    Frame frame;  // of its middle in the body's frame
+    Colour colour;
+    int body = -1;  // -1: the arena's
+    QString path;
+  };
+
+  void clear();
+  void set_scene(const Json& scene, std::uint64_t epoch);
+  /// Kept until its scene is there. Returns whether the bodies moved.
+  bool take(const snapshots::Snapshot& snapshot);
+
+  bool is_empty() const { return solids_.empty(); }
+  double length() const { return length_; }  // of the arena, m
+  double width() const { return width_; }
+  double time_s() const { return time_s_; }
+  const std::vector<Body>& bodies() const { return bodies_; }
+  const std::vector<snapshots::BeamState>& beams() const { return beams_; }
+  const std::vector<Solid>& solids() const { return solids_; }
+  /// In the world.
+  Frame frame_of(const Solid& solid) const;
+  /// The first body of the element; null: it has none.
+  const Body* body_of(const QString& path) const;
+  bool is_present(const Solid& solid) const;
+
+  /// All that is to be drawn.
+  render::Scene drawn() const;
+  /// The element that a ray meets first; "" is the floor, a wall or nothing.
+  QString at(const Vector3& from, const Vector3& direction) const;
+
+ private:
+  void place();
+
+  std::uint64_t epoch_ = 0;
+  double length_ = 0.0, width_ = 0.0;
+  double time_s_ = 0.0;
+  std::vector<Body> bodies_;
+  std::vector<Solid> solids_;
+  std::vector<snapshots::BeamState> beams_;
+  // The last snapshot, which may be that of the next scene.
+  snapshots::SnapshotFacts facts_;
+  std::vector<snapshots::BodyState> states_;
+  std::vector<snapshots::BeamState> states_of_beams_;
+};
+
+/// The twelve edges of a solid's box, as pairs of points.
+std::vector<std::pair<Vector3, Vector3>> edges_of(const Shape& shape, const Frame& frame);
+
+}  // namespace elsie::desktop

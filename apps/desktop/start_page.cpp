@@ -1,0 +1,168 @@
+#include "start_page.h"
+
+#include <QCheckBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "engine/elements.h"
+
+namespace elsie::desktop {
+namespace {
+
+/// The first sentence of the comment at the top of a world file, or its description.
+QString about(const QString& file) {
+  QFile opened(file);
+  if (!opened.open(QIODevice::ReadOnly)) {
+    return {};
+  }
+  const QString text = QString::fromUtf8(opened.read(2000));
+  static const QRegularExpression comment("<!--\\s*(.*?)\\s*-->",
+                                          QRegularExpression::DotMatchesEverythingOption);
+  return comment.match(text).captured(1).simplified().section(". ", 0, 0);
+}
+
+}  // namespace
+
+StartPage::StartPage(const QString& worlds, QWidget* parent) : QWidget(parent) {
+  setObjectName("start_page");
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(24, 20, 24, 20);
+  auto* title = new QLabel(tr("Elsie"));
+  QFont font = title->font();
+  font.setPointSizeF(1.8 * font.pointSizeF());
+  title->setFont(font);
+  outer->addWidget(title);
+  outer->addWidget(new QLabel(tr(
+      "Behaviour-based robots: small behaviours side by side, and a coordinator that decides.")));
+
+  auto* buttons = new QHBoxLayout;
+  auto* fresh = new QPushButton(tr("&New world..."));
+  fresh->setObjectName("new_world");
+  auto* browse = new QPushButton(tr("&Open..."));
+  browse->setObjectName("open_world");
+  buttons->addWidget(fresh);
+  buttons->addWidget(browse);
+  buttons->addStretch(1);
+  outer->addLayout(buttons);
+  connect(fresh, &QPushButton::clicked, this, &StartPage::new_wished);
+  connect(browse, &QPushButton::clicked, this, &StartPage::browse_wished);
+
+  auto* lists = new QHBoxLayout;
+  outer->addLayout(lists, 1);
+  const auto list = [&](const char* name, const QString& heading) {
+    auto* column = new QVBoxLayout;
+    auto* label = new QLabel(heading);
+    auto* made = new QListWidget;
+    made->setObjectName(name);
+    made->setWordWrap(true);
+    label->setBuddy(made);
+    column->addWidget(label);
+    column->addWidget(made, 1);
+    lists->addLayout(column, 1);
+    connect(made, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
+      Q_EMIT open_wished(item->data(Qt::UserRole).toString());
+    });
+    return made;
+  };
+  auto* examples = list("examples", tr("&Examples"));
+  recent_ = list("recent", tr("Opened &last"));
+  const QDir folder(worlds);
+  for (const QString& name :
+       worlds.isEmpty() ? QStringList() : folder.entryList({"*.xml"}, QDir::Files, QDir::Name)) {
+    const QString what = about(folder.filePath(name));
+    auto* item = new QListWidgetItem(
+        QString(name).remove(".xml").replace('_', ' ') + (what.isEmpty() ? QString() : ": " + what),
+        examples);
+    item->setData(Qt::UserRole, folder.filePath(name));
+    item->setToolTip(folder.filePath(name));
+  }
+}
+
+void StartPage::show_recent(const QStringList& files) {
+  recent_->clear();
+  for (const QString& file : files) {
+    auto* item = new QListWidgetItem(file, recent_);
+    item->setData(Qt::UserRole, file);
+  }
+}
+
+QString ask_for_new_world(QWidget* parent) {
+  QDialog dialog(parent);
+  dialog.setObjectName("new_world_dialog");
+  dialog.setWindowTitle(StartPage::tr("New world"));
+  auto* form = new QFormLayout(&dialog);
+  auto* name = new QLineEdit(StartPage::tr("my world"));
+  name->setObjectName("name");
+  const auto length = [&](const char* object) {
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(object);
+    box->setLocale(QLocale::c());
+    box->setRange(0.5, 1000.0);
+    box->setDecimals(2);
+    box->setValue(5.0);
+    box->setSuffix(" m");
+    return box;
+  };
+  auto* along = length("length");
+  auto* across = length("width");
+  auto* boxes = new QSpinBox;
+  boxes->setObjectName("boxes");
+  boxes->setRange(0, 12);
+  boxes->setValue(4);
+  auto* resources = new QSpinBox;
+  resources->setObjectName("resources");
+  resources->setRange(0, 4);
+  form->addRow(StartPage::tr("&Name"), name);
+  form->addRow(StartPage::tr("&Length (x)"), along);
+  form->addRow(StartPage::tr("&Width (y)"), across);
+  form->addRow(StartPage::tr("&Boxes, in a ring"), boxes);
+  form->addRow(StartPage::tr("&Resources, in the corners"), resources);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  buttons->setObjectName("buttons");
+  form->addRow(buttons);
+  QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  if (dialog.exec() != QDialog::Accepted) {
+    return {};
+  }
+  const auto number = [](double value) {
+    return QString::number(std::round(100.0 * value) / 100.0);
+  };
+  QString text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<world format=\"1\" name=\"" +
+                 escaped(name->text()) + "\">\n  <arena length=\"" + number(along->value()) +
+                 "\" width=\"" + number(across->value()) + "\"/>\n";
+  if (boxes->value() > 0) {
+    text += "  <obstacles>\n";
+    const double radius = 0.3 * std::min(along->value(), across->value());
+    for (int i = 0; i < boxes->value(); ++i) {
+      const double angle = 2.0 * M_PI * (i + 0.5) / boxes->value();
+      text += "    <static_box x=\"" + number(radius * std::cos(angle)) + "\" y=\"" +
+              number(radius * std::sin(angle)) + "\"/>\n";
+    }
+    text += "  </obstacles>\n";
+  }
+  if (resources->value() > 0) {
+    text += "  <resources>\n";
+    for (int i = 0; i < resources->value(); ++i) {
+      const double x = (i % 2 == 0 ? 0.4 : -0.4) * along->value(),
+                   y = (i < 2 ? 0.4 : -0.4) * across->value();
+      text += "    <resource x=\"" + number(x) + "\" y=\"" + number(y) + "\"/>\n";
+    }
+    text += "  </resources>\n";
+  }
+  return text + "  <limits time=\"300\"/>\n</world>\n";
+}
+
+}  // namespace elsie::desktop

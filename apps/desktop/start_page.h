@@ -1,0 +1,32 @@
+// What the window shows first: examples, a new world, files that were open last.
+#pragma once
+
+#include <QWidget>
+
+class QListWidget;
+
+namespace elsie::desktop {
+
+class StartPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `worlds`: the folder of the shipped worlds; "" if it was not found.
+  explicit StartPage(const QString& worlds, QWidget* parent = nullptr);
+
+  void show_recent(const QStringList& files);
+
+ Q_SIGNALS:
+  void open_wished(const QString& file);
+  void new_wished();
+  void browse_wished();
+
+ private:
+  QListWidget* recent_;
+};
+
+/// Asks for the size of a new world and what is in it; returns its text, or "" if the user changed
+/// his mind.
+QString ask_for_new_world(QWidget* parent);
+
+}  // namespace elsie::desktop

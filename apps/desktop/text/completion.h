@@ -1,0 +1,22 @@
+// What may be typed at a place in the text of a world, from the engine's catalog.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace elsie::desktop {
+
+/// The words that fit after `before`, the text up to the cursor: elements after "<", attributes
+/// inside a tag (without those that it already has), choices inside the quotes of a value.
+struct Completion {
+  QStringList words;
+  /// What is typed of the word so far.
+  QString prefix;
+};
+
+/// `catalog`: the answer to the order "catalog". Text that is not whole XML is fine.
+Completion complete(const nlohmann::ordered_json& catalog, const QString& before);
+
+}  // namespace elsie::desktop

@@ -1,0 +1,36 @@
+// The line below a text to search it.
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+
+namespace elsie::desktop {
+
+/// Enter finds the next place, Shift+Enter the one before, Esc closes.
+class FindBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FindBar(QPlainTextEdit* text);
+
+  /// Shows the line, with what is selected in the text.
+  void open();
+
+ Q_SIGNALS:
+  void closed();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void find(bool backward, bool from_start_of_selection);
+
+  QPlainTextEdit* text_;
+  QLineEdit* word_;
+  QLabel* verdict_;
+};
+
+}  // namespace elsie::desktop

@@ -1,0 +1,79 @@
+// The editor of a world's text.
+#pragma once
+
+#include <QPlainTextEdit>
+#include <QTimer>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "engine/problem.h"
+
+class QCompleter;
+class QStringListModel;
+
+namespace elsie::desktop {
+
+class FindBar;
+class XmlHighlighter;
+
+/// The text of the document, which the window owns: the text comes by set_text(), and what is typed
+/// goes out by edited(). The editor has no undo of its own; the keys go to the window.
+class WorldEditor : public QPlainTextEdit {
+  Q_OBJECT
+
+ public:
+  explicit WorldEditor(QWidget* parent = nullptr);
+  ~WorldEditor() override;
+
+  /// Changes only what differs, hence cursor and scroll position stay; edited() does not come.
+  /// While typing waits for its edited(), the text stays as typed: edited() comes with it.
+  void set_text(const QString& text);
+  /// Underlines these lines, with red numbers; the messages are tool tips.
+  void set_problems(const std::vector<Problem>& problems);
+  /// The answer to the order "catalog".
+  void set_catalog(const nlohmann::ordered_json& catalog);
+  /// The cursor at the start of the line, from 1, in the middle of the view.
+  void go_to(int line);
+  void open_find();
+
+  /// For the margin.
+  int margin_width() const;
+  void paint_margin(const QRect& dirty);
+  /// The messages of the line at this height of the view, each in a line; or "".
+  QString problem_at(int y) const;
+
+ Q_SIGNALS:
+  /// 400 ms after the last key stroke.
+  void edited(const QString& text);
+  void undo_wished();
+  void redo_wished();
+
+ protected:
+  bool event(QEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+ private:
+  void lay_out();
+  void mark_lines();
+  void offer_words(bool wished);
+  void take_word(const QString& word);
+
+  XmlHighlighter* highlighter_;
+  QWidget* margin_;
+  FindBar* find_;
+  QStringListModel* words_;
+  QCompleter* completer_;
+  QTimer typing_;
+  bool from_outside_ = false;
+  std::map<int, QString> problems_;  // by line, from 1
+  std::unique_ptr<nlohmann::ordered_json> catalog_;
+};
+
+}  // namespace elsie::desktop

@@ -1,0 +1,58 @@
+// Who decides what a robot does: now, and over the last seconds.
+#pragma once
+
+#include <QAbstractScrollArea>
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace elsie::desktop {
+
+/// A row for each behaviour of a robot, indented by its depth: a band over time as high as its
+/// share (grey where it was not asked), a bar of its activation, its priority, share and command,
+/// and the reason of this instant.
+class CoordinationPanel : public QAbstractScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit CoordinationPanel(QWidget* parent = nullptr);
+  ~CoordinationPanel() override;
+
+  /// Shows this robot from the next state on; the bands of the one before go.
+  void set_robot(const QString& id);
+  const QString& robot() const { return robot_; }
+  /// Takes a `state` event. A time before the last one, or another epoch, starts the bands again.
+  void add(const nlohmann::ordered_json& state);
+  void clear();
+
+  int rows() const;
+  /// All of a row that is not drawn as a band, for tool tips and screen readers.
+  QString row_text(int row) const;
+  /// The share in [0, 1] of the row at the last instant not after time_s; NaN where it was not
+  /// asked, or nothing is known.
+  double share_at(int row, double time_s) const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
+
+ private:
+  struct Row;
+  struct Instant {
+    double time_s;
+    std::vector<float> shares;  // NaN: not asked
+  };
+
+  int row_height() const;
+  void lay_out();
+
+  QString robot_;
+  long long epoch_ = -1;
+  std::vector<Row> rows_;
+  std::deque<Instant> past_;
+};
+
+}  // namespace elsie::desktop

@@ -1,0 +1,306 @@
+#include "watch/plots_panel.h"
+
+#include <QFileDialog>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPainter>
+#include <QSaveFile>
+#include <QSplitter>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "paint/axes.h"
+#include "watch/state.h"
+
+namespace elsie::desktop {
+namespace {
+
+constexpr std::size_t kMost = 6000;  // samples of a number: 200 s at 30 a second
+
+class Plot : public QWidget {
+ public:
+  explicit Plot(const PlotsPanel* panel) : panel_(panel) {
+    setObjectName(QStringLiteral("plot"));
+    setBackgroundRole(QPalette::Base);
+    setAutoFillBackground(true);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    panel_->draw(painter, rect());
+  }
+
+ private:
+  const PlotsPanel* panel_;
+};
+
+/// The unit of a number, from the last part of its name; "" for those without, or unknown.
+QString unit_of(const QString& name) {
+  const QString last = name.section(u'/', -1);
+  if (last == u"speed" || last == u"forward" || last == u"lateral") {
+    return QStringLiteral("m/s");
+  }
+  if (last == u"turn") {
+    return QStringLiteral("rad/s");
+  }
+  return last == u"distance" ? QStringLiteral("m") : QString();
+}
+
+}  // namespace
+
+PlotsPanel::PlotsPanel(QWidget* parent)
+    : QWidget(parent), tree_(new QTreeWidget(this)), plot_(new Plot(this)) {
+  setObjectName(QStringLiteral("plots"));
+  tree_->setObjectName(QStringLiteral("plots_tree"));
+  tree_->setAccessibleName(tr("Numbers to plot"));
+  tree_->setToolTip(tr("Space or a click on the box plots a number"));
+  tree_->setHeaderHidden(true);
+  plot_->setAccessibleName(tr("Plot of the chosen numbers over time in s"));
+  auto* save_button = new QToolButton(this);
+  save_button->setObjectName(QStringLiteral("plots_save"));
+  save_button->setText(tr("Save..."));
+  save_button->setToolTip(tr("Save the plot as PNG, or its numbers as CSV"));
+  connect(save_button, &QToolButton::clicked, this, [this] {
+    const QString file = QFileDialog::getSaveFileName(this, tr("Save plot"), {},
+                                                      tr("Pictures or tables (*.png *.csv)"));
+    if (!file.isEmpty() && !save(file)) {
+      QMessageBox::warning(
+          this, tr("Save plot"),
+          tr("Cannot write %1. The name must end in .png or .csv, in a folder that can be written.")
+              .arg(file));
+    }
+  });
+  auto* left = new QWidget(this);
+  auto* left_column = new QVBoxLayout(left);
+  left_column->setContentsMargins(0, 0, 0, 0);
+  left_column->addWidget(tree_);
+  left_column->addWidget(save_button);
+  auto* halves = new QSplitter(this);
+  halves->addWidget(left);
+  halves->addWidget(plot_);
+  halves->setStretchFactor(1, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(halves);
+  connect(tree_, &QTreeWidget::itemChanged, plot_, qOverload<>(&QWidget::update));
+}
+
+void PlotsPanel::add(const Json& state) {
+  const double time = number_of(state, "time_s");
+  if (!std::isfinite(time)) {
+    return;
+  }
+  const auto epoch = static_cast<long long>(number_of(state, "epoch"));
+  if (time < time_ || epoch != epoch_) {
+    for (auto& [name, curve] : curves_) {
+      curve.clear();  // what is chosen stays
+    }
+  }
+  const bool is_new = time != time_ || epoch != epoch_;
+  time_ = time;
+  epoch_ = epoch;
+  if (!is_new) {
+    return;
+  }
+  for (const Json& robot : member(state, "robots")) {
+    collect(robot, text_of(robot, "id"), time);
+  }
+  collect(member(state, "measures"), tr("measures"), time);
+  plot_->update();
+}
+
+void PlotsPanel::collect(const Json& value, const QString& path, double time) {
+  static const std::set<std::string> kCommands{"command", "asked", "possible"};
+  static const std::set<std::string> kLeftOut{"depth", "parent", "inhibited_by", "cameras"};
+  static const std::array<QString, 3> kParts{QStringLiteral("forward"), QStringLiteral("lateral"),
+                                             QStringLiteral("turn")};
+  for (const auto& [key, inner] : value.items()) {
+    const QString name = path + u'/' + QString::fromStdString(key);
+    if (kLeftOut.contains(key)) {
+      continue;
+    }
+    if (inner.is_number()) {
+      record(name, inner, time);
+    } else if (inner.is_object()) {
+      collect(inner, name, time);
+    } else if (inner.is_array() && kCommands.contains(key)) {
+      for (std::size_t i = 0; i < std::min(inner.size(), kParts.size()); ++i) {
+        record(name + u'/' + kParts[i], inner[i], time);
+      }
+    } else if (inner.is_array() && key == "values") {
+      const Json& names = member(value, "names");
+      for (std::size_t i = 0; i < inner.size(); ++i) {
+        const bool named = i < names.size() && names[i].is_string();
+        record(path + u'/' +
+                   (named ? QString::fromStdString(names[i].get<std::string>())
+                          : QString::number(i + 1)),
+               inner[i], time);
+      }
+    } else if (inner.is_array()) {
+      for (const Json& one : inner) {
+        for (const char* id : {"path", "id", "name"}) {
+          if (const QString part = text_of(one, id); !part.isEmpty()) {
+            collect(one, path + u'/' + part, time);
+            break;
+          }
+        }
+      }
+    }
+  }
+}
+
+void PlotsPanel::record(const QString& path, const Json& value, double time) {
+  auto [found, is_new] = curves_.try_emplace(path);
+  if (is_new) {
+    add_item(path);
+  }
+  Curve& curve = found->second;
+  curve.emplace_back(
+      time, value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN());
+  if (curve.size() > kMost) {
+    curve.pop_front();
+  }
+}
+
+void PlotsPanel::add_item(const QString& name) {
+  QTreeWidgetItem* parent = tree_->invisibleRootItem();
+  QString path;
+  for (const QString& part : name.split(u'/')) {
+    path += (path.isEmpty() ? QString() : QStringLiteral("/")) + part;
+    QTreeWidgetItem*& item = items_[path];
+    if (item == nullptr) {
+      item = new QTreeWidgetItem(parent, {part});
+      item->setToolTip(0, path);
+    }
+    parent = item;
+  }
+  const QString unit = unit_of(name);
+  parent->setToolTip(0, unit.isEmpty() ? name : tr("%1, in %2").arg(name, unit));
+  parent->setFlags(parent->flags() | Qt::ItemIsUserCheckable);
+  parent->setCheckState(0, Qt::Unchecked);
+}
+
+void PlotsPanel::clear() {
+  curves_.clear();
+  items_.clear();
+  tree_->clear();
+  time_ = -1.0;
+  plot_->update();
+}
+
+QStringList PlotsPanel::names() const {
+  QStringList all;
+  for (const auto& [name, curve] : curves_) {
+    all << name;
+  }
+  return all;
+}
+
+QTreeWidgetItem* PlotsPanel::item_of(const QString& name) const {
+  const auto found = items_.find(name);
+  return found == items_.end() ? nullptr : found->second;
+}
+
+QStringList PlotsPanel::chosen() const {
+  QStringList all;
+  for (const auto& [name, curve] : curves_) {
+    if (item_of(name)->checkState(0) == Qt::Checked) {
+      all << name;
+    }
+  }
+  return all;
+}
+
+void PlotsPanel::choose(const QString& name, bool on) {
+  if (curves_.contains(name)) {
+    item_of(name)->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
+  }
+}
+
+void PlotsPanel::draw(QPainter& painter, const QRectF& area) const {
+  const QStringList shown = chosen();
+  if (shown.isEmpty()) {
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(area, Qt::AlignCenter, tr("Choose numbers to plot them"));
+    return;
+  }
+  Span x{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  Span y = x;
+  std::set<QString> units;
+  for (const QString& name : shown) {
+    units.insert(unit_of(name));
+    for (const QPointF& point : curves_.at(name)) {
+      x = {std::min(x.low, point.x()), std::max(x.high, point.x())};
+      if (std::isfinite(point.y())) {
+        y = {std::min(y.low, point.y()), std::max(y.high, point.y())};
+      }
+    }
+  }
+  if (!(x.length() > 0.0)) {
+    x = {std::isfinite(x.low) ? x.low : 0.0, (std::isfinite(x.low) ? x.low : 0.0) + 1.0};
+  }
+  if (!std::isfinite(y.length())) {
+    y = {};
+  }
+  const double room = y.length() > 0.0 ? 0.05 * y.length() : 0.5;
+  y = {y.low - room, y.high + room};
+  const double line = painter.fontMetrics().height();
+  const double legend = line * 1.2 * static_cast<double>(shown.size());
+  const Axes axes(painter, area.adjusted(0, legend, 0, 0), x, y);
+  axes.draw(painter, palette(), tr("time [s]"),
+            units.size() == 1 && !units.begin()->isEmpty()
+                ? QStringLiteral("[%1]").arg(*units.begin())
+                : QString());
+  for (int n = 0; n < shown.size(); ++n) {
+    const Curve& curve = curves_.at(shown[n]);
+    const QPen pen(curve_colour(n, palette()), line / 9.0, pen_style(n));
+    axes.draw_curve(painter, QPolygonF(QList<QPointF>(curve.begin(), curve.end())), pen);
+    const double middle = area.top() + line * (1.2 * n + 0.7);
+    const double left = axes.area().left();
+    painter.setPen(pen);
+    painter.drawLine(QPointF(left, middle), QPointF(left + 2.5 * line, middle));
+    painter.setPen(palette().color(QPalette::Text));
+    const QString unit = unit_of(shown[n]);
+    painter.drawText(
+        QRectF(left + 3 * line, middle - line, area.right() - left - 3 * line, 2 * line),
+        Qt::AlignVCenter,
+        unit.isEmpty() ? shown[n] : QStringLiteral("%1 [%2]").arg(shown[n], unit));
+  }
+}
+
+bool PlotsPanel::save(const QString& file) const {
+  if (file.endsWith(u".png", Qt::CaseInsensitive)) {
+    return plot_->grab().save(file, "PNG");
+  }
+  QSaveFile table(file);
+  if (!file.endsWith(u".csv", Qt::CaseInsensitive) || !table.open(QIODevice::WriteOnly)) {
+    return false;
+  }
+  const QStringList shown = chosen();
+  std::map<double, QStringList> rows;
+  for (int n = 0; n < shown.size(); ++n) {
+    for (const QPointF& point : curves_.at(shown[n])) {
+      QStringList& row = rows[point.x()];
+      row.resize(shown.size());
+      row[n] = std::isfinite(point.y())
+                   ? QLocale::c().toString(point.y(), 'g', QLocale::FloatingPointShortest)
+                   : QString();
+    }
+  }
+  table.write((QStringLiteral("time_s,") + shown.join(u',') + u'\n').toUtf8());
+  for (const auto& [time, row] : rows) {
+    table.write((QLocale::c().toString(time, 'g', QLocale::FloatingPointShortest) + u',' +
+                 row.join(u',') + u'\n')
+                    .toUtf8());
+  }
+  return table.commit();
+}
+
+}  // namespace elsie::desktop

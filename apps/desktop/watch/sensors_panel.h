@@ -1,0 +1,32 @@
+// All sensors of a robot with what they read now.
+#pragma once
+
+#include <QWidget>
+
+#include <nlohmann/json_fwd.hpp>
+
+class QLineEdit;
+class QTreeWidget;
+
+namespace elsie::desktop {
+
+class SensorsPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SensorsPanel(QWidget* parent = nullptr);
+
+  void set_robot(const QString& id);
+  /// Takes a `state` event.
+  void add(const nlohmann::ordered_json& state);
+  void clear();
+
+ private:
+  void filter();
+
+  QString robot_;
+  QLineEdit* filter_;
+  QTreeWidget* table_;
+};
+
+}  // namespace elsie::desktop

@@ -1,0 +1,159 @@
+#include "watch/vision_panel.h"
+
+#include <QContextMenuEvent>
+#include <QFileDialog>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPainter>
+#include <QToolButton>
+#include <algorithm>
+
+#include "watch/state.h"
+
+namespace elsie::desktop {
+
+VisionPanel::VisionPanel(QWidget* parent)
+    : QWidget(parent), choose_(new QToolButton(this)), choices_(new QMenu(this)) {
+  setObjectName(QStringLiteral("vision"));
+  setAccessibleName(tr("Pictures of the cameras"));
+  choose_->setObjectName(QStringLiteral("vision_choose"));
+  choose_->setText(tr("Pictures"));
+  choose_->setToolTip(tr("Choose the pictures that show"));
+  choose_->setPopupMode(QToolButton::InstantPopup);
+  choose_->setMenu(choices_);
+  choose_->adjustSize();
+}
+
+void VisionPanel::add(const Json& state) {
+  for (const Json& robot : member(state, "robots")) {
+    for (const Json& camera : member(robot, "cameras")) {
+      const QString name = text_of(robot, "id") + u'/' + text_of(camera, "id");
+      take(name + QStringLiteral(" raw"), camera, "raw");
+      take(name + QStringLiteral(" processed"), camera, "processed");
+    }
+  }
+  update();
+}
+
+void VisionPanel::take(const QString& name, const Json& camera, const char* field) {
+  const int width = member(camera, "width").is_number() ? member(camera, "width").get<int>() : 0;
+  const int height = member(camera, "height").is_number() ? member(camera, "height").get<int>() : 0;
+  const QByteArray bytes = QByteArray::fromBase64(text_of(camera, field).toLatin1());
+  if (width < 1 || height < 1 || bytes.size() != qsizetype{3} * width * height) {
+    return;
+  }
+  const QImage image(reinterpret_cast<const uchar*>(bytes.constData()), width, height, 3 * width,
+                     QImage::Format_RGB888);
+  if (!pictures_.contains(name)) {
+    QAction* action = choices_->addAction(name);
+    action->setCheckable(true);
+    action->setChecked(true);
+    connect(action, &QAction::toggled, this, [this, name](bool on) {
+      pictures_[name].shown = on;
+      update();
+    });
+  }
+  pictures_[name].image = image.copy();
+}
+
+void VisionPanel::clear() {
+  pictures_.clear();
+  choices_->clear();
+  update();
+}
+
+QStringList VisionPanel::pictures() const {
+  QStringList names;
+  for (const auto& [name, picture] : pictures_) {
+    names << name;
+  }
+  return names;
+}
+
+QStringList VisionPanel::shown() const {
+  QStringList names;
+  for (const auto& [name, picture] : pictures_) {
+    if (picture.shown) {
+      names << name;
+    }
+  }
+  return names;
+}
+
+QImage VisionPanel::picture(const QString& name) const {
+  const auto found = pictures_.find(name);
+  return found == pictures_.end() ? QImage() : found->second.image;
+}
+
+void VisionPanel::set_shown(const QString& name, bool shown) {
+  for (QAction* action : choices_->actions()) {
+    if (action->text() == name) {
+      action->setChecked(shown);
+    }
+  }
+}
+
+QRect VisionPanel::cell(int n, int count) const {
+  // As many columns as make the cells least narrow or flat.
+  const QRect area = rect().adjusted(0, choose_->height() + 2, 0, 0);
+  int columns = 1;
+  int best = 0;
+  for (int tried = 1; tried <= count; ++tried) {
+    const int rows = (count + tried - 1) / tried;
+    if (const int side = std::min(area.width() / tried, area.height() / rows); side > best) {
+      best = side;
+      columns = tried;
+    }
+  }
+  const int rows = (count + columns - 1) / columns;
+  const int width = area.width() / columns;
+  const int height = area.height() / rows;
+  return {area.left() + n % columns * width, area.top() + n / columns * height, width, height};
+}
+
+void VisionPanel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const QStringList names = shown();
+  if (names.isEmpty()) {
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(
+        rect(), Qt::AlignCenter | Qt::TextWordWrap,
+        pictures_.empty() ? tr("No camera has seen anything yet") : tr("No picture is chosen"));
+    return;
+  }
+  const int line = fontMetrics().height();
+  for (int n = 0; n < names.size(); ++n) {
+    const QRect whole = cell(n, static_cast<int>(names.size())).adjusted(3, 0, -3, -3);
+    const QImage& image = pictures_[names[n]].image;
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(QRect(whole.topLeft(), QSize(whole.width(), line)), Qt::AlignHCenter,
+                     fontMetrics().elidedText(names[n], Qt::ElideLeft, whole.width()));
+    const QRect room = whole.adjusted(0, line + 1, 0, 0);
+    const QSize size = image.size().scaled(room.size(), Qt::KeepAspectRatio);
+    painter.drawImage(QRect(room.left() + (room.width() - size.width()) / 2, room.top(),
+                            size.width(), size.height()),
+                      image);
+  }
+}
+
+void VisionPanel::contextMenuEvent(QContextMenuEvent* event) {
+  const QStringList names = shown();
+  for (int n = 0; n < names.size(); ++n) {
+    if (cell(n, static_cast<int>(names.size())).contains(event->pos())) {
+      const QString name = names[n];
+      const QImage image = pictures_[name].image;  // as it is now, while the dialog is open
+      QMenu menu;
+      menu.addAction(tr("Save picture..."), this, [&] {
+        const QString file =
+            QFileDialog::getSaveFileName(this, tr("Save picture"), {}, tr("Pictures (*.png)"));
+        if (!file.isEmpty() && !image.save(file, "PNG")) {
+          QMessageBox::warning(this, tr("Save picture"), tr("Cannot write %1.").arg(file));
+        }
+      });
+      menu.exec(event->globalPos());
+      return;
+    }
+  }
+}
+
+}  // namespace elsie::desktop

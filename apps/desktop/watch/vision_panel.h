@@ -1,0 +1,51 @@
+// What the cameras of the robots see.
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <map>
+
+#include <nlohmann/json_fwd.hpp>
+
+class QMenu;
+class QToolButton;
+
+namespace elsie::desktop {
+
+/// Pictures side by side, as they are and as processed, without smoothing. A menu with check boxes
+/// chooses; the context menu of a picture saves it.
+class VisionPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit VisionPanel(QWidget* parent = nullptr);
+
+  /// Takes a `state` event.
+  void add(const nlohmann::ordered_json& state);
+  void clear();
+
+  /// The pictures known, "robot/camera raw" and "robot/camera processed", and whether each shows.
+  QStringList pictures() const;
+  QImage picture(const QString& name) const;
+  void set_shown(const QString& name, bool shown);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+ private:
+  struct Picture {
+    QImage image;
+    bool shown = true;
+  };
+
+  QStringList shown() const;
+  QRect cell(int n, int count) const;
+  void take(const QString& name, const nlohmann::ordered_json& camera, const char* field);
+
+  std::map<QString, Picture> pictures_;
+  QToolButton* choose_;
+  QMenu* choices_;
+};
+
+}  // namespace elsie::desktop

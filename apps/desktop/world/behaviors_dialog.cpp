@@ -1,0 +1,144 @@
+#include "world/behaviors_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+
+#include "engine/workbench.h"
+
+namespace elsie::desktop {
+namespace {
+
+constexpr int kPath = Qt::UserRole;  // of one that the robot has already; "" of a new one
+
+}  // namespace
+
+BehaviorsDialog::BehaviorsDialog(Workbench& workbench, QString holder, QWidget* parent)
+    : QDialog(parent), workbench_(workbench), holder_(std::move(holder)) {
+  setObjectName("behaviors_dialog");
+  setAttribute(Qt::WA_DeleteOnClose);
+  const ElementPlace place = place_of(workbench_.tree(), holder_);
+  setWindowTitle(tr("Behaviours of %1").arg(place.element ? title_of(*place.element) : holder_));
+  auto* grid = new QGridLayout(this);
+  pool_ = new QListWidget;
+  pool_->setObjectName("pool");
+  carried_ = new QListWidget;
+  carried_->setObjectName("carried");
+  auto* pool_label = new QLabel(tr("&Pool"));
+  pool_label->setBuddy(pool_);
+  auto* carried_label = new QLabel(tr("&Carried"));
+  carried_label->setBuddy(carried_);
+  add_ = new QPushButton(">>");
+  add_->setObjectName("add");
+  add_->setAccessibleName(tr("Add"));
+  add_->setToolTip(tr("Carry the behaviour that is chosen in the pool"));
+  take_away_ = new QPushButton("<<");
+  take_away_->setObjectName("take_away");
+  take_away_->setAccessibleName(tr("Take away"));
+  take_away_->setToolTip(tr("Carry the chosen behaviour no more"));
+  about_ = new QLabel;
+  about_->setWordWrap(true);
+  refusal_ = new QLabel;
+  refusal_->setObjectName("refusal");
+  refusal_->setWordWrap(true);
+  refusal_->setStyleSheet("color: #c03030");
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  buttons->setObjectName("buttons");
+  grid->addWidget(pool_label, 0, 0);
+  grid->addWidget(carried_label, 0, 2);
+  grid->addWidget(pool_, 1, 0, 4, 1);
+  grid->addWidget(add_, 2, 1);
+  grid->addWidget(take_away_, 3, 1);
+  grid->addWidget(carried_, 1, 2, 4, 1);
+  grid->addWidget(about_, 5, 0, 1, 3);
+  grid->addWidget(refusal_, 6, 0, 1, 3);
+  grid->addWidget(buttons, 7, 0, 1, 3);
+
+  for (const Kind& kind : workbench_.catalog().plugins("behavior")) {
+    (new QListWidgetItem(kind.name, pool_))->setToolTip(kind.description);
+  }
+  visit(workbench_.tree(), [&](const ElementPlace& each) {
+    if (each.list.isEmpty() && each.parent && name_of(*each.parent) == "behaviors" &&
+        holder_of(each.path) == holder_) {
+      auto* item = new QListWidgetItem(title_of(*each.element), carried_);
+      item->setData(kPath, each.path);
+    }
+    return true;
+  });
+  connect(add_, &QPushButton::clicked, this, &BehaviorsDialog::add);
+  connect(take_away_, &QPushButton::clicked, this, &BehaviorsDialog::take_away);
+  connect(pool_, &QListWidget::itemDoubleClicked, this, &BehaviorsDialog::add);
+  connect(carried_, &QListWidget::itemDoubleClicked, this, &BehaviorsDialog::take_away);
+  connect(pool_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+    about_->setText(item ? item->toolTip() : QString());
+    enable();
+  });
+  connect(carried_, &QListWidget::currentItemChanged, this, &BehaviorsDialog::enable);
+  connect(buttons, &QDialogButtonBox::accepted, this, &BehaviorsDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &BehaviorsDialog::reject);
+  pool_->setCurrentRow(0);
+  enable();
+}
+
+void BehaviorsDialog::enable() {
+  add_->setEnabled(pool_->currentItem() != nullptr);
+  take_away_->setEnabled(carried_->currentItem() != nullptr);
+}
+
+void BehaviorsDialog::add() {
+  if (pool_->currentItem()) {
+    carried_->setCurrentItem(new QListWidgetItem(pool_->currentItem()->text(), carried_));
+  }
+}
+
+void BehaviorsDialog::take_away() { delete carried_->currentItem(); }
+
+void BehaviorsDialog::accept() {
+  QStringList edits, kept;
+  for (int i = 0; i < carried_->count(); ++i) {
+    const QListWidgetItem* item = carried_->item(i);
+    const QString path = item->data(kPath).toString();
+    if (path.isEmpty()) {
+      edits << holder_ + "/behavior[+]=<" + item->text() + "/>";
+    } else {
+      kept << path;
+    }
+  }
+  QStringList removals;
+  visit(workbench_.tree(), [&](const ElementPlace& each) {
+    if (each.list.isEmpty() && each.parent && name_of(*each.parent) == "behaviors" &&
+        holder_of(each.path) == holder_ && !kept.contains(each.path)) {
+      removals << each.path + "/@remove=true";
+    }
+    return true;
+  });
+  edits = removals + edits;
+  if (edits.isEmpty()) {
+    QDialog::accept();
+    return;
+  }
+  // Behaviours need a coordinator: the first one that a robot gets sums up.
+  const bool has_some = carried_->count() > 0;
+  const bool has_coordinator =
+      place_of(workbench_.tree(), holder_ + "/coordinator").element != nullptr;
+  if (has_some && !has_coordinator) {
+    edits << holder_ + "/coordinator[+]=<fusion_vector_summation/>";
+  } else if (!has_some && has_coordinator) {
+    edits << holder_ + "/coordinator/@remove=true";
+  }
+  const auto done = std::make_shared<QMetaObject::Connection>();
+  *done = connect(&workbench_, &Workbench::described, this, [this, done] {
+    disconnect(*done);
+    QDialog::accept();
+  });
+  workbench_.edit(edits, tr("change behaviours of %1").arg(holder_), {},
+                  [this, done](const Problems& problems) {
+                    disconnect(*done);
+                    refusal_->setText(problems.empty() ? tr("The engine refused this.")
+                                                       : problems.front().message);
+                  });
+}
+
+}  // namespace elsie::desktop

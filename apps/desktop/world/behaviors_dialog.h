@@ -1,0 +1,41 @@
+// Which behaviours a robot, or a behaviour that holds others, carries.
+#pragma once
+
+#include <QDialog>
+
+#include "engine/catalog.h"
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace elsie::desktop {
+
+class Workbench;
+
+/// The pool of all behaviours on the left, those carried on the right; ">>" and "<<" move one at a
+/// time. OK makes all of it as one edit, Cancel nothing.
+class BehaviorsDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  BehaviorsDialog(Workbench& workbench, QString holder, QWidget* parent);
+
+  void accept() override;
+
+ private:
+  void add();
+  void take_away();
+  void enable();
+
+  Workbench& workbench_;
+  QString holder_;
+  QListWidget* pool_;
+  QListWidget* carried_;
+  QPushButton* add_;
+  QPushButton* take_away_;
+  QLabel* about_;
+  QLabel* refusal_;
+};
+
+}  // namespace elsie::desktop

@@ -1,0 +1,339 @@
+#include "world/element_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QRandomGenerator>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "engine/workbench.h"
+#include "world/form.h"
+#include "world/properties.h"
+
+namespace elsie::desktop {
+namespace {
+
+constexpr int kMostRandomHeading_deg = 90;  // that the original offers for a new sensor
+
+QString word_for(const QString& list) {
+  static const QHash<QString, QString> words{
+      {"sensors", "sensor"},     {"behaviors", "behavior"}, {"coordinator", "coordinator"},
+      {"drive", "drive"},        {"robots", "robot"},       {"obstacles", "obstacle"},
+      {"resources", "resource"}, {"chargers", "charger"},   {"goals", "goal"},
+      {"measures", "measure"},   {"teams", "team"},         {"changes", "change"},
+      {"segments", "segment"}};
+  return words.value(list, list);
+}
+
+QString attributes_text(const std::map<QString, QString>& values) {
+  QString text;
+  for (const auto& [name, value] : values) {
+    text += ' ' + name + "=\"" + escaped(value) + '"';
+  }
+  return text;
+}
+
+}  // namespace
+
+ElementDialog::ElementDialog(Workbench& workbench, QWidget* parent)
+    : QDialog(parent), workbench_(workbench) {
+  setObjectName("element_dialog");
+  setAttribute(Qt::WA_DeleteOnClose);
+  auto* column = new QVBoxLayout(this);
+  auto* row = new QHBoxLayout;
+  column->addLayout(row, 1);
+
+  choice_ = new QListWidget;
+  choice_->setObjectName("kinds");
+  choice_->setAccessibleName(tr("Kinds"));
+  choice_->setMaximumWidth(24 * fontMetrics().averageCharWidth() + 40);
+  row->addWidget(choice_);
+  auto* right = new QVBoxLayout;
+  row->addLayout(right, 1);
+  about_ = new QLabel;
+  about_->setWordWrap(true);
+  right->addWidget(about_);
+  tabs_ = new QTabWidget;
+  tabs_->setObjectName("pages");
+  right->addWidget(tabs_, 1);
+
+  refusal_ = new QLabel;
+  refusal_->setObjectName("refusal");
+  refusal_->setWordWrap(true);
+  refusal_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  refusal_->setStyleSheet("color: #c03030");
+  refusal_->hide();
+  column->addWidget(refusal_);
+  at_once_ = new QCheckBox(tr("Apply changes &immediately"));
+  at_once_->setObjectName("apply_immediately");
+  column->addWidget(at_once_);
+  buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  buttons_->setObjectName("buttons");
+  connect(buttons_, &QDialogButtonBox::accepted, this, &ElementDialog::accept);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &ElementDialog::reject);
+  column->addWidget(buttons_);
+  resize(46 * fontMetrics().averageCharWidth() + 320, 30 * fontMetrics().height());
+}
+
+ElementDialog* ElementDialog::make(Workbench& workbench, const QString& holder, const QString& list,
+                                   QWidget* parent) {
+  auto* dialog = new ElementDialog(workbench, parent);
+  dialog->makes_ = true;
+  dialog->holder_ = holder;
+  dialog->list_ = list;
+  dialog->setWindowTitle(tr("New %1").arg(word_for(list)));
+  dialog->at_once_->hide();
+  dialog->kinds_ = workbench.catalog().members(list);
+  for (const Kind& kind : dialog->kinds_) {
+    auto* item = new QListWidgetItem(kind.name, dialog->choice_);
+    item->setToolTip(kind.description);
+  }
+  dialog->choice_->setVisible(dialog->kinds_.size() > 1);
+  connect(dialog->choice_, &QListWidget::currentRowChanged, dialog, [dialog](int row) {
+    if (row >= 0) {
+      dialog->show_kind(dialog->kinds_[static_cast<std::size_t>(row)]);
+    }
+  });
+  dialog->choice_->setCurrentRow(0);
+  return dialog;
+}
+
+ElementDialog* ElementDialog::edit(Workbench& workbench, const QString& path, QWidget* parent,
+                                   QString& why) {
+  const auto found = described_at(workbench, path);
+  if (!found) {
+    why = tr("There is nothing to edit at '%1'.").arg(path);
+    return nullptr;
+  }
+  const Kind& kind = found->kind;
+  const bool is_robot = kind.name == "robot";
+  if (kind.fields.empty()) {
+    why = tr("'%1' has no parameters: there is nothing to set.").arg(found->title);
+    return nullptr;
+  }
+  auto* dialog = new ElementDialog(workbench, parent);
+  dialog->path_ = path;
+  dialog->choice_->hide();
+  dialog->setWindowTitle(tr("Edit %1").arg(found->title));
+  dialog->about_->setText(kind.description);
+  dialog->add_page(kind.name, path, kind, found->values);
+  if (is_robot) {
+    for (const char* part : {"body", "drive"}) {
+      const QString below = path + '/' + part;
+      const auto of_part = described_at(workbench, below);
+      if (of_part && !of_part->kind.fields.empty()) {
+        dialog->add_page(of_part->kind.name, below, of_part->kind, of_part->values);
+      }
+    }
+  }
+  return dialog;
+}
+
+void ElementDialog::begin_with(const QString& name, const QString& value) {
+  begin_with_.emplace_back(name, value);
+  if (!pages_.empty()) {
+    pages_.front().form->set_value(name, value);
+  }
+}
+
+bool ElementDialog::choose(const QString& kind) {
+  for (std::size_t i = 0; i < kinds_.size(); ++i) {
+    if (kinds_[i].name == kind) {
+      choice_->setCurrentRow(static_cast<int>(i));
+      return true;
+    }
+  }
+  return false;
+}
+
+void ElementDialog::show_kind(const Kind& kind) {
+  while (tabs_->count() > 0) {
+    delete tabs_->widget(0);
+  }
+  pages_.clear();
+  refusal_->hide();
+  about_->setText(kind.description);
+  add_page(kind.name, {}, kind, Json::object());
+  for (const auto& [name, value] : begin_with_) {
+    pages_.front().form->set_value(name, value);
+  }
+  if (list_ == "robots") {
+    if (const auto body = workbench_.catalog().element("body")) {
+      add_page(tr("body"), "body", *body, Json::object());
+    }
+    offer_drives("differential");
+  }
+  if (list_ == "sensors") {
+    offer_random_heading();
+  }
+}
+
+// The original begins a new beam or proximity sensor with a heading drawn from 0 to 90 degrees.
+void ElementDialog::offer_random_heading() {
+  Form* form = pages_.front().form;
+  if (!form->editor("yaw_deg")) {
+    return;
+  }
+  auto* button = new QPushButton(tr("&Random heading"), tabs_->widget(0));
+  button->setObjectName("random_heading");
+  button->setToolTip(tr("Draws the heading from 0 to %1 degrees").arg(kMostRandomHeading_deg));
+  connect(button, &QPushButton::clicked, form, [form] {
+    form->set_value(
+        "yaw_deg",
+        QString::number(QRandomGenerator::global()->bounded(kMostRandomHeading_deg + 1)));
+  });
+  tabs_->widget(0)->layout()->addWidget(button);
+}
+
+void ElementDialog::offer_drives(const QString& chosen) {
+  const std::vector<Kind> drives = workbench_.catalog().plugins("drive");
+  if (drives.empty()) {
+    return;
+  }
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  auto* choice = new QComboBox;
+  choice->setObjectName("drive");
+  choice->setAccessibleName(tr("Drive"));
+  auto* form = new Form;
+  for (const Kind& drive : drives) {
+    choice->addItem(drive.name);
+    choice->setItemData(choice->count() - 1, drive.description, Qt::ToolTipRole);
+  }
+  const std::size_t place = pages_.size();
+  pages_.push_back({tr("drive"), "drive", {}, form});
+  const auto show = [this, drives, form, place](int index) {
+    pages_[place].kind = drives[static_cast<std::size_t>(index)];
+    form->show_fields(drives[static_cast<std::size_t>(index)].fields, Json::object());
+  };
+  connect(choice, &QComboBox::currentIndexChanged, this, show);
+  column->addWidget(choice);
+  column->addWidget(form);
+  column->addStretch(1);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(page);
+  tabs_->addTab(scroll, tr("drive"));
+  choice->setCurrentText(chosen);
+  show(choice->currentIndex());
+}
+
+void ElementDialog::add_page(const QString& title, const QString& path, const Kind& kind,
+                             const Json& values) {
+  auto* form = new Form;
+  form->setObjectName("form_" + kind.name);
+  form->show_fields(kind.fields, values);
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->addWidget(form);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidget(page);
+  // The scroll area holds the page; what is added to a page goes into the page's column.
+  auto* holder = new QWidget;
+  auto* whole = new QVBoxLayout(holder);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(scroll);
+  tabs_->addTab(holder, title);
+  pages_.push_back({title, path, kind, form});
+  if (makes_) {
+    return;
+  }
+  const auto change = [this, path, form](const QString& name, const QString& value,
+                                         bool taken_back) {
+    if (!at_once_->isChecked()) {
+      changes_[path][name] = taken_back ? QString() : value;
+      return;
+    }
+    const QString edit = attribute_path(path, name) + (taken_back ? "/@remove=true" : '=' + value);
+    workbench_.edit({edit}, tr("set %1").arg(name), edit.section('=', 0, 0),
+                    [form, name](const Problems& problems) {
+                      form->show_problem(name,
+                                         problems.empty() ? QString() : problems.front().message);
+                    });
+  };
+  connect(form, &Form::committed, this,
+          [change](const QString& name, const QString& value) { change(name, value, false); });
+  connect(form, &Form::taken_back, this, [change](const QString& name) { change(name, {}, true); });
+}
+
+QString ElementDialog::markup() const {
+  const Page& main = pages_.front();
+  QString content;
+  for (std::size_t i = 1; i < pages_.size(); ++i) {
+    const Page& page = pages_[i];
+    const QString attributes = attributes_text(page.form->values());
+    if (page.path == "drive") {
+      if (page.kind.name != "differential" || !attributes.isEmpty()) {
+        content += "<drive><" + page.kind.name + attributes + "/></drive>";
+      }
+    } else if (!attributes.isEmpty()) {
+      content += '<' + page.path + attributes + "/>";
+    }
+  }
+  return '<' + main.kind.name + attributes_text(main.form->values()) +
+         (content.isEmpty() ? "/>" : '>' + content + "</" + main.kind.name + '>');
+}
+
+void ElementDialog::show_refusal(const QString& sentence) {
+  refusal_->setText(sentence);
+  refusal_->show();
+}
+
+void ElementDialog::accept() {
+  if (pages_.empty()) {
+    reject();
+    return;
+  }
+  setFocus();  // what is being typed is committed
+  for (const Page& page : pages_) {
+    for (const Field& field : page.kind.fields) {
+      const auto given = page.form->values().find(field.name);
+      if (makes_ && field.is_required && given == page.form->values().end() && field.name != "id") {
+        show_refusal(tr("'%1' is needed: %2.").arg(field.name, field.meaning));
+        return;
+      }
+    }
+  }
+  QStringList edits;
+  QString name;
+  if (makes_) {
+    const QString word = word_for(list_);
+    const bool is_only = list_ == "coordinator" || list_ == "drive";
+    const bool replaces = is_only && place_of(workbench_.tree(), holder_ + '/' + word).element;
+    edits << (holder_.isEmpty() ? QString() : holder_ + '/') + word + (replaces ? "" : "[+]") +
+                 '=' + markup();
+    name = (replaces ? tr("replace %1") : tr("add %1")).arg(word);
+  } else {
+    for (const auto& [path, values] : changes_) {
+      for (const auto& [attribute, value] : values) {
+        edits << attribute_path(path, attribute) + (value.isNull() ? "/@remove=true" : '=' + value);
+      }
+    }
+    name = tr("edit %1").arg(path_.isEmpty() ? tr("world") : path_);
+  }
+  if (edits.isEmpty()) {
+    QDialog::accept();
+    return;
+  }
+  buttons_->setEnabled(false);
+  const auto done = std::make_shared<QMetaObject::Connection>();
+  *done = connect(&workbench_, &Workbench::described, this, [this, done] {
+    disconnect(*done);
+    QDialog::accept();
+  });
+  workbench_.edit(edits, name, {}, [this, done](const Problems& problems) {
+    disconnect(*done);
+    buttons_->setEnabled(true);
+    show_refusal(problems.empty() ? tr("The engine refused this.") : problems.front().message);
+  });
+}
+
+}  // namespace elsie::desktop

@@ -1,0 +1,75 @@
+// The dialog of one thing in the world: to make it and to edit it.
+#pragma once
+
+#include <QDialog>
+#include <functional>
+
+#include "engine/catalog.h"
+
+class QCheckBox;
+class QDialogButtonBox;
+class QLabel;
+class QListWidget;
+class QTabWidget;
+
+namespace elsie::desktop {
+
+class Form;
+class Workbench;
+
+/// Makes an element of a list, such as a sensor or a robot, or edits one.
+///
+/// To make one: its kinds on the left, its form on the right, OK adds it. To edit one: with "Apply
+/// changes immediately" each entry is an edit of its own; otherwise OK makes them as one, and
+/// Cancel none.
+class ElementDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// Adds to the list `list` ("sensors") of the element at `holder` ("robot[r1]").
+  static ElementDialog* make(Workbench& workbench, const QString& holder, const QString& list,
+                             QWidget* parent);
+  /// Edits the element at `path`; null, with a sentence, if it has nothing to edit.
+  static ElementDialog* edit(Workbench& workbench, const QString& path, QWidget* parent,
+                             QString& why);
+
+  /// Attributes that a new element begins with: where it was dropped.
+  void begin_with(const QString& name, const QString& value);
+  /// Shows the form of this kind. False if there is none of that name.
+  bool choose(const QString& kind);
+
+  void accept() override;
+
+ private:
+  struct Page {
+    QString title;
+    QString path;  // of the element that it edits; of a new one: the element's name in it, or ""
+    Kind kind;
+    Form* form = nullptr;
+  };
+
+  ElementDialog(Workbench& workbench, QWidget* parent);
+  void show_kind(const Kind& kind);
+  void add_page(const QString& title, const QString& path, const Kind& kind, const Json& values);
+  void show_refusal(const QString& sentence);
+  QString markup() const;
+  void offer_random_heading();
+  void offer_drives(const QString& chosen);
+
+  Workbench& workbench_;
+  bool makes_ = false;
+  QString path_;  // edited
+  QString holder_, list_;
+  std::vector<Kind> kinds_;
+  std::vector<std::pair<QString, QString>> begin_with_;
+  std::vector<Page> pages_;
+  std::map<QString, std::map<QString, QString>> changes_;  // by the path of the element
+  QListWidget* choice_;
+  QLabel* about_;
+  QTabWidget* tabs_;
+  QCheckBox* at_once_;
+  QLabel* refusal_;
+  QDialogButtonBox* buttons_;
+};
+
+}  // namespace elsie::desktop

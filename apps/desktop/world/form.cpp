@@ -1,0 +1,288 @@
+#include "world/form.h"
+
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+namespace elsie::desktop {
+namespace {
+
+bool is_number(const Field& field) { return field.type == "number" || field.type == "integer"; }
+
+/// Steps a number by the arrow keys: by one in its first digit.
+class NumberEdit : public QLineEdit {
+ public:
+  explicit NumberEdit(bool is_integer) : is_integer_(is_integer) {}
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override {
+    const int way = event->key() == Qt::Key_Up ? 1 : event->key() == Qt::Key_Down ? -1 : 0;
+    if (way == 0) {
+      QLineEdit::keyPressEvent(event);
+      return;
+    }
+    bool is_right = false;
+    const QString shown = text().isEmpty() ? placeholderText() : text();
+    const double value = QLocale::c().toDouble(shown, &is_right);
+    if (is_right) {
+      const double size =
+          value == 0.0 ? 1.0 : std::pow(10.0, std::floor(std::log10(std::abs(value))));
+      const double step = is_integer_ ? 1.0 : 0.1 * size;
+      setText(QLocale::c().toString(value + way * step, 'g', 6));
+      setModified(true);
+      Q_EMIT editingFinished();
+    }
+  }
+
+ private:
+  bool is_integer_;
+};
+
+QString tip_of(const Field& field) {
+  QString tip = "<p><b>" + field.name.toHtmlEscaped() + "</b>";
+  if (!field.unit.isEmpty()) tip += " (" + field.unit.toHtmlEscaped() + ')';
+  tip += "</p><p>" + field.meaning.toHtmlEscaped() + "</p>";
+  if (!field.range.isEmpty()) tip += "<p>" + field.range.toHtmlEscaped() + "</p>";
+  if (!field.default_text.isEmpty())
+    tip += "<p>" + Form::tr("default: %1").arg(field.default_text.toHtmlEscaped()) + "</p>";
+  return tip;
+}
+
+}  // namespace
+
+QString mistake_in(const Field& field, const QString& text) {
+  if (text.isEmpty() && field.is_required) {
+    return Form::tr("'%1' is needed.").arg(field.name);
+  }
+  if (!is_number(field) || text.isEmpty()) {
+    return {};
+  }
+  bool is_right = false;
+  const double value = QLocale::c().toDouble(text, &is_right);
+  const bool is_whole = field.type != "integer" || value == std::round(value);
+  if (!is_right || !std::isfinite(value) || !is_whole || text.contains(',')) {
+    return Form::tr("'%1' is no %2; write it with a point, as in 1.5.")
+        .arg(text, field.type == "integer" ? Form::tr("whole number") : Form::tr("number"));
+  }
+  if ((field.least && value < *field.least) || (field.most && value > *field.most)) {
+    return Form::tr("%1 is out of range: expected a number %2 %3")
+               .arg(text, field.range, field.unit)
+               .trimmed() +
+           '.';
+  }
+  return {};
+}
+
+Form::Form(QWidget* parent) : QWidget(parent), layout_(new QFormLayout(this)) {
+  layout_->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  layout_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+}
+
+Form::Row* Form::row_of(const QString& name) {
+  const auto found = std::find_if(rows_.begin(), rows_.end(),
+                                  [&](const Row& row) { return row.field.name == name; });
+  return found == rows_.end() ? nullptr : &*found;
+}
+
+QWidget* Form::editor(const QString& name) const {
+  for (const Row& row : rows_) {
+    if (row.field.name == name) {
+      return row.editor;
+    }
+  }
+  return nullptr;
+}
+
+void Form::show_fields(const std::vector<Field>& fields, const Json& values) {
+  const bool same = std::equal(fields.begin(), fields.end(), rows_.begin(), rows_.end(),
+                               [](const Field& field, const Row& row) {
+                                 return field.name == row.field.name &&
+                                        field.type == row.field.type &&
+                                        field.choices == row.field.choices &&
+                                        field.default_text == row.field.default_text;
+                               });
+  if (!same) {
+    while (layout_->rowCount() > 0) {
+      layout_->removeRow(0);
+    }
+    rows_.clear();
+    for (const Field& field : fields) {
+      rows_.push_back(make_row(field));
+    }
+  }
+  values_.clear();
+  if (values.is_object()) {
+    for (const auto& [name, value] : values.items()) {
+      values_[QString::fromStdString(name)] = QString::fromStdString(value.get<std::string>());
+    }
+  }
+  for (Row& row : rows_) {
+    show_value(row);
+    row.problem->hide();
+  }
+}
+
+Form::Row Form::make_row(const Field& field) {
+  Row row;
+  row.field = field;
+  const QString name = field.name;
+  row.whole = new QWidget(this);
+  auto* column = new QVBoxLayout(row.whole);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(1);
+  auto* line = new QHBoxLayout;
+  column->addLayout(line);
+
+  if (!field.choices.isEmpty() || field.type == "boolean") {
+    auto* box = new QComboBox;
+    box->addItems(field.choices.isEmpty() ? QStringList{"true", "false"} : field.choices);
+    box->setFocusPolicy(Qt::StrongFocus);
+    box->installEventFilter(this);
+    connect(box, &QComboBox::textActivated, this,
+            [this, name](const QString& text) { commit(name, text); });
+    row.editor = box;
+  } else {
+    auto* edit = is_number(field) ? new NumberEdit(field.type == "integer") : new QLineEdit;
+    edit->setPlaceholderText(field.default_text);
+    connect(edit, &QLineEdit::editingFinished, this, [this, edit, name] {
+      const auto given = values_.find(name);
+      if (edit->isModified() &&
+          edit->text() != (given == values_.end() ? QString() : given->second)) {
+        edit->setModified(false);
+        commit(name, edit->text());
+      }
+    });
+    row.editor = edit;
+  }
+  row.editor->setObjectName(name);
+  row.editor->setAccessibleName(field.unit.isEmpty() ? name : name + ", " + field.unit);
+  row.editor->setAccessibleDescription(field.meaning);
+  row.editor->setToolTip(tip_of(field));
+  line->addWidget(row.editor, 1);
+  if (!field.unit.isEmpty()) {
+    line->addWidget(new QLabel(field.unit));
+  }
+  if (field.type == "file") {
+    auto* browse = new QPushButton(tr("Browse..."));
+    browse->setObjectName(name + "_browse");
+    connect(browse, &QPushButton::clicked, this, [this, name] {
+      const QString file = QFileDialog::getOpenFileName(this, tr("File for '%1'").arg(name));
+      if (!file.isEmpty()) {
+        set_value(name, file);
+      }
+    });
+    line->addWidget(browse);
+  }
+  if (field.type == "colour" || name == "colour") {
+    auto* pick = new QPushButton(tr("Pick..."));
+    connect(pick, &QPushButton::clicked, this, [this, name] {
+      const auto given = values_.find(name);
+      const QColor colour =
+          QColorDialog::getColor(QColor(given == values_.end() ? "#808080" : given->second), this);
+      if (colour.isValid()) {
+        set_value(name, colour.name());
+      }
+    });
+    line->addWidget(pick);
+  }
+  row.reset = new QToolButton;
+  row.reset->setText("\u21ba");
+  row.reset->setAutoRaise(true);
+  row.reset->setObjectName(name + "_reset");
+  row.reset->setAccessibleName(tr("Default of %1").arg(name));
+  row.reset->setToolTip(field.default_text.isEmpty()
+                            ? tr("Take the value away")
+                            : tr("Back to the default, %1").arg(field.default_text));
+  connect(row.reset, &QToolButton::clicked, this, [this, name] {
+    values_.erase(name);
+    show_value(*row_of(name));
+    show_problem(name, {});
+    Q_EMIT taken_back(name);
+  });
+  line->addWidget(row.reset);
+
+  row.problem = new QLabel;
+  row.problem->setObjectName(name + "_problem");
+  row.problem->setWordWrap(true);
+  row.problem->setForegroundRole(QPalette::BrightText);
+  row.problem->setStyleSheet("color: #c03030");
+  row.problem->hide();
+  column->addWidget(row.problem);
+
+  row.label = new QLabel(name + (field.is_required ? " *" : ""));
+  row.label->setBuddy(row.editor);
+  row.label->setToolTip(tip_of(field));
+  layout_->addRow(row.label, row.whole);
+  return row;
+}
+
+void Form::show_value(Row& row) {
+  const auto given = values_.find(row.field.name);
+  const QString value = given == values_.end() ? QString() : given->second;
+  if (auto* box = qobject_cast<QComboBox*>(row.editor)) {
+    const QString shown = value.isEmpty() ? row.field.default_text : value;
+    box->setCurrentIndex(box->findText(shown));
+  } else if (auto* edit = qobject_cast<QLineEdit*>(row.editor)) {
+    if (!(edit->hasFocus() && edit->isModified())) {
+      edit->setText(value);
+      edit->setModified(false);
+    }
+  }
+  QFont font = row.label->font();
+  font.setBold(given != values_.end());
+  row.label->setFont(font);
+  row.reset->setEnabled(given != values_.end() && !row.field.is_required);
+}
+
+void Form::set_value(const QString& name, const QString& value) {
+  if (row_of(name)) {
+    commit(name, value);
+    show_value(*row_of(name));
+  }
+}
+
+void Form::commit(const QString& name, const QString& value) {
+  Row* row = row_of(name);
+  const QString mistake = mistake_in(row->field, value);
+  show_problem(name, mistake);
+  if (!mistake.isEmpty()) {
+    return;
+  }
+  if (value.isEmpty() && row->field.type != "text") {
+    values_.erase(name);
+    show_value(*row);
+    Q_EMIT taken_back(name);
+    return;
+  }
+  values_[name] = value;
+  show_value(*row);
+  Q_EMIT committed(name, value);
+}
+
+void Form::show_problem(const QString& name, const QString& sentence) {
+  if (Row* row = row_of(name)) {
+    row->problem->setText(sentence);
+    row->problem->setVisible(!sentence.isEmpty());
+  }
+}
+
+void Form::filter(const QString& text) {
+  for (Row& row : rows_) {
+    const bool fits = row.field.name.contains(text, Qt::CaseInsensitive) ||
+                      row.field.meaning.contains(text, Qt::CaseInsensitive);
+    layout_->setRowVisible(row.whole, fits);
+  }
+}
+
+}  // namespace elsie::desktop

@@ -1,0 +1,111 @@
+#include "world/properties.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "engine/workbench.h"
+#include "world/form.h"
+
+namespace elsie::desktop {
+
+std::optional<Described> described_at(const Workbench& workbench, const QString& path) {
+  const ElementPlace place = place_of(workbench.tree(), path);
+  if (place.element) {
+    if (auto kind = workbench.catalog().kind_of(place)) {
+      return Described{title_of(*place.element), std::move(*kind),
+                       place.element->value("attributes", Json::object())};
+    }
+    return std::nullopt;
+  }
+  const QString name = path.section('/', -1);
+  const QString holder = holder_of(path);
+  const bool is_there = holder.isEmpty() || place_of(workbench.tree(), holder).element;
+  if (!name.contains('[') && is_there && workbench.tree().is_object()) {
+    if (auto kind = workbench.catalog().element(name)) {
+      return Described{name, std::move(*kind), Json::object()};
+    }
+  }
+  return std::nullopt;
+}
+
+Properties::Properties(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), workbench_(workbench) {
+  setObjectName("properties");
+  auto* column = new QVBoxLayout(this);
+  title_ = new QLabel;
+  title_->setObjectName("title");
+  QFont font = title_->font();
+  font.setBold(true);
+  title_->setFont(font);
+  column->addWidget(title_);
+  about_ = new QLabel;
+  about_->setWordWrap(true);
+  column->addWidget(about_);
+  filter_ = new QLineEdit;
+  filter_->setPlaceholderText(tr("Filter"));
+  filter_->setAccessibleName(tr("Filter of the properties"));
+  filter_->setClearButtonEnabled(true);
+  column->addWidget(filter_);
+  form_ = new Form;
+  form_->setObjectName("form");
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(form_);
+  column->addWidget(scroll, 1);
+  connect(filter_, &QLineEdit::textChanged, form_, &Form::filter);
+  connect(&workbench_, &Workbench::described, this, &Properties::refresh);
+  connect(&workbench_, &Workbench::catalog_changed, this, &Properties::refresh);
+  // The object that was typed for is the one that changes, whatever is chosen meanwhile.
+  connect(form_, &Form::committed, this, [this](const QString& name, const QString& value) {
+    change(path_, name, attribute_path(path_, name) + '=' + value);
+  });
+  connect(form_, &Form::taken_back, this, [this](const QString& name) {
+    change(path_, name, attribute_path(path_, name) + "/@remove=true");
+  });
+  refresh();
+}
+
+void Properties::change(const QString& path, const QString& name, const QString& edit) {
+  const ElementPlace place = place_of(workbench_.tree(), path);
+  const QString title = place.element ? title_of(*place.element) : path;
+  workbench_.edit({edit}, tr("set %1 of %2").arg(name, title), attribute_path(path, name),
+                  [this, path, name](const Problems& problems) {
+                    if (path == path_) {
+                      form_->show_problem(name,
+                                          problems.empty() ? QString() : problems.front().message);
+                    }
+                  });
+  if (name == "id" && edit.contains("/@id=") && path.endsWith(']')) {
+    // It is called otherwise from now on.
+    const qsizetype bracket = path.lastIndexOf('[');
+    path_ = path.left(bracket + 1) + edit.section("/@id=", 1) + ']';
+  }
+}
+
+void Properties::show_element(const QString& path) {
+  if (path != path_) {
+    form_->setFocus();  // commits what is being typed
+    path_ = path;
+    refresh();
+  }
+}
+
+void Properties::refresh() {
+  const auto described = described_at(workbench_, path_);
+  if (!described) {
+    title_->setText(workbench_.tree().is_object() ? tr("Nothing is chosen") : tr("No world"));
+    about_->clear();
+    form_->show_fields({}, Json::object());
+    return;
+  }
+  title_->setText(path_.isEmpty() ? tr("World") : described->title);
+  about_->setText(described->kind.description);
+  form_->show_fields(described->kind.fields, described->values);
+  form_->filter(filter_->text());
+}
+
+}  // namespace elsie::desktop

@@ -1,0 +1,59 @@
+// The world as a tree: robots with all they carry, obstacles, goals.
+#pragma once
+
+#include <QSet>
+#include <QWidget>
+
+#include "engine/elements.h"
+
+class QLineEdit;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace elsie::desktop {
+
+class Workbench;
+
+/// The tree of the whole world, or of one team's robots. Items stay open, chosen and in view when
+/// the world changes.
+class WorldTree : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `team`: of the robots that it has; "": the whole world.
+  explicit WorldTree(Workbench& workbench, QString team = {}, QWidget* parent = nullptr);
+
+  void show_world();
+  void set_selection(const QStringList& paths);
+  QStringList selection() const;
+  /// The robot that is chosen, or in which the chosen thing is; "": none.
+  QString robot() const;
+  QTreeWidget* tree() { return tree_; }
+  QTreeWidgetItem* item(const QString& path) const;
+
+  /// Numbers beside behaviours: the priority that a network gives them now.
+  void show_priorities(const Json& state);
+
+ Q_SIGNALS:
+  void selected(const QStringList& paths);
+  void edit_wished(const QString& path);
+  void add_wished(const QString& holder, const QString& list);
+  void behaviors_wished(const QString& holder);
+  void menu_wished(const QString& path, const QPoint& global);
+
+ private:
+  void make_team_buttons();
+  void filter(const QString& text);
+  QString holder_for(const QString& list) const;
+
+  Workbench& workbench_;
+  QString team_;
+  QLineEdit* filter_;
+  QTreeWidget* tree_;
+  bool is_showing_ = false;
+};
+
+/// The names of all teams that a world has robots of, those that are always there first.
+QStringList teams_of(const Json& world);
+
+}  // namespace elsie::desktop

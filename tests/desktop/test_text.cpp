@@ -1,0 +1,208 @@
+// The editor of worlds and the list of problems.
+#include <QAbstractItemView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeWidget>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "text/completion.h"
+#include "text/problems_panel.h"
+#include "text/world_editor.h"
+
+using elsie::desktop::complete;
+using elsie::desktop::ProblemsPanel;
+using elsie::desktop::WorldEditor;
+
+namespace {
+
+const auto kCatalog = nlohmann::ordered_json::parse(R"({
+  "elements": {
+    "world": {"attributes": [{"name": "seed", "type": "integer"}], "children": ["arena", "robot"]},
+    "robot": {"attributes": [{"name": "id", "type": "text"},
+                             {"name": "drive", "type": "choice", "choices": ["wheels", "omni"]},
+                             {"name": "locked", "type": "boolean"}],
+              "children": ["sensors"]},
+    "sensors": {"attributes": [], "children": [], "holds": "sensor"},
+    "sensor": {"attributes": [{"name": "rate", "type": "number"}]}},
+  "plugins": [{"name": "camera", "kind": "sensor", "parameters": [{"name": "width"}]},
+              {"name": "camera", "kind": "behavior", "parameters": [{"name": "wrong"}]}]})");
+
+QString lines(int count) {
+  QString text;
+  for (int i = 1; i <= count; ++i) {
+    text += QStringLiteral("<box id=\"b%1\"/>\n").arg(i);
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("typing is reported once, 400 ms after the last key stroke") {
+  WorldEditor editor;
+  editor.set_text(QStringLiteral("<world/>"));
+  QSignalSpy edited(&editor, &WorldEditor::edited);
+  editor.moveCursor(QTextCursor::End);
+  QTest::keyClicks(&editor, QStringLiteral("ab"));
+  QTest::qWait(150);
+  CHECK(edited.count() == 0);
+  REQUIRE(edited.wait(1000));
+  CHECK(edited.count() == 1);
+  CHECK(edited[0][0].toString() == QStringLiteral("<world/>ab"));
+}
+
+TEST_CASE("a text from outside keeps cursor and scroll position and is no edit") {
+  WorldEditor editor;
+  editor.resize(400, 200);
+  editor.show();
+  editor.set_text(lines(200));
+  editor.go_to(100);
+  const int scroll = editor.verticalScrollBar()->value();
+  REQUIRE(scroll > 0);
+  QSignalSpy edited(&editor, &WorldEditor::edited);
+  QString changed = lines(200);
+  changed.replace(QStringLiteral("\"b150\""), QStringLiteral("\"other\""));
+  editor.set_text(changed);
+  CHECK(editor.toPlainText() == changed);
+  CHECK(editor.textCursor().blockNumber() == 99);
+  CHECK(editor.verticalScrollBar()->value() == scroll);
+  QTest::qWait(500);
+  CHECK(edited.count() == 0);
+}
+
+TEST_CASE("a text from outside does not erase what is being typed") {
+  WorldEditor editor;
+  editor.set_text(QStringLiteral("<world/>"));
+  QSignalSpy edited(&editor, &WorldEditor::edited);
+  QTest::keyClicks(&editor, QStringLiteral("x"));
+  editor.set_text(QStringLiteral("<world />"));
+  CHECK(editor.toPlainText() == QStringLiteral("x<world/>"));
+  REQUIRE(edited.wait(1000));
+}
+
+TEST_CASE("undo and redo are wishes to the window, after what was typed") {
+  WorldEditor editor;
+  QSignalSpy undo(&editor, &WorldEditor::undo_wished);
+  QSignalSpy redo(&editor, &WorldEditor::redo_wished);
+  QSignalSpy edited(&editor, &WorldEditor::edited);
+  QTest::keyClicks(&editor, QStringLiteral("x"));
+  QTest::keyClick(&editor, Qt::Key_Z, Qt::ControlModifier);
+  CHECK(edited.count() == 1);
+  CHECK(undo.count() == 1);
+  CHECK(editor.toPlainText() == QStringLiteral("x"));
+  QTest::keyClick(&editor, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  CHECK(redo.count() == 1);
+}
+
+TEST_CASE("lines with problems are marked, with the messages as tool tips") {
+  WorldEditor editor;
+  editor.resize(400, 200);
+  editor.show();
+  editor.set_text(lines(3));
+  editor.set_problems({{{}, 2, QStringLiteral("first")}, {{}, 2, QStringLiteral("second")}});
+  CHECK(editor.extraSelections().size() == 2);  // the line of the cursor, and line 2
+  CHECK(editor.extraSelections()[1].cursor.blockNumber() == 1);
+  const int height = editor.cursorRect().height();
+  CHECK(editor.problem_at(height / 2).isEmpty());
+  CHECK(editor.problem_at(height + height / 2 + 4) == QStringLiteral("first\nsecond"));
+  editor.set_problems({});
+  CHECK(editor.extraSelections().size() == 1);
+}
+
+TEST_CASE("Ctrl+F finds, goes on from the other end, and Esc closes") {
+  WorldEditor editor;
+  editor.resize(400, 200);
+  editor.show();
+  editor.set_text(lines(20));
+  QTest::keyClick(&editor, Qt::Key_F, Qt::ControlModifier);
+  auto* word = editor.findChild<QLineEdit*>(QStringLiteral("find_word"));
+  REQUIRE(word->isVisible());
+  QTest::keyClicks(word, QStringLiteral("b2"));
+  CHECK(editor.textCursor().blockNumber() == 1);
+  QTest::keyClick(word, Qt::Key_Return);
+  CHECK(editor.textCursor().blockNumber() == 19);
+  QTest::keyClick(word, Qt::Key_Return);
+  CHECK(editor.textCursor().blockNumber() == 1);
+  QTest::keyClicks(word, QStringLiteral("xyz"));
+  CHECK(editor.findChild<QLabel*>(QStringLiteral("find_verdict"))->text() ==
+        QStringLiteral("not found"));
+  QTest::keyClick(word, Qt::Key_Escape);
+  CHECK(!word->isVisible());
+}
+
+TEST_CASE("elements, attributes and choices are completed from the catalog") {
+  const auto words = [](const char* before) {
+    return complete(kCatalog, QString::fromUtf8(before)).words.join(u' ');
+  };
+  CHECK(words("<world><") == QStringLiteral("arena robot"));
+  CHECK(words("<world><!-- <robot> --><") == QStringLiteral("arena robot"));
+  CHECK(words("<world><robot id=\"a>b\"><") == QStringLiteral("sensors"));
+  CHECK(words("<world><robot id=\"a\" ") == QStringLiteral("drive locked"));
+  CHECK(words("<world><robot drive=\"") == QStringLiteral("omni wheels"));
+  CHECK(words("<world><robot locked=\"") == QStringLiteral("false true"));
+  CHECK(words("<world><robot><sensors><") == QStringLiteral("camera"));
+  CHECK(words("<world><robot><sensors><camera ") == QStringLiteral("rate width"));
+  CHECK(words("<world><robot></") == QStringLiteral("robot"));
+  CHECK(words("<world>") == QString());
+  CHECK(words("<!-- <") == QString());
+  CHECK(complete(kCatalog, QStringLiteral("<world><robot dr")).prefix == QStringLiteral("dr"));
+}
+
+TEST_CASE("Ctrl+Space takes the only word that fits") {
+  WorldEditor editor;
+  editor.set_catalog(kCatalog);
+  editor.set_text(QStringLiteral("<world><ro"));
+  editor.moveCursor(QTextCursor::End);
+  QTest::keyClick(&editor, Qt::Key_Space, Qt::ControlModifier);
+  CHECK(editor.toPlainText() == QStringLiteral("<world><robot"));
+}
+
+TEST_CASE("words are offered while typing, and Enter takes one") {
+  WorldEditor editor;
+  editor.resize(400, 200);
+  editor.show();
+  editor.set_catalog(kCatalog);
+  editor.set_text(QStringLiteral("<world>"));
+  editor.moveCursor(QTextCursor::End);
+  QTest::keyClicks(&editor, QStringLiteral("<"));
+  QAbstractItemView* popup = nullptr;
+  for (QWidget* widget : QApplication::topLevelWidgets()) {
+    if (widget->objectName() == QStringLiteral("completions") && widget->isVisible()) {
+      popup = qobject_cast<QAbstractItemView*>(widget);
+    }
+  }
+  REQUIRE(popup != nullptr);
+  QTest::keyClick(popup, Qt::Key_Return);
+  CHECK(editor.toPlainText() == QStringLiteral("<world><arena"));
+}
+
+TEST_CASE("problems lead to their lines by Enter, double click and F8") {
+  ProblemsPanel panel;
+  panel.resize(400, 200);
+  panel.show();
+  panel.activateWindow();
+  REQUIRE(QTest::qWaitForWindowActive(&panel));
+  panel.set_problems({{QStringLiteral("/w/a.xml"), 3, QStringLiteral("one")},
+                      {QStringLiteral("/w/b.xml"), 7, QStringLiteral("two")}});
+  QSignalSpy go(&panel, &ProblemsPanel::go_to);
+  auto* list = panel.findChild<QTreeWidget*>(QStringLiteral("problems"));
+  list->setFocus();
+  list->setCurrentItem(list->topLevelItem(0));
+  QTest::keyClick(list, Qt::Key_Return);
+  REQUIRE(go.count() == 1);
+  CHECK(go[0][0].toString() == QStringLiteral("/w/a.xml"));
+  CHECK(go[0][1].toInt() == 3);
+  QTest::keyClick(list, Qt::Key_F8);
+  REQUIRE(go.count() == 2);
+  CHECK(go[1][1].toInt() == 7);
+  panel.next();
+  CHECK(go[2][1].toInt() == 3);
+  const QPoint second = list->visualItemRect(list->topLevelItem(1)).center();
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, second);
+  QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, second);
+  CHECK(go.last()[1].toInt() == 7);
+}

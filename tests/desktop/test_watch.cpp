@@ -1,0 +1,218 @@
+// The panels that show a run.
+#include <QApplication>
+#include <QDir>
+#include <QLineEdit>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeWidget>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "paint/axes.h"
+#include "watch/coordination_panel.h"
+#include "watch/fuzzy_panel.h"
+#include "watch/plots_panel.h"
+#include "watch/sensors_panel.h"
+#include "watch/vision_panel.h"
+
+using namespace elsie::desktop;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json state(double time, double share) {
+  const QByteArray raw(3 * 8 * 6, static_cast<char>(0x80));
+  Json member = {
+      {"path", "explore/avoid"},     {"depth", 1},         {"priority", 2.0},
+      {"activation", 0.75},          {"share", share},     {"asked", true},
+      {"command", {0.2, 0.0, -1.5}}, {"inhibited_by", -1}, {"reason", "box 0.3 m ahead"}};
+  Json outer = member;
+  outer["path"] = "explore";
+  outer["depth"] = 0;
+  outer["reason"] = "";
+  Json idle = outer;
+  idle["path"] = "charge";
+  idle["asked"] = false;
+  idle["activation"] = nullptr;
+  idle["inhibited_by"] = 0;
+  return {
+      {"event", "state"},
+      {"epoch", 1},
+      {"time_s", time},
+      {"robots",
+       {{{"id", "r1"},
+         {"members", {outer, member, idle}},
+         {"sensors",
+          {{{"id", "left"}, {"plugin", "beam_range"}, {"names", {"range"}}, {"values", {0.25}}},
+           {{"id", "gps"}, {"plugin", "gps"}, {"names", {"x", "y"}}, {"values", {1.5, nullptr}}}}},
+         {"cameras",
+          {{{"id", "eye"},
+            {"width", 8},
+            {"height", 6},
+            {"raw", raw.toBase64().toStdString()}}}}}}}};
+}
+
+}  // namespace
+
+TEST_CASE("ticks are round numbers inside the span") {
+  CHECK(ticks({0.0, 1.0}, 5) == std::vector<double>{0.0, 0.2, 0.4, 0.6000000000000001, 0.8, 1.0});
+  CHECK(ticks({1.0, 1.0}, 5).empty());
+}
+
+TEST_CASE("coordination: a row for each behaviour, with figures and the reason") {
+  CoordinationPanel panel;
+  panel.set_robot(QStringLiteral("r1"));
+  panel.add(state(0.1, 0.5));
+  REQUIRE(panel.rows() == 3);
+  const QString text = panel.row_text(1);
+  CHECK(text.contains(QStringLiteral("explore/avoid")));
+  CHECK(text.contains(QStringLiteral("share 50 %")));
+  CHECK(text.contains(QStringLiteral("0.2, 0, -1.5")));
+  CHECK(text.contains(QStringLiteral("box 0.3 m ahead")));
+  CHECK(panel.row_text(2).contains(QStringLiteral("not asked")));
+  CHECK(panel.row_text(2).contains(QStringLiteral("inhibited by explore")));
+}
+
+TEST_CASE("coordination: the bands keep the past until time goes back") {
+  CoordinationPanel panel;
+  panel.set_robot(QStringLiteral("r1"));
+  panel.add(state(0.1, 0.25));
+  panel.add(state(0.2, 0.75));
+  CHECK(panel.share_at(1, 0.15) == 0.25);
+  CHECK(panel.share_at(1, 0.2) == 0.75);
+  CHECK(std::isnan(panel.share_at(2, 0.2)));
+  CHECK(std::isnan(panel.share_at(1, 0.05)));
+  panel.add(state(0.05, 1.0));
+  CHECK(panel.share_at(1, 0.2) == 1.0);
+  panel.set_robot(QStringLiteral("r2"));
+  CHECK(panel.rows() == 0);
+}
+
+TEST_CASE("sensors: readings, and a filter") {
+  SensorsPanel panel;
+  panel.set_robot(QStringLiteral("r1"));
+  panel.add(state(0.1, 0.5));
+  auto* table = panel.findChild<QTreeWidget*>(QStringLiteral("sensors_table"));
+  REQUIRE(table->topLevelItemCount() == 3);
+  CHECK(table->topLevelItem(0)->text(3) == QStringLiteral("0.25"));
+  CHECK(table->topLevelItem(2)->text(3) == QStringLiteral("-"));
+  QTest::keyClicks(panel.findChild<QLineEdit*>(QStringLiteral("sensors_filter")),
+                   QStringLiteral("GPS"));
+  CHECK(table->topLevelItem(0)->isHidden());
+  CHECK(!table->topLevelItem(1)->isHidden());
+}
+
+TEST_CASE("vision: pictures as they come, chosen by name") {
+  VisionPanel panel;
+  panel.resize(300, 200);
+  panel.add(state(0.1, 0.5));
+  REQUIRE(panel.pictures() == QStringList{QStringLiteral("r1/eye raw")});
+  CHECK(panel.picture(QStringLiteral("r1/eye raw")).size() == QSize(8, 6));
+  const auto is_drawn = [&] {
+    return panel.grab().toImage().pixelColor(150, 120) == QColor(0x80, 0x80, 0x80);
+  };
+  CHECK(is_drawn());
+  panel.set_shown(QStringLiteral("r1/eye raw"), false);
+  CHECK(!is_drawn());
+}
+
+TEST_CASE("plots: any number of a state, saved as a table and as a picture") {
+  PlotsPanel panel;
+  panel.resize(500, 300);
+  panel.add(state(0.1, 0.25));
+  panel.add(state(0.2, 0.75));
+  const QString share = QStringLiteral("r1/explore/avoid/share");
+  CHECK(panel.names().contains(share));
+  CHECK(panel.names().contains(QStringLiteral("r1/explore/avoid/command/turn")));
+  CHECK(panel.names().contains(QStringLiteral("r1/left/range")));
+  panel.choose(share, true);
+  panel.choose(QStringLiteral("r1/gps/y"), true);
+  QTemporaryDir folder;
+  REQUIRE(panel.save(folder.filePath(QStringLiteral("a.csv"))));
+  QFile table(folder.filePath(QStringLiteral("a.csv")));
+  REQUIRE(table.open(QIODevice::ReadOnly));
+  CHECK(table.readAll() ==
+        QByteArray("time_s,r1/explore/avoid/share,r1/gps/y\n0.1,0.25,\n0.2,0.75,\n"));
+  CHECK(panel.save(folder.filePath(QStringLiteral("a.png"))));
+  CHECK(!panel.save(folder.filePath(QStringLiteral("a.doc"))));
+}
+
+TEST_CASE("plots: a run that starts again keeps what is chosen, without its past") {
+  PlotsPanel panel;
+  panel.add(state(5.0, 0.25));
+  panel.choose(QStringLiteral("r1/explore/share"), true);
+  panel.add(state(0.1, 0.75));
+  CHECK(panel.chosen() == QStringList{QStringLiteral("r1/explore/share")});
+  QTemporaryDir folder;
+  REQUIRE(panel.save(folder.filePath(QStringLiteral("a.csv"))));
+  QFile table(folder.filePath(QStringLiteral("a.csv")));
+  REQUIRE(table.open(QIODevice::ReadOnly));
+  CHECK(table.readAll() == QByteArray("time_s,r1/explore/share\n0.1,0.75\n"));
+}
+
+TEST_CASE("fuzzy: how far each rule fires now, and a file that cannot be read") {
+  QTemporaryDir folder;
+  QFile model(folder.filePath(QStringLiteral("m.fcl")));
+  REQUIRE(model.open(QIODevice::WriteOnly));
+  model.write(R"(FUNCTION_BLOCK m
+VAR_INPUT range : REAL; END_VAR
+VAR_OUTPUT speed : REAL; END_VAR
+FUZZIFY range TERM near := (0, 1) (1, 0); TERM far := (0, 0) (1, 1); END_FUZZIFY
+DEFUZZIFY speed TERM slow := (0, 1) (1, 0); TERM fast := (0, 0) (1, 1); METHOD : COG; DEFAULT := 0;
+END_DEFUZZIFY
+RULEBLOCK r
+RULE 1 : IF range IS near THEN speed IS slow;
+RULE 2 : IF range IS far THEN speed IS fast;
+END_RULEBLOCK
+END_FUNCTION_BLOCK
+)");
+  model.close();
+  Json now = state(0.1, 0.5);
+  now["robots"][0]["fuzzy"] = {{{"path", "avoid"},
+                                {"file", model.fileName().toStdString()},
+                                {"inputs", {{"range", 0.25}}},
+                                {"outputs", {{"speed", 0.4}}}}};
+  FuzzyPanel panel;
+  panel.resize(500, 700);
+  panel.set_robot(QStringLiteral("r1"));
+  panel.add(now);
+  CHECK(panel.problem() == QString());
+  CHECK(panel.rule_degrees() == std::vector<double>{0.75, 0.25});
+  if (qEnvironmentVariableIsSet("ELSIE_SHOTS")) {
+    panel.grab().save(qEnvironmentVariable("ELSIE_SHOTS") + QStringLiteral("/fuzzy.png"));
+  }
+  now["robots"][0]["fuzzy"][0]["file"] = "/nowhere.fcl";
+  panel.add(now);
+  CHECK(panel.problem().contains(QStringLiteral("/nowhere.fcl")));
+  CHECK(panel.rule_degrees().empty());
+}
+
+TEST_CASE("pictures of the panels", "[.shots]") {
+  const QString folder = qEnvironmentVariable("ELSIE_SHOTS");
+  CoordinationPanel coordination;
+  coordination.set_robot(QStringLiteral("r1"));
+  coordination.resize(900, 200);
+  for (int i = 0; i < 300; ++i) {
+    coordination.add(state(0.1 * i, 0.5 + 0.5 * std::sin(0.05 * i)));
+  }
+  coordination.grab().save(folder + QStringLiteral("/coordination.png"));
+  PlotsPanel plots;
+  plots.resize(700, 300);
+  for (int i = 0; i < 300; ++i) {
+    plots.add(state(0.1 * i, 0.5 + 0.5 * std::sin(0.05 * i)));
+  }
+  plots.choose(QStringLiteral("r1/explore/avoid/share"), true);
+  plots.choose(QStringLiteral("r1/left/range"), true);
+  plots.grab().save(folder + QStringLiteral("/plots.png"));
+  VisionPanel vision;
+  vision.resize(300, 250);
+  vision.add(state(0.1, 0.5));
+  vision.grab().save(folder + QStringLiteral("/vision.png"));
+  SensorsPanel sensors;
+  sensors.set_robot(QStringLiteral("r1"));
+  sensors.resize(400, 200);
+  sensors.add(state(0.1, 0.5));
+  sensors.grab().save(folder + QStringLiteral("/sensors.png"));
+}

@@ -1,0 +1,425 @@
+// The window as a whole, with the program's own engine: real clicks and key presses.
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProcess>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "engine/recovery.h"
+#include "main_window.h"
+#include "scene/scene_view.h"
+#include "text/world_editor.h"
+#include "watch/coordination_panel.h"
+#include "world/form.h"
+#include "world/properties.h"
+#include "world/world_tree.h"
+
+using namespace elsie::desktop;
+
+namespace {
+
+constexpr int kPatience_ms = 120'000;
+
+QString build_file(const QString& name) { return QApplication::applicationDirPath() + '/' + name; }
+QString world_file(const QString& name) {
+  return build_file("../share/elsie/worlds/" + name + ".xml");
+}
+
+bool wait_for(const std::function<bool()>& is_so) { return QTest::qWaitFor(is_so, kPatience_ms); }
+
+constexpr const char* kRoom = R"(<world format="1">
+  <!-- a room -->
+  <arena length="4" width="4"/>
+  <obstacles>
+    <static_box id="crate" x="1" y="1"/>
+  </obstacles>
+  <robots>
+    <robot id="r1" team="red" x="-1">
+      <sensors><beam_range id="ahead"/></sensors>
+      <behaviors><wander/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator>
+    </robot>
+  </robots>
+  <limits time="60"/>
+</world>
+)";
+
+/// A window with settings of its own, and a folder for files.
+class Window {
+ public:
+  explicit Window(const QString& file = {}) : window_(build_file("elsie"), {}) {
+    window_.ask_about_unsaved = [this](const QString&) {
+      ++asked;
+      return answer;
+    };
+    window_.show();
+    window_.activateWindow();
+    REQUIRE(wait_for([&] { return !window_.workbench().catalog().is_empty(); }));
+    if (!file.isEmpty()) {
+      open(file);
+    }
+  }
+  ~Window() { answer = MainWindow::Answer::discard; }
+
+  MainWindow* operator->() { return &window_; }
+  MainWindow& window() { return window_; }
+  Workbench& bench() { return window_.workbench(); }
+  template <class Widget>
+  Widget* get(const char* name) {
+    auto* found = window_.findChild<Widget*>(name);
+    REQUIRE(found);
+    return found;
+  }
+  void act(const char* name) { get<QAction>(name)->trigger(); }
+
+  void open(const QString& file) {
+    REQUIRE(window_.open(file));
+    REQUIRE(wait_for([&] { return bench().is_right() || !bench().problems().empty(); }));
+  }
+  /// A file of this test with that text.
+  QString file(const char* text, const QString& name = "room.xml") {
+    const QString path = folder_.filePath(name);
+    std::ofstream(path.toStdString()) << text;
+    return path;
+  }
+  /// Waits until what was ordered is described.
+  void after(const std::function<void()>& order) {
+    bool is_described = false;
+    const auto connection =
+        QObject::connect(&bench(), &Workbench::described, &window_, [&] { is_described = true; });
+    order();
+    REQUIRE(wait_for([&] { return is_described; }));
+    QObject::disconnect(connection);
+  }
+  Json run_to_the_end() {
+    Json end;
+    const auto connection = QObject::connect(&bench(), &Workbench::ended, &window_,
+                                             [&](const Json& event) { end = event; });
+    bench().set_speed(0.0);
+    bench().run();
+    REQUIRE(wait_for([&] { return !end.is_null(); }));
+    QObject::disconnect(connection);
+    return end;
+  }
+  template <class Dialog = QDialog>
+  Dialog* dialog(const char* name) {
+    REQUIRE(wait_for([&] { return window_.findChild<Dialog*>(name) != nullptr; }));
+    return window_.findChild<Dialog*>(name);
+  }
+  static void press(QDialog* dialog, QDialogButtonBox::StandardButton which) {
+    QTest::mouseClick(dialog->findChild<QDialogButtonBox*>("buttons")->button(which),
+                      Qt::LeftButton);
+  }
+
+  MainWindow::Answer answer = MainWindow::Answer::discard;
+  int asked = 0;
+
+ private:
+  QTemporaryDir folder_;
+  MainWindow window_;
+};
+
+std::string headless_hash(const QStringList& arguments) {
+  QProcess run;
+  run.start(build_file("elsie"), QStringList{"run"} + arguments + QStringList{"--json"});
+  REQUIRE(run.waitForFinished(kPatience_ms));
+  const Json json = Json::parse(run.readAllStandardOutput().toStdString(), nullptr, false);
+  REQUIRE(json.is_object());
+  return json.at("state_hash").get<std::string>();
+}
+
+}  // namespace
+
+TEST_CASE("A run in the window has the state hash of the same run headless, also with edits") {
+  Window window;
+  const QString file = window.file(kRoom);
+  window.open(file);
+  window.after([&] { window.bench().reset(3); });
+  window.after([&] { window.bench().edit({"robot[r1]/@heading_deg=20"}, "turn"); });
+  const Json end = window.run_to_the_end();
+  CHECK(end.at("state_hash").get<std::string>() ==
+        headless_hash({file, "--seed", "3", "--set", "robot[r1]/@heading_deg=20"}));
+}
+
+TEST_CASE("Start, pause, step and reset") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* run = window.get<QToolButton>("run");
+  CHECK(window.bench().time_s() == 0.0);
+  QTest::mouseClick(window.get<QToolButton>("step"), Qt::LeftButton);
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 0.0; }));
+  CHECK(window.bench().run_state() == Workbench::Run::paused);
+  QTest::mouseClick(run, Qt::LeftButton);
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 0.2; }));
+  QTest::mouseClick(run, Qt::LeftButton);
+  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  const double paused_s = window.bench().time_s();
+  QTest::qWait(200);
+  CHECK(window.bench().time_s() == paused_s);
+  QTest::mouseClick(window.get<QToolButton>("reset"), Qt::LeftButton);
+  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::ready; }));
+  CHECK(wait_for([&] { return window.get<QLabel>("time_s")->text() == "0.00 s"; }));
+}
+
+TEST_CASE("The properties of what is chosen are edits with a name that are undone and redone") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* tree = window.get<WorldTree>("world_tree");
+  tree->tree()->setCurrentItem(tree->item("robot[r1]"));
+  auto* properties = window.get<Properties>("properties");
+  REQUIRE(properties->path() == "robot[r1]");
+  auto* x = qobject_cast<QLineEdit*>(properties->form().editor("x"));
+  REQUIRE(x);
+  CHECK(x->text() == "-1");
+  x->setFocus();
+  x->selectAll();
+  window.after([&] {
+    QTest::keyClicks(x, "1.25");
+    QTest::keyClick(x, Qt::Key_Return);
+  });
+  CHECK(window.bench().text().contains("x=\"1.25\""));
+  CHECK(window.bench().undo_name().contains("set x of r1"));
+  CHECK(window->isWindowModified());
+  window.after([&] { window.act("undo"); });
+  CHECK(window.bench().text() == kRoom);
+  CHECK_FALSE(window->isWindowModified());
+  window.after([&] { window.act("redo"); });
+  CHECK(window.bench().text().contains("x=\"1.25\""));
+
+  SECTION("and a wrong number is refused at the field, with nothing changed") {
+    const QString before = window.bench().text();
+    x->setFocus();
+    x->selectAll();
+    QTest::keyClicks(x, "1,5");
+    QTest::keyClick(x, Qt::Key_Return);
+    CHECK(properties->form().findChild<QLabel*>("x_problem")->text().contains("with a point"));
+    CHECK(window.bench().text() == before);
+  }
+}
+
+TEST_CASE(
+    "A robot is added to a team with the button of its window, and gets a sensor and behaviours") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* blue = window.get<WorldTree>("team_tree_blue");
+  window.get<QDockWidget>("dock_team_blue")->raise();
+  QTest::mouseClick(blue->findChild<QPushButton*>("add_robot"), Qt::LeftButton);
+  auto* robot = window.dialog("element_dialog");
+  auto* form = robot->findChild<Form*>("form_robot");
+  REQUIRE(form);
+  form->set_value("id", "b1");
+  form->set_value("x", "1");
+  window.after([&] { Window::press(robot, QDialogButtonBox::Ok); });
+  REQUIRE(blue->item("robot[b1]"));
+  CHECK(window.bench().text().contains("team=\"blue\""));
+  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
+
+  blue->tree()->setCurrentItem(blue->item("robot[b1]"));
+  QTest::mouseClick(blue->findChild<QPushButton*>("add_sensor"), Qt::LeftButton);
+  auto* sensor = window.dialog("element_dialog");
+  auto* kinds = sensor->findChild<QListWidget*>("kinds");
+  kinds->setCurrentItem(kinds->findItems("proximity", Qt::MatchExactly).front());
+  QTest::mouseClick(sensor->findChild<QPushButton*>("random_heading"), Qt::LeftButton);
+  window.after([&] { Window::press(sensor, QDialogButtonBox::Ok); });
+  CHECK(blue->item("robot[b1]/sensor[proximity]"));
+
+  QTest::mouseClick(blue->findChild<QPushButton*>("behaviors"), Qt::LeftButton);
+  auto* behaviors = window.dialog("behaviors_dialog");
+  auto* pool = behaviors->findChild<QListWidget*>("pool");
+  auto* carried = behaviors->findChild<QListWidget*>("carried");
+  pool->setCurrentItem(pool->findItems("wander", Qt::MatchExactly).front());
+  QTest::mouseClick(behaviors->findChild<QPushButton*>("add"), Qt::LeftButton);
+  CHECK(carried->count() == 1);
+  QTest::mouseClick(behaviors->findChild<QPushButton*>("take_away"), Qt::LeftButton);
+  CHECK(carried->count() == 0);
+  QTest::mouseClick(behaviors->findChild<QPushButton*>("add"), Qt::LeftButton);
+  CHECK_FALSE(blue->item("robot[b1]/behavior[wander]"));  // OK applies
+  window.after([&] { Window::press(behaviors, QDialogButtonBox::Ok); });
+  CHECK(blue->item("robot[b1]/behavior[wander]"));
+  CHECK(blue->item("robot[b1]/coordinator"));
+}
+
+TEST_CASE("A dialog that edits applies its changes with OK, with Cancel none, or immediately") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* tree = window.get<WorldTree>("world_tree");
+  const auto edit = [&] {
+    Q_EMIT tree->edit_wished("robot[r1]/sensor[ahead]");
+    return window.dialog("element_dialog");
+  };
+  QDialog* dialog = edit();
+  dialog->findChild<Form*>("form_beam_range")->set_value("max_range", "2");
+  Window::press(dialog, QDialogButtonBox::Cancel);
+  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
+  CHECK(window.bench().text() == kRoom);
+
+  dialog = edit();
+  dialog->findChild<Form*>("form_beam_range")->set_value("max_range", "2");
+  window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
+  CHECK(window.bench().text().contains("max_range=\"2\""));
+  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
+
+  dialog = edit();
+  QTest::mouseClick(dialog->findChild<QAbstractButton*>("apply_immediately"), Qt::LeftButton, {},
+                    QPoint(8, 8));
+  window.after([&] { dialog->findChild<Form*>("form_beam_range")->set_value("max_range", "3"); });
+  CHECK(window.bench().text().contains("max_range=\"3\""));
+  Window::press(dialog, QDialogButtonBox::Cancel);
+}
+
+TEST_CASE("A thing is chosen by a click in the view, and moved by its handle, also in a run") {
+  Window window;
+  window.open(window.file(kRoom));
+  SceneView& scene = window->scene();
+  REQUIRE(wait_for([&] { return scene.stage().body_of("robot[r1]") != nullptr; }));
+  const auto at = scene.pixel_of({1.0, 1.0, 0.1});
+  REQUIRE(at);
+  QTest::mouseClick(&scene, Qt::LeftButton, {}, at->toPoint());
+  REQUIRE(window.get<Properties>("properties")->path() == "obstacle[crate]");
+  const auto foot = scene.handle(SceneView::Tool::move);
+  const auto goal = scene.pixel_of({-1.0, 1.0, 0.0});
+  REQUIRE((foot && goal));
+  QTest::mouseClick(window.get<QToolButton>("step"), Qt::LeftButton);
+  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  window.after([&] {
+    QTest::mousePress(&scene, Qt::LeftButton, {}, foot->toPoint());
+    QTest::mouseMove(&scene, (0.5 * (*foot + *goal)).toPoint());
+    QTest::mouseMove(&scene, goal->toPoint());
+    QTest::mouseRelease(&scene, Qt::LeftButton, {}, goal->toPoint());
+  });
+  REQUIRE(wait_for([&] {
+    return std::abs(scene.stage().body_of("obstacle[crate]")->frame.origin.x + 1.0) < 0.05;
+  }));
+  CHECK(window.bench().undo_name().startsWith("move"));
+  window.after([&] { window.act("undo"); });
+  CHECK(window.bench().text() == kRoom);
+}
+
+TEST_CASE("Text and world change together, and a wrong text leaves the world as it is") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* editor = window->findChild<WorldEditor*>();
+  REQUIRE(editor);
+  CHECK(editor->toPlainText() == kRoom);
+  window.get<QDockWidget>("dock_text")->raise();
+  editor->setFocus();
+  editor->go_to(6);
+  QTest::keyClick(editor, Qt::Key_Up);
+  QTest::keyClick(editor, Qt::Key_End);
+  window.after([&] { QTest::keyClicks(editor, "<static_box id='late' y='-1'/>"); });
+  CHECK(window.get<WorldTree>("world_tree")->item("obstacle[late]"));
+  QTest::keyClicks(editor, "<nonsense/>");
+  REQUIRE(wait_for([&] { return !window.bench().problems().empty(); }));
+  CHECK(window.bench().problems().front().line == 5);
+  CHECK(window.get<WorldTree>("world_tree")->item("obstacle[late]"));
+  window.act("undo");
+  CHECK(window.bench().problems().empty());
+  CHECK_FALSE(editor->toPlainText().contains("nonsense"));
+}
+
+TEST_CASE("A world with errors opens as text, with the place of each") {
+  Window window;
+  window.open(window.file(
+      "<world format=\"1\">\n  <robots><robot id=\"r1\" speed=\"1\"/></robots>\n</world>\n"));
+  REQUIRE(window.bench().problems().size() == 1);
+  CHECK(window.bench().problems().front().line == 2);
+  CHECK(window->findChild<WorldEditor*>()->toPlainText().contains("speed"));
+}
+
+TEST_CASE(
+    "What is saved runs headless with the same state hash, and nothing unsaved is lost silently") {
+  Window window;
+  const QString file = window.file(kRoom);
+  window.open(file);
+  window.after([&] { window.bench().edit({"robot[r1]/@heading_deg=30"}, "turn"); });
+  window.answer = MainWindow::Answer::cancel;
+  CHECK_FALSE(window->close());
+  CHECK(window.asked == 1);
+  window.act("save");
+  REQUIRE(wait_for([&] { return !window->isWindowModified(); }));
+  CHECK(window->close());
+  CHECK(window.asked == 1);
+  window->show();
+  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+}
+
+TEST_CASE("When a plugin ends the engine, the world and its unsaved changes stay") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.after([&] { window.bench().edit({"robot[r1]/@heading_deg=30"}, "turn"); });
+  const QString text = window.bench().text();
+  QString report;
+  QObject::connect(&window.bench(), &Workbench::engine_lost, &window.window(),
+                   [&](const QString& said) { report = said; });
+  window.bench().run();
+  window.act("stop_engine");
+  REQUIRE(wait_for(
+      [&] { return !report.isEmpty() && window.bench().run_state() == Workbench::Run::ready; }));
+  CHECK(window.bench().text() == text);
+  CHECK(window->isWindowModified());
+  window.after([&] { window.act("undo"); });  // the texts lead back
+  CHECK(window.bench().text() == kRoom);
+}
+
+TEST_CASE("Who decides is shown while it runs") {
+  Window window(world_file("clutter"));
+  auto* panel = window->findChild<CoordinationPanel*>();
+  REQUIRE(panel);
+  window.get<QDockWidget>("dock_coordination")->raise();
+  window.bench().run();
+  REQUIRE(wait_for([&] { return panel->rows() > 0; }));
+  CHECK(panel->row_text(0).contains("avoid_obstacle"));
+}
+
+TEST_CASE("The past of a run is shown, and the run goes on from now") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.bench().run();
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 1.0; }));
+  window.bench().pause();
+  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  const double now_s = window.bench().time_s();
+  window.bench().ask({{"do", "at"}, {"time_s", 0.5}}, {});
+  REQUIRE(wait_for([&] { return std::abs(window->scene().stage().time_s() - 0.5) < 0.1; }));
+  window.bench().ask({{"do", "at"}}, {});
+  REQUIRE(wait_for([&] { return window->scene().stage().time_s() == now_s; }));
+}
+
+TEST_CASE("Pictures of the window", "[.pictures]") {
+  const QString folder = qEnvironmentVariable("ELSIE_PICTURES", ".");
+  Window window(world_file(qEnvironmentVariable("ELSIE_PICTURE_WORLD", "ten_robots")));
+  window->grab().save(folder + "/start.png");
+  window.bench().set_speed(4.0);
+  window.bench().run();
+  wait_for([&] {
+    return window.bench().time_s() > 12.0 || window.bench().run_state() == Workbench::Run::ended;
+  });
+  window.bench().pause();
+  QTest::qWait(300);
+  auto* tree = window.get<WorldTree>("world_tree");
+  tree->tree()->setCurrentItem(tree->item(window->scene().stage().bodies().front().path));
+  QTest::qWait(300);
+  window->grab().save(folder + "/author.png");
+  window->arrange("watch");
+  window.bench().run();
+  QTest::qWait(1500);
+  window.bench().pause();
+  QTest::qWait(300);
+  window->grab().save(folder + "/watch.png");
+}
