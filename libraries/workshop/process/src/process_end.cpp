@@ -13,25 +13,30 @@ namespace {
 
 // Signal handlers can only reach globals.
 std::atomic<Announcer> announcer{nullptr};
-std::atomic<pid_t> reporter{0};  // the thread that reports the end of the process
+std::atomic<pid_t> ender{0};  // the thread that ends the process, with a report or without
 
 pid_t this_thread() { return static_cast<pid_t>(syscall(SYS_gettid)); }
 
-void wait_for_other_report() noexcept {
-  while (reporter != 0 && reporter != this_thread()) {
+/// Whether this thread is the first to end the process; false if it has begun to do so before. If
+/// another thread has, this one waits for the end.
+bool may_end() noexcept {
+  pid_t first = 0;
+  if (ender.compare_exchange_strong(first, this_thread())) {
+    return true;
+  }
+  while (first != this_thread()) {
     pause();
   }
+  return false;
 }
 
 }  // namespace
 
 bool may_report() noexcept {
-  pid_t none = 0;
-  if (reporter.compare_exchange_strong(none, this_thread())) {
+  if (may_end()) {
     std::signal(SIGPIPE, SIG_IGN);  // a report that nobody reads must not change the exit
     return true;
   }
-  wait_for_other_report();
   return false;
 }
 
@@ -44,7 +49,7 @@ void announce_end(int exit_code) noexcept {
 }
 
 void end_with(int exit_code) noexcept {
-  wait_for_other_report();
+  may_end();  // from here on, a crash elsewhere says nothing: the exit code is settled
   announce_end(exit_code);
   // Not _exit(): the program may define its own.
   for (;;) {
