@@ -1,4 +1,5 @@
-// The window.
+// The window: its docks, its files and what it shows. main_window_actions.cpp has its actions and
+// menus.
 #pragma once
 
 #include <QHash>
@@ -13,8 +14,10 @@ class QStackedWidget;
 
 namespace elsie::desktop {
 
+class Authoring;
 class ControlBar;
 class CoordinationPanel;
+class Exporter;
 class FuzzyPanel;
 class PlotsPanel;
 class ProblemsPanel;
@@ -58,6 +61,8 @@ class MainWindow : public QMainWindow {
                   std::function<void()> does, const QString& tip = {});
   QDockWidget* dock(const char* name, const QString& title, QWidget* widget,
                     Qt::DockWidgetArea area);
+  void connect_tree(WorldTree* tree, const QString& team);
+  QDockWidget* make_team(const QString& team);
   void make_actions();
   void make_menus();
   void make_docks();
@@ -79,31 +84,14 @@ class MainWindow : public QMainWindow {
   void go_to(const QString& file, int line);
   void say(const QString& text);
 
-  void select(const QStringList& paths);
-  void edit_element(const QString& path);
-  void add_element(const QString& holder, const QString& list, const QString& kind = {},
-                   std::optional<QPointF> at = {});
-  void edit_behaviors(const QString& holder);
-  void element_menu(const QString& path, const QPoint& global);
-  void floor_menu(const QPoint& global, double x, double y);
-  void remove_selected();
-  void copy_selected();
-  void paste(const QString& text);
-  void duplicate_selected();
-  void rename_selected();
-  void make_start_poses();
-  void moved(const QStringList& paths, double by_x, double by_y);
-  void turned(const QString& path, double by_rad);
-  void resized(const QString& path, double length, double width);
-  void export_picture();
-  void export_film();
-  void record();
-  void copy_command();
+  void show_selection(const QStringList& paths);
   void about();
 
   QString elsie_;
   QStringList options_;
   Workbench workbench_;
+  Authoring* authoring_;
+  Exporter* exporter_;
   QStackedWidget* centre_;
   SceneView* scene_;
   StartPage* start_;
@@ -127,7 +115,6 @@ class MainWindow : public QMainWindow {
   QLabel* pace_label_;
   QLabel* seed_label_;
   QLabel* outcome_label_;
-  QStringList selection_;
   QString outcome_;
   QByteArray default_state_;
   QString watched_;        // what the engine was last asked to send

@@ -1,150 +1,26 @@
 // The window as a whole, with the program's own engine: real clicks and key presses.
-#include <QAction>
-#include <QApplication>
 #include <QComboBox>
-#include <QDialog>
-#include <QDialogButtonBox>
-#include <QDir>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QProcess>
 #include <QPushButton>
-#include <QSettings>
-#include <QStandardPaths>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
-#include <fstream>
 
 #include <catch2/catch.hpp>
 
 #include "engine/recovery.h"
-#include "main_window.h"
 #include "scene/scene_view.h"
 #include "text/world_editor.h"
 #include "watch/coordination_panel.h"
+#include "window.h"
 #include "world/form.h"
 #include "world/properties.h"
 #include "world/world_tree.h"
 
 using namespace elsie::desktop;
-
-namespace {
-
-constexpr int kPatience_ms = 120'000;
-
-QString build_file(const QString& name) { return QApplication::applicationDirPath() + '/' + name; }
-QString world_file(const QString& name) {
-  return build_file("../share/elsie/worlds/" + name + ".xml");
-}
-
-bool wait_for(const std::function<bool()>& is_so) { return QTest::qWaitFor(is_so, kPatience_ms); }
-
-constexpr const char* kRoom = R"(<world format="1">
-  <!-- a room -->
-  <arena length="4" width="4"/>
-  <obstacles>
-    <static_box id="crate" x="1" y="1"/>
-  </obstacles>
-  <robots>
-    <robot id="r1" team="red" x="-1">
-      <sensors><beam_range id="ahead"/></sensors>
-      <behaviors><wander/></behaviors>
-      <coordinator><arbiter_suppression/></coordinator>
-    </robot>
-  </robots>
-  <limits time="60"/>
-</world>
-)";
-
-/// A window with settings of its own, and a folder for files.
-class Window {
- public:
-  explicit Window(const QString& file = {}) : window_(build_file("elsie"), {}) {
-    window_.ask_about_unsaved = [this](const QString&) {
-      ++asked;
-      return answer;
-    };
-    window_.show();
-    window_.activateWindow();
-    REQUIRE(wait_for([&] { return !window_.workbench().catalog().is_empty(); }));
-    if (!file.isEmpty()) {
-      open(file);
-    }
-  }
-  ~Window() { answer = MainWindow::Answer::discard; }
-
-  MainWindow* operator->() { return &window_; }
-  MainWindow& window() { return window_; }
-  Workbench& bench() { return window_.workbench(); }
-  template <class Widget>
-  Widget* get(const char* name) {
-    auto* found = window_.findChild<Widget*>(name);
-    REQUIRE(found);
-    return found;
-  }
-  void act(const char* name) { get<QAction>(name)->trigger(); }
-
-  void open(const QString& file) {
-    REQUIRE(window_.open(file));
-    REQUIRE(wait_for([&] { return bench().is_right() || !bench().problems().empty(); }));
-  }
-  /// A file of this test with that text.
-  QString file(const char* text, const QString& name = "room.xml") {
-    const QString path = folder_.filePath(name);
-    std::ofstream(path.toStdString()) << text;
-    return path;
-  }
-  /// Waits until what was ordered is described.
-  void after(const std::function<void()>& order) {
-    bool is_described = false;
-    const auto connection =
-        QObject::connect(&bench(), &Workbench::described, &window_, [&] { is_described = true; });
-    order();
-    REQUIRE(wait_for([&] { return is_described; }));
-    QObject::disconnect(connection);
-  }
-  Json run_to_the_end() {
-    Json end;
-    const auto connection = QObject::connect(&bench(), &Workbench::ended, &window_,
-                                             [&](const Json& event) { end = event; });
-    bench().set_speed(0.0);
-    bench().run();
-    REQUIRE(wait_for([&] { return !end.is_null(); }));
-    QObject::disconnect(connection);
-    return end;
-  }
-  template <class Dialog = QDialog>
-  Dialog* dialog(const char* name) {
-    REQUIRE(wait_for([&] { return window_.findChild<Dialog*>(name) != nullptr; }));
-    return window_.findChild<Dialog*>(name);
-  }
-  static void press(QDialog* dialog, QDialogButtonBox::StandardButton which) {
-    QTest::mouseClick(dialog->findChild<QDialogButtonBox*>("buttons")->button(which),
-                      Qt::LeftButton);
-  }
-
-  MainWindow::Answer answer = MainWindow::Answer::discard;
-  int asked = 0;
-
- private:
-  QTemporaryDir folder_;
-  MainWindow window_;
-};
-
-std::string headless_hash(const QStringList& arguments) {
-  QProcess run;
-  run.start(build_file("elsie"), QStringList{"run"} + arguments + QStringList{"--json"});
-  REQUIRE(run.waitForFinished(kPatience_ms));
-  const Json json = Json::parse(run.readAllStandardOutput().toStdString(), nullptr, false);
-  REQUIRE(json.is_object());
-  return json.at("state_hash").get<std::string>();
-}
-
-}  // namespace
 
 TEST_CASE("A run in the window has the state hash of the same run headless, also with edits") {
   Window window;

@@ -1,7 +1,6 @@
 #include "engine/elements.h"
 
 #include <QHash>
-#include <QStringList>
 
 namespace elsie::desktop {
 namespace {
@@ -11,24 +10,6 @@ const Json kNone = Json::array();
 const Json& children_of(const Json& element) {
   const auto found = element.find("children");
   return found == element.end() ? kNone : *found;
-}
-
-/// The word for the members of a list; "" if the element is none.
-QString list_of(const QString& name) {
-  static const QHash<QString, QString> lists{{"teams", "team"},
-                                             {"obstacles", "obstacle"},
-                                             {"resources", "resource"},
-                                             {"chargers", "charger"},
-                                             {"robots", "robot"},
-                                             {"goals", "goal"},
-                                             {"measures", "measure"},
-                                             {"changes", "change"},
-                                             {"sensors", "sensor"},
-                                             {"behaviors", "behavior"},
-                                             {"coordinator", "coordinator"},
-                                             {"drive", "drive"},
-                                             {"segments", "segment"}};
-  return lists.value(name);
 }
 
 QString joined(const QString& path, const QString& step) {
@@ -69,7 +50,7 @@ void visit_children(const ElementPlace& place,
   const Json& children = children_of(*place.element);
   for (std::size_t i = 0; i < children.size(); ++i) {
     // In a list there are no lists: a plugin may be called as one is.
-    const QString list = place.list.isEmpty() ? list_of(name_of(children[i])) : QString();
+    const QString list = place.list.isEmpty() ? member_word(name_of(children[i])) : QString();
     see({&children[i], place.element,
          list.isEmpty() ? joined(place.path, step_of(*place.element, i, place.list)) : place.path,
          list});
@@ -91,6 +72,36 @@ ElementPlace place_of(const Json& world, const QString& path) {
     return !found.element;
   });
   return found;
+}
+
+QString member_word(const QString& list) {
+  static const QHash<QString, QString> words{{"teams", "team"},
+                                             {"obstacles", "obstacle"},
+                                             {"resources", "resource"},
+                                             {"chargers", "charger"},
+                                             {"robots", "robot"},
+                                             {"goals", "goal"},
+                                             {"measures", "measure"},
+                                             {"changes", "change"},
+                                             {"sensors", "sensor"},
+                                             {"behaviors", "behavior"},
+                                             {"coordinator", "coordinator"},
+                                             {"drive", "drive"},
+                                             {"segments", "segment"}};
+  return words.value(list);
+}
+
+QString free_id(const Json& world, const QString& letter, const QStringList& taken) {
+  QStringList ids = taken;
+  visit(world, [&](const ElementPlace& place) {
+    ids << attribute(*place.element, "id");
+    return true;
+  });
+  int number = 1;
+  while (ids.contains(letter + QString::number(number))) {
+    ++number;
+  }
+  return letter + QString::number(number);
 }
 
 QString name_of(const Json& element) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <functional>
 
 #include "elsie/client/connection.h"
@@ -26,6 +27,11 @@ void visit_children(const ElementPlace& place, const std::function<void(const El
 /// The element with that path; its `element` is null if there is none. A list has no path of its
 /// own.
 ElementPlace place_of(const Json& world, const QString& path);
+
+/// The word for the members of a list: "robot" of "robots"; "" if that is no list.
+QString member_word(const QString& list);
+/// An id that no element of the world has, and none of `taken`: the first free one of "r1", "r2"...
+QString free_id(const Json& world, const QString& letter, const QStringList& taken = {});
 
 QString name_of(const Json& element);
 /// An object; empty if it has none.

@@ -21,16 +21,6 @@ namespace {
 
 constexpr int kMostRandomHeading_deg = 90;  // that the original offers for a new sensor
 
-QString word_for(const QString& list) {
-  static const QHash<QString, QString> words{
-      {"sensors", "sensor"},     {"behaviors", "behavior"}, {"coordinator", "coordinator"},
-      {"drive", "drive"},        {"robots", "robot"},       {"obstacles", "obstacle"},
-      {"resources", "resource"}, {"chargers", "charger"},   {"goals", "goal"},
-      {"measures", "measure"},   {"teams", "team"},         {"changes", "change"},
-      {"segments", "segment"}};
-  return words.value(list, list);
-}
-
 QString attributes_text(const std::map<QString, QString>& values) {
   QString text;
   for (const auto& [name, value] : values) {
@@ -87,7 +77,7 @@ ElementDialog* ElementDialog::make(Workbench& workbench, const QString& holder, 
   dialog->makes_ = true;
   dialog->holder_ = holder;
   dialog->list_ = list;
-  dialog->setWindowTitle(tr("New %1").arg(word_for(list)));
+  dialog->setWindowTitle(tr("New %1").arg(member_word(list)));
   dialog->at_once_->hide();
   dialog->kinds_ = workbench.catalog().members(list);
   for (const Kind& kind : dialog->kinds_) {
@@ -305,7 +295,7 @@ void ElementDialog::accept() {
   QStringList edits;
   QString name;
   if (makes_) {
-    const QString word = word_for(list_);
+    const QString word = member_word(list_);
     const bool is_only = list_ == "coordinator" || list_ == "drive";
     const bool replaces = is_only && place_of(workbench_.tree(), holder_ + '/' + word).element;
     edits << (holder_.isEmpty() ? QString() : holder_ + '/') + word + (replaces ? "" : "[+]") +

@@ -1,7 +1,7 @@
 // Films that players open.
 #pragma once
 
-#include <QFile>
+#include <QSaveFile>
 #include <QString>
 #include <utility>
 #include <vector>
@@ -15,9 +15,10 @@ namespace elsie::desktop {
 class Film {
  public:
   Film(const QString& file, double frames_per_second);
-  /// Ends the film. Without a call the file is not one.
-  bool end();
+  /// False when the file cannot be written: error() says why.
   bool add(const QImage& picture);
+  /// Puts the whole film in the place of what the file was. Without a call the file is untouched.
+  bool end();
   QString error() const { return file_.errorString(); }
   int frames() const { return static_cast<int>(places_.size()); }
 
@@ -27,7 +28,7 @@ class Film {
   void half(quint16 value);
   void name(const char* four);
 
-  QFile file_;
+  QSaveFile file_;
   double rate_;
   int width_ = 0, height_ = 0;
   std::vector<std::pair<quint32, quint32>>

@@ -1,4 +1,4 @@
-#include "film.h"
+#include "export/film.h"
 
 #include <QBuffer>
 #include <QImage>
@@ -15,6 +15,7 @@ constexpr int kQuality = 90;
 }  // namespace
 
 Film::Film(const QString& file, double frames_per_second) : file_(file), rate_(frames_per_second) {
+  file_.setDirectWriteFallback(false);
   file_.open(QIODevice::WriteOnly);
 }
 
@@ -113,8 +114,7 @@ bool Film::end() {
   }
   file_.seek(0);
   head(static_cast<quint32>(places_.size()), bytes);
-  file_.close();
-  return file_.error() == QFileDevice::NoError;
+  return file_.commit();
 }
 
 }  // namespace elsie::desktop

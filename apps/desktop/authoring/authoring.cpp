@@ -1,0 +1,322 @@
+#include "authoring/authoring.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMimeData>
+#include <QSet>
+#include <cmath>
+
+#include "elsie/api/geometry.h"
+
+#include "authoring/pieces.h"
+#include "engine/workbench.h"
+#include "scene/stage.h"
+#include "world/behaviors_dialog.h"
+#include "world/element_dialog.h"
+
+namespace elsie::desktop {
+namespace {
+
+constexpr auto kMime = "application/x-elsie-element";
+constexpr double kAside_m = 0.3;  // how far from its original a copy stands
+
+/// To the millimetre and the hundredth of a degree: what a hand can do.
+QString number(double value, double step = 0.001) {
+  const double rounded = std::round(value / step) * step;
+  return QString::number(rounded == 0.0 ? 0.0 : rounded, 'g', 9);
+}
+
+double heading_rad(const Frame& frame) { return std::atan2(frame.forward.y, frame.forward.x); }
+
+QString heading_deg(double rad) { return number(degrees(wrap_angle(rad)), 0.01); }
+
+}  // namespace
+
+Authoring::Authoring(Workbench& workbench, const Stage& stage, QWidget* window)
+    : workbench_(workbench), stage_(stage), window_(window) {}
+
+void Authoring::select(const QStringList& paths) {
+  selection_ = paths;
+  Q_EMIT selected(paths);
+}
+
+QString Authoring::robot() const {
+  if (selection_.isEmpty() || !selection_.front().startsWith("robot[")) {
+    return {};
+  }
+  return selection_.front().section(']', 0, 0) + ']';
+}
+
+// Dialogs and menus
+
+void Authoring::edit_element(const QString& path) {
+  QString why;
+  if (ElementDialog* dialog = ElementDialog::edit(workbench_, path, window_, why)) {
+    dialog->show();
+  } else {
+    Q_EMIT said(why);
+  }
+}
+
+void Authoring::edit_selected() {
+  if (!selection_.isEmpty()) {
+    edit_element(selection_.front());
+  }
+}
+
+void Authoring::add_element(const QString& holder, const QString& list,
+                            const Beginning& beginning) {
+  if (!workbench_.tree().is_object()) {
+    Q_EMIT said(tr("There is no world to add to: open one, or make a new one."));
+    return;
+  }
+  if (holder.isEmpty() && (list == "sensors" || list == "behaviors" || list == "coordinator")) {
+    Q_EMIT said(tr("Choose the robot first."));
+    return;
+  }
+  ElementDialog* dialog = ElementDialog::make(workbench_, holder, list, window_);
+  if (!beginning.kind.isEmpty()) {
+    dialog->choose(beginning.kind);
+  }
+  if (list == "robots") {
+    dialog->begin_with("id", free_id(workbench_.tree(), "r"));
+  }
+  if (!beginning.team.isEmpty()) {
+    dialog->begin_with("team", beginning.team);
+  }
+  if (beginning.at) {
+    dialog->begin_with("x", number(beginning.at->x(), 0.01));
+    dialog->begin_with("y", number(beginning.at->y(), 0.01));
+  }
+  dialog->show();
+}
+
+void Authoring::edit_behaviors(const QString& holder) {
+  if (holder.isEmpty()) {
+    Q_EMIT said(tr("Choose the robot first."));
+    return;
+  }
+  (new BehaviorsDialog(workbench_, holder, window_))->show();
+}
+
+void Authoring::open_menu(const QString& path, const QPoint& global) {
+  if (path.isEmpty()) {
+    open_floor_menu(global, 0.0, 0.0);
+    return;
+  }
+  if (!selection_.contains(path)) {
+    select({path});
+  }
+  QMenu menu(window_);
+  menu.setObjectName("element_menu");
+  menu.addAction(tr("&Edit..."), this, [this, path] { edit_element(path); });
+  const ElementPlace place = place_of(workbench_.tree(), path);
+  const auto kind = workbench_.catalog().kind_of(place);
+  const bool is_robot = kind && kind->name == "robot";
+  if (is_robot) {
+    menu.addAction(tr("Add &sensor..."), this, [this, path] { add_element(path, "sensors"); });
+  }
+  if (is_robot || (kind && kind->holds_behaviors)) {
+    menu.addAction(tr("&Behaviours..."), this, [this, path] { edit_behaviors(path); });
+    menu.addAction(tr("&Coordinator..."), this, [this, path] { add_element(path, "coordinator"); });
+  }
+  if (is_robot) {
+    menu.addAction(tr("&Follow"), this, [this, path] { Q_EMIT follow_wished(path); });
+    menu.addAction(tr("Make &start pose"), this, &Authoring::make_start_poses);
+  }
+  if (path.endsWith("/coordinator")) {
+    menu.addAction(tr("&Replace..."), this,
+                   [this, path] { add_element(holder_of(path), "coordinator"); });
+    if (place.element && !attribute(*place.element, "weights").isEmpty()) {
+      // As the original's right click on a trained network.
+      menu.addAction(tr("C&lear the network"), this, [this, path] {
+        workbench_.edit({path + "/@weights/@remove=true"}, tr("clear the network"));
+      });
+    }
+  }
+  menu.addSeparator();
+  menu.addAction(tr("&Duplicate"), this, &Authoring::duplicate_selected);
+  menu.addAction(tr("De&lete"), this, &Authoring::remove_selected);
+  menu.exec(global);
+}
+
+void Authoring::open_floor_menu(const QPoint& global, double x, double y) {
+  QMenu menu(window_);
+  menu.setObjectName("floor_menu");
+  const auto offer = [&](const QString& text, const QString& list, const QString& kind = {}) {
+    menu.addAction(text, this, [this, list, beginning = Beginning{kind, {}, QPointF(x, y)}] {
+      add_element({}, list, beginning);
+    });
+  };
+  offer(tr("Add &robot here..."), "robots");
+  offer(tr("Add &standing box here..."), "obstacles", "static_box");
+  offer(tr("Add &dynamic box here..."), "obstacles", "dynamic_box");
+  offer(tr("Add &moving box here..."), "obstacles", "moving_box");
+  offer(tr("Add r&esource here..."), "resources");
+  offer(tr("Add &charger here..."), "chargers");
+  menu.addSeparator();
+  QAction* paste = menu.addAction(tr("&Paste"), this, &Authoring::paste);
+  paste->setEnabled(!pieces_of(QApplication::clipboard()->text()).empty());
+  menu.exec(global);
+}
+
+// Changes of what is chosen
+
+void Authoring::remove_selected() {
+  QStringList edits;
+  // From the back: an edit may change how those after it are called.
+  for (auto path = selection_.rbegin(); path != selection_.rend(); ++path) {
+    edits << *path + "/@remove=true";
+  }
+  if (!edits.isEmpty()) {
+    workbench_.edit(edits, selection_.size() == 1 ? tr("delete %1").arg(selection_.front())
+                                                  : tr("delete %n things", nullptr,
+                                                       static_cast<int>(selection_.size())));
+  }
+}
+
+QString Authoring::markup_of_selected() const {
+  QString text;
+  for (const QString& path : selection_) {
+    const ElementPlace place = place_of(workbench_.tree(), path);
+    if (place.element) {
+      text += markup_of(*place.element) + '\n';
+    }
+  }
+  return text;
+}
+
+void Authoring::copy_selected() {
+  const QString text = markup_of_selected();
+  if (text.isEmpty()) {
+    return;
+  }
+  auto* held = new QMimeData;
+  held->setText(text);
+  held->setData(kMime, text.toUtf8());
+  QApplication::clipboard()->setMimeData(held);
+}
+
+void Authoring::cut_selected() {
+  copy_selected();
+  remove_selected();
+}
+
+void Authoring::paste() {
+  const QMimeData* held = QApplication::clipboard()->mimeData();
+  insert(held->hasFormat(kMime) ? QString::fromUtf8(held->data(kMime)) : held->text(), tr("paste"));
+}
+
+void Authoring::duplicate_selected() { insert(markup_of_selected(), tr("duplicate")); }
+
+QString Authoring::list_for(const QString& name) const {
+  for (const char* list : {"robots", "obstacles", "resources", "chargers", "teams", "goals",
+                           "measures", "sensors", "behaviors"}) {
+    for (const Kind& each : workbench_.catalog().members(list)) {
+      if (each.name == name) {
+        return list;
+      }
+    }
+  }
+  return {};
+}
+
+void Authoring::insert(const QString& markup, const QString& name) {
+  const std::vector<Piece> pieces = pieces_of(markup);
+  if (pieces.empty()) {
+    Q_EMIT said(tr("There is nothing to paste: copy elements of a world first."));
+    return;
+  }
+  QStringList edits, taken;
+  for (Piece piece : pieces) {
+    const QString list = list_for(piece.name);
+    if (list.isEmpty()) {
+      Q_EMIT said(tr("'%1' is no element that can be pasted into a world.").arg(piece.name));
+      return;
+    }
+    const bool is_carried = list == "sensors" || list == "behaviors";
+    if (is_carried && robot().isEmpty()) {
+      Q_EMIT said(tr("Choose the robot that '%1' is for.").arg(piece.name));
+      return;
+    }
+    // Its id is in use and its place is taken: it gets a new id and stands aside.
+    const QString id = piece.name == "robot" ? free_id(workbench_.tree(), "r", taken) : QString();
+    taken << id;
+    piece.markup = with_attribute(piece, "id", id);
+    if (list == "robots" || list == "obstacles" || list == "resources" || list == "chargers") {
+      piece.markup =
+          with_attribute(piece, "x", number(attribute_of(piece, "x").toDouble() + kAside_m));
+    }
+    edits << (is_carried ? robot() + '/' : QString()) + member_word(list) + "[+]=" + piece.markup;
+  }
+  workbench_.edit(edits, name);
+}
+
+void Authoring::rename_selected() {
+  if (selection_.isEmpty()) {
+    return;
+  }
+  const QString path = selection_.front();
+  const ElementPlace place = place_of(workbench_.tree(), path);
+  bool is_given = false;
+  const QString name =
+      QInputDialog::getText(window_, tr("Rename"), tr("Name of %1").arg(path), QLineEdit::Normal,
+                            place.element ? title_of(*place.element) : QString(), &is_given);
+  if (is_given && !name.isEmpty()) {
+    workbench_.edit({attribute_path(path, "id") + '=' + name}, tr("rename %1").arg(path));
+  }
+}
+
+void Authoring::make_start_poses() {
+  QStringList edits;
+  for (const QString& path : std::as_const(selection_)) {
+    const Stage::Body* body = stage_.body_of(path);
+    if (body && path.startsWith("robot[")) {
+      edits << path + "/@x=" + number(body->frame.origin.x)
+            << path + "/@y=" + number(body->frame.origin.y)
+            << path + "/@heading_deg=" + heading_deg(heading_rad(body->frame));
+    }
+  }
+  if (!edits.isEmpty()) {
+    workbench_.edit(edits, tr("make start pose"));
+  }
+}
+
+// Drags
+
+void Authoring::move(const QStringList& paths, double by_x, double by_y) {
+  QStringList edits;
+  for (const QString& path : paths) {
+    const ElementPlace place = place_of(workbench_.tree(), path);
+    if (!place.element) {
+      continue;
+    }
+    const Stage::Body* body = stage_.body_of(path);
+    const double x = body ? body->frame.origin.x : attribute(*place.element, "x").toDouble();
+    const double y = body ? body->frame.origin.y : attribute(*place.element, "y").toDouble();
+    edits << path + "/@x=" + number(x + by_x) << path + "/@y=" + number(y + by_y);
+  }
+  if (!edits.isEmpty()) {
+    workbench_.edit(edits,
+                    paths.size() == 1
+                        ? tr("move %1").arg(paths.front())
+                        : tr("move %n things", nullptr, static_cast<int>(paths.size())),
+                    "move " + paths.join(' '));
+  }
+}
+
+void Authoring::turn(const QString& path, double by_rad) {
+  if (const Stage::Body* body = stage_.body_of(path)) {
+    workbench_.edit({path + "/@heading_deg=" + heading_deg(heading_rad(body->frame) + by_rad)},
+                    tr("turn %1").arg(path), "turn " + path);
+  }
+}
+
+void Authoring::resize(const QString& path, double length, double width) {
+  workbench_.edit({path + "/@length=" + number(length), path + "/@width=" + number(width)},
+                  tr("resize %1").arg(path), "resize " + path);
+}
+
+}  // namespace elsie::desktop

@@ -1,0 +1,78 @@
+// What a user chooses in the world and does with it.
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+#include <QStringList>
+#include <optional>
+
+class QPoint;
+class QWidget;
+
+namespace elsie::desktop {
+
+class Stage;
+class Workbench;
+
+/// The selection, and all that changes the world with it: dialogs, menus, the clipboard and drags
+/// in the view. Each change is one edit with a name, so that undo takes it back whole.
+class Authoring : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `stage`: where the bodies are now; both, and `window`, which owns the dialogs, outlive this.
+  Authoring(Workbench& workbench, const Stage& stage, QWidget* window);
+
+  const QStringList& selection() const { return selection_; }
+  void select(const QStringList& paths);
+  /// The robot that is chosen, or in which the chosen thing is; "": none.
+  QString robot() const;
+
+  /// Opens the editor of an element; says why if there is none.
+  void edit_element(const QString& path);
+  void edit_selected();
+  /// What a new element begins with.
+  struct Beginning {
+    QString kind;               // "": the first of the list
+    QString team;               // of a robot
+    std::optional<QPointF> at;  // m
+  };
+  /// Opens the dialog of a new member of `list` ("sensors") in the element `holder` ("robot[r1]").
+  void add_element(const QString& holder, const QString& list, const Beginning& beginning = {});
+  void edit_behaviors(const QString& holder);
+  /// The menu of the element, or of the floor at the origin for "".
+  void open_menu(const QString& path, const QPoint& global);
+  void open_floor_menu(const QPoint& global, double x, double y);
+
+  void remove_selected();
+  void copy_selected();
+  void cut_selected();
+  void paste();
+  void duplicate_selected();
+  void rename_selected();
+  /// The world begins with the chosen robots where they are now.
+  void make_start_poses();
+
+  /// A drag in the view has ended: by this much, m and rad.
+  void move(const QStringList& paths, double by_x, double by_y);
+  void turn(const QString& path, double by_rad);
+  void resize(const QString& path, double length, double width);
+
+ Q_SIGNALS:
+  void selected(const QStringList& paths);
+  void said(const QString& sentence);
+  void follow_wished(const QString& path);
+
+ private:
+  QString markup_of_selected() const;
+  /// The list that has elements of that name; "": none.
+  QString list_for(const QString& name) const;
+  void insert(const QString& markup, const QString& name);
+
+  Workbench& workbench_;
+  const Stage& stage_;
+  QWidget* window_;
+  QStringList selection_;
+};
+
+}  // namespace elsie::desktop

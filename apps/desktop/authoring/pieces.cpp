@@ -1,0 +1,62 @@
+#include "authoring/pieces.h"
+
+#include <QRegularExpression>
+#include <QXmlStreamReader>
+
+namespace elsie::desktop {
+namespace {
+
+QRegularExpressionMatch match_of(const Piece& piece, const QString& attribute) {
+  // Values may hold '>': they are stepped over whole.
+  const QRegularExpression form(
+      "^<[^\\s/>]+(?:\\s+[^\\s=]+\\s*=\\s*(?:\"[^\"]*\"|'[^']*'))*?(\\s+" +
+      QRegularExpression::escape(attribute) + "\\s*=\\s*(?:\"([^\"]*)\"|'([^']*)'))");
+  return form.match(piece.markup);
+}
+
+}  // namespace
+
+std::vector<Piece> pieces_of(const QString& text) {
+  const QString before = "<pieces>";
+  const QString whole = before + text + "</pieces>";
+  QXmlStreamReader reader(whole);
+  std::vector<Piece> pieces;
+  int depth = 0;
+  // Where the token before this one ended; the reader may have looked one character ahead.
+  qint64 last = 0;
+  qint64 start = 0;
+  while (!reader.atEnd()) {
+    const auto token = reader.readNext();
+    if (token == QXmlStreamReader::StartElement) {
+      if (++depth == 2) {
+        start = whole.indexOf('<', last - 1);
+        pieces.push_back({reader.name().toString(), {}});
+      }
+    } else if (token == QXmlStreamReader::EndElement) {
+      if (depth-- == 2) {
+        const qint64 end = whole.indexOf('>', reader.characterOffset() - 1) + 1;
+        pieces.back().markup = whole.mid(start, end - start);
+      }
+    }
+    last = reader.characterOffset();
+  }
+  return reader.hasError() ? std::vector<Piece>() : pieces;
+}
+
+QString with_attribute(const Piece& piece, const QString& attribute, const QString& value) {
+  QString markup = piece.markup;
+  const QString written =
+      value.isNull() ? QString() : ' ' + attribute + "=\"" + escaped(value) + '"';
+  const QRegularExpressionMatch match = match_of(piece, attribute);
+  if (match.hasMatch()) {
+    return markup.replace(match.capturedStart(1), match.capturedLength(1), written);
+  }
+  return markup.insert(1 + piece.name.size(), written);
+}
+
+QString attribute_of(const Piece& piece, const QString& attribute) {
+  const QRegularExpressionMatch match = match_of(piece, attribute);
+  return match.captured(match.capturedStart(2) >= 0 ? 2 : 3);
+}
+
+}  // namespace elsie::desktop

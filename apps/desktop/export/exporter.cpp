@@ -1,0 +1,144 @@
+#include "export/exporter.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <cmath>
+
+#include "control_bar.h"
+#include "engine/workbench.h"
+#include "export/film.h"
+#include "scene/scene_view.h"
+
+namespace elsie::desktop {
+namespace {
+
+constexpr double kFilmRate = 25.0;  // pictures a second
+
+}  // namespace
+
+Exporter::Exporter(Workbench& workbench, SceneView& scene, TimeLine& time_line, QWidget* window)
+    : workbench_(workbench), scene_(scene), time_line_(time_line), window_(window) {}
+
+Exporter::~Exporter() = default;
+
+void Exporter::export_picture() {
+  const QString file = QFileDialog::getSaveFileName(window_, tr("Export the picture"), "world.png",
+                                                    tr("Pictures (*.png *.jpg)"));
+  if (!file.isEmpty() && !scene_.picture().save(file)) {
+    QMessageBox::warning(window_, tr("Not exported"),
+                         tr("The picture could not be written to '%1': is the folder there, may "
+                            "you write in it, and does the name end with .png or .jpg?")
+                             .arg(file));
+  }
+}
+
+// The film
+
+void Exporter::export_film() {
+  if (workbench_.time_s() <= 0.0) {
+    Q_EMIT said(tr("There is no run to show: run the world first."));
+    return;
+  }
+  const QString file =
+      QFileDialog::getSaveFileName(window_, tr("Export the film"), "run.avi", tr("Films (*.avi)"));
+  if (!file.isEmpty()) {
+    write_film(file);
+  }
+}
+
+void Exporter::write_film(const QString& file) {
+  if (film_) {
+    return;
+  }
+  if (workbench_.run_state() == Workbench::Run::running) {
+    workbench_.pause();
+  }
+  film_ = std::make_unique<Film>(file, kFilmRate);
+  film_file_ = file;
+  film_until_s_ = workbench_.time_s();
+  progress_ =
+      new QProgressDialog(tr("Writing '%1'").arg(file), tr("Cancel"), 0,
+                          static_cast<int>(std::lround(film_until_s_ * kFilmRate)), window_);
+  progress_->setObjectName("film_progress");
+  progress_->setWindowModality(Qt::WindowModal);
+  connect(progress_, &QProgressDialog::canceled, this, [this] { end_film(false); });
+  add_frame(0);
+}
+
+void Exporter::add_frame(int number) {
+  const double time_s = number / kFilmRate;
+  if (time_s > film_until_s_ + 1e-9) {
+    end_film(true);
+    return;
+  }
+  workbench_.ask({{"do", "at"}, {"time_s", time_s}}, [this, number](const Json& answer) {
+    if (!film_) {
+      return;  // cancelled meanwhile
+    }
+    // The snapshot of that instant came before the answer.
+    if (answer.contains("refused") || !film_->add(scene_.picture())) {
+      end_film(true);
+      return;
+    }
+    progress_->setValue(number);
+    add_frame(number + 1);
+  });
+}
+
+void Exporter::end_film(bool is_wanted) {
+  const bool is_whole = is_wanted && film_->end();
+  const QString why = film_->error();
+  const int frames = film_->frames();
+  film_.reset();
+  progress_->deleteLater();
+  time_line_.go_to_now();
+  if (is_whole) {
+    Q_EMIT said(tr("%1 pictures in '%2'").arg(frames).arg(film_file_));
+  } else if (is_wanted) {
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Not exported"),
+                                tr("The film could not be written to '%1': %2. What was there "
+                                   "before is unchanged.")
+                                    .arg(film_file_, why),
+                                QMessageBox::Ok, window_);
+    box->setObjectName("film_failed");
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+  }
+  Q_EMIT film_ended(is_whole);
+}
+
+// Recordings and commands
+
+void Exporter::record() {
+  const QString file = QFileDialog::getSaveFileName(window_, tr("Record the next run"), "run.mcap",
+                                                    tr("Recordings (*.mcap *.csv)"));
+  if (!file.isEmpty()) {
+    record_into(file);
+  }
+}
+
+void Exporter::record_into(const QString& file) {
+  workbench_.ask({{"do", "record"}, {"files", {file.toStdString()}}},
+                 [this, file](const Json& answer) {
+                   const Problems problems = problems_of(answer);
+                   Q_EMIT said(problems.empty() ? tr("The next run is recorded in '%1'").arg(file)
+                                                : problems.front().message);
+                 });
+}
+
+void Exporter::copy_command() {
+  workbench_.ask({{"do", "command"}}, [this](const Json& answer) {
+    const QString text = QString::fromStdString(answer.value("text", std::string()));
+    if (text.isEmpty()) {
+      Q_EMIT said(tr("There is no world yet."));
+      return;
+    }
+    QApplication::clipboard()->setText(text);
+    Q_EMIT said(tr("Copied: %1").arg(text));
+  });
+}
+
+}  // namespace elsie::desktop

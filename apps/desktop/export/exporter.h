@@ -1,0 +1,58 @@
+// What leaves the window: pictures, films, recordings, and the command that repeats a run.
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <memory>
+
+class QProgressDialog;
+class QWidget;
+
+namespace elsie::desktop {
+
+class Film;
+class SceneView;
+class TimeLine;
+class Workbench;
+
+/// Files are written whole or not at all.
+class Exporter : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All of them outlive this; `window` owns the dialogs.
+  Exporter(Workbench& workbench, SceneView& scene, TimeLine& time_line, QWidget* window);
+  ~Exporter() override;
+
+  /// These ask for the file.
+  void export_picture();
+  void export_film();
+  void record();
+  /// The run from its start to now, at 25 pictures a second, into an AVI file. The window stays
+  /// alive meanwhile.
+  void write_film(const QString& file);
+  /// The next run, from its start, into a CSV or MCAP file.
+  void record_into(const QString& file);
+  /// The command line that repeats the run, on the clipboard.
+  void copy_command();
+
+ Q_SIGNALS:
+  void said(const QString& sentence);
+  /// The film is there, or not.
+  void film_ended(bool is_whole);
+
+ private:
+  void add_frame(int number);
+  void end_film(bool is_wanted);
+
+  Workbench& workbench_;
+  SceneView& scene_;
+  TimeLine& time_line_;
+  QWidget* window_;
+  std::unique_ptr<Film> film_;
+  QString film_file_;
+  double film_until_s_ = 0.0;
+  QPointer<QProgressDialog> progress_;
+};
+
+}  // namespace elsie::desktop

@@ -1,0 +1,272 @@
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QStatusBar>
+#include <QToolBar>
+
+#include "authoring/authoring.h"
+#include "control_bar.h"
+#include "export/exporter.h"
+#include "main_window.h"
+#include "scene/scene_view.h"
+#include "text/problems_panel.h"
+
+// The window's actions, menus and tool bars.
+
+namespace elsie::desktop {
+
+QAction* MainWindow::action(const char* name, const QString& text, const QKeySequence& key,
+                            std::function<void()> does, const QString& tip) {
+  auto* made = new QAction(text, this);
+  made->setObjectName(name);
+  made->setShortcut(key);
+  if (!tip.isEmpty()) {
+    made->setToolTip(tip);
+    made->setStatusTip(tip);
+  }
+  connect(made, &QAction::triggered, this, std::move(does));
+  addAction(made);
+  actions_[name] = made;
+  return made;
+}
+
+void MainWindow::make_actions() {
+  const auto key = [](const char* keys) { return QKeySequence(QString(keys)); };
+  action("new", tr("&New world..."), QKeySequence::New, [this] { new_world(); });
+  action("open", tr("&Open..."), QKeySequence::Open, [this] {
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("Open a world or a recording"), QFileInfo(workbench_.file()).path(),
+        tr("Worlds and recordings (*.xml *.mcap);;All files (*)"));
+    if (!file.isEmpty()) open(file);
+  });
+  action("save", tr("&Save"), QKeySequence::Save, [this] { save(false); });
+  action("save_as", tr("Save &as..."), key("Ctrl+Shift+S"), [this] { save(true); });
+  action("start_page", tr("Start &page"), {}, [this] { show_start(); });
+  action("export_picture", tr("Export &picture..."), {}, [this] { exporter_->export_picture(); });
+  action(
+      "export_film", tr("Export &film..."), {}, [this] { exporter_->export_film(); },
+      tr("Plays the run that was just made from its start into a film"));
+  action(
+      "record", tr("&Record the next run..."), {}, [this] { exporter_->record(); },
+      tr("Into CSV or MCAP files, from its start"));
+  action("copy_command", tr("&Copy the command line that repeats this"), {},
+         [this] { exporter_->copy_command(); });
+  action("quit", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+
+  action("undo", tr("&Undo"), QKeySequence::Undo, [this] { workbench_.undo(); });
+  action("redo", tr("&Redo"), key("Ctrl+Shift+Z"), [this] { workbench_.redo(); });
+  action("cut", tr("Cu&t"), QKeySequence::Cut, [this] { authoring_->cut_selected(); });
+  action("copy", tr("&Copy"), QKeySequence::Copy, [this] { authoring_->copy_selected(); });
+  action("paste", tr("&Paste"), QKeySequence::Paste, [this] { authoring_->paste(); });
+  action("duplicate", tr("&Duplicate"), key("Ctrl+D"),
+         [this] { authoring_->duplicate_selected(); });
+  action("delete", tr("De&lete"), QKeySequence::Delete, [this] { authoring_->remove_selected(); });
+  action("rename", tr("Re&name..."), key("F2"), [this] { authoring_->rename_selected(); });
+  action("edit", tr("&Edit..."), key("Return"), [this] { authoring_->edit_selected(); });
+  // In trees and the view; a text keeps its keys.
+  for (const char* name : {"edit", "delete", "cut", "copy", "paste", "duplicate"}) {
+    actions_[name]->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    removeAction(actions_[name]);
+    scene_->addAction(actions_[name]);
+  }
+  action("lock", tr("Loc&k against the mouse"), key("Ctrl+L"), [this] {
+    for (const QString& path : authoring_->selection()) {
+      if (!locked_.remove(path)) locked_.insert(path);
+    }
+    scene_->set_locked(locked_);
+    scene_->update();
+  });
+  action(
+      "start_pose", tr("Make &start pose"), {}, [this] { authoring_->make_start_poses(); },
+      tr("The world begins with the chosen robots where they are now"));
+  action("add_robot", tr("&Robot..."), {}, [this] { authoring_->add_element({}, "robots"); });
+  action("add_static", tr("&Standing box..."), {}, [this] {
+    authoring_->add_element({}, "obstacles", {"static_box", {}, {}});
+  });
+  action("add_dynamic", tr("&Dynamic box..."), {}, [this] {
+    authoring_->add_element({}, "obstacles", {"dynamic_box", {}, {}});
+  });
+  action("add_moving", tr("&Moving box..."), {}, [this] {
+    authoring_->add_element({}, "obstacles", {"moving_box", {}, {}});
+  });
+  action("add_resource", tr("R&esource..."), {},
+         [this] { authoring_->add_element({}, "resources"); });
+  action("add_charger", tr("&Charger..."), {}, [this] { authoring_->add_element({}, "chargers"); });
+  action("add_goal", tr("&Goal..."), {}, [this] { authoring_->add_element({}, "goals"); });
+  action("add_measure", tr("Mea&sure..."), {}, [this] { authoring_->add_element({}, "measures"); });
+  action("add_team", tr("&Team..."), {}, [this] { authoring_->add_element({}, "teams"); });
+
+  action("run", tr("&Run or pause"), key("F5"), [this] {
+    workbench_.run_state() == Workbench::Run::running ? workbench_.pause() : workbench_.run();
+  });
+  action("step", tr("&Step"), key("F10"), [this] { workbench_.step(); });
+  action("reset", tr("R&eset"), key("Ctrl+R"), [this] { workbench_.reset(workbench_.seed()); });
+  action(
+      "physics", tr("&Physics parameters..."), {}, [this] { authoring_->edit_element("physics"); },
+      tr("Gravity, ERP, CFM or kp and kd, step: also while it runs"));
+  action("arena", tr("&Arena..."), {}, [this] { authoring_->edit_element("arena"); });
+  action("limits", tr("&Limits..."), {}, [this] { authoring_->edit_element("limits"); });
+  action(
+      "stop_engine", tr("Stop the engine &now"), {}, [this] { workbench_.engine().kill(); },
+      tr("For a plugin that does not come back: the engine begins anew, the world stays"));
+
+  action("view_all", tr("Show &all"), key("Home"), [this] { scene_->show_all(); });
+  action("view_top", tr("From the &top"), {}, [this] { scene_->look_from_top(); });
+  action("view_front", tr("From the &front"), {}, [this] { scene_->look_from_front(); });
+  action("view_side", tr("From the &side"), {}, [this] { scene_->look_from_side(); });
+  action("follow", tr("F&ollow the chosen robot"), {}, [this] {
+    scene_->follow(scene_->followed().isEmpty() ? authoring_->robot() : QString());
+  });
+  action("measure", tr("&Measuring tape"), {}, [this] {
+    scene_->set_tool(scene_->tool() == SceneView::Tool::measure ? SceneView::Tool::move
+                                                                : SceneView::Tool::measure);
+  });
+  const auto overlay = [&](const char* name, const QString& text,
+                           bool SceneView::Overlays::*which) {
+    QAction* made = action(name, text, {}, [this, which, name] {
+      scene_->overlays().*which = actions_[name]->isChecked();
+      scene_->update();
+    });
+    made->setCheckable(true);
+    made->setChecked(scene_->overlays().*which);
+  };
+  overlay("show_trails", tr("&Trajectories"), &SceneView::Overlays::trails);
+  overlay("show_beams", tr("&Beams"), &SceneView::Overlays::beams);
+  overlay("show_views", tr("Fields of &view"), &SceneView::Overlays::views);
+  overlay("show_names", tr("&Names"), &SceneView::Overlays::names);
+  overlay("show_grid", tr("&Grid"), &SceneView::Overlays::grid);
+  action("clear_trails", tr("&Clear trajectories"), {}, [this] { scene_->clear_trails(); });
+  for (const auto& [layout, text] : {std::pair{"author", tr("Layout: &author")},
+                                     {"watch", tr("Layout: &watch")},
+                                     {"train", tr("Layout: t&rain")}}) {
+    action((std::string("layout_") + layout).c_str(), text, {},
+           [this, name = QString(layout)] { arrange(name); });
+  }
+  action("layout_reset", tr("Reset the la&yout"), {}, [this] { restoreState(default_state_); });
+  action("next_problem", tr("Next error"), key("F8"), [this] { problems_->next(); });
+  action("next_dock", tr("Next window"), key("F6"), [this] {
+    QList<QDockWidget*> shown;
+    for (QDockWidget* each : findChildren<QDockWidget*>()) {
+      if (each->isVisible()) shown << each;
+    }
+    if (!shown.isEmpty()) {
+      QWidget* focus = QApplication::focusWidget();
+      qsizetype now = -1;
+      for (qsizetype i = 0; i < shown.size(); ++i) {
+        if (focus && shown[i]->isAncestorOf(focus)) now = i;
+      }
+      QDockWidget* next = shown[(now + 1) % shown.size()];
+      next->raise();
+      if (next->widget()) next->widget()->setFocus();
+    }
+  });
+  action("commands", tr("&Commands..."), key("Ctrl+Shift+P"), [this] {
+    QStringList names;
+    QHash<QString, QAction*> by_name;
+    for (QAction* each : std::as_const(actions_)) {
+      QString name = each->text().remove('&').remove("...");
+      if (!each->shortcut().isEmpty())
+        name += "   " + each->shortcut().toString(QKeySequence::NativeText);
+      names << name;
+      by_name[name] = each;
+    }
+    names.sort(Qt::CaseInsensitive);
+    bool is_chosen = false;
+    const QString name =
+        QInputDialog::getItem(this, tr("Commands"), tr("Command"), names, 0, true, &is_chosen);
+    if (is_chosen && by_name.contains(name)) by_name[name]->trigger();
+  });
+  action("keys", tr("&Keys"), key("F1"), [this] {
+    QString text = "<table>";
+    QStringList rows;
+    for (const QAction* each : std::as_const(actions_)) {
+      if (!each->shortcut().isEmpty()) {
+        rows << "<tr><td>" + each->shortcut().toString(QKeySequence::NativeText) +
+                    "&nbsp;&nbsp;</td><td>" +
+                    each->text().remove('&').remove("...").toHtmlEscaped() + "</td></tr>";
+      }
+    }
+    rows.sort();
+    text += rows.join("") + "</table>" +
+            tr("<p>In the view: the left button orbits, the right one pans, the wheel zooms; a "
+               "click chooses, with Shift several; a right click edits. "
+               "Ctrl and a button always move the camera. Handles move, turn and resize; Ctrl "
+               "snaps, Shift refines. "
+               "7, 1, 3: from the top, the front, the side. F frames, Shift+F follows, M measures, "
+               "arrows move what is chosen.</p>");
+    QMessageBox box(QMessageBox::NoIcon, tr("Keys"), text, QMessageBox::Close, this);
+    box.exec();
+  });
+  action("about", tr("&About"), {}, [this] { about(); });
+}
+
+void MainWindow::make_menus() {
+  const auto fill = [this](QMenu* menu, const QStringList& names) {
+    for (const QString& name : names) {
+      name.isEmpty() ? static_cast<void>(menu->addSeparator()) : menu->addAction(actions_[name]);
+    }
+  };
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  fill(file, {"new", "open"});
+  recent_ = file->addMenu(tr("Opened &last"));
+  fill(file, {"start_page", "", "save", "save_as", "", "export_picture", "export_film", "record",
+              "copy_command", "", "quit"});
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  fill(edit, {"undo", "redo", "", "cut", "copy", "paste", "duplicate", "delete", "", "edit",
+              "rename", "start_pose", "lock", ""});
+  QMenu* add = edit->addMenu(tr("&Add"));
+  add->setObjectName("add_menu");
+  fill(add, {"add_robot", "add_static", "add_dynamic", "add_moving", "add_resource", "add_charger",
+             "", "add_goal", "add_measure", "add_team"});
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  fill(view,
+       {"view_all", "view_top", "view_front", "view_side", "follow", "measure", "", "show_trails",
+        "show_beams", "show_views", "show_names", "show_grid", "clear_trails", ""});
+  windows_ = view->addMenu(tr("&Windows"));
+  connect(windows_, &QMenu::aboutToShow, this, [this] {
+    windows_->clear();
+    for (QDockWidget* each : findChildren<QDockWidget*>()) {
+      windows_->addAction(each->toggleViewAction());
+    }
+  });
+  fill(view, {"layout_author", "layout_watch", "layout_train", "layout_reset", "next_dock"});
+  QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
+  fill(simulation, {"run", "step", "reset", "", "physics", "arena", "limits", "", "stop_engine"});
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  fill(help, {"commands", "keys", "about"});
+
+  QToolBar* bar = addToolBar(tr("Tools"));
+  bar->setObjectName("tools");
+  for (const char* name : {"new", "open", "save"}) bar->addAction(actions_[name]);
+  bar->addSeparator();
+  for (const char* name : {"undo", "redo"}) bar->addAction(actions_[name]);
+  bar->addSeparator();
+  control_bar_ = new ControlBar(workbench_);
+  bar->addWidget(control_bar_);
+  QToolBar* environment = addToolBar(tr("Environment"));
+  environment->setObjectName("environment");
+  for (const char* name : {"add_robot", "add_static", "add_dynamic", "add_moving", "add_resource",
+                           "add_charger", "measure"}) {
+    environment->addAction(actions_[name]);
+  }
+
+  time_label_ = new QLabel;
+  time_label_->setObjectName("time_s");
+  pace_label_ = new QLabel;
+  pace_label_->setObjectName("pace");
+  seed_label_ = new QLabel;
+  seed_label_->setObjectName("seed_shown");
+  outcome_label_ = new QLabel;
+  outcome_label_->setObjectName("outcome");
+  for (QLabel* each : {time_label_, pace_label_, seed_label_, outcome_label_}) {
+    statusBar()->addPermanentWidget(each);
+  }
+}
+
+}  // namespace elsie::desktop

@@ -1,0 +1,146 @@
+// What is done with the selection: clipboard, copies, menus, in a window with an engine.
+#include <QClipboard>
+#include <QLineEdit>
+#include <QStatusBar>
+#include <QTreeWidget>
+
+#include <catch2/catch.hpp>
+
+#include "authoring/pieces.h"
+#include "scene/scene_view.h"
+#include "window.h"
+#include "world/element_dialog.h"
+#include "world/form.h"
+#include "world/world_tree.h"
+
+using namespace elsie::desktop;
+
+namespace {
+
+void choose(Window& window, const QStringList& paths) {
+  auto* tree = window.get<WorldTree>("world_tree");
+  tree->tree()->clearSelection();
+  for (const QString& path : paths) {
+    REQUIRE(tree->item(path));
+    tree->item(path)->setSelected(true);
+  }
+}
+
+/// What the status bar was given to say.
+QString said(Window& window, const std::function<void()>& order) {
+  order();
+  return window->statusBar()->currentMessage();
+}
+
+}  // namespace
+
+TEST_CASE("Pieces of a world are told apart, with their attributes") {
+  const auto pieces = pieces_of("<robot id='r1' x=\"1\">\n  <sensors/>\n</robot>\n <charger/>");
+  REQUIRE(pieces.size() == 2);
+  CHECK(pieces[0].name == "robot");
+  CHECK(pieces[0].markup == "<robot id='r1' x=\"1\">\n  <sensors/>\n</robot>");
+  CHECK(pieces[1].markup == "<charger/>");
+  CHECK(attribute_of(pieces[0], "id") == "r1");
+  CHECK(attribute_of(pieces[0], "x") == "1");
+  CHECK(attribute_of(pieces[1], "x").isEmpty());
+  CHECK(with_attribute(pieces[1], "x", "0.3") == "<charger x=\"0.3\"/>");
+  CHECK(with_attribute(pieces[0], "id", {}).startsWith("<robot x=\"1\">"));
+  CHECK(with_attribute({"a", "<a b=\"x>y\" c=\"1\"/>"}, "c", "2") == "<a b=\"x>y\" c=\"2\"/>");
+  CHECK(pieces_of("no XML <at all").empty());
+  CHECK(pieces_of("").empty());
+}
+
+TEST_CASE("Several things are chosen, copied, pasted and deleted, each as one edit") {
+  Window window;
+  window.open(window.file(kRoom));
+  choose(window, {"obstacle[crate]", "robot[r1]"});
+  window.act("copy");
+  window.after([&] { window.act("paste"); });
+  auto* tree = window.get<WorldTree>("world_tree");
+  CHECK(tree->item("robot[r2]"));
+  CHECK(tree->item("robot[r2]/sensor[ahead]"));
+  CHECK(window.bench().undo_name() == "paste");
+  CHECK(window.bench().text().contains("x=\"1.3\""));
+  window.after([&] { window.act("undo"); });
+  CHECK(window.bench().text() == kRoom);
+
+  choose(window, {"obstacle[crate]", "robot[r1]"});
+  window.after([&] { window.act("duplicate"); });
+  CHECK(tree->item("robot[r2]"));
+  CHECK(window.bench().undo_name() == "duplicate");
+  window.after([&] { window.act("undo"); });
+
+  choose(window, {"obstacle[crate]", "robot[r1]"});
+  window.after([&] { window.act("delete"); });
+  CHECK_FALSE(tree->item("robot[r1]"));
+  CHECK_FALSE(tree->item("obstacle[crate]"));
+  window.after([&] { window.act("undo"); });
+  CHECK(window.bench().text() == kRoom);
+}
+
+TEST_CASE("A behaviour is copied from one robot to another") {
+  Window window;
+  window.open(window.file(kRoom));
+  choose(window, {"robot[r1]"});
+  window.after([&] { window.act("duplicate"); });
+  choose(window, {"robot[r1]/sensor[ahead]"});
+  window.act("copy");
+  choose(window, {"robot[r2]"});
+  window.after([&] { window.act("paste"); });
+  CHECK(window.get<WorldTree>("world_tree")->item("robot[r2]/sensor[beam_range]"));
+}
+
+TEST_CASE("What cannot be pasted is named, and changes nothing") {
+  Window window;
+  window.open(window.file(kRoom));
+  const auto paste = [&](const QString& text) {
+    QApplication::clipboard()->setText(text);
+    return said(window, [&] { window.act("paste"); });
+  };
+  CHECK(paste("a letter <to").contains("nothing to paste"));
+  CHECK(paste("<letter/>").contains("'letter' is no element"));
+  choose(window, {});
+  CHECK(paste("<wander/>").contains("Choose the robot"));
+  CHECK(window.bench().text() == kRoom);
+  CHECK(window.bench().undo_name().isEmpty());
+}
+
+TEST_CASE("A new robot of a team's window has a free id and the team") {
+  Window window;
+  window.open(window.file(kRoom));
+  Q_EMIT window.get<WorldTree>("team_tree_blue")->add_wished({}, "robots");
+  auto* dialog = window.dialog("element_dialog");
+  CHECK(qobject_cast<QLineEdit*>(dialog->findChild<Form*>("form_robot")->editor("id"))->text() ==
+        "r2");
+  window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
+  CHECK(window.get<WorldTree>("team_tree_blue")->item("robot[r2]"));
+}
+
+TEST_CASE("An item without parameters opens no editor, and says why") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* tree = window.get<WorldTree>("world_tree");
+  CHECK(said(window, [&] {
+          Q_EMIT tree->edit_wished("robot[r1]/nothing[here]");
+        }).contains("nothing to edit"));
+  CHECK(window->findChild<QDialog*>("element_dialog") == nullptr);
+}
+
+TEST_CASE("A robot begins where it is now") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.bench().set_speed(0.0);
+  window.bench().run();
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 5.0; }));
+  window.bench().pause();
+  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  choose(window, {"robot[r1]"});
+  const double x = window->scene().stage().body_of("robot[r1]")->frame.origin.x;
+  window.after([&] { window.act("start_pose"); });
+  CHECK_FALSE(window.bench().text().contains("x=\"-1\""));
+  window.after([&] { window.bench().reset(1); });
+  REQUIRE(wait_for([&] {
+    const Stage::Body* body = window->scene().stage().body_of("robot[r1]");
+    return body && std::abs(body->frame.origin.x - x) < 0.002;
+  }));
+}
