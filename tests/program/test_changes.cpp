@@ -234,3 +234,27 @@ TEST_CASE("A run of a batch is done again with its edits and the data files of i
     CHECK_THAT(replay.out, Catch::Contains("the same: state hash"));
   }
 }
+
+TEST_CASE("The world of a run of a database is written, and makes the same run") {
+  Workplace here;
+  here.write("study.xml", R"(<experiment format="1" name="study">
+  <worlds><world file="worlds/maze.xml"/></worlds>
+  <set path="limits/@time" value="3"/>
+  <vary name="speed" path="robot[1]/@max_speed" values="0.2; 0.4"/>
+  <seeds from="5" to="6"/>
+</experiment>
+)");
+  const auto batch = here.elsie("batch study.xml --database s.sqlite");
+  CAPTURE(batch.out, batch.err);
+  REQUIRE(batch.exit_code <= 1);
+  const auto written = here.elsie("replay s.sqlite 3 --world 'of run 3.xml'");
+  CAPTURE(written.out, written.err);
+  REQUIRE(written.exit_code == 0);
+  CHECK_THAT(written.out, Catch::StartsWith("the same run: elsie run 'of run 3.xml' --seed 5\n"));
+  const auto run = here.elsie("run 'of run 3.xml' --seed 5 --json");
+  const auto again = here.elsie("replay s.sqlite 3");
+  CAPTURE(run.err, again.out);
+  CHECK_THAT(again.out, Catch::Contains("the same: state hash " +
+                                        json::parse(run.out).at("state_hash").get<std::string>()));
+  CHECK(here.elsie("replay s.sqlite 3 --world 'of run 3.xml'").exit_code == 2);
+}

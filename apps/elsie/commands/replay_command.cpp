@@ -36,6 +36,7 @@ Examples:
   elsie batch experiments/top_speed.xml --database speed.sqlite
   elsie replay speed.sqlite 17
   elsie replay speed.sqlite 17 --picture run.png --record run.mcap
+  elsie replay speed.sqlite 17 --world run-17.xml
   elsie replay speed.sqlite 18 --wall-limit 60
 
 Exit codes for a run of a database: 0 the same result, or it hangs in the same plugin, robot and
@@ -105,8 +106,8 @@ void refuse(const CLI::App& command, const std::string& group, const std::string
 
 int replay(const CLI::App& command, const ReplayOptions& options) {
   require_content(options.file);
-  const RecordingOptions recording{options.file, options.picture, options.world, options.at,
-                                   options.width};
+  const RecordingOptions recording{options.file, options.picture, options.world,
+                                   options.at,   options.width,   options.again.plugins};
   if (mcap::may_be_mcap(options.file)) {
     refuse(command, kForRuns,
            "'" + options.file + "' is a recording of one run, in which nothing is run again");
@@ -125,11 +126,11 @@ int replay(const CLI::App& command, const ReplayOptions& options) {
     }
     return replay_recording(recording);
   }
-  refuse(command, kForRecordings,
-         "only a recording can be drawn as it was at another time, and has a world to write");
+  refuse(command, kForRecordings, "only a recording can be drawn as it was at another time");
   RunAgainOptions again = options.again;
   again.database = options.file;
   again.run = *options.run;
+  again.world = options.world;
   again.views.picture = options.picture;
   again.views.picture_width = options.width;
   return replay_run(again);
@@ -170,12 +171,12 @@ void add_replay_command(CLI::App& program, Job& job) {
   command
       ->add_option("--world", options->world,
                    "Write the world as it was at the start of the run, with the edits that the run "
-                   "was given under <changes>: `elsie run` makes the same run of it")
-      ->type_name("FILE.xml")
-      ->group(kForRecordings);
-  const auto before = command->get_options().size();
+                   "was given under <changes>: `elsie run` makes the same run of it. A run of a "
+                   "database is not made again then")
+      ->type_name("FILE.xml");
   RunAgainOptions& again = options->again;
   again.plugins.add_to(*command);
+  const auto before = command->get_options().size();
   again.views.record.add_to(*command);
   describe_formats(*command);
   command

@@ -1,7 +1,5 @@
 #include "replay_recording.h"
 
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -10,15 +8,12 @@
 #include "elsie/mcap/records.h"
 #include "elsie/process/text_table.h"
 #include "elsie/recording/recorded_run.h"
-#include "elsie/world/document.h"
-#include "elsie/world/error.h"
-#include "elsie/world/markup.h"
 
-#include "arguments.h"
 #include "command.h"
 #include "environment.h"
 #include "output_files.h"
 #include "run_report.h"
+#include "start_world.h"
 #include "supervised.h"
 
 namespace elsie::program {
@@ -98,40 +93,18 @@ void draw(const RecordedRun& run, const RecordingOptions& options) {
       (options.at ? "at " + base::number_text(run.shown_s, 6) + " s" : ending(run)) + "  (" +
       seed_of(run) + ")";
   const bool has_drives = run.world_xml.find("<drive>") != std::string::npos;
-  const plugin::Host drives = has_drives ? load_plugins({}) : plugin::Host();
+  const plugin::Host drives = has_drives ? load_plugins(options.plugins) : plugin::Host();
   recording::save_picture(run, drives, {line}, *options.picture, {options.width, 0});
 }
 
-/// The world at the start of the run, whose files are found from another folder, too. Where they
-/// are no longer what the world needs, it is as it was recorded, and whoever reads it says what is
-/// missing.
-std::string start_from(const RecordedRun& run, const std::filesystem::path& folder) {
-  try {
-    const plugin::Host host = load_plugins({});
-    return world::Document(run.start_xml, run.world_file, host, read_options())
-        .text_for(folder.string());
-  } catch (const world::WorldError&) {
-    return run.start_xml;
-  }
-}
-
 /// Writes the world, and returns how it is run as it was.
-std::string write_world(const RecordedRun& run, const std::string& file) {
+std::string write_world(const RecordedRun& run, const RecordingOptions& options) {
   if (run.start_xml.empty()) {
     throw BadInput("--world: there is no world in the recording");
   }
-  std::ofstream out(file);
-  out << start_from(run, std::filesystem::path(file).parent_path());
-  if (!out.flush()) {
-    throw BadInput("--world: '" + file + "' cannot be written");
-  }
-  world::Element root = world::parse_markup(run.start_xml, file);
-  const world::Element* const limits = root.child("limits");
-  const world::Attribute* const time = limits ? limits->find("time") : nullptr;
-  const double own_s = time ? parse_number(time->value).value_or(0.0) : world::Limits{}.time;
-  return "the same run: elsie run " + file + " --seed " + std::to_string(run.seed) +
-         (own_s == run.time_limit_s ? "" : " --duration " + base::number_text(run.time_limit_s)) +
-         "\n\n";
+  return write_start_world({run.start_xml, run.world_file, run.seed, run.time_limit_s},
+                           load_plugins(options.plugins), read_options(), options.plugins,
+                           *options.world);
 }
 
 }  // namespace
@@ -141,16 +114,13 @@ int replay_recording(const RecordingOptions& options) {
     require_picture(*options.picture, "--picture");
   }
   if (options.world) {
-    require_writable(*options.world, "--world");
-    if (std::filesystem::exists(*options.world)) {
-      throw BadInput("--world: '" + *options.world + "' is there already; expected a new file");
-    }
+    require_new_world(*options.world);
   }
   const RecordedRun run = read(options);
   if (options.picture) {
     draw(run, options);
   }
-  const std::string again = options.world ? write_world(run, *options.world) : "";
+  const std::string again = options.world ? write_world(run, options) : "";
   out() << again << report(run);
   return kSuccess;
 }

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "environment.h"
+
 namespace elsie::program {
 
 /// The options of `elsie replay` for a recording.
@@ -13,6 +15,7 @@ struct RecordingOptions {
   std::optional<std::string> world;  // file for the world with the run's edits
   std::optional<double> at;          // s; none: at the end
   int width = 1000;                  // of the picture, pixels
+  PluginOptions plugins;             // that draw and check the world
 };
 
 /// Prints its contents, draws it, and returns the exit code. Throws BadInput.

@@ -1,5 +1,6 @@
 #include "replay_run.h"
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -21,6 +22,7 @@
 #include "restored_run.h"
 #include "run_report.h"
 #include "same_run.h"
+#include "start_world.h"
 #include "supervised.h"
 
 namespace elsie::program {
@@ -120,6 +122,22 @@ void expect_end(std::optional<EndAgain>& end, const StoredRun& run,
   }
 }
 
+/// Writes the world of the run. Data files that have changed since are written beside it.
+int write_world(const StoredRun& run, const RunAgainOptions& options) {
+  require_new_world(*options.world);
+  const std::filesystem::path beside = std::filesystem::path(*options.world).replace_extension() +=
+      "-files";
+  const RestoredRun restored(run, options.plugins, beside);
+  for (const std::string& difference : restored.differences()) {
+    std::cerr << "elsie: " << difference << '\n';
+  }
+  world::ReadOptions reading = read_options();
+  reading.files = restored.files();
+  out() << write_start_world({run.job.world_text, run.job.world_file, run.job.seed},
+                             restored.host(), reading, options.plugins, *options.world);
+  return kSuccess;
+}
+
 }  // namespace
 
 int replay_run(const RunAgainOptions& options) {
@@ -128,6 +146,9 @@ int replay_run(const RunAgainOptions& options) {
     spdlog::set_level(spdlog::level::err);
   }
   const StoredRun run = stored_run(options);
+  if (options.world) {
+    return write_world(run, options);
+  }
   std::optional<EndAgain> end;
   expect_end(end, run, options);
   RestoredRun restored(run, options.plugins);

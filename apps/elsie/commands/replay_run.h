@@ -16,6 +16,7 @@ struct RunAgainOptions {
   std::string database;
   std::int64_t run = 0;
   ViewOptions views;
+  std::optional<std::string> world;    // file for the world; the run is not made again then
   std::optional<double> wall_limit_s;  // 0: none; by default that of the batch, if it was met
   bool quiet = false;
 };

@@ -63,8 +63,9 @@ fs::path file_of(const Host& host, const std::string& plugin) {
 
 }  // namespace
 
-RestoredRun::RestoredRun(const StoredRun& run, const PluginOptions& plugins)
-    : host_(host_of(run, plugins)) {
+RestoredRun::RestoredRun(const StoredRun& run, const PluginOptions& plugins,
+                         std::optional<fs::path> kept)
+    : kept_(std::move(kept)), host_(host_of(run, plugins)) {
   if (run.elsie_version != ELSIE_VERSION) {
     differences_.push_back("the run was done with Elsie " + run.elsie_version +
                            ", and this is " ELSIE_VERSION "; its result may differ");
@@ -79,7 +80,7 @@ RestoredRun::RestoredRun(const StoredRun& run, const PluginOptions& plugins)
 }
 
 RestoredRun::~RestoredRun() {
-  if (!folder_.empty()) {
+  if (!folder_.empty() && !kept_) {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
   }
@@ -126,7 +127,10 @@ void RestoredRun::restore_data(const StoredRun& run) {
       files_[data.name] = data.path;
       continue;
     }
-    if (folder_.empty()) {
+    if (folder_.empty() && kept_) {
+      folder_ = *kept_;
+      fs::create_directories(folder_);
+    } else if (folder_.empty()) {
       std::string name = (fs::temp_directory_path() / "elsie-replay-XXXXXX").string();
       if (!mkdtemp(name.data())) {
         throw std::runtime_error("cannot make a folder in '" + fs::temp_directory_path().string() +
@@ -145,7 +149,8 @@ void RestoredRun::restore_data(const StoredRun& run) {
     }
     files_[data.name] = file.string();
     differences_.push_back("'" + data.path + "' " + (now ? "has changed since" : "is gone") +
-                           "; the run uses its stored content from the database");
+                           "; the run uses its stored content from the database" +
+                           (kept_ ? ", now in '" + file.string() + "'" : std::string()));
   }
 }
 

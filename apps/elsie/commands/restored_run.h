@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,10 @@ namespace elsie::program {
 class RestoredRun {
  public:
   /// Throws BadInput, and world::WorldError when a plugin cannot be found.
-  RestoredRun(const batch::StoredRun& run, const PluginOptions& plugins);
+  /// `kept`: a folder for restored data files, which is made when there are any and stays; none: it
+  /// goes with this.
+  RestoredRun(const batch::StoredRun& run, const PluginOptions& plugins,
+              std::optional<std::filesystem::path> kept = {});
   ~RestoredRun();
   RestoredRun(const RestoredRun&) = delete;
   RestoredRun& operator=(const RestoredRun&) = delete;
@@ -39,6 +43,7 @@ class RestoredRun {
 
   std::vector<std::string> differences_;
   std::map<std::string, std::string> files_;
+  std::optional<std::filesystem::path> kept_;
   std::filesystem::path folder_;  // of restored data files; empty: none
   plugin::Host host_;
   world::World world_;

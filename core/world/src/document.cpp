@@ -392,7 +392,7 @@ std::string Document::Impl::text_for(const std::string& folder) const {
     throw WorldError({{folder, 0, "there is no such folder; a world is saved in one that exists"}});
   }
   const std::string elsewhere = (fs::path(folder) / fs::path(file_).filename()).string();
-  const Files there(elsewhere, options_.data_directories, elsewhere, options_.files);
+  const Files there(elsewhere, options_.data_directories, elsewhere, {});
   // The name there of the file that an attribute names; none if it names none.
   const auto renamed = [&](const Element& element, const std::string& name,
                            const Meaning& meaning) -> std::optional<std::string> {

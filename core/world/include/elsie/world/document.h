@@ -71,7 +71,8 @@ class Document {
   Edits become(std::string text);
 
   /// The text for a file in another folder: names of files that would not lead to the same files
-  /// from there are replaced. Throws WorldError if there is no such folder.
+  /// from there are replaced, those of ReadOptions::files among them. Throws WorldError if there is
+  /// no such folder.
   std::string text_for(const std::string& folder) const;
 
  private:

@@ -1,0 +1,35 @@
+// The world at the start of a run, as a file that makes the same run.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "elsie/plugin/host.h"
+#include "elsie/world/reader.h"
+
+#include "environment.h"
+
+namespace elsie::program {
+
+/// A run whose world is to be written.
+struct RunToWrite {
+  std::string world_text;  // with the run's edits under <changes>
+  std::string world_file;  // where it was read; names of files start there
+  std::uint64_t seed = 1;
+  double time_limit_s = 0.0;  // 0: that of the world
+};
+
+/// Throws BadInput if the file is there already or cannot be written.
+void require_new_world(const std::string& file);
+
+/// Writes the world whole or not at all, with names of files that lead to the same files from
+/// there, and returns the command that makes the run. Throws BadInput if the file cannot be
+/// written.
+///
+/// Where files are no longer what the world needs, it is written as it was; whoever reads it says
+/// what is missing.
+std::string write_start_world(const RunToWrite& run, const plugin::Host& host,
+                              const world::ReadOptions& reading, const PluginOptions& plugins,
+                              const std::string& file);
+
+}  // namespace elsie::program
