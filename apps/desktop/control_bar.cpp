@@ -2,13 +2,17 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QHelpEvent>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
 #include <QRegularExpressionValidator>
+#include <QSet>
 #include <QSlider>
 #include <QStyleOptionSlider>
 #include <QToolButton>
+#include <QToolTip>
 #include <array>
 #include <cmath>
 
@@ -19,6 +23,10 @@ namespace {
 
 constexpr std::array kSpeeds{0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 0.0};  // 0: as fast as it goes
 constexpr int kTicks = 10'000;                                          // of the time line
+constexpr double kHandle_px = 6.0;  // from the end of the slider to where its handle can be
+const QSet<int> kTimeKeys{Qt::Key_Left,   Qt::Key_Right, Qt::Key_Comma,
+                          Qt::Key_Period, Qt::Key_Home,  Qt::Key_End};
+constexpr double kAtOnce_s = 0.05;  // events nearer than this to the shown time are at it
 
 }  // namespace
 
@@ -103,6 +111,8 @@ TimeLine::TimeLine(Workbench& workbench, QWidget* parent) : QWidget(parent), wor
   slider_->setObjectName("time");
   slider_->setAccessibleName(tr("Time of the run"));
   slider_->setRange(0, kTicks);
+  slider_->installEventFilter(this);
+  setFocusProxy(slider_);
   row->addWidget(slider_, 1);
   label_ = new QLabel("0.00 s");
   label_->setObjectName("shown_time");
@@ -149,6 +159,7 @@ void TimeLine::show_now() {
 
 void TimeLine::go_to(double time_s) {
   const double wanted = std::clamp(time_s, 0.0, until_s_);
+  asked_s_ = wanted;
   if (workbench_.run_state() == Workbench::Run::running) {
     workbench_.pause();
   }
@@ -167,16 +178,82 @@ void TimeLine::go_to_now() {
   show_now();
 }
 
-void TimeLine::move_by(double by_s) { go_to(shown_s_ + by_s); }
+// From where the user is going: keys come faster than pictures of the past.
+void TimeLine::move_by(double by_s) { go_to((is_in_the_past_ ? asked_s_ : until_s_) + by_s); }
 
 void TimeLine::go_to_event(bool next) {
+  const double from_s = is_in_the_past_ ? asked_s_ : until_s_;
   double found = next ? until_s_ : 0.0;
   for (const auto& [time, what] : marks_) {
-    if (next ? time > shown_s_ + 0.05 && time < found : time < shown_s_ - 0.05 && time > found) {
+    if (next ? time > from_s + kAtOnce_s && time < found
+             : time < from_s - kAtOnce_s && time > found) {
       found = time;
     }
   }
   go_to(found);
+}
+
+QString TimeLine::tip_at(double time_s) const {
+  const double near_s = std::max(kAtOnce_s, 4.0 * until_s_ / std::max(1, slider_->width()));
+  QStringList lines;
+  for (const auto& [time, what] : marks_) {
+    if (std::abs(time - time_s) <= near_s) {
+      lines << tr("%1 s: %2").arg(time, 0, 'f', 2).arg(what);
+    }
+  }
+  return lines.join('\n');
+}
+
+double TimeLine::time_at(double x) const {
+  const QRect groove = slider_->geometry();
+  return until_s_ * (x - groove.left() - kHandle_px) / (groove.width() - 2.0 * kHandle_px);
+}
+
+bool TimeLine::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride &&
+      kTimeKeys.contains(static_cast<QKeyEvent*>(event)->key())) {
+    event->accept();  // the window has other uses for some of them
+    return true;
+  }
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QToolTip::showText(help->globalPos(), tip_at(time_at(help->pos().x())), this);
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+// The slider has neither keys nor tips of its own.
+bool TimeLine::eventFilter(QObject* watched, QEvent* event) {
+  const bool is_ours = event->type() == QEvent::KeyPress || event->type() == QEvent::ToolTip ||
+                       event->type() == QEvent::ShortcutOverride;
+  return watched == slider_ && is_ours ? this->event(event) : QWidget::eventFilter(watched, event);
+}
+
+void TimeLine::keyPressEvent(QKeyEvent* event) {
+  const double step_s = event->modifiers() & Qt::ShiftModifier ? 1.0 : 0.1;
+  switch (event->key()) {
+    case Qt::Key_Left:
+      move_by(-step_s);
+      break;
+    case Qt::Key_Right:
+      move_by(step_s);
+      break;
+    case Qt::Key_Comma:
+      go_to_event(false);
+      break;
+    case Qt::Key_Period:
+      go_to_event(true);
+      break;
+    case Qt::Key_Home:
+      go_to(0.0);
+      break;
+    case Qt::Key_End:
+      go_to_now();
+      break;
+    default:
+      QWidget::keyPressEvent(event);
+  }
 }
 
 void TimeLine::mark(double time_s, const QString& what) {
@@ -202,7 +279,8 @@ void TimeLine::paintEvent(QPaintEvent*) {
   }
   const QRect groove = slider_->geometry();
   for (const auto& [time, what] : marks_) {
-    const double x = groove.left() + 6.0 + (groove.width() - 12.0) * time / until_s_;
+    const double x =
+        groove.left() + kHandle_px + (groove.width() - 2.0 * kHandle_px) * time / until_s_;
     painter.drawLine(QPointF(x, groove.bottom() - 2.0), QPointF(x, height() - 1.0));
   }
 }

@@ -32,7 +32,8 @@ class ControlBar : public QWidget {
 };
 
 /// From the start of the run to now. Moving the slider pauses the run and shows the past; the run
-/// goes on from where it was.
+/// goes on from where it was. Keys: arrows go by a tenth of a second, with Shift by a second; comma
+/// and full stop to the event before and after; Home and End to the start and to now.
 class TimeLine : public QWidget {
   Q_OBJECT
 
@@ -48,12 +49,18 @@ class TimeLine : public QWidget {
   /// The next or last event from the shown time.
   void go_to_event(bool next);
   void move_by(double by_s);
+  /// What happened at about that time, one line an event; "": nothing.
+  QString tip_at(double time_s) const;
 
  protected:
+  bool event(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:
   void show_now();
+  double time_at(double x) const;  // s; `x` in the widget
 
   Workbench& workbench_;
   QSlider* slider_;
@@ -61,6 +68,7 @@ class TimeLine : public QWidget {
   QToolButton* now_;
   double until_s_ = 0.0;
   double shown_s_ = 0.0;
+  double asked_s_ = 0.0;  // the past that was last asked for
   bool is_in_the_past_ = false;
   bool is_showing_ = false;
   std::vector<std::pair<double, QString>> marks_;

@@ -7,15 +7,14 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QProcess>
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QTemporaryDir>
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -24,6 +23,7 @@
 #include "authoring/authoring.h"
 #include "control_bar.h"
 #include "export/exporter.h"
+#include "recorded_world.h"
 #include "scene/scene_view.h"
 #include "start_page.h"
 #include "text/problems_panel.h"
@@ -64,6 +64,14 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
     return answer == QMessageBox::Save      ? Answer::save
            : answer == QMessageBox::Discard ? Answer::discard
                                             : Answer::cancel;
+  };
+
+  ask_for_run = [this](const QString& database) -> std::optional<int> {
+    bool is_given = false;
+    const int run = QInputDialog::getInt(
+        this, tr("Open a run"), tr("Number of the run in '%1'").arg(QFileInfo(database).fileName()),
+        1, 1, std::numeric_limits<int>::max(), 1, &is_given);
+    return is_given ? std::optional(run) : std::nullopt;
   };
 
   centre_ = new QStackedWidget;
@@ -411,23 +419,25 @@ bool MainWindow::open(const QString& file) {
     return false;
   }
   QString world = file, why;
-  if (file.endsWith(".mcap")) {
-    // The world of a recording, as it was at its start, with the edits that were made.
-    QTemporaryDir folder;
-    folder.setAutoRemove(false);
-    world = folder.filePath(QFileInfo(file).completeBaseName() + ".xml");
-    QProcess replay;
-    replay.start(elsie_, QStringList{"replay", file, "--world", world} + options_);
-    if (!replay.waitForFinished(60'000) || !QFileInfo::exists(world)) {
-      QMessageBox::warning(this, tr("The recording cannot be opened"),
-                           QString::fromUtf8(replay.readAllStandardError()).trimmed());
+  std::optional<std::uint64_t> seed;
+  if (may_be_run(file)) {
+    std::optional<int> number;
+    if (may_be_database(file) && !(number = ask_for_run(file))) {
       return false;
     }
+    const auto start = world_of_run(elsie_, options_, file, number, why);
+    if (!start) {
+      QMessageBox::warning(this, tr("The run cannot be opened"), why);
+      return false;
+    }
+    world = start->file;
+    seed = start->seed;
   }
-  if (!workbench_.open(world, why)) {
+  if (!workbench_.open(world, why, seed)) {
     QMessageBox::warning(this, tr("The world cannot be opened"), why);
     return false;
   }
+  borrowed_ = world == file ? QString() : world;
   note_recent(file);
   outcome_.clear();
   locked_.clear();
@@ -452,10 +462,11 @@ void MainWindow::new_world() {
 
 bool MainWindow::save(bool elsewhere) {
   QString file = workbench_.file();
-  if (elsewhere || file.isEmpty()) {
-    QFileDialog dialog(this, tr("Save the world"),
-                       file.isEmpty() ? QDir::currentPath() + "/world.xml" : file,
-                       tr("Worlds (*.xml)"));
+  if (elsewhere || file.isEmpty() || file == borrowed_) {
+    QFileDialog dialog(
+        this, tr("Save the world"),
+        file.isEmpty() || file == borrowed_ ? QDir::currentPath() + "/world.xml" : file,
+        tr("Worlds (*.xml)"));
     dialog.setObjectName("save_dialog");
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix("xml");

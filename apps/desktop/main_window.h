@@ -40,7 +40,8 @@ class MainWindow : public QMainWindow {
 
   Workbench& workbench() { return workbench_; }
   SceneView& scene() { return *scene_; }
-  /// Asks about unsaved work first. False if the user stays with it, or the file cannot be read.
+  /// A world, a recording or a results database, of which a run is asked for. Asks about unsaved
+  /// work first. False if the user stays with it, or the file cannot be read.
   bool open(const QString& file);
   /// Layouts for three kinds of work: "author", "watch", "train".
   void arrange(const QString& layout);
@@ -49,6 +50,7 @@ class MainWindow : public QMainWindow {
   /// The bodies of all dialogs are asked in this way; tests answer at once.
   enum class Answer { save, discard, cancel };
   std::function<Answer(const QString& question)> ask_about_unsaved;
+  std::function<std::optional<int>(const QString& database)> ask_for_run;
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -116,6 +118,7 @@ class MainWindow : public QMainWindow {
   QLabel* seed_label_;
   QLabel* outcome_label_;
   QString outcome_;
+  QString borrowed_;  // the file of a recording's world, which is saved elsewhere
   QByteArray default_state_;
   QString watched_;        // what the engine was last asked to send
   QString watched_robot_;  // of the panels that show one

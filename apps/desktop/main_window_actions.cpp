@@ -40,9 +40,10 @@ void MainWindow::make_actions() {
   const auto key = [](const char* keys) { return QKeySequence(QString(keys)); };
   action("new", tr("&New world..."), QKeySequence::New, [this] { new_world(); });
   action("open", tr("&Open..."), QKeySequence::Open, [this] {
-    const QString file = QFileDialog::getOpenFileName(
-        this, tr("Open a world or a recording"), QFileInfo(workbench_.file()).path(),
-        tr("Worlds and recordings (*.xml *.mcap);;All files (*)"));
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("Open a world, a recording or a run of a database"),
+                                     QFileInfo(workbench_.file()).path(),
+                                     tr("Worlds and runs (*.xml *.mcap *.sqlite);;All files (*)"));
     if (!file.isEmpty()) open(file);
   });
   action("save", tr("&Save"), QKeySequence::Save, [this] { save(false); });
@@ -107,6 +108,9 @@ void MainWindow::make_actions() {
   });
   action("step", tr("&Step"), key("F10"), [this] { workbench_.step(); });
   action("reset", tr("R&eset"), key("Ctrl+R"), [this] { workbench_.reset(workbench_.seed()); });
+  action("event_before", tr("Event &before"), {}, [this] { time_line_->go_to_event(false); });
+  action("event_after", tr("Event a&fter"), {}, [this] { time_line_->go_to_event(true); });
+  action("now", tr("Back to &now"), {}, [this] { time_line_->go_to_now(); });
   action(
       "physics", tr("&Physics parameters..."), {}, [this] { authoring_->edit_element("physics"); },
       tr("Gravity, ERP, CFM or kp and kd, step: also while it runs"));
@@ -237,7 +241,8 @@ void MainWindow::make_menus() {
   });
   fill(view, {"layout_author", "layout_watch", "layout_train", "layout_reset", "next_dock"});
   QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
-  fill(simulation, {"run", "step", "reset", "", "physics", "arena", "limits", "", "stop_engine"});
+  fill(simulation, {"run", "step", "reset", "", "event_before", "event_after", "now", "", "physics",
+                    "arena", "limits", "", "stop_engine"});
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   fill(help, {"commands", "keys", "about"});
 

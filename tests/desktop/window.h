@@ -19,7 +19,7 @@
 
 namespace elsie::desktop {
 
-inline constexpr int kPatience_ms = 120'000;
+inline constexpr int kPatience_ms = 60'000;
 
 inline QString build_file(const QString& name) {
   return QApplication::applicationDirPath() + '/' + name;
@@ -81,6 +81,7 @@ class Window {
     REQUIRE(window_.open(file));
     REQUIRE(wait_for([&] { return bench().is_right() || !bench().problems().empty(); }));
   }
+  QString folder() const { return folder_.path(); }
   /// A file of this test with that text.
   QString file(const char* text, const QString& name = "room.xml") {
     const QString path = folder_.filePath(name);

@@ -35,7 +35,7 @@ QString heading_deg(double rad) { return number(degrees(wrap_angle(rad)), 0.01);
 }  // namespace
 
 Authoring::Authoring(Workbench& workbench, const Stage& stage, QWidget* window)
-    : workbench_(workbench), stage_(stage), window_(window) {}
+    : QObject(window), workbench_(workbench), stage_(stage), window_(window) {}
 
 void Authoring::select(const QStringList& paths) {
   selection_ = paths;

@@ -20,7 +20,7 @@ class Authoring : public QObject {
   Q_OBJECT
 
  public:
-  /// `stage`: where the bodies are now; both, and `window`, which owns the dialogs, outlive this.
+  /// `stage`: where the bodies are now; `window` owns this and the dialogs.
   Authoring(Workbench& workbench, const Stage& stage, QWidget* window);
 
   const QStringList& selection() const { return selection_; }

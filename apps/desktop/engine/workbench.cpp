@@ -108,12 +108,13 @@ void Workbench::open_text(const QString& text, const QString& file, bool is_save
   Q_EMIT history_changed();
 }
 
-bool Workbench::open(const QString& file, QString& why) {
+bool Workbench::open(const QString& file, QString& why, std::optional<std::uint64_t> seed) {
   QFile opened(file);
   if (!opened.open(QIODevice::ReadOnly)) {
     why = tr("'%1' cannot be read: %2").arg(file, opened.errorString());
     return false;
   }
+  seed_ = seed.value_or(seed_);
   open_text(QString::fromUtf8(opened.readAll()), QFileInfo(file).absoluteFilePath());
   return true;
 }

@@ -47,8 +47,9 @@ class Workbench : public QObject {
   /// @{
   /// Takes over this text as a new world; what was there is gone.
   void open_text(const QString& text, const QString& file, bool is_saved = true);
-  /// False, with a sentence, if the file cannot be read; then nothing has changed.
-  bool open(const QString& file, QString& why);
+  /// False, with a sentence, if the file cannot be read; then nothing has changed. `seed`: from now
+  /// on; none: the one that it is.
+  bool open(const QString& file, QString& why, std::optional<std::uint64_t> seed = {});
   /// Asks the engine for the text as it reads there, writes it whole or not at all, and calls back
   /// with "" or a sentence.
   void save_as(const QString& file, std::function<void(const QString&)> done);

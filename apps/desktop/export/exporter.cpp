@@ -20,7 +20,11 @@ constexpr double kFilmRate = 25.0;  // pictures a second
 }  // namespace
 
 Exporter::Exporter(Workbench& workbench, SceneView& scene, TimeLine& time_line, QWidget* window)
-    : workbench_(workbench), scene_(scene), time_line_(time_line), window_(window) {}
+    : QObject(window),
+      workbench_(workbench),
+      scene_(scene),
+      time_line_(time_line),
+      window_(window) {}
 
 Exporter::~Exporter() = default;
 

@@ -20,7 +20,7 @@ class Exporter : public QObject {
   Q_OBJECT
 
  public:
-  /// All of them outlive this; `window` owns the dialogs.
+  /// `window` owns this and the dialogs.
   Exporter(Workbench& workbench, SceneView& scene, TimeLine& time_line, QWidget* window);
   ~Exporter() override;
 

@@ -78,6 +78,9 @@ void Film::head(quint32 frames, quint32 bytes) {
 }
 
 bool Film::add(const QImage& picture) {
+  if (!file_.isOpen()) {
+    return false;
+  }
   if (places_.empty()) {
     width_ = picture.width();
     height_ = picture.height();
@@ -86,7 +89,7 @@ bool Film::add(const QImage& picture) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  if (!file_.isOpen() || !picture.scaled(width_, height_).save(&buffer, "JPG", kQuality)) {
+  if (!picture.scaled(width_, height_).save(&buffer, "JPG", kQuality)) {
     return false;
   }
   const auto size = static_cast<quint32>(bytes.size());

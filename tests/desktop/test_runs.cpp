@@ -1,0 +1,174 @@
+// Runs in the window: recordings and databases that it opens, films and recordings that it writes.
+#include <QClipboard>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QToolButton>
+#include <fstream>
+#include <iterator>
+
+#include <catch2/catch.hpp>
+
+#include "control_bar.h"
+#include "export/exporter.h"
+#include "export/film.h"
+#include "scene/scene_view.h"
+#include "window.h"
+
+using namespace elsie::desktop;
+
+namespace {
+
+void run_elsie(const QStringList& words) {
+  QProcess program;
+  program.start(build_file("elsie"), words);
+  REQUIRE(program.waitForFinished(kPatience_ms));
+  CAPTURE(program.readAllStandardError().toStdString());
+  REQUIRE(program.exitCode() <= 1);
+}
+
+std::string content_of(const QString& file) {
+  std::ifstream in(file.toStdString(), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void run_until(Window& window, double time_s) {
+  window.bench().set_speed(0.0);
+  window.bench().run();
+  REQUIRE(wait_for([&] { return window.bench().time_s() > time_s; }));
+  window.bench().pause();
+  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+}
+
+}  // namespace
+
+TEST_CASE("A recording opens as the world that makes the same run, at its seed") {
+  Window window;
+  const QString room = window.file(kRoom);
+  const QString recording = window.folder() + "/run.mcap";
+  run_elsie(
+      {"run", room, "--seed", "7", "--record", recording, "--at", "1:robot[r1]/@max_speed=0.1"});
+  window.open(recording);
+  CHECK(window.bench().seed() == 7);
+  CHECK(window.get<QLineEdit>("seed")->text() == "7");
+  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() ==
+        headless_hash({room, "--seed", "7", "--at", "1:robot[r1]/@max_speed=0.1"}));
+}
+
+TEST_CASE("A run of a results database opens at its seed") {
+  Window window;
+  window.file(kRoom);
+  const QString study = window.file(R"(<experiment format="1" name="study">
+  <worlds><world file="room.xml"/></worlds>
+  <set path="limits/@time" value="3"/>
+  <seeds from="5" to="6"/>
+</experiment>
+)",
+                                    "study.xml");
+  const QString database = window.folder() + "/study.sqlite";
+  run_elsie({"batch", study, "--database", database});
+  int asked = 0;
+  window->ask_for_run = [&](const QString&) {
+    ++asked;
+    return std::optional(2);
+  };
+  window.open(database);
+  CHECK(asked == 1);
+  CHECK(window.bench().seed() == 6);
+  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() ==
+        headless_hash({window.folder() + "/room.xml", "--seed", "6", "--duration", "3"}));
+  window->ask_for_run = [](const QString&) { return std::optional<int>(); };
+  CHECK_FALSE(window->open(database));
+}
+
+TEST_CASE("A film has the pictures of the run, and replaces its file only when it is whole") {
+  Window window;
+  window.open(window.file(kRoom));
+  run_until(window, 0.5);
+  const double until_s = window.bench().time_s();
+  const QString film = window.folder() + "/run.avi";
+  std::ofstream(film.toStdString()) << "before";
+  std::optional<bool> is_whole;
+  auto* exporter = window->findChild<Exporter*>();
+  REQUIRE(exporter);
+  QObject::connect(exporter, &Exporter::film_ended, &window.window(),
+                   [&](bool whole) { is_whole = whole; });
+  exporter->write_film(film);
+  CHECK(content_of(film) == "before");
+  REQUIRE(wait_for([&] { return is_whole.has_value(); }));
+  CHECK(*is_whole);
+  const std::string bytes = content_of(film);
+  CHECK(bytes.substr(0, 4) == "RIFF");
+  CHECK(bytes.substr(8, 4) == "AVI ");
+  std::size_t pictures = 0;
+  for (std::size_t at = bytes.find("\xff\xd8\xff"); at != std::string::npos;
+       at = bytes.find("\xff\xd8\xff", at + 3)) {
+    ++pictures;
+  }
+  CHECK(pictures == static_cast<std::size_t>(25.0 * until_s + 1e-6) + 1);
+  // The run goes on from where it was.
+  CHECK(wait_for([&] { return window->scene().stage().time_s() == until_s; }));
+}
+
+TEST_CASE("A film that cannot be written says why") {
+  Window window;
+  window.open(window.file(kRoom));
+  run_until(window, 0.5);
+  std::optional<bool> is_whole;
+  auto* exporter = window->findChild<Exporter*>();
+  QObject::connect(exporter, &Exporter::film_ended, &window.window(),
+                   [&](bool whole) { is_whole = whole; });
+  exporter->write_film(window.folder() + "/no/such/folder/run.avi");
+  REQUIRE(wait_for([&] { return is_whole.has_value(); }));
+  CHECK_FALSE(*is_whole);
+  auto* box = window->findChild<QMessageBox*>("film_failed");
+  REQUIRE(box);
+  CHECK(box->text().contains("could not be written"));
+}
+
+TEST_CASE("The next run is recorded, and its command line repeats it") {
+  Window window;
+  const QString room = window.file(kRoom);
+  window.open(room);
+  const QString table = window.folder() + "/run.csv";
+  window->findChild<Exporter*>()->record_into(table);
+  window.after([&] { window.bench().reset(4); });
+  window.run_to_the_end();
+  REQUIRE(wait_for([&] { return content_of(table).find("r1") != std::string::npos; }));
+  window.act("copy_command");
+  REQUIRE(wait_for([] { return QApplication::clipboard()->text().contains("--seed 4"); }));
+  CHECK(QApplication::clipboard()->text().contains(room));
+}
+
+TEST_CASE("The keys of the time line step through the past and to its events") {
+  Window window;
+  window.open(window.file(kRoom));
+  run_until(window, 2.0);
+  auto* line = window->findChild<TimeLine*>();
+  REQUIRE(line);
+  const double until_s = window.bench().time_s();
+  line->mark(0.7, "first");
+  line->mark(1.5, "second");
+  line->setFocus();
+  const auto shows = [&](double time_s) {
+    return wait_for([&] { return std::abs(window->scene().stage().time_s() - time_s) < 0.06; });
+  };
+  QTest::keyClick(line, Qt::Key_Home);
+  CHECK(shows(0.0));
+  QTest::keyClick(line, Qt::Key_Period);
+  CHECK(shows(0.7));
+  QTest::keyClick(line, Qt::Key_Period);
+  CHECK(shows(1.5));
+  QTest::keyClick(line, Qt::Key_Comma);
+  CHECK(shows(0.7));
+  QTest::keyClick(line, Qt::Key_Right);
+  CHECK(shows(0.8));
+  QTest::keyClick(line, Qt::Key_Right, Qt::ShiftModifier);
+  CHECK(shows(1.8));
+  QTest::keyClick(line, Qt::Key_Left);
+  CHECK(shows(1.7));
+  QTest::keyClick(line, Qt::Key_End);
+  CHECK(shows(until_s));
+  CHECK_FALSE(line->is_in_the_past());
+  CHECK(line->tip_at(0.71).contains("first"));
+  CHECK(line->tip_at(1.1).isEmpty());
+}
