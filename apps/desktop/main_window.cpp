@@ -247,6 +247,10 @@ void MainWindow::connect_workbench() {
     if (docks_["vision"]->isVisible()) vision_->add(state);
     if (docks_["fuzzy"]->isVisible()) fuzzy_->add(state);
     if (docks_["sensors"]->isVisible()) sensors_->add(state);
+    for (WorldTree* each : findChildren<WorldTree*>()) {
+      if (each->isVisible()) each->show_priorities(state);
+    }
+    properties_->show_priority(state);
   });
   connect(&workbench_, &Workbench::snapshot, this, [this](const snapshots::Snapshot& snapshot) {
     scene_->take(snapshot);
@@ -352,7 +356,8 @@ void MainWindow::connect_views() {
   connect(editor_, &WorldEditor::redo_wished, &workbench_, &Workbench::redo);
   connect(problems_, &ProblemsPanel::go_to, this, &MainWindow::go_to);
   connect(start_, &StartPage::open_wished, this, [this](const QString& file) { open(file); });
-  connect(start_, &StartPage::new_wished, this, &MainWindow::new_world);
+  connect(start_, &StartPage::new_wished, actions_["new"], &QAction::trigger);
+  connect(start_, &StartPage::empty_wished, this, [this] { begin_world(empty_world); });
   connect(start_, &StartPage::browse_wished, this, [this] { actions_["open"]->trigger(); });
 }
 
@@ -361,7 +366,9 @@ void MainWindow::connect_views() {
 void MainWindow::watch() {
   Json what = Json::array();
   const auto shows = [this](const char* name) { return docks_[name]->isVisible(); };
-  if (shows("coordination") || shows("plots")) what.push_back("decisions");
+  const bool is_behavior =
+      !authoring_->selection().isEmpty() && authoring_->selection().front().contains("/behavior[");
+  if (shows("coordination") || shows("plots") || is_behavior) what.push_back("decisions");
   if (shows("sensors") || shows("plots")) what.push_back("sensors");
   if (shows("plots")) what.push_back("measures");
   if (shows("vision")) what.push_back("cameras");
@@ -448,13 +455,16 @@ bool MainWindow::open(const QString& file) {
   return true;
 }
 
-void MainWindow::new_world() {
+void MainWindow::begin_world(const std::function<QString()>& text) {
   if (!may_leave()) {
     return;
   }
-  const QString text = ask_for_new_world(this);
-  if (!text.isEmpty()) {
-    workbench_.open_text(text, {}, false);
+  const QString begun = text();
+  if (!begun.isEmpty()) {
+    authoring_->select({});
+    locked_.clear();
+    borrowed_.clear();
+    workbench_.open_text(begun, {}, false);
     centre_->setCurrentIndex(1);
     show_title();
   }
@@ -646,6 +656,7 @@ void MainWindow::show_selection(const QStringList& paths) {
   if (const QString robot = authoring_->robot(); !robot.isEmpty()) {
     watch_robot(robot.mid(6).chopped(1));
   }
+  watch();
 }
 
 void MainWindow::about() {

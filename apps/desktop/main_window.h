@@ -73,7 +73,7 @@ class MainWindow : public QMainWindow {
 
   bool may_leave();
   bool save(bool elsewhere);
-  void new_world();
+  void begin_world(const std::function<QString()>& text);
   void show_start();
   void show_state();
   void show_title();

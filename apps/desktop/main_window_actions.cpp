@@ -15,6 +15,7 @@
 #include "export/exporter.h"
 #include "main_window.h"
 #include "scene/scene_view.h"
+#include "start_page.h"
 #include "text/problems_panel.h"
 
 // The window's actions, menus and tool bars.
@@ -38,7 +39,8 @@ QAction* MainWindow::action(const char* name, const QString& text, const QKeySeq
 
 void MainWindow::make_actions() {
   const auto key = [](const char* keys) { return QKeySequence(QString(keys)); };
-  action("new", tr("&New world..."), QKeySequence::New, [this] { new_world(); });
+  action("new", tr("&New world..."), QKeySequence::New,
+         [this] { begin_world([this] { return ask_for_new_world(this); }); });
   action("open", tr("&Open..."), QKeySequence::Open, [this] {
     const QString file =
         QFileDialog::getOpenFileName(this, tr("Open a world, a recording or a run of a database"),
@@ -87,6 +89,18 @@ void MainWindow::make_actions() {
       "start_pose", tr("Make &start pose"), {}, [this] { authoring_->make_start_poses(); },
       tr("The world begins with the chosen robots where they are now"));
   action("add_robot", tr("&Robot..."), {}, [this] { authoring_->add_element({}, "robots"); });
+  action(
+      "add_sensor", tr("Se&nsor..."), {},
+      [this] { authoring_->add_element(authoring_->robot(), "sensors"); },
+      tr("Add a sensor to the chosen robot"));
+  action(
+      "behaviors", tr("&Behaviours..."), {},
+      [this] { authoring_->edit_behaviors(authoring_->robot()); },
+      tr("Choose the behaviours of the chosen robot"));
+  action(
+      "coordinator", tr("Coor&dinator..."), {},
+      [this] { authoring_->edit_coordinator(authoring_->robot()); },
+      tr("Choose or edit the coordinator of the chosen robot"));
   action("add_static", tr("&Standing box..."), {}, [this] {
     authoring_->add_element({}, "obstacles", {"static_box", {}, {}});
   });
@@ -226,8 +240,9 @@ void MainWindow::make_menus() {
               "rename", "start_pose", "lock", ""});
   QMenu* add = edit->addMenu(tr("&Add"));
   add->setObjectName("add_menu");
-  fill(add, {"add_robot", "add_static", "add_dynamic", "add_moving", "add_resource", "add_charger",
-             "", "add_goal", "add_measure", "add_team"});
+  fill(add,
+       {"add_robot", "add_sensor", "behaviors", "coordinator", "", "add_static", "add_dynamic",
+        "add_moving", "add_resource", "add_charger", "", "add_goal", "add_measure", "add_team"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view,
        {"view_all", "view_top", "view_front", "view_side", "follow", "measure", "", "show_trails",
@@ -256,8 +271,8 @@ void MainWindow::make_menus() {
   bar->addWidget(control_bar_);
   QToolBar* environment = addToolBar(tr("Environment"));
   environment->setObjectName("environment");
-  for (const char* name : {"add_robot", "add_static", "add_dynamic", "add_moving", "add_resource",
-                           "add_charger", "measure"}) {
+  for (const char* name : {"add_robot", "add_sensor", "behaviors", "coordinator", "add_static",
+                           "add_dynamic", "add_moving", "add_resource", "add_charger", "measure"}) {
     environment->addAction(actions_[name]);
   }
 

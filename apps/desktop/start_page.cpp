@@ -50,13 +50,18 @@ StartPage::StartPage(const QString& worlds, QWidget* parent) : QWidget(parent) {
   auto* buttons = new QHBoxLayout;
   auto* fresh = new QPushButton(tr("&New world..."));
   fresh->setObjectName("new_world");
+  auto* empty = new QPushButton(tr("&Empty world"));
+  empty->setObjectName("empty_world");
+  empty->setToolTip(tr("Four walls, 5 m by 5 m, and nothing in them"));
   auto* browse = new QPushButton(tr("&Open..."));
   browse->setObjectName("open_world");
   buttons->addWidget(fresh);
+  buttons->addWidget(empty);
   buttons->addWidget(browse);
   buttons->addStretch(1);
   outer->addLayout(buttons);
   connect(fresh, &QPushButton::clicked, this, &StartPage::new_wished);
+  connect(empty, &QPushButton::clicked, this, &StartPage::empty_wished);
   connect(browse, &QPushButton::clicked, this, &StartPage::browse_wished);
 
   auto* lists = new QHBoxLayout;
@@ -96,6 +101,15 @@ void StartPage::show_recent(const QStringList& files) {
     auto* item = new QListWidgetItem(file, recent_);
     item->setData(Qt::UserRole, file);
   }
+}
+
+QString empty_world() {
+  return R"(<?xml version="1.0" encoding="UTF-8"?>
+<world format="1" name="my world">
+  <arena length="5" width="5"/>
+  <limits time="300"/>
+</world>
+)";
 }
 
 QString ask_for_new_world(QWidget* parent) {

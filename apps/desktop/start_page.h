@@ -19,11 +19,15 @@ class StartPage : public QWidget {
  Q_SIGNALS:
   void open_wished(const QString& file);
   void new_wished();
+  void empty_wished();
   void browse_wished();
 
  private:
   QListWidget* recent_;
 };
+
+/// The text of a world with four walls only.
+QString empty_world();
 
 /// Asks for the size of a new world and what is in it; returns its text, or "" if the user changed
 /// his mind.

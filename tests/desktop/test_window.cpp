@@ -299,3 +299,19 @@ TEST_CASE("Pictures of the window", "[.pictures]") {
   QTest::qWait(300);
   window->grab().save(folder + "/watch.png");
 }
+
+TEST_CASE("The priority that a coordinator gives a behaviour now is shown beside its own") {
+  Window window(world_file("learned_priorities"));
+  auto* tree = window.get<WorldTree>("world_tree");
+  QString behavior;
+  visit(window.bench().tree(), [&](const ElementPlace& place) {
+    if (behavior.isEmpty() && place.path.contains("/behavior[")) behavior = place.path;
+    return behavior.isEmpty();
+  });
+  tree->tree()->setCurrentItem(tree->item(behavior));
+  window.bench().run();
+  auto* live = window.get<Properties>("properties")->form().findChild<QLabel*>("priority_live");
+  REQUIRE(live);
+  CHECK(wait_for([&] { return live->text().startsWith("now "); }));
+  CHECK(wait_for([&] { return tree->item(behavior)->text(1).startsWith("priority "); }));
+}

@@ -90,7 +90,29 @@ void Authoring::add_element(const QString& holder, const QString& list,
     dialog->begin_with("x", number(beginning.at->x(), 0.01));
     dialog->begin_with("y", number(beginning.at->y(), 0.01));
   }
+  // What was added is chosen next: it is the last of its list.
+  connect(dialog, &QDialog::accepted, this, [this, holder, list] {
+    QString last;
+    visit(workbench_.tree(), [&](const ElementPlace& place) {
+      if (place.list.isEmpty() && place.parent && name_of(*place.parent) == list &&
+          holder_of(place.path) == holder) {
+        last = place.path;
+      }
+      return true;
+    });
+    if (!last.isEmpty()) {
+      select({last});
+    }
+  });
   dialog->show();
+}
+
+void Authoring::edit_coordinator(const QString& holder) {
+  if (!holder.isEmpty() && place_of(workbench_.tree(), holder + "/coordinator").element) {
+    edit_element(holder + "/coordinator");
+  } else {
+    add_element(holder, "coordinator");
+  }
 }
 
 void Authoring::edit_behaviors(const QString& holder) {
@@ -120,7 +142,7 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
   }
   if (is_robot || (kind && kind->holds_behaviors)) {
     menu.addAction(tr("&Behaviours..."), this, [this, path] { edit_behaviors(path); });
-    menu.addAction(tr("&Coordinator..."), this, [this, path] { add_element(path, "coordinator"); });
+    menu.addAction(tr("&Coordinator..."), this, [this, path] { edit_coordinator(path); });
   }
   if (is_robot) {
     menu.addAction(tr("&Follow"), this, [this, path] { Q_EMIT follow_wished(path); });

@@ -39,7 +39,10 @@ class Authoring : public QObject {
   };
   /// Opens the dialog of a new member of `list` ("sensors") in the element `holder` ("robot[r1]").
   void add_element(const QString& holder, const QString& list, const Beginning& beginning = {});
+  /// These act on a robot, or on a behaviour that holds others.
   void edit_behaviors(const QString& holder);
+  /// Opens the editor of its coordinator, or the dialog of a new one.
+  void edit_coordinator(const QString& holder);
   /// The menu of the element, or of the floor at the origin for "".
   void open_menu(const QString& path, const QPoint& global);
   void open_floor_menu(const QPoint& global, double x, double y);

@@ -138,6 +138,23 @@ QString holder_of(const QString& path) {
   return {};
 }
 
+void visit_priorities(const Json& state,
+                      const std::function<void(const QString& path, double priority)>& see) {
+  for (const Json& robot : state.value("robots", Json::array())) {
+    const QString path = "robot[" + QString::fromStdString(robot.value("id", std::string())) + ']';
+    for (const Json& member : robot.value("members", Json::array())) {
+      QString below = path;
+      for (const QString& id :
+           QString::fromStdString(member.value("path", std::string())).split('/')) {
+        below += "/behavior[" + id + ']';
+      }
+      const auto weight = member.find("weight");
+      see(below, weight != member.end() && weight->is_number() ? weight->get<double>()
+                                                               : member.value("priority", 1.0));
+    }
+  }
+}
+
 QString escaped(const QString& value) {
   QString text = value.toHtmlEscaped();
   return text.replace('\n', "&#10;").replace('\t', "&#9;");

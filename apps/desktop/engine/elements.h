@@ -46,6 +46,11 @@ QString attribute_path(const QString& element, const QString& attribute);
 /// The path of the element in which another one is; "" for those directly in the world.
 QString holder_of(const QString& path);
 
+/// Calls `see` for every behaviour of a `state` event, with its path and the priority that it has
+/// now: the weight that its coordinator gave it, or its own.
+void visit_priorities(const Json& state,
+                      const std::function<void(const QString& path, double priority)>& see);
+
 /// An element as a piece of XML, with all that is in it; `but`: without these attributes.
 QString markup_of(const Json& element, const QStringList& but = {});
 /// A value as it stands between quotation marks in XML.

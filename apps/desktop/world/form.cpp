@@ -196,6 +196,10 @@ Form::Row Form::make_row(const Field& field) {
     });
     line->addWidget(pick);
   }
+  row.live = new QLabel;
+  row.live->setObjectName(name + "_live");
+  row.live->hide();
+  line->addWidget(row.live);
   row.reset = new QToolButton;
   row.reset->setText("\u21ba");
   row.reset->setAutoRaise(true);
@@ -274,6 +278,13 @@ void Form::show_problem(const QString& name, const QString& sentence) {
   if (Row* row = row_of(name)) {
     row->problem->setText(sentence);
     row->problem->setVisible(!sentence.isEmpty());
+  }
+}
+
+void Form::show_live(const QString& name, const QString& text) {
+  if (Row* row = row_of(name)) {
+    row->live->setText(text);
+    row->live->setVisible(!text.isEmpty());
   }
 }
 

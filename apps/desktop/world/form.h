@@ -31,6 +31,8 @@ class Form : public QWidget {
   void set_value(const QString& name, const QString& value);
   /// A sentence below the row, until its next change; "" takes it away.
   void show_problem(const QString& name, const QString& sentence);
+  /// What the value is in the run, behind the row; "" takes it away.
+  void show_live(const QString& name, const QString& text);
   /// The widget that the value is entered in: its object name is the field's.
   QWidget* editor(const QString& name) const;
   /// Hides all rows whose name and meaning have none of it.
@@ -48,6 +50,7 @@ class Form : public QWidget {
     QWidget* whole = nullptr;
     QLabel* label = nullptr;
     QLabel* problem = nullptr;
+    QLabel* live = nullptr;
     QToolButton* reset = nullptr;
   };
 

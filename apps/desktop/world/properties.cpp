@@ -94,6 +94,16 @@ void Properties::show_element(const QString& path) {
   }
 }
 
+void Properties::show_priority(const Json& state) {
+  if (path_.contains("/behavior[")) {
+    visit_priorities(state, [this](const QString& path, double priority) {
+      if (path == path_) {
+        form_->show_live("priority", tr("now %1").arg(priority, 0, 'g', 3));
+      }
+    });
+  }
+}
+
 void Properties::refresh() {
   const auto described = described_at(workbench_, path_);
   if (!described) {

@@ -21,6 +21,9 @@ class Properties : public QWidget {
 
   /// Of the element at the path; "" is the world.
   void show_element(const QString& path);
+  /// The priority that the chosen behaviour has now, from a `state` event, beside the one that it
+  /// was given.
+  void show_priority(const Json& state);
   const QString& path() const { return path_; }
   Form& form() { return *form_; }
 

@@ -259,20 +259,11 @@ void WorldTree::filter(const QString& text) {
 }
 
 void WorldTree::show_priorities(const Json& state) {
-  for (const Json& robot : state.value("robots", Json::array())) {
-    const QString path = "robot[" + QString::fromStdString(robot.value("id", std::string())) + ']';
-    for (const Json& member : robot.value("members", Json::array())) {
-      QString below = path;
-      for (const QString& id :
-           QString::fromStdString(member.value("path", std::string())).split('/')) {
-        below += "/behavior[" + id + ']';
-      }
-      if (QTreeWidgetItem* found = item(below)) {
-        const double weight = member.value("weight", member.value("priority", 1.0));
-        found->setText(1, tr("priority %1").arg(weight, 0, 'g', 3));
-      }
+  visit_priorities(state, [this](const QString& path, double priority) {
+    if (QTreeWidgetItem* found = item(path)) {
+      found->setText(1, tr("priority %1").arg(priority, 0, 'g', 3));
     }
-  }
+  });
 }
 
 }  // namespace elsie::desktop
