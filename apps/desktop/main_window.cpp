@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
@@ -303,18 +304,7 @@ void MainWindow::connect_workbench() {
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
   });
-  connect(&workbench_, &Workbench::changed_on_disk, this, [this] {
-    QMessageBox box(
-        QMessageBox::Question, tr("The file has changed"),
-        tr("Another program has changed '%1'. Read it again? What is unsaved here would be lost.")
-            .arg(workbench_.file()),
-        QMessageBox::Yes | QMessageBox::No, this);
-    box.setObjectName("changed_on_disk");
-    if (box.exec() == QMessageBox::Yes) {
-      QString why;
-      if (!workbench_.open(workbench_.file(), why)) say(why);
-    }
-  });
+  connect(&workbench_, &Workbench::changed_on_disk, this, &MainWindow::ask_about_disk);
   connect(&workbench_, &Workbench::catalog_changed, this, [this] {
     world_tree_->show_world();
     editor_->set_catalog(workbench_.catalog().json());
@@ -325,8 +315,8 @@ void MainWindow::connect_workbench() {
   connect(watch_dog, &QTimer::timeout, this, [this] {
     if (workbench_.engine().waiting_ms() > kStuck_ms) {
       statusBar()->showMessage(
-          tr("The engine does not answer: a plugin takes long. Simulation, 'Stop the engine now' "
-             "begins it anew."));
+          tr("The engine does not answer: a plugin takes long. 'Stop the engine now' in the menu "
+             "Simulation names it, and begins anew."));
     }
   });
   watch_dog->start(1000);
@@ -352,6 +342,7 @@ void MainWindow::connect_views() {
             .arg(std::hypot(to_x - x, to_y - y), 0, 'f', 3));
   });
   connect(editor_, &WorldEditor::edited, &workbench_, &Workbench::type);
+  connect(&workbench_, &Workbench::about_to_change, editor_, &WorldEditor::commit);
   connect(editor_, &WorldEditor::undo_wished, &workbench_, &Workbench::undo);
   connect(editor_, &WorldEditor::redo_wished, &workbench_, &Workbench::redo);
   connect(problems_, &ProblemsPanel::go_to, this, &MainWindow::go_to);
@@ -405,6 +396,7 @@ void MainWindow::go_to(const QString& file, int line) {
 // Files
 
 bool MainWindow::may_leave() {
+  editor_->commit();
   if (!workbench_.is_modified()) {
     return true;
   }
@@ -492,24 +484,68 @@ bool MainWindow::save(bool elsewhere) {
       return false;
     }
   }
-  QEventLoop waiting;
-  bool is_saved = false;
-  workbench_.save_as(file, [&](const QString& why) {
-    is_saved = why.isEmpty();
-    if (!is_saved) QMessageBox::warning(this, tr("Not saved"), why);
-    waiting.quit();
+  // It may be saved after this has given up waiting.
+  struct Saving {
+    std::optional<QString> why;
+    QEventLoop waiting;
+  };
+  const auto saving = std::make_shared<Saving>();
+  workbench_.save_as(file, [this, saving](const QString& why) {
+    saving->why = why;
+    saving->waiting.quit();
+    if (why.isEmpty()) {
+      note_recent(workbench_.file());
+      say(tr("Saved as '%1'").arg(workbench_.file()));
+    }
+    show_title();
   });
-  const auto lost = connect(&workbench_, &Workbench::engine_lost, &waiting, &QEventLoop::quit);
-  if (!is_saved && workbench_.engine().waiting_ms() >= 0 && workbench_.is_right()) {
-    waiting.exec(QEventLoop::ExcludeUserInputEvents);
+  if (!saving->why) {
+    QTimer::singleShot(kStuck_ms, &saving->waiting, &QEventLoop::quit);
+    saving->waiting.exec(QEventLoop::ExcludeUserInputEvents);
   }
-  disconnect(lost);
-  if (is_saved) {
-    note_recent(workbench_.file());
-    say(tr("Saved as '%1'").arg(workbench_.file()));
+  if (saving->why && saving->why->isEmpty()) {
+    return true;
   }
-  show_title();
-  return is_saved;
+  warn(tr("Not saved"), saving->why.value_or(tr(
+                            "The engine does not answer: a plugin takes long. The world is saved "
+                            "as soon as it does. 'Stop the engine now' in the menu Simulation "
+                            "begins it anew; then save again.")));
+  return false;
+}
+
+void MainWindow::warn(const QString& title, const QString& sentence) {
+  auto* box = new QMessageBox(QMessageBox::Warning, title, sentence, QMessageBox::Ok, this);
+  box->setObjectName("warning");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
+}
+
+// Not modal to the event loop: a run goes on, and a file that changes again is asked about once.
+void MainWindow::ask_about_disk() {
+  if (findChild<QMessageBox*>("changed_on_disk")) {
+    return;
+  }
+  auto* box = new QMessageBox(
+      QMessageBox::Question, tr("The file has changed"),
+      workbench_.is_modified()
+          ? tr("Another program has changed '%1'. Read it again? What is unsaved here would be "
+               "lost.")
+                .arg(workbench_.file())
+          : tr("Another program has changed '%1'. Read it again?").arg(workbench_.file()),
+      QMessageBox::NoButton, this);
+  box->setObjectName("changed_on_disk");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* again = box->addButton(tr("&Read again"), QMessageBox::AcceptRole);
+  again->setObjectName("read_again");
+  QPushButton* keep = box->addButton(tr("&Keep mine"), QMessageBox::RejectRole);
+  keep->setObjectName("keep_mine");
+  box->setEscapeButton(keep);
+  const QString file = workbench_.file();
+  connect(again, &QPushButton::clicked, this, [this, file] {
+    QString why;
+    if (file == workbench_.file() && !workbench_.open(file, why)) warn(tr("Not read"), why);
+  });
+  box->open();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -539,6 +575,13 @@ void MainWindow::showEvent(QShowEvent* event) {
 
 void MainWindow::offer_recovered() {
   for (const Recovered& each : Recovery::left_behind()) {
+    if (each.is_damaged) {
+      warn(tr("Unsaved work"),
+           tr("The unsaved work of a window that was not closed properly cannot be read. It is in "
+              "'%1', and stays there.")
+               .arg(each.kept_in));
+      continue;
+    }
     QMessageBox box(QMessageBox::Question, tr("Unsaved work"),
                     tr("A window was not closed properly. Take up its unsaved work on %1?")
                         .arg(each.file.isEmpty() ? tr("a new world") : '\'' + each.file + '\''),

@@ -85,6 +85,8 @@ class MainWindow : public QMainWindow {
   void watch_robot(const QString& id);
   void go_to(const QString& file, int line);
   void say(const QString& text);
+  void warn(const QString& title, const QString& sentence);
+  void ask_about_disk();
 
   void show_selection(const QStringList& paths);
   void about();

@@ -7,6 +7,7 @@ namespace elsie::desktop {
 namespace {
 
 constexpr int kBetweenSnapshots_ms = 16;
+constexpr int kReport_ms = 500;  // that a report may take
 
 }  // namespace
 
@@ -48,9 +49,14 @@ void Engine::set_live(bool live) {
   pace();
 }
 
-void Engine::kill() {
+void Engine::stop() {
   if (connection_) {
-    connection_->kill();
+    connection_->quit();
+    QTimer::singleShot(kReport_ms, this, [this, generation = generation_] {
+      if (connection_ && generation == generation_) {
+        connection_->kill();
+      }
+    });
   }
 }
 
@@ -67,7 +73,28 @@ void Engine::pace() {
   }
 }
 
+void Engine::leave(int exit_code, const QString& report) {
+  notifier_.reset();
+  connection_.reset();
+  pending_.clear();
+  pace();
+  Q_EMIT died(exit_code, report);
+}
+
+// An engine that sends what it should not is one that a plugin has damaged: it ends here, and
+// nothing is thrown through the event loop.
 void Engine::read() {
+  try {
+    read_messages();
+  } catch (const Json::exception& problem) {
+    if (connection_) {
+      connection_->kill();
+      leave(0, tr("The engine sent a message that nobody can read: %1").arg(problem.what()));
+    }
+  }
+}
+
+void Engine::read_messages() {
   if (!connection_) {
     return;
   }
@@ -90,11 +117,7 @@ void Engine::read() {
   }
   take_snapshot();
   if (const auto end = connection_->ended()) {
-    notifier_.reset();
-    connection_.reset();
-    pending_.clear();
-    pace();
-    Q_EMIT died(end->exit_code, QString::fromStdString(end->report));
+    leave(end->exit_code, QString::fromStdString(end->report));
     return;
   }
   pace();

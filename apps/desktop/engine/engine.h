@@ -38,8 +38,8 @@ class Engine : public QObject {
   void ask(Json order, Answer answer = {});
   /// Whether snapshots are expected at any time; otherwise they come with messages.
   void set_live(bool live);
-  /// Ends the process at once: for one that does not answer.
-  void kill();
+  /// Ends the process: for one that does not answer. Its report names the plugin that was at work.
+  void stop();
   /// How long the oldest order has been waiting for its answer, ms; 0: none waits.
   qint64 waiting_ms() const;
 
@@ -56,6 +56,8 @@ class Engine : public QObject {
   };
 
   void read();
+  void read_messages();
+  void leave(int exit_code, const QString& report);
   void take_snapshot();
   void pace();
 

@@ -48,10 +48,15 @@ std::vector<Recovered> Recovery::left_behind() {
       continue;
     }
     const Json json = Json::parse(file.readAll().toStdString(), nullptr, false);
-    if (json.is_object()) {
-      all.push_back({QString::fromStdString(json.value("file", std::string())),
-                     QString::fromStdString(json.value("text", std::string())), file.fileName()});
-    }
+    const auto member = [&json](const char* word) {
+      const auto found = json.is_object() ? json.find(word) : json.end();
+      return found != json.end() && found->is_string()
+                 ? std::optional(QString::fromStdString(found->get<std::string>()))
+                 : std::nullopt;
+    };
+    const auto text = member("text");
+    all.push_back(
+        {member("file").value_or(QString()), text.value_or(QString()), file.fileName(), !text});
   }
   return all;
 }

@@ -12,6 +12,7 @@ struct Recovered {
   QString file;  // that the world was opened from; may be empty
   QString text;
   QString kept_in;
+  bool is_damaged = false;  // then it has neither file nor text
 };
 
 /// Keeps the unsaved text of one window in a file of its own, below the user's data folder.

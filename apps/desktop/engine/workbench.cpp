@@ -6,14 +6,14 @@
 #include <QFileInfo>
 #include <QFileSystemWatcher>
 #include <QSaveFile>
-#include <QTimer>
+#include <QStringDecoder>
 
 #include "elsie/base/error.h"
 
 namespace elsie::desktop {
 namespace {
 
-constexpr int kMostDeaths = 2;  // in a row; after that nothing is opened by itself
+constexpr int kMostDeaths = 3;  // in a row; after that it is not started again by itself
 
 QString text_at(const Json& object, const char* name) {
   const auto found = object.find(name);
@@ -37,6 +37,31 @@ std::optional<QByteArray> bytes_of(const QString& file) {
   }
   return opened.readAll();
 }
+
+constexpr auto kMark = "\xEF\xBB\xBF";  // that Windows writes before UTF-8
+
+bool is_utf8(const QByteArray& bytes) {
+  QStringDecoder decoder(QStringDecoder::Utf8);
+  const QString text = decoder(bytes);
+  return !decoder.hasError();
+}
+
+/// The first line, from 1, that is no UTF-8; 0: all are.
+int line_without_utf8(const QByteArray& bytes) {
+  if (is_utf8(bytes)) {
+    return 0;
+  }
+  int number = 1;
+  for (const QByteArray& line : bytes.split('\n')) {
+    if (!is_utf8(line)) {
+      return number;
+    }
+    ++number;
+  }
+  return 1;
+}
+
+QString folder_of(const QString& file) { return QFileInfo(file).absolutePath(); }
 
 }  // namespace
 
@@ -85,6 +110,7 @@ void Workbench::start_engine() {
 void Workbench::load_catalog() {
   engine_.ask({{"do", "catalog"}}, [this](const Json& answer) {
     catalog_ = Catalog(answer);
+    deaths_ = 0;
     Q_EMIT catalog_changed();
   });
 }
@@ -92,19 +118,21 @@ void Workbench::load_catalog() {
 // Files
 
 void Workbench::open_text(const QString& text, const QString& file, bool is_saved) {
+  drop_changes(tr("Another world was opened before this was done."));
   file_ = file;
   text_ = text;
   history_text_ = text;
   history_.clear();
+  has_mark_ = has_carriages_ = false;
+  on_disk_ = is_saved && !file.isEmpty() ? bytes_of(file).value_or(QByteArray()) : QByteArray();
   if (!is_saved) {
     history_.set_dirty();
+    keep();
   }
-  on_disk_ = is_saved && !file.isEmpty() ? bytes_of(file).value_or(QByteArray()) : QByteArray();
   tree_ = scene_ = Json();
   is_right_ = false;
-  deaths_ = 0;
   watch_file();
-  open_in_engine();
+  in_turn([this] { open_in_engine(text_); });
   Q_EMIT history_changed();
 }
 
@@ -114,34 +142,56 @@ bool Workbench::open(const QString& file, QString& why, std::optional<std::uint6
     why = tr("'%1' cannot be read: %2").arg(file, opened.errorString());
     return false;
   }
+  QByteArray bytes = opened.readAll();
+  if (const int line = line_without_utf8(bytes); line > 0) {
+    why = tr("'%1' is no text in UTF-8: line %2 has other bytes. Convert it first, for example "
+             "with: iconv -f latin1 -t utf-8")
+              .arg(file)
+              .arg(line);
+    return false;
+  }
+  const bool has_mark = bytes.startsWith(kMark);
+  if (has_mark) {
+    bytes.remove(0, 3);
+  }
+  const bool has_carriages = bytes.count('\n') > 0 && bytes.count("\r\n") == bytes.count('\n');
   seed_ = seed.value_or(seed_);
-  open_text(QString::fromUtf8(opened.readAll()), QFileInfo(file).absoluteFilePath());
+  open_text(QString::fromUtf8(bytes).replace("\r\n", "\n"), QFileInfo(file).absoluteFilePath());
+  has_mark_ = has_mark;
+  has_carriages_ = has_carriages;
   return true;
 }
 
-void Workbench::open_in_engine() {
+void Workbench::open_in_engine(const QString& text) {
   set_run(Run::none);
-  const QString text = text_;
   if (!engine_.is_there()) {
-    start_engine();
+    try {
+      start_engine();
+    } catch (const base::Error& error) {
+      set_problems({{{}, 0, QString::fromStdString(error.what())}});
+      Q_EMIT described();
+      end_change();
+      return;
+    }
   }
-  engine_.ask({{"do", "open"},
-               {"text", text.toStdString()},
-               {"file", file_.toStdString()},
-               {"seed", seed_}},
-              [this, text](const Json& answer) {
-                if (answer.contains("refused")) {
-                  is_right_ = false;
-                  deaths_ = 0;
-                  set_problems(problems_of(answer));
-                  Q_EMIT described();
-                } else {
-                  history_text_ = text;
-                  engine_.ask({{"do", "speed"}, {"factor", speed_}});
-                  take(answer);
-                  set_run(Run::ready);
-                }
-              });
+  under_way_ = text;
+  order({{"do", "open"},
+         {"text", text.toStdString()},
+         {"file", file_.toStdString()},
+         {"seed", seed_}},
+        [this, text](const Json& answer) {
+          if (answer.contains("refused")) {
+            is_right_ = false;
+            set_problems(problems_of(answer));
+            Q_EMIT described();
+          } else {
+            engine_.ask({{"do", "speed"}, {"factor", speed_}});
+            take(answer, text);
+            set_run(Run::ready);
+          }
+          Q_EMIT history_changed();
+          end_change();
+        });
 }
 
 void Workbench::watch_file() {
@@ -161,56 +211,140 @@ bool Workbench::is_changed_on_disk() const {
   return now && *now != on_disk_;
 }
 
-void Workbench::save_as(const QString& file, std::function<void(const QString&)> done) {
-  const QString target = QFileInfo(file).absoluteFilePath();
-  const auto write = [this, target, done](const QString& text, bool leads_on) {
-    QSaveFile saved(target);
-    saved.setDirectWriteFallback(false);
-    const QByteArray bytes = text.toUtf8();
-    if (!saved.open(QIODevice::WriteOnly) || saved.write(bytes) != bytes.size() ||
-        !saved.commit()) {
-      done(tr("The world could not be saved as '%1': %2. What was there before is unchanged.")
-               .arg(target, saved.errorString()));
-      return;
-    }
-    on_disk_ = bytes;
-    file_ = target;
-    if (!leads_on) {
-      open_text(text, target);
-    }
-    history_.set_clean();
-    watch_file();
-    recovery_.forget();
-    Q_EMIT history_changed();
-    done({});
-  };
-  if (!is_right_) {
-    write(text_, true);
-    return;
+QString Workbench::write(const QString& file, const QString& text) {
+  QString lines = text;
+  if (has_carriages_) {
+    lines.replace("\n", "\r\n");
   }
-  const QString now = text_;
-  engine_.ask({{"do", "text_for"}, {"file", target.toStdString()}}, [this, now, write,
-                                                                     done](const Json& answer) {
-    if (answer.contains("refused")) {
-      const Problems problems = problems_of(answer);
-      done(problems.empty() ? tr("The engine has no text for it.") : problems.front().message);
+  const QByteArray bytes = (has_mark_ ? QByteArray(kMark) : QByteArray()) + lines.toUtf8();
+  QSaveFile saved(file);
+  saved.setDirectWriteFallback(false);
+  if (!saved.open(QIODevice::WriteOnly) || saved.write(bytes) != bytes.size() || !saved.commit()) {
+    return tr("The world could not be saved as '%1': %2. What was there before is unchanged.")
+        .arg(file, saved.errorString());
+  }
+  on_disk_ = bytes;
+  return {};
+}
+
+void Workbench::save_as(const QString& file, std::function<void(const QString&)> done) {
+  Q_EMIT about_to_change();
+  const QString target = QFileInfo(file).absoluteFilePath();
+  const auto save = [this, target](const QString& text) {
+    if (const QString why = write(target, text); !why.isEmpty()) {
+      end_change({{target, 0, why}});
       return;
     }
-    const QString text = text_at(answer, "text");
-    write(text, text == now);
-  });
+    const QByteArray bytes = on_disk_;
+    const bool has_mark = has_mark_, has_carriages = has_carriages_;
+    file_ = target;
+    recovery_.forget();
+    if (text == text_) {
+      history_.set_clean();
+      watch_file();
+      Q_EMIT history_changed();
+      end_change();
+      return;
+    }
+    const Change saved = std::move(changes_.front());  // opening drops the others
+    changes_.pop_front();
+    open_text(text, target);
+    on_disk_ = bytes;
+    has_mark_ = has_mark;
+    has_carriages_ = has_carriages;
+    saved.done({});
+  };
+  in_turn(
+      [this, target, save] {
+        if (!is_right_ || text_ != history_text_ || folder_of(target) == folder_of(file_)) {
+          save(text_);
+          return;
+        }
+        order({{"do", "text_for"}, {"file", target.toStdString()}},
+              [this, save](const Json& answer) {
+                if (answer.contains("refused")) {
+                  end_change(problems_of(answer));
+                } else {
+                  save(text_at(answer, "text"));
+                }
+              });
+      },
+      this,
+      [done](const Problems& problems) {
+        done(problems.empty() ? QString() : problems.front().message);
+      });
 }
 
 // Changes
 
-void Workbench::take(const Json& answer) {
-  deaths_ = 0;
+void Workbench::in_turn(std::function<void()> begin, QObject* receiver, Done done) {
+  changes_.push_back({std::move(begin), receiver, receiver != nullptr, std::move(done)});
+  next_change();
+}
+
+void Workbench::next_change() {
+  if (!is_changing_ && !changes_.empty()) {
+    is_changing_ = true;
+    ++turn_;
+    const auto begin = changes_.front().begin;  // it may end, and be dropped, while it begins
+    begin();
+  }
+}
+
+void Workbench::end_change(const Problems& problems) {
+  const Change ended = std::move(changes_.front());
+  changes_.pop_front();
+  is_changing_ = false;
+  under_way_.clear();
+  ++turn_;
+  if (ended.done && (!ended.has_receiver || ended.receiver)) {
+    ended.done(problems);
+  }
+  if (!problems.empty()) {
+    Q_EMIT refused(problems);
+  }
+  next_change();
+}
+
+void Workbench::drop_changes(const QString& why) {
+  std::deque<Change> dropped;
+  dropped.swap(changes_);
+  is_changing_ = false;
+  under_way_.clear();
+  ++turn_;
+  for (const Change& each : dropped) {
+    if (each.done && (!each.has_receiver || each.receiver)) {
+      each.done({{{}, 0, why}});
+    }
+  }
+}
+
+/// An order of the change that is under way: the answer is not heard if that is over by then.
+void Workbench::order(const Json& order, Engine::Answer answer) {
+  if (!engine_.is_there()) {
+    end_change({{{}, 0, tr("There is no engine: it could not be started.")}});
+    return;
+  }
+  engine_.ask(order, [this, turn = turn_, answer = std::move(answer)](const Json& said) {
+    if (turn == turn_) {
+      answer(said);
+    }
+  });
+}
+
+/// `sent`: the text when the order was sent. What was typed since stays.
+void Workbench::take(const Json& answer, const QString& sent) {
   is_right_ = true;
-  text_ = history_text_ = text_at(answer, "text");
+  history_text_ = text_at(answer, "text");
+  if (text_ == sent) {
+    text_ = history_text_;
+  }
   tree_ = answer.value("tree", Json());
   scene_ = answer.value("scene", Json());
   epoch_ = answer.value("epoch", std::uint64_t{0});
-  set_problems({});
+  if (text_ == history_text_) {
+    set_problems({});
+  }
   if (run_ == Run::ended) {
     set_run(Run::ready);
   }
@@ -222,37 +356,40 @@ void Workbench::set_problems(Problems problems) {
   Q_EMIT problems_changed();
 }
 
-void Workbench::refuse(const Json& answer, const Refused& hears) {
-  const Problems problems = problems_of(answer);
-  if (hears) {
-    hears(problems);
+void Workbench::remember(const QString& name, const QString& merge, const QString& before,
+                         const Json& answer) {
+  if (before != history_text_) {
+    history_.push({name, merge, before, history_text_, answer.value("undo", std::uint64_t{0}),
+                   engine_.generation(), QDateTime::currentMSecsSinceEpoch()});
   }
-  Q_EMIT refused(problems);
+  keep();
+  Q_EMIT history_changed();
 }
 
 void Workbench::edit(const QStringList& edits, const QString& name, const QString& merge,
-                     Refused hears) {
-  if (!is_right_ || text_ != history_text_) {
-    refuse({{"refused",
-             {{{"message",
-                tr("The text of the world has mistakes; mend them first, or undo what was typed.")
-                    .toStdString()}}}}},
-           hears);
-    return;
-  }
-  engine_.ask({{"do", "edit"}, {"edits", list_of(edits)}},
-              [this, name, merge, hears](const Json& answer) {
+                     QObject* receiver, Done done) {
+  Q_EMIT about_to_change();
+  in_turn(
+      [this, edits, name, merge] {
+        if (!is_right_ || text_ != history_text_) {
+          end_change({{{},
+                       0,
+                       tr("The text of the world has mistakes; mend them first, or undo what was "
+                          "typed.")}});
+          return;
+        }
+        order({{"do", "edit"}, {"edits", list_of(edits)}},
+              [this, name, merge, before = history_text_](const Json& answer) {
                 if (answer.contains("refused")) {
-                  refuse(answer, hears);
+                  end_change(problems_of(answer));
                   return;
                 }
-                const QString before = history_text_;
-                take(answer);
-                history_.push({name, merge, before, text_, answer.value("undo", std::uint64_t{0}),
-                               engine_.generation(), QDateTime::currentMSecsSinceEpoch()});
-                keep();
-                Q_EMIT history_changed();
+                take(answer, before);
+                remember(name, merge, before, answer);
+                end_change();
               });
+      },
+      receiver, std::move(done));
 }
 
 void Workbench::type(const QString& text) {
@@ -262,33 +399,27 @@ void Workbench::type(const QString& text) {
   text_ = text;
   keep();
   Q_EMIT history_changed();
+  in_turn([this] { send_typed(); });
+}
+
+void Workbench::send_typed() {
+  const QString sent = text_;
   if (tree_.is_null()) {
     history_.set_dirty();
-    open_in_engine();
+    open_in_engine(sent);
     return;
   }
-  engine_.ask({{"do", "become"}, {"text", text.toStdString()}}, [this, text](const Json& answer) {
-    if (text != text_) {
-      // More was typed since. If the engine has this text, that is where the next one starts.
-      if (!answer.contains("refused")) {
-        history_.push({tr("type"), "type", history_text_, text, 0, engine_.generation(),
-                       QDateTime::currentMSecsSinceEpoch()});
-        history_text_ = text;
-      }
-      return;
-    }
-    if (answer.contains("refused")) {
-      set_problems(problems_of(answer));
-      return;
-    }
-    const QString before = history_text_;
-    take(answer);
-    if (before != text_) {
-      history_.push({tr("type"), "type", before, text_, answer.value("undo", std::uint64_t{0}),
-                     engine_.generation(), QDateTime::currentMSecsSinceEpoch()});
-    }
-    Q_EMIT history_changed();
-  });
+  under_way_ = sent;
+  order({{"do", "become"}, {"text", sent.toStdString()}},
+        [this, sent, before = history_text_](const Json& answer) {
+          if (!answer.contains("refused")) {
+            take(answer, sent);
+            remember(tr("type"), "type", before, answer);
+          } else if (text_ == sent) {  // otherwise more was typed, which is sent next
+            set_problems(problems_of(answer));
+          }
+          end_change();
+        });
 }
 
 QString Workbench::undo_name() const {
@@ -306,46 +437,58 @@ QString Workbench::redo_name() const {
 
 void Workbench::lead(const QString& text, std::uint64_t inverse, int engine,
                      std::function<void(std::uint64_t)> done) {
-  is_leading_ = true;
-  Json order{{"do", "undo"}, {"edit", inverse}};
+  Json way{{"do", "undo"}, {"edit", inverse}};
   if (inverse == 0 || engine != engine_.generation()) {
-    order = {{"do", "become"}, {"text", text.toStdString()}};
+    way = {{"do", "become"}, {"text", text.toStdString()}};
   }
-  engine_.ask(order, [this, done](const Json& answer) {
-    is_leading_ = false;
+  order(way, [this, done, before = history_text_](const Json& answer) {
     if (answer.contains("refused")) {
-      refuse(answer, {});
+      end_change(problems_of(answer));
       return;
     }
-    take(answer);
+    take(answer, before);
     done(answer.value("undo", std::uint64_t{0}));
     keep();
     Q_EMIT history_changed();
+    end_change();
   });
 }
 
 void Workbench::undo() {
-  if (text_ != history_text_) {  // what was typed is no world: it goes
-    text_ = history_text_;
-    set_problems({});
-    keep();
-    Q_EMIT described();
-    Q_EMIT history_changed();
-    return;
-  }
-  const History::Entry* entry = history_.next_undo();
-  if (entry && !is_leading_) {
-    lead(entry->before, entry->inverse, entry->engine,
-         [this](std::uint64_t inverse) { history_.undone(inverse, engine_.generation()); });
-  }
+  Q_EMIT about_to_change();
+  in_turn([this] {
+    const History::Entry* entry = history_.next_undo();
+    if (text_ != history_text_) {  // what was typed is no world: it goes
+      text_ = history_text_;
+      keep();
+      Q_EMIT history_changed();
+      if (!is_right_) {
+        open_in_engine(text_);
+        return;
+      }
+      set_problems({});
+      Q_EMIT described();
+      end_change();
+    } else if (entry) {
+      lead(entry->before, entry->inverse, entry->engine,
+           [this](std::uint64_t inverse) { history_.undone(inverse, engine_.generation()); });
+    } else {
+      end_change();
+    }
+  });
 }
 
 void Workbench::redo() {
-  const History::Entry* entry = history_.next_redo();
-  if (entry && !is_leading_ && text_ == history_text_) {
-    lead(entry->after, entry->inverse, entry->engine,
-         [this](std::uint64_t inverse) { history_.redone(inverse, engine_.generation()); });
-  }
+  Q_EMIT about_to_change();
+  in_turn([this] {
+    const History::Entry* entry = history_.next_redo();
+    if (entry && text_ == history_text_) {
+      lead(entry->after, entry->inverse, entry->engine,
+           [this](std::uint64_t inverse) { history_.redone(inverse, engine_.generation()); });
+    } else {
+      end_change();
+    }
+  });
 }
 
 void Workbench::keep() {
@@ -370,10 +513,14 @@ void Workbench::set_run(Run run) {
 }
 
 void Workbench::run() {
-  if (run_ == Run::ready || run_ == Run::paused) {
-    engine_.ask({{"do", "run"}});
-    set_run(Run::running);
-  }
+  Q_EMIT about_to_change();
+  in_turn([this] {
+    if (run_ == Run::ready || run_ == Run::paused) {
+      engine_.ask({{"do", "run"}});
+      set_run(Run::running);
+    }
+    end_change();
+  });
 }
 
 void Workbench::pause() {
@@ -387,31 +534,40 @@ void Workbench::pause() {
 }
 
 void Workbench::step() {
-  if (run_ == Run::ready || run_ == Run::paused) {
-    engine_.ask({{"do", "step"}}, [this](const Json&) {
-      if (run_ == Run::ready) {
-        set_run(Run::paused);
-      }
-    });
-  }
+  Q_EMIT about_to_change();
+  in_turn([this] {
+    if (run_ == Run::ready || run_ == Run::paused) {
+      engine_.ask({{"do", "step"}}, [this](const Json&) {
+        if (run_ == Run::ready) {
+          set_run(Run::paused);
+        }
+      });
+    }
+    end_change();
+  });
 }
 
 void Workbench::reset(std::uint64_t seed) {
+  Q_EMIT about_to_change();
   seed_ = seed;
-  if (!is_right_) {
-    return;
-  }
-  engine_.ask({{"do", "reset"}, {"seed", seed}}, [this](const Json& answer) {
-    if (answer.contains("refused")) {
-      refuse(answer, {});
+  in_turn([this, seed] {
+    if (!is_right_) {
+      end_change();
       return;
     }
-    scene_ = answer.value("scene", Json());
-    epoch_ = answer.value("epoch", std::uint64_t{0});
-    time_s_ = 0.0;
-    set_run(Run::ready);
-    Q_EMIT described();
-    Q_EMIT run_changed();
+    order({{"do", "reset"}, {"seed", seed}}, [this](const Json& answer) {
+      if (answer.contains("refused")) {
+        end_change(problems_of(answer));
+        return;
+      }
+      scene_ = answer.value("scene", Json());
+      epoch_ = answer.value("epoch", std::uint64_t{0});
+      time_s_ = 0.0;
+      set_run(Run::ready);
+      Q_EMIT described();
+      Q_EMIT run_changed();
+      end_change();
+    });
   });
 }
 
@@ -438,31 +594,38 @@ void Workbench::heard(const Json& event) {
 }
 
 void Workbench::lost(int exit_code, const QString& report) {
-  is_leading_ = false;
   ++deaths_;
   const QString said = report.trimmed().isEmpty()
                            ? tr("The engine ended with exit code %1.").arg(exit_code)
                            : report.trimmed();
+  const QString deadly = under_way_;
+  drop_changes(tr("The engine ended before this was done: %1").arg(said.section('\n', 0, 0)));
+  set_run(Run::none);
   try {
+    if (deaths_ > kMostDeaths) {
+      throw base::Error(tr("The engine ends as soon as it starts: %1").arg(said).toStdString());
+    }
     start_engine();
   } catch (const base::Error& error) {
-    set_run(Run::none);
     set_problems({{{}, 0, QString::fromStdString(error.what())}});
     Q_EMIT engine_lost(said);
     return;
   }
-  if (deaths_ >= kMostDeaths) {
+  const Problem cause{file_, 0, tr("The engine ended when it read this world: %1").arg(said)};
+  if (!text_.isEmpty() && deadly == history_text_) {
     is_right_ = false;
     tree_ = scene_ = Json();
-    set_run(Run::none);
-    set_problems({{file_, 0, tr("The engine ended when it opened this world: %1").arg(said)}});
+    set_problems({cause});
     Q_EMIT described();
-  } else {
-    const QString typed = text_;
-    text_ = history_text_;
-    open_in_engine();
-    if (typed != history_text_) {
-      type(typed);
+  } else if (!text_.isEmpty()) {
+    in_turn([this] { open_in_engine(history_text_); });
+    if (!deadly.isEmpty() && deadly == text_) {
+      in_turn([this, cause] {
+        set_problems({cause});
+        end_change();
+      });
+    } else if (text_ != history_text_) {
+      in_turn([this] { send_typed(); });
     }
   }
   Q_EMIT engine_lost(said);

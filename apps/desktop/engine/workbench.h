@@ -5,6 +5,8 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
+#include <deque>
 #include <vector>
 
 #include "engine/catalog.h"
@@ -51,18 +53,21 @@ class Workbench : public QObject {
   /// on; none: the one that it is.
   bool open(const QString& file, QString& why, std::optional<std::uint64_t> seed = {});
   /// Asks the engine for the text as it reads there, writes it whole or not at all, and calls back
-  /// with "" or a sentence.
+  /// once with "" or a sentence.
   void save_as(const QString& file, std::function<void(const QString&)> done);
   /// Whether another program wrote the file since it was read or saved.
   bool is_changed_on_disk() const;
   /// @}
 
   /// @name Changes
-  /// All of them, or none; `refused` hears why not, as does refused().
+  /// They are made one after another, in the order of the calls.
   /// @{
-  using Refused = std::function<void(const Problems&)>;
+  /// Hears nothing if a change was made, otherwise why not: exactly once, also when the engine ends
+  /// before it answers; but never after `receiver` is gone.
+  using Done = std::function<void(const Problems&)>;
+  /// All of the edits, or none.
   void edit(const QStringList& edits, const QString& name, const QString& merge = {},
-            Refused refused = {});
+            QObject* receiver = nullptr, Done done = {});
   /// The text as a user typed it: it stays as it is, right or wrong.
   void type(const QString& text);
   void undo();
@@ -90,6 +95,8 @@ class Workbench : public QObject {
   /// @}
 
  Q_SIGNALS:
+  /// What is being typed elsewhere is to be given to type() now.
+  void about_to_change();
   void described();  // the world changed: text, tree, scene
   void problems_changed();
   void catalog_changed();
@@ -107,17 +114,34 @@ class Workbench : public QObject {
   void changed_on_disk();
 
  private:
+  struct Change {
+    std::function<void()> begin;
+    QPointer<QObject> receiver;
+    bool has_receiver = false;
+    Done done;
+  };
+
   void start_engine();
   void load_catalog();
   void heard(const Json& event);
   void lost(int exit_code, const QString& report);
-  void take(const Json& answer);
   void set_run(Run run);
   void set_problems(Problems problems);
-  void refuse(const Json& answer, const Refused& refused);
+
+  void in_turn(std::function<void()> begin, QObject* receiver = nullptr, Done done = {});
+  void next_change();
+  void end_change(const Problems& problems = {});
+  void drop_changes(const QString& why);
+  void order(const Json& order, Engine::Answer answer);
+
+  void take(const Json& answer, const QString& sent);
+  void remember(const QString& name, const QString& merge, const QString& before,
+                const Json& answer);
   void lead(const QString& text, std::uint64_t inverse, int engine,
             std::function<void(std::uint64_t)> done);
-  void open_in_engine();
+  void open_in_engine(const QString& text);
+  void send_typed();
+  QString write(const QString& file, const QString& text);
   void keep();
   void watch_file();
 
@@ -127,19 +151,24 @@ class Workbench : public QObject {
   QString text_;
   QString history_text_;  // the last right one, to which the history leads
   QByteArray on_disk_;
+  bool has_mark_ = false;       // the file begins with the mark of UTF-8
+  bool has_carriages_ = false;  // its lines end as on Windows
   Json tree_, scene_;
   Json asked_watch_;
   std::uint64_t epoch_ = 0;
   bool is_right_ = false;
   Problems problems_;
   History history_;
-  bool is_leading_ = false;  // an undo or redo is under way
+  std::deque<Change> changes_;  // the first is under way if is_changing_
+  bool is_changing_ = false;
+  int turn_ = 0;       // counts beginnings and ends of changes
+  QString under_way_;  // the text that the engine is reading
   Run run_ = Run::none;
   double time_s_ = 0.0;
   double pace_ = 0.0;
   double speed_ = 1.0;
   std::uint64_t seed_ = 1;
-  int deaths_ = 0;  // of the engine since it carried out an order
+  int deaths_ = 0;  // of the engine since it last said what it has
   Recovery recovery_;
   std::unique_ptr<QFileSystemWatcher> on_disk_watcher_;
 };

@@ -130,6 +130,13 @@ void WorldEditor::set_text(const QString& text) {
   mark_lines();
 }
 
+void WorldEditor::commit() {
+  if (typing_.isActive()) {
+    typing_.stop();
+    Q_EMIT edited(toPlainText());
+  }
+}
+
 void WorldEditor::set_problems(const std::vector<Problem>& problems) {
   problems_.clear();
   for (const Problem& problem : problems) {
@@ -271,10 +278,6 @@ void WorldEditor::keyPressEvent(QKeyEvent* event) {
   }
   const bool control = (event->modifiers() & Qt::ControlModifier) != 0;
   if (control && key == Qt::Key_Z) {
-    if (typing_.isActive()) {  // what was typed last is undone with the rest
-      typing_.stop();
-      Q_EMIT edited(toPlainText());
-    }
     if ((event->modifiers() & Qt::ShiftModifier) != 0) {
       Q_EMIT redo_wished();
     } else {

@@ -31,6 +31,8 @@ class WorldEditor : public QPlainTextEdit {
   /// Changes only what differs, hence cursor and scroll position stay; edited() does not come.
   /// While typing waits for its edited(), the text stays as typed: edited() comes with it.
   void set_text(const QString& text);
+  /// Sends edited() now if it waits.
+  void commit();
   /// Underlines these lines, with red numbers; the messages are tool tips.
   void set_problems(const std::vector<Problem>& problems);
   /// The answer to the order "catalog".

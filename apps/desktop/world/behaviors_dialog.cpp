@@ -128,16 +128,13 @@ void BehaviorsDialog::accept() {
   } else if (!has_some && has_coordinator) {
     edits << holder_ + "/coordinator/@remove=true";
   }
-  const auto done = std::make_shared<QMetaObject::Connection>();
-  *done = connect(&workbench_, &Workbench::described, this, [this, done] {
-    disconnect(*done);
-    QDialog::accept();
-  });
-  workbench_.edit(edits, tr("change behaviours of %1").arg(holder_), {},
-                  [this, done](const Problems& problems) {
-                    disconnect(*done);
-                    refusal_->setText(problems.empty() ? tr("The engine refused this.")
-                                                       : problems.front().message);
+  workbench_.edit(edits, tr("change behaviours of %1").arg(holder_), {}, this,
+                  [this](const Problems& problems) {
+                    if (problems.empty()) {
+                      QDialog::accept();
+                    } else {
+                      refusal_->setText(problems.front().message);
+                    }
                   });
 }
 

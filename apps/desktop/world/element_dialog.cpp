@@ -243,7 +243,7 @@ void ElementDialog::add_page(const QString& title, const QString& path, const Ki
       return;
     }
     const QString edit = attribute_path(path, name) + (taken_back ? "/@remove=true" : '=' + value);
-    workbench_.edit({edit}, tr("set %1").arg(name), edit.section('=', 0, 0),
+    workbench_.edit({edit}, tr("set %1").arg(name), edit.section('=', 0, 0), form,
                     [form, name](const Problems& problems) {
                       form->show_problem(name,
                                          problems.empty() ? QString() : problems.front().message);
@@ -314,15 +314,13 @@ void ElementDialog::accept() {
     return;
   }
   buttons_->setEnabled(false);
-  const auto done = std::make_shared<QMetaObject::Connection>();
-  *done = connect(&workbench_, &Workbench::described, this, [this, done] {
-    disconnect(*done);
-    QDialog::accept();
-  });
-  workbench_.edit(edits, name, {}, [this, done](const Problems& problems) {
-    disconnect(*done);
+  workbench_.edit(edits, name, {}, this, [this](const Problems& problems) {
     buttons_->setEnabled(true);
-    show_refusal(problems.empty() ? tr("The engine refused this.") : problems.front().message);
+    if (problems.empty()) {
+      QDialog::accept();
+    } else {
+      show_refusal(problems.front().message);
+    }
   });
 }
 

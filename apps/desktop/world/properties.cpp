@@ -72,7 +72,7 @@ Properties::Properties(Workbench& workbench, QWidget* parent)
 void Properties::change(const QString& path, const QString& name, const QString& edit) {
   const ElementPlace place = place_of(workbench_.tree(), path);
   const QString title = place.element ? title_of(*place.element) : path;
-  workbench_.edit({edit}, tr("set %1 of %2").arg(name, title), attribute_path(path, name),
+  workbench_.edit({edit}, tr("set %1 of %2").arg(name, title), attribute_path(path, name), this,
                   [this, path, name](const Problems& problems) {
                     if (path == path_) {
                       form_->show_problem(name,

@@ -97,7 +97,7 @@ class Connection::Impl {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
       }
     }
-    kill();
+    end_by(SIGKILL);
     reap(0);
   }
 
@@ -111,7 +111,10 @@ class Connection::Impl {
 
   std::vector<Json> receive() {
     flush();
-    open_ = open_ && read_into(received_, messages_.get());
+    if (open_ && !read_into(received_, messages_.get())) {
+      open_ = false;
+      closed_ = std::chrono::steady_clock::now();
+    }
     read_output();
     std::vector<Json> messages;
     std::size_t begin = 0;
@@ -134,15 +137,18 @@ class Connection::Impl {
     }
     reap(WNOHANG);
     if (process_ > 0) {
+      if (std::chrono::steady_clock::now() - closed_ > std::chrono::milliseconds(kPatience_ms)) {
+        end_by(SIGKILL);
+      }
       return std::nullopt;
     }
     read_output();
     return SessionEnd{exit_code_, report_};
   }
 
-  void kill() {
+  void end_by(int signal) {
     if (process_ > 0) {
-      ::kill(process_, SIGKILL);
+      ::kill(process_, signal);
     }
   }
 
@@ -206,6 +212,7 @@ class Connection::Impl {
   pid_t process_ = -1;
   int exit_code_ = 0;
   bool open_ = true;
+  std::chrono::steady_clock::time_point closed_;
   std::string unsent_, received_, report_;
 };
 
@@ -218,7 +225,8 @@ int Connection::descriptor() const { return impl_->descriptor(); }
 void Connection::send(const Json& message) { impl_->send(message); }
 std::vector<Json> Connection::receive() { return impl_->receive(); }
 std::optional<SessionEnd> Connection::ended() { return impl_->ended(); }
-void Connection::kill() { impl_->kill(); }
+void Connection::quit() { impl_->end_by(SIGQUIT); }
+void Connection::kill() { impl_->end_by(SIGKILL); }
 snapshots::Reader& Connection::snapshots() { return impl_->reader(); }
 
 }  // namespace elsie::client

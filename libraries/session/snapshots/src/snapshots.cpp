@@ -36,8 +36,10 @@ struct Sizes {
   SnapshotFacts facts;
 };
 
-std::size_t bytes_of(std::size_t bodies, std::size_t beams) {
-  return sizeof(Sizes) + bodies * sizeof(BodyState) + beams * sizeof(BeamState);
+/// Whether a buffer of `most` bytes has room for so many. No product overflows.
+bool fits(std::size_t bodies, std::size_t beams, std::size_t most) {
+  return bodies <= most / sizeof(BodyState) && beams <= most / sizeof(BeamState) &&
+         sizeof(Sizes) + bodies * sizeof(BodyState) + beams * sizeof(BeamState) <= most;
 }
 
 [[noreturn]] void fail(const std::string& what) {
@@ -45,8 +47,8 @@ std::size_t bytes_of(std::size_t bodies, std::size_t beams) {
 }
 
 Head& head_of(std::byte* begin) { return *reinterpret_cast<Head*>(begin); }
-std::byte* buffer_of(std::byte* begin, std::uint32_t index) {
-  return begin + kPage + index * head_of(begin).most;
+std::byte* buffer_of(std::byte* begin, std::uint32_t index, std::size_t most) {
+  return begin + kPage + index * most;
 }
 
 void put(float (&to)[3], const Vector3& from) {
@@ -103,6 +105,9 @@ SharedMemory SharedMemory::open(int descriptor) {
   return memory;
 }
 
+// Not the number in the head, which the other process can write over.
+std::size_t SharedMemory::most() const { return (bytes_ - kPage) / kBuffers; }
+
 SharedMemory::SharedMemory(int descriptor, bool owned, std::size_t bytes)
     : descriptor_(descriptor), owned_(owned), bytes_(bytes) {
   if (bytes == 0) {
@@ -142,10 +147,10 @@ bool Writer::taken() const {
 bool Writer::write(const SnapshotFacts& facts, std::span<const BodyState> bodies,
                    std::span<const BeamState> beams) {
   Head& head = head_of(memory_.begin_);
-  if (bytes_of(bodies.size(), beams.size()) > head.most) {
+  if (!fits(bodies.size(), beams.size(), memory_.most())) {
     return false;
   }
-  std::byte* to = buffer_of(memory_.begin_, mine_);
+  std::byte* to = buffer_of(memory_.begin_, mine_, memory_.most());
   const Sizes sizes{bodies.size(), beams.size(), facts};
   std::memcpy(to, &sizes, sizeof(sizes));
   to += sizeof(sizes);
@@ -163,10 +168,10 @@ std::optional<Snapshot> Reader::take() {
     return std::nullopt;
   }
   mine_ = head.ready.exchange(mine_, std::memory_order_acq_rel) % kFresh % kBuffers;
-  const std::byte* from = buffer_of(memory_.begin_, mine_);
+  const std::byte* from = buffer_of(memory_.begin_, mine_, memory_.most());
   Sizes sizes;
   std::memcpy(&sizes, from, sizeof(sizes));
-  if (bytes_of(sizes.bodies, sizes.beams) > head.most) {
+  if (!fits(sizes.bodies, sizes.beams, memory_.most())) {
     return std::nullopt;  // a writer that went wild
   }
   const auto* bodies = reinterpret_cast<const BodyState*>(from + sizeof(sizes));

@@ -263,6 +263,10 @@ void crashed(int signal, siginfo_t* info, void* context) {
 
 void ended(int signal, siginfo_t* info, void*) {
   const bool by_itself = info->si_pid == getpid();
+  if (!by_itself && signal == SIGQUIT && is_plugin_at_work() && may_report()) {
+    write_report("was at work when the program was told to quit (SIGQUIT)", {});
+    end_with(status_of_crash);
+  }
   if (by_itself && is_plugin_at_work() && may_report()) {
     char what[64] = "ended the program with the signal SIG";
     const char* const name = sigabbrev_np(signal);

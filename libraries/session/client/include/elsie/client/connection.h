@@ -43,8 +43,11 @@ class Connection {
   void send(const Json& message);
   /// The messages that have come.
   std::vector<Json> receive();
-  /// Once it has ended, and all its messages have been received.
+  /// Once it has ended, and all its messages have been received. A process that has closed the
+  /// connection but lives on for a second is ended.
   std::optional<SessionEnd> ended();
+  /// Tells the process to report which plugin is at work, and to end.
+  void quit();
   /// Ends the process at once.
   void kill();
 

@@ -67,6 +67,7 @@ class SharedMemory {
   friend class Writer;
   friend class Reader;
   SharedMemory(int descriptor, bool owned, std::size_t bytes);
+  std::size_t most() const;  // bytes of a buffer
 
   int descriptor_ = -1;
   bool owned_ = false;
