@@ -131,6 +131,26 @@ TEST_CASE(
   CHECK(blue->item("robot[b1]/coordinator"));
 }
 
+TEST_CASE("OK with a wrong number in a field leaves the dialog open, with the sentence") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* tree = window.get<WorldTree>("world_tree");
+  tree->tree()->setCurrentItem(tree->item("robot[r1]"));
+  window.act("add_sensor");
+  auto* dialog = window.dialog("element_dialog");
+  auto* yaw = dialog->findChild<QLineEdit*>("yaw_deg");
+  REQUIRE(yaw);
+  QTest::keyClicks(yaw, "4,5");
+  Window::press(dialog, QDialogButtonBox::Ok);
+  CHECK(dialog->isVisible());
+  CHECK(dialog->findChild<QLabel*>("yaw_deg_problem")->text().contains("with a point"));
+  CHECK(window.bench().text() == kRoom);
+  yaw->clear();
+  QTest::keyClicks(yaw, "45");
+  window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
+  CHECK(window.bench().text().contains("yaw_deg=\"45\""));
+}
+
 TEST_CASE("A dialog that edits applies its changes with OK, with Cancel none, or immediately") {
   Window window;
   window.open(window.file(kRoom));

@@ -114,6 +114,17 @@ TEST_CASE("train --progress prints lines of JSON before the object") {
   CHECK(here.elsie("train " + kWorld + " --progress").exit_code == 2);
 }
 
+TEST_CASE("train --stdin reads the world from standard input, and files beside its name") {
+  Workplace here;
+  const auto from_file = here.elsie("train " + kWorld + " --json");
+  const auto from_input = here.elsie("train " + kWorld + " --stdin --json < " + kWorld);
+  CHECK(from_input.exit_code == 0);
+  CHECK(from_input.out == from_file.out);
+  const auto wrong = here.elsie("train " + kWorld + " --stdin --json < /dev/null");
+  CHECK(wrong.exit_code == 2);
+  CHECK(wrong.err.find(kWorld) != std::string::npos);
+}
+
 TEST_CASE("A network on the plateau ends train with exit code 1, and says so") {
   Workplace here;
   int untrained = 0;

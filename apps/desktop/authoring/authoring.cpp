@@ -107,13 +107,7 @@ void Authoring::add_element(const QString& holder, const QString& list,
   dialog->show();
 }
 
-void Authoring::edit_coordinator(const QString& holder) {
-  if (!holder.isEmpty() && place_of(workbench_.tree(), holder + "/coordinator").element) {
-    edit_element(holder + "/coordinator");
-  } else {
-    add_element(holder, "coordinator");
-  }
-}
+void Authoring::edit_coordinator(const QString& holder) { add_element(holder, "coordinator"); }
 
 void Authoring::edit_behaviors(const QString& holder) {
   if (holder.isEmpty()) {

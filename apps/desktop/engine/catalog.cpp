@@ -78,6 +78,11 @@ Kind plugin_of(const Json& json) {
   for (const Json& each : json.value("elements", Json::array())) {
     kind.elements << text_at(each, "name");
   }
+  for (const auto& [name, list] : {std::pair("needs", &kind.needs), {"produces", &kind.produces}}) {
+    for (const Json& each : json.value(name, Json::array())) {
+      *list << text_of(each);
+    }
+  }
   return kind;
 }
 

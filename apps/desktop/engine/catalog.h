@@ -31,7 +31,8 @@ struct Kind {
   QString description;
   std::vector<Field> fields;
   bool holds_behaviors = false;
-  QStringList elements;  // names of those that may stand in it
+  QStringList elements;         // names of those that may stand in it
+  QStringList needs, produces;  // kinds of readings, such as "range"
 };
 
 class Catalog {

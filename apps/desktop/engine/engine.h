@@ -29,6 +29,9 @@ class Engine : public QObject {
   Engine(QString program, QStringList options, QObject* parent = nullptr);
   ~Engine() override;
 
+  const QString& program() const { return program_; }
+  const QStringList& options() const { return options_; }
+
   /// Throws base::Error if the program cannot be started.
   void start();
   bool is_there() const { return connection_ != nullptr; }

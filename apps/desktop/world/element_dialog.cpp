@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -13,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "engine/workbench.h"
+#include "training/training_page.h"
 #include "world/form.h"
 #include "world/properties.h"
 
@@ -78,7 +80,6 @@ ElementDialog* ElementDialog::make(Workbench& workbench, const QString& holder, 
   dialog->holder_ = holder;
   dialog->list_ = list;
   dialog->setWindowTitle(tr("New %1").arg(member_word(list)));
-  dialog->at_once_->hide();
   dialog->kinds_ = workbench.catalog().members(list);
   for (const Kind& kind : dialog->kinds_) {
     auto* item = new QListWidgetItem(kind.name, dialog->choice_);
@@ -90,7 +91,10 @@ ElementDialog* ElementDialog::make(Workbench& workbench, const QString& holder, 
       dialog->show_kind(dialog->kinds_[static_cast<std::size_t>(row)]);
     }
   });
-  dialog->choice_->setCurrentRow(0);
+  const ElementPlace present = dialog->present();
+  if (!present.element || !dialog->choose(name_of(*present.element))) {
+    dialog->choice_->setCurrentRow(0);
+  }
   return dialog;
 }
 
@@ -142,14 +146,27 @@ bool ElementDialog::choose(const QString& kind) {
   return false;
 }
 
+// The coordinator that is there already.
+ElementPlace ElementDialog::present() const {
+  return list_ == "coordinator"
+             ? place_of(workbench_.tree(), (holder_.isEmpty() ? "" : holder_ + '/') + list_)
+             : ElementPlace();
+}
+
 void ElementDialog::show_kind(const Kind& kind) {
   while (tabs_->count() > 0) {
     delete tabs_->widget(0);
   }
   pages_.clear();
+  training_ = nullptr;
   refusal_->hide();
   about_->setText(kind.description);
-  add_page(kind.name, {}, kind, Json::object());
+  changes_.clear();
+  const ElementPlace there = present();
+  makes_ = !there.element || name_of(*there.element) != kind.name;
+  path_ = makes_ ? QString() : there.path;
+  at_once_->setVisible(!makes_);
+  add_page(kind.name, path_, kind, makes_ ? Json::object() : attributes_of(*there.element));
   for (const auto& [name, value] : begin_with_) {
     pages_.front().form->set_value(name, value);
   }
@@ -218,6 +235,9 @@ void ElementDialog::add_page(const QString& title, const QString& path, const Ki
                              const Json& values) {
   auto* form = new Form;
   form->setObjectName("form_" + kind.name);
+  if (!workbench_.file().isEmpty()) {
+    form->set_folder(QFileInfo(workbench_.file()).absolutePath());
+  }
   form->show_fields(kind.fields, values);
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
@@ -233,6 +253,9 @@ void ElementDialog::add_page(const QString& title, const QString& path, const Ki
   whole->addWidget(scroll);
   tabs_->addTab(holder, title);
   pages_.push_back({title, path, kind, form});
+  if (TrainingPage::learns(kind)) {
+    offer_training(kind, form, makes_ ? holder_ + "/coordinator" : path);
+  }
   if (makes_) {
     return;
   }
@@ -277,44 +300,134 @@ void ElementDialog::show_refusal(const QString& sentence) {
   refusal_->show();
 }
 
+QStringList ElementDialog::edits() const {
+  QStringList edits;
+  if (makes_) {
+    edits << (holder_.isEmpty() ? QString() : holder_ + '/') + member_word(list_) +
+                 (present().element ? "=" : "[+]=") + markup();
+  }
+  for (const auto& [path, values] : changes_) {
+    for (const auto& [attribute, value] : values) {
+      edits << attribute_path(path, attribute) + (value.isNull() ? "/@remove=true" : '=' + value);
+    }
+  }
+  return edits;
+}
+
+// A coordinator that learns has a page for that, and OK trains it first.
+void ElementDialog::offer_training(const Kind& kind, Form* form, const QString& coordinator) {
+  training_ = new TrainingPage(workbench_, kind, coordinator);
+  tabs_->addTab(training_, tr("Training"));
+  const auto value = [form](const QString& name) {
+    const auto given = form->values().find(name);
+    return given == form->values().end() ? QString() : given->second;
+  };
+  const auto show = [this, value](const QString& changed) {
+    training_->show_hidden(value("hidden"));
+    if (changed == "weights") {
+      training_->wish(value("weights").isEmpty());
+    } else if (changed != "id" && changed != "weighted") {
+      training_->wish(true);
+    }
+  };
+  training_->show_hidden(value("hidden"));
+  training_->wish(value("weights").isEmpty());
+  connect(form, &Form::committed, training_, show);
+  connect(form, &Form::taken_back, training_, show);
+  connect(training_, &TrainingPage::hidden_wished, form,
+          [form](const QString& hidden) { form->set_value("hidden", hidden); });
+  connect(training_, &TrainingPage::failed, this, [this](const QString& sentence) {
+    set_busy(false);
+    show_refusal(sentence);
+  });
+  connect(training_, &TrainingPage::trained, this, [this](const QString& warning) {
+    set_busy(false);
+    if (warning.isEmpty()) {
+      accept();
+    } else {
+      show_refusal(tr("%1 OK uses it nevertheless.").arg(warning));
+    }
+  });
+}
+
+// True while the network has to learn before this dialog can end.
+bool ElementDialog::trains_first() {
+  if (!training_ || !training_->is_wished()) {
+    return false;
+  }
+  Form* form = pages_.front().form;
+  const auto seed = form->values().find("seed");
+  const bool has_seed = seed != form->values().end() && seed->second.toLongLong() >= 0;
+  const QStringList before = edits();
+  if (!training_->has_trained(before, has_seed)) {
+    refusal_->hide();
+    tabs_->setCurrentWidget(training_);
+    set_busy(true);
+    training_->train(before, has_seed);
+    return true;
+  }
+  const QSignalBlocker blocker(form);
+  form->set_value("weights", training_->weights());
+  if (!makes_) {
+    changes_[path_]["weights"] = training_->weights();
+  }
+  return false;
+}
+
+void ElementDialog::set_busy(bool is_busy) {
+  buttons_->button(QDialogButtonBox::Ok)->setEnabled(!is_busy);
+  for (int i = 0; i < tabs_->count(); ++i) {
+    if (tabs_->widget(i) != training_) {
+      tabs_->widget(i)->setEnabled(!is_busy);
+    }
+  }
+  choice_->setEnabled(!is_busy);
+}
+
+void ElementDialog::reject() {
+  if (training_ && training_->cancel()) {
+    set_busy(false);
+    return;
+  }
+  QDialog::reject();
+}
+
+// A new element needs what its declaration requires.
+bool ElementDialog::has_all() {
+  for (const Page& page : pages_) {
+    for (const Field& field : page.kind.fields) {
+      if (field.is_required && !page.form->values().contains(field.name) && field.name != "id") {
+        show_refusal(tr("'%1' is needed: %2.").arg(field.name, field.meaning));
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 void ElementDialog::accept() {
   if (pages_.empty()) {
     reject();
     return;
   }
-  setFocus();  // what is being typed is committed
+  bool is_right = true;
   for (const Page& page : pages_) {
-    for (const Field& field : page.kind.fields) {
-      const auto given = page.form->values().find(field.name);
-      if (makes_ && field.is_required && given == page.form->values().end() && field.name != "id") {
-        show_refusal(tr("'%1' is needed: %2.").arg(field.name, field.meaning));
-        return;
-      }
-    }
+    is_right = page.form->finish() && is_right;
   }
-  QStringList edits;
-  QString name;
-  if (makes_) {
-    const QString word = member_word(list_);
-    const bool is_only = list_ == "coordinator" || list_ == "drive";
-    const bool replaces = is_only && place_of(workbench_.tree(), holder_ + '/' + word).element;
-    edits << (holder_.isEmpty() ? QString() : holder_ + '/') + word + (replaces ? "" : "[+]") +
-                 '=' + markup();
-    name = (replaces ? tr("replace %1") : tr("add %1")).arg(word);
-  } else {
-    for (const auto& [path, values] : changes_) {
-      for (const auto& [attribute, value] : values) {
-        edits << attribute_path(path, attribute) + (value.isNull() ? "/@remove=true" : '=' + value);
-      }
-    }
-    name = tr("edit %1").arg(path_.isEmpty() ? tr("world") : path_);
+  if (!is_right || (makes_ && !has_all()) || trains_first()) {
+    return;
   }
-  if (edits.isEmpty()) {
+  const QStringList made = edits();
+  if (made.isEmpty()) {
     QDialog::accept();
     return;
   }
+  const QString name = !makes_ ? tr("edit %1").arg(path_.isEmpty() ? tr("world") : path_)
+                       : made.front().section('=', 0, 0).endsWith("[+]")
+                           ? tr("add %1").arg(member_word(list_))
+                           : tr("replace %1").arg(member_word(list_));
   buttons_->setEnabled(false);
-  workbench_.edit(edits, name, {}, this, [this](const Problems& problems) {
+  workbench_.edit(made, name, {}, this, [this](const Problems& problems) {
     buttons_->setEnabled(true);
     if (problems.empty()) {
       QDialog::accept();

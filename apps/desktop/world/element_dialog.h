@@ -15,6 +15,7 @@ class QTabWidget;
 namespace elsie::desktop {
 
 class Form;
+class TrainingPage;
 class Workbench;
 
 /// Makes an element of a list, such as a sensor or a robot, or edits one.
@@ -26,7 +27,8 @@ class ElementDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// Adds to the list `list` ("sensors") of the element at `holder` ("robot[r1]").
+  /// Adds to the list `list` ("sensors") of the element at `holder` ("robot[r1]"). Where that has a
+  /// coordinator, the dialog edits it, or puts another in its place.
   static ElementDialog* make(Workbench& workbench, const QString& holder, const QString& list,
                              QWidget* parent);
   /// Edits the element at `path`; null, with a sentence, if it has nothing to edit.
@@ -39,6 +41,8 @@ class ElementDialog : public QDialog {
   bool choose(const QString& kind);
 
   void accept() override;
+  /// While a network is trained: ends that, and stays open.
+  void reject() override;
 
  private:
   struct Page {
@@ -49,10 +53,16 @@ class ElementDialog : public QDialog {
   };
 
   ElementDialog(Workbench& workbench, QWidget* parent);
+  ElementPlace present() const;
   void show_kind(const Kind& kind);
   void add_page(const QString& title, const QString& path, const Kind& kind, const Json& values);
   void show_refusal(const QString& sentence);
   QString markup() const;
+  QStringList edits() const;
+  bool has_all();
+  void offer_training(const Kind& kind, Form* form, const QString& coordinator);
+  bool trains_first();
+  void set_busy(bool is_busy);
   void offer_random_heading();
   void offer_drives(const QString& chosen);
 
@@ -67,6 +77,7 @@ class ElementDialog : public QDialog {
   QListWidget* choice_;
   QLabel* about_;
   QTabWidget* tabs_;
+  TrainingPage* training_ = nullptr;  // of a coordinator that learns
   QCheckBox* at_once_;
   QLabel* refusal_;
   QDialogButtonBox* buttons_;

@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -155,14 +156,8 @@ Form::Row Form::make_row(const Field& field) {
   } else {
     auto* edit = is_number(field) ? new NumberEdit(field.type == "integer") : new QLineEdit;
     edit->setPlaceholderText(field.default_text);
-    connect(edit, &QLineEdit::editingFinished, this, [this, edit, name] {
-      const auto given = values_.find(name);
-      if (edit->isModified() &&
-          edit->text() != (given == values_.end() ? QString() : given->second)) {
-        edit->setModified(false);
-        commit(name, edit->text());
-      }
-    });
+    connect(edit, &QLineEdit::editingFinished, this,
+            [this, edit, name] { take_typed(name, edit); });
     row.editor = edit;
   }
   row.editor->setObjectName(name);
@@ -177,9 +172,10 @@ Form::Row Form::make_row(const Field& field) {
     auto* browse = new QPushButton(tr("Browse..."));
     browse->setObjectName(name + "_browse");
     connect(browse, &QPushButton::clicked, this, [this, name] {
-      const QString file = QFileDialog::getOpenFileName(this, tr("File for '%1'").arg(name));
+      const QString file =
+          QFileDialog::getOpenFileName(this, tr("File for '%1'").arg(name), folder_);
       if (!file.isEmpty()) {
-        set_value(name, file);
+        set_value(name, folder_.isEmpty() ? file : QDir(folder_).relativeFilePath(file));
       }
     });
     line->addWidget(browse);
@@ -256,22 +252,45 @@ void Form::set_value(const QString& name, const QString& value) {
   }
 }
 
-void Form::commit(const QString& name, const QString& value) {
+// A text that is refused stays as one that is being typed.
+bool Form::take_typed(const QString& name, QLineEdit* edit) {
+  const auto given = values_.find(name);
+  if (!edit->isModified() || edit->text() == (given == values_.end() ? QString() : given->second)) {
+    return true;
+  }
+  edit->setModified(false);
+  const bool is_right = commit(name, edit->text());
+  edit->setModified(!is_right);
+  return is_right;
+}
+
+bool Form::finish() {
+  bool is_right = true;
+  for (const Row& row : rows_) {
+    if (auto* edit = qobject_cast<QLineEdit*>(row.editor)) {
+      is_right = take_typed(row.field.name, edit) && is_right;
+    }
+  }
+  return is_right;
+}
+
+bool Form::commit(const QString& name, const QString& value) {
   Row* row = row_of(name);
   const QString mistake = mistake_in(row->field, value);
   show_problem(name, mistake);
   if (!mistake.isEmpty()) {
-    return;
+    return false;
   }
   if (value.isEmpty() && row->field.type != "text") {
     values_.erase(name);
     show_value(*row);
     Q_EMIT taken_back(name);
-    return;
+    return true;
   }
   values_[name] = value;
   show_value(*row);
   Q_EMIT committed(name, value);
+  return true;
 }
 
 void Form::show_problem(const QString& name, const QString& sentence) {

@@ -9,6 +9,7 @@
 
 class QFormLayout;
 class QLabel;
+class QLineEdit;
 class QToolButton;
 
 namespace elsie::desktop {
@@ -25,10 +26,14 @@ class Form : public QWidget {
   /// `values`: an object of those that are given, from the element. Rows that are the same as
   /// before stay, with the keyboard focus and what is being typed.
   void show_fields(const std::vector<Field>& fields, const Json& values);
+  /// Files that are browsed for are named as a world in this folder would name them.
+  void set_folder(const QString& folder) { folder_ = folder; }
   /// What is given now.
   const std::map<QString, QString>& values() const { return values_; }
   /// As if the user had entered it.
   void set_value(const QString& name, const QString& value);
+  /// What is being typed is entered. False if some of it is no value.
+  bool finish();
   /// A sentence below the row, until its next change; "" takes it away.
   void show_problem(const QString& name, const QString& sentence);
   /// What the value is in the run, behind the row; "" takes it away.
@@ -56,11 +61,13 @@ class Form : public QWidget {
 
   Row make_row(const Field& field);
   void show_value(Row& row);
-  void commit(const QString& name, const QString& value);
+  bool take_typed(const QString& name, QLineEdit* edit);
+  bool commit(const QString& name, const QString& value);
   Row* row_of(const QString& name);
 
   QFormLayout* layout_;
   std::vector<Row> rows_;
+  QString folder_;
   std::map<QString, QString> values_;
 };
 

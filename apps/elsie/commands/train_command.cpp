@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -31,6 +32,7 @@ namespace {
 struct TrainOptions {
   PluginOptions plugins;
   std::string world;
+  bool from_input = false;  // the text of the world
   LearnerPlace place;
   std::optional<std::uint64_t> seed;
   std::vector<std::string> overrides;
@@ -256,6 +258,15 @@ bool same_file(const std::string& a, const std::string& b) {
   return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
 }
 
+world::World read_world(const TrainOptions& options, const plugin::Host& host) {
+  const world::ReadOptions reading = read_options(options.overrides);
+  if (!options.from_input) {
+    return world::read_world(options.world, host, reading);
+  }
+  const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+  return world::parse_world(text, options.world, host, reading);
+}
+
 int train(const TrainOptions& options) {
   if (options.weights) {
     require_weights(*options.weights);
@@ -271,8 +282,7 @@ int train(const TrainOptions& options) {
     spdlog::set_level(spdlog::level::err);
   }
   const plugin::Host host = load_plugins(options.plugins);
-  const world::World world =
-      world::read_world(options.world, host, read_options(options.overrides));
+  const world::World world = read_world(options, host);
   const Learner learner = make_learner(world, host, options.place, learner_options(options));
 
   std::uint64_t seed = 0;
@@ -327,6 +337,9 @@ void add_train_command(CLI::App& program, Job& job) {
   command->footer(kTrainExamples);
   auto options = std::make_shared<TrainOptions>();
   command->add_option("WORLD", options->world, "World file")->required();
+  command->add_flag("--stdin", options->from_input,
+                    "Read the text of the world from standard input; WORLD is its name, beside "
+                    "which its files are searched");
   command->add_option("--robot", options->place.robot,
                       "Robot of the coordinator; optional if the world has only one robot");
   command->add_option("--behavior", options->place.behavior,

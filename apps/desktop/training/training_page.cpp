@@ -1,0 +1,242 @@
+#include "training/training_page.h"
+
+#include <QCheckBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <algorithm>
+
+#include "engine/workbench.h"
+#include "paint/axes.h"
+#include "training/learning_curve.h"
+
+namespace elsie::desktop {
+namespace {
+
+constexpr int kMostLayers = 9;
+constexpr int kMostNeurons = 999;
+const QStringList kOwnLayers{"2", "2"};  // of a network whose layers nobody has chosen
+
+}  // namespace
+
+bool TrainingPage::learns(const Kind& kind) {
+  const QStringList common{"hidden", "training", "weights", "presentations"};
+  return std::count_if(kind.fields.begin(), kind.fields.end(), [&](const Field& field) {
+           return common.contains(field.name);
+         }) == common.size();
+}
+
+TrainingPage::TrainingPage(Workbench& workbench, const Kind& kind, QString coordinator,
+                           QWidget* parent)
+    : QWidget(parent),
+      workbench_(workbench),
+      coordinator_(std::move(coordinator)),
+      trainer_(workbench.engine().program(), workbench.engine().options()) {
+  auto* column = new QFormLayout(this);
+  sizes_ = new QLabel;
+  sizes_->setObjectName("network_sizes");
+  sizes_->setWordWrap(true);
+  column->addRow(sizes_);
+  count_ = new QSpinBox;
+  count_->setObjectName("hidden_count");
+  count_->setRange(0, kMostLayers);
+  count_->setKeyboardTracking(false);
+  count_->setFocusPolicy(Qt::StrongFocus);
+  column->addRow(tr("Hidden &layers"), count_);
+  layers_ = new QHBoxLayout;
+  column->addRow(tr("Their sizes"), layers_);
+  wished_ = new QCheckBox(tr("&Train with OK, and use the weights"));
+  wished_->setObjectName("train");
+  wished_->setToolTip(
+      tr("The network that a run with this seed would train; its weights are written to a file "
+         "beside the world. Otherwise each run trains its own."));
+  column->addRow(wished_);
+  progress_ = new QLabel;
+  progress_->setObjectName("training_progress");
+  column->addRow(progress_);
+  curve_ = new LearningCurve;
+  curve_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  column->addRow(curve_);
+
+  show_sizes(kind);
+  connect(count_, &QSpinBox::valueChanged, this, [this](int count) {
+    QStringList sizes = layers();
+    while (sizes.size() < count) {
+      sizes << (sizes.isEmpty() ? kOwnLayers.front() : sizes.back());
+    }
+    show_layers(sizes.first(count));
+    Q_EMIT hidden_wished(count == 0 ? QString("0") : layers().join(' '));
+  });
+  connect(&trainer_, &Trainer::progressed, this, [this](double at, double most, double error) {
+    curve_->add(at, most, error);
+    progress_->setText(tr("%1 of %2 samples, mean error %3")
+                           .arg(number_text(at), number_text(most), number_text(error)));
+  });
+  connect(&trainer_, &Trainer::failed, this, [this](const QString& sentence) {
+    trained_.reset();
+    set_busy(false);
+    progress_->clear();
+    Q_EMIT failed(sentence);
+  });
+  connect(&trainer_, &Trainer::trained, this, [this](const Json& report) {
+    QPolygonF points;
+    for (const Json& point : report.at("curve")) {
+      points << QPointF(point.at(0).get<double>(), point.at(1).get<double>());
+    }
+    const double presentations = report.value("presentations", 0.0);
+    curve_->show_all(points, std::max(presentations, 1.0));
+    progress_->setText(tr("Mean error %1 after %2 samples")
+                           .arg(number_text(report.value("error", 0.0)),
+                                QLocale::c().toString(presentations, 'f', 0)));
+    set_busy(false);
+    Q_EMIT trained(QString::fromStdString(report.value("warning", "")));
+  });
+}
+
+// They follow from the robot: nobody enters them.
+void TrainingPage::show_sizes(const Kind& kind) {
+  QStringList inputs, outputs;
+  const QString holder = holder_of(coordinator_);
+  const QString robot = coordinator_.section('/', 0, 0);
+  visit(workbench_.tree(), [&](const ElementPlace& place) {
+    if (!place.parent || !place.list.isEmpty()) {
+      return true;
+    }
+    const QString list = name_of(*place.parent);
+    if (list == "behaviors" && holder_of(place.path) == holder) {
+      outputs << title_of(*place.element);
+    } else if (list == "sensors" && holder_of(place.path) == robot) {
+      const auto sensor = workbench_.catalog().kind_of(place);
+      if (sensor && std::any_of(kind.needs.begin(), kind.needs.end(), [&](const QString& need) {
+            return sensor->produces.contains(need);
+          })) {
+        inputs << title_of(*place.element);
+      }
+    }
+    return true;
+  });
+  const auto listed = [](const QStringList& names) {
+    return names.isEmpty() ? tr("none") : names.join(", ");
+  };
+  sizes_->setText(tr("Inputs: %1 (%2)\nOutputs: %3 (%4)")
+                      .arg(inputs.size())
+                      .arg(listed(inputs))
+                      .arg(outputs.size())
+                      .arg(listed(outputs)));
+}
+
+void TrainingPage::show_hidden(const QString& hidden) {
+  QStringList sizes = hidden.split(' ', Qt::SkipEmptyParts);
+  if (hidden == "0") {
+    sizes.clear();
+  } else if (sizes.isEmpty() || sizes.front() == "auto") {
+    sizes = kOwnLayers;
+  }
+  if (sizes != layers()) {
+    show_layers(sizes.first(std::min<qsizetype>(sizes.size(), kMostLayers)));
+  }
+}
+
+QStringList TrainingPage::layers() const {
+  QStringList sizes;
+  for (int i = 0; i < layers_->count(); ++i) {
+    sizes << qobject_cast<QSpinBox*>(layers_->itemAt(i)->widget())->cleanText();
+  }
+  return sizes;
+}
+
+void TrainingPage::show_layers(const QStringList& sizes) {
+  while (layers_->count() > static_cast<int>(sizes.size())) {
+    QLayoutItem* item = layers_->takeAt(layers_->count() - 1);
+    item->widget()->deleteLater();
+    delete item;
+  }
+  for (int i = 0; i < sizes.size(); ++i) {
+    if (i == layers_->count()) {
+      auto* box = new QSpinBox;
+      box->setObjectName("hidden_size_" + QString::number(i + 1));
+      box->setAccessibleName(tr("Neurons in hidden layer %1").arg(i + 1));
+      box->setRange(1, kMostNeurons);
+      box->setKeyboardTracking(false);
+      box->setFocusPolicy(Qt::StrongFocus);
+      box->setValue(sizes[i].toInt());
+      connect(box, &QSpinBox::valueChanged, this,
+              [this] { Q_EMIT hidden_wished(layers().join(' ')); });
+      layers_->addWidget(box);
+    } else {
+      auto* box = qobject_cast<QSpinBox*>(layers_->itemAt(i)->widget());
+      const QSignalBlocker blocker(box);
+      box->setValue(sizes[i].toInt());
+    }
+  }
+  const QSignalBlocker blocker(count_);
+  count_->setValue(static_cast<int>(sizes.size()));
+}
+
+bool TrainingPage::is_wished() const { return wished_->isChecked(); }
+
+void TrainingPage::wish(bool training) { wished_->setChecked(training); }
+
+Lesson TrainingPage::lesson(const QStringList& edits, bool has_seed) const {
+  const QString file = workbench_.file().isEmpty() ? tr("world") + ".xml" : workbench_.file();
+  return {workbench_.text(), file, edits, coordinator_,
+          has_seed ? std::nullopt : std::optional(workbench_.seed())};
+}
+
+bool TrainingPage::has_trained(const QStringList& edits, bool has_seed) const {
+  return !trainer_.is_busy() && trained_ == lesson(edits, has_seed);
+}
+
+// Beside the world, or with the user's data while it has no file; no file that is there is touched:
+// undo goes back to it.
+void TrainingPage::choose_weights() {
+  const bool has_file = !workbench_.file().isEmpty();
+  const QString folder =
+      has_file ? QFileInfo(workbench_.file()).absolutePath()
+               : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/weights";
+  if (!has_file) {
+    QDir().mkpath(folder);
+  }
+  const QString robot = coordinator_.section('[', 1).section(']', 0, 0);
+  for (int i = 1;; ++i) {
+    const QString name = robot + (i == 1 ? QString() : '-' + QString::number(i)) + ".weights";
+    weights_file_ = folder + '/' + name;
+    if (!QFileInfo::exists(weights_file_)) {
+      weights_ = has_file ? name : weights_file_;
+      return;
+    }
+  }
+}
+
+void TrainingPage::train(const QStringList& edits, bool has_seed) {
+  choose_weights();
+  curve_->clear();
+  progress_->setText(tr("Training..."));
+  set_busy(true);
+  trained_ = lesson(edits, has_seed);
+  trainer_.train(*trained_, weights_file_);
+}
+
+void TrainingPage::set_busy(bool is_busy) {
+  wished_->setEnabled(!is_busy);
+  for (QSpinBox* box : findChildren<QSpinBox*>()) {
+    box->setEnabled(!is_busy);
+  }
+}
+
+bool TrainingPage::cancel() {
+  const bool was_busy = trainer_.is_busy();
+  trainer_.cancel();
+  if (was_busy) {
+    trained_.reset();
+    set_busy(false);
+    progress_->setText(tr("Stopped: nothing was written."));
+  }
+  return was_busy;
+}
+
+}  // namespace elsie::desktop

@@ -1,0 +1,74 @@
+// What the dialog of a coordinator that learns has besides its form.
+#pragma once
+
+#include <QWidget>
+
+#include "engine/catalog.h"
+#include "training/trainer.h"
+
+class QCheckBox;
+class QHBoxLayout;
+class QLabel;
+class QSpinBox;
+
+namespace elsie::desktop {
+
+class LearningCurve;
+class Workbench;
+
+/// The network's inputs and outputs, its layers, and its learning curve.
+class TrainingPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `coordinator`: its path, also if it is not in the world yet.
+  TrainingPage(Workbench& workbench, const Kind& kind, QString coordinator,
+               QWidget* parent = nullptr);
+
+  /// Whether coordinators of this kind learn: all that do have the same parameters.
+  static bool learns(const Kind& kind);
+
+  /// The layers of `hidden`, such as "4 4"; "auto" and "" are those that a new network has.
+  void show_hidden(const QString& hidden);
+  /// Whether the network is to be trained before it is used.
+  bool is_wished() const;
+  void wish(bool training);
+
+  /// Trains with these edits made in the world; with the seed of the run unless `has_seed`.
+  void train(const QStringList& edits, bool has_seed);
+  /// Whether the last training was one with these edits, in the world as it is.
+  bool has_trained(const QStringList& edits, bool has_seed) const;
+  /// True if a training was under way.
+  bool cancel();
+  /// The file that was written, as the world calls it.
+  QString weights() const { return weights_; }
+
+ Q_SIGNALS:
+  void hidden_wished(const QString& hidden);
+  /// `warning`: a sentence why the network is of little use; "" if it is good.
+  void trained(const QString& warning);
+  void failed(const QString& sentence);
+
+ private:
+  void show_sizes(const Kind& kind);
+  void show_layers(const QStringList& sizes);
+  QStringList layers() const;
+  Lesson lesson(const QStringList& edits, bool has_seed) const;
+  void choose_weights();
+  void set_busy(bool is_busy);
+
+  Workbench& workbench_;
+  QString coordinator_;
+  Trainer trainer_;
+  std::optional<Lesson> trained_;
+  QString weights_;       // as the world calls it
+  QString weights_file_;  // its path
+  QLabel* sizes_;
+  QSpinBox* count_;
+  QHBoxLayout* layers_;
+  QCheckBox* wished_;
+  QLabel* progress_;
+  LearningCurve* curve_;
+};
+
+}  // namespace elsie::desktop

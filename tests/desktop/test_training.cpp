@@ -1,0 +1,213 @@
+// Networks: chosen, trained with a curve, used, cleared.
+#include <QCheckBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QSpinBox>
+#include <QTimer>
+
+#include <catch2/catch.hpp>
+
+#include "authoring/authoring.h"
+#include "training/learning_curve.h"
+#include "window.h"
+#include "world/element_dialog.h"
+#include "world/form.h"
+
+using namespace elsie::desktop;
+
+namespace {
+
+constexpr const char* kPupil = R"(<world format="1">
+  <arena length="8" width="6"/>
+  <robots>
+    <robot id="r1" team="red" x="-3">
+      <sensors>
+        <beam_range id="left" yaw_deg="35"/>
+        <beam_range id="right" yaw_deg="-35"/>
+        <proximity/>
+      </sensors>
+      <behaviors>
+        <avoid_obstacle/>
+        <go_to_point x="3" y="0.5"/>
+      </behaviors>
+      <coordinator><fusion_vector_summation/></coordinator>
+    </robot>
+  </robots>
+  <limits time="20"/>
+</world>
+)";
+
+constexpr const char* kSamples = "1 1 0 1\n0.2 1 1 0\n1 0.2 1 0\n0.2 0.3 1 0\n";
+
+/// A window with the robot that is to learn, and the dialog of its new network.
+class School {
+ public:
+  School() {
+    window.open(window.file(kPupil));
+    samples = window.file(kSamples, "samples.txt");
+    window->findChild<Authoring*>()->select({"robot[r1]"});
+  }
+
+  ElementDialog* new_network(const QString& kind = "fusion_neural_network") {
+    window.act("coordinator");
+    auto* dialog = window.dialog<ElementDialog>("element_dialog");
+    REQUIRE(dialog->choose(kind));
+    return dialog;
+  }
+  ElementDialog* edited_network() {
+    window.act("coordinator");
+    return window.dialog<ElementDialog>("element_dialog");
+  }
+  static void enter(ElementDialog* dialog, const char* name, const QString& value) {
+    auto* edit = dialog->findChild<QLineEdit*>(name);
+    REQUIRE(edit);
+    edit->selectAll();
+    QTest::keyClicks(edit, value);
+  }
+  void ok(ElementDialog* dialog) {
+    window.press(dialog, QDialogButtonBox::Ok);
+    REQUIRE(wait_for([&] { return !window->findChild<ElementDialog*>(); }));
+  }
+  QStringList weight_files() const { return QDir(window.folder()).entryList({"*.weights"}); }
+
+  Window window;
+  QString samples;
+};
+
+QString refusal(const ElementDialog* dialog) {
+  const auto* label = dialog->findChild<QLabel*>("refusal");
+  return label->isHidden() ? QString() : label->text();
+}
+
+}  // namespace
+
+TEST_CASE("A network is trained with a curve before the robot has it, and loaded by one edit") {
+  School school;
+  Window& window = school.window;
+  auto* dialog = school.new_network();
+  const QString sizes = dialog->findChild<QLabel*>("network_sizes")->text();
+  CHECK(sizes == "Inputs: 2 (left, right)\nOutputs: 2 (avoid_obstacle, go_to_point)");
+  School::enter(dialog, "training", "samples.txt");
+  School::enter(dialog, "learning_rate", "0.7");
+  dialog->findChild<QSpinBox*>("hidden_count")->setValue(1);
+  dialog->findChild<QSpinBox*>("hidden_size_1")->setValue(3);
+  auto* curve = dialog->findChild<LearningCurve*>();
+  double last_error = 1.0;
+  QObject::connect(dialog, &QDialog::accepted, dialog,
+                   [&] { last_error = curve->points().back().y(); });
+  school.ok(dialog);
+  CHECK(last_error < 0.01);
+
+  CHECK(school.weight_files() == QStringList{"r1.weights"});
+  CHECK(window.bench().text().contains("weights=\"r1.weights\""));
+  CHECK(window.bench().text().contains("hidden=\"3\""));
+  CHECK(window.bench().text().contains("training=\"samples.txt\""));
+  CHECK(window.bench().undo_name() == "replace coordinator");
+  window.after([&] { window.bench().undo(); });
+  CHECK(window.bench().text() == QString(kPupil));
+}
+
+TEST_CASE("A run with a network trained in the window is the one of the saved file") {
+  School school;
+  Window& window = school.window;
+  auto* dialog = school.new_network();
+  School::enter(dialog, "training", "samples.txt");
+  school.ok(dialog);
+  QString why = "not saved";
+  window.bench().save_as(window.bench().file(), [&](const QString& text) { why = text; });
+  REQUIRE(wait_for([&] { return why.isEmpty(); }));
+  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() ==
+        headless_hash({window.bench().file()}));
+}
+
+TEST_CASE("A network is trained anew while its robot drives; the old weights stay for undo") {
+  School school;
+  Window& window = school.window;
+  auto* dialog = school.new_network("arbiter_neural_network");
+  School::enter(dialog, "training", "samples.txt");
+  school.ok(dialog);
+  window.bench().run();
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 0.2; }));
+  auto* again = school.edited_network();
+  School::enter(again, "momentum", "0.5");
+  school.ok(again);
+  CHECK(school.weight_files() == QStringList{"r1-2.weights", "r1.weights"});
+  CHECK(window.bench().text().contains("weights=\"r1-2.weights\""));
+  CHECK(window.bench().run_state() == Workbench::Run::running);
+}
+
+TEST_CASE("Cancel ends a training, keeps the dialog and writes nothing") {
+  School school;
+  Window& window = school.window;
+  auto* dialog = school.new_network();
+  School::enter(dialog, "training", "samples.txt");
+  School::enter(dialog, "threshold", "0");
+  School::enter(dialog, "presentations", "2000000000");
+  auto* curve = dialog->findChild<LearningCurve*>();
+  window.press(dialog, QDialogButtonBox::Ok);
+  REQUIRE(wait_for([&] { return curve->points().size() > 2; }));  // it is drawn as it learns
+  CHECK(window.bench().engine().waiting_ms() == 0);
+  Window::press(dialog, QDialogButtonBox::Cancel);
+  CHECK(dialog->isVisible());
+  CHECK(dialog->findChild<QLabel*>("training_progress")->text().startsWith("Stopped"));
+  Window::press(dialog, QDialogButtonBox::Cancel);
+  CHECK(!dialog->isVisible());
+  CHECK(school.weight_files().isEmpty());
+  CHECK(window.bench().text() == QString(kPupil));
+}
+
+TEST_CASE("A training that cannot be is refused in the dialog") {
+  School school;
+  auto* dialog = school.new_network();
+  const auto refused = [&] {
+    school.window.press(dialog, QDialogButtonBox::Ok);
+    REQUIRE(wait_for([&] { return !refusal(dialog).isEmpty(); }));
+    return refusal(dialog);
+  };
+  CHECK(refused().contains("there is nothing that its network could learn from"));
+  school.window.file("1 1 0\n", "short.txt");
+  School::enter(dialog, "training", "short.txt");
+  CHECK(refused().contains("short.txt"));
+  CHECK(school.weight_files().isEmpty());
+  CHECK(school.window.bench().text() == QString(kPupil));
+}
+
+TEST_CASE("A network on the plateau is said, and used only when OK is pressed again") {
+  School school;
+  auto* dialog = school.new_network();
+  school.window.file("1 1 0 1\n1 1 1 0\n", "same.txt");  // nobody can tell these apart
+  School::enter(dialog, "training", "same.txt");
+  School::enter(dialog, "presentations", "1000");
+  school.window.press(dialog, QDialogButtonBox::Ok);
+  REQUIRE(wait_for([&] { return !refusal(dialog).isEmpty(); }));
+  CHECK(refusal(dialog).contains("untrained"));
+  CHECK(school.window.bench().text() == QString(kPupil));
+  school.ok(dialog);
+  CHECK(school.window.bench().text().contains("weights=\"r1.weights\""));
+}
+
+TEST_CASE("A right click on a trained network clears it") {
+  School school;
+  auto* dialog = school.new_network();
+  School::enter(dialog, "training", "samples.txt");
+  school.ok(dialog);
+  bool is_offered = false;
+  QTimer::singleShot(200, &school.window.window(), [&] {
+    auto* menu = school.window->findChild<QMenu*>("element_menu");
+    for (QAction* action : menu->actions()) {
+      if (action->text().contains("lear the network")) {
+        is_offered = true;
+        action->trigger();
+      }
+    }
+    menu->close();
+  });
+  school.window.after([&] {
+    school.window->findChild<Authoring*>()->open_menu("robot[r1]/coordinator", QPoint(10, 10));
+  });
+  CHECK(is_offered);
+  CHECK(!school.window.bench().text().contains("weights="));
+}
