@@ -299,7 +299,7 @@ void MainWindow::connect_workbench() {
                                    "are here; the run begins anew."),
                                 QMessageBox::Ok, this);
     box->setObjectName("engine_lost");
-    box->setInformativeText(report.section('\n', 0, 0));
+    box->setInformativeText(cause_in(report));
     box->setDetailedText(report);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();

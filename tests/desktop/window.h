@@ -53,7 +53,9 @@ inline constexpr const char* kRoom = R"(<world format="1">
 /// A window with settings of its own, and a folder for files.
 class Window {
  public:
-  explicit Window(const QString& file = {}) : window_(build_file("elsie"), {}) {
+  /// `options`: for the engine, such as where plugins are.
+  explicit Window(const QString& file = {}, const QStringList& options = {})
+      : window_(build_file("elsie"), options) {
     window_.ask_about_unsaved = [this](const QString&) {
       ++asked;
       return answer;

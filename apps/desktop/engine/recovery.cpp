@@ -3,9 +3,10 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <csignal>
+
+#include "elsie/base/write_whole.h"
 
 #include "engine/elements.h"
 
@@ -28,9 +29,8 @@ Recovery::~Recovery() { forget(); }
 
 bool Recovery::keep(const QString& file, const QString& text) {
   folder().mkpath(".");
-  QSaveFile kept(kept_in_);
   const Json json{{"file", file.toStdString()}, {"text", text.toStdString()}};
-  return kept.open(QIODevice::WriteOnly) && kept.write(json.dump().c_str()) >= 0 && kept.commit();
+  return base::write_whole(kept_in_.toStdString(), json.dump()) == 0;
 }
 
 void Recovery::forget() { QFile::remove(kept_in_); }

@@ -5,10 +5,11 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QFileSystemWatcher>
-#include <QSaveFile>
 #include <QStringDecoder>
+#include <cerrno>
 
 #include "elsie/base/error.h"
+#include "elsie/base/write_whole.h"
 
 namespace elsie::desktop {
 namespace {
@@ -75,6 +76,17 @@ Problems problems_of(const Json& answer) {
   return problems;
 }
 
+QString cause_in(const QString& report) {
+  const QString program = "elsie: ";
+  const QStringList lines = report.trimmed().split('\n');
+  for (const QString& line : lines) {
+    if (line.startsWith(program)) {
+      return line.mid(program.size());
+    }
+  }
+  return lines.front();
+}
+
 Workbench::Workbench(QString elsie, QStringList options, QObject* parent)
     : QObject(parent),
       engine_(std::move(elsie), std::move(options)),
@@ -104,6 +116,7 @@ Workbench::~Workbench() {
 
 void Workbench::start_engine() {
   engine_.start();
+  had_world_ = false;
   load_catalog();
 }
 
@@ -180,6 +193,7 @@ void Workbench::open_in_engine(const QString& text) {
          {"file", file_.toStdString()},
          {"seed", seed_}},
         [this, text](const Json& answer) {
+          had_world_ = true;
           if (answer.contains("refused")) {
             is_right_ = false;
             set_problems(problems_of(answer));
@@ -217,11 +231,14 @@ QString Workbench::write(const QString& file, const QString& text) {
     lines.replace("\n", "\r\n");
   }
   const QByteArray bytes = (has_mark_ ? QByteArray(kMark) : QByteArray()) + lines.toUtf8();
-  QSaveFile saved(file);
-  saved.setDirectWriteFallback(false);
-  if (!saved.open(QIODevice::WriteOnly) || saved.write(bytes) != bytes.size() || !saved.commit()) {
+  // Without a second file beside it, a full disk would take the one that is there.
+  const int error =
+      QFileInfo(folder_of(file)).isWritable()
+          ? base::write_whole(file.toStdString(), bytes.toStdString(), base::Durable::yes)
+          : EACCES;
+  if (error != 0) {
     return tr("The world could not be saved as '%1': %2. What was there before is unchanged.")
-        .arg(file, saved.errorString());
+        .arg(file, qt_error_string(error));
   }
   on_disk_ = bytes;
   return {};
@@ -492,10 +509,16 @@ void Workbench::redo() {
 }
 
 void Workbench::keep() {
-  if (is_modified()) {
-    recovery_.keep(file_, text_);
-  } else {
+  if (!is_modified()) {
     recovery_.forget();
+    return;
+  }
+  const bool was_kept = is_kept_;
+  is_kept_ = recovery_.keep(file_, text_);
+  if (was_kept && !is_kept_) {
+    Q_EMIT noted(
+        tr("Unsaved work cannot be kept for after a crash: the folder of your data is full "
+           "or read-only. Save the world."));
   }
 }
 
@@ -599,7 +622,8 @@ void Workbench::lost(int exit_code, const QString& report) {
                            ? tr("The engine ended with exit code %1.").arg(exit_code)
                            : report.trimmed();
   const QString deadly = under_way_;
-  drop_changes(tr("The engine ended before this was done: %1").arg(said.section('\n', 0, 0)));
+  const bool is_deadly = !had_world_ && !deadly.isEmpty() && deadly == history_text_;
+  drop_changes(tr("The engine ended before this was done: %1").arg(cause_in(said)));
   set_run(Run::none);
   try {
     if (deaths_ > kMostDeaths) {
@@ -612,14 +636,14 @@ void Workbench::lost(int exit_code, const QString& report) {
     return;
   }
   const Problem cause{file_, 0, tr("The engine ended when it read this world: %1").arg(said)};
-  if (!text_.isEmpty() && deadly == history_text_) {
+  if (is_deadly) {
     is_right_ = false;
     tree_ = scene_ = Json();
     set_problems({cause});
     Q_EMIT described();
   } else if (!text_.isEmpty()) {
     in_turn([this] { open_in_engine(history_text_); });
-    if (!deadly.isEmpty() && deadly == text_) {
+    if (!deadly.isEmpty() && deadly == text_ && text_ != history_text_) {
       in_turn([this, cause] {
         set_problems({cause});
         end_change();

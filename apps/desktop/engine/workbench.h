@@ -161,8 +161,9 @@ class Workbench : public QObject {
   History history_;
   std::deque<Change> changes_;  // the first is under way if is_changing_
   bool is_changing_ = false;
-  int turn_ = 0;       // counts beginnings and ends of changes
-  QString under_way_;  // the text that the engine is reading
+  int turn_ = 0;            // counts beginnings and ends of changes
+  QString under_way_;       // the text that the engine is reading
+  bool had_world_ = false;  // the engine: another one, which may be what ends it
   Run run_ = Run::none;
   double time_s_ = 0.0;
   double pace_ = 0.0;
@@ -170,9 +171,13 @@ class Workbench : public QObject {
   std::uint64_t seed_ = 1;
   int deaths_ = 0;  // of the engine since it last said what it has
   Recovery recovery_;
+  bool is_kept_ = true;  // what is unsaved
   std::unique_ptr<QFileSystemWatcher> on_disk_watcher_;
 };
 
 Problems problems_of(const Json& answer);
+
+/// The line of an engine's report that says what ended it: plugins may have printed before that.
+QString cause_in(const QString& report);
 
 }  // namespace elsie::desktop

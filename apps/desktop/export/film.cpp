@@ -117,7 +117,7 @@ bool Film::end() {
   }
   file_.seek(0);
   head(static_cast<quint32>(places_.size()), bytes);
-  return file_.commit();
+  return file_.flush() && file_.commit();  // commit() alone does not see a full disk
 }
 
 }  // namespace elsie::desktop
