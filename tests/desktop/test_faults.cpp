@@ -25,7 +25,7 @@ struct Outcome {
 };
 
 Outcome run_with(Window& window, const QString& behavior) {
-  constexpr int kStuck_ms = 2000;
+  constexpr int kStuck_ms = 2500;  // in the midst of a second: "dawdling" sleeps that long
   Outcome outcome;
   bool has_ended = false;
   QObject here;

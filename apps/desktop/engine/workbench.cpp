@@ -177,7 +177,7 @@ bool Workbench::open(const QString& file, QString& why, std::optional<std::uint6
 
 void Workbench::open_in_engine(const QString& text) {
   set_run(Run::none);
-  if (!engine_.is_there()) {
+  if (!engine_.is_there() || had_world_) {  // threads of its plugins may end the engine later
     try {
       start_engine();
     } catch (const base::Error& error) {

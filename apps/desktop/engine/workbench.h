@@ -163,7 +163,7 @@ class Workbench : public QObject {
   bool is_changing_ = false;
   int turn_ = 0;            // counts beginnings and ends of changes
   QString under_way_;       // the text that the engine is reading
-  bool had_world_ = false;  // the engine: another one, which may be what ends it
+  bool had_world_ = false;  // the engine
   Run run_ = Run::none;
   double time_s_ = 0.0;
   double pace_ = 0.0;
