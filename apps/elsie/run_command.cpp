@@ -142,10 +142,6 @@ std::unique_ptr<simulation::CameraRenderer> cameras(const world::World& world) {
   return command_module().make_cameras(world);
 }
 
-std::string in_words(const simulation::ChangeRefused& refused) {
-  return (refused.from().empty() ? "--at" : refused.from()) + ": " + refused.what();
-}
-
 /// The simulation of a world that is in order, with changes that can be made.
 simulation::Simulation simulation_of(const RunOptions& options, const plugin::Host& host,
                                      std::span<const simulation::TimedChange> changes) {
@@ -160,7 +156,7 @@ simulation::Simulation simulation_of(const RunOptions& options, const plugin::Ho
   try {
     simulation.check(changes);
   } catch (const simulation::ChangeRefused& refused) {
-    throw BadInput(in_words(refused));
+    throw BadInput(refused.report());
   }
   return simulation;
 }
@@ -207,7 +203,7 @@ int run(const RunOptions& options) {
     throw;
   } catch (const simulation::ChangeRefused& refused) {
     draw_as(refused.what());
-    throw BadInput(in_words(refused) +
+    throw BadInput(refused.report() +
                    "\nthe run ended there; what was recorded until then is kept");
   } catch (const Interrupted&) {
     draw_as("interrupted");

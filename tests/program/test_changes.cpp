@@ -258,3 +258,28 @@ TEST_CASE("The world of a run of a database is written, and makes the same run")
                                         json::parse(run.out).at("state_hash").get<std::string>()));
   CHECK(here.elsie("replay s.sqlite 3 --world 'of run 3.xml'").exit_code == 2);
 }
+
+TEST_CASE("Edits after the end of a run are warned of by check and batch, at their lines") {
+  Workplace here;
+  here.write("room.xml",
+             "<world format=\"1\"><limits time=\"2\"/><robots><robot id=\"r1\"/></robots>\n"
+             "<changes>\n<change time=\"5\" path=\"@name\" value=\"b\"/></changes></world>\n");
+  const std::string sentence =
+      "warning: The edits at 5 s are not made: the run ends after 2 s at the latest.\n";
+  const auto room = here.elsie("check room.xml");
+  CHECK(room.exit_code == 0);
+  CHECK(room.err == "room.xml:3: " + sentence);
+  here.write("plain.xml",
+             "<world format=\"1\"><robots><robot id=\"r1\"/></robots></world>");
+  here.write("study.xml",
+             "<experiment format=\"1\"><worlds><world file=\"plain.xml\"/></worlds>\n"
+             "<set path=\"limits/@time\" value=\"2\"/>\n<at time=\"5\">\n"
+             "<set path=\"@name\" value=\"b\"/></at>\n"
+             "<seeds from=\"1\" to=\"2\"/></experiment>\n");
+  for (const std::string command : {"check study.xml", "batch study.xml --database s.sqlite"}) {
+    const auto study = here.elsie(command);
+    CAPTURE(command, study.err);
+    CHECK(study.exit_code <= 1);
+    CHECK_THAT(study.err, Catch::Contains("study.xml:4: " + sentence));
+  }
+}

@@ -90,7 +90,7 @@ TEST_CASE("--set changes measures, and the names in it must exist") {
                                  "world; there is 'r1'"));
   const auto late = here.elsie("run world.xml --json --at '1:measure[way]=<path_length/>'");
   CHECK(late.exit_code != 2);
-  CHECK_THAT(late.out, Contains("it measures from an edit of the world on"));
+  CHECK_THAT(late.out, Contains("it measures from an edit of the world at "));
 }
 
 TEST_CASE("A measure of one file is compiled and run; one that fails ends the run by its name") {

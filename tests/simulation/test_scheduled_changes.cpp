@@ -313,3 +313,91 @@ TEST_CASE("A goal of time, way or touches that an edit brings counts from then o
   const double speed = Simulation(world, scripted.host).run().robots[0].distance_m / 20;
   CHECK(ends("<travel robot=\"r1\" distance=\"1\"/>") == Approx(3 + 1 / speed).margin(0.1));
 }
+
+TEST_CASE("A check says which of the world's own edits its run ends before") {
+  const Simulation simulation = standing(
+      "<limits time=\"2\"/><changes>\n<change time=\"1\" path=\"@name\" value=\"a\"/>\n"
+      "<change time=\"9\" path=\"@name\" value=\"b\"/></changes>");
+  const auto unmade = simulation.check({});
+  REQUIRE(unmade.size() == 1);
+  CHECK(unmade[0].from == "small.xml:3");
+  CHECK(unmade[0].sentence ==
+        "The edits at 9 s are not made: the run ends after 2 s at the latest.");
+}
+
+TEST_CASE("All that cannot be made is refused at once") {
+  const Simulation simulation = standing("<limits time=\"4\"/>");
+  const auto report = [&](std::vector<TimedChange> changes) {
+    try {
+      simulation.check(changes);
+      return std::string();
+    } catch (const simulation::ChangeRefused& refused) {
+      return refused.report();
+    }
+  };
+  const std::string late =
+      "its time is 9 s, but the run begins at 0 and ends after 4 s at the latest; expected a time "
+      "in between, before the last step begins";
+  CHECK(report({{1.0, {"robot[r1]/@max_speed", "fast"}, "study.xml:3"},
+                {2.0, {"robot[r7]/@x", "1"}},
+                {9.0, {"robot[r1]/@x", "1"}}}) ==
+        "--at: robot[r1]/@x=1: " + late +
+            "\nstudy.xml:3: at 1 s, robot[r1]/@max_speed=fast: expected a number at least 0 and "
+            "at most 100 m/s\n--at: at 2 s, robot[r7]/@x=1: there is no robot[r7]; there are: r1");
+  CHECK(report({{1.0, {"obstacle[+]", "<static_box id=\"a\"/>"}},
+                {2.0, {"obstacle[b]/@remove", "true"}},
+                {3.0, {"obstacle[a]/@width", "-1"}}}) ==
+        "--at: at 2 s, obstacle[b]/@remove=true: there is no obstacle[b]; there are: a\n"
+        "--at: at 3 s, obstacle[a]/@width=-1: width=\"-1\" of <static_box>: expected a number "
+        "at least 1e-04 and at most 1000 m");
+}
+
+TEST_CASE("What does not fit the world by then is refused before the run") {
+  const Simulation simulation = standing("<limits time=\"4\"/>");
+  const auto why = [&](std::vector<TimedChange> changes) {
+    return why_not([&] { simulation.check(changes); });
+  };
+  const std::string measure = "<path_length robot=\"late\"/>";
+  const TimedChange robot{1.0, {"robot[+]", "<robot id=\"late\" x=\"2\"/>"}};
+  CHECK_THAT(why({{2.0, {"measure[+]", measure}}}),
+             Catch::StartsWith("at 2 s, measure[+]=" + measure) &&
+                 Catch::Contains("there is no robot 'late' in the world; there is 'r1'"));
+  CHECK(why({robot, {2.0, {"measure[+]", measure}}}).empty());
+  CHECK_THAT(why({robot, {2.0, {"measure[+]", measure}}, {3.0, {"robot[late]/@remove", "true"}}}),
+             Catch::StartsWith("at 3 s, robot[late]/@remove=true: "));
+  CHECK_THAT(
+      why({{2.0,
+            {"robot[r1]/coordinator[+]", "<fusion_neural_network training=\"nowhere.txt\"/>"}}}),
+      Catch::StartsWith("at 2 s, robot[r1]/coordinator[+]=") && Catch::Contains("nowhere.txt"));
+}
+
+TEST_CASE("Edits of later edits are followed before the run") {
+  const Simulation simulation = standing("<limits time=\"4\"/>");
+  const auto why = [&](const std::string& change) {
+    return why_not([&] {
+      simulation.check(std::vector<TimedChange>{{1.0, {"change[+]", change}}});
+    });
+  };
+  CHECK(why("<change time=\"2\" path=\"robot[r1]/@max_speed\" value=\"0.2\"/>").empty());
+  CHECK_THAT(why("<change time=\"2\" path=\"robot[r1]/@max_speed\" value=\"fast\"/>"),
+             Catch::Contains("robot[r1]/@max_speed=fast") && Catch::Contains("expected a number"));
+  CHECK_THAT(why("<change time=\"2\" path=\"robot[r8]/@x\" value=\"1\"/>"),
+             Catch::Contains("there is no robot[r8]"));
+}
+
+TEST_CASE("What gets another id begins anew, which a note says with the time") {
+  ScriptedHost scripted([](const Perception&) { return wheels(10, 10); });
+  world::World world;
+  world.limits.time = 4;
+  world.robots = {robot("r1", 0, 0, 0, behavior("scripted"))};
+  Simulation simulation(world, scripted.host);
+  const RunResult result =
+      simulation.run({}, std::vector<TimedChange>{{2.5, {"robot[r1]/@id", "r9"}}});
+  const double all = Simulation(world, scripted.host).run().robots[0].distance_m;
+  CHECK(result.robots[0].id == "r9");
+  CHECK(result.robots[0].distance_m == Approx(all * 1.5 / 4).margin(0.05));
+  REQUIRE(result.notes.size() == 1);
+  CHECK(result.notes[0].text ==
+        "An edit at 2.5 s sets robot[r1]/@id=r9: what has another id is another one, and begins "
+        "anew.");
+}

@@ -489,3 +489,20 @@ TEST_CASE("A document is saved elsewhere with names that lead to the same files"
           "there is no such folder; a world is saved in one that exists");
   }
 }
+
+TEST_CASE("In a running world, which is given no defaults, an attribute may have its own already") {
+  const char* const text = "<world format=\"1\"><robots><robot id=\"r1\"/></robots></world>";
+  const std::string edit = "robot[r1]/@max_speed/@remove=true";
+  CHECK_THROWS_WITH(Document(text, "world.xml", host(), options()).apply({edit}),
+                    Catch::Contains("<robot> is given no 'max_speed'"));
+  world::ReadOptions running = options();
+  running.is_running = true;
+  Document document(text, "world.xml", host(), running);
+  document.apply({edit});
+  CHECK(document.text() == text);
+  document.apply({"robot[r1]/@max_speed=0.1"});
+  document.apply({edit});
+  CHECK(document.world().robots[0].max_speed == world::Robot().max_speed);
+  CHECK_THROWS_WITH(document.apply({"robot[r1]/@max_sped/@remove=true"}),
+                    Catch::Contains("<robot> is given no 'max_sped'"));
+}

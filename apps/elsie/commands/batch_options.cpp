@@ -42,6 +42,9 @@ Plan plan_of(const BatchOptions& options, const batch::Shard& shard) {
   reading.data_directories = data_directories();
   reading.progress = [&](std::size_t read, std::size_t all) { progress.draw(read, all); };
   const auto experiment = experiment::read_experiment(options.experiment, host, reading);
+  for (const std::string& warning : experiment.warnings) {
+    std::cerr << warning << '\n';
+  }
   return batch::make_plan(experiment, host,
                           {.elsie_version = ELSIE_VERSION,
                            .text = results::file_content(options.experiment),

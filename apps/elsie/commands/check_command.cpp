@@ -38,9 +38,11 @@ std::string check_world(const std::string& file, const plugin::Host& host,
   const simulation::Simulation simulation(
       world, host, {.data_directories = data_directories(), .cameras = render::world_cameras});
   try {
-    simulation.check({});
+    for (const simulation::UnmadeChanges& unmade : simulation.check({})) {
+      std::cerr << unmade.from << ": warning: " << unmade.sentence << '\n';
+    }
   } catch (const simulation::ChangeRefused& refused) {
-    throw BadInput(refused.from() + ": " + refused.what());
+    throw BadInput(refused.report());
   }
   for (const world::Warning& warning : world::warnings(world)) {
     std::cerr << warning.text() << '\n';
@@ -60,6 +62,9 @@ std::string check_experiment(const std::string& file, const plugin::Host& host,
   reading.data_directories = data_directories();
   reading.progress = [&](std::size_t read, std::size_t all) { progress.draw(read, all); };
   const experiment::Experiment experiment = experiment::read_experiment(file, host, reading);
+  for (const std::string& warning : experiment.warnings) {
+    std::cerr << warning << '\n';
+  }
   return base::counted(experiment::cells(experiment).size(), "cell") + ", " +
          base::counted(experiment::number_of_runs(experiment), "run") + ", " +
          base::counted(experiment.expectations.size(), "expectation");

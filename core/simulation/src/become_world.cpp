@@ -105,7 +105,7 @@ void Simulation::Impl::change(std::span<const Change> changes) {
     }
     return;
   }
-  Becoming becoming(*host_, seed_);
+  Becoming becoming(*host_, seed_, time_s());
   try {
     become(changes, becoming);
   } catch (const ChangeRefused&) {
@@ -122,48 +122,78 @@ void Simulation::Impl::change(std::span<const Change> changes) {
 }
 
 std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> changes,
-                                                  std::vector<Note>& notes) {
+                                                  std::span<const TimedChange> given,
+                                                  std::vector<UnmadeChanges>& unmade) {
   std::vector<DueChanges> made;
+  std::vector<ChangeRefused> refused;
   std::vector<Change> in_place;       // all that come before the world becomes another one
   std::optional<world::World> ahead;  // what it is by then
-  for (DueChanges& due : by_time(changes)) {
+  const auto refuse_live = [&] {
+    std::vector<ChangeRefused> live = changes_->refused(made, stage());
+    std::move(live.begin(), live.end(), std::back_inserter(refused));
+  };
+  std::vector<DueChanges> coming = by_time(changes);
+  for (std::size_t i = 0; i < coming.size(); ++i) {
+    const DueChanges due = coming[i];
     const world::World& then = ahead ? *ahead : world_;
     const double end_s = options_.time_limit_s.value_or(then.limits.time);
     if (!due.come_before(end_s, then.physics.step)) {
       const std::string time = base::number_text(due.time_s) + " s";
       const std::string end = base::number_text(end_s) + " s at the latest";
       if (!due.given.empty()) {
-        throw ChangeRefused(due.given + ": its time is " + time +
-                            ", but the run begins at 0 and ends after " + end +
-                            "; expected a time in between, before the last step begins");
+        refused.emplace_back(due.given + ": its time is " + time +
+                             ", but the run begins at 0 and ends after " + end +
+                             "; expected a time in between, before the last step begins");
+      } else {
+        unmade.push_back(
+            {due.from, "The edits at " + time + " are not made: the run ends after " + end + "."});
       }
-      notes.push_back({"", "changes",
-                       "The edits at " + time + " are not made: the run ends after " + end + "."});
       continue;
     }
-    made.push_back(std::move(due));
-    const std::vector<Change>& now = made.back().changes;
     const auto is_live = [&](const Change& one) { return changes_->is_live(one); };
-    if (!ahead && std::all_of(now.begin(), now.end(), is_live)) {
-      in_place.insert(in_place.end(), now.begin(), now.end());
+    if (!ahead && std::all_of(due.changes.begin(), due.changes.end(), is_live)) {
+      in_place.insert(in_place.end(), due.changes.begin(), due.changes.end());
+      made.push_back(due);
       continue;
     }
     if (!ahead) {
-      changes_->check(std::span(made).first(made.size() - 1), stage());
+      refuse_live();
+      ChangeRefused::raise(refused);
     }
     try {
-      ahead = edited(ahead ? *ahead : edited(present(), in_place, false), now, true);
-    } catch (const ChangeRefused& refused) {
-      throw refused.at(made.back().time_s, made.back().from);
+      world::World next = tried(ahead ? *ahead : edited(present(), in_place, false), due.changes);
+      if (!same_part("changes", then, next)) {
+        coming.resize(i + 1);
+        std::vector<TimedChange> rest = with_own(next, given);
+        std::erase_if(rest, [&](const TimedChange& one) {
+          return DueChanges{one.time_s, {}}.are_due(due.time_s, next.physics.step);
+        });
+        std::vector<DueChanges> others = by_time(rest);
+        std::move(others.begin(), others.end(), std::back_inserter(coming));
+      }
+      ahead = std::move(next);
+      made.push_back(due);
+    } catch (const ChangeRefused& why) {
+      refused.push_back(why.at(due.time_s, due.from));
     } catch (const world::WorldError& error) {
-      throw ChangeRefused(text_of(now) + ": " + problem_of(error.problems(), world_.file))
-          .at(made.back().time_s, made.back().from);
+      refused.push_back(
+          ChangeRefused(text_of(due.changes) + ": " + problem_of(error.problems(), world_.file))
+              .at(due.time_s, due.from));
     }
   }
   if (!ahead) {
-    changes_->check(made, stage());
+    refuse_live();
   }
+  ChangeRefused::raise(std::move(refused));
   return made;
+}
+
+/// The world after these edits, with all that it has made once: a plugin may not fit the robot that
+/// it is added to. Throws ChangeRefused or WorldError.
+world::World Simulation::Impl::tried(const world::World& from, std::span<const Change> edits) {
+  world::World next = edited(from, edits, true);
+  const Impl whole(next, *host_, options_);
+  return next;
 }
 
 /// The world after these edits, checked as a file is. Throws ChangeRefused.
@@ -209,6 +239,12 @@ void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming)
   for (const Change& edit : edits) {
     for (const world::AttributePlace& place : changes_->places(edit)) {
       becoming.ask(place);
+      if (place.field.name == "id") {
+        becoming.said().notes.push_back({"", "changes",
+                                         "An edit at " + becoming.time() + " sets " + edit.text() +
+                                             ": what has another id is another one, and begins "
+                                             "anew."});
+      }
     }
     std::vector<std::string> robots = world::robots_at(was, edit.path);
     if (robots.empty()) {
@@ -246,8 +282,8 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
   time_limit_s_ = options_.time_limit_s.value_or(world_.limits.time);
   if (options_.time_limit_s && was.limits.time != world_.limits.time) {
     becoming.said().notes.push_back({"", "limits",
-                                     "An edit at " + base::number_text(time_s()) +
-                                         " s gives limits/@time another value, but this run ends "
+                                     "An edit at " + becoming.time() +
+                                         " gives limits/@time another value, but this run ends "
                                          "after " +
                                          base::number_text(time_limit_s_) +
                                          " s at the latest: it was given that duration."});
@@ -495,7 +531,7 @@ void Simulation::Impl::become_measures(const world::World& was, Becoming& becomi
   if (same_cast) {
     measuring_->take(**before, was.measures);
   }
-  measuring_->reset_new(seed_, becoming.said());
+  measuring_->reset_new(seed_, becoming.time(), becoming.said());
 }
 
 /// One that was there before counts on.

@@ -8,20 +8,6 @@
 #include "simulation_impl.h"
 
 namespace elsie::simulation {
-namespace {
-
-/// Those of the world first.
-std::vector<TimedChange> with_own(const world::World& world, std::span<const TimedChange> changes) {
-  std::vector<TimedChange> all;
-  for (const world::TimedEdit& edit : world.changes) {
-    all.push_back(timed(edit));
-  }
-  all.insert(all.end(), changes.begin(), changes.end());
-  return all;
-}
-
-}  // namespace
-
 Simulation::Simulation(world::World world, const plugin::Host& host, const Options& options)
     : impl_(std::make_unique<Impl>(std::move(world), host, options)) {
   impl_->reset(options.seed);
@@ -47,7 +33,11 @@ RunResult Simulation::run(std::span<Observer* const> observers,
   const Clock::time_point start = Clock::now();
   const auto wall = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   const auto& limits = world().limits;
-  std::vector<DueChanges> schedule = impl_->checked(with_own(world(), changes), impl_->said_.notes);
+  std::vector<UnmadeChanges> unmade;
+  std::vector<DueChanges> schedule = impl_->checked(with_own(world(), changes), changes, unmade);
+  for (UnmadeChanges& each : unmade) {
+    impl_->said_.notes.push_back({"", "changes", std::move(each.sentence)});
+  }
   impl_->given_.assign(changes.begin(), changes.end());
   auto next = schedule.cbegin();
   std::uint64_t scheduled = impl_->own_changes_;
@@ -69,8 +59,8 @@ RunResult Simulation::run(std::span<Observer* const> observers,
       std::erase_if(rest, [&](const TimedChange& change) {
         return DueChanges{change.time_s, {}}.are_due(made_until_s, step_s);
       });
-      std::vector<Note> known;  // what is not made was said
-      schedule = impl_->checked(rest, known);
+      std::vector<UnmadeChanges> known;  // that was said
+      schedule = impl_->checked(rest, changes, known);
       next = schedule.cbegin();
       scheduled = impl_->own_changes_;
     }
@@ -119,9 +109,10 @@ RunResult Simulation::run(std::span<Observer* const> observers,
   return result();
 }
 
-void Simulation::check(std::span<const TimedChange> changes) const {
-  std::vector<Note> notes;
-  impl_->checked(with_own(world(), changes), notes);
+std::vector<UnmadeChanges> Simulation::check(std::span<const TimedChange> changes) const {
+  std::vector<UnmadeChanges> unmade;
+  impl_->checked(with_own(world(), changes), changes, unmade);
+  return unmade;
 }
 
 void Simulation::change(std::string_view path, std::string_view value) {

@@ -142,8 +142,11 @@ class Simulation::Impl {
       throw refused.at(due.time_s, due.from);
     }
   }
-  /// Those that are made, in their order; says which are not.
-  std::vector<DueChanges> checked(std::span<const TimedChange> changes, std::vector<Note>& notes);
+  /// Those that are made, in their order; `unmade` gets the others. `given`: those among them that
+  /// are not the world's own. Throws ChangeRefused.
+  std::vector<DueChanges> checked(std::span<const TimedChange> changes,
+                                  std::span<const TimedChange> given,
+                                  std::vector<UnmadeChanges>& unmade);
 
   Replacement replace_plugins(const plugin::Host& host) {
     Swap swap(host, seed_, options_.data_directories);
@@ -240,6 +243,7 @@ class Simulation::Impl {
   void become_measures(const world::World& was, Becoming& becoming);
   std::vector<std::size_t> become_bodies(const world::World& was, Becoming& becoming);
   void check_room(const world::World& was, std::span<const std::size_t> new_robots) const;
+  world::World tried(const world::World& from, std::span<const Change> edits);
   world::World edited(const world::World& from, std::span<const Change> edits, bool check_plugins);
   world::World present();
   world::World reread(const world::World& from, const std::vector<std::string>& edits,

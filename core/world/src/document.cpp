@@ -344,7 +344,7 @@ WorldText Document::Impl::edited(const WorldText& from, const std::string& edit,
   const Element& before = is_raw ? from.raw : from.merged;
   wanted = before;
   Problems problems;
-  apply_override(wanted, edit, problems);
+  apply_override(wanted, edit, options_.is_running, problems);
   problems.raise<WorldError>(file_);
   remove_overridden(wanted);
   put_in_order(wanted);

@@ -136,7 +136,7 @@ void mark(const std::vector<Place>& places, const std::string& value, const Loca
 
 // Takes an attribute out of the elements that have it.
 void take_out(const std::vector<Place>& places, const std::string& attribute,
-              const std::string& value) {
+              const std::string& value, bool is_running) {
   require_true_or_false(places, value);
   if (value == "false" || places.empty()) {
     return;
@@ -146,7 +146,8 @@ void take_out(const std::vector<Place>& places, const std::string& attribute,
     found += place.element->find(attribute) ? 1 : 0;
     place.element->erase(attribute);
   }
-  if (found == 0) {
+  const bool has_default = is_running && places.front().spec->attribute(attribute);
+  if (found == 0 && !has_default) {
     std::vector<std::string> given;
     for (const Attribute& each : places.front().element->attributes) {
       given.push_back(each.name);
@@ -182,7 +183,8 @@ bool concerns_robots(const std::string& override) {
   return concerns_templates(override) || attribute_of_robot(override) == kRemove;
 }
 
-void apply_override(Element& world, const std::string& override, Problems& problems) {
+void apply_override(Element& world, const std::string& override, bool is_running,
+                    Problems& problems) {
   const Location where{"--set " + override, 0};
   try {
     const std::size_t equals = override.find('=');
@@ -192,7 +194,7 @@ void apply_override(Element& world, const std::string& override, Problems& probl
     const Path path = parse_path(std::string_view(override).substr(0, equals));
     const std::string value = override.substr(equals + 1);
     if (path.from_attribute) {
-      take_out(find_places(world, path), path.attribute, value);
+      take_out(find_places(world, path), path.attribute, value, is_running);
       yield_ids(world, vocabulary());
       return;
     }

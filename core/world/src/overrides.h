@@ -20,7 +20,11 @@ bool concerns_robots(const std::string& override);
 
 /// Applies "PATH=VALUE" to the tree of a world, whose ids are complete. Elements that `@remove`
 /// removes are only marked, since numbers in later paths count them, too.
-void apply_override(Element& world, const std::string& override, Problems& problems);
+///
+/// `is_running`: the tree is that of what runs, in which defaults are not given: an attribute that
+/// has its default may be taken away as well.
+void apply_override(Element& world, const std::string& override, bool is_running,
+                    Problems& problems);
 
 /// Removes the marked elements.
 void remove_overridden(Element& world);

@@ -116,7 +116,7 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
                        "robot, or edit what is in it");
           continue;
         }
-        apply_override(root, override, problems);
+        apply_override(root, override, options.is_running, problems);
         if (options.is_running) {
           templates.merge_given(root);
         }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/base/number_text.h"
 #include "elsie/base/problems.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/parameters.h"
@@ -28,10 +29,13 @@ namespace elsie::simulation {
 /// One edit on its way: what it has made, what is wrong with it, and how to undo it.
 class Becoming {
  public:
-  Becoming(const plugin::Host& host, std::uint64_t seed) : host_(host), seed_(seed) {}
+  Becoming(const plugin::Host& host, std::uint64_t seed, double time_s)
+      : host_(host), seed_(seed), time_(base::seconds_text(time_s)) {}
 
   const plugin::Host& host() const { return host_; }
   std::uint64_t seed() const { return seed_; }
+  /// When it is made: "2.5 s".
+  const std::string& time() const { return time_; }
   Undo& undo() { return undo_; }
   std::vector<base::Problem>& problems() { return problems_; }
   Statements& said() { return said_; }
@@ -42,8 +46,8 @@ class Becoming {
     new_.insert(object);
     if (in_place_of_another) {
       said_.notes.push_back({robot, id,
-                             "it was made anew by an edit and has lost what it remembered of the "
-                             "run"});
+                             "it was made anew by an edit at " + time_ +
+                                 " and has lost what it remembered of the run"});
     }
   }
   bool is_new(const Component* object) const { return new_.contains(object); }
@@ -77,6 +81,7 @@ class Becoming {
  private:
   const plugin::Host& host_;
   std::uint64_t seed_;
+  std::string time_;
   Undo undo_;
   std::vector<base::Problem> problems_;
   Statements said_;

@@ -41,6 +41,23 @@ ChangeRefused ChangeRefused::at(double time_s, std::string from) const {
   return refused;
 }
 
+std::string ChangeRefused::report() const {
+  std::string text = (from_.empty() ? "--at" : from_) + ": " + what();
+  for (const ChangeRefused& other : others_) {
+    text += '\n' + other.report();
+  }
+  return text;
+}
+
+void ChangeRefused::raise(std::vector<ChangeRefused> refused) {
+  if (!refused.empty()) {
+    ChangeRefused first = std::move(refused.front());
+    refused.erase(refused.begin());
+    first.others_ = std::move(refused);
+    throw first;
+  }
+}
+
 bool DueChanges::come_before(double end_s, double step_s) const {
   const double begins = std::ceil(time_s / step_s - kRounding);  // steps
   return time_s >= 0.0 && time_s < end_s && begins < end_s / step_s - kRounding;
@@ -50,6 +67,15 @@ TimedChange timed(const world::TimedEdit& edit) {
   return {edit.time,
           {edit.path, edit.element ? *edit.element : edit.value.value_or("")},
           file_and_line(edit.location)};
+}
+
+std::vector<TimedChange> with_own(const world::World& world, std::span<const TimedChange> changes) {
+  std::vector<TimedChange> all;
+  for (const world::TimedEdit& edit : world.changes) {
+    all.push_back(timed(edit));
+  }
+  all.insert(all.end(), changes.begin(), changes.end());
+  return all;
 }
 
 std::vector<DueChanges> by_time(std::span<const TimedChange> changes) {
@@ -106,7 +132,9 @@ void Changes::make(std::span<const Change> changes, const Stage& stage,
   }
 }
 
-void Changes::check(std::span<const DueChanges> schedule, const Stage& stage) const {
+std::vector<ChangeRefused> Changes::refused(std::span<const DueChanges> schedule,
+                                            const Stage& stage) const {
+  std::vector<ChangeRefused> all;
   Setups setups;
   for (const DueChanges& due : schedule) {
     try {
@@ -114,9 +142,10 @@ void Changes::check(std::span<const DueChanges> schedule, const Stage& stage) co
         setups[tuned.use] = std::move(tuned.setup);
       }
     } catch (const ChangeRefused& refused) {
-      throw refused.at(due.time_s, due.from);
+      all.push_back(refused.at(due.time_s, due.from));
     }
   }
+  return all;
 }
 
 /// Plans the change of one attribute of a robot, which itself stays as it is.

@@ -38,6 +38,9 @@ struct DueChanges {
 /// One that stands in the world.
 TimedChange timed(const world::TimedEdit& edit);
 
+/// Those of the world, then the others.
+std::vector<TimedChange> with_own(const world::World& world, std::span<const TimedChange> changes);
+
 /// In the order of their times; those of one time in the order given.
 std::vector<DueChanges> by_time(std::span<const TimedChange> changes);
 
@@ -64,9 +67,10 @@ class Changes {
   void make(std::span<const Change> changes, const Stage& stage,
             std::vector<EventRecord>& events) const;
 
-  /// Throws ChangeRefused for the first that could not be made, as far as that does not depend on
-  /// what the run brings: only whether there is room for a robot does.
-  void check(std::span<const DueChanges> schedule, const Stage& stage) const;
+  /// Those that could not be made, as far as that does not depend on what the run brings: only
+  /// whether there is room for a robot does.
+  std::vector<ChangeRefused> refused(std::span<const DueChanges> schedule,
+                                     const Stage& stage) const;
 
  private:
   /// New parameters of a plugin object.

@@ -179,13 +179,14 @@ void Measuring::give_back(Measuring& before) {
   }
 }
 
-void Measuring::reset_new(std::uint64_t seed, Statements& said) {
+void Measuring::reset_new(std::uint64_t seed, const std::string& time, Statements& said) {
   for (Slot& slot : slots_) {
     if (!slot.was_taken) {
       Random random(seed, "measure[" + slot.use->id + "]");
       guard_.run(*slot.use, [&] { slot.object->reset(random); });
       said.ask(*slot.object, *slot.use, "", guard_);
-      said.notes.push_back({"", slot.use->id, "it measures from an edit of the world on"});
+      said.notes.push_back(
+          {"", slot.use->id, "it measures from an edit of the world at " + time + " on"});
     }
   }
 }

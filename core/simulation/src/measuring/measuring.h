@@ -43,7 +43,7 @@ class Measuring {
   /// Gives it back.
   void give_back(Measuring& before);
   /// Resets what was not taken, which begins with the next instant, and gathers what it says.
-  void reset_new(std::uint64_t seed, Statements& said);
+  void reset_new(std::uint64_t seed, const std::string& time, Statements& said);
 
   /// Whether all have seen the start of what they measure.
   bool has_begun() const;

@@ -112,11 +112,17 @@ class CellCheck {
   struct Found {
     std::vector<Quantity> measures;
     std::string text;  // of the cell's world
+    std::vector<std::string> warnings;
   };
 
   void check(const Cell& cell) {
     Found found = look(cell);
     note_measures(std::move(found.measures));
+    for (std::string& warning : found.warnings) {
+      if (warned_.insert(warning).second) {
+        measures_.warnings.push_back(std::move(warning));
+      }
+    }
     compare(cell, found.text);
   }
 
@@ -143,12 +149,19 @@ class CellCheck {
     }
     // This asks the plugins whether they fit their robots.
     const simulation::Simulation simulation(world, host_, running);
+    Found found{simulation::measure_names(world, host_), world::write_world(world), {}};
     try {
-      simulation.check({});
+      for (const simulation::UnmadeChanges& unmade : simulation.check({})) {
+        found.warnings.push_back(unmade.from + ": warning: " + unmade.sentence);
+      }
     } catch (const simulation::ChangeRefused& refused) {
-      throw world::WorldError({problem_of(world, refused)});
+      std::vector<base::Problem> problems{problem_of(world, refused)};
+      for (const simulation::ChangeRefused& other : refused.others()) {
+        problems.push_back(problem_of(world, other));
+      }
+      throw world::WorldError(std::move(problems));
     }
-    return {simulation::measure_names(world, host_), world::write_world(world)};
+    return found;
   }
 
   void note_measures(std::vector<Quantity> quantities) {
@@ -292,6 +305,7 @@ class CellCheck {
   std::map<std::tuple<std::string, int, std::string>, Complaint> complaints_;
   std::map<std::size_t, std::size_t> cells_by_text_;  // hash of the text to its first cell
   std::set<std::string> reported_;
+  std::set<std::string> warned_;
   std::vector<std::pair<Location, std::string>> twins_;
 };
 

@@ -16,6 +16,7 @@ namespace elsie::experiment {
 struct CellMeasures {
   std::vector<std::vector<Quantity>> lists;  // the different lists
   std::vector<std::size_t> of_cell;          // index of the list of each cell
+  std::vector<std::string> warnings;         // Experiment::warnings
 };
 
 /// Reads the world of every cell and puts it together. Mistakes in a setting become problems on its

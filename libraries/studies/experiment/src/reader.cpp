@@ -253,8 +253,9 @@ Experiment parse_experiment(std::string_view text, const std::string& file,
   const world::Files files(file, options.data_directories);
   Parsed result = parsed(text, file, &files);
   if (!result.grid.empty()) {
-    const CellMeasures measures = check_cells(result.experiment, result.grid, result.files,
-                                              result.lists, host, options, result.grid_problems);
+    CellMeasures measures = check_cells(result.experiment, result.grid, result.files, result.lists,
+                                        host, options, result.grid_problems);
+    result.experiment.warnings = std::move(measures.warnings);
     if (result.grid_problems.empty()) {
       check_measures(result.experiment, result.grid, measures, result.problems);
     }

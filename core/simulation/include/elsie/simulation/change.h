@@ -16,6 +16,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace elsie::simulation {
 
@@ -44,9 +45,24 @@ class ChangeRefused : public std::invalid_argument {
   ChangeRefused at(double time_s, std::string from = "") const;
   /// TimedChange::from.
   const std::string& from() const { return from_; }
+  /// Further changes of the same schedule that cannot be made either.
+  const std::vector<ChangeRefused>& others() const { return others_; }
+
+  /// A line for each of them: where it stands, or "--at", and the sentence.
+  std::string report() const;
+
+  /// Throws the first with all others in it; does nothing if there are none.
+  static void raise(std::vector<ChangeRefused> refused);
 
  private:
   std::string from_;
+  std::vector<ChangeRefused> others_;
+};
+
+/// Changes of a world that its run ends before.
+struct UnmadeChanges {
+  std::string from;      // TimedChange::from of the first
+  std::string sentence;  // that says so
 };
 
 }  // namespace elsie::simulation

@@ -153,8 +153,9 @@ class Simulation {
                 std::span<const TimedChange> changes = {},
                 const std::function<void(Simulation&)>& before_control = {});
 
-  /// The same check by itself, as things are now. Throws ChangeRefused.
-  void check(std::span<const TimedChange> changes) const;
+  /// The same check by itself, as things are now. Returns those that are never made; throws
+  /// ChangeRefused with all that cannot be made.
+  std::vector<UnmadeChanges> check(std::span<const TimedChange> changes) const;
 
   // Edits between two steps, until the next reset; see change.h. Each adds an event "changed" to
   // the log, of the robot that it concerns if it is one, whose detail is the edit with the full

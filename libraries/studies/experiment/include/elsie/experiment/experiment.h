@@ -129,6 +129,9 @@ struct Experiment {
   double trajectory_period = 0.5;  // s, simulated, between two kept poses of a robot
   std::vector<MeasureUse> measures;
   std::vector<Expectation> expectations;
+  /// Of edits that no run of a cell makes: "study.xml:12: warning: ...". Only a reader that checks
+  /// the cells fills it.
+  std::vector<std::string> warnings;
 };
 
 /// One world with one level of each factor. Its runs differ in their seeds only.
