@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "statistics.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,11 +81,6 @@ double seconds_of(const std::string& program, const Folder& folder, int workers)
   return seconds;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 void measure(const std::string& program, const Work& work) {
   const Folder folder;
   write_experiment(folder / "work.xml", work);
@@ -94,7 +91,7 @@ void measure(const std::string& program, const Work& work) {
     ratio.push_back(two.back() / one.back());
   }
   std::printf("| %s | %d | %.1f | %.1f | %.2f | %.2f to %.2f |\n", work.name, work.runs,
-              median(one), median(two), median(ratio),
+              elsie::bench::median(one), elsie::bench::median(two), elsie::bench::median(ratio),
               *std::min_element(ratio.begin(), ratio.end()),
               *std::max_element(ratio.begin(), ratio.end()));
   std::fflush(stdout);

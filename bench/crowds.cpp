@@ -16,6 +16,8 @@
 #include "elsie/plugin/search_path.h"
 #include "elsie/simulation/simulation.h"
 
+#include "statistics.h"
+
 namespace {
 
 constexpr double kApart = 0.15;    // m, at the start
@@ -60,11 +62,6 @@ double cost(const elsie::plugin::Host& host, int robots) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / kMeasured;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -87,12 +84,13 @@ int main(int argc, char** argv) {
         "robots |\n|---|---|---|---|\n",
         sizes[0]);
     for (std::size_t k = 0; k < sizes.size(); ++k) {
-      const double time = median(costs[k]);
+      const double time = elsie::bench::median(costs[k]);
       std::vector<double> ratios;
       for (std::size_t i = 0; i < costs[k].size(); ++i) {
         ratios.push_back(costs[k][i] / sizes[k] / (costs[0][i] / sizes[0]));
       }
-      std::printf("| %d | %.3f | %.1f | %.2f |\n", sizes[k], time, 1.0 / time, median(ratios));
+      std::printf("| %d | %.3f | %.1f | %.2f |\n", sizes[k], time, 1.0 / time,
+                  elsie::bench::median(ratios));
     }
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {

@@ -17,6 +17,8 @@
 #include "elsie/neural/back_propagation.h"
 #include "elsie/neural/training_set.h"
 
+#include "statistics.h"
+
 namespace {
 
 namespace neural = elsie::neural;
@@ -108,12 +110,6 @@ double disagreement(neural::Network network, Samples& samples, std::size_t prese
   return largest;
 }
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
-
 /// Prints one line of the table. Returns false when the two do not learn the same.
 bool compare(const std::string& hidden, Samples& samples) {
   std::vector<int> sizes{static_cast<int>(samples.set.inputs())};
@@ -146,7 +142,8 @@ bool compare(const std::string& hidden, Samples& samples) {
   }
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
   std::printf("| %s | %.2f | %.2f | %.2f | %.2f to %.2f |\n", neural::sizes_text(sizes).c_str(),
-              1e-6 * median(ours), 1e-6 * median(theirs), median(ratios), *least, *most);
+              1e-6 * elsie::bench::median(ours), 1e-6 * elsie::bench::median(theirs),
+              elsie::bench::median(ratios), *least, *most);
   std::fflush(stdout);
   return true;
 }

@@ -24,6 +24,8 @@
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/reader.h"
 
+#include "statistics.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,11 +34,6 @@ using Clock = std::chrono::steady_clock;
 constexpr int kRounds = 201;
 constexpr int kCalls = 1000;
 constexpr int kLibraries = 100;
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 double nanoseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
@@ -95,8 +92,10 @@ void measure_calls(const std::string& behavior) {
   for (std::size_t i = 0; i < through_ns.size(); ++i) {
     differences.push_back(through_ns[i] - directly_ns[i]);
   }
-  std::printf("| `%s` | %.0f | %.0f | %.0f | %.2f |\n", behavior.c_str(), median(through_ns),
-              median(directly_ns), median(differences), median(through_ns) / median(directly_ns));
+  std::printf("| `%s` | %.0f | %.0f | %.0f | %.2f |\n", behavior.c_str(),
+              elsie::bench::median(through_ns), elsie::bench::median(directly_ns),
+              elsie::bench::median(differences),
+              elsie::bench::median(through_ns) / elsie::bench::median(directly_ns));
 }
 
 /// A copy of the library `numbered.so` whose plugin is called numbered_NNN.
@@ -132,7 +131,7 @@ void measure_discovery(const fs::path& library) {
   std::printf(
       "\nFinding, checking and loading %d plugin libraries: %.1f ms (median of 15; %.1f to "
       "%.1f).\n",
-      kLibraries, median(ms), *std::min_element(ms.begin(), ms.end()),
+      kLibraries, elsie::bench::median(ms), *std::min_element(ms.begin(), ms.end()),
       *std::max_element(ms.begin(), ms.end()));
 }
 

@@ -4,8 +4,7 @@
 //
 //   robot_steps [--repeats N]
 //
-// World: 10 m x 10 m with walls, 20 boxes, robots with 8 beams of 1 m, crisp avoidance (a
-// Braitenberg vehicle), 100 Hz. Both sides get the same poses, the same boxes and the same rule.
+// World: arena_of_robots.h. Both sides get the same poses, the same boxes and the same rule.
 // The two are run in turn, and the ratio is taken pair by pair, because machines drift. Prints a
 // table in Markdown.
 #include <algorithm>
@@ -29,7 +28,9 @@
 #include "elsie/world/reader.h"
 #include "elsie/world/writer.h"
 
+#include "arena_of_robots.h"
 #include "bare_ode.h"
+#include "statistics.h"
 
 namespace {
 
@@ -37,7 +38,6 @@ using elsie::Pose;
 using elsie::WheelRates;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kAzimuthsDeg[8] = {12, -12, 40, -40, 80, -80, 130, -130};
 constexpr double kBase = 10.0;      // rad/s
 constexpr double kWeight = 12.0;    // rad/s
 constexpr double kMaxRange = 1.0;   // m
@@ -54,7 +54,7 @@ WheelRates weights(double azimuth_deg) {
 WheelRates rule(const double ranges[8]) {
   static const std::vector<WheelRates> matrix = [] {
     std::vector<WheelRates> all;
-    for (const double azimuth : kAzimuthsDeg) {
+    for (const double azimuth : elsie::bench::kBeamAzimuths_deg) {
       all.push_back(weights(azimuth));
     }
     return all;
@@ -66,56 +66,8 @@ WheelRates rule(const double ranges[8]) {
   return command;
 }
 
-/// Robots on a grid with boxes between them.
-elsie::world::World world(int robots) {
-  elsie::world::World world;
-  world.name = "benchmark";
-  world.limits.time = 1e6;
-  world.teams = {{"red", {}}, {"blue", {}}};
-  for (int i = 0; i < 20; ++i) {
-    elsie::world::Box box;
-    box.id = "b" + std::to_string(i);
-    box.x = -3.6 + 1.8 * (i % 5);
-    box.y = -2.7 + 1.8 * (i / 5);
-    box.heading_deg = 17.0 * i;
-    box.length = 0.3;
-    box.width = 0.2;
-    world.boxes.push_back(box);
-  }
-  const int side = static_cast<int>(std::ceil(std::sqrt(robots)));
-  for (int i = 0; i < robots; ++i) {
-    elsie::world::Robot robot;
-    robot.id = "r" + std::to_string(i);
-    robot.team = "red";
-    robot.x = -4.5 + 9.0 * (i % side + 0.5) / side;
-    robot.y = -4.5 + 9.0 * (i / side + 0.5) / side;
-    robot.heading_deg = (37 * i) % 360;
-    robot.battery = 1e9;
-    robot.coverage = 0.0;
-    for (const double azimuth : kAzimuthsDeg) {
-      elsie::world::SensorUse beam;
-      beam.plugin = "beam_range";
-      beam.id = "beam" + std::to_string(robot.sensors.size());
-      beam.yaw_deg = azimuth;
-      robot.sensors.push_back(beam);
-    }
-    elsie::world::BehaviorUse avoid;
-    avoid.plugin = avoid.id = "braitenberg";
-    robot.behaviors.push_back(avoid);
-    robot.coordinator.emplace();
-    robot.coordinator->plugin = robot.coordinator->id = "arbiter_suppression";
-    world.robots.push_back(robot);
-  }
-  return world;
-}
-
 double seconds(Clock::time_point since) {
   return std::chrono::duration<double>(Clock::now() - since).count();
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 /// The memory of the process in MiB.
@@ -135,7 +87,7 @@ double memory_of_simulation(const elsie::plugin::Host& host, int robots) {
   }
   const pid_t child = fork();
   if (child == 0) {
-    const elsie::world::World description = world(robots);
+    const elsie::world::World description = elsie::bench::arena_of_robots(robots);
     const double before = memory_mib();
     elsie::simulation::Simulation simulation(description, host);
     for (int i = 0; i < 100; ++i) {
@@ -156,14 +108,14 @@ double memory_of_simulation(const elsie::plugin::Host& host, int robots) {
 }
 
 void compare(const elsie::plugin::Host& host, int robots, int repeats, double memory) {
-  const elsie::world::World description = world(robots);
+  const elsie::world::World description = elsie::bench::arena_of_robots(robots);
   std::vector<Pose> poses;
   for (const auto& robot : description.robots) {
     poses.push_back({robot.x, robot.y, elsie::radians(robot.heading_deg)});
   }
   elsie::simulation::Simulation simulation(description, host);
   std::vector<double> azimuths;
-  for (const double azimuth : kAzimuthsDeg) {
+  for (const double azimuth : elsie::bench::kBeamAzimuths_deg) {
     azimuths.push_back(elsie::radians(azimuth));
   }
   const double top_speed =
@@ -195,14 +147,15 @@ void compare(const elsie::plugin::Host& host, int robots, int repeats, double me
     ratios.push_back(ours.back() / theirs.back());
   }
   const auto [low, high] = std::minmax_element(ratios.begin(), ratios.end());
-  std::printf("| %d | %.0f | %.0f | %.2f | %.2f to %.2f | %.1f |\n", robots, median(ours),
-              median(theirs), median(ratios), *low, *high, memory);
+  std::printf("| %d | %.0f | %.0f | %.2f | %.2f to %.2f | %.1f |\n", robots,
+              elsie::bench::median(ours), elsie::bench::median(theirs),
+              elsie::bench::median(ratios), *low, *high, memory);
   std::fflush(stdout);
 }
 
 void measure_loading(const elsie::plugin::Host& host, int repeats) {
   const auto file = std::filesystem::temp_directory_path() / "elsie-bench-world.xml";
-  std::ofstream(file) << elsie::world::write_world(world(100));
+  std::ofstream(file) << elsie::world::write_world(elsie::bench::arena_of_robots(100));
   std::vector<double> reading, making;
   for (int i = 0; i < repeats; ++i) {
     auto start = Clock::now();
@@ -216,7 +169,7 @@ void measure_loading(const elsie::plugin::Host& host, int repeats) {
   std::printf(
       "\nA world of 100 robots with 8 beams each: read and checked in %.1f ms, put together in "
       "%.1f ms (medians of %d).\n",
-      median(reading), median(making), repeats);
+      elsie::bench::median(reading), elsie::bench::median(making), repeats);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
-// Mean and spread over seeds.
+// Medians, means and spreads.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
@@ -8,6 +9,13 @@
 #include <vector>
 
 namespace elsie::bench {
+
+/// The upper one of two; not of none.
+inline double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 inline double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());

@@ -24,6 +24,8 @@
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
 
+#include "statistics.h"
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -73,11 +75,6 @@ elsie::world::World world(int robots, bool cameras) {
   return world;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 /// Simulated time divided by time on the clock.
 double speed(elsie::simulation::Simulation& simulation, int steps) {
   simulation.reset();
@@ -106,9 +103,10 @@ void measure(const elsie::plugin::Host& host, int robots, int repeats) {
   }
   const auto [low, high] = std::minmax_element(with.begin(), with.end());
   const double per_picture_ms =
-      1e3 * (1.0 / median(with) - 1.0 / median(without)) / (100.0 * robots);
-  std::printf("| %d | %.1f | %.1f to %.1f | %.0f | %.3f |\n", robots, median(with), *low, *high,
-              median(without), per_picture_ms);
+      1e3 * (1.0 / elsie::bench::median(with) - 1.0 / elsie::bench::median(without)) /
+      (100.0 * robots);
+  std::printf("| %d | %.1f | %.1f to %.1f | %.0f | %.3f |\n", robots, elsie::bench::median(with),
+              *low, *high, elsie::bench::median(without), per_picture_ms);
   std::fflush(stdout);
 }
 

@@ -19,6 +19,7 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "authoring/authoring.h"
@@ -43,6 +44,7 @@ namespace {
 constexpr int kMostRecent = 10;
 constexpr int kSaid_ms = 8000;
 constexpr qint64 kStuck_ms = 3000;
+constexpr int kFewRobots = 16;  // that Plots shows all numbers of
 
 /// The folder with the shipped worlds, of an installed program and of a build.
 QString shipped_worlds() {
@@ -156,8 +158,13 @@ void MainWindow::make_docks() {
   dock("fuzzy", tr("Fuzzy"), fuzzy_, Qt::RightDockWidgetArea);
   dock("sensors", tr("Sensors"), sensors_, Qt::RightDockWidgetArea);
   for (const char* name : {"coordination", "plots", "vision", "fuzzy", "sensors"}) {
-    connect(docks_[name], &QDockWidget::visibilityChanged, this, &MainWindow::watch);
+    // A dock that lies behind another is "visible", too.
+    connect(docks_[name], &QDockWidget::visibilityChanged, this, [this, name](bool is_seen) {
+      is_seen ? void(seen_.insert(name)) : void(seen_.remove(name));
+      watch();
+    });
   }
+  connect(plots_, &PlotsPanel::choice_changed, this, &MainWindow::watch);
 }
 
 void MainWindow::arrange(const QString& layout) {
@@ -243,11 +250,11 @@ void MainWindow::connect_workbench() {
     editor_->set_text(workbench_.text());
   });
   connect(&workbench_, &Workbench::state, this, [this](const Json& state) {
-    if (docks_["coordination"]->isVisible()) coordination_->add(state);
-    if (docks_["plots"]->isVisible()) plots_->add(state);
-    if (docks_["vision"]->isVisible()) vision_->add(state);
-    if (docks_["fuzzy"]->isVisible()) fuzzy_->add(state);
-    if (docks_["sensors"]->isVisible()) sensors_->add(state);
+    if (seen_.contains("coordination")) coordination_->add(state);
+    if (seen_.contains("plots") || !plots_->chosen().isEmpty()) plots_->add(state);
+    if (seen_.contains("vision")) vision_->add(state);
+    if (seen_.contains("fuzzy")) fuzzy_->add(state);
+    if (seen_.contains("sensors")) sensors_->add(state);
     for (WorldTree* each : findChildren<WorldTree*>()) {
       if (each->isVisible()) each->show_priorities(state);
     }
@@ -271,7 +278,7 @@ void MainWindow::connect_workbench() {
       scene_->clear_trails();
       time_line_->clear();
       coordination_->clear();
-      plots_->clear();
+      plots_->begin();
     }
     show_state();
   });
@@ -356,15 +363,30 @@ void MainWindow::connect_views() {
 
 void MainWindow::watch() {
   Json what = Json::array();
-  const auto shows = [this](const char* name) { return docks_[name]->isVisible(); };
+  const auto shows = [this](const char* name) { return seen_.contains(name); };
+  const bool plots = shows("plots") || !plots_->chosen().isEmpty();
   const bool is_behavior =
       !authoring_->selection().isEmpty() && authoring_->selection().front().contains("/behavior[");
-  if (shows("coordination") || shows("plots") || is_behavior) what.push_back("decisions");
-  if (shows("sensors") || shows("plots")) what.push_back("sensors");
-  if (shows("plots")) what.push_back("measures");
+  if (shows("coordination") || plots || is_behavior) what.push_back("decisions");
+  if (shows("sensors") || plots) what.push_back("sensors");
+  if (plots) what.push_back("measures");
   if (shows("vision")) what.push_back("cameras");
   if (shows("fuzzy")) what.push_back("fuzzy");
-  const Json order{{"do", "watch"}, {"what", what}, {"robots", Json::array()}};
+  Json robots = Json::array();  // none: all
+  const std::vector<Stage::Body>& bodies = scene_->stage().bodies();
+  const bool are_few = std::count_if(bodies.begin(), bodies.end(), [](const Stage::Body& body) {
+                         return body.is_robot();
+                       }) <= kFewRobots;
+  if (!shows("vision") && !(shows("plots") && are_few) && !watched_robot_.isEmpty()) {
+    QStringList wished = plots_->chosen_robots();
+    if (!wished.contains(watched_robot_)) wished << watched_robot_;
+    for (const QString& id : std::as_const(wished)) {
+      if (place_of(workbench_.tree(), "robot[" + id + ']').element) {
+        robots.push_back(id.toStdString());
+      }
+    }
+  }
+  const Json order{{"do", "watch"}, {"what", what}, {"robots", robots}};
   const QString asked =
       QString::fromStdString(order.dump()) + QString::number(workbench_.engine().generation());
   if (asked != watched_ && workbench_.tree().is_object()) {
@@ -438,13 +460,22 @@ bool MainWindow::open(const QString& file) {
   }
   borrowed_ = world == file ? QString() : world;
   note_recent(file);
-  outcome_.clear();
-  locked_.clear();
-  authoring_->select({});
+  forget_world();
   centre_->setCurrentIndex(1);
   scene_->setFocus();
   show_title();
   return true;
+}
+
+// What is only true of the world that was there.
+void MainWindow::forget_world() {
+  outcome_.clear();
+  locked_.clear();
+  authoring_->select({});
+  plots_->clear();
+  vision_->clear();
+  fuzzy_->clear();
+  sensors_->clear();
 }
 
 void MainWindow::begin_world(const std::function<QString()>& text) {
@@ -453,10 +484,9 @@ void MainWindow::begin_world(const std::function<QString()>& text) {
   }
   const QString begun = text();
   if (!begun.isEmpty()) {
-    authoring_->select({});
-    locked_.clear();
     borrowed_.clear();
     workbench_.open_text(begun, {}, false);
+    forget_world();
     centre_->setCurrentIndex(1);
     show_title();
   }

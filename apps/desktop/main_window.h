@@ -73,6 +73,7 @@ class MainWindow : public QMainWindow {
 
   bool may_leave();
   bool save(bool elsewhere);
+  void forget_world();
   void begin_world(const std::function<QString()>& text);
   void show_start();
   void show_state();
@@ -122,6 +123,7 @@ class MainWindow : public QMainWindow {
   QString outcome_;
   QString borrowed_;  // the file of a recording's world, which is saved elsewhere
   QByteArray default_state_;
+  QSet<QString> seen_;     // the docks in front
   QString watched_;        // what the engine was last asked to send
   QString watched_robot_;  // of the panels that show one
   bool was_shown_ = false;

@@ -130,13 +130,18 @@ TEST_CASE("plots: any number of a state, saved as a table and as a picture") {
   panel.choose(share, true);
   panel.choose(QStringLiteral("r1/gps/y"), true);
   QTemporaryDir folder;
-  REQUIRE(panel.save(folder.filePath(QStringLiteral("a.csv"))));
+  REQUIRE(panel.save(folder.filePath(QStringLiteral("a.csv"))).isEmpty());
   QFile table(folder.filePath(QStringLiteral("a.csv")));
   REQUIRE(table.open(QIODevice::ReadOnly));
   CHECK(table.readAll() ==
         QByteArray("time_s,r1/explore/avoid/share,r1/gps/y\n0.1,0.25,\n0.2,0.75,\n"));
-  CHECK(panel.save(folder.filePath(QStringLiteral("a.png"))));
-  CHECK(!panel.save(folder.filePath(QStringLiteral("a.doc"))));
+  CHECK(panel.save(folder.filePath(QStringLiteral("a.png"))).isEmpty());
+  CHECK(panel.save(folder.filePath(QStringLiteral("a.svg"))).isEmpty());
+  CHECK(panel.save(folder.filePath(QStringLiteral("a.doc"))).contains(QStringLiteral(".svg")));
+  CHECK(!panel.save(folder.filePath(QStringLiteral("no/a.csv"))).isEmpty());
+  CHECK(PlotsPanel()
+            .save(folder.filePath(QStringLiteral("b.csv")))
+            .contains(QStringLiteral("chosen")));
 }
 
 TEST_CASE("plots: a run that starts again keeps what is chosen, without its past") {
@@ -146,7 +151,7 @@ TEST_CASE("plots: a run that starts again keeps what is chosen, without its past
   panel.add(state(0.1, 0.75));
   CHECK(panel.chosen() == QStringList{QStringLiteral("r1/explore/share")});
   QTemporaryDir folder;
-  REQUIRE(panel.save(folder.filePath(QStringLiteral("a.csv"))));
+  REQUIRE(panel.save(folder.filePath(QStringLiteral("a.csv"))).isEmpty());
   QFile table(folder.filePath(QStringLiteral("a.csv")));
   REQUIRE(table.open(QIODevice::ReadOnly));
   CHECK(table.readAll() == QByteArray("time_s,r1/explore/share\n0.1,0.75\n"));

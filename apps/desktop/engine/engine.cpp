@@ -6,7 +6,7 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr int kBetweenSnapshots_ms = 16;
+constexpr int kBetweenSnapshots_ms = 30;
 constexpr int kReport_ms = 500;  // that a report may take
 
 }  // namespace
@@ -65,9 +65,14 @@ qint64 Engine::waiting_ms() const {
                           : QDateTime::currentMSecsSinceEpoch() - pending_.begin()->second.since_ms;
 }
 
-// While nothing moves and nobody waits, nothing here runs.
+// While nothing moves and nobody waits, nothing here runs. While all moves, the time for the next
+// picture is soon enough for messages: a process that is woken by each would be put beside the
+// engine, on the same processor.
 void Engine::pace() {
   const bool is_needed = connection_ && (live_ || !pending_.empty());
+  if (notifier_) {
+    notifier_->setEnabled(!live_);
+  }
   if (is_needed != timer_.isActive()) {
     is_needed ? timer_.start() : timer_.stop();
   }

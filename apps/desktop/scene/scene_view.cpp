@@ -21,9 +21,7 @@ constexpr double kSnap = 0.1;        // m
 constexpr double kSnapTurn = 15.0;   // degrees
 constexpr double kFine = 0.2;        // of the way of the mouse, with Shift
 constexpr double kLeastSize = 0.02;  // m
-constexpr double kTrailStep = 0.01;  // m
-constexpr std::size_t kLongestTrail = 20'000;
-constexpr double kWheel = 0.0015;  // of a zoom, in eighths of a degree
+constexpr double kWheel = 0.0015;    // of a zoom, in eighths of a degree
 
 const QColor kSelected(0xe0, 0x80, 0x00);
 const QColor kBeam(0x2a, 0x7a, 0xb8, 110);
@@ -89,9 +87,10 @@ void SceneView::take(const snapshots::Snapshot& snapshot) {
   if (!stage_.take(snapshot)) {
     return;
   }
-  note_trails();
+  trails_.note(stage_);
   if (const Stage::Body* body = followed_.isEmpty() ? nullptr : stage_.body_of(followed_)) {
     camera_.target = {body->frame.origin.x, body->frame.origin.y, 0.0};
+    trails_.paint_anew();
   }
   is_stale_ = true;
   update();
@@ -99,32 +98,7 @@ void SceneView::take(const snapshots::Snapshot& snapshot) {
 
 void SceneView::clear_trails() {
   trails_.clear();
-  trails_until_s_ = 0.0;
   update();
-}
-
-void SceneView::note_trails() {
-  if (stage_.time_s() < trails_until_s_) {
-    if (stage_.time_s() == 0.0) {
-      trails_.clear();
-      trails_until_s_ = 0.0;
-    }
-    return;  // the past is shown
-  }
-  trails_until_s_ = stage_.time_s();
-  for (const Stage::Body& body : stage_.bodies()) {
-    if (body.vehicle != 0 || !body.path.startsWith("robot[")) {
-      continue;
-    }
-    std::deque<Vector3>& trail = trails_[body.path];
-    const Vector3 at{body.frame.origin.x, body.frame.origin.y, 0.005};
-    if (trail.empty() || std::hypot(at.x - trail.back().x, at.y - trail.back().y) >= kTrailStep) {
-      trail.push_back(at);
-      if (trail.size() > kLongestTrail) {
-        trail.pop_front();
-      }
-    }
-  }
 }
 
 void SceneView::set_selection(const QStringList& paths) {
@@ -148,6 +122,7 @@ void SceneView::set_tool(Tool tool) {
 
 void SceneView::camera_moved() {
   is_stale_ = true;
+  trails_.paint_anew();
   update();
   Q_EMIT camera_changed();
 }
@@ -253,7 +228,7 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
     paint_outlines(painter);
   }
   if (overlays_.grid) paint_grid(painter);
-  if (overlays_.trails) paint_trails(painter);
+  if (overlays_.trails) trails_.paint(painter, camera_, size(), devicePixelRatioF());
   if (overlays_.views) paint_views(painter);
   if (overlays_.beams) paint_beams(painter);
   if (overlays_.names) paint_names(painter);
@@ -304,29 +279,6 @@ void SceneView::paint_grid(QPainter& painter) const {
   }
 }
 
-void SceneView::paint_trails(QPainter& painter) const {
-  for (auto trail = trails_.begin(); trail != trails_.end(); ++trail) {
-    QColor colour = kSelected;
-    for (const Stage::Solid& solid : stage_.solids()) {
-      if (solid.path == trail.key()) {
-        colour = colour_of(solid.colour);
-        break;
-      }
-    }
-    painter.setPen(QPen(colour, 1.6));
-    QPolygonF run;
-    for (const Vector3& point : trail.value()) {
-      if (const auto at = camera_.project(point, size())) {
-        run << *at;
-      } else if (!run.isEmpty()) {
-        painter.drawPolyline(run);
-        run.clear();
-      }
-    }
-    painter.drawPolyline(run);
-  }
-}
-
 void SceneView::paint_beams(QPainter& painter) const {
   for (const snapshots::BeamState& beam : stage_.beams()) {
     painter.setPen(QPen(beam.hit ? kHit : kBeam, 1.0));
@@ -362,7 +314,7 @@ void SceneView::paint_views(QPainter& painter) const {
 void SceneView::paint_names(QPainter& painter) const {
   const QFontMetricsF metrics(font());
   for (const Stage::Body& body : stage_.bodies()) {
-    if (!body.is_present || body.vehicle != 0 || !body.path.startsWith("robot[")) {
+    if (!body.is_present || !body.is_robot()) {
       continue;
     }
     const QString name = body.path.mid(6, body.path.size() - 7);

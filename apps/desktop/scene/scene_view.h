@@ -1,17 +1,16 @@
 // The main view: the world in three dimensions, in real time.
 #pragma once
 
-#include <QHash>
 #include <QImage>
 #include <QSet>
 #include <QStringList>
 #include <QWidget>
-#include <deque>
 #include <memory>
 #include <optional>
 
 #include "scene/camera.h"
 #include "scene/stage.h"
+#include "scene/trails.h"
 
 namespace elsie::render {
 class Renderer;
@@ -111,14 +110,12 @@ class SceneView : public QWidget {
   void paint(QPainter& painter, bool with_handles);
   void paint_outlines(QPainter& painter);
   void paint_grid(QPainter& painter) const;
-  void paint_trails(QPainter& painter) const;
   void paint_beams(QPainter& painter) const;
   void paint_views(QPainter& painter) const;
   void paint_names(QPainter& painter) const;
   void paint_selection(QPainter& painter) const;
   void paint_tape(QPainter& painter) const;
   void line(QPainter& painter, const Vector3& from, const Vector3& to) const;
-  void note_trails();
   void camera_moved();
   std::optional<Tool> handle_at(const QPointF& pixel) const;
   std::optional<Frame> frame_of_selected() const;
@@ -136,8 +133,7 @@ class SceneView : public QWidget {
   QImage drawn_;
   bool is_stale_ = true;
   bool was_shown_ = false;
-  QHash<QString, std::deque<Vector3>> trails_;
-  double trails_until_s_ = 0.0;
+  Trails trails_;
   QStringList selection_;
   QSet<QString> locked_;
   QString followed_;

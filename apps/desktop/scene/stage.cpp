@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace elsie::desktop {
 namespace {
@@ -100,8 +101,10 @@ void Stage::set_scene(const Json& scene, std::uint64_t epoch) {
     bodies_.push_back({QString::fromStdString(each.value("path", std::string())),
                        each.value("vehicle", 0),
                        {},
+                       {},
                        true});
   }
+  std::set<int> has_colour;
   for (const Json& each : scene.at("shapes")) {
     const Json& frame = each.at("frame");
     Solid solid;
@@ -115,7 +118,11 @@ void Stage::set_scene(const Json& scene, std::uint64_t epoch) {
     solid.body = each.at("body").get<int>();
     solid.path = QString::fromStdString(each.value("path", std::string()));
     if (solid.body >= 0) {
-      solid.path = bodies_.at(static_cast<std::size_t>(solid.body)).path;
+      Body& body = bodies_.at(static_cast<std::size_t>(solid.body));
+      solid.path = body.path;
+      if (has_colour.insert(solid.body).second) {
+        body.colour = solid.colour;
+      }
     }
     solids_.push_back(std::move(solid));
   }

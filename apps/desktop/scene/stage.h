@@ -20,8 +20,12 @@ class Stage {
   struct Body {
     QString path;  // of its element: "robot[r1]"
     int vehicle = 0;
+    Colour colour;  // of its first solid
     Frame frame;
     bool is_present = true;
+
+    /// The first vehicle of a robot's train.
+    bool is_robot() const { return vehicle == 0 && path.startsWith("robot["); }
   };
   /// A part of a body, or of the arena.
   struct Solid {

@@ -1,10 +1,10 @@
 #include "watch/plots_panel.h"
 
 #include <QFileDialog>
-#include <QLocale>
+#include <QFileInfo>
 #include <QMessageBox>
 #include <QPainter>
-#include <QSaveFile>
+#include <QSignalBlocker>
 #include <QSplitter>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -14,6 +14,10 @@
 #include <cmath>
 #include <set>
 
+#include "elsie/base/write_whole.h"
+#include "elsie/output/csv_line.h"
+#include "elsie/picture/plot.h"
+
 #include "paint/axes.h"
 #include "watch/state.h"
 
@@ -21,6 +25,7 @@ namespace elsie::desktop {
 namespace {
 
 constexpr std::size_t kMost = 6000;  // samples of a number: 200 s at 30 a second
+constexpr int kName = Qt::UserRole;
 
 class Plot : public QWidget {
  public:
@@ -53,6 +58,11 @@ QString unit_of(const QString& name) {
   return last == u"distance" ? QStringLiteral("m") : QString();
 }
 
+QString title_of(const QString& name) {
+  const QString unit = unit_of(name);
+  return unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit);
+}
+
 }  // namespace
 
 PlotsPanel::PlotsPanel(QWidget* parent)
@@ -66,15 +76,13 @@ PlotsPanel::PlotsPanel(QWidget* parent)
   auto* save_button = new QToolButton(this);
   save_button->setObjectName(QStringLiteral("plots_save"));
   save_button->setText(tr("Save..."));
-  save_button->setToolTip(tr("Save the plot as PNG, or its numbers as CSV"));
+  save_button->setToolTip(tr("Save the plot as PNG or SVG, or its numbers as CSV"));
   connect(save_button, &QToolButton::clicked, this, [this] {
     const QString file = QFileDialog::getSaveFileName(this, tr("Save plot"), {},
-                                                      tr("Pictures or tables (*.png *.csv)"));
-    if (!file.isEmpty() && !save(file)) {
-      QMessageBox::warning(
-          this, tr("Save plot"),
-          tr("Cannot write %1. The name must end in .png or .csv, in a folder that can be written.")
-              .arg(file));
+                                                      tr("Pictures or tables (*.png *.svg *.csv)"));
+    if (const QString why = file.isEmpty() ? QString() : save(file); !why.isEmpty()) {
+      QMessageBox::warning(this, tr("Save plot"),
+                           tr("The plot was not saved as '%1': %2").arg(file, why));
     }
   });
   auto* left = new QWidget(this);
@@ -89,7 +97,12 @@ PlotsPanel::PlotsPanel(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(halves);
-  connect(tree_, &QTreeWidget::itemChanged, plot_, qOverload<>(&QWidget::update));
+  connect(tree_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
+    const QString name = item->data(0, kName).toString();
+    item->checkState(0) == Qt::Checked ? void(chosen_.insert(name)) : void(chosen_.erase(name));
+    plot_->update();
+    Q_EMIT choice_changed();
+  });
 }
 
 void PlotsPanel::add(const Json& state) {
@@ -97,18 +110,12 @@ void PlotsPanel::add(const Json& state) {
   if (!std::isfinite(time)) {
     return;
   }
-  const auto epoch = static_cast<long long>(number_of(state, "epoch"));
-  if (time < time_ || epoch != epoch_) {
-    for (auto& [name, curve] : curves_) {
-      curve.clear();  // what is chosen stays
-    }
-  }
-  const bool is_new = time != time_ || epoch != epoch_;
-  time_ = time;
-  epoch_ = epoch;
-  if (!is_new) {
+  if (time < time_) {
+    begin();
+  } else if (time == time_) {
     return;
   }
+  time_ = time;
   for (const Json& robot : member(state, "robots")) {
     collect(robot, text_of(robot, "id"), time);
   }
@@ -170,6 +177,7 @@ void PlotsPanel::record(const QString& path, const Json& value, double time) {
 }
 
 void PlotsPanel::add_item(const QString& name) {
+  const QSignalBlocker quiet(tree_);
   QTreeWidgetItem* parent = tree_->invisibleRootItem();
   QString path;
   for (const QString& part : name.split(u'/')) {
@@ -184,10 +192,21 @@ void PlotsPanel::add_item(const QString& name) {
   const QString unit = unit_of(name);
   parent->setToolTip(0, unit.isEmpty() ? name : tr("%1, in %2").arg(name, unit));
   parent->setFlags(parent->flags() | Qt::ItemIsUserCheckable);
-  parent->setCheckState(0, Qt::Unchecked);
+  parent->setData(0, kName, name);
+  parent->setCheckState(0, chosen_.contains(name) ? Qt::Checked : Qt::Unchecked);
+}
+
+void PlotsPanel::begin() {
+  for (auto& [name, curve] : curves_) {
+    curve.clear();
+  }
+  time_ = -1.0;
+  plot_->update();
 }
 
 void PlotsPanel::clear() {
+  const QSignalBlocker quiet(tree_);
+  chosen_.clear();
   curves_.clear();
   items_.clear();
   tree_->clear();
@@ -210,11 +229,20 @@ QTreeWidgetItem* PlotsPanel::item_of(const QString& name) const {
 
 QStringList PlotsPanel::chosen() const {
   QStringList all;
-  for (const auto& [name, curve] : curves_) {
-    if (item_of(name)->checkState(0) == Qt::Checked) {
+  for (const QString& name : chosen_) {
+    if (curves_.contains(name)) {
       all << name;
     }
   }
+  return all;
+}
+
+QStringList PlotsPanel::chosen_robots() const {
+  QStringList all;
+  for (const QString& name : chosen_) {
+    all << name.section(u'/', 0, 0);
+  }
+  all.removeDuplicates();
   return all;
 }
 
@@ -267,40 +295,73 @@ void PlotsPanel::draw(QPainter& painter, const QRectF& area) const {
     painter.setPen(pen);
     painter.drawLine(QPointF(left, middle), QPointF(left + 2.5 * line, middle));
     painter.setPen(palette().color(QPalette::Text));
-    const QString unit = unit_of(shown[n]);
     painter.drawText(
         QRectF(left + 3 * line, middle - line, area.right() - left - 3 * line, 2 * line),
-        Qt::AlignVCenter,
-        unit.isEmpty() ? shown[n] : QStringLiteral("%1 [%2]").arg(shown[n], unit));
+        Qt::AlignVCenter, title_of(shown[n]));
   }
 }
 
-bool PlotsPanel::save(const QString& file) const {
-  if (file.endsWith(u".png", Qt::CaseInsensitive)) {
-    return plot_->grab().save(file, "PNG");
+QString PlotsPanel::save(const QString& file) const {
+  const QString ending = QFileInfo(file).suffix().toLower();
+  if (chosen().isEmpty()) {
+    return tr("No number is chosen. Check those to be saved in the tree.");
   }
-  QSaveFile table(file);
-  if (!file.endsWith(u".csv", Qt::CaseInsensitive) || !table.open(QIODevice::WriteOnly)) {
-    return false;
+  if (ending == u"csv") {
+    const int error = base::write_whole(file.toStdString(), table(), base::Durable::yes);
+    return error == 0 ? QString() : qt_error_string(error);
   }
-  const QStringList shown = chosen();
-  std::map<double, QStringList> rows;
-  for (int n = 0; n < shown.size(); ++n) {
-    for (const QPointF& point : curves_.at(shown[n])) {
-      QStringList& row = rows[point.x()];
-      row.resize(shown.size());
-      row[n] = std::isfinite(point.y())
-                   ? QLocale::c().toString(point.y(), 'g', QLocale::FloatingPointShortest)
-                   : QString();
+  if (ending != u"png" && ending != u"svg") {
+    return tr("The name must end in .png, .svg or .csv.");
+  }
+  try {
+    picture::save_page({.rows = {{.panels = {chart()}, .aspect = 0.5}}}, file.toStdString());
+  } catch (const std::exception& error) {
+    return QString::fromUtf8(error.what());
+  }
+  return {};
+}
+
+picture::LineChart PlotsPanel::chart() const {
+  picture::LineChart chart{.x = {.label = tr("time").toStdString(), .unit = "s"}};
+  std::set<QString> units;
+  for (const QString& name : chosen()) {
+    units.insert(unit_of(name));
+    picture::Series& series = chart.series.emplace_back();
+    series.name = title_of(name).toStdString();
+    for (const QPointF& point : curves_.at(name)) {
+      series.points.push_back({point.x(), point.y()});
     }
   }
-  table.write((QStringLiteral("time_s,") + shown.join(u',') + u'\n').toUtf8());
-  for (const auto& [time, row] : rows) {
-    table.write((QLocale::c().toString(time, 'g', QLocale::FloatingPointShortest) + u',' +
-                 row.join(u',') + u'\n')
-                    .toUtf8());
+  if (units.size() == 1) {
+    chart.y.unit = units.begin()->toStdString();
   }
-  return table.commit();
+  return chart;
+}
+
+std::string PlotsPanel::table() const {
+  const QStringList shown = chosen();
+  std::map<double, std::vector<double>> rows;
+  for (int n = 0; n < shown.size(); ++n) {
+    for (const QPointF& point : curves_.at(shown[n])) {
+      std::vector<double>& row = rows[point.x()];
+      row.resize(static_cast<std::size_t>(shown.size()), std::nan(""));
+      row[static_cast<std::size_t>(n)] = point.y();
+    }
+  }
+  output::CsvLine line;
+  line.text("time_s");
+  for (const QString& name : shown) {
+    line.text(name.toStdString());
+  }
+  std::string text = line.take() + '\n';
+  for (const auto& [time, row] : rows) {
+    line.number(time);
+    for (const double value : row) {
+      std::isfinite(value) ? line.number(value) : line.empty();
+    }
+    text += line.take() + '\n';
+  }
+  return text;
 }
 
 }  // namespace elsie::desktop

@@ -5,12 +5,18 @@
 #include <QWidget>
 #include <deque>
 #include <map>
+#include <set>
+#include <string>
 
 #include <nlohmann/json_fwd.hpp>
 
 class QPainter;
 class QTreeWidget;
 class QTreeWidgetItem;
+
+namespace elsie::picture {
+struct LineChart;
+}
 
 namespace elsie::desktop {
 
@@ -23,18 +29,26 @@ class PlotsPanel : public QWidget {
  public:
   explicit PlotsPanel(QWidget* parent = nullptr);
 
-  /// Takes a `state` event. A time before the last one, or another epoch, starts again.
+  /// Takes a `state` event. A time before the last one starts again.
   void add(const nlohmann::ordered_json& state);
+  /// What is chosen stays, without its past.
+  void begin();
+  /// Of another world: nothing is known.
   void clear();
 
   /// The numbers known, such as "r1/speed" or "r1/explore/avoid/share", sorted.
   QStringList names() const;
   QStringList chosen() const;
+  /// The robots of those, also of those that are not known yet.
+  QStringList chosen_robots() const;
   void choose(const QString& name, bool on);
   /// Draws axes, curves and legend, as on the screen.
   void draw(QPainter& painter, const QRectF& area) const;
-  /// Writes the chosen curves by the file's ending: .png or .csv. False: not written.
-  bool save(const QString& file) const;
+  /// Writes the chosen curves by the file's ending: .png, .svg or .csv. Returns why not, or "".
+  QString save(const QString& file) const;
+
+ Q_SIGNALS:
+  void choice_changed();
 
  private:
   using Curve = std::deque<QPointF>;
@@ -43,11 +57,13 @@ class PlotsPanel : public QWidget {
   void record(const QString& path, const nlohmann::ordered_json& value, double time);
   QTreeWidgetItem* item_of(const QString& name) const;
   void add_item(const QString& name);
+  picture::LineChart chart() const;
+  std::string table() const;
 
+  std::set<QString> chosen_;
   std::map<QString, Curve> curves_;
   std::map<QString, QTreeWidgetItem*> items_;
   double time_ = -1.0;
-  long long epoch_ = -1;
   QTreeWidget* tree_;
   QWidget* plot_;
 };

@@ -161,14 +161,7 @@ QStringList WorldTree::selection() const {
   return paths;
 }
 
-QTreeWidgetItem* WorldTree::item(const QString& path) const {
-  for (QTreeWidgetItemIterator it(tree_); *it; ++it) {
-    if (!(*it)->data(0, kIsList).toBool() && (*it)->data(0, kPath).toString() == path) {
-      return *it;
-    }
-  }
-  return nullptr;
-}
+QTreeWidgetItem* WorldTree::item(const QString& path) const { return items_.value(path); }
 
 void WorldTree::show_world() {
   is_showing_ = true;
@@ -184,6 +177,8 @@ void WorldTree::show_world() {
   }
   tree_->setUpdatesEnabled(false);
   tree_->clear();
+  items_.clear();
+  with_priority_.clear();
   const std::function<void(const ElementPlace&, QTreeWidgetItem*)> add =
       [&](const ElementPlace& place, QTreeWidgetItem* parent) {
         auto* item = parent ? new QTreeWidgetItem(parent) : new QTreeWidgetItem(tree_);
@@ -192,6 +187,9 @@ void WorldTree::show_world() {
         item->setToolTip(1, detail_of(*place.element));
         item->setData(0, kPath, place.path);
         item->setData(0, kIsList, !place.list.isEmpty());
+        if (place.list.isEmpty()) {
+          items_.insert(place.path, item);
+        }
         if (place.element->value("inherited", false)) {
           QFont font = item->font(0);
           font.setItalic(true);
@@ -259,11 +257,18 @@ void WorldTree::filter(const QString& text) {
 }
 
 void WorldTree::show_priorities(const Json& state) {
-  visit_priorities(state, [this](const QString& path, double priority) {
+  QSet<QString> without = with_priority_;
+  visit_priorities(state, [&](const QString& path, double priority) {
     if (QTreeWidgetItem* found = item(path)) {
       found->setText(1, tr("priority %1").arg(priority, 0, 'g', 3));
+      with_priority_.insert(path);
+      without.remove(path);
     }
   });
+  for (const QString& path : std::as_const(without)) {
+    items_[path]->setText(1, items_[path]->toolTip(1));
+    with_priority_.remove(path);
+  }
 }
 
 }  // namespace elsie::desktop

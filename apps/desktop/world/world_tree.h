@@ -1,6 +1,7 @@
 // The world as a tree: robots with all they carry, obstacles, goals.
 #pragma once
 
+#include <QHash>
 #include <QSet>
 #include <QWidget>
 
@@ -31,7 +32,8 @@ class WorldTree : public QWidget {
   QTreeWidget* tree() { return tree_; }
   QTreeWidgetItem* item(const QString& path) const;
 
-  /// Numbers beside behaviours: the priority that a network gives them now.
+  /// Numbers beside the behaviours of the robots in it: the priority that a network gives them now.
+  /// Other robots have their own details again.
   void show_priorities(const Json& state);
 
  Q_SIGNALS:
@@ -50,6 +52,8 @@ class WorldTree : public QWidget {
   QString team_;
   QLineEdit* filter_;
   QTreeWidget* tree_;
+  QHash<QString, QTreeWidgetItem*> items_;  // of elements, by path
+  QSet<QString> with_priority_;             // paths
   bool is_showing_ = false;
 };
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "elsie/api/perception.h"
@@ -42,6 +43,7 @@ class Carrier final : public Surroundings {
     return hit ? std::optional(hit->distance) : std::nullopt;
   }
   bool anything_in(const Pyramid& pyramid) const override {
+    volume_ = pyramid;
     return engine_.anything_in(pyramid, robot_);
   }
   Pose pose() const override { return robots_[robot_]->state().pose; }
@@ -61,6 +63,9 @@ class Carrier final : public Surroundings {
     return robots_[robot_]->resource_colours();
   }
 
+  /// The last volume that was asked about since the last call, for viewers.
+  std::optional<Pyramid> take_volume() const { return std::exchange(volume_, std::nullopt); }
+
  private:
   template <class Visit>
   void for_each_within(double radius_m, Visit visit) const {
@@ -79,6 +84,7 @@ class Carrier final : public Surroundings {
   Robots robots_;
   const Neighbours& neighbours_;
   std::size_t robot_;
+  mutable std::optional<Pyramid> volume_;
 };
 
 }  // namespace elsie::simulation

@@ -10,6 +10,7 @@
 #include "elsie/world/parts.h"
 
 #include "plugins/make_plugin.h"
+#include "step/carrier.h"
 #include "step/teams.h"
 
 namespace elsie::simulation {
@@ -227,12 +228,12 @@ void Robot::reset(std::uint64_t seed) {
   stop_when_empty();
 }
 
-void Robot::sense(const Surroundings& surroundings, const Instant& now) {
+void Robot::sense(const Carrier& carrier, const Instant& now) {
   if (empty_) {
     return;
   }
   guard_.begin_step(now.step);
-  SensorContext context{now.time_s, now.period_s, {}, nullptr, &surroundings, nullptr};
+  SensorContext context{now.time_s, now.period_s, {}, nullptr, &carrier, nullptr};
   for (const auto& each : sensors_) {
     SensorSlot& slot = *each;
     context.frame = body_frame_.frame(slot.frame);
@@ -240,6 +241,7 @@ void Robot::sense(const Surroundings& surroundings, const Instant& now) {
     context.random = &slot.random;
     context.image = slot.camera ? &slot.picture : nullptr;
     guard_.step(*slot.use, [&] { slot.object->update(context); });
+    slot.volume = carrier.take_volume();
   }
 }
 
@@ -430,7 +432,8 @@ SensorView Robot::sensor(std::size_t index) const {
           slot.object.get(),
           &slot.mounting,
           slot.camera ? &*slot.camera : nullptr,
-          slot.picture.empty() ? nullptr : &slot.picture};
+          slot.picture.empty() ? nullptr : &slot.picture,
+          slot.volume ? &*slot.volume : nullptr};
 }
 
 }  // namespace elsie::simulation

@@ -28,6 +28,7 @@ namespace elsie::simulation {
 
 class Becoming;
 class Cameras;
+class Carrier;
 
 /// Time and identity of a control step, the same for all robots.
 struct Instant {
@@ -59,7 +60,7 @@ class Robot final : private Wishes {
   void reset(std::uint64_t seed);
 
   /// Updates all sensors. Throws PluginFault.
-  void sense(const Surroundings& surroundings, const Instant& now);
+  void sense(const Carrier& carrier, const Instant& now);
   /// Asks the coordinator; its command is in asked() afterwards, what the drive makes of it in
   /// command() and joints().
   /// Throws PluginFault.
@@ -173,6 +174,7 @@ class Robot final : private Wishes {
     Random random;
     std::optional<Camera> camera;
     Image picture;
+    std::optional<Pyramid> volume;  // that it asked about last
   };
   void raise(const Event& event) override {
     raised_.emplace_back(events::Raised{std::string(event.name)});

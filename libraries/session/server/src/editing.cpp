@@ -127,7 +127,7 @@ void Server::Impl::describe(Json& answer) {
   answer["epoch"] = epoch_;
   answer["text"] = document_->text();
   answer["tree"] = tree_json(*document_);
-  answer["scene"] = scene_json(next_ ? next_->world() : simulation_->world());
+  answer["scene"] = scene_json(next_ ? *next_ : *simulation_);
 }
 
 }  // namespace elsie::server

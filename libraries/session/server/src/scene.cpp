@@ -1,6 +1,7 @@
 #include "scene.h"
 
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "elsie/recording/beams.h"
@@ -39,10 +40,59 @@ std::string path(const char* group, const std::string& id) {
   return std::string(group) + "[" + id + "]";
 }
 
+/// What a camera on a body sees, as a pyramid that has its apex in the frame's origin.
+void list_views(const simulation::Simulation& simulation, std::size_t robot, int body,
+                Json& views) {
+  for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {
+    const simulation::SensorView sensor = simulation.sensor(robot, i);
+    if (sensor.camera) {
+      const Mounting& at = *sensor.mounting;
+      views.push_back({{"body", body},
+                       {"sensor", sensor.id},
+                       {"frame", json(Frame::turned(at.position, at.azimuth_rad, at.pitch_rad))},
+                       {"width", sensor.camera->width},
+                       {"height", sensor.camera->height},
+                       {"fov_rad", sensor.camera->horizontal_fov_rad}});
+    }
+  }
+}
+
+void put(float (&to)[3], const Vector3& from) {
+  to[0] = static_cast<float>(from.x);
+  to[1] = static_cast<float>(from.y);
+  to[2] = static_cast<float>(from.z);
+}
+
+snapshots::BeamState beam_of(const Vector3& from, const Vector3& to, std::size_t robot, bool hit) {
+  snapshots::BeamState beam;
+  put(beam.from, from);
+  put(beam.to, to);
+  beam.robot = static_cast<std::uint32_t>(robot);
+  beam.hit = hit ? 1 : 0;
+  return beam;
+}
+
+/// The eight edges of a sensor's volume.
+void list_edges(const recording::SensedVolume& sensed, std::size_t robot,
+                std::vector<snapshots::BeamState>& edges) {
+  const Pyramid& pyramid = sensed.pyramid;
+  const double aside = pyramid.range_m * std::tan(0.5 * pyramid.horizontal_fov_rad);
+  const double above = pyramid.range_m * std::tan(0.5 * pyramid.vertical_fov_rad);
+  const std::array<Vector3, 4> corners{pyramid.frame.point({pyramid.range_m, aside, above}),
+                                       pyramid.frame.point({pyramid.range_m, -aside, above}),
+                                       pyramid.frame.point({pyramid.range_m, -aside, -above}),
+                                       pyramid.frame.point({pyramid.range_m, aside, -above})};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    edges.push_back(beam_of(pyramid.frame.origin, corners[i], robot, sensed.detected));
+    edges.push_back(beam_of(corners[i], corners[(i + 1) % 4], robot, sensed.detected));
+  }
+}
+
 }  // namespace
 
-Json scene_json(const world::World& world) {
-  Json bodies = Json::array(), shapes = Json::array();
+Json scene_json(const simulation::Simulation& simulation) {
+  const world::World& world = simulation.world();
+  Json bodies = Json::array(), shapes = Json::array(), views = Json::array();
   int body = -1;
   for (const world::Fixture& wall : world::walls_of(world.arena)) {
     shapes.push_back(json(wall.shape, wall.frame, kWall, body));
@@ -52,8 +102,10 @@ Json scene_json(const world::World& world) {
     shapes.push_back(json(fixture.shape, fixture.frame, world::kChargerColour, body));
     shapes.back()["path"] = path("charger", charger.id);
   }
-  for (const world::Robot& robot : world.robots) {
+  for (std::size_t i = 0; i < world.robots.size(); ++i) {
+    const world::Robot& robot = world.robots[i];
     const BodyPlan plan = world::plan_of(robot);
+    list_views(simulation, i, body + 1, views);
     const Colour colour = world::team_colour(world, robot.team);
     for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
       ++body;
@@ -72,7 +124,8 @@ Json scene_json(const world::World& world) {
   }
   return {{"arena", {world.arena.length, world.arena.width}},
           {"bodies", std::move(bodies)},
-          {"shapes", std::move(shapes)}};
+          {"shapes", std::move(shapes)},
+          {"views", std::move(views)}};
 }
 
 std::vector<std::string> body_names(const world::World& world) {
@@ -114,18 +167,12 @@ void place_bodies(const simulation::Simulation& simulation,
 void list_beams(const simulation::Simulation& simulation,
                 std::vector<snapshots::BeamState>& beams) {
   beams.clear();
-  const auto put = [](float(&to)[3], const Vector3& from) {
-    to[0] = static_cast<float>(from.x);
-    to[1] = static_cast<float>(from.y);
-    to[2] = static_cast<float>(from.z);
-  };
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
     for (const recording::RangeBeam& beam : recording::range_beams(simulation, i)) {
-      snapshots::BeamState& state = beams.emplace_back();
-      put(state.from, beam.from);
-      put(state.to, beam.to);
-      state.robot = static_cast<std::uint32_t>(i);
-      state.hit = beam.hit ? 1 : 0;
+      beams.push_back(beam_of(beam.from, beam.to, i, beam.hit));
+    }
+    for (const recording::SensedVolume& volume : recording::sensed_volumes(simulation, i)) {
+      list_edges(volume, i, beams);
     }
   }
 }

@@ -11,9 +11,9 @@
 
 namespace elsie::server {
 
-/// The shapes of a world, each with the body that carries it. Bodies are the vehicles of all
-/// robots, each robot's in a row, then the boxes; body -1 is the arena.
-Json scene_json(const world::World& world);
+/// The shapes of a world, each with the body that carries it, and what cameras see of it. Bodies
+/// are the vehicles of all robots, each robot's in a row, then the boxes; body -1 is the arena.
+Json scene_json(const simulation::Simulation& simulation);
 
 /// The bodies by name, in the same order: those of two worlds that have one name are one.
 std::vector<std::string> body_names(const world::World& world);
@@ -21,7 +21,7 @@ std::vector<std::string> body_names(const world::World& world);
 /// Where the bodies are now.
 void place_bodies(const simulation::Simulation& simulation,
                   std::vector<snapshots::BodyState>& bodies);
-/// The rays of all range sensors.
+/// The rays of all range sensors, and the edges of the volumes that proximity sensors watch.
 void list_beams(const simulation::Simulation& simulation, std::vector<snapshots::BeamState>& beams);
 
 }  // namespace elsie::server

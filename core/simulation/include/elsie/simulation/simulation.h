@@ -69,8 +69,9 @@ struct SensorView {
   std::string_view plugin;
   const Sensor* sensor;
   const Mounting* mounting;
-  const Camera* camera;  // that it looks through, or none
-  const Image* picture;  // what that saw last; none before the first step
+  const Camera* camera;   // that it looks through, or none
+  const Image* picture;   // what that saw last; none before the first step
+  const Pyramid* volume;  // that it asked about last, or none
 };
 
 /// One segment that a robot pulls, at this instant.

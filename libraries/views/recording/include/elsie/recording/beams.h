@@ -1,10 +1,11 @@
-// The rays of range sensors, for pictures.
+// What range and proximity sensors look at, for pictures.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "elsie/api/geometry.h"
+#include "elsie/api/sensor.h"
 #include "elsie/simulation/simulation.h"
 
 namespace elsie::recording {
@@ -19,5 +20,15 @@ struct RangeBeam {
 /// The rays of a robot's last readings, from the present places of its sensors, in the order of its
 /// range sensors.
 std::vector<RangeBeam> range_beams(const simulation::Simulation& simulation, std::size_t robot);
+
+/// The volume of a proximity sensor, in the world.
+struct SensedVolume {
+  Pyramid pyramid;
+  bool detected = false;
+};
+
+/// The volumes that a robot's sensors asked about last, from the present places of the sensors.
+std::vector<SensedVolume> sensed_volumes(const simulation::Simulation& simulation,
+                                         std::size_t robot);
 
 }  // namespace elsie::recording
