@@ -78,7 +78,7 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
   };
 
   centre_ = new QStackedWidget;
-  start_ = new StartPage(shipped_worlds());
+  start_ = new StartPage(shipped_worlds(), elsie);
   auto* view = new QWidget;
   auto* column = new QVBoxLayout(view);
   column->setContentsMargins(0, 0, 0, 0);
@@ -333,6 +333,7 @@ void MainWindow::connect_views() {
   connect(scene_, &SceneView::selected, authoring_, &Authoring::select);
   connect(scene_, &SceneView::edit_wished, authoring_, &Authoring::edit_element);
   connect(scene_, &SceneView::menu_wished, authoring_, &Authoring::open_floor_menu);
+  connect(scene_, &SceneView::run_wished, actions_["run"], &QAction::trigger);
   connect(scene_, &SceneView::moved, authoring_, &Authoring::move);
   connect(scene_, &SceneView::turned, authoring_, &Authoring::turn);
   connect(scene_, &SceneView::resized, authoring_, &Authoring::resize);

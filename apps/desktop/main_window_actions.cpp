@@ -217,7 +217,8 @@ void MainWindow::make_actions() {
                "Ctrl and a button always move the camera. Handles move, turn and resize; Ctrl "
                "snaps, Shift refines. "
                "7, 1, 3: from the top, the front, the side. F frames, Shift+F follows, M measures, "
-               "arrows move what is chosen.</p>");
+               "arrows move what is chosen. Space runs and pauses. G moves, R turns, S resizes: "
+               "then X or Y, a number (m, degrees, a factor), and Enter; or the mouse.</p>");
     QMessageBox box(QMessageBox::NoIcon, tr("Keys"), text, QMessageBox::Close, this);
     box.exec();
   });

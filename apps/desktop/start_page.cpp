@@ -14,12 +14,16 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSpinBox>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "engine/elements.h"
 
 namespace elsie::desktop {
 namespace {
+
+constexpr int kIcon_em = 16;
+constexpr int kDelay_ms = 300;
 
 /// The first sentence of the comment at the top of a world file, or its description.
 QString about(const QString& file) {
@@ -35,7 +39,8 @@ QString about(const QString& file) {
 
 }  // namespace
 
-StartPage::StartPage(const QString& worlds, QWidget* parent) : QWidget(parent) {
+StartPage::StartPage(const QString& worlds, const QString& elsie, QWidget* parent)
+    : QWidget(parent), thumbnails_(elsie) {
   setObjectName("start_page");
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(24, 20, 24, 20);
@@ -81,7 +86,8 @@ StartPage::StartPage(const QString& worlds, QWidget* parent) : QWidget(parent) {
     });
     return made;
   };
-  auto* examples = list("examples", tr("&Examples"));
+  examples_ = list("examples", tr("&Examples"));
+  examples_->setIconSize(QSize(kIcon_em, kIcon_em * 3 / 4) * fontMetrics().averageCharWidth());
   recent_ = list("recent", tr("Opened &last"));
   const QDir folder(worlds);
   for (const QString& name :
@@ -89,9 +95,30 @@ StartPage::StartPage(const QString& worlds, QWidget* parent) : QWidget(parent) {
     const QString what = about(folder.filePath(name));
     auto* item = new QListWidgetItem(
         QString(name).remove(".xml").replace('_', ' ') + (what.isEmpty() ? QString() : ": " + what),
-        examples);
+        examples_);
     item->setData(Qt::UserRole, folder.filePath(name));
     item->setToolTip(folder.filePath(name));
+  }
+}
+
+void StartPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  QTimer::singleShot(kDelay_ms, this, &StartPage::draw_examples);
+}
+
+void StartPage::hideEvent(QHideEvent* event) {
+  thumbnails_.stop();
+  QWidget::hideEvent(event);
+}
+
+// Not for a page that gives way to a world at once.
+void StartPage::draw_examples() {
+  for (int i = 0; isVisible() && i < examples_->count(); ++i) {
+    QListWidgetItem* item = examples_->item(i);
+    if (item->icon().isNull()) {
+      thumbnails_.draw(item->data(Qt::UserRole).toString(),
+                       [item](const QIcon& icon) { item->setIcon(icon); });
+    }
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include "thumbnails.h"
+
 class QListWidget;
 
 namespace elsie::desktop {
@@ -11,8 +13,9 @@ class StartPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// `worlds`: the folder of the shipped worlds; "" if it was not found.
-  explicit StartPage(const QString& worlds, QWidget* parent = nullptr);
+  /// `worlds`: the folder of the shipped worlds; "" if it was not found. `elsie`: the program that
+  /// draws them.
+  StartPage(const QString& worlds, const QString& elsie, QWidget* parent = nullptr);
 
   void show_recent(const QStringList& files);
 
@@ -22,8 +25,16 @@ class StartPage : public QWidget {
   void empty_wished();
   void browse_wished();
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
  private:
+  void draw_examples();
+
+  QListWidget* examples_;
   QListWidget* recent_;
+  Thumbnails thumbnails_;
 };
 
 /// The text of a world with four walls only.

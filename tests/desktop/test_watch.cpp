@@ -1,17 +1,23 @@
 // The panels that show a run.
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
 #include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
 #include <cmath>
+#include <limits>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "elsie/fuzzy/fcl.h"
+
 #include "paint/axes.h"
+#include "watch/control_surface.h"
 #include "watch/coordination_panel.h"
+#include "watch/fuzzy_instant.h"
 #include "watch/fuzzy_panel.h"
 #include "watch/plots_panel.h"
 #include "watch/sensors_panel.h"
@@ -53,6 +59,21 @@ Json state(double time, double share) {
             {"height", 6},
             {"raw", raw.toBase64().toStdString()}}}}}}}};
 }
+
+constexpr const char* kTwoInputs = R"(FUNCTION_BLOCK m
+VAR_INPUT range : REAL; angle : REAL; END_VAR
+VAR_OUTPUT speed : REAL; END_VAR
+FUZZIFY range RANGE := (0 .. 1); TERM near := (0, 1) (1, 0); TERM far := (0, 0) (1, 1); END_FUZZIFY
+FUZZIFY angle RANGE := (0 .. 100); TERM ahead := (0, 1) (100, 0); TERM aside := (0, 0) (100, 1);
+END_FUZZIFY
+DEFUZZIFY speed RANGE := (0 .. 1); TERM slow := (0, 1) (1, 0); TERM fast := (0, 0) (1, 1);
+METHOD : COG; DEFAULT := 0; END_DEFUZZIFY
+RULEBLOCK r
+RULE 1 : IF range IS near AND angle IS ahead THEN speed IS slow;
+RULE 2 : IF range IS far OR angle IS aside THEN speed IS fast;
+END_RULEBLOCK
+END_FUNCTION_BLOCK
+)";
 
 }  // namespace
 
@@ -184,14 +205,68 @@ END_FUNCTION_BLOCK
   panel.set_robot(QStringLiteral("r1"));
   panel.add(now);
   CHECK(panel.problem() == QString());
-  CHECK(panel.rule_degrees() == std::vector<double>{0.75, 0.25});
+  CHECK(panel.now().degrees == std::vector<double>{0.75, 0.25});
+  const auto* surface = panel.findChild<ControlSurface*>();
+  REQUIRE(surface);
+  REQUIRE(surface->grid().values.size() == FuzzyGrid::kAcross);
+  REQUIRE(panel.now().centres.size() == 1);
+  REQUIRE(panel.now().centres[0]);
+  CHECK(*panel.now().centres[0] == Approx(0.1927083 / 0.5));  // moment / area, by hand
+  CHECK(surface->grid().values[10] == Approx(0.1927083 / 0.5));
   if (qEnvironmentVariableIsSet("ELSIE_SHOTS")) {
     panel.grab().save(qEnvironmentVariable("ELSIE_SHOTS") + QStringLiteral("/fuzzy.png"));
   }
   now["robots"][0]["fuzzy"][0]["file"] = "/nowhere.fcl";
   panel.add(now);
   CHECK(panel.problem().contains(QStringLiteral("/nowhere.fcl")));
-  CHECK(panel.rule_degrees().empty());
+  CHECK(panel.now().degrees.empty());
+  CHECK(surface->grid().values.size() == FuzzyGrid::kAcross);
+  CHECK_FALSE(surface->isVisibleTo(&panel));
+}
+
+TEST_CASE("fuzzy: a control surface over two inputs, the others held") {
+  QTemporaryDir folder;
+  QFile file(folder.filePath(QStringLiteral("m.fcl")));
+  REQUIRE(file.open(QIODevice::WriteOnly));
+  file.write(kTwoInputs);
+  file.close();
+  const auto model = elsie::fuzzy::read_fcl(file.fileName().toStdString());
+  const FuzzyGrid grid = fuzzy_grid(model, 0, 0, 1, {0.0, 0.0});
+  REQUIRE(grid.rows == FuzzyGrid::kAcross);
+  REQUIRE(grid.values.size() == FuzzyGrid::kAcross * FuzzyGrid::kAcross);
+  std::vector<double> out(1);
+  elsie::fuzzy::Workspace workspace;
+  model.evaluate(std::vector<double>{0.25, 75.0}, out, workspace);
+  CHECK(grid.values[30 * FuzzyGrid::kAcross + 10] == out[0]);
+
+  ControlSurface surface;
+  surface.set_model(&model);
+  surface.resize(500, 400);
+  surface.set_inputs({0.25, 75.0});
+  auto* across = surface.findChild<QComboBox*>(QStringLiteral("surface_across"));
+  auto* up = surface.findChild<QComboBox*>(QStringLiteral("surface_up"));
+  CHECK(across->currentText() == QStringLiteral("range"));
+  CHECK(up->currentText() == QStringLiteral("angle"));
+  up->setFocus();
+  QTest::keyClick(up, Qt::Key_Up);  // to the one that lies across, which gives way
+  CHECK(up->currentText() == QStringLiteral("range"));
+  CHECK(across->currentText() == QStringLiteral("angle"));
+  CHECK(surface.grid().values[10 * FuzzyGrid::kAcross + 30] == out[0]);
+  if (qEnvironmentVariableIsSet("ELSIE_SHOTS")) {
+    surface.grab().save(qEnvironmentVariable("ELSIE_SHOTS") + QStringLiteral("/surface.png"));
+  }
+}
+
+TEST_CASE("fuzzy: a formula without a value is said, not thrown") {
+  QTemporaryDir folder;
+  QFile file(folder.filePath(QStringLiteral("m.fcl")));
+  REQUIRE(file.open(QIODevice::WriteOnly));
+  file.write(kTwoInputs);
+  file.close();
+  const auto model = elsie::fuzzy::read_fcl(file.fileName().toStdString());
+  const FuzzyInstant now = fuzzy_instant(model, {std::numeric_limits<double>::infinity(), 0.0});
+  CHECK_FALSE(now.problem.isEmpty());
+  CHECK(now.degrees.empty());
 }
 
 TEST_CASE("pictures of the panels", "[.shots]") {

@@ -297,29 +297,6 @@ TEST_CASE("The past of a run is shown, and the run goes on from now") {
   REQUIRE(wait_for([&] { return window->scene().stage().time_s() == now_s; }));
 }
 
-TEST_CASE("Pictures of the window", "[.pictures]") {
-  const QString folder = qEnvironmentVariable("ELSIE_PICTURES", ".");
-  Window window(world_file(qEnvironmentVariable("ELSIE_PICTURE_WORLD", "ten_robots")));
-  window->grab().save(folder + "/start.png");
-  window.bench().set_speed(4.0);
-  window.bench().run();
-  wait_for([&] {
-    return window.bench().time_s() > 12.0 || window.bench().run_state() == Workbench::Run::ended;
-  });
-  window.bench().pause();
-  QTest::qWait(300);
-  auto* tree = window.get<WorldTree>("world_tree");
-  tree->tree()->setCurrentItem(tree->item(window->scene().stage().bodies().front().path));
-  QTest::qWait(300);
-  window->grab().save(folder + "/author.png");
-  window->arrange("watch");
-  window.bench().run();
-  QTest::qWait(1500);
-  window.bench().pause();
-  QTest::qWait(300);
-  window->grab().save(folder + "/watch.png");
-}
-
 TEST_CASE("The priority that a coordinator gives a behaviour now is shown beside its own") {
   Window window(world_file("learned_priorities"));
   auto* tree = window.get<WorldTree>("world_tree");

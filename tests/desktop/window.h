@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <fstream>
 #include <functional>
 #include <string>
@@ -17,6 +18,7 @@
 #include <catch2/catch.hpp>
 
 #include "main_window.h"
+#include "world/world_tree.h"
 
 namespace elsie::desktop {
 
@@ -83,6 +85,12 @@ class Window {
   void open(const QString& file) {
     REQUIRE(window_.open(file));
     REQUIRE(wait_for([&] { return bench().is_right() || !bench().problems().empty(); }));
+  }
+  /// As a click on it in the tree does.
+  void choose(const QString& path) {
+    auto* tree = get<WorldTree>("world_tree");
+    REQUIRE(tree->item(path));
+    tree->tree()->setCurrentItem(tree->item(path));
   }
   QString folder() const { return folder_.path(); }
   /// A file of this test with that text.

@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QSet>
+#include <algorithm>
 #include <cmath>
 
 #include "elsie/api/geometry.h"
@@ -31,6 +32,34 @@ QString number(double value, double step = 0.001) {
 double heading_rad(const Frame& frame) { return std::atan2(frame.forward.y, frame.forward.x); }
 
 QString heading_deg(double rad) { return number(degrees(wrap_angle(rad)), 0.01); }
+
+const QStringList kPlaced{"robots", "obstacles", "resources", "chargers"};
+
+/// The place nearest to the middle at which nothing stands, on rings; the middle if there is none.
+QPointF free_place(const Stage& stage) {
+  constexpr double kRoom = 0.3;   // m, around it
+  constexpr double kStep = 0.25;  // m, between rings
+  const double half = 0.5 * std::min(stage.length(), stage.width()) - kRoom;
+  const auto is_free = [&](const QPointF& at) {
+    return std::none_of(stage.solids().begin(), stage.solids().end(), [&](const auto& solid) {
+      const Vector3 middle = stage.frame_of(solid).origin;
+      return !solid.path.isEmpty() && stage.is_present(solid) &&
+             std::hypot(at.x() - middle.x, at.y() - middle.y) <
+                 kRoom + 0.5 * std::hypot(solid.shape.size.x, solid.shape.size.y);
+    });
+  };
+  for (int ring = 0; ring * kStep <= std::max(0.0, half); ++ring) {
+    const int places = ring == 0 ? 1 : 8 * ring;
+    for (int i = 0; i < places; ++i) {
+      const double angle = 2.0 * M_PI * i / places;
+      const QPointF at(ring * kStep * std::cos(angle), ring * kStep * std::sin(angle));
+      if (is_free(at)) {
+        return at;
+      }
+    }
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -77,18 +106,22 @@ void Authoring::add_element(const QString& holder, const QString& list,
     return;
   }
   ElementDialog* dialog = ElementDialog::make(workbench_, holder, list, window_);
-  if (!beginning.kind.isEmpty()) {
-    dialog->choose(beginning.kind);
-  }
   if (list == "robots") {
     dialog->begin_with("id", free_id(workbench_.tree(), "r"));
+  }
+  if (list == "teams") {
+    dialog->begin_with("id", free_id(workbench_.tree(), "team"));
   }
   if (!beginning.team.isEmpty()) {
     dialog->begin_with("team", beginning.team);
   }
-  if (beginning.at) {
-    dialog->begin_with("x", number(beginning.at->x(), 0.01));
-    dialog->begin_with("y", number(beginning.at->y(), 0.01));
+  const QPointF at = beginning.at.value_or(kPlaced.contains(list) ? free_place(stage_) : QPointF());
+  if (beginning.at || !at.isNull()) {
+    dialog->begin_with("x", number(at.x(), 0.01));
+    dialog->begin_with("y", number(at.y(), 0.01));
+  }
+  if (!beginning.kind.isEmpty()) {
+    dialog->choose(beginning.kind);
   }
   // What was added is chosen next: it is the last of its list.
   connect(dialog, &QDialog::accepted, this, [this, holder, list] {
@@ -105,6 +138,26 @@ void Authoring::add_element(const QString& holder, const QString& list,
     }
   });
   dialog->show();
+}
+
+// Beside the last one; its numbers are in Properties then.
+void Authoring::add_waypoint(const QString& box) {
+  const ElementPlace place = place_of(workbench_.tree(), box);
+  double x = 0.0, y = 0.0;
+  int count = 0;
+  visit_children(place, [&](const ElementPlace& each) {
+    if (name_of(*each.element) == "waypoint") {
+      ++count;
+      x = attribute(*each.element, "x").toDouble();
+      y = attribute(*each.element, "y").toDouble();
+    }
+  });
+  workbench_.edit({QString("%1/waypoint[+]=<waypoint x=\"%2\" y=\"%3\"/>")
+                       .arg(box, number(x, 0.01), number(y + 0.5, 0.01))},
+                  tr("add waypoint"), {}, this, [this, box, count](const Problems& problems) {
+                    problems.empty() ? select({QString("%1/waypoint[%2]").arg(box).arg(count + 1)})
+                                     : Q_EMIT said(problems.front().message);
+                  });
 }
 
 void Authoring::edit_coordinator(const QString& holder) { add_element(holder, "coordinator"); }
@@ -137,6 +190,9 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
   if (is_robot || (kind && kind->holds_behaviors)) {
     menu.addAction(tr("&Behaviours..."), this, [this, path] { edit_behaviors(path); });
     menu.addAction(tr("&Coordinator..."), this, [this, path] { edit_coordinator(path); });
+  }
+  if (kind && kind->elements.contains("waypoint")) {
+    menu.addAction(tr("Add &waypoint"), this, [this, path] { add_waypoint(path); });
   }
   if (is_robot) {
     menu.addAction(tr("&Follow"), this, [this, path] { Q_EMIT follow_wished(path); });

@@ -39,6 +39,7 @@ class Authoring : public QObject {
   };
   /// Opens the dialog of a new member of `list` ("sensors") in the element `holder` ("robot[r1]").
   void add_element(const QString& holder, const QString& list, const Beginning& beginning = {});
+  void add_waypoint(const QString& box);
   /// These act on a robot, or on a behaviour that holds others.
   void edit_behaviors(const QString& holder);
   /// Opens the editor of its coordinator, or the dialog of a new one.

@@ -235,6 +235,7 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
   if (with_handles) {
     paint_selection(painter);
     paint_tape(painter);
+    paint_typed(painter);
   }
 }
 
@@ -349,6 +350,20 @@ std::optional<Frame> SceneView::frame_of_selected() const {
   return std::nullopt;
 }
 
+// Only boxes have a size of their own.
+std::optional<Vector3> SceneView::size_of_selected() const {
+  const QString path = selection_.value(0);
+  if (path.isEmpty() || path.startsWith("robot") || path.startsWith("charger")) {
+    return std::nullopt;
+  }
+  for (const Stage::Solid& solid : stage_.solids()) {
+    if (solid.path == path) {
+      return solid.shape.size;
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<QPointF> SceneView::handle(Tool tool) const {
   const auto frame = frame_of_selected();
   if (!frame || locked_.contains(selection_.front())) {
@@ -359,14 +374,10 @@ std::optional<QPointF> SceneView::handle(Tool tool) const {
   if (!at || tool == Tool::move) {
     return at;
   }
-  double radius = 0.0, x = 0.0, y = 0.0;
-  bool is_box = false;
+  double radius = 0.0;
   for (const Stage::Solid& solid : stage_.solids()) {
     if (solid.path == selection_.front()) {
       radius = std::max(radius, 0.5 * std::hypot(solid.shape.size.x, solid.shape.size.y));
-      x = 0.5 * solid.shape.size.x;
-      y = 0.5 * solid.shape.size.y;
-      is_box = !solid.path.startsWith("robot") && !solid.path.startsWith("charger");
     }
   }
   if (tool == Tool::turn) {
@@ -377,8 +388,10 @@ std::optional<QPointF> SceneView::handle(Tool tool) const {
     way = length > 1e-6 ? way / length : QPointF(0.0, -1.0);
     return *edge + kKnobAway * way;
   }
-  return tool == Tool::resize && is_box
-             ? camera_.project(foot + x * frame->forward + y * frame->left, size())
+  const auto sides = size_of_selected();
+  return tool == Tool::resize && sides
+             ? camera_.project(
+                   foot + 0.5 * sides->x * frame->forward + 0.5 * sides->y * frame->left, size())
              : std::nullopt;
 }
 
@@ -469,12 +482,25 @@ void SceneView::paint_tape(QPainter& painter) const {
   }
 }
 
+void SceneView::paint_typed(QPainter& painter) const {
+  if (!typed_.is_on()) {
+    return;
+  }
+  const QString text = tr("%1   (Enter: do it, Esc: leave it)").arg(typed_.text());
+  const QFontMetricsF metrics(font());
+  const QRectF box(8.0, height() - 2.2 * metrics.height(), metrics.horizontalAdvance(text) + 12.0,
+                   1.6 * metrics.height());
+  painter.fillRect(box, QColor(255, 255, 255, 220));
+  painter.setPen(QColor(20, 20, 20));
+  painter.drawText(box, Qt::AlignCenter, text);
+}
+
 // Mouse and keys
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
   setFocus();
   if (drag_ != Drag::none) {
-    stop_drag();
+    typed_.is_on() && event->button() == Qt::LeftButton ? end_drag() : stop_drag();
     return;
   }
   pressed_ = last_ = event->position();
@@ -528,6 +554,9 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SceneView::drag_to(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
+  if (typed_.has_number()) {
+    return;
+  }
   const auto floor = camera_.on_plane(pixel, size());
   const auto frame = frame_of_selected();
   if (!floor) {
@@ -559,7 +588,7 @@ void SceneView::drag_to(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->button() != button_ || drag_ == Drag::none) {
+  if (event->button() != button_ || drag_ == Drag::none || typed_.is_on()) {
     return;
   }
   if (drag_ != Drag::pressed) {
@@ -605,12 +634,14 @@ void SceneView::end_drag() {
     Q_EMIT measured(tape_->first.x, tape_->first.y, tape_->second.x, tape_->second.y);
   }
   ghost_ = {};
+  typed_.end();
   update();
 }
 
 void SceneView::stop_drag() {
   drag_ = Drag::none;
   ghost_ = {};
+  typed_.end();
   update();
 }
 
@@ -627,7 +658,56 @@ void SceneView::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
+void SceneView::begin_typed(TypedDrag::Kind kind) {
+  const auto frame = frame_of_selected();
+  if (!frame || drag_ != Drag::none || locked_.contains(selection_.front()) ||
+      (kind == TypedDrag::Kind::resize && !handle(Tool::resize))) {
+    return;
+  }
+  typed_.begin(kind);
+  ghost_ = {};
+  drag_ = kind == TypedDrag::Kind::move   ? Drag::move
+          : kind == TypedDrag::Kind::turn ? Drag::turn
+                                          : Drag::resize;
+  pressed_at_ = camera_.on_plane(mapFromGlobal(QCursor::pos()), size()).value_or(frame->origin);
+  update();
+}
+
+void SceneView::take_typed(const QKeyEvent& key) {
+  if (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter) {
+    end_drag();
+    return;
+  }
+  if (!typed_.take(key)) {
+    return;
+  }
+  ghost_ = {};
+  const double number = typed_.has_number() ? typed_.number() : 0.0;
+  const TypedDrag::Axis axis = typed_.axis();
+  if (drag_ == Drag::move) {
+    (axis == TypedDrag::Axis::y ? ghost_.y : ghost_.x) = number;
+  } else if (drag_ == Drag::turn) {
+    ghost_.turn = radians(number);
+  } else if (const auto sides = size_of_selected(); sides && number > 0.0) {
+    ghost_.size = Vector3{axis == TypedDrag::Axis::y ? sides->x : number * sides->x,
+                          axis == TypedDrag::Axis::x ? sides->y : number * sides->y, 0.0};
+  }
+  update();
+}
+
+bool SceneView::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && typed_.is_on()) {
+    event->accept();  // Enter and numbers are the view's now
+    return true;
+  }
+  return QWidget::event(event);
+}
+
 void SceneView::keyPressEvent(QKeyEvent* event) {
+  if (typed_.is_on() && event->key() != Qt::Key_Escape) {
+    take_typed(*event);
+    return;
+  }
   const double step = event->modifiers() & Qt::ShiftModifier ? 0.01 : kSnap;
   const auto nudge = [&](double x, double y) {
     if (!selection_.isEmpty()) {
@@ -647,6 +727,20 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
       break;
     case Qt::Key_3:
       look_from_side();
+      break;
+    case Qt::Key_Space:
+      if (!event->isAutoRepeat()) {
+        Q_EMIT run_wished();
+      }
+      break;
+    case Qt::Key_G:
+      begin_typed(TypedDrag::Kind::move);
+      break;
+    case Qt::Key_R:
+      begin_typed(TypedDrag::Kind::turn);
+      break;
+    case Qt::Key_S:
+      begin_typed(TypedDrag::Kind::resize);
       break;
     case Qt::Key_M:
       set_tool(Tool::measure);

@@ -11,6 +11,7 @@
 #include "scene/camera.h"
 #include "scene/stage.h"
 #include "scene/trails.h"
+#include "scene/typed_drag.h"
 
 namespace elsie::render {
 class Renderer;
@@ -24,7 +25,7 @@ namespace elsie::desktop {
 /// The left button orbits, the right one pans, the wheel zooms to the pointer; a click selects,
 /// with Shift several; a right click asks for the editor. The selected thing has handles: its foot
 /// moves it, the knob ahead turns it, the corner resizes a box. Ctrl at the press always moves the
-/// camera; Ctrl during a drag snaps.
+/// camera; Ctrl during a drag snaps. G, R and S begin a drag by keys: typed_drag.h.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -87,8 +88,10 @@ class SceneView : public QWidget {
   void measured(double from_x, double from_y, double to_x, double to_y);
   void pointed_at(double x, double y);
   void camera_changed();
+  void run_wished();
 
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -115,11 +118,15 @@ class SceneView : public QWidget {
   void paint_names(QPainter& painter) const;
   void paint_selection(QPainter& painter) const;
   void paint_tape(QPainter& painter) const;
+  void paint_typed(QPainter& painter) const;
   void line(QPainter& painter, const Vector3& from, const Vector3& to) const;
   void camera_moved();
   std::optional<Tool> handle_at(const QPointF& pixel) const;
   std::optional<Frame> frame_of_selected() const;
+  std::optional<Vector3> size_of_selected() const;
   void drag_to(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
+  void begin_typed(TypedDrag::Kind kind);
+  void take_typed(const QKeyEvent& key);
   void end_drag();
   void stop_drag();
 
@@ -144,6 +151,7 @@ class SceneView : public QWidget {
   QPointF pressed_, last_;
   Vector3 pressed_at_;
   Ghost ghost_;
+  TypedDrag typed_;
   std::optional<std::pair<Vector3, Vector3>> tape_;
 };
 

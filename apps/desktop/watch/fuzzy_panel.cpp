@@ -13,10 +13,14 @@
 #include "elsie/fuzzy/sets.h"
 
 #include "paint/axes.h"
+#include "watch/control_surface.h"
+#include "watch/fuzzy_instant.h"
 #include "watch/state.h"
 
 namespace elsie::desktop {
 namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 QPolygonF polygon(const FuzzySet& set) {
   QPolygonF points;
@@ -35,6 +39,7 @@ class FuzzyPanel::Page : public QWidget {
   QString problem;
   std::map<std::string, double> inputs;
   std::map<std::string, double> outputs;
+  FuzzyInstant now;
 
   /// The inputs in the model's order; empty if one is missing.
   std::vector<double> values() const {
@@ -49,15 +54,10 @@ class FuzzyPanel::Page : public QWidget {
     return all;
   }
 
-  std::vector<double> degrees() const {
-    const std::vector<double> now = model ? values() : std::vector<double>();
-    if (now.empty()) {
-      return {};
-    }
-    std::vector<double> all(model->rules().size());
-    fuzzy::Workspace workspace;
-    model->rule_degrees(now, all, workspace);
-    return all;
+  /// Computes what is drawn.
+  void think() {
+    now = model ? fuzzy_instant(*model, values()) : FuzzyInstant();
+    update();
   }
 
   void fit() {
@@ -65,7 +65,7 @@ class FuzzyPanel::Page : public QWidget {
     const auto rules = model ? model->rules().size() : 0;
     setMinimumHeight(static_cast<int>(variables) * plot_height() +
                      (static_cast<int>(rules) + 1) * row_height());
-    update();
+    think();
   }
 
  protected:
@@ -79,17 +79,20 @@ class FuzzyPanel::Page : public QWidget {
           problem.isEmpty() ? tr("No fuzzy model of this robot has decided yet") : problem);
       return;
     }
-    const std::vector<double> now = values();
     int top = 0;
+    if (!now.problem.isEmpty()) {
+      painter.setPen(palette().color(QPalette::Text));
+      painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, now.problem);
+      return;
+    }
     for (std::size_t i = 0; i < model->inputs().size(); ++i) {
-      draw_variable(painter, model->inputs()[i], top,
-                    now.empty() ? std::numeric_limits<double>::quiet_NaN() : now[i], nullptr);
+      draw_variable(painter, model->inputs()[i], top, i < now.inputs.size() ? now.inputs[i] : kNone,
+                    nullptr, {});
       top += plot_height();
     }
-    const std::vector<double> fired = degrees();
     const int em = fontMetrics().horizontalAdvance(u'm');
     for (std::size_t i = 0; i < model->rules().size(); ++i, top += row_height()) {
-      const double degree = fired.empty() ? 0.0 : std::clamp(fired[i], 0.0, 1.0);
+      const double degree = i < now.degrees.size() ? std::clamp(now.degrees[i], 0.0, 1.0) : 0.0;
       const QRectF bar(em / 2.0, top + 2, 4.0 * em, row_height() - 4);
       painter.fillRect(QRectF(bar.topLeft(), QSizeF(bar.width() * degree, bar.height())),
                        curve_colour(0, palette()));
@@ -100,14 +103,13 @@ class FuzzyPanel::Page : public QWidget {
           QStringLiteral("%1  %2").arg(number_text(std::round(100 * degree) / 100),
                                        QString::fromStdString(model->rules()[i].text)));
     }
-    fuzzy::Workspace workspace;
+    static const FuzzySet kNothing;
     for (std::size_t i = 0; i < model->outputs().size(); ++i) {
       const auto& output = model->outputs()[i];
       const auto given = outputs.find(output.name);
-      const FuzzySet cut = now.empty() ? FuzzySet() : model->output_set(i, now, workspace);
-      draw_variable(
-          painter, output, top,
-          given == outputs.end() ? std::numeric_limits<double>::quiet_NaN() : given->second, &cut);
+      const bool is_known = i < now.sets.size();
+      draw_variable(painter, output, top, given == outputs.end() ? kNone : given->second,
+                    is_known ? &now.sets[i] : &kNothing, is_known ? now.centres[i] : std::nullopt);
       top += plot_height();
     }
   }
@@ -117,7 +119,7 @@ class FuzzyPanel::Page : public QWidget {
   int row_height() const { return fontMetrics().height() * 4 / 3; }
 
   void draw_variable(QPainter& painter, const fuzzy::Variable& variable, int top, double value,
-                     const FuzzySet* cut) const {
+                     const FuzzySet* cut, std::optional<double> centre) const {
     const Axes axes(painter, QRectF(0, top, width(), plot_height()),
                     {variable.range.low, std::max(variable.range.high, variable.range.low + 1e-9)},
                     {0.0, 1.05});
@@ -129,6 +131,9 @@ class FuzzyPanel::Page : public QWidget {
                      .arg(QString::fromStdString(term.name),
                           number_text(std::round(100 * term.set.degree(value)) / 100));
       }
+    }
+    if (centre) {
+      title += tr("   centre of gravity %1").arg(number_text(std::round(1000 * *centre) / 1000));
     }
     axes.draw(painter, palette(), {}, title);
     int n = 0;
@@ -156,6 +161,14 @@ class FuzzyPanel::Page : public QWidget {
       painter.setBrush(QBrush(palette().color(QPalette::Text), Qt::BDiagPattern));
       painter.drawPolygon(area);
     }
+    if (centre) {
+      const double half = 0.4 * fontMetrics().height();
+      const QPointF at = axes.at(*centre, 0.0);
+      painter.setPen(ink);
+      painter.setBrush(curve_colour(0, palette()));
+      painter.drawPolygon({{at, at + QPointF(-half, 1.7 * half), at + QPointF(half, 1.7 * half)}});
+      painter.setBrush(Qt::NoBrush);
+    }
     if (std::isfinite(value)) {
       axes.draw_curve(painter, {{QPointF(value, 0.0), QPointF(value, 1.05)}}, ink);
     }
@@ -163,15 +176,21 @@ class FuzzyPanel::Page : public QWidget {
 };
 
 FuzzyPanel::FuzzyPanel(QWidget* parent)
-    : QWidget(parent), models_(new QComboBox(this)), page_(new Page) {
+    : QWidget(parent), models_(new QComboBox(this)), page_(new Page), surface_(new ControlSurface) {
   setObjectName(QStringLiteral("fuzzy"));
   models_->setObjectName(QStringLiteral("fuzzy_models"));
   models_->setAccessibleName(tr("Fuzzy model"));
   page_->setObjectName(QStringLiteral("fuzzy_page"));
   page_->setBackgroundRole(QPalette::Base);
+  auto* whole = new QWidget;
+  whole->setBackgroundRole(QPalette::Base);
+  auto* parts = new QVBoxLayout(whole);
+  parts->setContentsMargins(0, 0, 0, 0);
+  parts->addWidget(page_);
+  parts->addWidget(surface_, 1);
   auto* area = new QScrollArea(this);
   area->setWidgetResizable(true);
-  area->setWidget(page_);
+  area->setWidget(whole);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(models_);
@@ -194,6 +213,7 @@ void FuzzyPanel::clear() {
 }
 
 void FuzzyPanel::load() {
+  surface_->set_model(nullptr);
   page_->model.reset();
   page_->problem.clear();
   page_->inputs.clear();
@@ -207,6 +227,7 @@ void FuzzyPanel::load() {
     }
   }
   page_->fit();
+  surface_->set_model(page_->model ? &*page_->model : nullptr);
 }
 
 void FuzzyPanel::add(const Json& state) {
@@ -233,10 +254,13 @@ void FuzzyPanel::add(const Json& state) {
       }
     }
   }
-  page_->update();
+  page_->think();
+  surface_->set_inputs(page_->now.inputs);
 }
 
-std::vector<double> FuzzyPanel::rule_degrees() const { return page_->degrees(); }
-QString FuzzyPanel::problem() const { return page_->problem; }
+const FuzzyInstant& FuzzyPanel::now() const { return page_->now; }
+QString FuzzyPanel::problem() const {
+  return page_->problem.isEmpty() ? page_->now.problem : page_->problem;
+}
 
 }  // namespace elsie::desktop

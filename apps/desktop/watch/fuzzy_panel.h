@@ -11,8 +11,12 @@ class QComboBox;
 
 namespace elsie::desktop {
 
+class ControlSurface;
+struct FuzzyInstant;
+
 /// For the chosen model: each input with its terms, the present value and its degrees; the rules
-/// with how far each fires; each output with its accumulated set and its value.
+/// with how far each fires; each output with its accumulated set, its centre of gravity and its
+/// value; the control surface.
 class FuzzyPanel : public QWidget {
   Q_OBJECT
 
@@ -25,9 +29,9 @@ class FuzzyPanel : public QWidget {
   void add(const nlohmann::ordered_json& state);
   void clear();
 
-  /// How far each rule fires now, in the order of the file; empty before any input.
-  std::vector<double> rule_degrees() const;
-  /// Why the model's file cannot be shown; or "".
+  /// What the chosen model makes of the last state.
+  const FuzzyInstant& now() const;
+  /// Why the model cannot be shown; or "".
   QString problem() const;
 
  private:
@@ -38,6 +42,7 @@ class FuzzyPanel : public QWidget {
   QString robot_;
   QComboBox* models_;
   Page* page_;
+  ControlSurface* surface_;
 };
 
 }  // namespace elsie::desktop

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <algorithm>
 
 #include "engine/workbench.h"
 
@@ -12,6 +13,7 @@ namespace elsie::desktop {
 namespace {
 
 constexpr int kPath = Qt::UserRole;  // of one that the robot has already; "" of a new one
+constexpr int kPlugin = Qt::UserRole + 1;
 
 }  // namespace
 
@@ -56,17 +58,16 @@ BehaviorsDialog::BehaviorsDialog(Workbench& workbench, QString holder, QWidget* 
   grid->addWidget(refusal_, 6, 0, 1, 3);
   grid->addWidget(buttons, 7, 0, 1, 3);
 
-  for (const Kind& kind : workbench_.catalog().plugins("behavior")) {
-    (new QListWidgetItem(kind.name, pool_))->setToolTip(kind.description);
-  }
   visit(workbench_.tree(), [&](const ElementPlace& each) {
     if (each.list.isEmpty() && each.parent && name_of(*each.parent) == "behaviors" &&
         holder_of(each.path) == holder_) {
       auto* item = new QListWidgetItem(title_of(*each.element), carried_);
       item->setData(kPath, each.path);
+      item->setData(kPlugin, name_of(*each.element));
     }
     return true;
   });
+  fill_pool();
   connect(add_, &QPushButton::clicked, this, &BehaviorsDialog::add);
   connect(take_away_, &QPushButton::clicked, this, &BehaviorsDialog::take_away);
   connect(pool_, &QListWidget::itemDoubleClicked, this, &BehaviorsDialog::add);
@@ -78,7 +79,6 @@ BehaviorsDialog::BehaviorsDialog(Workbench& workbench, QString holder, QWidget* 
   connect(carried_, &QListWidget::currentItemChanged, this, &BehaviorsDialog::enable);
   connect(buttons, &QDialogButtonBox::accepted, this, &BehaviorsDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &BehaviorsDialog::reject);
-  pool_->setCurrentRow(0);
   enable();
 }
 
@@ -87,13 +87,35 @@ void BehaviorsDialog::enable() {
   take_away_->setEnabled(carried_->currentItem() != nullptr);
 }
 
+// No behaviour twice: what is carried is not in the pool.
+void BehaviorsDialog::fill_pool() {
+  const int row = pool_->currentRow();
+  QStringList taken;
+  for (int i = 0; i < carried_->count(); ++i) {
+    taken << carried_->item(i)->data(kPlugin).toString();
+  }
+  pool_->clear();
+  for (const Kind& kind : workbench_.catalog().plugins("behavior")) {
+    if (!taken.contains(kind.name)) {
+      (new QListWidgetItem(kind.name, pool_))->setToolTip(kind.description);
+    }
+  }
+  pool_->setCurrentRow(std::clamp(row, 0, std::max(0, pool_->count() - 1)));
+}
+
 void BehaviorsDialog::add() {
-  if (pool_->currentItem()) {
-    carried_->setCurrentItem(new QListWidgetItem(pool_->currentItem()->text(), carried_));
+  if (const QListWidgetItem* chosen = pool_->currentItem()) {
+    auto* item = new QListWidgetItem(chosen->text(), carried_);
+    item->setData(kPlugin, chosen->text());
+    carried_->setCurrentItem(item);
+    fill_pool();
   }
 }
 
-void BehaviorsDialog::take_away() { delete carried_->currentItem(); }
+void BehaviorsDialog::take_away() {
+  delete carried_->currentItem();
+  fill_pool();
+}
 
 void BehaviorsDialog::accept() {
   QStringList edits, kept;

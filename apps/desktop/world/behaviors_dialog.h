@@ -24,6 +24,7 @@ class BehaviorsDialog : public QDialog {
   void accept() override;
 
  private:
+  void fill_pool();
   void add();
   void take_away();
   void enable();

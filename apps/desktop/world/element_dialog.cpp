@@ -170,6 +170,9 @@ void ElementDialog::show_kind(const Kind& kind) {
   for (const auto& [name, value] : begin_with_) {
     pages_.front().form->set_value(name, value);
   }
+  if (list_ == "obstacles") {
+    add_waypoint(kind);
+  }
   if (list_ == "robots") {
     if (const auto body = workbench_.catalog().element("body")) {
       add_page(tr("body"), "body", *body, Json::object());
@@ -178,6 +181,16 @@ void ElementDialog::show_kind(const Kind& kind) {
   }
   if (list_ == "sensors") {
     offer_random_heading();
+  }
+}
+
+// A box that moves needs a place to go to: the middle, or near it.
+void ElementDialog::add_waypoint(const Kind& kind) {
+  const auto waypoint = workbench_.catalog().element("waypoint");
+  if (waypoint && kind.elements.contains("waypoint")) {
+    const auto& given = pages_.front().form->values();
+    const bool is_aside = given.contains("x") || given.contains("y");
+    add_page(tr("waypoint"), "waypoint", *waypoint, {{"x", is_aside ? "0" : "0.5"}, {"y", "0"}});
   }
 }
 

@@ -63,6 +63,7 @@ class ElementDialog : public QDialog {
   void offer_training(const Kind& kind, Form* form, const QString& coordinator);
   bool trains_first();
   void set_busy(bool is_busy);
+  void add_waypoint(const Kind& kind);
   void offer_random_heading();
   void offer_drives(const QString& chosen);
 

@@ -1,0 +1,482 @@
+// What a user finds in the window, each by its name, by real clicks and key presses.
+#include <QClipboard>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStatusBar>
+#include <QTimer>
+#include <QTreeWidget>
+
+#include <catch2/catch.hpp>
+
+#include "watch/control_surface.h"
+#include "watch/fuzzy_instant.h"
+#include "watch/fuzzy_panel.h"
+#include "watch/plots_panel.h"
+#include "watch/vision_panel.h"
+#include "window.h"
+#include "world/form.h"
+#include "world/properties.h"
+
+using namespace elsie::desktop;
+
+namespace {
+
+/// Does something with the modal dialog of that name, once it is there.
+void when_asked(const char* name, const std::function<void(QDialog*)>& answer) {
+  auto* waiting = new QTimer(qApp);
+  QObject::connect(waiting, &QTimer::timeout, waiting, [=] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (dialog && dialog->objectName() == name) {
+      waiting->deleteLater();
+      answer(dialog);
+    }
+  });
+  waiting->start(20);
+}
+
+void add_with(Window& window, const char* action) {
+  window.act(action);
+  QDialog* dialog = window.dialog("element_dialog");
+  Window::press(dialog, QDialogButtonBox::Ok);
+  const auto* refusal = dialog->findChild<QLabel*>("refusal");
+  REQUIRE(wait_for([&] {
+    return !window->findChild<QDialog*>("element_dialog") || !refusal->text().isEmpty();
+  }));
+  if (window->findChild<QDialog*>("element_dialog")) {
+    FAIL(refusal->text().toStdString());
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Menus: file, edit, view, simulation and help, each with what it names") {
+  Window window;
+  QStringList titles;
+  for (QAction* menu : window->menuBar()->actions()) {
+    titles << menu->text().remove('&');
+    INFO(menu->text().toStdString());
+    REQUIRE(menu->menu());
+    CHECK(menu->menu()->actions().size() >= 3);
+  }
+  CHECK(titles == QStringList{"File", "Edit", "View", "Simulation", "Help"});
+}
+
+TEST_CASE("The status bar shows simulated time, real-time factor, seed and outcome") {
+  Window window;
+  window.open(window.file(QString(kRoom).replace("time=\"60\"", "time=\"2\"").toUtf8()));
+  window.after([&] { window.bench().reset(7); });
+  window.bench().set_speed(1.0);
+  window.bench().run();
+  REQUIRE(wait_for([&] { return window.get<QLabel>("pace")->text().contains('x'); }));
+  CHECK(window.get<QLabel>("seed_shown")->text().contains("7"));
+  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::ended; }));
+  CHECK(wait_for([&] { return window.get<QLabel>("time_s")->text() == "2.00 s"; }));
+  CHECK_FALSE(window.get<QLabel>("outcome")->text().isEmpty());
+}
+
+TEST_CASE("Windows float, hide, and come back as they were left") {
+  {
+    Window window;
+    auto* sensors = window.get<QDockWidget>("dock_sensors");
+    auto* coordination = window.get<QDockWidget>("dock_coordination");
+    CHECK_FALSE(sensors->isVisible());
+    sensors->toggleViewAction()->trigger();
+    sensors->setFloating(true);
+    coordination->toggleViewAction()->trigger();
+    CHECK(coordination->isHidden());
+    window->close();
+  }
+  Window again;
+  CHECK(again.get<QDockWidget>("dock_sensors")->isFloating());
+  CHECK(again.get<QDockWidget>("dock_coordination")->isHidden());
+  again.act("layout_reset");
+  CHECK_FALSE(again.get<QDockWidget>("dock_sensors")->isFloating());
+  CHECK_FALSE(again.get<QDockWidget>("dock_coordination")->isHidden());
+  again->close();
+}
+
+TEST_CASE("Physics parameters are changed while it runs, and the run is that of --at") {
+  Window window;
+  const QString file = window.file(kRoom);
+  window.open(file);
+  for (int i = 0; i < 30; ++i) {
+    window.bench().step();
+  }
+  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  window.act("physics");
+  QDialog* dialog = window.dialog("element_dialog");
+  auto* form = dialog->findChild<Form*>("form_physics");
+  REQUIRE(form);
+  for (const char* name : {"gravity", "erp", "cfm", "step"}) {
+    INFO(name);
+    CHECK(form->editor(name));
+  }
+  form->set_value("gravity", "-5");
+  form->set_value("erp", "0.4");
+  window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
+  CHECK(window.bench().text().contains("gravity=\"-5\""));
+  CHECK(window.bench().run_state() == Workbench::Run::paused);
+  window.after([&] { window.act("undo"); });
+  CHECK(window.bench().text() == kRoom);
+}
+
+TEST_CASE("The control bar paces a run from 0.1 to as fast as possible") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* speed = window.get<QComboBox>("speed");
+  speed->setFocus();
+  while (speed->currentIndex() > 0) {
+    QTest::keyClick(speed, Qt::Key_Up);
+  }
+  CHECK(window.bench().speed() == 0.1);
+  QTest::mouseClick(window.get<QToolButton>("run"), Qt::LeftButton);
+  QTest::qWait(1500);
+  const double slow_s = window.bench().time_s();
+  CHECK(slow_s > 0.0);
+  CHECK(slow_s < 0.5);
+  QTest::keyClick(speed, Qt::Key_End);
+  CHECK(window.bench().speed() == 0.0);
+  CHECK(wait_for([&] { return window.bench().run_state() == Workbench::Run::ended; }));
+}
+
+TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams are put in") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* tree = window.get<WorldTree>("world_tree");
+  const std::pair<const char*, const char*> added[] = {
+      {"add_static", "<static_box"}, {"add_dynamic", "<dynamic_box"},
+      {"add_moving", "<moving_box"}, {"add_resource", "<resource "},
+      {"add_charger", "<charger "},  {"add_measure", "<measures>"},
+      {"add_team", "<teams>"},       {"add_goal", "<goals>"}};
+  for (const auto& [action, text] : added) {
+    INFO(action);
+    const qsizetype before = window.bench().text().count(text);
+    add_with(window, action);
+    CHECK(window.bench().text().count(text) == before + 1);
+  }
+  for (const char* path :
+       {"obstacle[moving_box_1]", "charger[charger_1]", "resource[resource_1]"}) {
+    INFO(path);
+    CHECK(tree->item(path));
+  }
+  window.act("add_static");
+  QDialog* dialog = window.dialog("element_dialog");
+  dialog->findChild<Form*>("form_static_box")->set_value("length", "0.75");
+  window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
+  CHECK(window.bench().text().contains("length=\"0.75\""));
+}
+
+TEST_CASE("Every window is shown and hidden from the menu") {
+  Window window;
+  QMenu* windows = nullptr;
+  for (QMenu* each : window->findChildren<QMenu*>()) {
+    windows = each->title().contains("Windows") ? each : windows;
+  }
+  REQUIRE(windows);
+  Q_EMIT windows->aboutToShow();
+  CHECK(windows->actions().size() >= 11);
+  for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
+    INFO(dock->windowTitle().toStdString());
+    CHECK(windows->actions().contains(dock->toggleViewAction()));
+    const bool was_hidden = dock->isHidden();
+    dock->toggleViewAction()->trigger();
+    CHECK(dock->isHidden() != was_hidden);
+  }
+}
+
+TEST_CASE("A robot's dialog has the defaults, a drive, and the leader flag; a run takes changes") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.act("add_robot");
+  QDialog* dialog = window.dialog("element_dialog");
+  auto* form = dialog->findChild<Form*>("form_robot");
+  REQUIRE(form);
+  for (const char* name : {"max_speed", "coverage", "leader", "x", "y", "heading_deg"}) {
+    INFO(name);
+    REQUIRE(form->editor(name));
+  }
+  const auto* fastest = qobject_cast<QLineEdit*>(form->editor("max_speed"));
+  REQUIRE(fastest);
+  CHECK(fastest->placeholderText().contains("0.5"));
+  CHECK(dialog->findChild<QComboBox*>("drive")->count() >= 10);
+  Window::press(dialog, QDialogButtonBox::Cancel);
+
+  window.bench().run();
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 0.1; }));
+  Q_EMIT window.get<WorldTree>("world_tree")->edit_wished("robot[r1]");
+  dialog = nullptr;
+  REQUIRE(wait_for([&] {
+    for (auto* each : window->findChildren<QDialog*>("element_dialog")) {
+      if (each->isVisible()) dialog = each;
+    }
+    return dialog != nullptr;
+  }));
+  QTest::mouseClick(dialog->findChild<QAbstractButton*>("apply_immediately"), Qt::LeftButton, {},
+                    QPoint(8, 8));
+  window.after([&] { dialog->findChild<Form*>("form_robot")->set_value("leader", "true"); });
+  CHECK(window.bench().text().contains("leader=\"true\""));
+  CHECK(window.bench().run_state() == Workbench::Run::running);
+  Window::press(dialog, QDialogButtonBox::Cancel);
+}
+
+TEST_CASE("A new beam or proximity sensor is offered a random heading from 0 to 90 degrees") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.choose("robot[r1]");
+  window.act("add_sensor");
+  QDialog* dialog = window.dialog("element_dialog");
+  auto* kinds = dialog->findChild<QListWidget*>("kinds");
+  for (const char* kind : {"beam_range", "proximity"}) {
+    INFO(kind);
+    kinds->setCurrentItem(kinds->findItems(kind, Qt::MatchExactly).front());
+    auto* button = dialog->findChild<QPushButton*>("random_heading");
+    auto* form = dialog->findChild<Form*>(QString("form_") + kind);
+    REQUIRE((button && form));
+    QSet<QString> headings;
+    for (int i = 0; i < 5; ++i) {
+      QTest::mouseClick(button, Qt::LeftButton);
+      const QString heading = form->values().at("yaw_deg");
+      CHECK(heading.toDouble() >= 0.0);
+      CHECK(heading.toDouble() <= 90.0);
+      headings << heading;
+    }
+    CHECK(headings.size() > 1);
+  }
+  Window::press(dialog, QDialogButtonBox::Cancel);
+}
+
+TEST_CASE("No behaviour is carried twice: what is carried is not in the pool, and >> takes one") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.choose("robot[r1]");
+  window.act("behaviors");
+  QDialog* dialog = window.dialog("behaviors_dialog");
+  auto* pool = dialog->findChild<QListWidget*>("pool");
+  auto* carried = dialog->findChild<QListWidget*>("carried");
+  CHECK(carried->count() == 1);
+  CHECK(pool->findItems("wander", Qt::MatchExactly).isEmpty());
+  const int before = pool->count();
+  pool->setCurrentRow(0);
+  QTest::mouseClick(dialog->findChild<QPushButton*>("add"), Qt::LeftButton);
+  CHECK(pool->count() == before - 1);
+  CHECK(carried->count() == 2);
+  Window::press(dialog, QDialogButtonBox::Cancel);
+  CHECK(window.bench().text() == kRoom);
+}
+
+TEST_CASE("The priority of a behaviour is set") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.choose("robot[r1]/behavior[wander]");
+  auto* priority =
+      qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor("priority"));
+  REQUIRE(priority);
+  priority->setFocus();
+  window.after([&] {
+    priority->selectAll();
+    QTest::keyClicks(priority, "7");
+    QTest::keyClick(priority, Qt::Key_Return);
+  });
+  CHECK(window.bench().text().contains("priority=\"7\""));
+}
+
+TEST_CASE("All coordinators that are found are offered") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.choose("robot[r1]");
+  window.act("coordinator");
+  QDialog* dialog = window.dialog("element_dialog");
+  auto* kinds = dialog->findChild<QListWidget*>("kinds");
+  REQUIRE(kinds);
+  CHECK(kinds->count() == static_cast<int>(window.bench().catalog().plugins("coordinator").size()));
+  CHECK(kinds->count() >= 10);
+  Window::press(dialog, QDialogButtonBox::Cancel);
+}
+
+TEST_CASE("Vision: raw and processed pictures of all cameras side by side") {
+  Window window(world_file("four_resources"));
+  window->arrange("watch");
+  auto* vision = window->findChild<VisionPanel*>();
+  window.bench().run();
+  REQUIRE(wait_for([&] { return vision->pictures().size() >= 2; }));
+  int raw = 0, processed = 0;
+  for (const QString& name : vision->pictures()) {
+    raw += name.endsWith(" raw");
+    processed += name.endsWith(" processed");
+    CHECK_FALSE(vision->picture(name).isNull());
+  }
+  CHECK(raw > 0);
+  CHECK(processed == raw);
+}
+
+TEST_CASE("The fuzzy viewer shows the model, its rules and its control surface as it infers") {
+  Window window(world_file("clutter"));
+  window->arrange("watch");
+  window.get<QDockWidget>("dock_fuzzy")->raise();
+  auto* fuzzy = window->findChild<FuzzyPanel*>();
+  window.bench().run();
+  REQUIRE(wait_for([&] { return !fuzzy->now().degrees.empty(); }));
+  window.bench().pause();
+  CHECK(fuzzy->problem().isEmpty());
+  const auto* surface = fuzzy->findChild<ControlSurface*>();
+  REQUIRE(surface);
+  CHECK(surface->grid().rows == FuzzyGrid::kAcross);
+  CHECK(fuzzy->now().sets.size() == fuzzy->now().centres.size());
+  window.after([&] { window.open(window.file(kRoom)); });
+  CHECK(fuzzy->now().degrees.empty());  // of another world
+}
+
+TEST_CASE("Plots: what is chosen goes on while another window lies in front, also after a reset") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* plots = window->findChild<PlotsPanel*>();
+  window.get<QDockWidget>("dock_plots")->raise();
+  window.bench().step();
+  REQUIRE(wait_for([&] { return plots->names().contains("r1/speed"); }));
+  plots->choose("r1/speed", true);
+  window.get<QDockWidget>("dock_coordination")->raise();
+  window.bench().run();
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 1.0; }));
+  window.bench().pause();
+  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  const QString table = window.folder() + "/speed.csv";
+  REQUIRE(plots->save(table).isEmpty());
+  QFile file(table);
+  REQUIRE(file.open(QIODevice::ReadOnly));
+  CHECK(file.readAll().count('\n') > 10);
+  window.after([&] { window.bench().reset(1); });
+  CHECK(plots->chosen() == QStringList{"r1/speed"});
+}
+
+TEST_CASE("Worlds are opened and saved elsewhere; the files opened last are listed") {
+  Window window;
+  const QString file = window.file(kRoom);
+  window.open(file);
+  window.after([&] { window.bench().edit({"robot[r1]/@x=0"}, "move"); });
+  const QString copy = window.folder() + "/copy.xml";
+  when_asked("save_dialog", [&](QDialog* dialog) {
+    dialog->findChild<QLineEdit*>("fileNameEdit")->setText(copy);
+    auto* buttons = dialog->findChild<QDialogButtonBox*>("buttonBox");
+    QTest::mouseClick(buttons->button(QDialogButtonBox::Save), Qt::LeftButton);
+  });
+  window.act("save_as");
+  REQUIRE(wait_for([&] { return QFile::exists(copy) && !window->isWindowModified(); }));
+  CHECK(window.bench().file() == copy);
+  QFile before(file);
+  REQUIRE(before.open(QIODevice::ReadOnly));
+  CHECK(before.readAll() == kRoom);
+  QStringList recent;
+  for (QMenu* each : window->findChildren<QMenu*>()) {
+    if (each->title().contains("last")) {
+      for (QAction* action : each->actions()) recent << action->text();
+    }
+  }
+  CHECK(recent.join(' ').contains("room.xml"));
+}
+
+TEST_CASE("The start page has examples with pictures, and New world asks and builds one") {
+  Window window;
+  auto* page = window->findChild<QWidget*>("start_page");
+  REQUIRE(page);
+  auto* examples = window.get<QListWidget>("examples");
+  REQUIRE(examples->count() > 10);
+  CHECK(wait_for([&] {
+    for (int i = 0; i < examples->count(); ++i) {
+      if (examples->item(i)->icon().isNull()) return false;
+    }
+    return true;
+  }));
+  when_asked("new_world_dialog", [](QDialog* dialog) {
+    dialog->findChild<QLineEdit*>("name")->setText("arena <1>");
+    dialog->findChild<QSpinBox*>("boxes")->setValue(3);
+    dialog->findChild<QSpinBox*>("resources")->setValue(2);
+    Window::press(dialog, QDialogButtonBox::Ok);
+  });
+  window.act("new");
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  CHECK(window.bench().text().count("<static_box") == 3);
+  CHECK(window.bench().text().count("<resource ") == 2);
+  CHECK(window.bench().text().contains("arena &lt;1&gt;"));
+}
+
+TEST_CASE("The title names the file, and a star the changes that are not saved") {
+  Window window;
+  window.open(window.file(kRoom));
+  CHECK(window->windowTitle().contains("room.xml"));
+  CHECK_FALSE(window->isWindowModified());
+  window.after([&] { window.bench().edit({"robot[r1]/@x=0"}, "move"); });
+  CHECK(window->isWindowModified());
+  window.after([&] { window.act("undo"); });
+  CHECK_FALSE(window->isWindowModified());
+}
+
+TEST_CASE("Every field says what it means; every number, its unit if it has one") {
+  Window window;
+  for (const char* kind : {"sensor", "behavior", "coordinator", "drive", "measure"}) {
+    for (const Kind& plugin : window.bench().catalog().plugins(kind)) {
+      INFO(plugin.name.toStdString());
+      Form form;
+      form.show_fields(plugin.fields, Json::object());
+      for (const Field& field : plugin.fields) {
+        INFO(field.name.toStdString());
+        REQUIRE(form.editor(field.name));
+        CHECK_FALSE(form.editor(field.name)->toolTip().isEmpty());
+      }
+    }
+  }
+}
+
+TEST_CASE("A plugin that changes while the window is open has its new form, without a restart") {
+  QTemporaryDir folder;
+  const QString source = folder.filePath("veer.cpp");
+  const auto write = [&](const char* parameters) {
+    std::ofstream(source.toStdString()) << R"(#include <elsie/api/behavior.h>
+namespace {
+class Veer final : public elsie::Behavior {
+ public:
+  double rate = 3.0;
+  double boldness = 1.0;
+  elsie::Response respond(const elsie::Perception& now) override {
+    return now.self().wheels.motion({rate, boldness * rate});
+  }
+};
+}  // namespace
+ELSIE_BEHAVIOR(Veer, "veer", "Veers",
+    elsie::parameter("rate", &Veer::rate, {.unit = "rad/s", .meaning = "rate of the left wheel"}))"
+                                        << parameters << ");\n";
+  };
+  write("");
+  Window window({}, {"--plugin", source});
+  window.open(window.file(kRoom));
+  window.after([&] { window.bench().edit({"robot[r1]/behavior[+]=<veer/>"}, "add veer"); });
+  window.choose("robot[r1]/behavior[veer]");
+  auto& form = window.get<Properties>("properties")->form();
+  REQUIRE(form.editor("rate"));
+  CHECK_FALSE(form.editor("boldness"));
+  write(", elsie::parameter(\"boldness\", &Veer::boldness, {.meaning = \"right over left\"})");
+  REQUIRE(wait_for([&] { return form.editor("boldness") != nullptr; }));
+  CHECK(form.editor("boldness")->toolTip().contains("right over left"));
+}
+
+TEST_CASE("A plugin that is dropped into the path while the window is open is offered") {
+  QTemporaryDir folder;
+  Window window({}, {"--plugin-path", folder.path()});
+  window.open(window.file(kRoom));
+  const auto has = [&](const char* name) {
+    for (const Kind& kind : window.bench().catalog().plugins("coordinator")) {
+      if (kind.name == name) return true;
+    }
+    return false;
+  };
+  CHECK_FALSE(has("body_learner"));
+  REQUIRE(QFile::copy(build_file("../tests/program/plugins/body_learner.so"),
+                      folder.filePath("body_learner.so")));
+  CHECK(wait_for([&] { return has("body_learner"); }));
+}

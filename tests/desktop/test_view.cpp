@@ -1,0 +1,250 @@
+// The main view: camera, overlays, handles and keys, by real mouse events.
+#include <QImage>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QStatusBar>
+#include <QWheelEvent>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "scene/scene_view.h"
+#include "watch/vision_panel.h"
+#include "window.h"
+
+using namespace elsie::desktop;
+
+namespace {
+
+constexpr const char* kSeeing = R"(<world format="1">
+  <arena length="4" width="4"/>
+  <obstacles><static_box id="crate" x="1" y="0.3"/></obstacles>
+  <robots>
+    <robot id="r1" team="red" x="-1">
+      <sensors>
+        <beam_range id="ahead"/>
+        <proximity id="skin" yaw_deg="90"/>
+        <vision id="eye"/>
+      </sensors>
+      <behaviors><wander/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator>
+    </robot>
+  </robots>
+  <limits time="60"/>
+</world>
+)";
+
+void drag(SceneView& scene, Qt::MouseButton button, const QPoint& from, const QPoint& by,
+          Qt::KeyboardModifiers keys = {}) {
+  QTest::mousePress(&scene, button, keys, from);
+  for (int i = 1; i <= 4; ++i) {
+    QMouseEvent move(QEvent::MouseMove, from + by * i / 4, scene.mapToGlobal(from + by * i / 4),
+                     Qt::NoButton, button, keys);
+    QApplication::sendEvent(&scene, &move);
+  }
+  QTest::mouseRelease(&scene, button, keys, from + by);
+}
+
+void turn_wheel(SceneView& scene, const QPoint& at, int eighths) {
+  QWheelEvent wheel(at, scene.mapToGlobal(at), {}, {0, eighths}, Qt::NoButton, {},
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&scene, &wheel);
+}
+
+void pause_after(Window& window, double time_s) {
+  window.bench().set_speed(0.0);
+  window.bench().run();
+  REQUIRE(wait_for([&] { return window.bench().time_s() >= time_s; }));
+  window.bench().pause();
+  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+}
+
+}  // namespace
+
+TEST_CASE("The camera orbits, pans and zooms by the mouse, and looks from three sides by keys") {
+  Window window;
+  window.open(window.file(kSeeing));
+  SceneView& scene = window->scene();
+  const QPoint middle = scene.rect().center();
+  const double yaw = scene.camera().yaw, pitch = scene.camera().pitch;
+  drag(scene, Qt::LeftButton, middle, {60, 0});
+  CHECK(scene.camera().yaw != yaw);
+  CHECK(scene.camera().pitch == pitch);
+  const auto before = scene.camera().target;
+  drag(scene, Qt::RightButton, middle, {0, 50});
+  CHECK(std::hypot(scene.camera().target.x - before.x, scene.camera().target.y - before.y) > 0.05);
+  const double distance = scene.camera().distance;
+  turn_wheel(scene, middle, 240);
+  CHECK(scene.camera().distance < distance);
+
+  // What is under the pointer stays there.
+  const auto under = scene.camera().on_plane({200.0, 150.0}, scene.size());
+  REQUIRE(under);
+  turn_wheel(scene, {200, 150}, 120);
+  const auto still = scene.pixel_of(*under);
+  REQUIRE(still);
+  CHECK(std::hypot(still->x() - 200.0, still->y() - 150.0) < 1.0);
+
+  scene.setFocus();
+  QTest::keyClick(&scene, Qt::Key_7);
+  CHECK(scene.camera().pitch < -1.5);
+  QTest::keyClick(&scene, Qt::Key_1);
+  CHECK(scene.camera().pitch > -0.2);
+  const double front = scene.camera().yaw;
+  QTest::keyClick(&scene, Qt::Key_3);
+  CHECK(std::abs(scene.camera().yaw - front) == Approx(M_PI / 2.0));
+}
+
+TEST_CASE("Ctrl and the mouse move the camera, also over the handle of what is chosen") {
+  Window window;
+  window.open(window.file(kSeeing));
+  SceneView& scene = window->scene();
+  REQUIRE(wait_for([&] { return scene.stage().body_of("robot[r1]") != nullptr; }));
+  window.choose("robot[r1]");
+  const auto handle = scene.handle(SceneView::Tool::move);
+  REQUIRE(handle);
+  const double yaw = scene.camera().yaw;
+  drag(scene, Qt::LeftButton, handle->toPoint(), {50, 10}, Qt::ControlModifier);
+  CHECK(scene.camera().yaw != yaw);
+  CHECK(window.bench().text() == kSeeing);
+}
+
+TEST_CASE("The camera follows a robot") {
+  Window window;
+  window.open(window.file(kSeeing));
+  SceneView& scene = window->scene();
+  window.choose("robot[r1]");
+  scene.setFocus();
+  QTest::keyClick(&scene, Qt::Key_F, Qt::ShiftModifier);
+  pause_after(window, 2.0);
+  REQUIRE(wait_for([&] {
+    const auto& robot = scene.stage().body_of("robot[r1]")->frame.origin;
+    return std::abs(scene.camera().target.x - robot.x) < 1e-6 &&
+           std::abs(scene.camera().target.y - robot.y) < 1e-6;
+  }));
+  CHECK(std::abs(scene.camera().target.x + 1.0) > 0.05);  // it has driven
+}
+
+TEST_CASE(
+    "Trajectories, beams, pyramids, fields of view, names and grid are drawn and can be hidden; "
+    "no robot's camera sees them") {
+  Window window;
+  window.open(window.file(kSeeing));
+  window->arrange("watch");
+  SceneView& scene = window->scene();
+  auto* vision = window->findChild<VisionPanel*>();
+  pause_after(window, 2.0);
+  REQUIRE(scene.stage().beams().size() == 9);  // one ray, eight edges
+  REQUIRE(wait_for([&] { return !vision->picture("r1/eye raw").isNull(); }));
+  const QImage with = scene.picture();
+  const QImage seen = vision->picture("r1/eye raw");
+  for (const char* name : {"show_trails", "show_beams", "show_views", "show_names", "show_grid"}) {
+    INFO(name);
+    window.act(name);
+    CHECK(scene.picture() != with);
+    window.act(name);
+    CHECK(scene.picture() == with);
+  }
+  // A camera's picture has the world only, whatever the window draws.
+  for (const char* name : {"show_trails", "show_beams", "show_views", "show_names", "show_grid"}) {
+    window.act(name);
+  }
+  window->scene().clear_trails();
+  bool is_sent = false;
+  QObject::connect(&window.bench(), &Workbench::state, &scene, [&] { is_sent = true; });
+  window.bench().ask({{"do", "at"}}, {});
+  wait_for([&] { return is_sent; });
+  CHECK(vision->picture("r1/eye raw") == seen);
+}
+
+TEST_CASE("Lines behind robots are the same painted bit by bit and at once") {
+  Window window;
+  window.open(window.file(kSeeing));
+  SceneView& scene = window->scene();
+  scene.overlays() = {
+      .trails = true, .beams = false, .views = false, .names = false, .grid = false};
+  pause_after(window, 3.0);
+  const QImage bit_by_bit = scene.picture().convertToFormat(QImage::Format_Grayscale8);
+  scene.follow({});
+  scene.camera().yaw += 1.0;
+  scene.show_all();
+  scene.camera().yaw -= 1.0;
+  scene.show_all();  // the lines are painted anew
+  const QImage at_once = scene.picture().convertToFormat(QImage::Format_Grayscale8);
+  REQUIRE(bit_by_bit.size() == at_once.size());
+  int different = 0;
+  for (int y = 0; y < at_once.height(); ++y) {
+    for (int x = 0; x < at_once.width(); ++x) {
+      different += std::abs(qGray(bit_by_bit.pixel(x, y)) - qGray(at_once.pixel(x, y))) > 60;
+    }
+  }
+  CHECK(different < 20);
+}
+
+TEST_CASE("G, R and S with an axis and a number move, turn and resize; Esc leaves all as it was") {
+  Window window;
+  window.open(window.file(kRoom));
+  SceneView& scene = window->scene();
+  REQUIRE(wait_for([&] { return scene.stage().body_of("obstacle[crate]") != nullptr; }));
+  window.choose("obstacle[crate]");
+  scene.setFocus();
+  const auto type = [&](const char* keys) {
+    for (const char* key = keys; *key; ++key) {
+      QTest::keyClick(&scene, *key);
+    }
+  };
+  type("gy-0.5");
+  QTest::keyClick(&scene, Qt::Key_Escape);
+  CHECK(window.bench().text() == kRoom);
+  window.after([&] {
+    type("gy-0.5");
+    QTest::keyClick(&scene, Qt::Key_Return);
+  });
+  CHECK(window.bench().text().contains("y=\"0.5\""));
+  window.after([&] {
+    type("r30");
+    QTest::keyClick(&scene, Qt::Key_Return);
+  });
+  CHECK(window.bench().text().contains("heading_deg=\"30\""));
+  const QString before = window.bench().text();
+  window.after([&] {
+    type("sx2");
+    QTest::keyClick(&scene, Qt::Key_Return);
+  });
+  CHECK(window.bench().text() != before);
+  CHECK(window.bench().undo_name().contains("crate"));
+  CHECK_FALSE(window->findChild<QDialog*>("element_dialog"));  // Enter was the view's
+  for (int i = 0; i < 3; ++i) {
+    window.after([&] { window.act("undo"); });
+  }
+  CHECK(window.bench().text() == kRoom);
+}
+
+TEST_CASE("Space in the view runs and pauses") {
+  Window window;
+  window.open(window.file(kRoom));
+  window->scene().setFocus();
+  QTest::keyClick(&window->scene(), Qt::Key_Space);
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 0.1; }));
+  QTest::keyClick(&window->scene(), Qt::Key_Space);
+  CHECK(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+}
+
+TEST_CASE("The measuring tape says how far apart two places are") {
+  Window window;
+  window.open(window.file(kRoom));
+  SceneView& scene = window->scene();
+  scene.look_from_top();
+  const auto from = scene.pixel_of({-1.0, 0.0, 0.0}), to = scene.pixel_of({1.0, 0.0, 0.0});
+  REQUIRE((from && to));
+  double length = 0.0;
+  QObject::connect(&scene, &SceneView::measured, &scene,
+                   [&](double x, double y, double to_x, double to_y) {
+                     length = std::hypot(to_x - x, to_y - y);
+                   });
+  window.act("measure");
+  drag(scene, Qt::LeftButton, from->toPoint(), to->toPoint() - from->toPoint());
+  CHECK(length == Approx(2.0).margin(0.02));
+  CHECK(window->statusBar()->currentMessage().contains(" m"));
+  CHECK(window.bench().text() == kRoom);
+}
