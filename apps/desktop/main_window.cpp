@@ -187,9 +187,7 @@ void MainWindow::arrange(const QString& layout) {
     if (first) first->raise();
   };
   QStringList trees{"world"};
-  for (const QString& name : docks_.keys()) {
-    if (name.startsWith("team_")) trees << name;
-  }
+  for (const QString& team : std::as_const(teams_shown_)) trees << "team_" + team;
   put(Qt::LeftDockWidgetArea, trees);
   if (layout == "watch") {
     put(Qt::RightDockWidgetArea, {"vision", "fuzzy", "sensors"});
@@ -706,9 +704,9 @@ void MainWindow::connect_tree(WorldTree* tree, const QString& team) {
 QDockWidget* MainWindow::make_team(const QString& team) {
   auto* tree = new WorldTree(workbench_, team);
   teams_[team] = tree;
+  teams_shown_ << team;
   connect_tree(tree, team);
-  return dock(("team_" + team).toUtf8().constData(), tr("Team %1").arg(team), tree,
-              Qt::LeftDockWidgetArea);
+  return dock(("team_" + team).toUtf8().constData(), team, tree, Qt::LeftDockWidgetArea);
 }
 
 void MainWindow::show_teams() {

@@ -104,6 +104,7 @@ class MainWindow : public QMainWindow {
   ControlBar* control_bar_;
   WorldTree* world_tree_;
   QHash<QString, WorldTree*> teams_;
+  QStringList teams_shown_;  // in their order
   QHash<QString, QDockWidget*> docks_;
   Properties* properties_;
   WorldEditor* editor_;

@@ -22,7 +22,7 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr int kIcon_em = 16;
+constexpr int kIcon_em = 22;
 constexpr int kDelay_ms = 300;
 
 /// The first sentence of the comment at the top of a world file, or its description.
@@ -71,7 +71,7 @@ StartPage::StartPage(const QString& worlds, const QString& elsie, QWidget* paren
 
   auto* lists = new QHBoxLayout;
   outer->addLayout(lists, 1);
-  const auto list = [&](const char* name, const QString& heading) {
+  const auto list = [&](const char* name, const QString& heading, int stretch) {
     auto* column = new QVBoxLayout;
     auto* label = new QLabel(heading);
     auto* made = new QListWidget;
@@ -80,15 +80,15 @@ StartPage::StartPage(const QString& worlds, const QString& elsie, QWidget* paren
     label->setBuddy(made);
     column->addWidget(label);
     column->addWidget(made, 1);
-    lists->addLayout(column, 1);
+    lists->addLayout(column, stretch);
     connect(made, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
       Q_EMIT open_wished(item->data(Qt::UserRole).toString());
     });
     return made;
   };
-  examples_ = list("examples", tr("&Examples"));
+  examples_ = list("examples", tr("&Examples"), 3);
   examples_->setIconSize(QSize(kIcon_em, kIcon_em * 3 / 4) * fontMetrics().averageCharWidth());
-  recent_ = list("recent", tr("Opened &last"));
+  recent_ = list("recent", tr("Opened &last"), 2);
   const QDir folder(worlds);
   for (const QString& name :
        worlds.isEmpty() ? QStringList() : folder.entryList({"*.xml"}, QDir::Files, QDir::Name)) {

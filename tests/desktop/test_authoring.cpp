@@ -129,7 +129,7 @@ TEST_CASE("An item without parameters opens no editor, and says why") {
 TEST_CASE("A robot begins where it is now") {
   Window window;
   window.open(window.file(kRoom));
-  window.bench().set_speed(0.0);
+  window.bench().set_speed(5.0);
   window.bench().run();
   REQUIRE(wait_for([&] { return window.bench().time_s() > 5.0; }));
   window.bench().pause();

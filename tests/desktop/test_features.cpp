@@ -362,7 +362,10 @@ TEST_CASE("Worlds are opened and saved elsewhere; the files opened last are list
   window.after([&] { window.bench().edit({"robot[r1]/@x=0"}, "move"); });
   const QString copy = window.folder() + "/copy.xml";
   when_asked("save_dialog", [&](QDialog* dialog) {
-    dialog->findChild<QLineEdit*>("fileNameEdit")->setText(copy);
+    auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+    REQUIRE(wait_for([&] { return name->text() == "room.xml"; }));  // the folder is read
+    QTest::qWait(200);
+    name->setText(copy);
     auto* buttons = dialog->findChild<QDialogButtonBox*>("buttonBox");
     QTest::mouseClick(buttons->button(QDialogButtonBox::Save), Qt::LeftButton);
   });

@@ -52,7 +52,7 @@ void turn_wheel(SceneView& scene, const QPoint& at, int eighths) {
 }
 
 void pause_after(Window& window, double time_s) {
-  window.bench().set_speed(0.0);
+  window.bench().set_speed(5.0);
   window.bench().run();
   REQUIRE(wait_for([&] { return window.bench().time_s() >= time_s; }));
   window.bench().pause();

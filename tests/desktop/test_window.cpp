@@ -124,6 +124,7 @@ TEST_CASE(
   CHECK(carried->count() == 1);
   QTest::mouseClick(behaviors->findChild<QPushButton*>("take_away"), Qt::LeftButton);
   CHECK(carried->count() == 0);
+  pool->setCurrentItem(pool->findItems("wander", Qt::MatchExactly).front());
   QTest::mouseClick(behaviors->findChild<QPushButton*>("add"), Qt::LeftButton);
   CHECK_FALSE(blue->item("robot[b1]/behavior[wander]"));  // OK applies
   window.after([&] { Window::press(behaviors, QDialogButtonBox::Ok); });

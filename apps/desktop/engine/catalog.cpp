@@ -65,7 +65,9 @@ void add_fields(Kind& kind, const Json& json, const char* list) {
     return;
   }
   for (const Json& each : *found) {
-    kind.fields.push_back(field_of(each));
+    if (text_at(each, "name") != "remove") {  // what is inherited is removed in the tree
+      kind.fields.push_back(field_of(each));
+    }
   }
 }
 

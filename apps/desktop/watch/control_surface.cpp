@@ -52,13 +52,12 @@ ControlSurface::ControlSurface(QWidget* parent)
   up_->setAccessibleName(tr("Input upwards"));
   auto* row = new QHBoxLayout(choices_);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(output_);
+  row->addWidget(output_, 1);
   row->addWidget(new QLabel(tr("over"), choices_));
-  row->addWidget(across_);
+  row->addWidget(across_, 1);
   and_ = new QLabel(tr("and"), choices_);
   row->addWidget(and_);
-  row->addWidget(up_);
-  row->addStretch();
+  row->addWidget(up_, 1);
   auto* column = new QVBoxLayout(this);
   column->addWidget(choices_);
   column->addStretch();
@@ -67,6 +66,8 @@ ControlSurface::ControlSurface(QWidget* parent)
   later_.setInterval(kBetween_ms);
   connect(&later_, &QTimer::timeout, this, &ControlSurface::compute);
   for (QComboBox* each : {output_, across_, up_}) {
+    each->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    each->setMinimumContentsLength(2);
     connect(each, &QComboBox::activated, this, &ControlSurface::choose);
   }
   hide();

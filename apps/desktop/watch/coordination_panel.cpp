@@ -56,11 +56,10 @@ void CoordinationPanel::clear() {
 void CoordinationPanel::add(const Json& state) {
   const Json& robot = robot_of(state, robot_);
   const double time = number_of(state, "time_s");
-  if (robot.is_null() || !std::isfinite(time)) {
+  if (robot.is_null() || !robot.contains("members") || !std::isfinite(time)) {
     return;
   }
   const Json& members = member(robot, "members");
-  const auto epoch = static_cast<long long>(number_of(state, "epoch"));
   std::vector<Row> rows;
   Instant now{time, {}};
   for (const Json& one : members) {
@@ -89,10 +88,9 @@ void CoordinationPanel::add(const Json& state) {
   }
   const bool same_rows = std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(),
                                     [](const Row& a, const Row& b) { return a.path == b.path; });
-  if (epoch != epoch_ || !same_rows || (!past_.empty() && time < past_.back().time_s)) {
+  if (!same_rows || (!past_.empty() && time < past_.back().time_s)) {
     past_.clear();
   }
-  epoch_ = epoch;
   rows_ = std::move(rows);
   if (!past_.empty() && past_.back().time_s == time) {
     past_.back() = std::move(now);

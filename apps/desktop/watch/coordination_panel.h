@@ -50,7 +50,6 @@ class CoordinationPanel : public QAbstractScrollArea {
   void lay_out();
 
   QString robot_;
-  long long epoch_ = -1;
   std::vector<Row> rows_;
   std::deque<Instant> past_;
 };

@@ -126,10 +126,10 @@ class FuzzyPanel::Page : public QWidget {
     QString title =
         QStringLiteral("%1 = %2").arg(QString::fromStdString(variable.name), number_text(value));
     for (const fuzzy::Term& term : variable.terms) {
-      if (cut == nullptr && std::isfinite(value)) {
-        title += QStringLiteral("   %1 %2")
-                     .arg(QString::fromStdString(term.name),
-                          number_text(std::round(100 * term.set.degree(value)) / 100));
+      const double degree = std::round(100 * term.set.degree(value)) / 100;
+      if (cut == nullptr && std::isfinite(value) && degree > 0.0) {
+        title +=
+            QStringLiteral("   %1 %2").arg(QString::fromStdString(term.name), number_text(degree));
       }
     }
     if (centre) {
@@ -137,15 +137,26 @@ class FuzzyPanel::Page : public QWidget {
     }
     axes.draw(painter, palette(), {}, title);
     int n = 0;
+    std::vector<QRectF> taken;
     for (const fuzzy::Term& term : variable.terms) {
       axes.draw_curve(painter, polygon(term.set),
                       QPen(curve_colour(n, palette()), 1.5, pen_style(n)));
       if (const auto peak = fuzzy::mean_of_maxima(term.set)) {
+        const QString name = QString::fromStdString(term.name);
+        const QSizeF size(fontMetrics().horizontalAdvance(name), fontMetrics().height());
+        QRectF place(QPointF(axes.at(*peak, 1.0).x() - size.width() / 2.0, axes.area().top()),
+                     size);
+        place.moveLeft(
+            std::clamp(place.left(), axes.area().left(),
+                       std::max(axes.area().left(), axes.area().right() - size.width())));
+        // Below those that it would cover.
+        while (std::any_of(taken.begin(), taken.end(),
+                           [&](const QRectF& other) { return other.intersects(place); })) {
+          place.translate(0.0, size.height());
+        }
+        taken.push_back(place);
         painter.setPen(curve_colour(n, palette()));
-        const double line = fontMetrics().height();
-        painter.drawText(
-            QRectF(axes.at(*peak, 1.0) - QPointF(line * 4, 0), QSizeF(line * 8, line * 1.4)),
-            Qt::AlignCenter, QString::fromStdString(term.name));
+        painter.drawText(place, Qt::AlignCenter | Qt::TextDontClip, name);
       }
       ++n;
     }

@@ -68,6 +68,7 @@ WorldTree::WorldTree(Workbench& workbench, QString team, QWidget* parent)
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   tree_->setContextMenuPolicy(Qt::CustomContextMenu);
   tree_->setUniformRowHeights(true);
+  tree_->setIndentation(fontMetrics().averageCharWidth() * 3 / 2);
   tree_->header()->setStretchLastSection(true);
   column->addWidget(tree_, 1);
   if (!team_.isEmpty()) {
