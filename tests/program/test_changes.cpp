@@ -269,8 +269,7 @@ TEST_CASE("Edits after the end of a run are warned of by check and batch, at the
   const auto room = here.elsie("check room.xml");
   CHECK(room.exit_code == 0);
   CHECK(room.err == "room.xml:3: " + sentence);
-  here.write("plain.xml",
-             "<world format=\"1\"><robots><robot id=\"r1\"/></robots></world>");
+  here.write("plain.xml", "<world format=\"1\"><robots><robot id=\"r1\"/></robots></world>");
   here.write("study.xml",
              "<experiment format=\"1\"><worlds><world file=\"plain.xml\"/></worlds>\n"
              "<set path=\"limits/@time\" value=\"2\"/>\n<at time=\"5\">\n"
