@@ -1,13 +1,17 @@
 // The clicks of docs/desktop.md: from an empty world to a robot that avoids obstacles.
 #include <QAction>
+#include <QFileInfo>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QToolBar>
+#include <map>
 
 #include <catch2/catch.hpp>
 
 #include "scene/scene_view.h"
 #include "window.h"
+#include "world/form.h"
 
 using namespace elsie::desktop;
 
@@ -79,5 +83,77 @@ TEST_CASE("From an empty world to a robot that avoids obstacles in nine clicks")
   window.bench().save_as(file, [&](const QString& sentence) { why = sentence; });
   REQUIRE(wait_for([&] { return why.isEmpty(); }));
   window.after([&] { window.bench().reset(1); });
+  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+}
+
+TEST_CASE("Case 1 of the experiments is built, trained, run and saved in the window alone") {
+  Window window;
+  Clicks click(window);
+  const auto filled = [&](const char* form, const std::map<QString, QString>& values) {
+    QDialog* dialog = window.dialog("element_dialog");
+    for (const auto& [name, value] : values) {
+      auto* edit = dialog->findChild<Form*>(form)->findChild<QLineEdit*>(name);
+      INFO(name.toStdString());
+      REQUIRE(edit);
+      edit->setFocus();
+      edit->selectAll();
+      QTest::keyClicks(edit, value);
+    }
+    return dialog;
+  };
+  const auto add = [&](const char* action, const char* form,
+                       const std::map<QString, QString>& values) {
+    window.act(action);
+    filled(form, values);
+    click.on_ok("element_dialog");
+  };
+  const auto add_sensor = [&](const char* kind, const std::map<QString, QString>& values) {
+    window.choose("robot[collector]");
+    window.act("add_sensor");
+    auto* kinds = window.dialog("element_dialog")->findChild<QListWidget*>("kinds");
+    kinds->setCurrentItem(kinds->findItems(kind, Qt::MatchExactly).front());
+    filled((std::string("form_") + kind).c_str(), values);
+    click.on_ok("element_dialog");
+  };
+
+  window.after([&] { click.on(window.get<QPushButton>("empty_world")); });
+  add("arena", "form_arena", {{"length", "10"}, {"width", "10"}});
+  for (const auto& [x, y] : {std::pair{"4", "4"}, {"-4", "4"}, {"-4", "-4"}, {"4", "-4"}}) {
+    add("add_resource", "form_resource", {{"x", x}, {"y", y}});
+  }
+  add("add_robot", "form_robot", {{"id", "collector"}});
+  add_sensor("beam_range", {{"id", "left"}, {"yaw_deg", "15"}});
+  add_sensor("beam_range", {{"id", "right"}, {"yaw_deg", "-15"}});
+  add_sensor("vision", {{"id", "eye"}});
+
+  window.choose("robot[collector]");
+  window.act("behaviors");
+  QDialog* behaviors = window.dialog("behaviors_dialog");
+  auto* pool = behaviors->findChild<QListWidget*>("pool");
+  for (const char* name : {"avoid_obstacle", "find_resource"}) {
+    pool->setCurrentItem(pool->findItems(name, Qt::MatchExactly).front());
+    click.on(behaviors->findChild<QPushButton*>("add"));
+  }
+  click.on_ok("behaviors_dialog");
+
+  window.choose("robot[collector]");
+  window.act("coordinator");
+  auto* kinds = window.dialog("element_dialog")->findChild<QListWidget*>("kinds");
+  kinds->setCurrentItem(kinds->findItems("fusion_neural_network", Qt::MatchExactly).front());
+  filled("form_fusion_neural_network",
+         {{"hidden", "2 2"},
+          {"training",
+           QFileInfo(build_file("../share/elsie/training_sets/two_sensors_two_behaviors.txt"))
+               .canonicalFilePath()},
+          {"attempts", "10"}});
+  click.on_ok("element_dialog");  // trains
+  CHECK(window.bench().text().contains(".weights"));
+  add("add_goal", "form_collect", {});
+  add("limits", "form_limits", {{"time", "60"}});
+
+  const QString file = window.folder() + "/case_1.xml";
+  QString why = "not saved";
+  window.bench().save_as(file, [&](const QString& sentence) { why = sentence; });
+  REQUIRE(wait_for([&] { return why.isEmpty(); }));
   CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
 }

@@ -21,6 +21,7 @@ SensorsPanel::SensorsPanel(QWidget* parent)
   table_->setToolTip(tr("Readings are in SI units: m, m/s, rad, rad/s"));
   table_->setHeaderLabels({tr("Sensor"), tr("Kind"), tr("Reading"), tr("Value")});
   table_->setRootIsDecorated(false);
+  table_->header()->setSectionResizeMode(3, QHeaderView::Stretch);
   table_->setAlternatingRowColors(true);
   table_->setUniformRowHeights(true);
   auto* column = new QVBoxLayout(this);
@@ -41,7 +42,7 @@ void SensorsPanel::clear() { table_->clear(); }
 
 void SensorsPanel::add(const Json& state) {
   const Json& robot = robot_of(state, robot_);
-  if (robot.is_null()) {
+  if (robot.is_null() || !robot.contains("sensors")) {
     return;
   }
   int row = 0;
