@@ -1,5 +1,5 @@
 # `cmake --install`: program, library, plugins, headers, data, the CMake package, the manual page and shell completion. None of these knows
-# its prefix. `cpack` makes a Debian package of the same files.
+# its prefix. `cpack` makes a Debian package of the same files, and one of the window.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS elsie RUNTIME)
@@ -53,11 +53,6 @@ install(FILES "${help}/_elsie" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The Elsie developers <elsie@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
-set(CPACK_PACKAGE_DESCRIPTION
-    "A physics-based, fixed-step simulator in which a robot is driven by several
- small behaviours that run side by side, and a coordinator that turns their
- wishes into one motor command. Behaviours, coordinators and sensors are shared
- libraries found at run time; this package has what is needed to write them.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -66,5 +61,22 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_BINARY_DIR}/lib")
 # Cameras draw through EGL, in software without a graphics card.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake, catch2")
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME elsie)
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_RECOMMENDS "g++, cmake, catch2")
+# A package for each component: the window needs Qt 6, all else does not.
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL Unspecified)
+if(TARGET elsie_desktop)
+  list(APPEND CPACK_COMPONENTS_ALL desktop)
+endif()
+set(CPACK_COMPONENT_UNSPECIFIED_DESCRIPTION
+    "A physics-based, fixed-step simulator in which a robot is driven by several
+small behaviours that run side by side, and a coordinator that turns their
+wishes into one motor command. Behaviours, coordinators and sensors are shared
+libraries found at run time; this package has what is needed to write them.")
+set(CPACK_COMPONENT_DESKTOP_DESCRIPTION
+    "The window of Elsie: worlds are built, watched and changed while they run, and
+networks are trained, with the simulation in a process of its own.")
+set(CPACK_DEBIAN_DESKTOP_PACKAGE_NAME elsie-desktop)
+set(CPACK_DEBIAN_DESKTOP_PACKAGE_DEPENDS "elsie (= ${PROJECT_VERSION})")
 include(CPack)

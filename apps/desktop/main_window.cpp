@@ -45,6 +45,14 @@ constexpr int kMostRecent = 10;
 constexpr int kSaid_ms = 8000;
 constexpr qint64 kStuck_ms = 3000;
 constexpr int kFewRobots = 16;  // that Plots shows all numbers of
+constexpr QSize kSmallest(1280, 800);
+constexpr int kWide = 1900;  // has room for the text beside the view
+
+/// Most of a large screen, and 1280 x 800 on others.
+QSize first_size() {
+  const QSize room = QApplication::primaryScreen()->availableSize();
+  return room.width() >= kWide ? (0.95 * room).expandedTo(kSmallest) : kSmallest;
+}
 
 /// The folder with the shipped worlds, of an installed program and of a build.
 QString shipped_worlds() {
@@ -99,12 +107,12 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
   connect_workbench();
   connect_views();
 
-  resize(1280, 800);
+  resize(first_size());
   arrange("author");
   default_state_ = saveState();
   QSettings settings;
   if (!restoreGeometry(settings.value("geometry").toByteArray())) {
-    resize(1280, 800);
+    resize(first_size());
   }
   restoreState(settings.value("layout").toByteArray());
   show_recent();
@@ -201,6 +209,12 @@ void MainWindow::arrange(const QString& layout) {
   }
   QList<QDockWidget*> columns{docks_.value("world")};
   QList<int> widths{220};
+  if (layout == "author" && width() >= kWide) {
+    put(Qt::RightDockWidgetArea, {"text"});
+    addDockWidget(Qt::RightDockWidgetArea, docks_["properties"], Qt::Horizontal);
+    columns << docks_["text"];
+    widths << width() / 4;
+  }
   QDockWidget* right = docks_.value(layout == "watch" ? "vision" : "properties");
   if (right) {
     columns << right;

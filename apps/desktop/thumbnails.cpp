@@ -65,7 +65,7 @@ void Thumbnails::draw(const QString& world, std::function<void(const QIcon&)> do
 void Thumbnails::draw_next() {
   if (!waiting_.isEmpty()) {
     const QString& world = waiting_.head().first;
-    process_.start(elsie_, {"picture", world, "--output", picture_of(world), "--width",
+    process_.start(elsie_, {"picture", world, "--bare", "--output", picture_of(world), "--width",
                             QString::number(kWidth)});
   }
 }

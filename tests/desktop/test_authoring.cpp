@@ -144,3 +144,17 @@ TEST_CASE("A robot begins where it is now") {
     return body && std::abs(body->frame.origin.x - x) < 0.002;
   }));
 }
+
+TEST_CASE("After a run has ended, its last pose can be made the start") {
+  Window window;
+  window.open(window.file(QString(kRoom).replace("time=\"60\"", "time=\"2\"").toUtf8()));
+  window.run_to_the_end();
+  window.choose("robot[r1]");
+  REQUIRE(wait_for(
+      [&] { return window->scene().stage().body_of("robot[r1]")->frame.origin.x != -1.0; }));
+  const double x = window->scene().stage().body_of("robot[r1]")->frame.origin.x;
+  window.after([&] { window.act("start_pose"); });
+  const ElementPlace robot = place_of(window.bench().tree(), "robot[r1]");
+  REQUIRE(robot.element);
+  CHECK(attribute(*robot.element, "x").toDouble() == Approx(x).margin(0.002));
+}

@@ -15,6 +15,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "scene/scene_view.h"
 #include "watch/control_surface.h"
 #include "watch/fuzzy_instant.h"
 #include "watch/fuzzy_panel.h"
@@ -100,6 +101,19 @@ TEST_CASE("Windows float, hide, and come back as they were left") {
   CHECK_FALSE(again.get<QDockWidget>("dock_sensors")->isFloating());
   CHECK_FALSE(again.get<QDockWidget>("dock_coordination")->isHidden());
   again->close();
+}
+
+TEST_CASE("On a large screen the text stands beside the view, elsewhere below it") {
+  Window window;
+  auto* text = window.get<QDockWidget>("dock_text");
+  window->resize(1280, 800);
+  window.act("layout_author");
+  CHECK(window->dockWidgetArea(text) == Qt::BottomDockWidgetArea);
+  window->resize(2400, 1300);
+  window.act("layout_author");
+  CHECK(window->dockWidgetArea(text) == Qt::RightDockWidgetArea);
+  CHECK(wait_for([&] { return text->x() >= window->scene().width() && text->width() > 400; }));
+  CHECK(text->x() < window.get<QDockWidget>("dock_properties")->x());
 }
 
 TEST_CASE("Physics parameters are changed while it runs, and the run is that of --at") {

@@ -83,6 +83,21 @@ TEST_CASE("A picture is as wide as asked for, and by default as high as its cont
   CHECK(Bitmap(folder / "c.png").height() == 600);
 }
 
+TEST_CASE("A bare picture is the arena alone, at the picture's edges") {
+  const Folder folder;
+  const world::World world = world_of_everything();
+  TopView view = busy_view(world);
+  view.bare = true;
+  save_top_view(view, folder / "bare.svg", {400, 0});
+  CHECK(bytes_of(folder / "bare.svg").find("<text") == std::string::npos);
+  save_top_view(view, folder / "bare.png", {400, 0});
+  CHECK(Bitmap(folder / "bare.png").height() ==
+        Approx(400 * world.arena.width / world.arena.length).margin(4));
+  const PlaneMap map = top_view_map(view, {400, 0});
+  CHECK(map.pixel({-world.arena.length / 2, 0}).x == Approx(0).margin(12));
+  CHECK(map.pixel({world.arena.length / 2, 0}).x == Approx(400).margin(12));
+}
+
 TEST_CASE("The same view gives the same bytes, whatever was drawn in between") {
   const Folder folder;
   const world::World world = world_of_everything();

@@ -26,6 +26,7 @@ struct PictureOptions {
   std::optional<std::string> output;
   std::vector<std::string> overrides;
   int width = 1000;
+  bool bare = false;
 };
 
 int picture(const PictureOptions& options) {
@@ -37,7 +38,7 @@ int picture(const PictureOptions& options) {
       world::read_world(options.world, host, read_options(options.overrides)), host,
       {.cameras = render::world_cameras});
   simulation.step();  // lets the sensors look once
-  draw(simulation, nullptr, {}, file, options.width);
+  draw(simulation, nullptr, {}, file, options.width, {}, options.bare);
   out() << "wrote " << file.string() << '\n';
   return kSuccess;
 }
@@ -66,6 +67,8 @@ void add_picture_command(CLI::App& program, Job& job) {
   command->add_option("--width", options->width, "Width in pixels")
       ->check(CLI::Range(200, 8000))
       ->capture_default_str();
+  command->add_flag("--bare", options->bare,
+                    "Draw the arena alone, without title, axes, legend and names");
   options->plugins.add_to(*command);
   command->callback([&job, options] { job = [options] { return picture(*options); }; });
 }

@@ -21,8 +21,9 @@ std::vector<picture::Beam> beams(const simulation::Simulation& simulation, std::
 
 void draw(const simulation::Simulation& simulation, const traces::TrackRecorder* tracks,
           const std::vector<std::string>& subtitles, const std::filesystem::path& file, int width,
-          const picture::PathChoice& paths) {
+          const picture::PathChoice& paths, bool bare) {
   picture::TopView view{simulation.world()};
+  view.bare = bare;
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
     const simulation::RobotView robot = simulation.robot(i);
     picture::RobotTrack track;

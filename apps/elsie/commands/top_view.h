@@ -12,9 +12,9 @@
 namespace elsie::program {
 
 /// Draws the world in its present state, the robots with the beams of their range sensors and, with
-/// `tracks`, their ways so far. Throws as picture::save_top_view().
+/// `tracks`, their ways so far; `bare`: see picture::TopView. Throws as picture::save_top_view().
 void draw(const simulation::Simulation& simulation, const traces::TrackRecorder* tracks,
           const std::vector<std::string>& subtitles, const std::filesystem::path& file, int width,
-          const picture::PathChoice& paths = {});
+          const picture::PathChoice& paths = {}, bool bare = false);
 
 }  // namespace elsie::program

@@ -120,7 +120,7 @@ Ink resource_ink(const world::World& world, const world::Box& resource) {
 
 Scene complete(const TopView& view) {
   Scene scene{view.world,         {},  view.boxes, view.title, view.subtitles,
-              view.path_period_s, 0.0, view.paths};
+              view.path_period_s, 0.0, view.paths, view.bare};
   for (const RobotTrack& track : view.robots) {
     const world::Robot* known = find_robot(view.world, track.id);
     world::Robot unknown;
@@ -172,7 +172,7 @@ void save_top_view(const TopView& view, const std::filesystem::path& file, const
 
   Canvas canvas(type, layout.width, layout.height, layout.zoom);
   LabelPlacer labels(layout.arena);
-  draw_frame(canvas, scene, layout);
+  if (!scene.bare) draw_frame(canvas, scene, layout);
   draw_legend(canvas, legend, layout.legend, layout.legend_corner);
   {
     canvas.rectangle(layout.plot);
@@ -186,8 +186,10 @@ void save_top_view(const TopView& view, const std::filesystem::path& file, const
     draw_beams(canvas, scene, layout, labels);
     draw_robots(canvas, scene, layout, labels);
     draw_touches(canvas, scene, layout);
-    draw_robot_labels(canvas, scene, layout, labels);
-    draw_goal_labels(canvas, scene, layout, labels);
+    if (!scene.bare) {
+      draw_robot_labels(canvas, scene, layout, labels);
+      draw_goal_labels(canvas, scene, layout, labels);
+    }
     draw_left_out(canvas, layout, labels);
   }
   write_whole(file, canvas.finish());

@@ -8,6 +8,7 @@
 namespace elsie::picture {
 namespace {
 
+constexpr double kBare = 2.0;  // around the arena alone
 constexpr double kMargin = 18.0;
 constexpr double kLeft = 62.0;   // tick labels and name of the y axis
 constexpr double kBelow = 46.0;  // the same of the x axis
@@ -138,22 +139,24 @@ Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, cons
   layout.zoom = zoom_for_width(size.width);
   layout.width = size.width;
   const double width = size.width / layout.zoom;
-  const double room = width - kLeft - kMargin;
+  const double left = scene.bare ? kBare : kLeft;
+  const double room = width - left - (scene.bare ? kBare : kMargin);
   // Measuring text needs a surface.
   const Canvas ruler(FileType::png, 1, 1, layout.zoom);
   layout.legend = lay_out_legend(ruler, entries, room);
 
   const Bounds bounds = shown(scene);
   const double wide = bounds.right - bounds.left, high = bounds.top - bounds.bottom;
-  const double header = header_height(scene);
+  const double header = scene.bare ? kBare : header_height(scene);
+  const double footer = scene.bare ? kBare : kBelow + kMargin;
   const double whole = size.height > 0 ? size.height / layout.zoom : kTallest * width;
-  const double around = header + kBelow + kMargin;
+  const double around = header + footer;
   const auto scale_with = [&](double legend) {
     return std::min(room / wide, std::max(whole - around - legend, 40.0) / high);
   };
   double scale = scale_with(layout.legend.height);
   // The legend fits next to a narrow arena.
-  const bool beside = scale * wide < 0.6 * room;
+  const bool beside = !scene.bare && scale * wide < 0.6 * room;
   if (beside) {
     scale = std::min(scale_with(0.0), 0.6 * room / wide);
     layout.legend =
@@ -167,7 +170,7 @@ Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, cons
   const double spare_x = beside ? 0.0 : (room - scale * wide) / 2;
   const double spare_y =
       size.height > 0 ? std::max(0.0, (whole - around - below - scale * high) / 2) : 0.0;
-  layout.plot = {kLeft + spare_x, header + spare_y, scale * wide, scale * high};
+  layout.plot = {left + spare_x, header + spare_y, scale * wide, scale * high};
   layout.map = {scale, -scale, layout.plot.x - scale * bounds.left,
                 layout.plot.y + scale * bounds.top};
   const world::Arena& arena = scene.world.arena;

@@ -198,6 +198,7 @@ void add_marks(const Scene& scene, std::vector<LegendEntry>& entries) {
 
 std::vector<LegendEntry> legend_of(const Scene& scene) {
   std::vector<LegendEntry> entries;
+  if (scene.bare) return entries;
   add_robots(scene, entries);
   add_boxes(scene, entries);
   add_marks(scene, entries);

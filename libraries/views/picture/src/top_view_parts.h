@@ -38,6 +38,7 @@ struct Scene {
   /// Time between marks on the paths, s; 0: none.
   double mark_every_s = 0.0;
   PathChoice paths{};
+  bool bare = false;
 };
 Scene complete(const TopView& view);
 

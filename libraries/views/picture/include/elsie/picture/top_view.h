@@ -64,6 +64,8 @@ struct TopView {
   /// Simulated time between the poses of a path, s. If positive, the paths have time marks.
   double path_period_s = 0.0;
   PathChoice paths{};
+  /// The arena alone, without title, axes, legend and names: for small pictures.
+  bool bare = false;
 };
 
 /// Draws the view into a file of the type that the suffix names, .png or .svg. The same view gives
