@@ -242,12 +242,13 @@ void MainWindow::connect_workbench() {
     editor_->set_text(workbench_.text());
     if (watched_robot_.isEmpty() ||
         !place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {
+      QString first;
       for (const Stage::Body& body : scene_->stage().bodies()) {
-        if (body.path.startsWith("robot[")) {
-          watch_robot(body.path.mid(6, body.path.size() - 7));
-          break;
+        if (first.isEmpty() && body.path.startsWith("robot[")) {
+          first = body.path.mid(6, body.path.size() - 7);
         }
       }
+      watch_robot(first);
     }
     watch();
     show_title();
@@ -268,9 +269,9 @@ void MainWindow::connect_workbench() {
     if (seen_.contains("fuzzy")) fuzzy_->add(state);
     if (seen_.contains("sensors")) sensors_->add(state);
     for (WorldTree* each : findChildren<WorldTree*>()) {
-      if (each->isVisible()) each->show_priorities(state);
+      if (each->isVisible()) each->show_weights(state);
     }
-    properties_->show_priority(state);
+    properties_->show_weight(state);
   });
   connect(&workbench_, &Workbench::snapshot, this, [this](const snapshots::Snapshot& snapshot) {
     scene_->take(snapshot);
@@ -279,8 +280,10 @@ void MainWindow::connect_workbench() {
   connect(&workbench_, &Workbench::history_changed, this, [this] {
     const QString undo = workbench_.undo_name(), redo = workbench_.redo_name();
     actions_["undo"]->setText(undo.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undo));
+    actions_["undo"]->setToolTip(actions_["undo"]->text().remove('&'));
     actions_["undo"]->setEnabled(!undo.isEmpty());
     actions_["redo"]->setText(redo.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redo));
+    actions_["redo"]->setToolTip(actions_["redo"]->text().remove('&'));
     actions_["redo"]->setEnabled(!redo.isEmpty());
     show_title();
   });

@@ -1,5 +1,7 @@
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
+#include <QCompleter>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -9,6 +11,7 @@
 #include <QMessageBox>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "authoring/authoring.h"
 #include "control_bar.h"
@@ -62,8 +65,13 @@ void MainWindow::make_actions() {
          [this] { exporter_->copy_command(); });
   action("quit", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 
-  action("undo", tr("&Undo"), QKeySequence::Undo, [this] { workbench_.undo(); });
-  action("redo", tr("&Redo"), key("Ctrl+Shift+Z"), [this] { workbench_.redo(); });
+  // Their texts name the change; on the tool bar that would push all buttons behind them about.
+  action("undo", tr("&Undo"), QKeySequence::Undo, [this] {
+    workbench_.undo();
+  })->setIconText(tr("Undo"));
+  action("redo", tr("&Redo"), key("Ctrl+Shift+Z"), [this] {
+    workbench_.redo();
+  })->setIconText(tr("Redo"));
   action("cut", tr("Cu&t"), QKeySequence::Cut, [this] { authoring_->cut_selected(); });
   action("copy", tr("&Copy"), QKeySequence::Copy, [this] { authoring_->copy_selected(); });
   action("paste", tr("&Paste"), QKeySequence::Paste, [this] { authoring_->paste(); });
@@ -195,10 +203,23 @@ void MainWindow::make_actions() {
       by_name[name] = each;
     }
     names.sort(Qt::CaseInsensitive);
-    bool is_chosen = false;
-    const QString name =
-        QInputDialog::getItem(this, tr("Commands"), tr("Command"), names, 0, true, &is_chosen);
-    if (is_chosen && by_name.contains(name)) by_name[name]->trigger();
+    QInputDialog dialog(this);
+    dialog.setObjectName("commands_dialog");
+    dialog.setWindowTitle(tr("Commands"));
+    dialog.setLabelText(tr("A part of the command's name"));
+    dialog.setComboBoxItems(names);
+    dialog.setComboBoxEditable(true);
+    auto* choice = dialog.findChild<QComboBox*>();
+    choice->completer()->setCompletionMode(QCompleter::PopupCompletion);
+    choice->completer()->setFilterMode(Qt::MatchContains);
+    choice->clearEditText();
+    if (dialog.exec() == QDialog::Accepted && !dialog.textValue().isEmpty()) {
+      const QString wished = dialog.textValue();
+      const QStringList fitting = names.filter(wished, Qt::CaseInsensitive);
+      const QString name = names.contains(wished) || fitting.size() != 1 ? wished : fitting.front();
+      by_name.contains(name) ? by_name[name]->trigger()
+                             : say(tr("There is no command '%1'.").arg(wished));
+    }
   });
   action("keys", tr("&Keys"), key("F1"), [this] {
     QString text = "<table>";
@@ -272,8 +293,19 @@ void MainWindow::make_menus() {
   bar->addWidget(control_bar_);
   QToolBar* environment = addToolBar(tr("Environment"));
   environment->setObjectName("environment");
-  for (const char* name : {"add_robot", "add_sensor", "behaviors", "coordinator", "add_static",
-                           "add_dynamic", "add_moving", "add_resource", "add_charger", "measure"}) {
+  for (const char* name : {"add_robot", "add_sensor", "behaviors", "coordinator"}) {
+    environment->addAction(actions_[name]);
+  }
+  auto* boxes = new QToolButton;
+  boxes->setObjectName("boxes");
+  boxes->setText(tr("Box"));
+  boxes->setToolTip(tr("Add a box: one that stands, one that can be pushed, or one that moves"));
+  boxes->setPopupMode(QToolButton::InstantPopup);
+  for (const char* name : {"add_static", "add_dynamic", "add_moving"}) {
+    boxes->addAction(actions_[name]);
+  }
+  environment->addWidget(boxes);
+  for (const char* name : {"add_resource", "add_charger", "measure"}) {
     environment->addAction(actions_[name]);
   }
 

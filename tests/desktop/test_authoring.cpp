@@ -158,3 +158,13 @@ TEST_CASE("After a run has ended, its last pose can be made the start") {
   REQUIRE(robot.element);
   CHECK(attribute(*robot.element, "x").toDouble() == Approx(x).margin(0.002));
 }
+
+TEST_CASE("A copy of a robot keeps its template") {
+  Window window;
+  window.open(world_file("ten_robots"));
+  choose(window, {"robot[r1]"});
+  window.after([&] { window.act("duplicate"); });
+  CHECK(window.bench().text().contains(QRegularExpression(
+      "\n    <robot id=\"r11\" [^>]*template=\"../robots/scout.xml\"[^>]*/>\n  </robots>")));
+  CHECK(window.get<WorldTree>("world_tree")->item("robot[r11]/sensor[front_left]"));
+}

@@ -298,7 +298,7 @@ TEST_CASE("The past of a run is shown, and the run goes on from now") {
   REQUIRE(wait_for([&] { return window->scene().stage().time_s() == now_s; }));
 }
 
-TEST_CASE("The priority that a coordinator gives a behaviour now is shown beside its own") {
+TEST_CASE("The weight that a coordinator gives a behaviour now is shown beside its priority") {
   Window window(world_file("learned_priorities"));
   auto* tree = window.get<WorldTree>("world_tree");
   QString behavior;
@@ -310,6 +310,6 @@ TEST_CASE("The priority that a coordinator gives a behaviour now is shown beside
   window.bench().run();
   auto* live = window.get<Properties>("properties")->form().findChild<QLabel*>("priority_live");
   REQUIRE(live);
-  CHECK(wait_for([&] { return live->text().startsWith("now "); }));
-  CHECK(wait_for([&] { return tree->item(behavior)->text(1).startsWith("priority "); }));
+  CHECK(wait_for([&] { return live->text().startsWith("weight now "); }));
+  CHECK(wait_for([&] { return tree->item(behavior)->text(1).startsWith("weight "); }));
 }

@@ -136,13 +136,17 @@ class Window {
   MainWindow window_;
 };
 
-inline std::string headless_hash(const QStringList& arguments) {
+/// What `elsie run --json` says.
+inline Json headless(const QStringList& arguments) {
   QProcess run;
   run.start(build_file("elsie"), QStringList{"run"} + arguments + QStringList{"--json"});
   REQUIRE(run.waitForFinished(kPatience_ms));
   const Json json = Json::parse(run.readAllStandardOutput().toStdString(), nullptr, false);
   REQUIRE(json.is_object());
-  return json.at("state_hash").get<std::string>();
+  return json;
+}
+inline std::string headless_hash(const QStringList& arguments) {
+  return headless(arguments).at("state_hash").get<std::string>();
 }
 
 }  // namespace elsie::desktop

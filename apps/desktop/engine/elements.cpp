@@ -138,8 +138,8 @@ QString holder_of(const QString& path) {
   return {};
 }
 
-void visit_priorities(const Json& state,
-                      const std::function<void(const QString& path, double priority)>& see) {
+void visit_weights(const Json& state,
+                   const std::function<void(const QString& path, double weight)>& see) {
   for (const Json& robot : state.value("robots", Json::array())) {
     const QString path = "robot[" + QString::fromStdString(robot.value("id", std::string())) + ']';
     for (const Json& member : robot.value("members", Json::array())) {
@@ -149,8 +149,9 @@ void visit_priorities(const Json& state,
         below += "/behavior[" + id + ']';
       }
       const auto weight = member.find("weight");
-      see(below, weight != member.end() && weight->is_number() ? weight->get<double>()
-                                                               : member.value("priority", 1.0));
+      if (member.value("asked", false) && weight != member.end() && weight->is_number()) {
+        see(below, weight->get<double>());
+      }
     }
   }
 }
@@ -160,11 +161,13 @@ QString escaped(const QString& value) {
   return text.replace('\n', "&#10;").replace('\t', "&#9;");
 }
 
-QString markup_of(const Json& element, const QStringList& but) {
+QString markup_of(const Json& merged, const QStringList& but) {
+  const Json& element = merged.contains("written") ? merged["written"] : merged;
   QString text = '<' + name_of(element);
   for (const auto& [name, value] : attributes_of(element).items()) {
     const QString attribute = QString::fromStdString(name);
-    if (!but.contains(attribute)) {
+    const bool is_given = attribute != "id" || !element.value("named", false);
+    if (is_given && !but.contains(attribute)) {
       text +=
           ' ' + attribute + "=\"" + escaped(QString::fromStdString(value.get<std::string>())) + '"';
     }

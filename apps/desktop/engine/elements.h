@@ -46,10 +46,10 @@ QString attribute_path(const QString& element, const QString& attribute);
 /// The path of the element in which another one is; "" for those directly in the world.
 QString holder_of(const QString& path);
 
-/// Calls `see` for every behaviour of a `state` event, with its path and the priority that it has
-/// now: the weight that its coordinator gave it, or its own.
-void visit_priorities(const Json& state,
-                      const std::function<void(const QString& path, double priority)>& see);
+/// Calls `see` for every behaviour that was asked at the instant of a `state` event, with its path
+/// and the weight that its coordinator gave it: a network's is the priority that it has learned.
+void visit_weights(const Json& state,
+                   const std::function<void(const QString& path, double weight)>& see);
 
 /// An element as a piece of XML, with all that is in it; `but`: without these attributes.
 QString markup_of(const Json& element, const QStringList& but = {});

@@ -48,6 +48,9 @@ BehaviorsDialog::BehaviorsDialog(Workbench& workbench, QString holder, QWidget* 
   refusal_->setStyleSheet("color: #c03030");
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
   buttons->setObjectName("buttons");
+  add_->setAutoDefault(false);
+  take_away_->setAutoDefault(false);
+  buttons->button(QDialogButtonBox::Ok)->setDefault(true);
   grid->addWidget(pool_label, 0, 0);
   grid->addWidget(carried_label, 0, 2);
   grid->addWidget(pool_, 1, 0, 4, 1);
@@ -89,6 +92,8 @@ void BehaviorsDialog::enable() {
 
 // No behaviour twice: what is carried is not in the pool.
 void BehaviorsDialog::fill_pool() {
+  // A button that is disabled for an instant loses the focus to the one after it.
+  const QSignalBlocker blocker(pool_);
   const int row = pool_->currentRow();
   QStringList taken;
   for (int i = 0; i < carried_->count(); ++i) {
@@ -101,6 +106,8 @@ void BehaviorsDialog::fill_pool() {
     }
   }
   pool_->setCurrentRow(std::clamp(row, 0, std::max(0, pool_->count() - 1)));
+  about_->setText(pool_->currentItem() ? pool_->currentItem()->toolTip() : QString());
+  enable();
 }
 
 void BehaviorsDialog::add() {

@@ -15,6 +15,7 @@
 
 #include "engine/workbench.h"
 #include "training/training_page.h"
+#include "world/fan.h"
 #include "world/form.h"
 #include "world/properties.h"
 
@@ -22,6 +23,7 @@ namespace elsie::desktop {
 namespace {
 
 constexpr int kMostRandomHeading_deg = 90;  // that the original offers for a new sensor
+constexpr int kFirstFan = 5;                // range sensors that a robot without any is offered
 
 QString attributes_text(const std::map<QString, QString>& values) {
   QString text;
@@ -92,6 +94,11 @@ ElementDialog* ElementDialog::make(Workbench& workbench, const QString& holder, 
     }
   });
   const ElementPlace present = dialog->present();
+  if (present.element) {
+    dialog->setWindowTitle(
+        tr("%1 of %2")
+            .arg(member_word(list), title_of(*place_of(workbench.tree(), holder).element)));
+  }
   if (!present.element || !dialog->choose(name_of(*present.element))) {
     dialog->choice_->setCurrentRow(0);
   }
@@ -158,6 +165,7 @@ void ElementDialog::show_kind(const Kind& kind) {
     delete tabs_->widget(0);
   }
   pages_.clear();
+  fan_ = nullptr;
   training_ = nullptr;
   refusal_->hide();
   about_->setText(kind.description);
@@ -180,7 +188,7 @@ void ElementDialog::show_kind(const Kind& kind) {
     offer_drives("differential");
   }
   if (list_ == "sensors") {
-    offer_random_heading();
+    offer_headings(kind);
   }
 }
 
@@ -194,8 +202,10 @@ void ElementDialog::add_waypoint(const Kind& kind) {
   }
 }
 
-// The original begins a new beam or proximity sensor with a heading drawn from 0 to 90 degrees.
-void ElementDialog::offer_random_heading() {
+// The original begins a new beam or proximity sensor with a heading drawn from 0 to 90 degrees. A
+// robot that measures no distances yet is offered several: with one of them, it sees no wall beside
+// its way.
+void ElementDialog::offer_headings(const Kind& kind) {
   Form* form = pages_.front().form;
   if (!form->editor("yaw_deg")) {
     return;
@@ -209,6 +219,17 @@ void ElementDialog::offer_random_heading() {
         QString::number(QRandomGenerator::global()->bounded(kMostRandomHeading_deg + 1)));
   });
   tabs_->widget(0)->layout()->addWidget(button);
+  bool has_some = !kind.produces.contains("range");
+  visit(workbench_.tree(), [&](const ElementPlace& place) {
+    const auto other =
+        place.parent && name_of(*place.parent) == "sensors" && holder_of(place.path) == holder_
+            ? workbench_.catalog().kind_of(place)
+            : std::nullopt;
+    has_some = has_some || (other && other->produces.contains("range"));
+    return !has_some;
+  });
+  fan_ = new Fan(has_some ? 1 : kFirstFan);
+  tabs_->widget(0)->layout()->addWidget(fan_);
 }
 
 void ElementDialog::offer_drives(const QString& chosen) {
@@ -290,8 +311,10 @@ void ElementDialog::add_page(const QString& title, const QString& path, const Ki
   connect(form, &Form::taken_back, this, [change](const QString& name) { change(name, {}, true); });
 }
 
-QString ElementDialog::markup() const {
+QString ElementDialog::markup(const std::map<QString, QString>& changed) const {
   const Page& main = pages_.front();
+  std::map<QString, QString> values = main.form->values();
+  for (const auto& [name, value] : changed) values[name] = value;
   QString content;
   for (std::size_t i = 1; i < pages_.size(); ++i) {
     const Page& page = pages_[i];
@@ -304,7 +327,7 @@ QString ElementDialog::markup() const {
       content += '<' + page.path + attributes + "/>";
     }
   }
-  return '<' + main.kind.name + attributes_text(main.form->values()) +
+  return '<' + main.kind.name + attributes_text(values) +
          (content.isEmpty() ? "/>" : '>' + content + "</" + main.kind.name + '>');
 }
 
@@ -316,8 +339,23 @@ void ElementDialog::show_refusal(const QString& sentence) {
 QStringList ElementDialog::edits() const {
   QStringList edits;
   if (makes_) {
-    edits << (holder_.isEmpty() ? QString() : holder_ + '/') + member_word(list_) +
-                 (present().element ? "=" : "[+]=") + markup();
+    const QString place = (holder_.isEmpty() ? QString() : holder_ + '/') + member_word(list_) +
+                          (present().element ? "=" : "[+]=");
+    const auto& values = pages_.front().form->values();
+    const auto given = [&](const char* name) {
+      const auto found = values.find(name);
+      return found == values.end() ? QString() : found->second;
+    };
+    const std::vector<double> headings =
+        fan_ ? fan_->headings_deg(given("yaw_deg").toDouble()) : std::vector<double>();
+    if (headings.size() < 2) {
+      edits << place + markup();
+    }
+    for (std::size_t i = 0; headings.size() > 1 && i < headings.size(); ++i) {
+      std::map<QString, QString> own{{"yaw_deg", QString::number(headings[i], 'g', 9)}};
+      if (!given("id").isEmpty()) own["id"] = given("id") + QString::number(i + 1);
+      edits << place + markup(own);
+    }
   }
   for (const auto& [path, values] : changes_) {
     for (const auto& [attribute, value] : values) {

@@ -14,6 +14,7 @@ class QTabWidget;
 
 namespace elsie::desktop {
 
+class Fan;
 class Form;
 class TrainingPage;
 class Workbench;
@@ -57,14 +58,15 @@ class ElementDialog : public QDialog {
   void show_kind(const Kind& kind);
   void add_page(const QString& title, const QString& path, const Kind& kind, const Json& values);
   void show_refusal(const QString& sentence);
-  QString markup() const;
+  /// `changed`: attributes that are not those of the form.
+  QString markup(const std::map<QString, QString>& changed = {}) const;
   QStringList edits() const;
   bool has_all();
   void offer_training(const Kind& kind, Form* form, const QString& coordinator);
   bool trains_first();
   void set_busy(bool is_busy);
   void add_waypoint(const Kind& kind);
-  void offer_random_heading();
+  void offer_headings(const Kind& kind);
   void offer_drives(const QString& chosen);
 
   Workbench& workbench_;
@@ -78,6 +80,7 @@ class ElementDialog : public QDialog {
   QListWidget* choice_;
   QLabel* about_;
   QTabWidget* tabs_;
+  Fan* fan_ = nullptr;                // of a new sensor with a heading
   TrainingPage* training_ = nullptr;  // of a coordinator that learns
   QCheckBox* at_once_;
   QLabel* refusal_;

@@ -169,9 +169,12 @@ Form::Row Form::make_row(const Field& field) {
     line->addWidget(new QLabel(field.unit));
   }
   if (field.type == "file") {
-    auto* browse = new QPushButton(tr("Browse..."));
+    auto* browse = new QToolButton;
+    browse->setText(tr("..."));
+    browse->setToolTip(tr("Browse for the file"));
+    browse->setAccessibleName(browse->toolTip());
     browse->setObjectName(name + "_browse");
-    connect(browse, &QPushButton::clicked, this, [this, name] {
+    connect(browse, &QToolButton::clicked, this, [this, name] {
       const QString file =
           QFileDialog::getOpenFileName(this, tr("File for '%1'").arg(name), folder_);
       if (!file.isEmpty()) {

@@ -14,8 +14,14 @@ std::optional<Described> described_at(const Workbench& workbench, const QString&
   const ElementPlace place = place_of(workbench.tree(), path);
   if (place.element) {
     if (auto kind = workbench.catalog().kind_of(place)) {
-      return Described{title_of(*place.element), std::move(*kind),
-                       place.element->value("attributes", Json::object())};
+      Json values = attributes_of(*place.element);
+      if (place.element->value("named", false)) {  // by the reader, not by the text
+        for (Field& field : kind->fields) {
+          if (field.name == "id") field.default_text = attribute(*place.element, "id");
+        }
+        values.erase("id");
+      }
+      return Described{title_of(*place.element), std::move(*kind), std::move(values)};
     }
     return std::nullopt;
   }
@@ -94,11 +100,11 @@ void Properties::show_element(const QString& path) {
   }
 }
 
-void Properties::show_priority(const Json& state) {
+void Properties::show_weight(const Json& state) {
   if (path_.contains("/behavior[")) {
-    visit_priorities(state, [this](const QString& path, double priority) {
+    visit_weights(state, [this](const QString& path, double weight) {
       if (path == path_) {
-        form_->show_live("priority", tr("now %1").arg(priority, 0, 'g', 3));
+        form_->show_live("priority", tr("weight now %1").arg(weight, 0, 'g', 3));
       }
     });
   }

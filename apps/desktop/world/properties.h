@@ -23,7 +23,7 @@ class Properties : public QWidget {
   void show_element(const QString& path);
   /// The priority that the chosen behaviour has now, from a `state` event, beside the one that it
   /// was given.
-  void show_priority(const Json& state);
+  void show_weight(const Json& state);
   const QString& path() const { return path_; }
   Form& form() { return *form_; }
 

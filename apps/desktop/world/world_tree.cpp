@@ -179,7 +179,7 @@ void WorldTree::show_world() {
   tree_->setUpdatesEnabled(false);
   tree_->clear();
   items_.clear();
-  with_priority_.clear();
+  with_weight_.clear();
   const std::function<void(const ElementPlace&, QTreeWidgetItem*)> add =
       [&](const ElementPlace& place, QTreeWidgetItem* parent) {
         auto* item = parent ? new QTreeWidgetItem(parent) : new QTreeWidgetItem(tree_);
@@ -257,18 +257,18 @@ void WorldTree::filter(const QString& text) {
   }
 }
 
-void WorldTree::show_priorities(const Json& state) {
-  QSet<QString> without = with_priority_;
-  visit_priorities(state, [&](const QString& path, double priority) {
+void WorldTree::show_weights(const Json& state) {
+  QSet<QString> without = with_weight_;
+  visit_weights(state, [&](const QString& path, double weight) {
     if (QTreeWidgetItem* found = item(path)) {
-      found->setText(1, tr("priority %1").arg(priority, 0, 'g', 3));
-      with_priority_.insert(path);
+      found->setText(1, tr("weight %1").arg(weight, 0, 'g', 3));
+      with_weight_.insert(path);
       without.remove(path);
     }
   });
   for (const QString& path : std::as_const(without)) {
     items_[path]->setText(1, items_[path]->toolTip(1));
-    with_priority_.remove(path);
+    with_weight_.remove(path);
   }
 }
 

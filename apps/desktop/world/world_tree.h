@@ -34,7 +34,7 @@ class WorldTree : public QWidget {
 
   /// Numbers beside the behaviours of the robots in it: the priority that a network gives them now.
   /// Other robots have their own details again.
-  void show_priorities(const Json& state);
+  void show_weights(const Json& state);
 
  Q_SIGNALS:
   void selected(const QStringList& paths);
@@ -53,7 +53,7 @@ class WorldTree : public QWidget {
   QLineEdit* filter_;
   QTreeWidget* tree_;
   QHash<QString, QTreeWidgetItem*> items_;  // of elements, by path
-  QSet<QString> with_priority_;             // paths
+  QSet<QString> with_weight_;               // paths
   bool is_showing_ = false;
 };
 

@@ -63,6 +63,20 @@ void put_in_order(Element& element, const ElementSpec& spec = vocabulary()) {
   }
 }
 
+// The element with that number. Elements are numbered as they stand in the text: an element, then
+// all in it. Null if there is none.
+const Element* element_of(const Element& tree, std::size_t object) {
+  const Element* found = tree.object <= object ? &tree : nullptr;
+  while (found && found->object != object) {
+    const Element* next = nullptr;
+    for (const Element& child : found->children) {
+      if (child.object <= object && (!next || child.object > next->object)) next = &child;
+    }
+    found = next;
+  }
+  return found;
+}
+
 // Compares an edited tree with what was read from its text.
 class Comparison {
  public:
@@ -258,7 +272,9 @@ class Document::Impl {
   const std::string& text() const { return now_.text; }
   const World& world() const { return world_; }
   const Element& tree() const { return now_.merged; }
-  bool holds(const Element& element) const { return now_.has(element); }
+  const Element* written(const Element& element) const {
+    return now_.has(element) ? element_of(now_.raw, *element.object) : nullptr;
+  }
 
  private:
   WorldText read(std::string text) const {
@@ -380,7 +396,7 @@ const std::string& Document::file() const { return impl_->file(); }
 const std::string& Document::text() const { return impl_->text(); }
 const World& Document::world() const { return impl_->world(); }
 const Element& Document::tree() const { return impl_->tree(); }
-bool Document::holds(const Element& element) const { return impl_->holds(element); }
+const Element* Document::written(const Element& element) const { return impl_->written(element); }
 Edits Document::apply(const Edits& edits) { return impl_->apply(edits); }
 Edits Document::become(std::string text) { return impl_->become(std::move(text)); }
 std::string Document::text_for(const std::string& folder) const { return impl_->text_for(folder); }

@@ -9,18 +9,30 @@
 namespace elsie::server {
 namespace {
 
-Json element_json(const world::Element& element, const world::Document& document) {
+// With a document: what of it stands in templates.
+Json element_json(const world::Element& element, const world::Document* document) {
   Json attributes = Json::object(), children = Json::array();
+  bool is_named_here = false;
   for (const world::Attribute& each : element.attributes) {
     attributes[each.name] = each.value;
+    is_named_here |= each.completed;
   }
   for (const world::Element& child : element.children) {
     children.push_back(element_json(child, document));
   }
   Json all = {{"name", element.name}, {"line", element.where.line}};
+  if (document) {
+    const world::Element* written = document->written(element);
+    if (!written) {
+      all["inherited"] = true;
+    } else if (written->find("template")) {
+      attributes["template"] = written->value("template");
+      all["written"] = element_json(*written, nullptr);
+    }
+  }
   all["attributes"] = std::move(attributes);
+  if (is_named_here) all["named"] = true;
   if (!element.text.empty()) all["text"] = element.text;
-  if (!document.holds(element)) all["inherited"] = true;
   if (!children.empty()) all["children"] = std::move(children);
   return all;
 }
@@ -35,7 +47,7 @@ Json problems_json(std::span<const base::Problem> problems) {
   return all;
 }
 
-Json tree_json(const world::Document& document) { return element_json(document.tree(), document); }
+Json tree_json(const world::Document& document) { return element_json(document.tree(), &document); }
 
 Json catalog_json(const plugin::Host& host) {
   return {{"elements", reference::world_json()},

@@ -15,7 +15,8 @@ namespace elsie::server {
 
 Json problems_json(std::span<const base::Problem> problems);
 
-/// The elements of the document's world; `inherited`: one stands in the template of a robot.
+/// The elements of the document's world; `inherited`: one stands in the template of a robot;
+/// `written`: a robot without what its template adds.
 Json tree_json(const world::Document& document);
 
 /// The vocabulary of worlds, the plugins and the events.

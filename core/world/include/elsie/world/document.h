@@ -57,8 +57,9 @@ class Document {
   const World& world() const;
   /// The elements of the world, those of templates among them; valid until the next edit.
   const Element& tree() const;
-  /// Whether an element of the tree stands in the text, not in a template.
-  bool holds(const Element& element) const;
+  /// An element of the tree as the text has it: a robot with `template`, and without what the
+  /// template adds. Null if it stands in a template only.
+  const Element* written(const Element& element) const;
 
   /// Makes the edits, checks the result as a file is checked, and returns the edits that undo them.
   /// Applied next, these restore the text byte for byte; applied to any other text, they do what

@@ -1,0 +1,60 @@
+#include "world/fan.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSpinBox>
+#include <cmath>
+
+namespace elsie::desktop {
+namespace {
+
+constexpr int kMost = 72;
+constexpr double kSpread_deg = 120.0;
+constexpr double kCircle_deg = 360.0;
+
+}  // namespace
+
+Fan::Fan(int count, QWidget* parent) : QWidget(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  count_ = new QSpinBox;
+  count_->setObjectName("count");
+  count_->setRange(1, kMost);
+  count_->setToolTip(tr("Sensors of this kind that are added at once"));
+  auto* count_label = new QLabel(tr("Ho&w many"));
+  count_label->setBuddy(count_);
+  spread_deg_ = new QDoubleSpinBox;
+  spread_deg_->setObjectName("spread_deg");
+  spread_deg_->setLocale(QLocale::c());
+  spread_deg_->setRange(0.0, kCircle_deg);
+  spread_deg_->setDecimals(1);
+  spread_deg_->setValue(kSpread_deg);
+  spread_deg_->setSuffix(tr(" deg"));
+  spread_deg_->setToolTip(tr("The angle between the first and the last; 360: a ring"));
+  auto* spread_label = new QLabel(tr("&over"));
+  spread_label->setBuddy(spread_deg_);
+  for (QWidget* each :
+       std::initializer_list<QWidget*>{count_label, count_, spread_label, spread_deg_}) {
+    row->addWidget(each);
+  }
+  row->addStretch(1);
+  connect(count_, &QSpinBox::valueChanged, spread_deg_,
+          [this](int value) { spread_deg_->setEnabled(value > 1); });
+  count_->setValue(count);
+  spread_deg_->setEnabled(count > 1);
+}
+
+std::vector<double> Fan::headings_deg(double middle_deg) const {
+  const int count = count_->value();
+  const double spread = count > 1 ? spread_deg_->value() : 0.0;
+  const double step = spread / (spread < kCircle_deg ? std::max(1, count - 1) : count);
+  std::vector<double> headings;
+  for (int i = 0; i < count; ++i) {
+    const double heading = middle_deg + step * (i - 0.5 * (count - 1));
+    headings.push_back(std::round(1e6 * heading) / 1e6);
+  }
+  return headings;
+}
+
+}  // namespace elsie::desktop
