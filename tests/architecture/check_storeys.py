@@ -16,7 +16,7 @@ RUNTIME = {"libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64", "ld-linux
 # What each storey may name in its link line, besides the runtime.
 STOREYS = {
     "libelsie-base": set(),
-    "libelsie": {"libelsie-base", "libode", "libtinyxml2"},
+    "libelsie": {"libelsie-base", "libtinyxml2"},
     "libelsie-inference": {"libelsie-base"},
     "libelsie-workshop": {"libelsie-base", "libelsie", "libelsie-inference"},
     "libelsie-views": {"libelsie-base", "libelsie", "libcairo", "libepoxy", "libzstd", "libz"},
@@ -28,10 +28,11 @@ STOREYS = {
 }
 PLUGINS = {"libelsie-base", "libelsie", "libelsie-inference"}
 EXCEPTIONS = {}  # by plugin: the libraries of others that it may need
+ENGINES = {"ode": {"libelsie-base", "libelsie", "libode"}}
 
 # What must not come with a storey by any detour.
 FORBIDDEN = {
-    "libelsie": {"libcairo", "libepoxy", "libGL", "libEGL", "libsqlite3", "libcrypto", "libzstd"},
+    "libelsie": {"libode", "libcairo", "libepoxy", "libGL", "libEGL", "libsqlite3", "libcrypto", "libzstd"},
     "libelsie-workshop": {"libcairo", "libepoxy", "libGL", "libEGL", "libsqlite3", "libcrypto", "libzstd"},
     "libelsie-inference": {"libelsie", "libode", "libtinyxml2", "libcairo", "libepoxy", "libsqlite3", "libcrypto", "libzstd"},
 }
@@ -72,6 +73,9 @@ def problems():
         allowed = PLUGINS | EXCEPTIONS.get(file.stem, set())
         for extra in sorted(needed(file) - allowed):
             yield f"the plugin {file.stem} needs {extra}; plugins may need {', '.join(sorted(allowed))}"
+    for name, allowed in ENGINES.items():
+        for extra in sorted(needed(LIBRARIES / "elsie" / "engines" / f"{name}.so") - allowed):
+            yield f"the engine {name} needs {extra}; it may need {', '.join(sorted(allowed))}"
     for place, module in enumerate(CORE):
         for file in sorted((SOURCES / "core" / module).rglob("*.*")):
             if file.suffix in (".h", ".cpp"):

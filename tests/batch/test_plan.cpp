@@ -69,10 +69,15 @@ TEST_CASE("A cell's world is one text with all that is set in it, and names ever
   CHECK(plan.files[0].kind == batch::FileKind::library);
   CHECK_THAT(plan.files[0].path, Contains("libelsie.so"));
   // And all others that decide a run, each once.
-  REQUIRE(plan.program_files == 6);
+  REQUIRE(plan.program_files == 7);
   for (std::size_t i = 1; i < plan.program_files; ++i) {
-    const char* const names[] = {
-        "", "libelsie-base", "libelsie-inference", "libelsie-views", "libelsie-vision", "libode"};
+    const char* const names[] = {"",
+                                 "engines/ode.so",
+                                 "libelsie-base",
+                                 "libelsie-inference",
+                                 "libelsie-views",
+                                 "libelsie-vision",
+                                 "libode"};
     CHECK_THAT(plan.files[i].path, Contains(names[i]));
   }
 }

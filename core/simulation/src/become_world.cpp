@@ -402,7 +402,7 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
   const auto moving = moving_;
   undo.add([this, moving] { moving_ = moving; });
   undo.add([this, touches = std::make_shared<Touches>(touches_)] { touches_.take(*touches); });
-  engine_ = physics::make_ode_engine(world_.arena, world_.physics);
+  engine_ = physics::make_engine(world_.arena, world_.physics);
   engine_->go_on_from(**before);
   moving_.clear();
   using enum physics::BodyKind;

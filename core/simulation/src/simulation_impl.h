@@ -70,7 +70,7 @@ class Simulation::Impl {
     step_began_s_ = 0.0;
     base_time_s_ = 0.0;
     // A new engine: ODE keeps nothing from the last run then.
-    engine_ = physics::make_ode_engine(world_.arena, world_.physics);
+    engine_ = physics::make_engine(world_.arena, world_.physics);
     goal_starts_.assign(world_.goals.size(), {});
     pending_.clear();
     moving_.clear();

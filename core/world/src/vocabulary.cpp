@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "elsie/plugin/engine_libraries.h"
 #include "elsie/world/facts.h"
 
 #include "robot_vocabulary.h"
@@ -24,6 +25,8 @@ ElementSpec arena() {
 ElementSpec physics() {
   return Describe<Physics>("physics", "Parameters of the physics engine")
       .costs(Cost::engine)
+      .attribute("engine", &Physics::engine,
+                 {.choices = plugin::engine_names(), .meaning = "what moves the bodies"})
       .attribute("step", &Physics::step,
                  {.unit = "s", .min = 1e-6, .max = 0.1, .meaning = "length of a step"})
       .attribute("control_steps", &Physics::control_steps,

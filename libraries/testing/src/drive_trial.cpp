@@ -35,7 +35,7 @@ class DriveTrial final : public Trial {
     drive_->notes();
     drive_->curves();
     joints_.assign(check_.joints(), {});
-    const auto engine = physics::make_ode_engine({}, {});
+    const auto engine = physics::make_engine({}, {});
     try {
       engine->add_robot(plan_, {});
     } catch (const std::invalid_argument& refused) {

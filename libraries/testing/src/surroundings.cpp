@@ -19,7 +19,7 @@ struct Surroundings::Engine {
 Surroundings::Surroundings() : engine_(std::make_unique<Engine>()) {
   world_.arena.walls = false;
   world_.teams = {{"red", world::kRedTeam, {}}};
-  engine_->bodies = physics::make_ode_engine(world_.arena, world_.physics);
+  engine_->bodies = physics::make_engine(world_.arena, world_.physics);
 }
 Surroundings::~Surroundings() = default;
 Surroundings::Surroundings(Surroundings&&) noexcept = default;

@@ -18,7 +18,7 @@ class DrivenRobot {
  public:
   explicit DrivenRobot(const std::string& name, const testing::Settings& settings = {},
                        const Chassis& chassis = {})
-      : engine(physics::make_ode_engine(open_floor(), {})) {
+      : engine(physics::make_engine(open_floor(), {})) {
     const testing::Plugins& plugins = testing::Plugins::found();
     const Declaration& declaration = plugins.declaration(PluginKind::drive, name);
     drive = plugins.host().create<Drive>(PluginKind::drive, name);

@@ -6,6 +6,7 @@
 #include <link.h>
 
 #include "elsie/batch/plan.h"
+#include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/own_library.h"
 
 namespace elsie::batch {
@@ -22,6 +23,10 @@ std::vector<fs::path> deciding_libraries() {
     if (const fs::path file = own.parent_path() / name; fs::exists(file)) {
       files[name.substr(0, name.find('.'))] = file;
     }
+  }
+  for (const std::string& engine : plugin::engine_names()) {
+    plugin::engine_symbol(engine, "elsie_make_engine");  // loads what it needs, too
+    files["engine " + engine] = plugin::engine_file(engine);
   }
   dl_iterate_phdr(
       [](dl_phdr_info* library, std::size_t, void* found) {

@@ -1,6 +1,6 @@
-// The physics engine as the simulation sees it. The ODE engine is one implementation; a planar one
-// for very many robots can stand beside it. Lengths in m, times in s, rates in rad/s, in the
-// world's frame.
+// The physics engine as the simulation sees it. Engines are libraries of their own, which are found
+// by name at run time (plugins/engines). Lengths in m, times in s, rates in rad/s, in the world's
+// frame.
 //
 // An engine is built up once (robots and boxes are added), then stepped. What changes later is
 // built into a new engine, which takes the state of all that stays from the one before. Two engines
@@ -158,10 +158,13 @@ class Engine {
   virtual std::uint64_t hash_state(std::uint64_t hash = base::Fnv1a::kStart) const = 0;
 };
 
-/// The ODE engine: hinged wheels, casters on ball joints, segments on universal joints, contacts
-/// with slip. Throws
+/// Makes the engine that `physics.engine` names. Throws plugin::PluginError if there is none, and
 /// std::invalid_argument for an arena or parameters that it cannot work with (a step that is not
 /// positive, an erp outside of (0, 1]...).
-std::unique_ptr<Engine> make_ode_engine(const world::Arena& arena, const world::Physics& physics);
+std::unique_ptr<Engine> make_engine(const world::Arena& arena, const world::Physics& physics);
+
+/// What the library of an engine exports by the name `elsie_make_engine`. The caller owns the
+/// engine. Throws std::invalid_argument as make_engine() does.
+using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics& physics);
 
 }  // namespace elsie::physics

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/api/abi.h"
 #include "elsie/base/fnv1a.h"
 #include "elsie/physics/engine.h"
 #include "elsie/physics/failure.h"
@@ -553,8 +554,11 @@ std::uint64_t OdeEngine::hash_state(std::uint64_t hash) const {
 
 }  // namespace
 
-std::unique_ptr<Engine> make_ode_engine(const world::Arena& arena, const world::Physics& physics) {
-  return std::make_unique<OdeEngine>(arena, physics);
+}  // namespace elsie::physics
+
+extern "C" __attribute__((visibility("default"))) elsie::physics::Engine* elsie_make_engine(
+    const elsie::world::Arena& arena, const elsie::world::Physics& physics) {
+  return new elsie::physics::OdeEngine(arena, physics);
 }
 
-}  // namespace elsie::physics
+ELSIE_EMIT_ABI_NOTE_(ELSIE_ABI_WORD);

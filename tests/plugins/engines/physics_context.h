@@ -13,7 +13,7 @@ namespace elsie::physics {
 
 struct PhysicsContext {
   explicit PhysicsContext(const world::Physics& with = {}, const world::Arena& in = {})
-      : physics(with), arena(in), engine(make_ode_engine(in, with)) {}
+      : physics(with), arena(in), engine(make_engine(in, with)) {}
 
   std::size_t robot(double x, double y, double heading_deg = 0.0, const world::RobotBody& body = {},
                     double z = 0.0) {

@@ -65,7 +65,7 @@ std::uint64_t hash_with_takeover(int takeover, const world::Physics& after = {})
   context.engine->remove_box(1);
   for (int i = 0; i < 300; ++i) {
     if (i == takeover) {
-      auto next = make_ode_engine(arena, after);
+      auto next = make_engine(arena, after);
       next->go_on_from(*context.engine);
       next->add_box_of(*context.engine, 0, pushed);
       next->add_box_of(*context.engine, 1, taken);

@@ -167,7 +167,7 @@ TEST_CASE("Impossible worlds are refused with a sentence") {
   SECTION("gravity that is no number") { physics.gravity = nan; }
   SECTION("negative friction") { physics.friction = -1.0; }
   SECTION("bounce above 1") { physics.bounce = 1.5; }
-  CHECK_THROWS_AS(make_ode_engine({}, physics), std::invalid_argument);
+  CHECK_THROWS_AS(make_engine({}, physics), std::invalid_argument);
 }
 
 TEST_CASE("Impossible bodies are refused with a sentence") {

@@ -1,0 +1,64 @@
+#include "elsie/plugin/engine_libraries.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include <dlfcn.h>
+
+#include "elsie/plugin/abi_word.h"
+#include "elsie/plugin/error.h"
+#include "elsie/plugin/inspection.h"
+#include "elsie/plugin/own_library.h"
+
+namespace elsie::plugin {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder() {
+  return fs::weakly_canonical(file_of_this_library()).parent_path() / "elsie/engines";
+}
+
+/// A sentence if the file is no library that this program can load.
+std::string fault_of(const fs::path& file) {
+  const Inspection found = inspect_file(file);
+  return found.kind == FileKind::plugin_library
+             ? abi_mismatch(host_abi_word(), found.abi_word).value_or("")
+             : found.sentence;
+}
+
+}  // namespace
+
+std::vector<std::string> engine_names() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator at(folder(), error), end; !error && at != end; at.increment(error)) {
+    if (at->path().extension() == ".so") {
+      names.push_back(at->path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path engine_file(const std::string& name) { return folder() / (name + ".so"); }
+
+void* engine_symbol(const std::string& name, const char* symbol) {
+  const fs::path file = engine_file(name);
+  const auto refuse = [&](const std::string& why) {
+    throw PluginError("the library of the physics engine '" + name + "', " + file.string() + ", " +
+                      why + "; install Elsie anew, or build it again");
+  };
+  // One that is loaded was inspected.
+  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD);
+  if (!library) {
+    if (const std::string fault = fault_of(file); !fault.empty()) refuse(fault);
+    library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  }
+  if (!library) refuse(std::string("cannot be loaded: ") + dlerror());
+  void* const found = dlsym(library, symbol);
+  if (!found) refuse(std::string("does not export '") + symbol + "'");
+  return found;
+}
+
+}  // namespace elsie::plugin
