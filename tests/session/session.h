@@ -81,7 +81,7 @@ class Session {
                        [&](const Json& message) { return message.value("event", "") == kind; });
   }
   Json end_of_run() { return event("ended"); }
-  /// The last event of this kind; what has come of it before is forgotten.
+  /// The last event of this kind; earlier ones are forgotten.
   Json latest(const std::string& kind) {
     Json last = event(kind);
     for (auto it = kept_.begin(); it != kept_.end();) {

@@ -13,7 +13,7 @@ class BodyStates {
  public:
   void clear() { states_.clear(); }
   void add(dBodyID body);
-  /// Puts every body back to where it was when it was added, at the velocities of then.
+  /// Puts every body back to where it was when it was added, with the velocities that it had.
   void restore() const;
 
  private:

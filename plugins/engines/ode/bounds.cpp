@@ -16,7 +16,7 @@ constexpr double kCorrections = 2.0;  // m/s: of several that are put apart, one
 
 void Bounds::add(const Bounds& other) {
   add_height(other.top_);
-  // A fall under the gravity of then may go on for a while.
+  // A fall that began under the earlier gravity may go on for a while.
   const double fall = std::sqrt(2.0 * std::abs(other.physics_.gravity) * other.top_);
   add_robot_speed(other.robot_ + (other.physics_.gravity == physics_.gravity ? 0.0 : fall));
   add_moving_speed(other.moving_);
