@@ -124,3 +124,28 @@ TEST_CASE("Learning rate and momentum are in (0, 1)") {
   }
   CHECK_NOTHROW(BackPropagation(network, {0.999, 0.001}));
 }
+
+TEST_CASE("In the original's method momentum is that of the sample before, and no more") {
+  constexpr double kRate = 0.25, kMomentum = 0.4;
+  Random random(5);
+  for (const std::vector<int>& sizes : test::various_sizes()) {
+    Network network = random_network(sizes, 3);
+    BackPropagation learner(network, {kRate, kMomentum, Method::original});
+    Network slopes = network;  // in place of weights: delta x input of the sample before
+    each_weight(slopes, [&](auto l, auto n, auto i) { set(slopes, l, n, i, 0.0); });
+    for (int sample = 0; sample < 3; ++sample) {
+      const std::vector<double> inputs = test::random_numbers(network.inputs(), -1.5, 1.5, random);
+      const std::vector<double> targets = test::random_numbers(network.outputs(), 0.0, 1.0, random);
+      const Network before = network;
+      Network alone = network;  // learns this sample without any momentum
+      BackPropagation(alone, {kRate, kMomentum}).present(inputs, targets);
+      learner.present(inputs, targets);
+      each_weight(network, [&](auto l, auto n, auto i) {
+        const double learned = get(alone, l, n, i) - get(before, l, n, i);
+        const double change = get(network, l, n, i) - get(before, l, n, i);
+        CHECK(change == Approx(learned + kMomentum * get(slopes, l, n, i)).margin(1e-12));
+        set(slopes, l, n, i, learned / kRate);
+      });
+    }
+  }
+}

@@ -168,3 +168,23 @@ TEST_CASE("Hidden layers are written as numbers with spaces between") {
                       Catch::StartsWith("hidden is '") && Catch::Contains("such as '4 4'"));
   }
 }
+
+TEST_CASE("First weights of the original's method are -1 and 0, equally often, and rarely 1") {
+  Network network({200, 200, 200});
+  Random random(1);
+  network.randomize(random, Method::original);
+  int minus = 0, zero = 0, one = 0;
+  for (std::size_t l = 0; l < network.layers(); ++l) {
+    for (std::size_t n = 0; n < network.neurons(l); ++n) {
+      for (std::size_t i = 0; i < network.inputs(l); ++i) {
+        const double weight = network.weight(l, n, i);
+        minus += weight == -1.0;
+        zero += weight == 0.0;
+        one += weight == 1.0;
+      }
+    }
+  }
+  CHECK(minus + zero + one == 80'000);
+  CHECK(minus == Approx(40'000).margin(600));
+  CHECK(one < 12);  // 80,000 / 32,768 are to be expected
+}

@@ -232,3 +232,42 @@ TEST_CASE("Training refuses what makes no sense") {
   const TrainingSet huge = parse_training_set("1e308 1e308 1 0\n-1e308 1e308 0 1\n", {2, 2});
   CHECK_THROWS_WITH(train(network, huge, {}), Catch::Contains("too large"));
 }
+
+TEST_CASE("In the original's method one sample that is right ends the training") {
+  const TrainingSet samples = parse_training_set("0 0\n1 1\n", {1, 1});
+  TrainingOptions options;
+  options.threshold = 0.01;
+  const auto trained = [&](Method method, Network& network) {
+    options.rule.method = method;
+    return train(network, samples, options);
+  };
+  Network standard({1, 1}), original({1, 1});
+  CHECK(trained(Method::standard, standard).ending == Ending::threshold);
+  CHECK(assess(standard, samples).error < 0.01);
+  const Training training = trained(Method::original, original);
+  CHECK(training.ending == Ending::threshold);
+  CHECK(assess(original, samples).error > 0.01);  // the other sample is not right yet
+}
+
+TEST_CASE("The original's method learns '4 4 4 4' from every seed, '2 2 2 2' from some") {
+  const auto learned = [](const char* hidden) {
+    int count = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+      std::vector<int> sizes = parse_hidden_layers(hidden);
+      sizes.insert(sizes.begin(), 2);
+      sizes.push_back(2);
+      Network network(sizes);
+      Random random(seed);
+      network.randomize(random, Method::original);
+      TrainingOptions options;
+      options.rule.method = Method::original;
+      train(network, test::reference_set(), options);
+      count += !assess(network, test::reference_set()).untrained;
+    }
+    return count;
+  };
+  CHECK(learned("4 4 4 4") == 12);
+  const int some = learned("2 2 2 2");
+  CAPTURE(some);
+  CHECK((some >= 1 && some <= 9));
+}

@@ -1,3 +1,4 @@
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -190,4 +191,32 @@ TEST_CASE("A robot without a camera is refused find_resource") {
   const Declaration* declaration = test::shipped().find(PluginKind::behavior, "find_resource");
   REQUIRE(declaration->needs.size() == 1);
   CHECK(declaration->needs[0].kind == "vision");
+}
+
+TEST_CASE("A search goes on to where the resource was seen last, or to that side") {
+  for (const char* search : {"column", "last_column", "last_side"}) {
+    CAPTURE(search);
+    const auto finds = finder({{"search", std::string(search)}});
+    Random random(1);
+    finds->reset(random);
+    const auto command = [&](std::optional<double> column) {
+      Situation situation;
+      if (column) {
+        situation.blob(*column, 30.0);
+      } else {
+        situation.camera();
+      }
+      return finds->respond(situation.perception()).command;
+    };
+    check(command({}), -50.0 / 30, 50.0 / 30);  // nothing was seen yet: to the left
+    command(80);
+    const std::string how = search;
+    const double rate = how == "column" ? -50.0 / 30 : how == "last_side" ? 50.0 / 30 : 30.0 / 30;
+    check(command({}), rate, -rate);
+    command(52);  // nearly ahead
+    how == "last_column" ? check(command({}), 20, 20) : check(command({}), rate, -rate);
+    command(10);
+    const double left = how == "last_column" ? -40.0 / 30 : -50.0 / 30;
+    check(command({}), left, -left);
+  }
 }

@@ -39,6 +39,7 @@ struct TrainOptions {
   std::optional<std::string> hidden;
   std::optional<double> learning_rate;
   std::optional<double> momentum;
+  std::optional<std::string> rule;
   std::optional<double> threshold;
   std::optional<std::int64_t> presentations;
   std::optional<std::int64_t> attempts;
@@ -71,6 +72,7 @@ std::vector<LearnerOption> learner_options(const TrainOptions& options) {
   take("--hidden", "hidden", options.hidden);
   take("--learning-rate", "learning_rate", options.learning_rate);
   take("--momentum", "momentum", options.momentum);
+  take("--rule", "rule", options.rule);
   take("--threshold", "threshold", options.threshold);
   take("--presentations", "presentations", options.presentations);
   take("--attempts", "attempts", options.attempts);
@@ -357,6 +359,8 @@ void add_train_command(CLI::App& program, Job& job) {
       ->check(positive_number());
   command->add_option("--momentum", options->momentum, "Momentum, in (0, 1)")
       ->check(positive_number());
+  command->add_option("--rule", options->rule, "How it learns: 'standard' or 'original'")
+      ->type_name("RULE");
   command->add_option("--threshold", options->threshold, "Mean error that is good enough");
   command
       ->add_option("--presentations", options->presentations,

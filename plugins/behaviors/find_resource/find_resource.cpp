@@ -4,6 +4,7 @@
 // is the left edge. For the original camera of 100 x 100 pixels these are pixels.
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <elsie/api/behavior.h>
 #include <elsie/api/remember.h>
@@ -16,14 +17,19 @@ class FindResource final : public elsie::Behavior, public elsie::Remembers {
   double turn_above = 5.0;
   double gain = 1.0;
   double speed = 20.0;
+  std::string search = "column";
   double search_column = -50.0;
   double search_activation = 0.2;
   double lost_after = 0.5;
 
-  void reset(elsie::Random&) override { in_view_ = false; }
+  void reset(elsie::Random&) override {
+    in_view_ = false;
+    last_column_ = search_column;
+  }
   void remember(elsie::Memory& memory) override {
     memory("in_view", in_view_);
     memory("last_seen_s", last_seen_s_);
+    memory("last_column", last_column_);
   }
 
   elsie::Response respond(const elsie::Perception& now) override {
@@ -32,10 +38,11 @@ class FindResource final : public elsie::Behavior, public elsie::Remembers {
     elsie::Response response;
     if (nearest) {
       const Target target = look(*nearest);
+      last_column_ = target.column;
       response.command = now.self().wheels.motion(steer(target.column, target.fov_deg));
       response.activation = 0.5 + 0.5 * target.size;
     } else if (!views.empty()) {
-      response.command = now.self().wheels.motion(steer(search_column, fov_of(views[0])));
+      response.command = now.self().wheels.motion(steer(column_to_search(), fov_of(views[0])));
       response.activation = search_activation;
     }
     watch(nearest.has_value(), now.time_s(), response);
@@ -56,6 +63,14 @@ class FindResource final : public elsie::Behavior, public elsie::Remembers {
       in_view_ = false;
       response.events.push_back({"resource_out_of_view"});
     }
+  }
+
+  /// Where it acts as if a resource were, while it sees none.
+  double column_to_search() const {
+    if (search == "column") {
+      return search_column;
+    }
+    return search == "last_column" ? last_column_ : std::copysign(search_column, last_column_);
   }
 
   struct Target {
@@ -93,6 +108,7 @@ class FindResource final : public elsie::Behavior, public elsie::Remembers {
 
   bool in_view_ = false;  // as reported by events
   double last_seen_s_ = 0.0;
+  double last_column_ = 0.0;  // where a resource was seen last
 };
 
 }  // namespace
@@ -116,6 +132,12 @@ ELSIE_BEHAVIOR(
                                  "view in degrees"}),
     elsie::parameter("speed", &FindResource::speed,
                      {.unit = "rad/s", .min = 0, .max = 500, .meaning = "wheel rate straight on"}),
+    elsie::parameter(
+        "search", &FindResource::search,
+        {.choices = {"column", "last_column", "last_side"},
+         .meaning = "while nothing is seen: 'column' searches as search_column says, 'last_column' "
+                    "goes on as if the resource were still where it was seen last, 'last_side' "
+                    "takes search_column towards the side on which it was seen last"}),
     elsie::parameter("search_column", &FindResource::search_column,
                      {.unit = "1/100 width",
                       .min = -50,

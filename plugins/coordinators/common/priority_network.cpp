@@ -31,8 +31,13 @@ std::string file_name(const elsie::FilePath& file) {
 
 }  // namespace
 
+elsie::neural::Method PriorityNetwork::method() const {
+  return rule == "original" ? elsie::neural::Method::original : elsie::neural::Method::standard;
+}
+
 TrainingOptions PriorityNetwork::options() const {
-  return {{learning_rate, momentum}, threshold, static_cast<std::uint64_t>(presentations)};
+  return {
+      {learning_rate, momentum, method()}, threshold, static_cast<std::uint64_t>(presentations)};
 }
 
 Columns PriorityNetwork::columns() const {
@@ -170,7 +175,7 @@ Lesson PriorityNetwork::learn(elsie::Random& random, const TrainingWatch& watch)
       samples_ ? *samples_ : read_samples(), sensors_, behaviors_, {}, {Network(sizes()), {}}, {}};
   for (int attempt = 1; attempt <= attempts; ++attempt) {
     Network network(sizes());
-    network.randomize(random);
+    network.randomize(random, method());
     elsie::neural::Training training_now = train(network, lesson.samples, options(), watch);
     elsie::neural::Assessment assessment = assess(network, lesson.samples);
     const bool ends = assessment.missed == 0 || training_now.ending == Ending::stopped;

@@ -25,6 +25,7 @@ class PriorityNetwork : public elsie::neural::Trainable {
   std::string hidden = kOwnHidden;
   double learning_rate = 0.8;
   double momentum = 0.3;
+  std::string rule = "standard";
   double threshold = 1e-11;
   std::int64_t presentations = 200'000;
   elsie::FilePath training;
@@ -51,6 +52,7 @@ class PriorityNetwork : public elsie::neural::Trainable {
 
  private:
   elsie::neural::TrainingOptions options() const;
+  elsie::neural::Method method() const;
   elsie::neural::Columns columns() const;
   std::vector<int> hidden_layers() const;
   std::vector<int> sizes() const;
@@ -107,6 +109,12 @@ class WithPriorityNetwork : public Base, public PriorityNetwork {
       elsie::parameter(                                                                           \
           "momentum", &PriorityNetwork::momentum,                                                 \
           {.above = 0, .max = 1, .meaning = "of back-propagation; below 1", .live = false}),      \
+      elsie::parameter("rule", &PriorityNetwork::rule,                                            \
+                       {.choices = {"standard", "original"},                                      \
+                        .meaning = "how it learns; 'original': first weights -1, 0 or rarely 1, " \
+                                   "momentum of the previous sample only, and training ends "     \
+                                   "when the error of one sample is below the threshold",         \
+                        .live = false}),                                                          \
       elsie::parameter("threshold", &PriorityNetwork::threshold,                                  \
                        {.min = 0,                                                                 \
                         .meaning = "training ends when the mean error of an epoch is below it",   \

@@ -11,12 +11,6 @@
 namespace elsie::neural {
 namespace {
 
-/// The rule, with its numbers as pairs.
-struct Rule {
-  Pair learning_rate;
-  Pair momentum;
-};
-
 /// How a part of a layer passes on deltas.
 enum class Passing {
   nothing,  // the network's inputs have no deltas
@@ -28,14 +22,14 @@ enum class Passing {
 /// sum of delta x old weight, in two halves.
 template <std::size_t Pairs>
 ELSIE_INLINE Pair change_row(double* weights, double* changes, const Pair* deltas, Pair rate,
-                             Pair momentum) {
+                             Pair momentum, Pair carried) {
   Pair sum = both(0.0);
   for (std::size_t k = 0; k < Pairs; ++k) {
     const Pair weight = load(weights + 2 * k);
     const Pair kept = momentum * load(changes + 2 * k);
     const Pair learned = rate * deltas[k];
     sum = k == 0 ? weight * deltas[k] : sum + weight * deltas[k];
-    store(changes + 2 * k, learned + kept);
+    store(changes + 2 * k, learned + carried * kept);
     // In this order, work that does not need the deltas is done first.
     store(weights + 2 * k, (weight + kept) + learned);
   }
@@ -43,10 +37,10 @@ ELSIE_INLINE Pair change_row(double* weights, double* changes, const Pair* delta
 }
 
 /// Changes the weights of `Pairs` pairs of neurons, from all inputs of their layer.
-template <std::size_t Pairs, Passing passing>
+template <std::size_t Pairs, Passing passing, class Factors>
 ELSIE_INLINE void change_part(double* weights, double* changes, std::size_t inputs,
                               std::size_t stride, const double* from, const double* deltas,
-                              double* passed, const Rule& rule) {
+                              double* passed, const Factors& rule) {
   Pair delta[Pairs];
   for (std::size_t k = 0; k < Pairs; ++k) {
     delta[k] = load(deltas + 2 * k);
@@ -63,20 +57,21 @@ ELSIE_INLINE void change_part(double* weights, double* changes, std::size_t inpu
     const Pair answer = load(from + i);
     const Pair rate = rule.learning_rate * answer;
     const std::size_t row = i * stride;
-    const Pair a =
-        change_row<Pairs>(weights + row, changes + row, delta, first_twice(rate), rule.momentum);
+    const Pair a = change_row<Pairs>(weights + row, changes + row, delta, first_twice(rate),
+                                     rule.momentum, rule.carried);
     const Pair b = change_row<Pairs>(weights + row + stride, changes + row + stride, delta,
-                                     second_twice(rate), rule.momentum);
+                                     second_twice(rate), rule.momentum, rule.carried);
     pass_on(i, sums(a, b), answer);
   }
   if (i < inputs) {
     const Pair answer = load(from + i);
-    const Pair a = change_row<Pairs>(weights + i * stride, changes + i * stride, delta,
-                                     first_twice(rule.learning_rate * answer), rule.momentum);
+    const Pair a =
+        change_row<Pairs>(weights + i * stride, changes + i * stride, delta,
+                          first_twice(rule.learning_rate * answer), rule.momentum, rule.carried);
     pass_on(i, sums(a, both(0.0)), answer);
   }
   change_row<Pairs>(weights + inputs * stride, changes + inputs * stride, delta, rule.learning_rate,
-                    rule.momentum);
+                    rule.momentum, rule.carried);
 }
 
 void check_part(const char* name, double value) {
@@ -91,6 +86,21 @@ void check_part(const char* name, double value) {
 void check(const LearningRule& rule) {
   check_part("learning rate", rule.learning_rate);
   check_part("momentum", rule.momentum);
+}
+
+/// The numbers of a rule, as pairs. What a weight learned is kept with the learning rate in it, so
+/// that the original's momentum is divided by that.
+struct BackPropagation::Factors {
+  Pair learning_rate;
+  Pair momentum;  // of what was kept
+  Pair carried;   // 1 or 0: whether momentum itself is kept
+};
+
+BackPropagation::Factors BackPropagation::factors() const {
+  const bool accumulates = rule_.method == Method::standard;
+  return {both(rule_.learning_rate),
+          both(accumulates ? rule_.momentum : rule_.momentum / rule_.learning_rate),
+          both(accumulates ? 1.0 : 0.0)};
 }
 
 BackPropagation::BackPropagation(Network& network, const LearningRule& rule)
@@ -138,15 +148,16 @@ double BackPropagation::present_two_wide(const double* inputs, const double* tar
   const Pair missing =
       network_.outputs() == 2 ? load(targets) - answer : Pair{targets[0] - answer[0], 0.0};
   Pair delta = answer * (both(1.0) - answer) * missing;
-  const Pair learning_rate = both(rule_.learning_rate), momentum = both(rule_.momentum);
+  const auto [learning_rate, momentum, carried] = factors();
   for (std::size_t l = layers; l-- > 0;) {
     double* const row = weights + l * kLayer;
     double* const changes = changes_.data() + l * kLayer;
     answer = load(activations + 2 * l);
     const Pair rate = learning_rate * answer;
-    const Pair a = change_row<1>(row, changes, &delta, first_twice(rate), momentum);
-    const Pair b = change_row<1>(row + 2, changes + 2, &delta, second_twice(rate), momentum);
-    change_row<1>(row + 4, changes + 4, &delta, learning_rate, momentum);
+    const Pair a = change_row<1>(row, changes, &delta, first_twice(rate), momentum, carried);
+    const Pair b =
+        change_row<1>(row + 2, changes + 2, &delta, second_twice(rate), momentum, carried);
+    change_row<1>(row + 4, changes + 4, &delta, learning_rate, momentum, carried);
     delta = sums(a, b) * (answer * (both(1.0) - answer));
   }
   const Pair squares = missing * missing;
@@ -175,7 +186,7 @@ double BackPropagation::output_deltas(const double* targets) {
 
 template <bool First>
 ELSIE_INLINE void BackPropagation::change(const Layer& layer) {
-  const Rule rule{both(rule_.learning_rate), both(rule_.momentum)};
+  const Factors rule = factors();
   double* const weights = network_.weights_.data() + layer.weights;
   double* const changes = changes_.data() + layer.weights;
   const double* const from = workspace_.activations_.data() + layer.inputs_at;

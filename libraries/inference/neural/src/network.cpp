@@ -69,6 +69,13 @@ ELSIE_INLINE void answer_all(const double* weights, std::size_t inputs, std::siz
   }
 }
 
+/// 2 r / m - 1 in whole numbers, for a random r from 0 to m = 32767.
+double original_weight(Random& random) {
+  constexpr std::uint64_t kMost = 32767;
+  const std::uint64_t drawn = random.bits() >> 49;  // 15 bits
+  return static_cast<double>(2 * drawn / kMost) - 1.0;
+}
+
 }  // namespace
 
 Workspace::Workspace(const Network& network) : activations_(network.activations_) {}
@@ -106,13 +113,16 @@ Network::Network(std::vector<int> sizes) : sizes_(std::move(sizes)) {
   weights_.resize(at, 0.0);
 }
 
-void Network::randomize(Random& random) {
+void Network::randomize(Random& random, Method method) {
+  const auto draw = [&] {
+    return method == Method::original ? original_weight(random) : random.uniform(-1.0, 1.0);
+  };
   for (std::size_t l = 0; l < layers(); ++l) {
     for (std::size_t n = 0; n < neurons(l); ++n) {
       for (std::size_t i = 0; i < inputs(l); ++i) {
-        set_weight(l, n, i, random.uniform(-1.0, 1.0));
+        set_weight(l, n, i, draw());
       }
-      set_bias(l, n, random.uniform(-1.0, 1.0));
+      set_bias(l, n, draw());
     }
   }
 }

@@ -84,19 +84,23 @@ Training train(Network& network, const TrainingSet& samples, const TrainingOptio
   BackPropagation learner(network, options.rule);
   Curve curve(training.curve);
   const std::uint64_t most = options.presentations;
+  const bool by_sample = options.rule.method == Method::original;
   std::uint64_t done = 0, next_look = kBetweenLooks;
   while (done < most) {
     double sum = 0.0;
     std::size_t s = 0;
-    for (; s < samples.size() && done < most; ++s, ++done) {
-      sum += learner.present(samples.inputs(s), samples.targets(s));
+    bool is_good_enough = false;
+    for (; s < samples.size() && done < most && !is_good_enough; ++s, ++done) {
+      const double error_now = learner.present(samples.inputs(s), samples.targets(s));
+      sum += error_now;
+      is_good_enough = by_sample && error_now < options.threshold;
     }
     const double error = sum / static_cast<double>(s);
     // An incomplete last epoch says nothing about the set.
     if (s == samples.size() || training.curve.empty()) {
       curve.add(done, error);
     }
-    if (s == samples.size() && error < options.threshold) {
+    if (is_good_enough || (!by_sample && s == samples.size() && error < options.threshold)) {
       training.ending = Ending::threshold;
       break;
     }

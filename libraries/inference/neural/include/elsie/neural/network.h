@@ -27,6 +27,17 @@ namespace elsie::neural {
 inline constexpr std::size_t kMostLayers = 64;
 inline constexpr std::size_t kMostWeights = 10'000'000;
 
+/// How first weights are drawn, and how a network learns.
+enum class Method {
+  standard,
+  /// That of the thesis from which the published experiments are, as its figures and its text give
+  /// it away. First weights come of an integer division, and so are -1 or 0, each in about half of
+  /// the draws, and 1 in one of 32,768. The momentum of a weight is the momentum times delta x
+  /// input of the sample before, and does not accumulate. Training stops at the first sample whose
+  /// own error is below the threshold.
+  original
+};
+
 class Network;
 
 /// Memory for the answers of all neurons, so that evaluation does not allocate. For one network, or
@@ -49,8 +60,8 @@ class Network {
   explicit Network(std::vector<int> sizes);
 
   /// Draws weights and biases uniformly from [-1, 1): layer by layer, neuron by neuron, first the
-  /// weights of its inputs, then its bias.
-  void randomize(Random& random);
+  /// weights of its inputs, then its bias. In the original's method: from -1, 0 and 1.
+  void randomize(Random& random, Method method = Method::standard);
 
   std::span<const int> sizes() const { return sizes_; }
   std::size_t inputs() const { return static_cast<std::size_t>(sizes_.front()); }

@@ -33,7 +33,7 @@ Random stream_of_seed(std::uint64_t seed);
 ///   if (auto* learner = dynamic_cast<neural::Trainable*>(coordinator)) ...
 ///
 /// All of them have these parameters, with the same meanings: hidden, learning_rate, momentum,
-/// threshold, presentations, training, weights, seed, attempts.
+/// rule, threshold, presentations, training, weights, seed, attempts.
 class Trainable {
  public:
   virtual ~Trainable();

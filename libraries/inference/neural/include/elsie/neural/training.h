@@ -13,7 +13,8 @@ namespace elsie::neural {
 
 struct TrainingOptions {
   LearningRule rule{};
-  /// Training stops when the mean error of an epoch is below this; at least 0.
+  /// Training stops when the mean error of an epoch is below this; at least 0. In the original's
+  /// method: when that of a single sample is.
   double threshold = 1e-11;
   /// Training also stops after so many presentations of samples; at least 1.
   std::uint64_t presentations = 200'000;
