@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <utility>
+
+#include "elsie/base/fnv1a.h"
 
 #include "simulation_impl.h"
 
@@ -138,7 +141,7 @@ RunResult Simulation::result() const {
     robot->list_late_notes(result.notes);
   }
   impl_->measuring_->list_late_notes(result.notes);
-  const physics::GiveUps give_ups = impl_->give_ups();
+  const physics::GiveUps give_ups = impl_->engine_->give_ups();
   result.solver = {give_ups.steps, give_ups.unsolved, give_ups.first_s};
   // A step that a fault ended is none of the steps.
   note_give_ups(world(), give_ups, std::max(steps(), give_ups.steps), result.notes);
@@ -181,7 +184,13 @@ std::uint64_t Simulation::steps() const { return impl_->steps_; }
 bool Simulation::decided() const { return impl_->decided_; }
 double Simulation::step_began_s() const { return impl_->step_began_s_; }
 Outcome Simulation::outcome() const { return impl_->verdict_.outcome; }
-std::uint64_t Simulation::state_hash() const { return impl_->state_hash(); }
+std::uint64_t Simulation::state_hash() const {
+  base::Fnv1a hash(impl_->engine_->hash_state());
+  for (const auto& robot : impl_->robots_) {
+    hash.add(robot->state().energy);
+  }
+  return hash.value();
+}
 std::span<const Note> Simulation::notes() const { return impl_->said_.notes; }
 std::span<const EventRecord> Simulation::events() const { return impl_->events_; }
 
@@ -208,10 +217,22 @@ std::vector<MadeInference> Simulation::inferences(std::size_t robot) const {
 Frame Simulation::sensor_frame(std::size_t robot, std::size_t index) const {
   return impl_->robots_[robot]->sensor_frame(index);
 }
-std::size_t Simulation::segments(std::size_t robot) const { return impl_->segments(robot); }
-SegmentView Simulation::segment(std::size_t robot, std::size_t index) const {
-  return impl_->segment(robot, index);
+std::size_t Simulation::segments(std::size_t robot) const {
+  return impl_->engine_->segments(robot);
 }
-std::optional<Pose> Simulation::box(std::size_t index) const { return impl_->box(index); }
+SegmentView Simulation::segment(std::size_t robot, std::size_t index) const {
+  const physics::SegmentState state = impl_->engine_->segment(robot, index);
+  const auto& own = world().robots[robot].segments;
+  const std::size_t of_drive = segments(robot) - own.size();
+  return {index < of_drive ? nullptr : &own[index - of_drive], state.frame, state.pose,
+          state.yaw_rad, state.pitch_rad};
+}
+std::optional<Pose> Simulation::box(std::size_t index) const {
+  if (!impl_->engine_->has_box(index)) {
+    return std::nullopt;
+  }
+  const Frame frame = impl_->engine_->box(index);
+  return Pose{frame.origin.x, frame.origin.y, std::atan2(frame.forward.y, frame.forward.x)};
+}
 
 }  // namespace elsie::simulation

@@ -119,7 +119,7 @@ void Changes::make(std::span<const Change> changes, const Stage& stage,
                    std::vector<EventRecord>& events) const {
   const Plan plan = this->plan(changes, stage, {});
   check_room(plan, stage);
-  set_up(plan, stage);
+  set_up(plan);
   // From here on nothing is refused.
   for (const auto& set : plan.settings) {
     set();
@@ -139,7 +139,7 @@ std::vector<ChangeRefused> Changes::refused(std::span<const DueChanges> schedule
   for (const DueChanges& due : schedule) {
     try {
       for (Tuned& tuned : plan(due.changes, stage, setups).tuned) {
-        setups[tuned.use] = std::move(tuned.setup);
+        setups[tuned.object] = std::move(tuned.setup);
       }
     } catch (const ChangeRefused& refused) {
       all.push_back(refused.at(due.time_s, due.from));
@@ -199,13 +199,13 @@ class Changes::Planner final : public world::LiveRobot {
         [=, &robot = robot_, &behavior] { robot.set_priority(behavior, priority); });
   }
   void set_parameter(const world::AttributePlace& place, const ParameterValue& value) override {
-    const world::PluginUse* const use = place.use;
+    PluginObject* const object = robot_.find_object(*place.use);
     auto tuned = std::find_if(plan_.tuned.begin(), plan_.tuned.end(),
-                              [&](const Tuned& other) { return other.use == use; });
+                              [&](const Tuned& other) { return other.object == object; });
     if (tuned == plan_.tuned.end()) {
-      const auto known = setups_.find(use);
+      const auto known = setups_.find(object);
       tuned = plan_.tuned.insert(
-          tuned, {index_, use, known == setups_.end() ? robot_.setup(*use) : known->second, ""});
+          tuned, {&robot_, object, known == setups_.end() ? object->setup() : known->second, ""});
     }
     (place.nested ? tuned->setup.elements[*place.nested].parameters
                   : tuned->setup.parameters)[place.field.name] = value;
@@ -262,30 +262,24 @@ Changes::Plan Changes::plan(std::span<const Change> changes, const Stage& stage,
     }
   }
   for (const Tuned& tuned : plan.tuned) {
-    check_tuned(tuned, stage);
+    check_tuned(tuned, stage.cameras);
   }
   return plan;
 }
 
-void Changes::check_tuned(const Tuned& tuned, const Stage& stage) const {
-  Robot& robot = *stage.robots[tuned.robot];
+void Changes::check_tuned(const Tuned& tuned, const Cameras& cameras) {
   std::optional<Camera> camera;
   try {
-    camera = robot.try_out(*tuned.use, tuned.setup);
+    camera = tuned.robot->try_out(*tuned.object, tuned.setup);
   } catch (...) {
     refuse(tuned.text, what_was_thrown());
   }
-  for (std::size_t i = 0; i < robot.sensor_count(); ++i) {
-    if (&stage.robots[tuned.robot]->description().sensors[i] != tuned.use) {
-      continue;
-    }
-    if (camera.has_value() != robot.camera(i).has_value()) {
-      refuse(tuned.text, "the sensor would " + std::string(camera ? "begin" : "cease") +
-                             " to look through a camera; replace the whole element instead");
-    }
-    if (const auto problem = camera ? stage.cameras.problem_of(*camera) : std::nullopt) {
-      refuse(tuned.text, *problem);
-    }
+  if (camera.has_value() != tuned.object->camera.has_value()) {
+    refuse(tuned.text, "the sensor would " + std::string(camera ? "begin" : "cease") +
+                           " to look through a camera; replace the whole element instead");
+  }
+  if (const auto problem = camera ? cameras.problem_of(*camera) : std::nullopt) {
+    refuse(tuned.text, *problem);
   }
 }
 
@@ -305,21 +299,21 @@ void Changes::check_room(const Plan& plan, const Stage& stage) const {
 }
 
 /// All of them or none.
-void Changes::set_up(const Plan& plan, const Stage& stage) const {
+void Changes::set_up(const Plan& plan) {
   std::vector<Setup> before;
   for (const Tuned& tuned : plan.tuned) {
-    before.push_back(stage.robots[tuned.robot]->setup(*tuned.use));
+    before.push_back(tuned.object->setup());
   }
   for (std::size_t i = 0; i < plan.tuned.size(); ++i) {
     const Tuned& tuned = plan.tuned[i];
     try {
-      stage.robots[tuned.robot]->set_up(*tuned.use, tuned.setup);
+      tuned.robot->set_up(*tuned.object, tuned.setup);
     } catch (const PluginFault&) {
       throw;
     } catch (...) {
       const std::string problem = what_was_thrown();
       while (i-- > 0) {
-        stage.robots[plan.tuned[i].robot]->set_up(*plan.tuned[i].use, before[i]);
+        plan.tuned[i].robot->set_up(*plan.tuned[i].object, before[i]);
       }
       refuse(tuned.text, problem);
     }

@@ -75,8 +75,8 @@ class Changes {
  private:
   /// New parameters of a plugin object.
   struct Tuned {
-    std::size_t robot = 0;
-    const world::PluginUse* use = nullptr;
+    Robot* robot = nullptr;
+    PluginObject* object = nullptr;
     Setup setup;
     std::string text;
   };
@@ -93,14 +93,14 @@ class Changes {
     std::vector<Tuned> tuned;
     std::vector<Placed> placed;
   };
-  using Setups = std::map<const world::PluginUse*, Setup>;
+  using Setups = std::map<const PluginObject*, Setup>;
   class Planner;
 
   /// `setups`: those that differ by then from what they are now.
   Plan plan(std::span<const Change> changes, const Stage& stage, const Setups& setups) const;
-  void check_tuned(const Tuned& tuned, const Stage& stage) const;
+  static void check_tuned(const Tuned& tuned, const Cameras& cameras);
   void check_room(const Plan& plan, const Stage& stage) const;
-  void set_up(const Plan& plan, const Stage& stage) const;
+  static void set_up(const Plan& plan);
 
   const world::World& world_;
   world::Attributes attributes_;

@@ -15,7 +15,7 @@
 #include "elsie/world/error.h"
 
 #include "measuring/lookout.h"
-#include "plugins/guard.h"
+#include "plugins/plugin_object.h"
 #include "plugins/statements.h"
 
 namespace elsie::simulation {
@@ -37,11 +37,9 @@ class Measuring {
   /// What the measures did to the program since the run began.
   void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
 
-  /// Takes what `before` has of measures that are described as they were, in a world with the same
-  /// robots and boxes; `was` describes those.
-  void take(Measuring& before, std::span<const world::PluginUse> was);
-  /// Gives it back.
-  void give_back(Measuring& before);
+  /// Goes on with what `before` has of measures that are described as they were, in a world with
+  /// the same robots and boxes; `was` describes those.
+  void take(const Measuring& before, std::span<const world::PluginUse> was, Undo& undo);
   /// Resets what was not taken, which begins with the next instant, and gathers what it says.
   void reset_new(std::uint64_t seed, const std::string& time, Statements& said);
 
@@ -62,14 +60,12 @@ class Measuring {
   void list_replaced(const plugin::Host& host, std::vector<std::string>& notes);
 
  private:
-  struct Slot {
-    const world::PluginUse* use = nullptr;
-    const Declaration* declaration = nullptr;  // to be compared, not to be looked into
-    plugin::Object<Measure> object;
+  struct Slot final : ObjectOf<Measure, PluginKind::measure> {
+    using ObjectOf::ObjectOf;
+
     std::vector<Quantity> quantities;  // under their full names
     std::vector<std::optional<double>> values;
     bool has_begun = false;
-    bool was_taken = false;
   };
   void show(Slot& slot);
 
@@ -77,7 +73,7 @@ class Measuring {
 
   Guard guard_;
   Lookout lookout_;
-  std::vector<Slot> slots_;
+  std::vector<std::shared_ptr<Slot>> slots_;
   bool has_failed_ = false;
 };
 

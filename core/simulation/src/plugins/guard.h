@@ -91,8 +91,11 @@ class Guard {
   /// The plugins that have changed how the processor computes, since the run began: a note on each.
   void list_notes(std::vector<Note>& notes) const;
   /// The object is another one now.
-  void forget(const world::PluginUse& use) { held_.erase(&use); }
-  /// The same of all; puts back what they held if that is undone.
+  void forget(const world::PluginUse& use, Undo& undo) {
+    undo.keep(held_);
+    held_.erase(&use);
+  }
+  /// The same of all.
   void forget(Undo& undo) {
     undo.keep(held_);
     held_.clear();
@@ -180,10 +183,9 @@ auto blaming(const world::PluginUse& use, std::vector<base::Problem>& problems, 
       blame(std::string("it changed ") + changed + " for the whole program", true);
     }
     return result;
-  } catch (const plugin::CreateError& problem) {
-    problems.push_back({use.location.file, use.location.line, problem.what(), true});
   } catch (const plugin::PluginError& problem) {  // which names the plugin
-    problems.push_back({use.location.file, use.location.line, problem.what()});
+    problems.push_back({use.location.file, use.location.line, problem.what(),
+                        problem.exit_code() == base::kPluginFailed});
   } catch (...) {
     blame(what_was_thrown());
   }
