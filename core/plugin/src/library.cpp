@@ -12,11 +12,18 @@
 
 #include "elsie/api/registration.h"
 #include "elsie/plugin/call.h"
-#include "elsie/plugin/loaded_libraries.h"
+#include "elsie/plugin/watch_libraries.h"
 
 #include "text.h"
 
 namespace elsie::plugin {
+namespace {
+
+LibraryWatch watching{[](const void*, const char*) noexcept {}, [](const char*) noexcept {}};
+
+}  // namespace
+
+void watch_libraries(const LibraryWatch& watch) noexcept { watching = watch; }
 
 struct Library::System {
   boost::dll::shared_library library;
@@ -25,10 +32,10 @@ struct Library::System {
 Library::Library(std::unique_ptr<System> system, std::string file,
                  std::unique_ptr<PrivateCopy> copy)
     : copy_(std::move(copy)), system_(std::move(system)), file_(std::move(file)) {
-  note_loaded(dlsym(system_->library.native(), ELSIE_PLUGIN_ENTRY), file_.c_str());
+  watching.loaded(dlsym(system_->library.native(), ELSIE_PLUGIN_ENTRY), file_.c_str());
 }
 Library::~Library() {
-  note_unloaded(file_.c_str());
+  watching.unloading(file_.c_str());
   Call call({.library = file_.c_str(), .doing = "while it was unloaded"});
   call.start_clock();
   system_.reset();

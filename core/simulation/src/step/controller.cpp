@@ -15,28 +15,28 @@ std::string text(const Motion& motion) {
          std::to_string(motion.lateral) + " m/s, turn " + std::to_string(motion.turn) + " rad/s";
 }
 
-/// Why these are no fuzzy sets, or null.
-const char* fault_of(const CommandSets& sets) {
+/// Faults the plugin if these are no fuzzy sets.
+void require_sets(const CommandSets& sets, const world::PluginUse& use, Guard& guard) {
   for (const FuzzySet* set : {&sets.left, &sets.right, &sets.lateral}) {
     double last = -std::numeric_limits<double>::infinity();
     for (const FuzzySet::Point& point : set->points) {
       if (!std::isfinite(point.x) || point.x < last ||
           !(point.degree >= 0.0 && point.degree <= 1.0)) {
-        return "the points of its fuzzy sets are not in ascending order with degrees in [0, 1]";
+        guard.fail(
+            use, "the points of its fuzzy sets are not in ascending order with degrees in [0, 1]");
       }
       last = point.x;
     }
   }
-  return nullptr;
 }
 
-std::string fault_of(std::span<const double> desirability) {
+void require_degrees(std::span<const double> desirability, const world::PluginUse& use,
+                     Guard& guard) {
   for (const double degree : desirability) {
     if (!(degree >= 0.0 && degree <= 1.0)) {
-      return "it rates a command " + std::to_string(degree) + ", which is not in [0, 1]";
+      guard.fail(use, "it rates a command " + std::to_string(degree) + ", which is not in [0, 1]");
     }
   }
-  return "";
 }
 
 }  // namespace
@@ -197,9 +197,7 @@ void Controller::rate(std::span<const Motion> candidates, std::span<double> desi
                                 candidates, desirability);
   });
   setting_.guard.check();
-  if (const std::string fault = fault_of(desirability); !fault.empty()) {
-    setting_.guard.fail(use, fault);
-  }
+  require_degrees(desirability, use, setting_.guard);
 }
 
 CommandSets Controller::command_sets() {
@@ -212,9 +210,7 @@ CommandSets Controller::command_sets() {
                                                command_);
   });
   setting_.guard.check();
-  if (const char* fault = fault_of(sets)) {
-    setting_.guard.fail(use, fault);
-  }
+  require_sets(sets, use, setting_.guard);
   return sets;
 }
 
@@ -245,9 +241,7 @@ void Controller::rate(Member& member, std::span<const Motion> candidates,
   setting_.guard.step(*slot.use, [&] {
     slot.object().rate(now_->with_random(slot.random), slot.response, candidates, desirability);
   });
-  if (const std::string fault = fault_of(desirability); !fault.empty()) {
-    setting_.guard.fail(*slot.use, fault);
-  }
+  require_degrees(desirability, *slot.use, setting_.guard);
 }
 
 CommandSets Controller::command_sets(Member& member) {
@@ -255,9 +249,7 @@ CommandSets Controller::command_sets(Member& member) {
   CommandSets sets = setting_.guard.step(*slot.use, [&] {
     return slot.object().command_sets(now_->with_random(slot.random), slot.response);
   });
-  if (const char* fault = fault_of(sets)) {
-    setting_.guard.fail(*slot.use, fault);
-  }
+  require_sets(sets, *slot.use, setting_.guard);
   return sets;
 }
 
@@ -356,16 +348,6 @@ void Controller::list_inferences(const std::string& path, std::vector<MadeInfere
       }
     }
   }
-}
-
-const TracedMember* inhibitor_of(const TracedMember& member, std::span<const TracedMember> all) {
-  int place = member.member->trace.inhibited_by;
-  for (const TracedMember& other : all) {
-    if (other.parent == member.parent && place-- == 0) {
-      return &other;
-    }
-  }
-  return nullptr;
 }
 
 }  // namespace elsie::simulation
