@@ -344,9 +344,9 @@ void Simulation::Impl::become_robots(const world::World& was, Becoming& becoming
   }
   for (const auto& robot : gone) {
     if (robot) {
-      departed_.distance_m += robot->distance_m();
-      departed_.collected += robot->collected();
-      departed_.collisions += robot->collisions();
+      departed_.distance_m += robot->tally().distance_m;
+      departed_.collected += robot->tally().collected;
+      departed_.collisions += robot->tally().collisions;
     }
   }
 }
@@ -488,7 +488,7 @@ void Simulation::Impl::become_measures(const world::World& was, Becoming& becomi
 void Simulation::Impl::become_goals(const world::World& was) {
   GoalStart now{time_s(), {}};
   for (const auto& robot : robots_) {
-    now.done[robot->description().id] = {robot->distance_m(), robot->collisions()};
+    now.done[robot->description().id] = {robot->tally().distance_m, robot->tally().collisions};
   }
   std::vector<GoalStart> starts;
   for (const world::Goal& goal : world_.goals) {

@@ -158,8 +158,9 @@ RunResult Simulation::Impl::figures() const {
   result.simulated_s = time_s();
   for (const auto& robot : robots_) {
     result.robots.push_back({robot->description().id, robot->description().team,
-                             robot->distance_m(), robot->collected(), robot->state().energy,
-                             robot->state().pose, robot->collisions()});
+                             robot->tally().distance_m, robot->tally().collected,
+                             robot->state().energy, robot->state().pose,
+                             robot->tally().collisions});
   }
   measure_every_run(result, departed_);
   measuring_->report({result.outcome, result.simulated_s}, result.measures);
@@ -197,9 +198,16 @@ std::span<const EventRecord> Simulation::events() const { return impl_->events_;
 std::size_t Simulation::robots() const { return impl_->robots_.size(); }
 RobotView Simulation::robot(std::size_t index) const {
   const Robot& robot = *impl_->robots_[index];
-  return {&robot.description(), &robot.state(), robot.asked(),      robot.command(),
-          robot.members(),      robot.trace(),  robot.distance_m(), robot.collisions(),
-          robot.empty(),        robot.joints()};
+  return {&robot.description(),
+          &robot.state(),
+          robot.asked(),
+          robot.command(),
+          robot.members(),
+          robot.trace(),
+          robot.tally().distance_m,
+          robot.tally().collisions,
+          robot.empty(),
+          robot.joints()};
 }
 std::size_t Simulation::sensors(std::size_t robot) const {
   return impl_->robots_[robot]->sensor_count();

@@ -103,7 +103,7 @@ class Simulation::Impl {
     const bool decides = is_control_instant();
     step_began_s_ = time_s();
     if (!measuring_->has_begun()) {
-      measuring_->begin(robots_, *engine_, time_s(), last_step());
+      observe(false, true);
     }
     const double period = h * static_cast<double>(control_steps);
     try {
@@ -128,7 +128,7 @@ class Simulation::Impl {
       verdict_ = judge(self, goal_starts_);
     }
     if (!measuring_->empty()) {
-      observe(decides);
+      observe(decides, false);
     }
   }
 
@@ -191,7 +191,7 @@ class Simulation::Impl {
   std::vector<TimedChange> given_;  // to run()
   Statements said_;                 // before the first step
   std::shared_ptr<Measuring> measuring_;
-  Departed departed_;
+  Tally departed_;                 // of robots that an edit has removed
   std::uint64_t renewals_ = 0;     // how often objects were replaced or made anew
   std::uint64_t own_changes_ = 0;  // how often those were edited that stand in the world
 
@@ -261,10 +261,10 @@ class Simulation::Impl {
     }
   }
 
-  std::uint64_t last_step() const { return steps_ > 0 ? steps_ - 1 : 0; }
-  /// `decided`: in the step just made.
-  void observe(bool decided) {
-    measuring_->observe(robots_, *engine_, time_s(), last_step(), decided);
+  /// `decided`: in the step just made; `is_start`: there was none.
+  void observe(bool decided, bool is_start) {
+    const std::uint64_t last_step = steps_ > 0 ? steps_ - 1 : 0;
+    measuring_->observe(robots_, *engine_, time_s(), last_step, decided, is_start);
   }
 
   /// Motors, physics.

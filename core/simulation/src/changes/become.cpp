@@ -181,7 +181,7 @@ void Robot::become(const world::Robot& was, const world::Robot& next, const Memb
       equip();
     }
   });
-  undo.keep(state_, team_, resource_colours_, asked_, sensor_cost_, empty_, raised_, logged_);
+  undo.keep(state_, team_, resource_colours_, asked_, empty_, raised_, logged_);
   undo.keep(description_, body_frame_, drive_, drive_use_, drive_check_, joints_, wanted_joints_);
   description_ = &next;
   guard_.forget(undo);
@@ -251,7 +251,6 @@ void Robot::become_sensors(const world::Robot& was, Becoming& becoming) {
       becoming.note_lost(description_->id, use.id);
     }
   }
-  sum_costs();
 }
 
 /// What may be changed in place.

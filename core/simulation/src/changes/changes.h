@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -73,35 +71,6 @@ class Changes {
                                      const Stage& stage) const;
 
  private:
-  /// New parameters of a plugin object.
-  struct Tuned {
-    Robot* robot = nullptr;
-    PluginObject* object = nullptr;
-    Setup setup;
-    std::string text;
-  };
-  /// A robot's new place.
-  struct Placed {
-    std::size_t robot = 0;
-    Pose pose;
-    double z = 0.0;
-    std::string text;
-  };
-  struct Plan {
-    std::vector<EventRecord> events;
-    std::vector<std::function<void()>> settings;
-    std::vector<Tuned> tuned;
-    std::vector<Placed> placed;
-  };
-  using Setups = std::map<const PluginObject*, Setup>;
-  class Planner;
-
-  /// `setups`: those that differ by then from what they are now.
-  Plan plan(std::span<const Change> changes, const Stage& stage, const Setups& setups) const;
-  static void check_tuned(const Tuned& tuned, const Cameras& cameras);
-  void check_room(const Plan& plan, const Stage& stage) const;
-  static void set_up(const Plan& plan);
-
   const world::World& world_;
   world::Attributes attributes_;
 };

@@ -34,11 +34,11 @@ void take_over(const Robot& robot, ObservedRobot& seen, std::span<ObservedBehavi
   seen.moving = state.moving;
   seen.odometry = state.odometry;
   seen.wheels = state.wheels;
-  seen.distance_m = robot.distance_m();
+  seen.distance_m = robot.tally().distance_m;
   seen.energy = state.energy;
-  seen.energy_used = robot.energy_used();
-  seen.collisions = robot.collisions();
-  seen.collected = robot.collected();
+  seen.energy_used = robot.tally().energy_used;
+  seen.collisions = robot.tally().collisions;
+  seen.collected = robot.tally().collected;
   seen.is_leader = state.is_leader;
   seen.charging = state.charging;
   seen.empty = robot.empty();

@@ -50,7 +50,7 @@ std::vector<Quantity> measures_of_every_run() {
           {"energy_left", "units", "in the batteries at the end, all together"}};
 }
 
-void measure_every_run(RunResult& result, const Departed& departed) {
+void measure_every_run(RunResult& result, const Tally& departed) {
   const double values[kMeasuresOfEveryRun] = {
       result.outcome == Outcome::success ? 1.0 : 0.0,
       result.simulated_s,
@@ -177,33 +177,21 @@ bool Measuring::has_begun() const {
                      [](const auto& slot) { return slot->has_begun; });
 }
 
-void Measuring::show(Slot& slot) {
-  slot.has_begun = true;
-  try {
-    guard_.step(*slot.use, [&] { slot.object().observe(lookout_.now()); });
-  } catch (...) {
-    has_failed_ = true;
-    throw;
-  }
-}
-
-void Measuring::begin(Robots robots, const physics::Engine& engine, double time_s,
-                      std::uint64_t step) {
-  guard_.begin_step(step);
-  lookout_.look(robots, engine, time_s, false, true);
-  for (const auto& slot : slots_) {
-    if (!slot->has_begun) {
-      show(*slot);
-    }
-  }
-}
-
 void Measuring::observe(Robots robots, const physics::Engine& engine, double time_s,
-                        std::uint64_t step, bool decided) {
+                        std::uint64_t step, bool decided, bool is_start) {
   guard_.begin_step(step);
-  lookout_.look(robots, engine, time_s, decided, false);
+  lookout_.look(robots, engine, time_s, decided, is_start);
   for (const auto& slot : slots_) {
-    show(*slot);
+    if (is_start && slot->has_begun) {
+      continue;
+    }
+    slot->has_begun = true;
+    try {
+      guard_.step(*slot->use, [&] { slot->object().observe(lookout_.now()); });
+    } catch (...) {
+      has_failed_ = true;
+      throw;
+    }
   }
 }
 

@@ -45,12 +45,10 @@ class Measuring {
 
   /// Whether all have seen the start of what they measure.
   bool has_begun() const;
-  /// Shows it to those that have not; it is the instant after the step of this number. Throws
-  /// PluginFault.
-  void begin(Robots robots, const physics::Engine& engine, double time_s, std::uint64_t step);
-  /// Shows them the instant after the step of this number. Throws PluginFault.
+  /// Shows them the instant after the step of this number; `is_start`: only those that have not
+  /// begun, without that step. Throws PluginFault.
   void observe(Robots robots, const physics::Engine& engine, double time_s, std::uint64_t step,
-               bool decided);
+               bool decided, bool is_start);
   /// Appends the values so far. Throws PluginFault; once a measure has failed, all values are none
   /// and nothing is asked any more.
   void report(const RunEnd& end, std::vector<MeasuredValue>& values);
@@ -67,8 +65,6 @@ class Measuring {
     std::vector<std::optional<double>> values;
     bool has_begun = false;
   };
-  void show(Slot& slot);
-
   void check_names(std::vector<base::Problem>& problems) const;
 
   Guard guard_;
@@ -77,14 +73,7 @@ class Measuring {
   bool has_failed_ = false;
 };
 
-/// What robots did that an edit has removed since.
-struct Departed {
-  double distance_m = 0.0;
-  int collected = 0;
-  int collisions = 0;
-};
-
-/// Adds the values that every run has.
-void measure_every_run(RunResult& result, const Departed& departed);
+/// Adds the values that every run has. `departed`: what robots did that an edit has removed.
+void measure_every_run(RunResult& result, const Tally& departed);
 
 }  // namespace elsie::simulation

@@ -157,14 +157,6 @@ void Robot::take_description() {
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     sensors_[i]->energy_cost = description_->sensors[i].energy_cost;
   }
-  sum_costs();
-}
-
-void Robot::sum_costs() {
-  sensor_cost_ = 0.0;
-  for (const auto& slot : sensors_) {
-    sensor_cost_ += slot->energy_cost;
-  }
 }
 
 void Robot::group_readings() {
@@ -220,10 +212,7 @@ void Robot::reset(std::uint64_t seed) {
   logged_ = 0;
   charge_asked_ = false;
   empty_ = false;
-  distance_m_ = 0.0;
-  energy_used_ = 0.0;
-  collected_ = 0;
-  collisions_ = 0;
+  tally_ = {};
   stop_when_empty();
 }
 
@@ -280,9 +269,13 @@ void Robot::list_values(std::size_t sensor, std::vector<NamedValue>& values) con
 
 void Robot::use_energy(double period_s) {
   if (!empty_) {
+    double cost = 0.0;
+    for (const auto& slot : sensors_) {
+      cost += slot->energy_cost;
+    }
     const double before = state_.energy;
-    state_.energy = std::max(0.0, before - sensor_cost_ * period_s);
-    energy_used_ += before - state_.energy;
+    state_.energy = std::max(0.0, before - cost * period_s);
+    tally_.energy_used += before - state_.energy;
     stop_when_empty();
   }
 }
@@ -317,7 +310,6 @@ void Robot::set_energy_cost(const world::PluginUse& sensor, double cost) {
       slot->energy_cost = cost;
     }
   }
-  sum_costs();
 }
 
 PluginObject* Robot::find_object(const world::PluginUse& use) const {
@@ -362,7 +354,7 @@ void Robot::charge(double period_s, double rate) {
 }
 
 void Robot::moved(const physics::RobotState& state, std::span<const JointSetting> joints) {
-  distance_m_ += distance(state_.pose, state.pose);
+  tally_.distance_m += distance(state_.pose, state.pose);
   set_body(state, joints);
 }
 
@@ -393,7 +385,7 @@ void Robot::set_body(const physics::RobotState& state, std::span<const JointSett
 }
 
 void Robot::collect(double energy) {
-  ++collected_;
+  ++tally_.collected;
   state_.energy = std::min(state_.capacity, state_.energy + energy);
   empty_ = empty_ && state_.energy <= 0.0;
 }

@@ -38,6 +38,14 @@ struct Instant {
   std::uint64_t step = 0;
 };
 
+/// What a robot has done since the run began.
+struct Tally {
+  double distance_m = 0.0;
+  double energy_used = 0.0;  // taken from the battery, units
+  int collected = 0;
+  int collisions = 0;
+};
+
 class Robot final : private Wishes {
  public:
   /// What a robot's team gives it before a run: its place among the robots, a charger, and what the
@@ -123,7 +131,7 @@ class Robot final : private Wishes {
     raised_.emplace_back(std::move(event));
   }
   void collided(events::Collision collision) {
-    ++collisions_;
+    ++tally_.collisions;
     raise(std::move(collision));
   }
   /// Appends the numbers of one sensor's reading. Throws PluginFault.
@@ -154,11 +162,7 @@ class Robot final : private Wishes {
   BodyPlan take_driven() { return std::move(driven_); }
   std::span<const Member> members() const { return controller_->members(); }
   std::span<const TracedMember> trace() const { return trace_; }
-  double distance_m() const { return distance_m_; }
-  /// Taken from the battery so far, units.
-  double energy_used() const { return energy_used_; }
-  int collected() const { return collected_; }
-  int collisions() const { return collisions_; }
+  const Tally& tally() const { return tally_; }
   std::size_t sensor_count() const { return sensors_.size(); }
   SensorView sensor(std::size_t index) const;
   Frame sensor_frame(std::size_t index) const { return body_frame_.frame(sensors_[index]->frame); }
@@ -204,7 +208,6 @@ class Robot final : private Wishes {
   void list_members();
   void group_readings();
   void take_description();
-  void sum_costs();
   Perception example();
   void stop_when_empty();
   void make_drive(const plugin::Host& host, std::vector<base::Problem>& problems);
@@ -218,7 +221,6 @@ class Robot final : private Wishes {
   const world::Robot* description_;
   mutable Guard guard_;  // looking at a plugin's numbers can fail, too
   Names names_;
-  double sensor_cost_ = 0.0;  // units per second, of all sensors together
 
   world::PluginUse drive_use_;  // of a world that names none
   std::shared_ptr<DriveSlot> drive_;
@@ -248,10 +250,7 @@ class Robot final : private Wishes {
 
   bool charge_asked_ = false;
   bool empty_ = false;
-  double distance_m_ = 0.0;
-  double energy_used_ = 0.0;
-  int collected_ = 0;
-  int collisions_ = 0;
+  Tally tally_;
 };
 
 }  // namespace elsie::simulation
