@@ -91,8 +91,8 @@ class Host {
     return Object<T>(wanted, std::move(object.get_deleter()));
   }
 
-  /// Adds a plugin that is linked into the program; see also linked.h. Throws PluginError when its
-  /// declaration has faults or its name is taken.
+  /// Adds a plugin that is linked into the program; see also elsie/testing/linked.h. Throws
+  /// PluginError when its declaration has faults or its name is taken.
   void add(Declaration declaration);
 
   const Report& report() const;
