@@ -152,12 +152,8 @@ std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> c
       world::World next = tried(ahead ? *ahead : edited(present(), in_place, false), due.changes);
       if (!same_part("changes", then, next)) {
         coming.resize(i + 1);
-        std::vector<TimedChange> rest = with_own(next, given);
-        std::erase_if(rest, [&](const TimedChange& one) {
-          return DueChanges{one.time_s, {}}.are_due(due.time_s, next.physics.step);
-        });
-        std::vector<DueChanges> others = by_time(rest);
-        std::move(others.begin(), others.end(), std::back_inserter(coming));
+        const auto others = by_time(still_to_come(next, given, due.time_s));
+        coming.insert(coming.end(), others.begin(), others.end());
       }
       ahead = std::move(next);
       made.push_back(due);
@@ -203,19 +199,13 @@ world::World Simulation::Impl::present() { return reread(world_, pending_, false
 
 world::World Simulation::Impl::reread(const world::World& from,
                                       const std::vector<std::string>& edits, bool check_plugins) {
-  world::ReadOptions options = reading();
-  options.check_plugins = check_plugins;
-  options.overrides = edits;
-  return world::parse_world(world::write_world(from), from.file, *host_, options);
-}
-
-/// How the text of a running world is read.
-world::ReadOptions Simulation::Impl::reading() const {
   world::ReadOptions options;
   options.data_directories = options_.data_directories;
   options.files = options_.files;
   options.is_running = true;
-  return options;
+  options.check_plugins = check_plugins;
+  options.overrides = edits;
+  return world::parse_world(world::write_world(from), from.file, *host_, options);
 }
 
 void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming) {
@@ -452,33 +442,12 @@ void Simulation::Impl::check_room(const world::World& was,
 
 void Simulation::Impl::become_measures(const world::World& was, Becoming& becoming) {
   const auto before = measuring_;
-  // Measures count robots, behaviours and boxes by their places.
-  const auto cast_of = [](const world::World& world) {
-    std::vector<std::string> cast;
-    const auto add = [&](auto& self, const world::Coordination& coordination) -> void {
-      for (const world::BehaviorUse& use : coordination.behaviors) {
-        cast.push_back(use.id + " " + use.plugin);
-        for (const world::Coordination& inside : use.inside) {
-          self(self, inside);
-        }
-      }
-    };
-    for (const world::Robot& robot : world.robots) {
-      cast.push_back(robot.id + " " + robot.team);
-      add(add, robot);
-    }
-    for (const world::Box& box : world.boxes) {
-      cast.push_back(box.id + " " + box.team);
-    }
-    return cast;
-  };
-  const bool same_cast = cast_of(was) == cast_of(world_) && same_part("teams", was, world_) &&
-                         same_part("physics", was, world_) && same_part("arena", was, world_);
   measuring_ = std::make_shared<Measuring>(world_, *host_, options_.budget, becoming.problems());
   if (!becoming.problems().empty()) {
     return;
   }
-  if (same_cast) {
+  if (same_part("teams", was, world_) && same_part("physics", was, world_) &&
+      same_part("arena", was, world_)) {
     measuring_->take(*before, was.measures, becoming.undo());
   }
   measuring_->reset_new(seed_, becoming.time(), becoming.said());

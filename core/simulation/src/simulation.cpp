@@ -56,14 +56,9 @@ RunResult Simulation::run(std::span<Observer* const> observers,
     heard_of = impl_->renewals_;
   };
   const auto change_what_is_due = [&] {
-    const double step_s = world().physics.step;
     if (impl_->own_changes_ != scheduled) {  // those of the world are others since
-      std::vector<TimedChange> rest = with_own(world(), changes);
-      std::erase_if(rest, [&](const TimedChange& change) {
-        return DueChanges{change.time_s, {}}.are_due(made_until_s, step_s);
-      });
-      std::vector<UnmadeChanges> known;  // that was said
-      schedule = impl_->checked(rest, changes, known);
+      std::vector<UnmadeChanges> known;      // that was said
+      schedule = impl_->checked(still_to_come(world(), changes, made_until_s), changes, known);
       next = schedule.cbegin();
       scheduled = impl_->own_changes_;
     }

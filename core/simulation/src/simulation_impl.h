@@ -215,7 +215,6 @@ class Simulation::Impl {
   world::World present();
   world::World reread(const world::World& from, const std::vector<std::string>& edits,
                       bool check_plugins);
-  world::ReadOptions reading() const;
   void become_goals(const world::World& was);
   void settle(Becoming& becoming);
 

@@ -222,7 +222,7 @@ void Robot::become(const world::Robot& was, const world::Robot& next, const Memb
                blaming(*each.use, problems,
                        [&] { each.reset(becoming.seed(), "robot[" + next.id + "]/" + path); });
                if (each.kind != PluginKind::drive) {
-                 becoming.said().ask(*each.held, *each.use, within, guard_);
+                 becoming.said().ask(each, within, guard_);
                }
              }
            });

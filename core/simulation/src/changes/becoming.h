@@ -21,7 +21,6 @@
 
 #include "changes/undo.h"
 #include "plugins/plugin_object.h"
-#include "plugins/statements.h"
 
 namespace elsie::simulation {
 

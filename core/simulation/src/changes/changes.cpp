@@ -272,22 +272,31 @@ std::vector<TimedChange> with_own(const world::World& world, std::span<const Tim
   return all;
 }
 
+std::vector<TimedChange> still_to_come(const world::World& world,
+                                       std::span<const TimedChange> changes, double after_s) {
+  std::vector<TimedChange> rest = with_own(world, changes);
+  std::erase_if(rest, [&](const TimedChange& one) {
+    return DueChanges{one.time_s, {}}.are_due(after_s, world.physics.step);
+  });
+  return rest;
+}
+
 std::vector<DueChanges> by_time(std::span<const TimedChange> changes) {
-  std::vector<DueChanges> schedule;
+  std::map<double, DueChanges> schedule;
   for (const TimedChange& timed : changes) {
-    auto due = std::find_if(schedule.begin(), schedule.end(), [&](const DueChanges& other) {
-      return !(other.time_s < timed.time_s);
-    });
-    if (due == schedule.end() || due->time_s != timed.time_s) {
-      due = schedule.insert(due, {timed.time_s, {}});
-    }
-    due->changes.push_back(timed.change);
-    std::string& first = timed.from.empty() ? due->given : due->from;
+    DueChanges& due = schedule[timed.time_s];
+    due.time_s = timed.time_s;
+    due.changes.push_back(timed.change);
+    std::string& first = timed.from.empty() ? due.given : due.from;
     if (first.empty()) {
       first = timed.from.empty() ? timed.change.text() : timed.from;
     }
   }
-  return schedule;
+  std::vector<DueChanges> all;
+  for (auto& [time_s, due] : schedule) {
+    all.push_back(std::move(due));
+  }
+  return all;
 }
 
 Changes::Changes(const world::World& world, const plugin::Host& host, const Options& options)

@@ -39,6 +39,10 @@ TimedChange timed(const world::TimedEdit& edit);
 /// Those of the world, then the others.
 std::vector<TimedChange> with_own(const world::World& world, std::span<const TimedChange> changes);
 
+/// The same without those that are made by this time.
+std::vector<TimedChange> still_to_come(const world::World& world,
+                                       std::span<const TimedChange> changes, double after_s);
+
 /// In the order of their times; those of one time in the order given.
 std::vector<DueChanges> by_time(std::span<const TimedChange> changes);
 

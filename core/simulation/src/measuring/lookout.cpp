@@ -123,6 +123,22 @@ void Lookout::describe(const world::Coordination& coordination, const std::strin
   }
 }
 
+bool Lookout::has_cast_of(const Lookout& other) const {
+  const auto same = [](const auto& all, const auto& others, auto is_same) {
+    return std::equal(all.begin(), all.end(), others.begin(), others.end(), is_same);
+  };
+  const auto same_behavior = [](const ObservedBehavior& a, const ObservedBehavior& b) {
+    return a.path == b.path && a.plugin == b.plugin;
+  };
+  const auto same_robot = [&](const ObservedRobot& a, const ObservedRobot& b) {
+    return a.id == b.id && a.team == b.team && same(a.behaviors, b.behaviors, same_behavior);
+  };
+  return same(robots_, other.robots_, same_robot) &&
+         same(all_boxes_, other.all_boxes_, [](const ObservedBox& a, const ObservedBox& b) {
+           return a.id == b.id && a.team == b.team;
+         });
+}
+
 void Lookout::look(Robots robots, const physics::Engine& engine, double time_s, bool decided,
                    bool is_start) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {

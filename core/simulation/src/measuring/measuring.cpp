@@ -142,11 +142,14 @@ void Measuring::reset(std::uint64_t seed) {
 
 void Measuring::ask(Statements& said) {
   for (const auto& slot : slots_) {
-    said.ask(*slot->held, *slot->use, "", guard_);
+    said.ask(*slot, "", guard_);
   }
 }
 
 void Measuring::take(const Measuring& before, std::span<const world::PluginUse> was, Undo& undo) {
+  if (!lookout_.has_cast_of(before.lookout_)) {
+    return;
+  }
   has_failed_ = before.has_failed_;
   for (auto& slot : slots_) {
     for (std::size_t i = 0; i < was.size(); ++i) {
@@ -165,7 +168,7 @@ void Measuring::reset_new(std::uint64_t seed, const std::string& time, Statement
   for (const auto& slot : slots_) {
     if (slot->is_new) {
       guard_.run(*slot->use, [&] { slot->reset(seed, "measure[" + slot->use->id + "]"); });
-      said.ask(*slot->held, *slot->use, "", guard_);
+      said.ask(*slot, "", guard_);
       said.notes.push_back(
           {"", slot->use->id, "it measures from an edit of the world at " + time + " on"});
     }

@@ -16,7 +16,6 @@
 
 #include "measuring/lookout.h"
 #include "plugins/plugin_object.h"
-#include "plugins/statements.h"
 
 namespace elsie::simulation {
 
@@ -37,8 +36,8 @@ class Measuring {
   /// What the measures did to the program since the run began.
   void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
 
-  /// Goes on with what `before` has of measures that are described as they were, in a world with
-  /// the same robots and boxes; `was` describes those.
+  /// Goes on with what `before` has of measures that are described as they were, if they find the
+  /// same robots and boxes; `was` describes those.
   void take(const Measuring& before, std::span<const world::PluginUse> was, Undo& undo);
   /// Resets what was not taken, which begins with the next instant, and gathers what it says.
   void reset_new(std::uint64_t seed, const std::string& time, Statements& said);

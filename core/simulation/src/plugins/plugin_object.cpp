@@ -1,5 +1,8 @@
 #include "plugins/plugin_object.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 
@@ -73,6 +76,37 @@ void PluginObject::reset(std::uint64_t seed, const std::string& path) {
   forget();
   held->reset(random);
   is_new = false;
+}
+
+void Statements::ask(const PluginObject& object, const std::string& path, Guard& guard) {
+  const world::PluginUse& use = *object.use;
+  for (std::string& note : guard.run(use, [&] { return object.held->notes(); })) {
+    notes.push_back({guard.robot(), use.id, std::move(note)});
+  }
+  const auto has = [&](std::size_t from, const std::string& of, const std::string* name) {
+    return std::any_of(curves.begin() + static_cast<std::ptrdiff_t>(from), curves.end(),
+                       [&](const LearningCurve& other) {
+                         return other.robot == guard.robot() && other.plugin == of &&
+                                (!name || other.curve.name == *name);
+                       });
+  };
+  // A behaviour and a coordinator beside it may have one id.
+  std::string called = path + use.id;
+  for (int number = 2; has(0, called, nullptr); ++number) {
+    called = path + use.id + "_" + std::to_string(number);
+  }
+  const std::size_t first = curves.size();
+  for (Curve& curve : guard.run(use, [&] { return object.held->curves(); })) {
+    for (const Curve::Point& point : curve.points) {
+      if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
+        guard.fail(use, "its curve '" + curve.name + "' has a point that is not finite");
+      }
+    }
+    if (has(first, called, &curve.name)) {
+      guard.fail(use, "two of its curves have the name '" + curve.name + "'");
+    }
+    curves.push_back({guard.robot(), called, std::move(curve)});
+  }
 }
 
 }  // namespace elsie::simulation

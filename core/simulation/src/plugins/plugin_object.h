@@ -98,6 +98,16 @@ class ObjectOf : public PluginObject {
   }
 };
 
+/// What plugin objects say once they are reset, gathered for the result of a run.
+struct Statements {
+  std::vector<Note> notes;
+  std::vector<LearningCurve> curves;
+
+  /// Asks an object of the guard's robot, or a measure. `path`: what stands before the object's id
+  /// where it is inside a behaviour, "explore/", else "". Throws PluginFault.
+  void ask(const PluginObject& object, const std::string& path, Guard& guard);
+};
+
 /// What is done to each of a robot's objects. `path` names it on the robot:
 /// "behavior[explore]/behavior[roam]"; `within` says what it is inside of: "explore/", or "".
 using Visit =

@@ -17,27 +17,24 @@ using plugin::find_declared;
 template <class Elements>
 void strip(const Declaration& declaration, std::map<std::string, ParameterValue>& parameters,
            Elements& elements, const std::function<void(const std::string&)>& removed) {
-  std::erase_if(parameters, [&](const auto& given) {
-    const bool gone = !find_declared(declaration.parameters, given.first);
-    if (gone) {
-      removed("the parameter '" + given.first + "'");
-    }
-    return gone;
-  });
-  std::erase_if(elements, [&](auto& given) {
-    const ElementDeclaration* const known = find_declared(declaration.elements, given.element);
-    if (!known) {
-      removed("the element <" + given.element + ">");
-      return true;
-    }
-    std::erase_if(given.parameters, [&](const auto& parameter) {
-      const bool gone = !find_declared(known->parameters, parameter.first);
+  const auto strip_from = [&](auto& given, const auto& declared, const std::string& whose) {
+    std::erase_if(given, [&](const auto& parameter) {
+      const bool gone = !find_declared(declared, parameter.first);
       if (gone) {
-        removed("the parameter '" + parameter.first + "' of <" + given.element + ">");
+        removed("the parameter '" + parameter.first + "'" + whose);
       }
       return gone;
     });
-    return false;
+  };
+  strip_from(parameters, declaration.parameters, "");
+  std::erase_if(elements, [&](auto& given) {
+    const ElementDeclaration* const known = find_declared(declaration.elements, given.element);
+    if (known) {
+      strip_from(given.parameters, known->parameters, " of <" + given.element + ">");
+    } else {
+      removed("the element <" + given.element + ">");
+    }
+    return !known;
   });
 }
 

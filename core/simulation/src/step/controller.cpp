@@ -105,31 +105,26 @@ void Controller::for_each(Order order, const std::string& path, const std::strin
 }
 
 void Controller::begin_run() {
-  for (std::size_t i = 0; i < slots_.size(); ++i) {
-    set_priority(i, description_->behaviors[i].priority);
-    if (slots_[i]->inside) {
-      slots_[i]->inside->begin_run();
+  list_slots();
+  for (const auto& slot : slots_) {
+    if (slot->inside) {
+      slot->inside->begin_run();
     }
   }
   command_ = {};
-  begin_step();
 }
 
 void Controller::set_priority(const world::PluginUse& use, double priority) {
+  Member::Runner& runner = *this;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     if (slots_[i]->use == &use) {
-      set_priority(i, priority);
+      Member changed(members_[i].name(), priority, runner);
+      changed.trace = members_[i].trace;
+      members_[i] = std::move(changed);
     } else if (slots_[i]->inside) {
       slots_[i]->inside->set_priority(use, priority);
     }
   }
-}
-
-void Controller::set_priority(std::size_t member, double priority) {
-  Member::Runner& runner = *this;
-  Member changed(members_[member].name(), priority, runner);
-  changed.trace = members_[member].trace;
-  members_[member] = std::move(changed);
 }
 
 void Controller::begin_step() {

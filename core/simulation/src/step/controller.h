@@ -125,7 +125,6 @@ class Controller final : public Coordination, private Member::Runner {
   Slot& slot_of(const Member& member) {
     return *slots_[static_cast<std::size_t>(&member - members_.data())];
   }
-  void set_priority(std::size_t member, double priority);
   void check(const Slot& slot, const Response& response) const;
   void check_trace();
 

@@ -257,7 +257,7 @@ void Robot::decide(const Instant& now) {
 void Robot::ask(Statements& said) {
   for_each(Order::outer_first, [&](PluginObject& each, const auto&, const std::string& within) {
     if (each.kind != PluginKind::drive) {
-      said.ask(*each.held, *each.use, within, guard_);
+      said.ask(each, within, guard_);
     }
   });
 }

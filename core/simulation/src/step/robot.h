@@ -21,7 +21,6 @@
 
 #include "plugins/guard.h"
 #include "plugins/plugin_object.h"
-#include "plugins/statements.h"
 #include "step/controller.h"
 
 namespace elsie::simulation {
