@@ -71,7 +71,7 @@ struct Host::State {
   LoadedFiles loaded;
   std::map<fs::path, fs::path> sources;  // of libraries that were compiled from one file
   Report report;
-  Loading loading = Loading::in_place;
+  MakeCopy copy;
   const State* before = nullptr;  // while it is renewed
 
   const Entry* entry(PluginKind kind, std::string_view name) const {
@@ -254,8 +254,8 @@ std::optional<LoadedFile> Host::State::load_anew(FileReport& file) {
     file.sentence = std::move(*mismatch);
     return std::nullopt;
   }
-  LoadedLibrary library = load_library(file.path, known_as(file.path).string(), file.abi_word,
-                                       loading == Loading::copies);
+  LoadedLibrary library =
+      load_library(file.path, known_as(file.path).string(), file.abi_word, copy);
   if (!library.warning.empty()) {
     report.warnings.push_back(known_as(file.path).string() + ": " + library.warning);
   }
@@ -316,14 +316,14 @@ Host::Host() : state_(std::make_unique<State>()) {
   }
 }
 
-Host::Host(std::vector<SearchDirectory> directories, Loading loading) : Host() {
-  state_->loading = loading;
+Host::Host(std::vector<SearchDirectory> directories, MakeCopy copy) : Host() {
+  state_->copy = std::move(copy);
   state_->search(std::move(directories));
 }
 
 Host Host::renewed(std::vector<SearchDirectory> directories) const {
   Host host;
-  host.state_->loading = state_->loading;
+  host.state_->copy = state_->copy;
   host.state_->before = state_.get();
   host.state_->sources = state_->sources;
   host.state_->search(std::move(directories));

@@ -320,14 +320,12 @@ void Simulation::Impl::become_robots(const world::World& was, Becoming& becoming
   std::vector<std::shared_ptr<Robot>> gone = std::move(robots_);
   robots_.clear();
   for (std::size_t i = 0; i < world_.robots.size(); ++i) {
-    const world::Robot& next = world_.robots[i];
-    const Robot::Membership membership = Robot::membership(world_, i);
-    const std::size_t place = place_of(was.robots, next.id);
+    const std::size_t place = place_of(was.robots, world_.robots[i].id);
     if (place < was.robots.size()) {
       robots_.push_back(std::move(gone[place]));
-      robots_.back()->become(was.robots[place], next, membership, becoming);
+      robots_.back()->become(was.robots[place], world_, i, becoming);
     } else {
-      robots_.push_back(std::make_shared<Robot>(next, membership, *host_, options_));
+      robots_.push_back(std::make_shared<Robot>(world_, i, *host_, options_));
       robots_.back()->reset(seed_);
       robots_.back()->ask(becoming.said());
     }

@@ -7,8 +7,7 @@
 namespace elsie::simulation {
 
 EquippedRobot::EquippedRobot(const world::World& world, std::size_t robot, const plugin::Host& host)
-    : robot_(std::make_unique<Robot>(world.robots[robot], Robot::membership(world, robot), host,
-                                     Options{})) {}
+    : robot_(std::make_unique<Robot>(world, robot, host, Options{})) {}
 EquippedRobot::EquippedRobot(EquippedRobot&&) noexcept = default;
 EquippedRobot::~EquippedRobot() = default;
 

@@ -45,8 +45,7 @@ class Simulation::Impl {
     std::vector<base::Problem> problems;
     for (std::size_t i = 0; i < world_.robots.size(); ++i) {
       try {
-        robots_.push_back(
-            std::make_shared<Robot>(world_.robots[i], Robot::membership(world_, i), host, options));
+        robots_.push_back(std::make_shared<Robot>(world_, i, host, options));
         world_.robots[i].driven = robots_.back()->take_driven();
       } catch (const world::WorldError& error) {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());

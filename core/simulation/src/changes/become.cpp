@@ -159,8 +159,9 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
   }
 }
 
-void Robot::become(const world::Robot& was, const world::Robot& next, const Membership& membership,
+void Robot::become(const world::Robot& was, const world::World& world, std::size_t index,
                    Becoming& becoming) {
+  const world::Robot& next = world.robots[index];
   Undo& undo = becoming.undo();
   std::vector<base::Problem>& problems = becoming.problems();
   const plugin::Call call({.robot = next.id.c_str()});
@@ -168,11 +169,7 @@ void Robot::become(const world::Robot& was, const world::Robot& next, const Memb
   const bool same_drive = same_body && world::same_part(world::robot_spec(), "drive", &was, &next);
   const bool same_sensors =
       same_body && world::same_part(world::robot_spec(), "sensors", &was, &next);
-  const bool same_team = was.team == next.team &&
-                         membership.charger.has_value() == team_.charger.has_value() &&
-                         membership.resource_colours == resource_colours_;
-  // What stays is equipped anew where it may see a difference. That is undone last of all.
-  const bool equips_all = !same_drive || !same_sensors || !same_team;
+  // Undone last of all.
   undo.add([this, again = becoming.begin_robot()] {
     guard_.forgive();
     group_readings();
@@ -184,8 +181,12 @@ void Robot::become(const world::Robot& was, const world::Robot& next, const Memb
   undo.keep(state_, team_, resource_colours_, asked_, empty_, raised_, logged_);
   undo.keep(description_, body_frame_, drive_, drive_use_, drive_check_, joints_, wanted_joints_);
   description_ = &next;
-  guard_.forget(undo);
-  take_membership(membership);
+  const bool had_charger = team_.charger.has_value();
+  const std::vector<Colour> colours = resource_colours_;
+  take_membership(world, index);
+  // What stays is equipped anew where it may see a difference.
+  const bool equips_all = !same_drive || !same_sensors || was.team != next.team ||
+                          had_charger != team_.charger.has_value() || colours != resource_colours_;
   state_.energy = std::min(state_.energy, state_.capacity);
   drive_use_.location = next.location;
   become_sensors(was, becoming);

@@ -190,7 +190,7 @@ void Measuring::observe(Robots robots, const physics::Engine& engine, double tim
     }
     slot->has_begun = true;
     try {
-      guard_.step(*slot->use, [&] { slot->object().observe(lookout_.now()); });
+      guard_.step(*slot, [&] { slot->object().observe(lookout_.now()); });
     } catch (...) {
       has_failed_ = true;
       throw;

@@ -73,6 +73,7 @@ void PluginObject::apply(Component& object, const Setup& setup, const Perception
 
 void PluginObject::reset(std::uint64_t seed, const std::string& path) {
   random = Random(seed, path);
+  heap = {};
   forget();
   held->reset(random);
   is_new = false;

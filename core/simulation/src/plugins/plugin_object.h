@@ -74,7 +74,8 @@ class PluginObject {
   Random random;
   std::optional<Setup> changed;  // its parameters, if they are not as the world says
   std::optional<Camera> camera;  // that it looks through
-  bool is_new = true;            // until it is reset
+  Heap heap;
+  bool is_new = true;  // until it is reset
 
  private:
   virtual plugin::Object<Component> create(const plugin::Host& host) const = 0;

@@ -34,10 +34,9 @@ void Robot::replace(Swap& swap, const Cameras& cameras) {
     replace_sensor(swap, *slot, cameras);
   }
   replace_drive(swap);
-  controller_->for_each(Order::inner_first, "", "",
-                        [&](PluginObject& each, const std::string& path, const auto&) {
-                          swap.exchange(each, path, guard_);
-                        });
+  controller_->for_each(
+      Order::inner_first, "", "",
+      [&](PluginObject& each, const std::string& path, const auto&) { swap.exchange(each, path); });
   if (swap.concerns_robot()) {
     group_readings();
     check_needs();
@@ -49,7 +48,7 @@ void Robot::replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras)
   const std::string path = "sensor[" + slot.use->id + "]";
   const std::string kind = slot.object().kind().name;
   const bool had_camera = slot.camera.has_value();
-  if (!swap.exchange(slot, path, guard_)) {
+  if (!swap.exchange(slot, path)) {
     return;
   }
   swap.undo().keep(slot.camera);
@@ -70,7 +69,7 @@ void Robot::replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras)
 }
 
 void Robot::replace_drive(Swap& swap) {
-  if (!swap.exchange(*drive_, "drive", guard_)) {
+  if (!swap.exchange(*drive_, "drive")) {
     return;
   }
   swap.undo().keep(state_.wheels, state_.channels);

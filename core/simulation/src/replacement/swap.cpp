@@ -72,7 +72,7 @@ std::map<std::string, std::string> default_files(const Declaration& declaration,
 
 }  // namespace
 
-bool Swap::exchange(PluginObject& object, const std::string& path, Guard& guard) {
+bool Swap::exchange(PluginObject& object, const std::string& path) {
   const Declaration* const fresh = host_.find(object.kind, object.use->plugin);
   if (!fresh) {
     refuse(path, host_.explain_missing(object.kind, object.use->plugin));
@@ -88,7 +88,8 @@ bool Swap::exchange(PluginObject& object, const std::string& path, Guard& guard)
   exchanged_.push_back({&object, object.held.get()});
   replacement_.objects.push_back({robot_, path, object.use->plugin, false});
   run(object, path, [&] {
-    undo_.keep(object.declaration);
+    undo_.keep(object.declaration, object.heap);
+    object.heap = {};
     object.declaration = fresh;
     fit(object, path);
     const auto old =
@@ -97,7 +98,6 @@ bool Swap::exchange(PluginObject& object, const std::string& path, Guard& guard)
     undo_.add([&object, old] { object.held.swap(*old); });
   });
   object.forget_answers(undo_);
-  guard.forget(*object.use, undo_);
   return true;
 }
 

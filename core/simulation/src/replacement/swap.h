@@ -37,7 +37,7 @@ class Swap {
   /// Puts a new object in the place of the one of this name if its plugin has changed; whether it
   /// did. The parameters are the old ones as far as there are such, in the world's description,
   /// too. Throws ReplacementRefused.
-  bool exchange(PluginObject& object, const std::string& path, Guard& guard);
+  bool exchange(PluginObject& object, const std::string& path);
 
   /// Runs code of an object that was exchanged; what it throws becomes a ReplacementRefused.
   template <class Action>

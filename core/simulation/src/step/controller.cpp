@@ -141,13 +141,13 @@ Motion Controller::decide(const Perception& now) {
     return {};
   }
   now_ = now;
-  const world::PluginUse& use = *coordinator_->use;
-  command_ = setting_.guard.step(use, [&] {
+  command_ = setting_.guard.step(*coordinator_, [&] {
     return coordinator_->object().coordinate(members_, now.with_random(coordinator_->random));
   });
   setting_.guard.check();
   if (!command_.is_finite()) {
-    setting_.guard.fail(use, "its command is not a finite number: " + text(command_));
+    setting_.guard.fail(*coordinator_->use,
+                        "its command is not a finite number: " + text(command_));
   }
   check_trace();
   return command_;
@@ -186,26 +186,24 @@ void Controller::rate(std::span<const Motion> candidates, std::span<double> desi
     std::fill(desirability.begin(), desirability.end(), 0.0);
     return;
   }
-  const world::PluginUse& use = *coordinator_->use;
-  setting_.guard.step(use, [&] {
+  setting_.guard.step(*coordinator_, [&] {
     coordinator_->object().rate(members_, now_->with_random(coordinator_->random), command_,
                                 candidates, desirability);
   });
   setting_.guard.check();
-  require_degrees(desirability, use, setting_.guard);
+  require_degrees(desirability, *coordinator_->use, setting_.guard);
 }
 
 CommandSets Controller::command_sets() {
   if (!coordinator_) {
     return {};
   }
-  const world::PluginUse& use = *coordinator_->use;
-  CommandSets sets = setting_.guard.step(use, [&] {
+  CommandSets sets = setting_.guard.step(*coordinator_, [&] {
     return coordinator_->object().command_sets(members_, now_->with_random(coordinator_->random),
                                                command_);
   });
   setting_.guard.check();
-  require_sets(sets, use, setting_.guard);
+  require_sets(sets, *coordinator_->use, setting_.guard);
   return sets;
 }
 
@@ -213,7 +211,7 @@ const Response& Controller::run(Member& member) {
   Slot& slot = slot_of(member);
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = setting_.measure_time ? Clock::now() : Clock::time_point();
-  setting_.guard.step(*slot.use, [&] {
+  setting_.guard.step(slot, [&] {
     // In here, so that what the last answer held counts as freed.
     slot.response = slot.object().respond(now_->with_random(slot.random));
   });
@@ -233,7 +231,7 @@ const Response& Controller::run(Member& member) {
 void Controller::rate(Member& member, std::span<const Motion> candidates,
                       std::span<double> desirability) {
   Slot& slot = slot_of(member);
-  setting_.guard.step(*slot.use, [&] {
+  setting_.guard.step(slot, [&] {
     slot.object().rate(now_->with_random(slot.random), slot.response, candidates, desirability);
   });
   require_degrees(desirability, *slot.use, setting_.guard);
@@ -241,7 +239,7 @@ void Controller::rate(Member& member, std::span<const Motion> candidates,
 
 CommandSets Controller::command_sets(Member& member) {
   Slot& slot = slot_of(member);
-  CommandSets sets = setting_.guard.step(*slot.use, [&] {
+  CommandSets sets = setting_.guard.step(slot, [&] {
     return slot.object().command_sets(now_->with_random(slot.random), slot.response);
   });
   require_sets(sets, *slot.use, setting_.guard);

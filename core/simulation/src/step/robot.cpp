@@ -29,20 +29,10 @@ Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) 
 
 }  // namespace
 
-Robot::Membership Robot::membership(const world::World& world, std::size_t robot) {
-  const world::Robot& description = world.robots[robot];
-  Membership membership;
-  for (std::size_t i = 0; i < robot; ++i) {
-    membership.index += world.robots[i].team == description.team ? 1 : 0;
-  }
-  membership.charger = nearest_charger(world, description.team, {description.x, description.y});
-  membership.resource_colours = simulation::resource_colours(world, description.team);
-  return membership;
-}
-
-Robot::Robot(const world::Robot& description, const Membership& membership,
-             const plugin::Host& host, const Options& options)
-    : description_(&description), guard_(description.id, options.budget) {
+Robot::Robot(const world::World& world, std::size_t index, const plugin::Host& host,
+             const Options& options)
+    : description_(&world.robots[index]), guard_(description_->id, options.budget) {
+  const world::Robot& description = *description_;
   const plugin::Call call({.robot = description.id.c_str()});
   std::vector<base::Problem> problems;
   for (const world::SensorUse& use : description.sensors) {
@@ -56,7 +46,7 @@ Robot::Robot(const world::Robot& description, const Membership& membership,
   throw_if_any(problems);
   group_readings();
 
-  take_membership(membership);
+  take_membership(world, index);
   take_description();
   perception_.self = &state_;
   perception_.team = &team_;
@@ -94,16 +84,20 @@ std::shared_ptr<Robot::SensorSlot> Robot::make_sensor(const world::SensorUse& us
   return slot;
 }
 
-/// What is described and nobody changes but by an edit of it.
-void Robot::take_membership(const Membership& membership) {
-  state_.id = description_->id;
-  state_.length_m = description_->body.length;
-  state_.width_m = description_->body.width;
-  state_.team_index = membership.index;
-  state_.capacity = description_->battery;
-  team_.name = description_->team;
-  team_.charger = membership.charger;
-  resource_colours_ = membership.resource_colours;
+/// What is described and nobody changes but by an edit of it. What it has of its team: its place
+/// there, a charger, and what the resources look like that it may collect.
+void Robot::take_membership(const world::World& world, std::size_t index) {
+  const world::Robot& robot = *description_;
+  state_.id = robot.id;
+  state_.length_m = robot.body.length;
+  state_.width_m = robot.body.width;
+  state_.team_index = static_cast<int>(
+      std::count_if(world.robots.begin(), world.robots.begin() + static_cast<std::ptrdiff_t>(index),
+                    [&](const world::Robot& other) { return other.team == robot.team; }));
+  state_.capacity = robot.battery;
+  team_.name = robot.team;
+  team_.charger = nearest_charger(world, robot.team, {robot.x, robot.y});
+  resource_colours_ = simulation::resource_colours(world, robot.team);
 }
 
 void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& problems) {
@@ -228,7 +222,7 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
     context.mounting = &slot.mounting;
     context.random = &slot.random;
     context.image = slot.camera ? &slot.picture : nullptr;
-    guard_.step(*slot.use, [&] { slot.object().update(context); });
+    guard_.step(slot, [&] { slot.object().update(context); });
     slot.volume = carrier.take_volume();
   }
 }

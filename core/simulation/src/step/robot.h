@@ -47,19 +47,8 @@ struct Tally {
 
 class Robot final : private Wishes {
  public:
-  /// What a robot's team gives it before a run: its place among the robots, a charger, and what the
-  /// resources look like that it may collect.
-  struct Membership {
-    int index = 0;
-    std::optional<Vector2> charger;
-    std::vector<Colour> resource_colours;
-  };
-
-  /// What the robot of this index has of its team before a run of the world.
-  static Membership membership(const world::World& world, std::size_t robot);
-
-  /// Makes the plugin objects. Throws world::WorldError.
-  Robot(const world::Robot& description, const Membership& membership, const plugin::Host& host,
+  /// Makes the plugin objects of a robot of the world. Throws world::WorldError.
+  Robot(const world::World& world, std::size_t index, const plugin::Host& host,
         const Options& options);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
@@ -114,9 +103,9 @@ class Robot final : private Wishes {
   /// Puts new objects in the places of those whose plugins have changed. Throws ReplacementRefused.
   void replace(Swap& swap, const Cameras& cameras);
 
-  /// Becomes what `next` describes; `was` is what it is now, with all that was changed. What is
+  /// Becomes the robot of this index; `was` is what it is now, with all that was changed. What is
   /// described as before stays as it is. Problems are those of `becoming`.
-  void become(const world::Robot& was, const world::Robot& next, const Membership& membership,
+  void become(const world::Robot& was, const world::World& world, std::size_t index,
               Becoming& becoming);
 
   /// Gathers what the plugins say after a reset. Throws PluginFault.
@@ -201,7 +190,7 @@ class Robot final : private Wishes {
   void check_needs() const;
   std::shared_ptr<SensorSlot> make_sensor(const world::SensorUse& use, const plugin::Host& host,
                                           std::vector<base::Problem>& problems) const;
-  void take_membership(const Membership& membership);
+  void take_membership(const world::World& world, std::size_t index);
   void become_sensors(const world::Robot& was, Becoming& becoming);
   void take_live(bool has_new_drive, bool has_new_energy);
   void list_members();
