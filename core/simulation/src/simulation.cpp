@@ -87,7 +87,7 @@ RunResult Simulation::run(std::span<Observer* const> observers,
         observer->stepped(*this);
       }
       if (limits.wall_time && wall() >= *limits.wall_time && outcome() == Outcome::running) {
-        impl_->stop(Outcome::time_limit, "the limit of time on the clock was met");
+        impl_->verdict_ = {Outcome::time_limit, "the limit of time on the clock was met"};
       }
     }
   } catch (...) {

@@ -161,8 +161,6 @@ class Simulation::Impl {
     return replacement;
   }
 
-  void stop(Outcome outcome, std::string reason) { verdict_ = {outcome, std::move(reason)}; }
-
   double time_s() const {
     return base_time_s_ + static_cast<double>(steps_ - base_steps_) * world_.physics.step;
   }

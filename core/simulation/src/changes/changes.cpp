@@ -207,24 +207,19 @@ void check_room(const std::vector<Placed>& places, const world::World& world,
 
 /// All of them or none.
 void set_up(const std::vector<Tuned>& tunings) {
-  std::vector<Setup> before;
+  Undo undo;
   for (const Tuned& tuned : tunings) {
-    before.push_back(tuned.object->setup());
-  }
-  for (std::size_t i = 0; i < tunings.size(); ++i) {
-    const Tuned& tuned = tunings[i];
     try {
+      const Setup before = tuned.object->setup();
       tuned.robot->set_up(*tuned.object, tuned.setup);
+      undo.add([&tuned, before] { tuned.robot->set_up(*tuned.object, before); });
     } catch (const PluginFault&) {
       throw;
     } catch (...) {
-      const std::string problem = what_was_thrown();
-      while (i-- > 0) {
-        tunings[i].robot->set_up(*tunings[i].object, before[i]);
-      }
-      refuse(tuned.text, problem);
+      refuse(tuned.text, what_was_thrown());
     }
   }
+  undo.settle();
 }
 
 }  // namespace

@@ -17,8 +17,7 @@ namespace {
 
 std::string short_text(double value) { return base::number_text(value, 4); }
 
-}  // namespace
-
+/// What is allocated on the heap of the process, bytes. Takes a microsecond or so.
 std::int64_t heap_bytes() {
   if (__sanitizer_get_current_allocated_bytes) {
     return static_cast<std::int64_t>(__sanitizer_get_current_allocated_bytes());
@@ -26,6 +25,8 @@ std::int64_t heap_bytes() {
   const auto info = mallinfo2();
   return static_cast<std::int64_t>(info.uordblks + info.hblkhd);
 }
+
+}  // namespace
 
 std::string what_was_thrown() {
   try {

@@ -18,9 +18,6 @@
 
 namespace elsie::simulation {
 
-/// What is allocated on the heap of the process, bytes. Takes a microsecond or so.
-std::int64_t heap_bytes();
-
 /// What the exception that is being handled says.
 std::string what_was_thrown();
 
