@@ -19,9 +19,9 @@
 
 #include "elsie/api/coordinator.h"
 #include "elsie/plugin/host.h"
-#include "elsie/plugin/linked.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/simulation/simulation.h"
+#include "elsie/testing/linked.h"
 #include "elsie/world/reader.h"
 
 #include "statistics.h"
@@ -68,7 +68,7 @@ ELSIE_COORDINATOR(Stopwatch, "stopwatch", "Measures what asking a behaviour cost
 
 void measure_calls(const std::string& behavior) {
   elsie::plugin::Host host(elsie::plugin::default_search_path());
-  elsie::plugin::add_linked(host);
+  elsie::testing::add_linked(host);
   elsie::world::ReadOptions options;
   options.data_directories = {ELSIE_SOURCE_DIR};
   const std::string text = R"(<world format="1"><robots><robot id="r" team="red"><sensors>

@@ -35,10 +35,3 @@ TEST_CASE("A number can be written with some significant digits or decimals") {
   CHECK(base::fixed_text(1e300, 1).size() == 303);
   CHECK(base::seconds_text(0.25) == "0.25 s");
 }
-
-TEST_CASE("A number is rounded to decimals, without a negative zero") {
-  CHECK(base::rounded(0.7000000000000001, 9) == 0.7);
-  CHECK(base::rounded(2.5, 0) == 3.0);
-  CHECK_FALSE(std::signbit(base::rounded(-0.0001, 2)));
-  CHECK(base::rounded(1.25e300, 2) == 1.25e300);
-}

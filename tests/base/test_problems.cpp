@@ -52,19 +52,6 @@ TEST_CASE("Too many problems are counted, not listed, and the first lines are li
   CHECK(sorted.back().text() == "data: and 3 more mistakes");
 }
 
-TEST_CASE("Problems and notes of some lines can be forgotten, and be met again") {
-  Problems problems("model.fcl");
-  problems.add(1, "one");
-  problems.add(5, "five");
-  problems.add_note(6, "untidy");
-  problems.add_note(2, "untidy");
-  problems.forget(4, 6);
-  CHECK(problems.size() == 1);
-  CHECK(problems.notes() == std::vector<base::Problem>{{"model.fcl", 2, "untidy"}});
-  problems.add(5, "five");
-  CHECK(problems.size() == 2);
-}
-
 TEST_CASE("An error says who is speaking and how the program ends") {
   CHECK(base::BadInput("no such world").message() == "elsie: no such world");
   CHECK(base::BadInput("no such world").exit_code() == base::kBadInput);

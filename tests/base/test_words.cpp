@@ -12,8 +12,6 @@ TEST_CASE("Things are counted in words") {
   CHECK(base::counted(1, "run") == "1 run");
   CHECK(base::counted(0, "run") == "0 runs");
   CHECK(base::counted(2, "box", "boxes") == "2 boxes");
-  CHECK(base::is_or_are(1) == std::string("is"));
-  CHECK(base::is_or_are(0) == std::string("are"));
 }
 
 TEST_CASE("Items are joined, listed and enumerated") {

@@ -11,7 +11,7 @@
 #include "elsie/api/coordinator.h"
 #include "elsie/api/sensor.h"
 #include "elsie/plugin/error.h"
-#include "elsie/plugin/linked.h"
+#include "elsie/testing/linked.h"
 
 #include "support.h"
 #include "wheels.h"
@@ -227,11 +227,11 @@ TEST_CASE("A missing plugin that is like none is explained by where was searched
 
 TEST_CASE("Plugins that are linked into the program can be added") {
   Host host;
-  add_linked(host);
+  testing::add_linked(host);
   REQUIRE(host.find(PluginKind::behavior, "linked"));
   CHECK(host.file_of(PluginKind::behavior, "linked").empty());
   CHECK(answer(*host.create<Behavior>(PluginKind::behavior, "linked")).right == 2.0);
-  CHECK_THROWS_MATCHES(add_linked(host), PluginError,
+  CHECK_THROWS_MATCHES(testing::add_linked(host), PluginError,
                        Message("behavior 'linked' is there already"));
 }
 

@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/build/private_copy.h"
 #include "elsie/build/watch.h"
 #include "elsie/plugin/host.h"
 
@@ -27,7 +28,9 @@ namespace fs = std::filesystem;
 using elsie::test::wheels;
 using std::chrono::milliseconds;
 
-Host copies_of(const Folder& folder) { return Host({{folder.path(), "given"}}, Loading::copies); }
+Host copies_of(const Folder& folder) {
+  return Host({{folder.path(), "given"}}, build::private_copy);
+}
 Host renewed(const Host& host, const Folder& folder) {
   return host.renewed({{folder.path(), "given"}});
 }

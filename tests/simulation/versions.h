@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "elsie/build/private_copy.h"
 #include "elsie/plugin/host.h"
 
 #include "places.h"
@@ -54,7 +55,7 @@ class Versions {
   }
 
   std::filesystem::path file() const { return folder / "versioned.so"; }
-  plugin::Host host() const { return plugin::Host({{folder, "given"}}, plugin::Loading::copies); }
+  plugin::Host host() const { return plugin::Host({{folder, "given"}}, build::private_copy); }
   plugin::Host renewed(const plugin::Host& host) const { return host.renewed({{folder, "given"}}); }
 
   /// How many versions are in memory.

@@ -242,8 +242,8 @@ std::string BatchReport::json() {
 std::string BatchReport::interruption() {
   const Total sum = total(database_.cells(), {});
   return "elsie: interrupted; " + std::to_string(sum.pending) + " of " +
-         base::counted(sum.runs, "run") + ' ' + base::is_or_are(sum.runs) +
-         " still to be done. Continue with\n  " + resume_ + '\n';
+         base::counted(sum.runs, "run is", "runs are") + " still to be done. Continue with\n  " +
+         resume_ + '\n';
 }
 
 int BatchReport::exit_code() {

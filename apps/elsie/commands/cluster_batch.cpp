@@ -184,8 +184,8 @@ class ClusterBatch {
     std::string text;
     for (const std::size_t shard : folder_.unfinished()) {
       text += "  shard " + std::to_string(shard) + ": " + std::to_string(folder_.pending(shard)) +
-              " of " + base::counted(folder_.runs(shard), "run") + ' ' +
-              base::is_or_are(folder_.runs(shard)) + " still to be done";
+              " of " + base::counted(folder_.runs(shard), "run is", "runs are") +
+              " still to be done";
       if (const std::string fate = cluster::fate(folder_.job(), shard); !fate.empty()) {
         text += "; " + fate;
       }

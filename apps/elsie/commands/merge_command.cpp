@@ -46,15 +46,14 @@ int merge(const MergeOptions& options) {
   if (!options.quiet) {
     const std::int64_t to_do = merged.pending + merged.missing;
     out() << options.into << ": " << merged.all_runs - to_do << " of "
-          << base::counted(merged.all_runs, "run") << ' ' << base::is_or_are(merged.all_runs)
-          << " done\n";
+          << base::counted(merged.all_runs, "run is", "runs are") << " done\n";
     if (merged.duplicates > 0) {
       out() << base::counted(merged.duplicates, "run")
             << (merged.duplicates == 1 ? " was in several databases, and counts once\n"
                                        : " were in several databases, and count once\n");
     }
     if (to_do > 0) {
-      out() << to_do << ' ' << base::is_or_are(to_do) << " still to be done: elsie batch "
+      out() << base::counted(to_do, "is", "are") << " still to be done: elsie batch "
             << shell_word(experiment_of(options.into)) << " --database " << shell_word(options.into)
             << " --resume\n";
     }

@@ -17,11 +17,8 @@ double FuzzySet::degree(double x) const {
   const Point& left = *(right - 1);
   if (left.x == x) {
     double highest = left.degree;
-    for (auto p = right - 1; p->x == x; --p) {
-      highest = std::max(highest, p->degree);
-      if (p == points.begin()) {
-        break;
-      }
+    for (auto p = right - 1; p != points.begin() && (p - 1)->x == x; --p) {
+      highest = std::max(highest, (p - 1)->degree);
     }
     return highest;
   }

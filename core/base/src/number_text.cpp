@@ -1,9 +1,7 @@
 #include "elsie/base/number_text.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 
 namespace elsie::base {
 namespace {
@@ -34,12 +32,5 @@ std::string fixed_text(double value, int decimals) {
 }
 
 std::string seconds_text(double seconds) { return number_text(seconds, 6) + " s"; }
-
-double rounded(double value, int decimals) {
-  constexpr double kPowers[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
-  const double power = kPowers[std::clamp(decimals, 0, 9)];
-  constexpr double kWhole = 1e15;  // above it, doubles have hardly any decimals
-  return std::abs(value) * power < kWhole ? std::round(value * power) / power + 0.0 : value;
-}
 
 }  // namespace elsie::base

@@ -48,26 +48,10 @@ void Problems::add(std::span<const Problem> problems) {
   }
 }
 
-void Problems::add_note(int line, std::string message) {
-  notes_.push_back({file_, line, std::move(message)});
-}
-
 void Problems::forget(int first_line, int last_line) {
-  const auto is_there = [&](const Problem& problem) {
-    return problem.line >= first_line && problem.line <= last_line;
-  };
-  std::erase_if(problems_, is_there);
-  std::erase_if(notes_, is_there);
-  std::erase_if(known_, [&](const auto& place) {
-    return std::get<1>(place) >= first_line && std::get<1>(place) <= last_line;
-  });
-}
-
-std::vector<Problem> Problems::notes() const {
-  std::vector<Problem> sorted = notes_;
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const Problem& a, const Problem& b) { return a.line < b.line; });
-  return sorted;
+  const auto is_there = [&](int line) { return line >= first_line && line <= last_line; };
+  std::erase_if(problems_, [&](const Problem& problem) { return is_there(problem.line); });
+  std::erase_if(known_, [&](const auto& place) { return is_there(std::get<1>(place)); });
 }
 
 std::vector<Problem> Problems::sorted(const std::string& main_file) const {

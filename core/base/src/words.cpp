@@ -12,8 +12,6 @@ std::string counted(std::uint64_t count, std::string_view what) {
   return counted(count, what, std::string(what) + 's');
 }
 
-const char* is_or_are(std::uint64_t count) { return count == 1 ? "is" : "are"; }
-
 std::string joined(const std::vector<std::string>& items, std::string_view separator) {
   std::string text;
   for (std::size_t i = 0; i < items.size(); ++i) {

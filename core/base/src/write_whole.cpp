@@ -7,8 +7,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "elsie/base/write_all.h"
-
 namespace fs = std::filesystem;
 
 namespace elsie::base {
@@ -50,6 +48,18 @@ int write_in_place(const fs::path& file, std::string_view content, Durable durab
 }
 
 }  // namespace
+
+int write_all(int descriptor, std::string_view bytes) noexcept {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count >= 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    } else if (errno != EINTR) {
+      return errno;
+    }
+  }
+  return 0;
+}
 
 fs::path end_of_links(fs::path file) {
   constexpr int kMostLinks = 40;  // as Linux has it

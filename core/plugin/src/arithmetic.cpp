@@ -15,26 +15,20 @@ const char* Arithmetic::difference_from(const Arithmetic& usual) const noexcept 
 #if defined(__x86_64__)
   constexpr std::uint64_t kRounding = 0x6000;
   constexpr std::uint64_t kSmall = 0x8040;  // flush to zero, denormals are zero
-  constexpr std::uint16_t kX87Rounding = 0x0c00;
-  const std::uint64_t changed = control_ ^ usual.control_;
-  const auto x87_changed = static_cast<std::uint16_t>(x87_ ^ usual.x87_);
-  if ((changed & kRounding) != 0 || (x87_changed & kX87Rounding) != 0) {
-    return "how results are rounded";
-  }
-  if ((changed & kSmall) != 0) {
-    return "that very small numbers are kept (it may be compiled with -ffast-math)";
-  }
 #elif defined(__aarch64__)
   constexpr std::uint64_t kRounding = 3ULL << 22U;
   constexpr std::uint64_t kSmall = 1ULL << 24U;
+#else  // nothing is known of it
+  constexpr std::uint64_t kRounding = 0, kSmall = 0;
+#endif
+  constexpr unsigned kX87Rounding = 0x0c00;  // where there is none, x87_ is always zero
   const std::uint64_t changed = control_ ^ usual.control_;
-  if ((changed & kRounding) != 0) {
+  if ((changed & kRounding) != 0 || ((x87_ ^ usual.x87_) & kX87Rounding) != 0) {
     return "how results are rounded";
   }
   if ((changed & kSmall) != 0) {
     return "that very small numbers are kept (it may be compiled with -ffast-math)";
   }
-#endif
   return "the precision of results, or which errors in them raise a signal";
 }
 

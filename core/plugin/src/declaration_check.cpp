@@ -9,6 +9,8 @@
 #include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/parameters.h"
 
+#include "text.h"
+
 namespace elsie::plugin {
 namespace {
 
@@ -54,8 +56,7 @@ class Checker {
 
  private:
   void fault(const std::string& text) {
-    faults_.push_back(std::string(kind_name(declaration_.kind)) + " '" + declaration_.name +
-                      "': " + text);
+    faults_.push_back(title(declaration_.kind, declaration_.name) + ": " + text);
   }
 
   void check_name(const char* what, const std::string& name) {
@@ -116,10 +117,8 @@ class Checker {
 
   /// An element that stands in a list when a world gives none.
   void check_default(const ElementValue& value) {
-    const auto element = std::find_if(
-        declaration_.elements.begin(), declaration_.elements.end(),
-        [&](const ElementDeclaration& declared) { return declared.name == value.element; });
-    if (element == declaration_.elements.end()) {
+    const auto* const element = find_declared(declaration_.elements, value.element);
+    if (!element) {
       return;  // its name is another fault
     }
     for (const ParameterDeclaration& parameter : element->parameters) {
@@ -178,35 +177,27 @@ class Checker {
     };
     std::for_each(declaration_.needs.begin(), declaration_.needs.end(), check);
     std::for_each(declaration_.produces.begin(), declaration_.produces.end(), check);
-    const bool is_sensor = declaration_.kind == PluginKind::sensor;
+    const PluginKind kind = declaration_.kind;
+    const bool is_sensor = kind == PluginKind::sensor;
     const std::size_t produced = declaration_.produces.size();
     if (is_sensor && produced != 1) {
       fault("a sensor must produce one kind of reading, not " + std::to_string(produced));
     }
-    if (is_sensor && !declaration_.needs.empty()) {
-      fault("a sensor is not given readings, so it cannot need any");
-    }
     if (!is_sensor && produced != 0) {
       fault("only a sensor produces readings");
     }
-    if (declaration_.kind == PluginKind::measure) {
-      if (!declaration_.needs.empty()) {
-        fault("a measure is not given readings, so it cannot need any");
-      }
-      if (!declaration_.events.empty()) {
-        fault("a measure only watches, so it raises no events");
-      }
+    if ((is_sensor || kind == PluginKind::measure || kind == PluginKind::drive) &&
+        !declaration_.needs.empty()) {
+      fault("a " + std::string(kind_name(kind)) + " is not given readings, so it cannot need any");
     }
-    if (declaration_.kind == PluginKind::drive) {
-      if (!declaration_.needs.empty()) {
-        fault("a drive is not given readings, so it cannot need any");
-      }
-      if (!declaration_.events.empty()) {
-        fault("a drive only carries out motions, so it raises no events");
-      }
+    if (kind == PluginKind::measure && !declaration_.events.empty()) {
+      fault("a measure only watches, so it raises no events");
     }
-    if (!declaration_.reacts_to.empty() && declaration_.kind != PluginKind::behavior &&
-        declaration_.kind != PluginKind::coordinator) {
+    if (kind == PluginKind::drive && !declaration_.events.empty()) {
+      fault("a drive only carries out motions, so it raises no events");
+    }
+    if (!declaration_.reacts_to.empty() && kind != PluginKind::behavior &&
+        kind != PluginKind::coordinator) {
       fault("only behaviors and coordinators perceive events, so it reacts to none");
     }
   }
@@ -229,8 +220,7 @@ std::vector<std::string> check_declarations(std::span<const Declaration> declara
     faults.insert(faults.end(), std::make_move_iterator(more.begin()),
                   std::make_move_iterator(more.end()));
     if (!seen.emplace(declaration.kind, declaration.name).second) {
-      faults.push_back(std::string(kind_name(declaration.kind)) + " '" + declaration.name +
-                       "' is declared twice");
+      faults.push_back(title(declaration.kind, declaration.name) + " is declared twice");
     }
   }
   return faults;

@@ -1,7 +1,6 @@
 #include "elsie/plugin/host.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -39,7 +38,7 @@ struct Entry {
 };
 
 using EntryRef = std::shared_ptr<const Entry>;
-using Registry = std::map<std::string, EntryRef, std::less<>>;
+using Registry = std::map<std::pair<PluginKind, std::string>, EntryRef>;
 
 /// A file that was loaded, with all its plugins, also those that are shadowed by others.
 struct LoadedFile {
@@ -47,11 +46,8 @@ struct LoadedFile {
   std::string abi_word;
   std::vector<EntryRef> plugins;
 };
+using LoadedFiles = std::map<fs::path, LoadedFile>;
 using FileId = std::pair<dev_t, ino_t>;  // the same whatever the path
-
-std::string title(PluginKind kind, std::string_view name) {
-  return std::string(kind_name(kind)) + " '" + std::string(name) + "'";
-}
 
 /// The plugins that the core registers itself: every host has them, and before all others.
 const std::vector<EntryRef>& built_in() {
@@ -70,21 +66,20 @@ const std::vector<EntryRef>& built_in() {
 }  // namespace
 
 struct Host::State {
-  std::array<Registry, kPluginKinds.size()> registries;
+  Registry registry;
   std::map<FileId, fs::path> seen;  // directories and libraries
-  std::map<fs::path, LoadedFile> loaded;
+  LoadedFiles loaded;
   std::map<fs::path, fs::path> sources;  // of libraries that were compiled from one file
   Report report;
-  Loading loading = Loading::in_place;
+  MakeCopy copy;
   const State* before = nullptr;  // while it is renewed
 
-  Registry& registry(PluginKind kind) { return registries[static_cast<std::size_t>(kind)]; }
-  const Registry& registry(PluginKind kind) const {
-    return registries[static_cast<std::size_t>(kind)];
-  }
   const Entry* entry(PluginKind kind, std::string_view name) const {
-    const auto at = registry(kind).find(name);
-    return at == registry(kind).end() ? nullptr : at->second.get();
+    const auto at = registry.find({kind, std::string(name)});
+    return at == registry.end() ? nullptr : at->second.get();
+  }
+  void add(const EntryRef& entry) {
+    registry.emplace(std::pair(entry->declaration.kind, entry->declaration.name), entry);
   }
 
   /// The file that the user knows of a library: its source, if it was compiled from one.
@@ -92,14 +87,14 @@ struct Host::State {
     const auto source = sources.find(file);
     return source == sources.end() ? file : source->second;
   }
-  void search(SearchDirectory directory);
+  void search(std::vector<SearchDirectory> all);
   fs::path former_of(std::size_t place) const;
   std::string list(const SearchDirectory& directory, std::vector<fs::path>& files);
   FileReport examine(const fs::path& file, const fs::path& former);
   void load(FileReport& file, const fs::path& former);
   std::optional<LoadedFile> load_anew(FileReport& file);
-  const LoadedFile* known(const fs::path& file) const;
-  void keep_old(FileReport& file, const fs::path& former);
+  const LoadedFiles::value_type* known(const fs::path& file) const;
+  void keep_old(FileReport& file, const LoadedFiles::value_type& old);
   void keep_gone(DirectoryReport& found, const std::vector<fs::path>& files,
                  const fs::path& former);
   void enter(LoadedFile found, FileReport& file);
@@ -152,35 +147,38 @@ void Host::State::keep_gone(DirectoryReport& found, const std::vector<fs::path>&
   if (!before) {
     return;
   }
-  for (const auto& [path, old] : before->loaded) {
+  for (const auto& old : before->loaded) {
+    const fs::path& path = old.first;
     const bool here = path == found.directory.path || path.parent_path() == found.directory.path ||
                       (path == former && files.empty());
     if (here && std::find(files.begin(), files.end(), path) == files.end()) {
       FileReport file;
       file.path = path;
       file.sentence = "is gone";
-      keep_old(file, path);
+      keep_old(file, old);
       found.files.push_back(std::move(file));
     }
   }
 }
 
-void Host::State::search(SearchDirectory directory) {
-  const fs::path former = former_of(report.directories.size());
-  if (!directory.source.empty()) {
-    sources.insert_or_assign(directory.path, directory.source);
-  }
-  DirectoryReport found{std::move(directory), "", {}};
-  std::vector<fs::path> files;
-  found.problem = list(found.directory, files);
-  for (const fs::path& file : files) {
-    FileReport& result = found.files.emplace_back(examine(file, former));
-    if (result.status == FileStatus::refused) {
-      report.warnings.push_back(known_as(file).string() + ": " + result.sentence);
+void Host::State::search(std::vector<SearchDirectory> all) {
+  for (SearchDirectory& directory : all) {
+    const fs::path former = former_of(report.directories.size());
+    if (!directory.source.empty()) {
+      sources.insert_or_assign(directory.path, directory.source);
     }
+    DirectoryReport found{std::move(directory), "", {}};
+    std::vector<fs::path> files;
+    found.problem = list(found.directory, files);
+    for (const fs::path& file : files) {
+      FileReport& result = found.files.emplace_back(examine(file, former));
+      if (result.status == FileStatus::refused) {
+        report.warnings.push_back(known_as(file).string() + ": " + result.sentence);
+      }
+    }
+    keep_gone(found, files, former);
+    report.directories.push_back(std::move(found));
   }
-  keep_gone(found, files, former);
-  report.directories.push_back(std::move(found));
 }
 
 FileReport Host::State::examine(const fs::path& path, const fs::path& former) {
@@ -209,33 +207,34 @@ FileReport Host::State::examine(const fs::path& path, const fs::path& former) {
 }
 
 /// What the host before this one had loaded.
-const LoadedFile* Host::State::known(const fs::path& file) const {
-  const auto at = before ? before->loaded.find(file) : decltype(loaded)::const_iterator();
-  return before && at != before->loaded.end() ? &at->second : nullptr;
+const LoadedFiles::value_type* Host::State::known(const fs::path& file) const {
+  if (!before) {
+    return nullptr;
+  }
+  const auto at = before->loaded.find(file);
+  return at == before->loaded.end() ? nullptr : &*at;
 }
 
 void Host::State::load(FileReport& file, const fs::path& former) {
-  const LoadedFile* const old = known(file.path);
-  if (old && fingerprint_of(file.path) == old->fingerprint) {
-    file.abi_word = old->abi_word;
-    enter(*old, file);
+  const auto* old = known(file.path);
+  if (old && fingerprint_of(file.path) == old->second.fingerprint) {
+    file.abi_word = old->second.abi_word;
+    enter(old->second, file);
   } else if (auto found = load_anew(file)) {
     enter(*std::move(found), file);
-  } else if (old) {
-    keep_old(file, file.path);
-  } else if (known(former)) {
-    keep_old(file, former);
+  } else if (old || (old = known(former))) {
+    keep_old(file, *old);
   }
 }
 
-/// The file is not to be used, but the library that it was before, which was `former`, still is.
-void Host::State::keep_old(FileReport& file, const fs::path& former) {
+/// The file is not to be used, but the library that it was before still is.
+void Host::State::keep_old(FileReport& file, const LoadedFiles::value_type& old) {
   report.warnings.push_back(known_as(file.path).string() + ": " + file.sentence +
                             "; the library that was there before is still in use");
-  file.path = former;
-  file.abi_word = known(former)->abi_word;
+  file.path = old.first;
+  file.abi_word = old.second.abi_word;
   file.is_former = true;
-  enter(*known(former), file);
+  enter(old.second, file);
 }
 
 /// None, and the reason in `file`, when it cannot be used.
@@ -255,8 +254,8 @@ std::optional<LoadedFile> Host::State::load_anew(FileReport& file) {
     file.sentence = std::move(*mismatch);
     return std::nullopt;
   }
-  LoadedLibrary library = load_library(file.path, known_as(file.path).string(), file.abi_word,
-                                       loading == Loading::copies);
+  LoadedLibrary library =
+      load_library(file.path, known_as(file.path).string(), file.abi_word, copy);
   if (!library.warning.empty()) {
     report.warnings.push_back(known_as(file.path).string() + ": " + library.warning);
   }
@@ -283,10 +282,8 @@ void Host::State::enter(LoadedFile found, FileReport& file) {
   std::size_t used = 0;
   for (const EntryRef& ref : found.plugins) {
     const Declaration& declaration = ref->declaration;
-    FoundPlugin& plugin = file.plugins.emplace_back();
-    plugin.kind = declaration.kind;
-    plugin.name = declaration.name;
-    plugin.version = declaration.version;
+    FoundPlugin& plugin = file.plugins.emplace_back(
+        FoundPlugin{declaration.kind, declaration.name, declaration.version, {}});
     if (const Entry* const first = entry(plugin.kind, plugin.name)) {
       plugin.shadowed_by = first->library ? known_as(first->file) : fs::path("the program itself");
       report.warnings.push_back(title(plugin.kind, plugin.name) + " is in both " +
@@ -294,17 +291,15 @@ void Host::State::enter(LoadedFile found, FileReport& file) {
                                 known_as(file.path).string() + "; the first one is used");
       continue;
     }
-    registry(plugin.kind).emplace(plugin.name, ref);
+    add(ref);
     ++used;
   }
   if (used > 0) {  // otherwise the library goes
     loaded.insert_or_assign(file.path, std::move(found));
   }
   file.status = used > 0 ? FileStatus::loaded : FileStatus::ignored;
-  file.sentence.clear();
-  if (used == 0) {
-    file.sentence = "has only plugins that other libraries have too, which come first";
-  }
+  file.sentence =
+      used > 0 ? "" : "has only plugins that other libraries have too, which come first";
 }
 
 void Release::operator()(Component* object) {
@@ -317,31 +312,25 @@ void Release::operator()(Component* object) {
 
 Host::Host() : state_(std::make_unique<State>()) {
   for (const EntryRef& entry : built_in()) {
-    state_->registry(entry->declaration.kind).emplace(entry->declaration.name, entry);
+    state_->add(entry);
   }
 }
 
-Host::Host(std::vector<SearchDirectory> directories, Loading loading) : Host() {
-  state_->loading = loading;
-  for (SearchDirectory& directory : directories) {
-    state_->search(std::move(directory));
-  }
+Host::Host(std::vector<SearchDirectory> directories, MakeCopy copy) : Host() {
+  state_->copy = std::move(copy);
+  state_->search(std::move(directories));
 }
 
 Host Host::renewed(std::vector<SearchDirectory> directories) const {
   Host host;
-  host.state_->loading = state_->loading;
+  host.state_->copy = state_->copy;
   host.state_->before = state_.get();
   host.state_->sources = state_->sources;
-  for (SearchDirectory& directory : directories) {
-    host.state_->search(std::move(directory));
-  }
+  host.state_->search(std::move(directories));
   host.state_->before = nullptr;
-  for (const PluginKind kind : kPluginKinds) {
-    for (const auto& [name, entry] : state_->registry(kind)) {
-      if (!entry->library) {
-        host.state_->registry(kind).emplace(name, entry);
-      }
+  for (const auto& [key, entry] : state_->registry) {
+    if (!entry->library) {
+      host.state_->add(entry);
     }
   }
   return host;
@@ -358,8 +347,10 @@ const Declaration* Host::find(PluginKind kind, std::string_view name) const {
 
 std::vector<const Declaration*> Host::all(PluginKind kind) const {
   std::vector<const Declaration*> declarations;
-  for (const auto& [name, entry] : state_->registry(kind)) {
-    declarations.push_back(&entry->declaration);
+  for (const auto& [key, entry] : state_->registry) {
+    if (key.first == kind) {
+      declarations.push_back(&entry->declaration);
+    }
   }
   return declarations;
 }
@@ -371,8 +362,8 @@ fs::path Host::file_of(PluginKind kind, std::string_view name) const {
 
 std::string Host::explain_missing(PluginKind kind, std::string_view name) const {
   std::vector<std::string_view> names;
-  for (const auto& [known, entry] : state_->registry(kind)) {
-    names.push_back(known);
+  for (const Declaration* const known : all(kind)) {
+    names.push_back(known->name);
   }
   std::string text = "there is no " + title(kind, name);
   const std::string hint = base::did_you_mean(name, names);
@@ -441,13 +432,10 @@ void Host::add(Declaration declaration) {
   if (const auto faults = check_declaration(declaration); !faults.empty()) {
     throw PluginError(joined(faults, "; "));
   }
-  const PluginKind kind = declaration.kind;
-  const std::string name = declaration.name;
-  if (find(kind, name)) {
-    throw PluginError(title(kind, name) + " is there already");
+  if (find(declaration.kind, declaration.name)) {
+    throw PluginError(title(declaration.kind, declaration.name) + " is there already");
   }
-  state_->registry(kind).emplace(
-      name, std::make_shared<const Entry>(Entry{nullptr, {}, std::move(declaration)}));
+  state_->add(std::make_shared<const Entry>(Entry{nullptr, {}, std::move(declaration)}));
 }
 
 const Report& Host::report() const { return state_->report; }

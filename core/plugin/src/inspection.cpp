@@ -32,39 +32,45 @@ constexpr std::size_t kLongestWord = 4096;
 constexpr std::size_t kMostSegments = 1024;
 constexpr std::size_t kMostNoteBytes = 65'536;
 
+/// Ends the inspection: thrown by the steps below, caught by inspect_file().
+struct Verdict {
+  FileKind kind;
+  std::string sentence;
+};
+
+[[noreturn]] void other(const char* sentence) { throw Verdict{FileKind::other, sentence}; }
+[[noreturn]] void damaged(const std::string& sentence) {
+  throw Verdict{FileKind::damaged, sentence};
+}
+
 /// Random access to the bytes of a file. It is not mapped into memory: a file that shrinks
 /// meanwhile would kill the program.
 class Source {
  public:
-  Source(int descriptor, std::uint64_t size) : descriptor_(descriptor), size_(size) {}
+  explicit Source(const std::filesystem::path& file)
+      // Without O_NONBLOCK, opening a named pipe waits for a writer.
+      : descriptor_(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
   Source(const Source&) = delete;
   Source& operator=(const Source&) = delete;
   ~Source() { close(descriptor_); }
 
-  std::uint64_t size() const { return size_; }
+  void require_file() {
+    if (descriptor_ < 0 || fstat(descriptor_, &status_) != 0) {
+      damaged(std::string("cannot be read: ") + strerror(errno));
+    }
+    if (!S_ISREG(status_.st_mode)) {
+      other(S_ISDIR(status_.st_mode) ? "is a directory" : "is not a file");
+    }
+  }
+  std::uint64_t size() const { return static_cast<std::uint64_t>(status_.st_size); }
   /// Whether the file reaches that far.
   bool contains(std::uint64_t offset, std::uint64_t count) const {
-    return offset <= size_ && count <= size_ - offset;
+    return offset <= size() && count <= size() - offset;
   }
   /// False when there are not as many bytes there, or when they cannot be read.
   bool read(std::uint64_t offset, void* to, std::size_t count) const {
-    if (!contains(offset, count)) {
-      return false;
-    }
-    auto* at = static_cast<std::byte*>(to);
-    while (count > 0) {
-      const ssize_t got = pread(descriptor_, at, count, static_cast<off_t>(offset));
-      if (got < 0 && errno == EINTR) {
-        continue;
-      }
-      if (got <= 0) {
-        return false;
-      }
-      at += got;
-      offset += static_cast<std::uint64_t>(got);
-      count -= static_cast<std::size_t>(got);
-    }
-    return true;
+    return contains(offset, count) &&
+           pread(descriptor_, to, count, static_cast<off_t>(offset)) == static_cast<ssize_t>(count);
   }
   template <class Struct>
   std::optional<Struct> get(std::uint64_t offset) const {
@@ -74,17 +80,8 @@ class Source {
 
  private:
   int descriptor_;
-  std::uint64_t size_;
+  struct stat status_ {};
 };
-
-/// Ends the inspection: thrown by the steps below, caught by inspect().
-struct Verdict {
-  FileKind kind;
-  const char* sentence;
-};
-
-[[noreturn]] void other(const char* sentence) { throw Verdict{FileKind::other, sentence}; }
-[[noreturn]] void damaged(const char* sentence) { throw Verdict{FileKind::damaged, sentence}; }
 
 constexpr const char* kCutShort =
     "is a library that was cut short; build or copy it again, and mind the space on the disk";
@@ -236,9 +233,13 @@ std::optional<std::string> read_word(const Source& file, const std::vector<Elf64
   return std::move(words.front());
 }
 
-Inspection inspect(const Source& file) {
+}  // namespace
+
+Inspection inspect_file(const std::filesystem::path& path) {
   Inspection result;
   try {
+    Source file(path);
+    file.require_file();
     const Elf64_Ehdr header = read_header(file);
     const std::vector<Elf64_Phdr> segments = read_segments(file, header);
     check_segments(file, segments);
@@ -257,29 +258,6 @@ Inspection inspect(const Source& file) {
     result.sentence = verdict.sentence;
   }
   return result;
-}
-
-}  // namespace
-
-Inspection inspect_file(const std::filesystem::path& file) {
-  const auto unreadable = [] {
-    return Inspection{FileKind::damaged, "", std::string("cannot be read: ") + strerror(errno)};
-  };
-  // Without O_NONBLOCK, opening a named pipe waits for a writer.
-  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor < 0) {
-    return unreadable();
-  }
-  struct stat status {};
-  if (fstat(descriptor, &status) != 0) {
-    close(descriptor);
-    return unreadable();
-  }
-  const Source source(descriptor, static_cast<std::uint64_t>(status.st_size));
-  if (!S_ISREG(status.st_mode)) {
-    return {FileKind::other, "", S_ISDIR(status.st_mode) ? "is a directory" : "is not a file"};
-  }
-  return inspect(source);
 }
 
 }  // namespace elsie::plugin

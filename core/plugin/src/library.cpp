@@ -12,23 +12,30 @@
 
 #include "elsie/api/registration.h"
 #include "elsie/plugin/call.h"
-#include "elsie/plugin/loaded_libraries.h"
+#include "elsie/plugin/watch_libraries.h"
 
 #include "text.h"
 
 namespace elsie::plugin {
+namespace {
+
+LibraryWatch watching{[](const void*, const char*) noexcept {}, [](const char*) noexcept {}};
+
+}  // namespace
+
+void watch_libraries(const LibraryWatch& watch) noexcept { watching = watch; }
 
 struct Library::System {
   boost::dll::shared_library library;
 };
 
 Library::Library(std::unique_ptr<System> system, std::string file,
-                 std::unique_ptr<PrivateCopy> copy)
+                 std::shared_ptr<const std::filesystem::path> copy)
     : copy_(std::move(copy)), system_(std::move(system)), file_(std::move(file)) {
-  note_loaded(dlsym(system_->library.native(), ELSIE_PLUGIN_ENTRY), file_.c_str());
+  watching.loaded(dlsym(system_->library.native(), ELSIE_PLUGIN_ENTRY), file_.c_str());
 }
 Library::~Library() {
-  note_unloaded(file_.c_str());
+  watching.unloading(file_.c_str());
   Call call({.library = file_.c_str(), .doing = "while it was unloaded"});
   call.start_clock();
   system_.reset();
@@ -89,19 +96,19 @@ std::string read_declarations(void* handle, std::string_view abi_word,
 }  // namespace
 
 LoadedLibrary load_library(const std::filesystem::path& file, const std::string& known_as,
-                           std::string_view abi_word, bool as_copy) {
+                           std::string_view abi_word, const MakeCopy& make_copy) {
   namespace dll = boost::dll;
   LoadedLibrary loaded;
   Call call({.library = known_as.c_str(), .doing = "while it was loaded"});
   call.start_clock();  // most are loaded at once: one that is not is at fault
-  std::unique_ptr<PrivateCopy> copy;
+  std::shared_ptr<const std::filesystem::path> copy;
   try {
-    copy = as_copy ? std::make_unique<PrivateCopy>(file) : nullptr;
+    copy = make_copy ? make_copy(file) : nullptr;
   } catch (const std::runtime_error& error) {
     loaded.problem = error.what();
     return loaded;
   }
-  const std::filesystem::path path = copy ? copy->path() : file;
+  const std::filesystem::path path = copy ? *copy : file;
   auto system = std::make_unique<Library::System>();
   std::error_code error;
   // All symbols are bound at once, so that a missing one is found here and not in the middle of a

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "elsie/api/declaration.h"
-
-#include "private_copy.h"
+#include "elsie/plugin/host.h"
 
 namespace elsie::plugin {
 
@@ -19,7 +18,8 @@ class Library {
  public:
   struct System;  // what Boost.DLL knows of it
 
-  Library(std::unique_ptr<System> system, std::string file, std::unique_ptr<PrivateCopy> copy);
+  Library(std::unique_ptr<System> system, std::string file,
+          std::shared_ptr<const std::filesystem::path> copy);
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
   ~Library();
@@ -28,7 +28,7 @@ class Library {
   const std::string& file() const { return file_; }
 
  private:
-  std::unique_ptr<PrivateCopy> copy_;  // goes after what is loaded of it
+  std::shared_ptr<const std::filesystem::path> copy_;  // goes after what is loaded of it
   std::unique_ptr<System> system_;
   std::string file_;
 };
@@ -43,10 +43,9 @@ struct LoadedLibrary {
 };
 
 /// Loads a file that was inspected and found to be a plugin library with this ABI word, and has it
-/// declare its plugins. `known_as`: the file that crash reports name. `as_copy`: not the file
-/// itself but a private copy, so that the file may be replaced. Throws nothing because of what the
-/// library does, short of crashing.
+/// declare its plugins. `known_as`: the file that crash reports name. `make_copy`: none, or makes
+/// what is loaded. Throws nothing because of what the library does, short of crashing.
 LoadedLibrary load_library(const std::filesystem::path& file, const std::string& known_as,
-                           std::string_view abi_word, bool as_copy);
+                           std::string_view abi_word, const MakeCopy& make_copy);
 
 }  // namespace elsie::plugin

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <ranges>
 #include <set>
 #include <string_view>
 #include <variant>
@@ -13,7 +14,6 @@
 #include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
 #include "elsie/plugin/error.h"
-#include "elsie/plugin/kind_name.h"
 
 #include "text.h"
 
@@ -22,26 +22,29 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-bool is_number(ParameterType type) {
-  return type == ParameterType::real || type == ParameterType::integer ||
-         type == ParameterType::reals;
-}
+/// What a type is in words, and which alternative of ParameterValue holds it.
+struct Type {
+  const char* words;
+  std::size_t alternative;
+  bool is_number = false;
+};
 
-bool has_type(ParameterType type, const ParameterValue& value) {
+Type facts_of(ParameterType type) {
   switch (type) {
     case ParameterType::real:
-      return std::holds_alternative<double>(value);
+      return {"a number", ParameterValue(0.0).index(), true};
     case ParameterType::integer:
-      return std::holds_alternative<std::int64_t>(value);
+      return {"a whole number", ParameterValue(std::int64_t{0}).index(), true};
     case ParameterType::boolean:
-      return std::holds_alternative<bool>(value);
+      return {"true or false", ParameterValue(false).index()};
     case ParameterType::text:
+      return {"a text", ParameterValue("").index()};
     case ParameterType::file:
-      return std::holds_alternative<std::string>(value);
+      return {"the path of a file", ParameterValue("").index()};
     case ParameterType::reals:
-      return std::holds_alternative<std::vector<double>>(value);
+      return {"a list of numbers", ParameterValue(std::vector<double>()).index(), true};
   }
-  return false;
+  return {"a value", std::variant_size_v<ParameterValue>};
 }
 
 std::string in_quotes(std::string_view text) { return std::string("'").append(text).append("'"); }
@@ -88,24 +91,6 @@ bool is_allowed(const ParameterDeclaration& parameter, const ParameterValue& val
   });
 }
 
-std::string type_text(ParameterType type) {
-  switch (type) {
-    case ParameterType::real:
-      return "a number";
-    case ParameterType::integer:
-      return "a whole number";
-    case ParameterType::boolean:
-      return "true or false";
-    case ParameterType::text:
-      return "a text";
-    case ParameterType::file:
-      return "the path of a file";
-    case ParameterType::reals:
-      return "a list of numbers";
-  }
-  return "a value";
-}
-
 /// "above 0", "at most 50".
 std::vector<std::string> limit_texts(const ParameterDeclaration& parameter) {
   const ParameterFacts& facts = parameter.facts;
@@ -123,35 +108,24 @@ std::vector<std::string> limit_texts(const ParameterDeclaration& parameter) {
   return limits;
 }
 
-/// Why a single number is refused, when allowed_values() does not say it.
-std::string refusal_of(const ParameterDeclaration& parameter, double value) {
-  if (!std::isfinite(value)) {
-    return ", which is not finite";
+/// Why numbers are refused, when allowed_values() does not say it.
+std::string refusal_of(const ParameterDeclaration& parameter, const ParameterValue& value) {
+  const std::vector<double> numbers = numbers_of(value);
+  const bool is_list = parameter.type == ParameterType::reals;
+  if (!std::all_of(numbers.begin(), numbers.end(), [](double one) { return std::isfinite(one); })) {
+    return is_list ? ", of which not every number is finite" : ", which is not finite";
   }
-  if (in_range(parameter.facts, value) && !is_holdable(parameter, value)) {
+  if (!is_list && !numbers.empty() && in_range(parameter.facts, numbers.front()) &&
+      !is_holdable(parameter, numbers.front())) {
     return ", which is beyond what the plugin can hold (" + number_text(parameter.lowest) + " to " +
            number_text(parameter.highest) + ")";
   }
   return "";
 }
 
-std::string refusal_of(const ParameterDeclaration& parameter, const ParameterValue& value) {
-  const std::vector<double> numbers = numbers_of(value);
-  if (parameter.type != ParameterType::reals) {
-    return numbers.empty() ? "" : refusal_of(parameter, numbers.front());
-  }
-  const bool finite = std::all_of(numbers.begin(), numbers.end(),
-                                  [](double number) { return std::isfinite(number); });
-  return finite ? "" : ", of which not every number is finite";
-}
-
 template <class Declared>
-std::vector<std::string_view> names_of(const std::vector<Declared>& list) {
-  std::vector<std::string_view> names;
-  for (const Declared& declared : list) {
-    names.push_back(declared.name);
-  }
-  return names;
+std::string did_you_mean(std::string_view name, const std::vector<Declared>& declared) {
+  return base::did_you_mean(name, declared | std::views::transform(&Declared::name));
 }
 
 /// Adds what is wrong with the names and values given to `whose` parameters.
@@ -161,8 +135,7 @@ void check_values(const std::string& whose, const std::vector<ParameterDeclarati
   for (const auto& [name, value] : given) {
     const ParameterDeclaration* const parameter = find_declared(declared, name);
     if (!parameter) {
-      errors.push_back(whose + " has no parameter '" + name + "'" +
-                       base::did_you_mean(name, names_of(declared)));
+      errors.push_back(whose + " has no parameter '" + name + "'" + did_you_mean(name, declared));
       continue;
     }
     if (auto error = check_value(*parameter, value)) {
@@ -220,8 +193,9 @@ std::string allowed_values(const ParameterDeclaration& parameter) {
     std::transform(choices.begin(), choices.end(), std::back_inserter(names), in_quotes);
     return (names.size() == 1 ? "" : "one of ") + joined(names, ", ");
   }
-  std::string text = type_text(parameter.type);
-  if (!is_number(parameter.type)) {
+  const Type type = facts_of(parameter.type);
+  std::string text = type.words;
+  if (!type.is_number) {
     return text;
   }
   const std::vector<std::string> limits = limit_texts(parameter);
@@ -237,7 +211,7 @@ std::string allowed_values(const ParameterDeclaration& parameter) {
 
 std::optional<std::string> check_value(const ParameterDeclaration& parameter,
                                        const ParameterValue& value) {
-  const bool right_type = has_type(parameter.type, value);
+  const bool right_type = value.index() == facts_of(parameter.type).alternative;
   if (right_type && is_allowed(parameter, value)) {
     return std::nullopt;
   }
@@ -269,12 +243,11 @@ void apply_parameters(const Declaration& declaration, Component& object,
       check_values("<" + element.element + ">", known->parameters, element.parameters, errors);
     } else {
       errors.push_back("it has no element <" + element.element + ">" +
-                       base::did_you_mean(element.element, names_of(declaration.elements)));
+                       did_you_mean(element.element, declaration.elements));
     }
   }
   const auto fail = [&declaration](const std::string& why) {
-    throw PluginError(std::string(kind_name(declaration.kind)) + " '" + declaration.name +
-                      "': " + why);
+    throw PluginError(title(declaration.kind, declaration.name) + ": " + why);
   };
   if (!errors.empty()) {
     fail(joined(errors, "; "));

@@ -1,5 +1,6 @@
 #include "text.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <exception>
@@ -7,6 +8,8 @@
 #include <typeinfo>
 
 #include <cxxabi.h>
+
+#include "elsie/plugin/kind_name.h"
 
 namespace elsie::plugin {
 namespace {
@@ -24,21 +27,19 @@ bool is_symbol_character(char c) {
 
 }  // namespace
 
+std::string title(PluginKind kind, std::string_view name) {
+  return std::string(kind_name(kind)).append(" '").append(name).append("'");
+}
+
 std::string demangled(std::string_view text) {
   std::string result;
   while (!text.empty()) {
-    std::size_t length = 0;
-    while (length < text.size() && is_symbol_character(text[length])) {
-      ++length;
-    }
-    if (length == 0) {
-      result += text.front();
-      text.remove_prefix(1);
-      continue;
-    }
-    const std::string word(text.substr(0, length));
+    const auto end = std::find_if_not(text.begin(), text.end(), is_symbol_character);
+    const std::string word(text.begin(), end);
+    const auto next = std::find_if(end, text.end(), is_symbol_character);
     result += word.starts_with("_Z") ? demangled_name(word) : word;
-    text.remove_prefix(length);
+    result.append(end, next);
+    text.remove_prefix(static_cast<std::size_t>(next - text.begin()));
   }
   return result;
 }

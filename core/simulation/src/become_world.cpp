@@ -19,18 +19,6 @@
 namespace elsie::simulation {
 namespace {
 
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-
-template <class Things>
-std::size_t place_of_id(const Things& things, const std::string& id) {
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    if (things[i].id == id) {
-      return i;
-    }
-  }
-  return kNone;
-}
-
 bool same_part(const char* part, const world::World& a, const world::World& b) {
   return world::same_part(world::vocabulary(), part, &a, &b);
 }
@@ -164,12 +152,8 @@ std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> c
       world::World next = tried(ahead ? *ahead : edited(present(), in_place, false), due.changes);
       if (!same_part("changes", then, next)) {
         coming.resize(i + 1);
-        std::vector<TimedChange> rest = with_own(next, given);
-        std::erase_if(rest, [&](const TimedChange& one) {
-          return DueChanges{one.time_s, {}}.are_due(due.time_s, next.physics.step);
-        });
-        std::vector<DueChanges> others = by_time(rest);
-        std::move(others.begin(), others.end(), std::back_inserter(coming));
+        const auto others = by_time(still_to_come(next, given, due.time_s));
+        coming.insert(coming.end(), others.begin(), others.end());
       }
       ahead = std::move(next);
       made.push_back(due);
@@ -215,27 +199,19 @@ world::World Simulation::Impl::present() { return reread(world_, pending_, false
 
 world::World Simulation::Impl::reread(const world::World& from,
                                       const std::vector<std::string>& edits, bool check_plugins) {
-  world::ReadOptions options = reading();
+  world::ReadOptions options;
+  options.data_directories = options_.data_directories;
+  options.files = options_.files;
+  options.is_running = true;
   options.check_plugins = check_plugins;
   options.overrides = edits;
   return world::parse_world(world::write_world(from), from.file, *host_, options);
 }
 
-/// How the text of a running world is read.
-world::ReadOptions Simulation::Impl::reading() const {
-  world::ReadOptions options;
-  options.data_directories = options_.data_directories;
-  options.files = options_.files;
-  options.is_running = true;
-  return options;
-}
-
 void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming) {
   const world::World was = present();
   world::World next = edited(was, edits, false);
-  becoming.undo().add([this, count = events_.size()] {
-    events_.erase(events_.begin() + static_cast<std::ptrdiff_t>(count), events_.end());
-  });
+  becoming.undo().add([this, count = events_.size()] { events_.resize(count); });
   for (const Change& edit : edits) {
     for (const world::AttributePlace& place : changes_->places(edit)) {
       becoming.ask(place);
@@ -254,8 +230,7 @@ void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming)
       events_.push_back({time_s(), std::move(robot), event_of(edit)});
     }
   }
-  const std::vector<std::string> pending = pending_;
-  becoming.undo().add([this, pending] { pending_ = pending; });
+  becoming.undo().keep(pending_);
   become(was, std::move(next), becoming);
   for (base::Problem& problem : becoming.problems()) {
     throw ChangeRefused(text_of(edits) + ": " + problem.message);
@@ -274,11 +249,11 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
     std::swap(world_, *before);
     renew();
   });
-  undo.add([this, count = past_.size()] { past_.resize(count); });
+  undo.keep(past_, time_limit_s_, base_time_s_, base_steps_, own_changes_);
+  undo.keep(cameras_, measuring_, engine_, moving_, touches_, robots_, departed_, goal_starts_);
   past_.push_back(before);
   renew();
   pending_.clear();
-  undo.keep(time_limit_s_);
   time_limit_s_ = options_.time_limit_s.value_or(world_.limits.time);
   if (options_.time_limit_s && was.limits.time != world_.limits.time) {
     becoming.said().notes.push_back({"", "limits",
@@ -288,47 +263,34 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
                                          base::number_text(time_limit_s_) +
                                          " s at the latest: it was given that duration."});
   }
-  undo.keep(base_time_s_);
-  undo.keep(base_steps_);
   if (was.physics.step != world_.physics.step ||
       was.physics.control_steps != world_.physics.control_steps) {
-    const double now_s =
-        base_time_s_ + static_cast<double>(steps_ - base_steps_) * was.physics.step;
-    base_time_s_ = now_s;
+    base_time_s_ += static_cast<double>(steps_ - base_steps_) * was.physics.step;
     base_steps_ = steps_;
   }
-  become_changes(was, undo);
+  become_changes(was);
   become_robots(was, becoming);
   if (!becoming.problems().empty()) {
     return;
   }
   const auto is_placed = [&](const world::Robot& robot) {
-    const std::size_t place = place_of_id(was.robots, robot.id);
-    return place != kNone && new_place(was.robots[place], robot, becoming);
+    const std::size_t place = place_of(was.robots, robot.id);
+    return place < was.robots.size() && new_place(was.robots[place], robot, becoming);
   };
   if (!world::same(world::vocabulary(), &was, &world_, world::Cost::body) ||
       std::any_of(world_.robots.begin(), world_.robots.end(), is_placed)) {
     check_room(was, become_bodies(was, becoming));
   }
   become_measures(was, becoming);
-  become_goals(was, becoming);
-  auto cameras = std::make_shared<std::optional<Cameras>>(std::move(cameras_));
-  cameras_.reset();
-  undo.add([this, cameras] {
-    cameras_.reset();
-    if (*cameras) {
-      cameras_.emplace(std::move(**cameras));
-    }
-  });
-  cameras_.emplace(world_, robots_, options_.cameras, becoming.problems());
+  become_goals(was);
+  cameras_ = std::make_shared<Cameras>(world_, robots_, options_.cameras, becoming.problems());
 }
 
 /// What the world says of later times counts from now on.
-void Simulation::Impl::become_changes(const world::World& was, Undo& undo) {
+void Simulation::Impl::become_changes(const world::World& was) {
   if (same_part("changes", was, world_)) {
     return;
   }
-  undo.keep(own_changes_);
   ++own_changes_;
   std::vector<TimedChange> added;
   for (const world::TimedEdit& edit : world_.changes) {
@@ -355,38 +317,24 @@ void Simulation::Impl::become_changes(const world::World& was, Undo& undo) {
 }
 
 void Simulation::Impl::become_robots(const world::World& was, Becoming& becoming) {
-  std::vector<std::size_t> places;
-  for (const world::Robot& robot : world_.robots) {
-    places.push_back(place_of_id(was.robots, robot.id));
-  }
-  auto before = std::make_shared<std::vector<std::unique_ptr<Robot>>>(std::move(robots_));
+  std::vector<std::shared_ptr<Robot>> gone = std::move(robots_);
   robots_.clear();
-  becoming.undo().add([this, before, places] {
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      if (places[i] != kNone) {
-        (*before)[places[i]] = std::move(robots_[i]);
-      }
-    }
-    robots_ = std::move(*before);
-  });
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const world::Robot& next = world_.robots[i];
-    const Robot::Membership membership = Robot::membership(world_, i);
-    if (places[i] == kNone) {
-      robots_.push_back(std::make_unique<Robot>(next, membership, *host_, options_));
+  for (std::size_t i = 0; i < world_.robots.size(); ++i) {
+    const std::size_t place = place_of(was.robots, world_.robots[i].id);
+    if (place < was.robots.size()) {
+      robots_.push_back(std::move(gone[place]));
+      robots_.back()->become(was.robots[place], world_, i, becoming);
+    } else {
+      robots_.push_back(std::make_shared<Robot>(world_, i, *host_, options_));
       robots_.back()->reset(seed_);
       robots_.back()->ask(becoming.said());
-      continue;
     }
-    robots_.push_back(std::move((*before)[places[i]]));
-    robots_.back()->become(was.robots[places[i]], next, membership, becoming);
   }
-  becoming.undo().keep(departed_);
-  for (const auto& robot : *before) {
+  for (const auto& robot : gone) {
     if (robot) {
-      departed_.distance_m += robot->distance_m();
-      departed_.collected += robot->collected();
-      departed_.collisions += robot->collisions();
+      departed_.distance_m += robot->tally().distance_m;
+      departed_.collected += robot->tally().collected;
+      departed_.collisions += robot->tally().collisions;
     }
   }
 }
@@ -394,26 +342,21 @@ void Simulation::Impl::become_robots(const world::World& was, Becoming& becoming
 /// Returns the robots that are new, have a new body, or are at a new place.
 std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was,
                                                          Becoming& becoming) {
-  Undo& undo = becoming.undo();
   std::vector<std::size_t> new_robots;
   std::map<physics::Body, physics::Body> now;  // by what they were
-  auto before = std::make_shared<std::unique_ptr<physics::Engine>>(std::move(engine_));
-  undo.add([this, before] { engine_ = std::move(*before); });
-  const auto moving = moving_;
-  undo.add([this, moving] { moving_ = moving; });
-  undo.add([this, touches = std::make_shared<Touches>(touches_)] { touches_.take(*touches); });
+  const auto before = engine_;
+  const auto moving = std::exchange(moving_, {});
   engine_ = physics::make_engine(world_.arena, world_.physics);
-  engine_->go_on_from(**before);
-  moving_.clear();
+  engine_->go_on_from(*before);
   using enum physics::BodyKind;
   for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
     const world::Box& next = world_.boxes[i];
-    const std::size_t place = place_of_id(was.boxes, next.id);
-    if (place == kNone || !world::same(was.boxes[place], next, world::Cost::body)) {
+    const std::size_t place = place_of(was.boxes, next.id);
+    if (place == was.boxes.size() || !world::same(was.boxes[place], next, world::Cost::body)) {
       add_box(i);
       continue;
     }
-    engine_->add_box_of(**before, place, next);
+    engine_->add_box_of(*before, place, next);
     now[{box, place}] = {box, i};
     for (const MovingBox& known : moving) {
       if (known.index == place) {
@@ -434,18 +377,18 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
   }
   for (std::size_t i = 0; i < world_.robots.size(); ++i) {
     const world::Robot& next = world_.robots[i];
-    const std::size_t place = place_of_id(was.robots, next.id);
+    const std::size_t place = place_of(was.robots, next.id);
     const BodyPlan plan = world::plan_of(next);
-    if (place == kNone) {
+    if (place == was.robots.size()) {
       engine_->add_robot(plan, pose_of(next), next.z);
       new_robots.push_back(i);
     } else {
       const world::Robot& old = was.robots[place];
       const bool is_same = world::same(world::robot_spec(), &old, &next, world::Cost::body);
       if (is_same) {
-        engine_->add_robot_of(**before, place);
+        engine_->add_robot_of(*before, place);
       } else {
-        engine_->add_robot_of(**before, place, plan, robots_[i]->state().pose);
+        engine_->add_robot_of(*before, place, plan, robots_[i]->state().pose);
       }
       now[{robot, place}] = {robot, i};
       if (const NewPlace asked = new_place(old, next, becoming)) {
@@ -479,8 +422,9 @@ void Simulation::Impl::check_room(const world::World& was,
     require(room.problem_of(robot));
   }
   for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
-    const std::size_t place = place_of_id(was.boxes, world_.boxes[i].id);
-    if (place == kNone || !world::same(was.boxes[place], world_.boxes[i], world::Cost::body)) {
+    const std::size_t place = place_of(was.boxes, world_.boxes[i].id);
+    if (place == was.boxes.size() ||
+        !world::same(was.boxes[place], world_.boxes[i], world::Cost::body)) {
       require(room.problem_of_box(i));
     }
   }
@@ -495,51 +439,23 @@ void Simulation::Impl::check_room(const world::World& was,
 }
 
 void Simulation::Impl::become_measures(const world::World& was, Becoming& becoming) {
-  auto before = std::make_shared<std::unique_ptr<Measuring>>(std::move(measuring_));
-  // Measures count robots, behaviours and boxes by their places.
-  const auto cast_of = [](const world::World& world) {
-    std::vector<std::string> cast;
-    const auto add = [&](auto& self, const world::Coordination& coordination) -> void {
-      for (const world::BehaviorUse& use : coordination.behaviors) {
-        cast.push_back(use.id + " " + use.plugin);
-        for (const world::Coordination& inside : use.inside) {
-          self(self, inside);
-        }
-      }
-    };
-    for (const world::Robot& robot : world.robots) {
-      cast.push_back(robot.id + " " + robot.team);
-      add(add, robot);
-    }
-    for (const world::Box& box : world.boxes) {
-      cast.push_back(box.id + " " + box.team);
-    }
-    return cast;
-  };
-  const bool same_cast = cast_of(was) == cast_of(world_) && same_part("teams", was, world_) &&
-                         same_part("physics", was, world_) && same_part("arena", was, world_);
-  becoming.undo().add([this, before, same_cast] {
-    if (same_cast && measuring_) {
-      measuring_->give_back(**before);
-    }
-    measuring_ = std::move(*before);
-  });
-  measuring_ = std::make_unique<Measuring>(world_, *host_, options_.budget, becoming.problems());
+  const auto before = measuring_;
+  measuring_ = std::make_shared<Measuring>(world_, *host_, options_.budget, becoming.problems());
   if (!becoming.problems().empty()) {
     return;
   }
-  if (same_cast) {
-    measuring_->take(**before, was.measures);
+  if (same_part("teams", was, world_) && same_part("physics", was, world_) &&
+      same_part("arena", was, world_)) {
+    measuring_->take(*before, was.measures, becoming.undo());
   }
   measuring_->reset_new(seed_, becoming.time(), becoming.said());
 }
 
 /// One that was there before counts on.
-void Simulation::Impl::become_goals(const world::World& was, Becoming& becoming) {
-  becoming.undo().keep(goal_starts_);
+void Simulation::Impl::become_goals(const world::World& was) {
   GoalStart now{time_s(), {}};
   for (const auto& robot : robots_) {
-    now.done[robot->description().id] = {robot->distance_m(), robot->collisions()};
+    now.done[robot->description().id] = {robot->tally().distance_m, robot->tally().collisions};
   }
   std::vector<GoalStart> starts;
   for (const world::Goal& goal : world_.goals) {

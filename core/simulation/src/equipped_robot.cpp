@@ -7,18 +7,17 @@
 namespace elsie::simulation {
 
 EquippedRobot::EquippedRobot(const world::World& world, std::size_t robot, const plugin::Host& host)
-    : robot_(std::make_unique<Robot>(world.robots[robot], Robot::membership(world, robot), host,
-                                     Options{})) {}
+    : robot_(std::make_unique<Robot>(world, robot, host, Options{})) {}
 EquippedRobot::EquippedRobot(EquippedRobot&&) noexcept = default;
 EquippedRobot::~EquippedRobot() = default;
 
 Component& EquippedRobot::object(const world::PluginUse& use) {
-  const std::optional<TunedObject> found = robot_->find_object(use);
+  const PluginObject* const found = robot_->find_object(use);
   if (!found) {
     throw std::invalid_argument("the plugin '" + use.plugin + "' is no part of the robot '" +
                                 robot_->description().id + "'");
   }
-  return *found->object;
+  return *found->held;
 }
 
 }  // namespace elsie::simulation

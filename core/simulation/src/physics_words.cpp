@@ -38,20 +38,18 @@ std::string name_of(const world::World& world, const physics::Failure& failure) 
 /// whole, or about something else.
 std::string likely_cause(const world::World& world, const physics::Failure& failure) {
   const std::vector<world::Warning> all = world::warnings(world);
-  const auto of_body = [&](const world::Warning& warning) {
-    return failure.body && warning.index == failure.body->index &&
-           warning.about ==
-               (failure.body->kind == physics::BodyKind::robot ? About::robot : About::box);
-  };
-  auto found = std::find_if(all.begin(), all.end(), of_body);
-  if (found == all.end()) {
-    found = std::find_if(all.begin(), all.end(), [](const world::Warning& warning) {
-      return warning.about == About::physics;
+  const auto explains = [&](About about, std::optional<std::size_t> index) {
+    return std::find_if(all.begin(), all.end(), [&](const world::Warning& warning) {
+      return warning.about == about && (!index || warning.index == *index);
     });
+  };
+  auto found = all.end();
+  if (failure.body) {
+    const bool is_robot = failure.body->kind == physics::BodyKind::robot;
+    found = explains(is_robot ? About::robot : About::box, failure.body->index);
   }
-  if (found == all.end()) {
-    found = all.begin();
-  }
+  found = found != all.end() ? found : explains(About::physics, {});
+  found = found != all.end() ? found : all.begin();
   if (found != all.end()) {
     return found->message;
   }

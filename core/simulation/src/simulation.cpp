@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <utility>
+
+#include "elsie/base/fnv1a.h"
 
 #include "simulation_impl.h"
 
@@ -53,14 +56,9 @@ RunResult Simulation::run(std::span<Observer* const> observers,
     heard_of = impl_->renewals_;
   };
   const auto change_what_is_due = [&] {
-    const double step_s = world().physics.step;
     if (impl_->own_changes_ != scheduled) {  // those of the world are others since
-      std::vector<TimedChange> rest = with_own(world(), changes);
-      std::erase_if(rest, [&](const TimedChange& change) {
-        return DueChanges{change.time_s, {}}.are_due(made_until_s, step_s);
-      });
-      std::vector<UnmadeChanges> known;  // that was said
-      schedule = impl_->checked(rest, changes, known);
+      std::vector<UnmadeChanges> known;      // that was said
+      schedule = impl_->checked(still_to_come(world(), changes, made_until_s), changes, known);
       next = schedule.cbegin();
       scheduled = impl_->own_changes_;
     }
@@ -89,7 +87,7 @@ RunResult Simulation::run(std::span<Observer* const> observers,
         observer->stepped(*this);
       }
       if (limits.wall_time && wall() >= *limits.wall_time && outcome() == Outcome::running) {
-        impl_->stop(Outcome::time_limit, "the limit of time on the clock was met");
+        impl_->verdict_ = {Outcome::time_limit, "the limit of time on the clock was met"};
       }
     }
   } catch (...) {
@@ -138,7 +136,7 @@ RunResult Simulation::result() const {
     robot->list_late_notes(result.notes);
   }
   impl_->measuring_->list_late_notes(result.notes);
-  const physics::GiveUps give_ups = impl_->give_ups();
+  const physics::GiveUps give_ups = impl_->engine_->give_ups();
   result.solver = {give_ups.steps, give_ups.unsolved, give_ups.first_s};
   // A step that a fault ended is none of the steps.
   note_give_ups(world(), give_ups, std::max(steps(), give_ups.steps), result.notes);
@@ -155,8 +153,9 @@ RunResult Simulation::Impl::figures() const {
   result.simulated_s = time_s();
   for (const auto& robot : robots_) {
     result.robots.push_back({robot->description().id, robot->description().team,
-                             robot->distance_m(), robot->collected(), robot->state().energy,
-                             robot->state().pose, robot->collisions()});
+                             robot->tally().distance_m, robot->tally().collected,
+                             robot->state().energy, robot->state().pose,
+                             robot->tally().collisions});
   }
   measure_every_run(result, departed_);
   measuring_->report({result.outcome, result.simulated_s}, result.measures);
@@ -181,16 +180,29 @@ std::uint64_t Simulation::steps() const { return impl_->steps_; }
 bool Simulation::decided() const { return impl_->decided_; }
 double Simulation::step_began_s() const { return impl_->step_began_s_; }
 Outcome Simulation::outcome() const { return impl_->verdict_.outcome; }
-std::uint64_t Simulation::state_hash() const { return impl_->state_hash(); }
+std::uint64_t Simulation::state_hash() const {
+  base::Fnv1a hash(impl_->engine_->hash_state());
+  for (const auto& robot : impl_->robots_) {
+    hash.add(robot->state().energy);
+  }
+  return hash.value();
+}
 std::span<const Note> Simulation::notes() const { return impl_->said_.notes; }
 std::span<const EventRecord> Simulation::events() const { return impl_->events_; }
 
 std::size_t Simulation::robots() const { return impl_->robots_.size(); }
 RobotView Simulation::robot(std::size_t index) const {
   const Robot& robot = *impl_->robots_[index];
-  return {&robot.description(), &robot.state(), robot.asked(),      robot.command(),
-          robot.members(),      robot.trace(),  robot.distance_m(), robot.collisions(),
-          robot.empty(),        robot.joints()};
+  return {&robot.description(),
+          &robot.state(),
+          robot.asked(),
+          robot.command(),
+          robot.members(),
+          robot.trace(),
+          robot.tally().distance_m,
+          robot.tally().collisions,
+          robot.empty(),
+          robot.joints()};
 }
 std::size_t Simulation::sensors(std::size_t robot) const {
   return impl_->robots_[robot]->sensor_count();
@@ -208,10 +220,22 @@ std::vector<MadeInference> Simulation::inferences(std::size_t robot) const {
 Frame Simulation::sensor_frame(std::size_t robot, std::size_t index) const {
   return impl_->robots_[robot]->sensor_frame(index);
 }
-std::size_t Simulation::segments(std::size_t robot) const { return impl_->segments(robot); }
-SegmentView Simulation::segment(std::size_t robot, std::size_t index) const {
-  return impl_->segment(robot, index);
+std::size_t Simulation::segments(std::size_t robot) const {
+  return impl_->engine_->segments(robot);
 }
-std::optional<Pose> Simulation::box(std::size_t index) const { return impl_->box(index); }
+SegmentView Simulation::segment(std::size_t robot, std::size_t index) const {
+  const physics::SegmentState state = impl_->engine_->segment(robot, index);
+  const auto& own = world().robots[robot].segments;
+  const std::size_t of_drive = segments(robot) - own.size();
+  return {index < of_drive ? nullptr : &own[index - of_drive], state.frame, state.pose,
+          state.yaw_rad, state.pitch_rad};
+}
+std::optional<Pose> Simulation::box(std::size_t index) const {
+  if (!impl_->engine_->has_box(index)) {
+    return std::nullopt;
+  }
+  const Frame frame = impl_->engine_->box(index);
+  return Pose{frame.origin.x, frame.origin.y, std::atan2(frame.forward.y, frame.forward.x)};
+}
 
 }  // namespace elsie::simulation

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -13,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/base/fnv1a.h"
 #include "elsie/physics/engine.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/error.h"
@@ -47,16 +45,15 @@ class Simulation::Impl {
     std::vector<base::Problem> problems;
     for (std::size_t i = 0; i < world_.robots.size(); ++i) {
       try {
-        robots_.push_back(
-            std::make_unique<Robot>(world_.robots[i], Robot::membership(world_, i), host, options));
+        robots_.push_back(std::make_shared<Robot>(world_, i, host, options));
         world_.robots[i].driven = robots_.back()->take_driven();
       } catch (const world::WorldError& error) {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());
       }
     }
-    measuring_ = std::make_unique<Measuring>(world_, host, options.budget, problems);
+    measuring_ = std::make_shared<Measuring>(world_, host, options.budget, problems);
     if (problems.empty()) {
-      cameras_.emplace(world_, robots_, options.cameras, problems);
+      cameras_ = std::make_shared<Cameras>(world_, robots_, options.cameras, problems);
     }
     if (!problems.empty()) {
       throw world::WorldError(std::move(problems));
@@ -86,7 +83,7 @@ class Simulation::Impl {
     }
     wall_s_ = 0.0;
     verdict_ = {};
-    touches_.forget();
+    touches_ = {};
     events_.clear();
     given_.clear();
     log_events();
@@ -105,7 +102,7 @@ class Simulation::Impl {
     const bool decides = is_control_instant();
     step_began_s_ = time_s();
     if (!measuring_->has_begun()) {
-      measuring_->begin(robots_, *engine_, time_s(), last_step());
+      observe(false, true);
     }
     const double period = h * static_cast<double>(control_steps);
     try {
@@ -118,7 +115,7 @@ class Simulation::Impl {
       throw;
     }
     decided_ = decides;
-    touches_.handle(robots_, *engine_, time_s());
+    touches_.handle(world_, robots_, *engine_, time_s());
     if (decides) {
       for (const auto& robot : robots_) {
         const Pose& pose = robot->state().pose;
@@ -130,7 +127,7 @@ class Simulation::Impl {
       verdict_ = judge(self, goal_starts_);
     }
     if (!measuring_->empty()) {
-      observe(decides);
+      observe(decides, false);
     }
   }
 
@@ -153,14 +150,9 @@ class Simulation::Impl {
     for (const auto& robot : robots_) {
       robot->replace(swap, *cameras_);
     }
-    swap.settle([this](const std::string& id) -> Tuning& {
-      return (*std::find_if(robots_.begin(), robots_.end(),
-                            [&](const auto& robot) { return robot->description().id == id; }))
-          ->tuning();
-    });
+    Replacement replacement = swap.settle();
     changes_.emplace(world_, host, options_);
     host_ = &host;
-    Replacement replacement = swap.result();
     measuring_->list_replaced(host, replacement.notes);
     for (const Replacement::Object& object : replacement.objects) {
       events_.push_back({time_s(), object.robot, events::Replaced{object.path, object.plugin}});
@@ -168,8 +160,6 @@ class Simulation::Impl {
     ++renewals_;
     return replacement;
   }
-
-  void stop(Outcome outcome, std::string reason) { verdict_ = {outcome, std::move(reason)}; }
 
   double time_s() const {
     return base_time_s_ + static_cast<double>(steps_ - base_steps_) * world_.physics.step;
@@ -179,34 +169,7 @@ class Simulation::Impl {
     return (steps_ - base_steps_) % static_cast<std::uint64_t>(world_.physics.control_steps) == 0;
   }
 
-  physics::GiveUps give_ups() const { return engine_->give_ups(); }
-
-  std::uint64_t state_hash() const {
-    base::Fnv1a hash(engine_->hash_state());
-    for (const auto& robot : robots_) {
-      hash.add(robot->state().energy);
-    }
-    return hash.value();
-  }
-
-  std::size_t segments(std::size_t robot) const { return engine_->segments(robot); }
-  SegmentView segment(std::size_t robot, std::size_t index) const {
-    const physics::SegmentState state = engine_->segment(robot, index);
-    const auto& own = world_.robots[robot].segments;
-    const std::size_t of_drive = segments(robot) - own.size();
-    return {index < of_drive ? nullptr : &own[index - of_drive], state.frame, state.pose,
-            state.yaw_rad, state.pitch_rad};
-  }
-
   RunResult figures() const;
-
-  std::optional<Pose> box(std::size_t index) const {
-    if (!engine_->has_box(index)) {
-      return std::nullopt;
-    }
-    const Frame frame = engine_->box(index);
-    return Pose{frame.origin.x, frame.origin.y, std::atan2(frame.forward.y, frame.forward.x)};
-  }
 
   world::World world_;
   double time_limit_s_;
@@ -214,7 +177,8 @@ class Simulation::Impl {
   const plugin::Host* host_;
   Options options_;
   std::shared_ptr<const world::World> start_;  // none: the world is as at the start
-  std::vector<std::unique_ptr<Robot>> robots_;
+  std::vector<std::shared_ptr<Robot>> robots_;
+  std::shared_ptr<physics::Engine> engine_;
   std::uint64_t steps_ = 0;
   bool decided_ = false;  // in the last step
   double step_began_s_ = 0.0;
@@ -223,8 +187,8 @@ class Simulation::Impl {
   std::vector<EventRecord> events_;
   std::vector<TimedChange> given_;  // to run()
   Statements said_;                 // before the first step
-  std::unique_ptr<Measuring> measuring_;
-  Departed departed_;
+  std::shared_ptr<Measuring> measuring_;
+  Tally departed_;                 // of robots that an edit has removed
   std::uint64_t renewals_ = 0;     // how often objects were replaced or made anew
   std::uint64_t own_changes_ = 0;  // how often those were edited that stand in the world
 
@@ -239,7 +203,7 @@ class Simulation::Impl {
   void become(std::span<const Change> edits, Becoming& becoming);
   void become(const world::World& was, world::World next, Becoming& becoming);
   void become_robots(const world::World& was, Becoming& becoming);
-  void become_changes(const world::World& was, Undo& undo);
+  void become_changes(const world::World& was);
   void become_measures(const world::World& was, Becoming& becoming);
   std::vector<std::size_t> become_bodies(const world::World& was, Becoming& becoming);
   void check_room(const world::World& was, std::span<const std::size_t> new_robots) const;
@@ -248,8 +212,7 @@ class Simulation::Impl {
   world::World present();
   world::World reread(const world::World& from, const std::vector<std::string>& edits,
                       bool check_plugins);
-  world::ReadOptions reading() const;
-  void become_goals(const world::World& was, Becoming& becoming);
+  void become_goals(const world::World& was);
   void settle(Becoming& becoming);
 
   void add_box(std::size_t i) {
@@ -294,10 +257,10 @@ class Simulation::Impl {
     }
   }
 
-  std::uint64_t last_step() const { return steps_ > 0 ? steps_ - 1 : 0; }
-  /// `decided`: in the step just made.
-  void observe(bool decided) {
-    measuring_->observe(robots_, *engine_, time_s(), last_step(), decided);
+  /// `decided`: in the step just made; `is_start`: there was none.
+  void observe(bool decided, bool is_start) {
+    const std::uint64_t last_step = steps_ > 0 ? steps_ - 1 : 0;
+    measuring_->observe(robots_, *engine_, time_s(), last_step, decided, is_start);
   }
 
   /// Motors, physics.
@@ -351,8 +314,7 @@ class Simulation::Impl {
     }
   }
 
-  std::unique_ptr<physics::Engine> engine_;
-  std::optional<Cameras> cameras_;
+  std::shared_ptr<Cameras> cameras_;
   std::optional<Changes> changes_;
   std::vector<std::string> pending_;  // what was put in place since the world was described
   // Views of their texts may be anywhere.
@@ -362,7 +324,7 @@ class Simulation::Impl {
   double base_time_s_ = 0.0;
   std::vector<MovingBox> moving_;
   std::vector<GoalStart> goal_starts_;  // of the world's goals
-  Touches touches_{world_};
+  Touches touches_;
   Neighbours neighbours_{world_.arena};  // at the last control step
   double farthest_call_m_ = 0.0;         // the largest coverage then
 };

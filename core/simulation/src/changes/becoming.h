@@ -1,12 +1,13 @@
 // What a running world needs in order to become another one.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <set>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,17 +15,22 @@
 #include "elsie/base/number_text.h"
 #include "elsie/base/problems.h"
 #include "elsie/plugin/host.h"
-#include "elsie/plugin/parameters.h"
 #include "elsie/simulation/run_result.h"
 #include "elsie/world/attributes.h"
 #include "elsie/world/description.h"
 
-#include "changes/tuning.h"
 #include "changes/undo.h"
-#include "plugins/guard.h"
-#include "plugins/statements.h"
+#include "plugins/plugin_object.h"
 
 namespace elsie::simulation {
+
+/// The place of the one with this id; that of the end when there is none.
+template <class Things>
+std::size_t place_of(const Things& things, const std::string& id) {
+  const auto at =
+      std::find_if(things.begin(), things.end(), [&](const auto& thing) { return thing.id == id; });
+  return static_cast<std::size_t>(at - things.begin());
+}
 
 /// One edit on its way: what it has made, what is wrong with it, and how to undo it.
 class Becoming {
@@ -40,17 +46,12 @@ class Becoming {
   std::vector<base::Problem>& problems() { return problems_; }
   Statements& said() { return said_; }
 
-  /// This object is new; it takes the place of another one if that had the same id.
-  void note_new(const Component* object, const std::string& robot, const std::string& id,
-                bool in_place_of_another) {
-    new_.insert(object);
-    if (in_place_of_another) {
-      said_.notes.push_back({robot, id,
-                             "it was made anew by an edit at " + time_ +
-                                 " and has lost what it remembered of the run"});
-    }
+  /// A new object takes the place of the one of this id.
+  void note_lost(const std::string& robot, const std::string& id) {
+    said_.notes.push_back({robot, id,
+                           "it was made anew by an edit at " + time_ +
+                               " and has lost what it remembered of the run"});
   }
-  bool is_new(const Component* object) const { return new_.contains(object); }
 
   /// An edit asks for this value, even if it is described already.
   void ask(const world::AttributePlace& place) {
@@ -63,20 +64,23 @@ class Becoming {
   bool asks(const world::Robot& robot, const char* attribute) const {
     return asked_.contains({robot.id, attribute});
   }
-  /// Whether an object that stands for `use`, and was made of this declaration, stays when it is
-  /// described as `next`: it does if only parameters differ that an edit puts in place. It gets
-  /// them when it is equipped again.
-  bool keeps(Component& object, const Declaration& declaration, const world::PluginUse& use,
-             const world::PluginUse& was, const world::PluginUse& next);
-  bool is_tuned(const Component* object) const { return tuned_.contains(object); }
+  /// Whether an object stays that was described as `was`: it does if only parameters differ that
+  /// an edit puts in place. It is described as `next` then, and gets them when it is equipped
+  /// again.
+  bool keeps(PluginObject& object, const world::PluginUse& was, const world::PluginUse& next);
+  /// All its parameters are those that `next` describes.
+  void describe(PluginObject& object, const world::PluginUse& next);
+  /// What it is equipped with is not what it was.
+  void note_other_equipment(const PluginObject& object) { again_with_.try_emplace(&object); }
+  /// Whether it has to be equipped again for itself.
+  bool has_other(const PluginObject& object) const { return again_with_.contains(&object); }
 
   /// From here on, objects of one robot are equipped again. Returns how that is undone once all
   /// that they look at is as it was.
   using Actions = std::vector<std::function<void()>>;
   std::shared_ptr<const Actions> begin_robot() { return again_ = std::make_shared<Actions>(); }
   /// Equips an object that stays, and sets parameters that differ; it keeps what it remembers.
-  /// `find` finds it, with the members that it has then.
-  void equip_again(const std::function<TunedObject()>& find, const Perception& example);
+  void equip_again(PluginObject& object, const Perception& example);
 
  private:
   const plugin::Host& host_;
@@ -85,13 +89,12 @@ class Becoming {
   Undo undo_;
   std::vector<base::Problem> problems_;
   Statements said_;
-  std::set<const Component*> new_;
   std::set<std::pair<std::string, std::string>> asked_;  // of robots
   std::set<const world::PluginUse*> asked_uses_;
-  struct Tuned {
-    Setup before, now;
+  struct Tuned {  // none: its parameters are the same
+    std::optional<Setup> before, now;
   };
-  std::map<const Component*, Tuned> tuned_;
+  std::map<const PluginObject*, Tuned> again_with_;
   std::shared_ptr<Actions> again_;
 };
 

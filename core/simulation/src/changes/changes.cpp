@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <utility>
 
 #include "elsie/base/number_text.h"
@@ -31,6 +33,193 @@ void add_text(std::string& list, const std::string& text) {
 
 std::string file_and_line(const base::Location& where) {
   return where.line > 0 ? where.file + ":" + std::to_string(where.line) : "the world's <changes>";
+}
+
+/// New parameters of a plugin object.
+struct Tuned {
+  Robot* robot = nullptr;
+  PluginObject* object = nullptr;
+  Setup setup;
+  std::string text;
+};
+/// A robot's new place.
+struct Placed {
+  std::size_t robot = 0;
+  Pose pose;
+  double z = 0.0;
+  std::string text;
+};
+using Setups = std::map<const PluginObject*, Setup>;
+
+/// Changes that are made together. Plans that of one attribute of a robot at a time; the robot
+/// itself stays as it is.
+class Plan final : public world::LiveRobot {
+ public:
+  /// `setups`: those that differ by then from what they are now.
+  Plan(const world::World& world, const Changes::Stage& stage, const Setups& setups)
+      : world_(world), stage_(stage), setups_(setups) {}
+
+  /// What it is about from now on: "robot[r1]/@x=3".
+  void begin(const world::Robot& robot, std::string text) {
+    index_ = static_cast<std::size_t>(&robot - world_.robots.data());
+    text_ = std::move(text);
+  }
+
+  void set_x(double metres) override {
+    check_inside("x", metres, 0.5 * world_.arena.length);
+    placed().pose.x = metres;
+  }
+  void set_y(double metres) override {
+    check_inside("y", metres, 0.5 * world_.arena.width);
+    placed().pose.y = metres;
+  }
+  void set_z(double metres) override { placed().z = metres; }
+  void set_heading_deg(double degrees) override {
+    placed().pose.heading_rad = wrap_angle(radians(degrees));
+  }
+  void set_max_speed(double metres_per_second) override {
+    settings.push_back([=, &robot = robot()] { robot.set_max_speed(metres_per_second); });
+  }
+  void set_coverage(double metres) override {
+    settings.push_back([=, &robot = robot()] { robot.set_coverage(metres); });
+  }
+  void set_leader(bool leader) override {
+    settings.push_back([=, &robot = robot()] { robot.set_leader(leader); });
+  }
+  void set_energy(double units) override {
+    const world::Robot& described = robot().description();
+    if (units > described.battery) {
+      refuse(text_, "the battery of the robot '" + described.id + "' holds " +
+                        number(described.battery) + " units; expected no more than that");
+    }
+    settings.push_back([=, &robot = robot()] { robot.set_energy(units); });
+  }
+  void set_energy_cost(const world::PluginUse& sensor, double units_per_second) override {
+    settings.push_back(
+        [=, &robot = robot(), &sensor] { robot.set_energy_cost(sensor, units_per_second); });
+  }
+  void set_priority(const world::PluginUse& behavior, double priority) override {
+    settings.push_back(
+        [=, &robot = robot(), &behavior] { robot.set_priority(behavior, priority); });
+  }
+  void set_parameter(const world::AttributePlace& place, const ParameterValue& value) override {
+    PluginObject* const object = robot().find_object(*place.use);
+    auto tuned = std::find_if(tunings.begin(), tunings.end(),
+                              [&](const Tuned& other) { return other.object == object; });
+    if (tuned == tunings.end()) {
+      const auto known = setups_.find(object);
+      tuned = tunings.insert(
+          tuned, {&robot(), object, known == setups_.end() ? object->setup() : known->second, ""});
+    }
+    (place.nested ? tuned->setup.elements[*place.nested].parameters
+                  : tuned->setup.parameters)[place.field.name] = value;
+    add_text(tuned->text, text_);
+  }
+
+  std::vector<EventRecord> events;
+  std::vector<std::function<void()>> settings;
+  std::vector<Tuned> tunings;
+  std::vector<Placed> places;
+
+ private:
+  Robot& robot() const { return *stage_.robots[index_]; }
+  void check_inside(const char* axis, double place, double reach) const {
+    if (std::abs(place) > reach) {
+      refuse(text_, "that is outside of the arena, which reaches from " + number(-reach) + " to " +
+                        number(reach) + " in " + axis);
+    }
+  }
+  Placed& placed() {
+    auto placed = std::find_if(places.begin(), places.end(),
+                               [&](const Placed& other) { return other.robot == index_; });
+    if (placed == places.end()) {
+      placed = places.insert(
+          placed, {index_, robot().state().pose, height(stage_.engine.robot(index_).frame), ""});
+    }
+    add_text(placed->text, text_);
+    return *placed;
+  }
+
+  const world::World& world_;
+  const Changes::Stage& stage_;
+  const Setups& setups_;
+  std::size_t index_ = 0;
+  std::string text_;
+};
+
+void check_tuned(const Tuned& tuned, const Cameras& cameras) {
+  std::optional<Camera> camera;
+  try {
+    camera = tuned.robot->try_out(*tuned.object, tuned.setup);
+  } catch (...) {
+    refuse(tuned.text, what_was_thrown());
+  }
+  if (camera.has_value() != tuned.object->camera.has_value()) {
+    refuse(tuned.text, "the sensor would " + std::string(camera ? "begin" : "cease") +
+                           " to look through a camera; replace the whole element instead");
+  }
+  if (const auto problem = camera ? cameras.problem_of(*camera) : std::nullopt) {
+    refuse(tuned.text, *problem);
+  }
+}
+
+Plan plan_of(std::span<const Change> changes, const world::World& world,
+             const world::Attributes& attributes, const Changes::Stage& stage,
+             const Setups& setups) {
+  Plan plan(world, stage, setups);
+  for (const Change& change : changes) {
+    try {
+      for (const world::AttributePlace& place : attributes.find(change.path)) {
+        const ParameterValue value = attributes.read(place, change.value);
+        const events::Changed event{place.path.substr(0, place.path.rfind("/@")), place.field.name,
+                                    change.value};
+        plan.begin(*place.robot, event.detail());
+        place.field.change(plan, place, value);
+        plan.events.push_back({stage.time_s, place.robot->id, event});
+      }
+    } catch (const ChangeRefused&) {
+      throw;
+    } catch (const std::invalid_argument& problem) {
+      refuse(change.text(), problem.what());
+    }
+  }
+  for (const Tuned& tuned : plan.tunings) {
+    check_tuned(tuned, stage.cameras);
+  }
+  return plan;
+}
+
+void check_room(const std::vector<Placed>& places, const world::World& world,
+                const physics::Engine& engine) {
+  if (places.empty()) {
+    return;
+  }
+  Room room(world, engine);
+  for (const Placed& placed : places) {
+    room.place(placed.robot, placed.pose, placed.z);
+  }
+  for (const Placed& placed : places) {
+    if (const auto problem = room.problem_of(placed.robot)) {
+      refuse(placed.text, *problem + "; expected a free place in the arena");
+    }
+  }
+}
+
+/// All of them or none.
+void set_up(const std::vector<Tuned>& tunings) {
+  Undo undo;
+  for (const Tuned& tuned : tunings) {
+    try {
+      const Setup before = tuned.object->setup();
+      tuned.robot->set_up(*tuned.object, tuned.setup);
+      undo.add([&tuned, before] { tuned.robot->set_up(*tuned.object, before); });
+    } catch (const PluginFault&) {
+      throw;
+    } catch (...) {
+      refuse(tuned.text, what_was_thrown());
+    }
+  }
+  undo.settle();
 }
 
 }  // namespace
@@ -78,22 +267,31 @@ std::vector<TimedChange> with_own(const world::World& world, std::span<const Tim
   return all;
 }
 
+std::vector<TimedChange> still_to_come(const world::World& world,
+                                       std::span<const TimedChange> changes, double after_s) {
+  std::vector<TimedChange> rest = with_own(world, changes);
+  std::erase_if(rest, [&](const TimedChange& one) {
+    return DueChanges{one.time_s, {}}.are_due(after_s, world.physics.step);
+  });
+  return rest;
+}
+
 std::vector<DueChanges> by_time(std::span<const TimedChange> changes) {
-  std::vector<DueChanges> schedule;
+  std::map<double, DueChanges> schedule;
   for (const TimedChange& timed : changes) {
-    auto due = std::find_if(schedule.begin(), schedule.end(), [&](const DueChanges& other) {
-      return !(other.time_s < timed.time_s);
-    });
-    if (due == schedule.end() || due->time_s != timed.time_s) {
-      due = schedule.insert(due, {timed.time_s, {}});
-    }
-    due->changes.push_back(timed.change);
-    std::string& first = timed.from.empty() ? due->given : due->from;
+    DueChanges& due = schedule[timed.time_s];
+    due.time_s = timed.time_s;
+    due.changes.push_back(timed.change);
+    std::string& first = timed.from.empty() ? due.given : due.from;
     if (first.empty()) {
       first = timed.from.empty() ? timed.change.text() : timed.from;
     }
   }
-  return schedule;
+  std::vector<DueChanges> all;
+  for (auto& [time_s, due] : schedule) {
+    all.push_back(std::move(due));
+  }
+  return all;
 }
 
 Changes::Changes(const world::World& world, const plugin::Host& host, const Options& options)
@@ -117,15 +315,16 @@ std::vector<world::AttributePlace> Changes::places(const Change& change) const {
 
 void Changes::make(std::span<const Change> changes, const Stage& stage,
                    std::vector<EventRecord>& events) const {
-  const Plan plan = this->plan(changes, stage, {});
-  check_room(plan, stage);
-  set_up(plan, stage);
+  const Setups none;
+  const Plan plan = plan_of(changes, world_, attributes_, stage, none);
+  check_room(plan.places, world_, stage.engine);
+  set_up(plan.tunings);
   // From here on nothing is refused.
   for (const auto& set : plan.settings) {
     set();
   }
   events.insert(events.end(), plan.events.begin(), plan.events.end());
-  for (const Placed& placed : plan.placed) {
+  for (const Placed& placed : plan.places) {
     stage.engine.place_robot(placed.robot, placed.pose, placed.z);
     stage.robots[placed.robot]->set_body(stage.engine.robot(placed.robot),
                                          stage.engine.joints(placed.robot));
@@ -138,192 +337,14 @@ std::vector<ChangeRefused> Changes::refused(std::span<const DueChanges> schedule
   Setups setups;
   for (const DueChanges& due : schedule) {
     try {
-      for (Tuned& tuned : plan(due.changes, stage, setups).tuned) {
-        setups[tuned.use] = std::move(tuned.setup);
+      for (Tuned& tuned : plan_of(due.changes, world_, attributes_, stage, setups).tunings) {
+        setups[tuned.object] = std::move(tuned.setup);
       }
     } catch (const ChangeRefused& refused) {
       all.push_back(refused.at(due.time_s, due.from));
     }
   }
   return all;
-}
-
-/// Plans the change of one attribute of a robot, which itself stays as it is.
-class Changes::Planner final : public world::LiveRobot {
- public:
-  Planner(Plan& plan, const world::World& world, const Stage& stage, const Setups& setups,
-          std::size_t robot, std::string text)
-      : plan_(plan),
-        world_(world),
-        stage_(stage),
-        setups_(setups),
-        index_(robot),
-        robot_(*stage.robots[robot]),
-        text_(std::move(text)) {}
-
-  void set_x(double metres) override {
-    check_inside("x", metres, 0.5 * world_.arena.length);
-    placed().pose.x = metres;
-  }
-  void set_y(double metres) override {
-    check_inside("y", metres, 0.5 * world_.arena.width);
-    placed().pose.y = metres;
-  }
-  void set_z(double metres) override { placed().z = metres; }
-  void set_heading_deg(double degrees) override {
-    placed().pose.heading_rad = wrap_angle(radians(degrees));
-  }
-  void set_max_speed(double metres_per_second) override {
-    plan_.settings.push_back([=, &robot = robot_] { robot.set_max_speed(metres_per_second); });
-  }
-  void set_coverage(double metres) override {
-    plan_.settings.push_back([=, &robot = robot_] { robot.set_coverage(metres); });
-  }
-  void set_leader(bool leader) override {
-    plan_.settings.push_back([=, &robot = robot_] { robot.set_leader(leader); });
-  }
-  void set_energy(double units) override {
-    const world::Robot& described = robot_.description();
-    if (units > described.battery) {
-      refuse(text_, "the battery of the robot '" + described.id + "' holds " +
-                        number(described.battery) + " units; expected no more than that");
-    }
-    plan_.settings.push_back([=, &robot = robot_] { robot.set_energy(units); });
-  }
-  void set_energy_cost(const world::PluginUse& sensor, double units_per_second) override {
-    plan_.settings.push_back(
-        [=, &robot = robot_, &sensor] { robot.set_energy_cost(sensor, units_per_second); });
-  }
-  void set_priority(const world::PluginUse& behavior, double priority) override {
-    plan_.settings.push_back(
-        [=, &robot = robot_, &behavior] { robot.set_priority(behavior, priority); });
-  }
-  void set_parameter(const world::AttributePlace& place, const ParameterValue& value) override {
-    const world::PluginUse* const use = place.use;
-    auto tuned = std::find_if(plan_.tuned.begin(), plan_.tuned.end(),
-                              [&](const Tuned& other) { return other.use == use; });
-    if (tuned == plan_.tuned.end()) {
-      const auto known = setups_.find(use);
-      tuned = plan_.tuned.insert(
-          tuned, {index_, use, known == setups_.end() ? robot_.setup(*use) : known->second, ""});
-    }
-    (place.nested ? tuned->setup.elements[*place.nested].parameters
-                  : tuned->setup.parameters)[place.field.name] = value;
-    add_text(tuned->text, text_);
-  }
-
- private:
-  void check_inside(const char* axis, double place, double reach) const {
-    if (std::abs(place) > reach) {
-      refuse(text_, "that is outside of the arena, which reaches from " + number(-reach) + " to " +
-                        number(reach) + " in " + axis);
-    }
-  }
-  Placed& placed() {
-    auto placed = std::find_if(plan_.placed.begin(), plan_.placed.end(),
-                               [&](const Placed& other) { return other.robot == index_; });
-    if (placed == plan_.placed.end()) {
-      placed = plan_.placed.insert(
-          placed, {index_, robot_.state().pose, height(stage_.engine.robot(index_).frame), ""});
-    }
-    add_text(placed->text, text_);
-    return *placed;
-  }
-
-  Plan& plan_;
-  const world::World& world_;
-  const Stage& stage_;
-  const Setups& setups_;
-  std::size_t index_;
-  Robot& robot_;
-  std::string text_;  // "robot[r1]/@x=3"
-};
-
-Changes::Plan Changes::plan(std::span<const Change> changes, const Stage& stage,
-                            const Setups& setups) const {
-  Plan plan;
-  for (const Change& change : changes) {
-    const std::string asked = change.text();
-    try {
-      for (const world::AttributePlace& place : attributes_.find(change.path)) {
-        const ParameterValue value = attributes_.read(place, change.value);
-        const events::Changed event{place.path.substr(0, place.path.rfind("/@")), place.field.name,
-                                    change.value};
-        Planner planner(plan, world_, stage, setups,
-                        static_cast<std::size_t>(place.robot - world_.robots.data()),
-                        event.detail());
-        place.field.change(planner, place, value);
-        plan.events.push_back({stage.time_s, place.robot->id, event});
-      }
-    } catch (const ChangeRefused&) {
-      throw;
-    } catch (const std::invalid_argument& problem) {
-      refuse(asked, problem.what());
-    }
-  }
-  for (const Tuned& tuned : plan.tuned) {
-    check_tuned(tuned, stage);
-  }
-  return plan;
-}
-
-void Changes::check_tuned(const Tuned& tuned, const Stage& stage) const {
-  Robot& robot = *stage.robots[tuned.robot];
-  std::optional<Camera> camera;
-  try {
-    camera = robot.try_out(*tuned.use, tuned.setup);
-  } catch (...) {
-    refuse(tuned.text, what_was_thrown());
-  }
-  for (std::size_t i = 0; i < robot.sensor_count(); ++i) {
-    if (&stage.robots[tuned.robot]->description().sensors[i] != tuned.use) {
-      continue;
-    }
-    if (camera.has_value() != robot.camera(i).has_value()) {
-      refuse(tuned.text, "the sensor would " + std::string(camera ? "begin" : "cease") +
-                             " to look through a camera; replace the whole element instead");
-    }
-    if (const auto problem = camera ? stage.cameras.problem_of(*camera) : std::nullopt) {
-      refuse(tuned.text, *problem);
-    }
-  }
-}
-
-void Changes::check_room(const Plan& plan, const Stage& stage) const {
-  if (plan.placed.empty()) {
-    return;
-  }
-  Room room(world_, stage.engine);
-  for (const Placed& placed : plan.placed) {
-    room.place(placed.robot, placed.pose, placed.z);
-  }
-  for (const Placed& placed : plan.placed) {
-    if (const auto problem = room.problem_of(placed.robot)) {
-      refuse(placed.text, *problem + "; expected a free place in the arena");
-    }
-  }
-}
-
-/// All of them or none.
-void Changes::set_up(const Plan& plan, const Stage& stage) const {
-  std::vector<Setup> before;
-  for (const Tuned& tuned : plan.tuned) {
-    before.push_back(stage.robots[tuned.robot]->setup(*tuned.use));
-  }
-  for (std::size_t i = 0; i < plan.tuned.size(); ++i) {
-    const Tuned& tuned = plan.tuned[i];
-    try {
-      stage.robots[tuned.robot]->set_up(*tuned.use, tuned.setup);
-    } catch (const PluginFault&) {
-      throw;
-    } catch (...) {
-      const std::string problem = what_was_thrown();
-      while (i-- > 0) {
-        stage.robots[plan.tuned[i].robot]->set_up(*plan.tuned[i].use, before[i]);
-      }
-      refuse(tuned.text, problem);
-    }
-  }
 }
 
 }  // namespace elsie::simulation

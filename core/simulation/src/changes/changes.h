@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +39,10 @@ TimedChange timed(const world::TimedEdit& edit);
 /// Those of the world, then the others.
 std::vector<TimedChange> with_own(const world::World& world, std::span<const TimedChange> changes);
 
+/// The same without those that are made by this time.
+std::vector<TimedChange> still_to_come(const world::World& world,
+                                       std::span<const TimedChange> changes, double after_s);
+
 /// In the order of their times; those of one time in the order given.
 std::vector<DueChanges> by_time(std::span<const TimedChange> changes);
 
@@ -73,35 +75,6 @@ class Changes {
                                      const Stage& stage) const;
 
  private:
-  /// New parameters of a plugin object.
-  struct Tuned {
-    std::size_t robot = 0;
-    const world::PluginUse* use = nullptr;
-    Setup setup;
-    std::string text;
-  };
-  /// A robot's new place.
-  struct Placed {
-    std::size_t robot = 0;
-    Pose pose;
-    double z = 0.0;
-    std::string text;
-  };
-  struct Plan {
-    std::vector<EventRecord> events;
-    std::vector<std::function<void()>> settings;
-    std::vector<Tuned> tuned;
-    std::vector<Placed> placed;
-  };
-  using Setups = std::map<const world::PluginUse*, Setup>;
-  class Planner;
-
-  /// `setups`: those that differ by then from what they are now.
-  Plan plan(std::span<const Change> changes, const Stage& stage, const Setups& setups) const;
-  void check_tuned(const Tuned& tuned, const Stage& stage) const;
-  void check_room(const Plan& plan, const Stage& stage) const;
-  void set_up(const Plan& plan, const Stage& stage) const;
-
   const world::World& world_;
   world::Attributes attributes_;
 };

@@ -1,7 +1,6 @@
 #include "changes/room.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace elsie::simulation {
 
@@ -10,7 +9,8 @@ double height(const Frame& frame) {
   return frame.origin.z < kHair ? 0.0 : frame.origin.z;
 }
 
-Room::Room(const world::World& world, const physics::Engine& engine) : world_(world) {
+Room::Room(const world::World& world, const physics::Engine& engine)
+    : world_(world), first_robot_(world.boxes.size() + world.chargers.size()) {
   for (std::size_t i = 0; i < world.boxes.size(); ++i) {
     if (!engine.has_box(i)) {
       continue;
@@ -19,20 +19,20 @@ Room::Room(const world::World& world, const physics::Engine& engine) : world_(wo
     Frame middle = engine.box(i);
     middle.origin = middle.point({0.0, 0.0, 0.5 * shape.size.z});
     const world::BoxKind kind = world.boxes[i].kind;
-    boxes_.push_back({world::footprint_of(shape, middle), "the box '" + world.boxes[i].id + "'", i,
-                      kind == world::BoxKind::dynamic || kind == world::BoxKind::resource});
+    blocks_.push_back({world::footprint_of(shape, middle), "the box '" + world.boxes[i].id + "'", i,
+                       kind == world::BoxKind::dynamic || kind == world::BoxKind::resource});
   }
-  std::size_t number = world.boxes.size();
-  for (const world::Charger& charger : world.chargers) {
+  for (std::size_t i = 0; i < world.chargers.size(); ++i) {
+    const world::Charger& charger = world.chargers[i];
     if (charger.seen_by_range_sensors) {
       const world::Fixture fixture = world::fixture_of(charger);
-      boxes_.push_back({world::footprint_of(fixture.shape, fixture.frame),
-                        "the charger '" + charger.id + "'", number++, false});
+      blocks_.push_back({world::footprint_of(fixture.shape, fixture.frame),
+                         "the charger '" + charger.id + "'", world.boxes.size() + i, false});
     }
   }
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
     const BodyPlan& plan = plans_.emplace_back(world::plan_of(world.robots[i]));
-    auto& vehicles = robots_.emplace_back();
+    std::vector<world::Footprint> vehicles;
     const auto add = [&](const auto& body) {
       vehicles.push_back(world::footprint_of(world::vehicle_of(plan, vehicles.size()), body.pose,
                                              height(body.frame)));
@@ -41,30 +41,46 @@ Room::Room(const world::World& world, const physics::Engine& engine) : world_(wo
     for (std::size_t k = 0; k < engine.segments(i); ++k) {
       add(engine.segment(i, k));
     }
+    add_robot(i, vehicles);
+  }
+}
+
+void Room::add_robot(std::size_t robot, const std::vector<world::Footprint>& vehicles) {
+  const world::Robot& described = world_.robots[robot];
+  const std::size_t of_drive = plans_[robot].vehicles() - described.segments.size();
+  for (std::size_t i = 0; i < vehicles.size(); ++i) {
+    const std::string segment =
+        i < of_drive ? "" : "the segment '" + described.segments[i - of_drive].id + "' of ";
+    blocks_.push_back(
+        {vehicles[i], segment + "the robot '" + described.id + "'", first_robot_ + robot, true});
   }
 }
 
 void Room::place(std::size_t robot, const Pose& pose, double z) {
-  robots_[robot] = world::footprints_of(plans_[robot], pose, z);
+  auto vehicle = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& block) {
+    return block.owner == first_robot_ + robot;
+  });
+  for (const world::Footprint& footprint : world::footprints_of(plans_[robot], pose, z)) {
+    (vehicle++)->footprint = footprint;
+  }
+}
+
+std::optional<std::string> Room::overlap(const Block& own) const {
+  for (const Block& other : blocks_) {
+    if (other.owner != own.owner && (own.is_free || other.is_free) &&
+        world::overlap(own.footprint, other.footprint)) {
+      return own.in_words + " overlaps " + other.in_words;
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<std::string> Room::problem_of(std::size_t robot) const {
-  for (std::size_t part = 0; part < robots_[robot].size(); ++part) {
-    const world::Footprint& own = robots_[robot][part];
-    const std::string name = name_of(robot, part);
-    if (auto problem = world::outside(world_.arena, name, own)) {
-      return problem;
-    }
-    for (const Block& box : boxes_) {
-      if (world::overlap(own, box.footprint)) {
-        return name + " overlaps " + box.in_words;
-      }
-    }
-    for (std::size_t other = 0; other < robots_.size(); ++other) {
-      for (std::size_t k = 0; other != robot && k < robots_[other].size(); ++k) {
-        if (world::overlap(own, robots_[other][k])) {
-          return name + " overlaps " + name_of(other, k);
-        }
+  for (const Block& own : blocks_) {
+    if (own.owner == first_robot_ + robot) {
+      auto problem = world::outside(world_.arena, own.in_words, own.footprint);
+      if (problem || (problem = overlap(own))) {
+        return problem;
       }
     }
   }
@@ -72,25 +88,11 @@ std::optional<std::string> Room::problem_of(std::size_t robot) const {
 }
 
 std::optional<std::string> Room::problem_of_box(std::size_t box) const {
-  for (const Block& own : boxes_) {
-    if (own.number != box) {
-      continue;
-    }
-    for (const Block& other : boxes_) {
-      if (other.number != box && (own.is_free || other.is_free) &&
-          world::overlap(own.footprint, other.footprint)) {
-        return own.in_words + " overlaps " + other.in_words;
-      }
-    }
-    for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
-      for (std::size_t k = 0; k < robots_[robot].size(); ++k) {
-        if (world::overlap(own.footprint, robots_[robot][k])) {
-          return own.in_words + " overlaps " + name_of(robot, k);
-        }
-      }
-    }
-    if (own.is_free) {
-      return world::outside(world_.arena, own.in_words, own.footprint);
+  for (const Block& own : blocks_) {
+    if (own.owner == box) {
+      auto problem = overlap(own);
+      return problem || !own.is_free ? problem
+                                     : world::outside(world_.arena, own.in_words, own.footprint);
     }
   }
   return std::nullopt;
@@ -98,32 +100,20 @@ std::optional<std::string> Room::problem_of_box(std::size_t box) const {
 
 std::optional<std::string> Room::problem_of_arena() const {
   constexpr double kHair = 1e-3;  // m
-  const auto problem = [&](world::Footprint footprint, const std::string& name) {
-    footprint.half_length = std::max(0.0, footprint.half_length - kHair);
-    footprint.half_width = std::max(0.0, footprint.half_width - kHair);
-    return world::outside(world_.arena, name, footprint);
-  };
-  for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
-    for (std::size_t k = 0; k < robots_[robot].size(); ++k) {
-      if (auto found = problem(robots_[robot][k], name_of(robot, k))) {
-        return found;
+  // Robots come first.
+  for (const bool is_robot : {true, false}) {
+    for (const Block& block : blocks_) {
+      if (block.is_free && is_robot == (block.owner >= first_robot_)) {
+        world::Footprint footprint = block.footprint;
+        footprint.half_length = std::max(0.0, footprint.half_length - kHair);
+        footprint.half_width = std::max(0.0, footprint.half_width - kHair);
+        if (auto found = world::outside(world_.arena, block.in_words, footprint)) {
+          return found;
+        }
       }
     }
   }
-  for (const Block& box : boxes_) {
-    if (auto found = box.is_free ? problem(box.footprint, box.in_words) : std::nullopt) {
-      return found;
-    }
-  }
   return std::nullopt;
-}
-
-std::string Room::name_of(std::size_t robot, std::size_t part) const {
-  const world::Robot& described = world_.robots[robot];
-  const std::size_t of_drive = plans_[robot].vehicles() - described.segments.size();
-  return (part < of_drive ? ""
-                          : "the segment '" + described.segments[part - of_drive].id + "' of ") +
-         ("the robot '" + described.id + "'");
 }
 
 }  // namespace elsie::simulation

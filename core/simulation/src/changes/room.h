@@ -1,4 +1,4 @@
-// Whether there is room for a robot somewhere, as things stand at this instant.
+// Whether there is room for a body somewhere, as things stand at this instant.
 #pragma once
 
 #include <cstddef>
@@ -33,16 +33,17 @@ class Room {
   struct Block {
     world::Footprint footprint;
     std::string in_words;
-    std::size_t number = 0;  // among boxes, then chargers
-    bool is_free = false;    // it may be pushed or taken away
+    std::size_t owner = 0;  // boxes are counted first, then chargers, then robots
+    bool is_free = false;   // it may be pushed or taken away
   };
 
-  std::string name_of(std::size_t robot, std::size_t part) const;
+  void add_robot(std::size_t robot, const std::vector<world::Footprint>& vehicles);
+  std::optional<std::string> overlap(const Block& own) const;
 
   const world::World& world_;
-  std::vector<Block> boxes_;
-  std::vector<BodyPlan> plans_;                        // of the robots
-  std::vector<std::vector<world::Footprint>> robots_;  // each, then what it pulls
+  std::vector<Block> blocks_;    // boxes and chargers before robots and what they pull
+  std::size_t first_robot_;      // as an owner
+  std::vector<BodyPlan> plans_;  // of the robots
 };
 
 }  // namespace elsie::simulation

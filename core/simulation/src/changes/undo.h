@@ -24,10 +24,10 @@ class Undo {
   }
 
   void add(std::function<void()> action) { actions_.push_back(std::move(action)); }
-  /// Puts this back to what it is now.
-  template <class Value>
-  void keep(Value& value) {
-    add([&value, before = value] { value = before; });
+  /// Puts these back to what they are now.
+  template <class... Values>
+  void keep(Values&... values) {
+    (add([&values, before = values] { values = before; }), ...);
   }
   /// From here on nothing is undone.
   void settle() { actions_.clear(); }

@@ -34,11 +34,11 @@ void take_over(const Robot& robot, ObservedRobot& seen, std::span<ObservedBehavi
   seen.moving = state.moving;
   seen.odometry = state.odometry;
   seen.wheels = state.wheels;
-  seen.distance_m = robot.distance_m();
+  seen.distance_m = robot.tally().distance_m;
   seen.energy = state.energy;
-  seen.energy_used = robot.energy_used();
-  seen.collisions = robot.collisions();
-  seen.collected = robot.collected();
+  seen.energy_used = robot.tally().energy_used;
+  seen.collisions = robot.tally().collisions;
+  seen.collected = robot.tally().collected;
   seen.is_leader = state.is_leader;
   seen.charging = state.charging;
   seen.empty = robot.empty();
@@ -121,6 +121,22 @@ void Lookout::describe(const world::Coordination& coordination, const std::strin
       describe(inside, own + "/", place, behaviors);
     }
   }
+}
+
+bool Lookout::has_cast_of(const Lookout& other) const {
+  const auto same = [](const auto& all, const auto& others, auto is_same) {
+    return std::equal(all.begin(), all.end(), others.begin(), others.end(), is_same);
+  };
+  const auto same_behavior = [](const ObservedBehavior& a, const ObservedBehavior& b) {
+    return a.path == b.path && a.plugin == b.plugin;
+  };
+  const auto same_robot = [&](const ObservedRobot& a, const ObservedRobot& b) {
+    return a.id == b.id && a.team == b.team && same(a.behaviors, b.behaviors, same_behavior);
+  };
+  return same(robots_, other.robots_, same_robot) &&
+         same(all_boxes_, other.all_boxes_, [](const ObservedBox& a, const ObservedBox& b) {
+           return a.id == b.id && a.team == b.team;
+         });
 }
 
 void Lookout::look(Robots robots, const physics::Engine& engine, double time_s, bool decided,

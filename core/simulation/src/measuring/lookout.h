@@ -24,6 +24,10 @@ class Lookout {
   /// As the world's file says, until the first look.
   const Observation& now() const { return now_; }
 
+  /// Whether it shows robots, behaviours and boxes of the same names at the same places, by which
+  /// measures count them.
+  bool has_cast_of(const Lookout& other) const;
+
   /// `robots`: those of the world. `decided`: in the step that led here; `is_start`: there was
   /// none. Allocates nothing.
   void look(Robots robots, const physics::Engine& engine, double time_s, bool decided,

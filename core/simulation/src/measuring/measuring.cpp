@@ -8,8 +8,6 @@
 #include "elsie/simulation/measures.h"
 #include "elsie/world/same.h"
 
-#include "plugins/make_plugin.h"
-
 namespace elsie::simulation {
 namespace {
 
@@ -52,7 +50,7 @@ std::vector<Quantity> measures_of_every_run() {
           {"energy_left", "units", "in the batteries at the end, all together"}};
 }
 
-void measure_every_run(RunResult& result, const Departed& departed) {
+void measure_every_run(RunResult& result, const Tally& departed) {
   const double values[kMeasuresOfEveryRun] = {
       result.outcome == Outcome::success ? 1.0 : 0.0,
       result.simulated_s,
@@ -89,14 +87,12 @@ Measuring::Measuring(const world::World& world, const plugin::Host& host, const 
                      std::vector<base::Problem>& problems)
     : guard_("", budget), lookout_(world) {
   for (const world::PluginUse& use : world.measures) {
-    Slot& slot = slots_.emplace_back();
-    slot.use = &use;
-    slot.declaration = host.find(PluginKind::measure, use.plugin);
-    slot.object = make<Measure>(host, PluginKind::measure, use, problems);
-    if (slot.object) {
+    Slot& slot = *slots_.emplace_back(std::make_shared<Slot>(use, host));
+    slot.make(host, problems);
+    if (slot.held) {
       slot.quantities = blaming(use, problems, [&] {
-        slot.object->equipped(lookout_.now());
-        return full_names(use, slot.object->quantities());
+        slot.object().equipped(lookout_.now());
+        return full_names(use, slot.object().quantities());
       });
       slot.values.resize(slot.quantities.size());
     }
@@ -111,11 +107,11 @@ void Measuring::check_names(std::vector<base::Problem>& problems) const {
     of_every_run.insert(quantity.name);
   }
   std::set<std::string> taken = of_every_run;
-  for (const Slot& slot : slots_) {
-    for (const Quantity& quantity : slot.quantities) {
+  for (const auto& slot : slots_) {
+    for (const Quantity& quantity : slot->quantities) {
       if (!taken.insert(quantity.name).second) {
-        problems.push_back({slot.use->location.file, slot.use->location.line,
-                            "plugin '" + slot.use->plugin +
+        problems.push_back({slot->use->location.file, slot->use->location.line,
+                            "plugin '" + slot->use->plugin +
                                 "': one of its values would be called '" + quantity.name +
                                 "', as " +
                                 (of_every_run.contains(quantity.name) ? "a value that every run has"
@@ -128,8 +124,8 @@ void Measuring::check_names(std::vector<base::Problem>& problems) const {
 
 std::vector<Quantity> Measuring::quantities() const {
   std::vector<Quantity> all;
-  for (const Slot& slot : slots_) {
-    all.insert(all.end(), slot.quantities.begin(), slot.quantities.end());
+  for (const auto& slot : slots_) {
+    all.insert(all.end(), slot->quantities.begin(), slot->quantities.end());
   }
   return all;
 }
@@ -138,99 +134,77 @@ void Measuring::reset(std::uint64_t seed) {
   guard_.begin_run();
   guard_.begin_step(0);
   has_failed_ = false;
-  for (Slot& slot : slots_) {
-    slot.has_begun = false;
-    Random random(seed, "measure[" + slot.use->id + "]");
-    guard_.run(*slot.use, [&] { slot.object->reset(random); });
+  for (const auto& slot : slots_) {
+    slot->has_begun = false;
+    guard_.run(*slot->use, [&] { slot->reset(seed, "measure[" + slot->use->id + "]"); });
   }
 }
 
 void Measuring::ask(Statements& said) {
-  for (const Slot& slot : slots_) {
-    said.ask(*slot.object, *slot.use, "", guard_);
+  for (const auto& slot : slots_) {
+    said.ask(*slot, "", guard_);
   }
 }
 
-void Measuring::take(Measuring& before, std::span<const world::PluginUse> was) {
+void Measuring::take(const Measuring& before, std::span<const world::PluginUse> was, Undo& undo) {
+  if (!lookout_.has_cast_of(before.lookout_)) {
+    return;
+  }
   has_failed_ = before.has_failed_;
-  for (Slot& slot : slots_) {
+  for (auto& slot : slots_) {
     for (std::size_t i = 0; i < was.size(); ++i) {
-      if (was[i].id == slot.use->id && world::same(was[i], *slot.use)) {
-        Slot& known = before.slots_[i];
-        std::swap(slot.object, known.object);
-        slot.quantities.swap(known.quantities);
-        slot.values.swap(known.values);
-        slot.has_begun = known.has_begun;
-        slot.was_taken = true;
-      }
-    }
-  }
-}
-
-void Measuring::give_back(Measuring& before) {
-  for (Slot& slot : slots_) {
-    for (Slot& known : before.slots_) {
-      if (slot.was_taken && known.use->id == slot.use->id) {
-        std::swap(slot.object, known.object);
-        slot.quantities.swap(known.quantities);
-        slot.values.swap(known.values);
+      if (was[i].id == slot->use->id && world::same(was[i], *slot->use)) {
+        const world::PluginUse* const use = slot->use;
+        slot = before.slots_[i];
+        undo.keep(slot->use);
+        slot->use = use;
+        break;
       }
     }
   }
 }
 
 void Measuring::reset_new(std::uint64_t seed, const std::string& time, Statements& said) {
-  for (Slot& slot : slots_) {
-    if (!slot.was_taken) {
-      Random random(seed, "measure[" + slot.use->id + "]");
-      guard_.run(*slot.use, [&] { slot.object->reset(random); });
-      said.ask(*slot.object, *slot.use, "", guard_);
+  for (const auto& slot : slots_) {
+    if (slot->is_new) {
+      guard_.run(*slot->use, [&] { slot->reset(seed, "measure[" + slot->use->id + "]"); });
+      said.ask(*slot, "", guard_);
       said.notes.push_back(
-          {"", slot.use->id, "it measures from an edit of the world at " + time + " on"});
+          {"", slot->use->id, "it measures from an edit of the world at " + time + " on"});
     }
   }
 }
 
 bool Measuring::has_begun() const {
-  return std::all_of(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.has_begun; });
+  return std::all_of(slots_.begin(), slots_.end(),
+                     [](const auto& slot) { return slot->has_begun; });
 }
 
-void Measuring::show(Slot& slot) {
-  slot.has_begun = true;
-  try {
-    guard_.step(*slot.use, [&] { slot.object->observe(lookout_.now()); });
-  } catch (...) {
-    has_failed_ = true;
-    throw;
-  }
-}
-
-void Measuring::begin(Robots robots, const physics::Engine& engine, double time_s,
-                      std::uint64_t step) {
+void Measuring::observe(Robots robots, const physics::Engine& engine, double time_s,
+                        std::uint64_t step, bool decided, bool is_start) {
   guard_.begin_step(step);
-  lookout_.look(robots, engine, time_s, false, true);
-  for (Slot& slot : slots_) {
-    if (!slot.has_begun) {
-      show(slot);
+  lookout_.look(robots, engine, time_s, decided, is_start);
+  for (const auto& slot : slots_) {
+    if (is_start && slot->has_begun) {
+      continue;
+    }
+    slot->has_begun = true;
+    try {
+      guard_.step(*slot, [&] { slot->object().observe(lookout_.now()); });
+    } catch (...) {
+      has_failed_ = true;
+      throw;
     }
   }
 }
 
-void Measuring::observe(Robots robots, const physics::Engine& engine, double time_s,
-                        std::uint64_t step, bool decided) {
-  guard_.begin_step(step);
-  lookout_.look(robots, engine, time_s, decided, false);
-  for (Slot& slot : slots_) {
-    show(slot);
-  }
-}
-
 void Measuring::report(const RunEnd& end, std::vector<MeasuredValue>& values) {
-  for (Slot& slot : slots_) {
+  for (const auto& each : slots_) {
+    Slot& slot = *each;
     std::fill(slot.values.begin(), slot.values.end(), std::nullopt);
     if (!has_failed_) {
       try {
-        guard_.run(*slot.use, [&] { slot.object->report(end, slot.values); });
+        guard_.run(*slot.use, [&] { slot.object().report(end, slot.values); });
         for (std::size_t i = 0; i < slot.values.size(); ++i) {
           if (slot.values[i] && !std::isfinite(*slot.values[i])) {
             guard_.fail(*slot.use, "its value '" + slot.quantities[i].name +
@@ -250,13 +224,13 @@ void Measuring::report(const RunEnd& end, std::vector<MeasuredValue>& values) {
 }
 
 void Measuring::list_replaced(const plugin::Host& host, std::vector<std::string>& notes) {
-  for (Slot& slot : slots_) {
-    const Declaration* const now = host.find(PluginKind::measure, slot.use->plugin);
-    if (now != slot.declaration) {
-      notes.push_back("the measure '" + slot.use->id +
+  for (const auto& slot : slots_) {
+    const Declaration* const now = host.find(PluginKind::measure, slot->use->plugin);
+    if (now != slot->declaration) {
+      notes.push_back("the measure '" + slot->use->id +
                       "' stays as it was when the world was made; a new one would not know what "
                       "has been so far");
-      slot.declaration = now;
+      slot->declaration = now;
     }
   }
 }

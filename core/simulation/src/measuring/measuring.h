@@ -15,8 +15,7 @@
 #include "elsie/world/error.h"
 
 #include "measuring/lookout.h"
-#include "plugins/guard.h"
-#include "plugins/statements.h"
+#include "plugins/plugin_object.h"
 
 namespace elsie::simulation {
 
@@ -37,22 +36,18 @@ class Measuring {
   /// What the measures did to the program since the run began.
   void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
 
-  /// Takes what `before` has of measures that are described as they were, in a world with the same
-  /// robots and boxes; `was` describes those.
-  void take(Measuring& before, std::span<const world::PluginUse> was);
-  /// Gives it back.
-  void give_back(Measuring& before);
+  /// Goes on with what `before` has of measures that are described as they were, if they find the
+  /// same robots and boxes; `was` describes those.
+  void take(const Measuring& before, std::span<const world::PluginUse> was, Undo& undo);
   /// Resets what was not taken, which begins with the next instant, and gathers what it says.
   void reset_new(std::uint64_t seed, const std::string& time, Statements& said);
 
   /// Whether all have seen the start of what they measure.
   bool has_begun() const;
-  /// Shows it to those that have not; it is the instant after the step of this number. Throws
-  /// PluginFault.
-  void begin(Robots robots, const physics::Engine& engine, double time_s, std::uint64_t step);
-  /// Shows them the instant after the step of this number. Throws PluginFault.
+  /// Shows them the instant after the step of this number; `is_start`: only those that have not
+  /// begun, without that step. Throws PluginFault.
   void observe(Robots robots, const physics::Engine& engine, double time_s, std::uint64_t step,
-               bool decided);
+               bool decided, bool is_start);
   /// Appends the values so far. Throws PluginFault; once a measure has failed, all values are none
   /// and nothing is asked any more.
   void report(const RunEnd& end, std::vector<MeasuredValue>& values);
@@ -62,33 +57,22 @@ class Measuring {
   void list_replaced(const plugin::Host& host, std::vector<std::string>& notes);
 
  private:
-  struct Slot {
-    const world::PluginUse* use = nullptr;
-    const Declaration* declaration = nullptr;  // to be compared, not to be looked into
-    plugin::Object<Measure> object;
+  struct Slot final : ObjectOf<Measure, PluginKind::measure> {
+    using ObjectOf::ObjectOf;
+
     std::vector<Quantity> quantities;  // under their full names
     std::vector<std::optional<double>> values;
     bool has_begun = false;
-    bool was_taken = false;
   };
-  void show(Slot& slot);
-
   void check_names(std::vector<base::Problem>& problems) const;
 
   Guard guard_;
   Lookout lookout_;
-  std::vector<Slot> slots_;
+  std::vector<std::shared_ptr<Slot>> slots_;
   bool has_failed_ = false;
 };
 
-/// What robots did that an edit has removed since.
-struct Departed {
-  double distance_m = 0.0;
-  int collected = 0;
-  int collisions = 0;
-};
-
-/// Adds the values that every run has.
-void measure_every_run(RunResult& result, const Departed& departed);
+/// Adds the values that every run has. `departed`: what robots did that an edit has removed.
+void measure_every_run(RunResult& result, const Tally& departed);
 
 }  // namespace elsie::simulation

@@ -17,8 +17,7 @@ namespace {
 
 std::string short_text(double value) { return base::number_text(value, 4); }
 
-}  // namespace
-
+/// What is allocated on the heap of the process, bytes. Takes a microsecond or so.
 std::int64_t heap_bytes() {
   if (__sanitizer_get_current_allocated_bytes) {
     return static_cast<std::int64_t>(__sanitizer_get_current_allocated_bytes());
@@ -26,6 +25,8 @@ std::int64_t heap_bytes() {
   const auto info = mallinfo2();
   return static_cast<std::int64_t>(info.uordblks + info.hblkhd);
 }
+
+}  // namespace
 
 std::string what_was_thrown() {
   try {
@@ -66,20 +67,20 @@ std::int64_t Guard::begin(plugin::Call& call) const {
   return before;
 }
 
-void Guard::end(const world::PluginUse& use, const plugin::Call& call, std::int64_t before) {
+void Guard::end(const world::PluginUse& use, Heap& heap, const plugin::Call& call,
+                std::int64_t before) {
   const double took_s = call.own_time_s();
   if (budget_.memory > 0) {
     const std::int64_t grown = heap_bytes() - before;
     if (call.outer()) {
       call.outer()->inner_bytes += grown;
     }
-    Held& held = held_[&use];
-    held.bytes += grown - call.inner_bytes;
-    ++held.calls;
-    if (held.bytes > static_cast<std::int64_t>(budget_.memory)) {
-      fail(use, "it holds " + short_text(1e-6 * static_cast<double>(held.bytes)) +
+    heap.bytes += grown - call.inner_bytes;
+    ++heap.calls;
+    if (heap.bytes > static_cast<std::int64_t>(budget_.memory)) {
+      fail(use, "it holds " + short_text(1e-6 * static_cast<double>(heap.bytes)) +
                     " MB more than when the run began, " +
-                    short_text(static_cast<double>(held.bytes) / static_cast<double>(held.calls)) +
+                    short_text(static_cast<double>(heap.bytes) / static_cast<double>(heap.calls)) +
                     " bytes a call, which is beyond its memory budget of " +
                     short_text(1e-6 * static_cast<double>(budget_.memory)) +
                     " MB; does it free what it allocates?");

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -17,12 +16,7 @@
 #include "elsie/world/description.h"
 #include "elsie/world/error.h"
 
-#include "changes/undo.h"
-
 namespace elsie::simulation {
-
-/// What is allocated on the heap of the process, bytes. Takes a microsecond or so.
-std::int64_t heap_bytes();
 
 /// What the exception that is being handled says.
 std::string what_was_thrown();
@@ -37,6 +31,12 @@ auto value_of(Action& action) {
     return action();
   }
 }
+
+/// What the calls of one object have left on the heap since the run began.
+struct Heap {
+  std::int64_t bytes = 0;
+  std::uint64_t calls = 0;
+};
 
 /// Runs code of a robot's plugins while the simulation runs: whatever it throws becomes a
 /// PluginFault that names the plugin, the robot and the step. The first fault is kept: a
@@ -53,16 +53,16 @@ class Guard {
     return caught(use, call, action);
   }
 
-  /// A call that belongs to the step: it has to keep to the budget.
-  template <class Action>
-  auto step(const world::PluginUse& use, Action action) {
-    plugin::Call call(facts(use));
+  /// A call of a PluginObject that belongs to the step: it has to keep to the budget.
+  template <class Object, class Action>
+  auto step(Object& object, Action action) {
+    plugin::Call call(facts(*object.use));
     if (!has_budget()) [[likely]] {
-      return caught(use, call, action);
+      return caught(*object.use, call, action);
     }
     const std::int64_t before = begin(call);
-    auto result = caught(use, call, action);
-    end(use, call, before);
+    auto result = caught(*object.use, call, action);
+    end(*object.use, object.heap, call, before);
     return result;
   }
 
@@ -84,29 +84,15 @@ class Guard {
 
   void begin_run() {
     fault_.reset();
-    held_.clear();
     arithmetic_.clear();
   }
   void begin_step(std::uint64_t step) { step_ = step; }
   /// The plugins that have changed how the processor computes, since the run began: a note on each.
   void list_notes(std::vector<Note>& notes) const;
-  /// The object is another one now.
-  void forget(const world::PluginUse& use) { held_.erase(&use); }
-  /// The same of all; puts back what they held if that is undone.
-  void forget(Undo& undo) {
-    undo.keep(held_);
-    held_.clear();
-  }
   /// As if there had been no fault: what failed is undone.
   void forgive() { fault_.reset(); }
 
  private:
-  /// What the calls of one object have left on the heap.
-  struct Held {
-    std::int64_t bytes = 0;
-    std::uint64_t calls = 0;
-  };
-
   /// How often a plugin has changed the processor's way of computing.
   struct ChangedArithmetic {
     std::string id;
@@ -150,13 +136,12 @@ class Guard {
   bool has_budget() const { return budget_.time_s > 0.0 || budget_.memory > 0; }
   std::int64_t begin(plugin::Call& call) const;
   /// Faults the plugin if it went beyond its budget.
-  void end(const world::PluginUse& use, const plugin::Call& call, std::int64_t before);
+  void end(const world::PluginUse& use, Heap& heap, const plugin::Call& call, std::int64_t before);
 
   std::string robot_;
   Budget budget_;
   std::uint64_t step_ = 0;
   std::optional<PluginFault> fault_;
-  std::map<const world::PluginUse*, Held> held_;
   std::vector<ChangedArithmetic> arithmetic_;
 };
 
@@ -180,10 +165,9 @@ auto blaming(const world::PluginUse& use, std::vector<base::Problem>& problems, 
       blame(std::string("it changed ") + changed + " for the whole program", true);
     }
     return result;
-  } catch (const plugin::CreateError& problem) {
-    problems.push_back({use.location.file, use.location.line, problem.what(), true});
   } catch (const plugin::PluginError& problem) {  // which names the plugin
-    problems.push_back({use.location.file, use.location.line, problem.what()});
+    problems.push_back({use.location.file, use.location.line, problem.what(),
+                        problem.exit_code() == base::kPluginFailed});
   } catch (...) {
     blame(what_was_thrown());
   }

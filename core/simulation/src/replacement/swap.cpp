@@ -1,11 +1,10 @@
 #include "replacement/swap.h"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <variant>
 
-#include "elsie/api/remember.h"
-#include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/files.h"
 
@@ -18,27 +17,24 @@ using plugin::find_declared;
 template <class Elements>
 void strip(const Declaration& declaration, std::map<std::string, ParameterValue>& parameters,
            Elements& elements, const std::function<void(const std::string&)>& removed) {
-  std::erase_if(parameters, [&](const auto& given) {
-    const bool gone = !find_declared(declaration.parameters, given.first);
-    if (gone) {
-      removed("the parameter '" + given.first + "'");
-    }
-    return gone;
-  });
-  std::erase_if(elements, [&](auto& given) {
-    const ElementDeclaration* const known = find_declared(declaration.elements, given.element);
-    if (!known) {
-      removed("the element <" + given.element + ">");
-      return true;
-    }
-    std::erase_if(given.parameters, [&](const auto& parameter) {
-      const bool gone = !find_declared(known->parameters, parameter.first);
+  const auto strip_from = [&](auto& given, const auto& declared, const std::string& whose) {
+    std::erase_if(given, [&](const auto& parameter) {
+      const bool gone = !find_declared(declared, parameter.first);
       if (gone) {
-        removed("the parameter '" + parameter.first + "' of <" + given.element + ">");
+        removed("the parameter '" + parameter.first + "'" + whose);
       }
       return gone;
     });
-    return false;
+  };
+  strip_from(parameters, declaration.parameters, "");
+  std::erase_if(elements, [&](auto& given) {
+    const ElementDeclaration* const known = find_declared(declaration.elements, given.element);
+    if (known) {
+      strip_from(given.parameters, known->parameters, " of <" + given.element + ">");
+    } else {
+      removed("the element <" + given.element + ">");
+    }
+    return !known;
   });
 }
 
@@ -53,60 +49,15 @@ void require(const std::vector<ParameterDeclaration>& declared,
   }
 }
 
-}  // namespace
-
-Swap::~Swap() {
-  while (!undo_.empty()) {
-    undo_.back()();
-    undo_.pop_back();
-  }
-}
-
-const Declaration* Swap::checked(PluginKind kind, const world::PluginUse& use,
-                                 const std::string& path, const Declaration& before) const {
-  const Declaration* const fresh = host_.find(kind, use.plugin);
-  if (!fresh) {
-    refuse(robot_, path, host_.explain_missing(kind, use.plugin));
-  }
-  if (static_cast<bool>(fresh->hold) != static_cast<bool>(before.hold)) {
-    refuse(robot_, path,
-           std::string(fresh->hold ? "it holds behaviours now" : "it no longer holds behaviours") +
-               "; replace its element by an edit, or run the world anew");
-  }
-  return fresh;
-}
-
-Setup Swap::setup_for(Exchanged& exchanged) {
-  const Declaration& declaration = *exchanged.declaration;
-  const auto fitted = [&](Setup setup, const std::function<void(const std::string&)>& removed) {
-    strip(declaration, setup.parameters, setup.elements, removed);
-    add_default_files(declaration, setup);
-    return setup;
-  };
-  Setup setup = fitted(as_described(*exchanged.use), [&](const std::string& what) {
-    notes_.push_back("robot '" + exchanged.robot + "', " + exchanged.path + ": " + what +
-                     " is no longer declared by " + declaration.name + " and was left out");
-  });
-  require(declaration.parameters, setup.parameters, "");
-  for (const ElementValue& element : setup.elements) {
-    require(find_declared(declaration.elements, element.element)->parameters, element.parameters,
-            " of <" + element.element + ">");
-  }
-  exchanged.described = setup;
-  if (tuning_->is_changed(*exchanged.use)) {
-    setup = fitted(tuning_->setup(*exchanged.use), [](const std::string&) {});
-    exchanged.changed = setup;
-  }
-  return setup;
-}
-
-/// A file that a parameter names by default is looked for as when the world was read.
-void Swap::add_default_files(const Declaration& declaration, Setup& setup) const {
-  const world::Files files("", data_directories_);
+/// Those parameters that name a file by default and are not given, with that file, which is looked
+/// for as when the world was read.
+std::map<std::string, std::string> default_files(const Declaration& declaration,
+                                                 const std::map<std::string, ParameterValue>& given,
+                                                 const world::Files& files) {
+  std::map<std::string, std::string> found;
   for (const ParameterDeclaration& parameter : declaration.parameters) {
     const auto* const name = std::get_if<std::string>(&parameter.default_value);
-    if (parameter.type != ParameterType::file || setup.parameters.contains(parameter.name) ||
-        name->empty()) {
+    if (parameter.type != ParameterType::file || given.contains(parameter.name) || name->empty()) {
       continue;
     }
     const auto file = files.find_data(*name);
@@ -114,66 +65,101 @@ void Swap::add_default_files(const Declaration& declaration, Setup& setup) const
       throw std::invalid_argument("it takes '" + *name + "' for its parameter '" + parameter.name +
                                   "', but there is no such file in the data directories");
     }
-    setup.parameters[parameter.name] = world::Files::absolute(*file);
+    found[parameter.name] = world::Files::absolute(*file);
   }
+  return found;
 }
 
-void Swap::hand_over(std::size_t first) {
-  for (std::size_t i = first; i < all_.size(); ++i) {
-    Exchanged& exchanged = all_[i];
-    run(exchanged, [&] {
-      struct Keep {  // the stream goes on where it was, whatever reset() draws
-        Random& stream;
-        const Random there;
-        ~Keep() { stream = there; }
-      } const keep{*exchanged.random, *exchanged.random};
-      *exchanged.random = Random(seed_, "robot[" + exchanged.robot + "]/" + exchanged.path);
-      exchanged.now->reset(*exchanged.random);
-    });
-    auto* const before = dynamic_cast<Remembers*>(exchanged.before);
-    auto* const now = dynamic_cast<Remembers*>(exchanged.now);
-    if (before && now) {
-      run(exchanged, [&] {
-        Memory memory;
-        before->remember(memory);
-        memory.begin_recall();
-        now->remember(memory);
-      });
-      exchanged.remembers = true;
+}  // namespace
+
+bool Swap::exchange(PluginObject& object, const std::string& path) {
+  const Declaration* const fresh = host_.find(object.kind, object.use->plugin);
+  if (!fresh) {
+    refuse(path, host_.explain_missing(object.kind, object.use->plugin));
+  }
+  if (static_cast<bool>(fresh->hold) != static_cast<bool>(object.declaration->hold)) {
+    refuse(path,
+           std::string(fresh->hold ? "it holds behaviours now" : "it no longer holds behaviours") +
+               "; replace its element by an edit, or run the world anew");
+  }
+  if (fresh == object.declaration) {
+    return false;
+  }
+  exchanged_.push_back({&object, object.held.get()});
+  replacement_.objects.push_back({robot_, path, object.use->plugin, false});
+  run(object, path, [&] {
+    undo_.keep(object.declaration, object.heap);
+    object.heap = {};
+    object.declaration = fresh;
+    fit(object, path);
+    const auto old =
+        std::make_shared<plugin::Object<Component>>(object.made(host_, object.setup()));
+    object.held.swap(*old);
+    undo_.add([&object, old] { object.held.swap(*old); });
+  });
+  object.forget_answers(undo_);
+  return true;
+}
+
+/// What is said of its parameters, by the world and since.
+void Swap::fit(PluginObject& object, const std::string& path) {
+  const Declaration& declaration = *object.declaration;
+  const world::Files files("", data_directories_);
+  // The world is the simulation's own; everything else only looks at it.
+  auto& use = const_cast<world::PluginUse&>(*object.use);
+  undo_.keep(use.parameters, use.elements, use.file_names, object.changed);
+  strip(declaration, use.parameters, use.elements, [&](const std::string& what) {
+    replacement_.notes.push_back("robot '" + robot_ + "', " + path + ": " + what +
+                                 " is no longer declared by " + declaration.name +
+                                 " and was left out");
+  });
+  std::erase_if(use.file_names,
+                [&](const auto& named) { return !use.parameters.contains(named.first); });
+  for (const auto& [name, file] : default_files(declaration, use.parameters, files)) {
+    use.parameters[name] = file;
+    use.file_names[name] = {file, ""};
+  }
+  require(declaration.parameters, use.parameters, "");
+  for (const ElementValue& element : use.elements) {
+    require(find_declared(declaration.elements, element.element)->parameters, element.parameters,
+            " of <" + element.element + ">");
+  }
+  if (object.changed) {
+    auto& [parameters, elements] = *object.changed;
+    strip(declaration, parameters, elements, [](const std::string&) {});
+    for (const auto& [name, file] : default_files(declaration, parameters, files)) {
+      parameters[name] = file;
     }
   }
 }
 
-Replacement Swap::result() const {
-  Replacement result;
-  for (const Exchanged& exchanged : all_) {
-    result.objects.push_back(
-        {exchanged.robot, exchanged.path, exchanged.use->plugin, exchanged.remembers});
-  }
-  result.notes = notes_;
-  return result;
+void Swap::hand_over(const Perception& example) {
+  const auto each = [&](auto action) {
+    for (std::size_t i = first_; i < exchanged_.size(); ++i) {
+      Replacement::Object& said = replacement_.objects[i];
+      PluginObject& object = *exchanged_[i].object;
+      run(object, said.path, [&] { action(object, *exchanged_[i].before, said); });
+    }
+  };
+  each([&](PluginObject& object, auto&, auto&) { object.equip(*object.held, example); });
+  each([&](PluginObject& object, Component& before, Replacement::Object& said) {
+    undo_.keep(object.random);
+    const Random there = object.random;
+    object.random = Random(seed_, "robot[" + robot_ + "]/" + said.path);
+    object.held->reset(object.random);
+    object.random = there;  // the stream goes on where it was, whatever reset() drew
+    auto* const now = dynamic_cast<Remembers*>(object.held.get());
+    if (now && dynamic_cast<Remembers*>(&before)) {
+      Memory memory = memory_of(before);
+      now->remember(memory);
+      said.remembers = true;
+    }
+  });
 }
 
-void Swap::settle(const std::function<Tuning&(const std::string& robot)>& tuning_of) {
-  for (Exchanged& exchanged : all_) {
-    // The world is the simulation's own; everything else only looks at it.
-    auto& use = const_cast<world::PluginUse&>(*exchanged.use);
-    strip(*exchanged.declaration, use.parameters, use.elements, [](const std::string&) {});
-    std::erase_if(use.file_names,
-                  [&](const auto& named) { return !use.parameters.contains(named.first); });
-    for (const auto& [name, value] : exchanged.described.parameters) {  // files by default are new
-      if (use.parameters.try_emplace(name, value).second) {
-        use.file_names[name] = {std::get<std::string>(value), ""};
-      }
-    }
-    if (exchanged.changed) {
-      tuning_of(exchanged.robot).take_over(use, *std::move(exchanged.changed));
-    }
-  }
-  for (const auto& action : when_settled_) {
-    action();
-  }
-  undo_.clear();  // and with it the old objects
+Replacement Swap::settle() {
+  undo_.settle();
+  return std::move(replacement_);
 }
 
 }  // namespace elsie::simulation

@@ -23,7 +23,7 @@ std::optional<std::string> problem_with(const Camera& camera, int largest) {
 
 }  // namespace
 
-Cameras::Cameras(const world::World& world, std::span<const std::unique_ptr<Robot>> robots,
+Cameras::Cameras(const world::World& world, const std::vector<std::shared_ptr<Robot>>& robots,
                  const MakeCameraRenderer& make_renderer, std::vector<base::Problem>& problems)
     : robots_(robots) {
   for (std::size_t r = 0; r < robots.size(); ++r) {

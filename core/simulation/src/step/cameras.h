@@ -24,7 +24,7 @@ class Cameras {
   /// For these robots, which live as long. What is wrong with a camera, or with the machine, is
   /// added to `problems`, with the sensor's place in the world file; also when
   /// there are cameras and no renderer.
-  Cameras(const world::World& world, std::span<const std::unique_ptr<Robot>> robots,
+  Cameras(const world::World& world, const std::vector<std::shared_ptr<Robot>>& robots,
           const MakeCameraRenderer& make_renderer, std::vector<base::Problem>& problems);
 
   /// What is wrong with a camera that one of these sensors is to look through from now on; none
@@ -40,7 +40,7 @@ class Cameras {
     std::size_t robot, sensor;
   };
 
-  std::span<const std::unique_ptr<Robot>> robots_;
+  const std::vector<std::shared_ptr<Robot>>& robots_;
   std::vector<Mount> mounts_;
   std::unique_ptr<CameraRenderer> renderer_;  // none without cameras
   std::vector<CameraView> views_;             // of the pictures being taken

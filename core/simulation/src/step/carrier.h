@@ -17,7 +17,7 @@
 
 namespace elsie::simulation {
 
-using Robots = std::span<const std::unique_ptr<Robot>>;
+using Robots = std::span<const std::shared_ptr<Robot>>;
 
 /// One robot as another one sees it.
 inline TeamMate seen_from(Robots robots, std::size_t observer, std::size_t other) {

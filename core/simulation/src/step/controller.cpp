@@ -7,8 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "plugins/make_plugin.h"
-
 namespace elsie::simulation {
 namespace {
 
@@ -17,54 +15,50 @@ std::string text(const Motion& motion) {
          std::to_string(motion.lateral) + " m/s, turn " + std::to_string(motion.turn) + " rad/s";
 }
 
-/// Why these are no fuzzy sets, or null.
-const char* fault_of(const CommandSets& sets) {
+/// Faults the plugin if these are no fuzzy sets.
+void require_sets(const CommandSets& sets, const world::PluginUse& use, Guard& guard) {
   for (const FuzzySet* set : {&sets.left, &sets.right, &sets.lateral}) {
     double last = -std::numeric_limits<double>::infinity();
     for (const FuzzySet::Point& point : set->points) {
       if (!std::isfinite(point.x) || point.x < last ||
           !(point.degree >= 0.0 && point.degree <= 1.0)) {
-        return "the points of its fuzzy sets are not in ascending order with degrees in [0, 1]";
+        guard.fail(
+            use, "the points of its fuzzy sets are not in ascending order with degrees in [0, 1]");
       }
       last = point.x;
     }
   }
-  return nullptr;
 }
 
-std::string fault_of(std::span<const double> desirability) {
+void require_degrees(std::span<const double> desirability, const world::PluginUse& use,
+                     Guard& guard) {
   for (const double degree : desirability) {
     if (!(degree >= 0.0 && degree <= 1.0)) {
-      return "it rates a command " + std::to_string(degree) + ", which is not in [0, 1]";
+      guard.fail(use, "it rates a command " + std::to_string(degree) + ", which is not in [0, 1]");
     }
   }
-  return "";
 }
 
 }  // namespace
 
-Controller::Controller(const world::Coordination& description, const Setting& setting,
-                       std::vector<base::Problem>& problems)
+Controller::Controller(const world::Coordination& description, const plugin::Host& host,
+                       const Setting& setting, std::vector<base::Problem>& problems)
     : description_(&description), setting_(setting) {
   for (const world::BehaviorUse& use : description.behaviors) {
-    slots_.push_back(make_slot(use, setting.host, problems));
+    slots_.push_back(make_slot(use, host, problems));
   }
   list_slots();
-  make_coordinator(setting.host, problems);
+  make_coordinator(host, problems);
 }
 
 std::shared_ptr<Controller::Slot> Controller::make_slot(const world::BehaviorUse& use,
                                                         const plugin::Host& host,
                                                         std::vector<base::Problem>& problems) {
-  auto slot = std::make_shared<Slot>();
-  slot->use = &use;
-  slot->declaration = host.find(PluginKind::behavior, use.plugin);
+  auto slot = std::make_shared<Slot>(use, host);
   if (slot->declaration && slot->declaration->hold) {
-    const Setting setting{host, setting_.guard, setting_.wishes, setting_.names,
-                          setting_.measure_time};
-    slot->inside = std::make_unique<Controller>(inside_of(use), setting, problems);
+    slot->inside = std::make_unique<Controller>(inside_of(use), host, setting_, problems);
   }
-  slot->object = make<Behavior>(host, PluginKind::behavior, use, problems, slot->inside.get());
+  slot->make(host, problems);
   return slot;
 }
 
@@ -76,98 +70,60 @@ const world::Coordination& Controller::inside_of(const world::BehaviorUse& use) 
 void Controller::list_slots() {
   Member::Runner& runner = *this;
   std::vector<Member> members;
-  for (const auto& slot : slots_) {
-    members.emplace_back(slot->use->id, slot->use->priority, runner);
+  for (const world::BehaviorUse& use : description_->behaviors) {
+    members.emplace_back(use.id, use.priority, runner);
   }
   take_members(std::move(members));
   reasons_.assign(slots_.size(), "");
 }
 
 void Controller::make_coordinator(const plugin::Host& host, std::vector<base::Problem>& problems) {
+  coordinator_.reset();
   if (description_->coordinator) {
-    const world::PluginUse& use = *description_->coordinator;
-    coordinator_ = make<Coordinator>(host, PluginKind::coordinator, use, problems);
-    coordinator_declaration_ = host.find(PluginKind::coordinator, use.plugin);
+    coordinator_ = std::make_shared<Chief>(*description_->coordinator, host, *this);
+    coordinator_->make(host, problems);
   }
 }
 
-void Controller::equip(const Perception& example, std::vector<base::Problem>& problems) {
-  for (const auto& each : slots_) {
-    Slot& slot = *each;
-    if (slot.inside) {
-      slot.inside->equip(example, problems);
+void Controller::for_each(Order order, const std::string& path, const std::string& within,
+                          const Visit& visit) const {
+  for (const auto& slot : slots_) {
+    const std::string name = path + "behavior[" + slot->use->id + "]";
+    if (order == Order::outer_first) {
+      visit(*slot, name, within);
     }
-    blaming(*slot.use, problems, [&] { slot.object->equipped(example); });
+    if (slot->inside) {
+      slot->inside->for_each(order, name + "/", within + slot->use->id + "/", visit);
+    }
+    if (order == Order::inner_first) {
+      visit(*slot, name, within);
+    }
   }
   if (coordinator_) {
-    blaming(*description_->coordinator, problems,
-            [&] { coordinator_->equipped(members_, example); });
+    visit(*coordinator_, path + "coordinator", within);
   }
 }
 
-void Controller::reset(std::uint64_t seed, const std::string& path) {
-  for (std::size_t i = 0; i < slots_.size(); ++i) {
-    Slot& slot = *slots_[i];
-    set_priority(i, slot.use->priority);
-    const std::string name = path + "behavior[" + slot.use->id + "]";
-    slot.random = Random(seed, name);
-    slot.response = {};
-    if (slot.inside) {
-      slot.inside->reset(seed, name + "/");
+void Controller::begin_run() {
+  list_slots();
+  for (const auto& slot : slots_) {
+    if (slot->inside) {
+      slot->inside->begin_run();
     }
-    setting_.guard.run(*slot.use, [&] { slot.object->reset(slot.random); });
-  }
-  if (coordinator_) {
-    random_ = Random(seed, path + "coordinator");
-    setting_.guard.run(*description_->coordinator, [&] { coordinator_->reset(random_); });
   }
   command_ = {};
-  begin_step();
-}
-
-std::optional<TunedObject> Controller::object_of(const world::PluginUse& use) {
-  for (const auto& each : slots_) {
-    Slot& slot = *each;
-    if (slot.use == &use) {
-      return slot.own_object();
-    }
-    if (auto found = slot.inside ? slot.inside->object_of(use) : std::nullopt) {
-      return found;
-    }
-  }
-  if (coordinator_ && &*description_->coordinator == &use) {
-    return own_object();
-  }
-  return std::nullopt;
 }
 
 void Controller::set_priority(const world::PluginUse& use, double priority) {
+  Member::Runner& runner = *this;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     if (slots_[i]->use == &use) {
-      set_priority(i, priority);
+      Member changed(members_[i].name(), priority, runner);
+      changed.trace = members_[i].trace;
+      members_[i] = std::move(changed);
     } else if (slots_[i]->inside) {
       slots_[i]->inside->set_priority(use, priority);
     }
-  }
-}
-
-void Controller::set_priority(std::size_t member, double priority) {
-  Member::Runner& runner = *this;
-  Member changed(members_[member].name(), priority, runner);
-  changed.trace = members_[member].trace;
-  members_[member] = std::move(changed);
-}
-
-void Controller::ask(const std::string& path, Statements& said) {
-  for (const auto& each : slots_) {
-    const Slot& slot = *each;
-    said.ask(*slot.object, *slot.use, path, setting_.guard);
-    if (slot.inside) {
-      slot.inside->ask(path + slot.use->id + "/", said);
-    }
-  }
-  if (coordinator_) {
-    said.ask(*coordinator_, *description_->coordinator, path, setting_.guard);
   }
 }
 
@@ -185,12 +141,13 @@ Motion Controller::decide(const Perception& now) {
     return {};
   }
   now_ = now;
-  const world::PluginUse& use = *description_->coordinator;
-  command_ = setting_.guard.step(
-      use, [&] { return coordinator_->coordinate(members_, now.with_random(random_)); });
+  command_ = setting_.guard.step(*coordinator_, [&] {
+    return coordinator_->object().coordinate(members_, now.with_random(coordinator_->random));
+  });
   setting_.guard.check();
   if (!command_.is_finite()) {
-    setting_.guard.fail(use, "its command is not a finite number: " + text(command_));
+    setting_.guard.fail(*coordinator_->use,
+                        "its command is not a finite number: " + text(command_));
   }
   check_trace();
   return command_;
@@ -229,28 +186,24 @@ void Controller::rate(std::span<const Motion> candidates, std::span<double> desi
     std::fill(desirability.begin(), desirability.end(), 0.0);
     return;
   }
-  const world::PluginUse& use = *description_->coordinator;
-  setting_.guard.step(use, [&] {
-    coordinator_->rate(members_, now_->with_random(random_), command_, candidates, desirability);
+  setting_.guard.step(*coordinator_, [&] {
+    coordinator_->object().rate(members_, now_->with_random(coordinator_->random), command_,
+                                candidates, desirability);
   });
   setting_.guard.check();
-  if (const std::string fault = fault_of(desirability); !fault.empty()) {
-    setting_.guard.fail(use, fault);
-  }
+  require_degrees(desirability, *coordinator_->use, setting_.guard);
 }
 
 CommandSets Controller::command_sets() {
   if (!coordinator_) {
     return {};
   }
-  const world::PluginUse& use = *description_->coordinator;
-  CommandSets sets = setting_.guard.step(use, [&] {
-    return coordinator_->command_sets(members_, now_->with_random(random_), command_);
+  CommandSets sets = setting_.guard.step(*coordinator_, [&] {
+    return coordinator_->object().command_sets(members_, now_->with_random(coordinator_->random),
+                                               command_);
   });
   setting_.guard.check();
-  if (const char* fault = fault_of(sets)) {
-    setting_.guard.fail(use, fault);
-  }
+  require_sets(sets, *coordinator_->use, setting_.guard);
   return sets;
 }
 
@@ -258,9 +211,9 @@ const Response& Controller::run(Member& member) {
   Slot& slot = slot_of(member);
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = setting_.measure_time ? Clock::now() : Clock::time_point();
-  setting_.guard.step(*slot.use, [&] {
+  setting_.guard.step(slot, [&] {
     // In here, so that what the last answer held counts as freed.
-    slot.response = slot.object->respond(now_->with_random(slot.random));
+    slot.response = slot.object().respond(now_->with_random(slot.random));
   });
   if (setting_.measure_time) {
     member.trace.time_s = std::chrono::duration<double>(Clock::now() - start).count();
@@ -278,22 +231,18 @@ const Response& Controller::run(Member& member) {
 void Controller::rate(Member& member, std::span<const Motion> candidates,
                       std::span<double> desirability) {
   Slot& slot = slot_of(member);
-  setting_.guard.step(*slot.use, [&] {
-    slot.object->rate(now_->with_random(slot.random), slot.response, candidates, desirability);
+  setting_.guard.step(slot, [&] {
+    slot.object().rate(now_->with_random(slot.random), slot.response, candidates, desirability);
   });
-  if (const std::string fault = fault_of(desirability); !fault.empty()) {
-    setting_.guard.fail(*slot.use, fault);
-  }
+  require_degrees(desirability, *slot.use, setting_.guard);
 }
 
 CommandSets Controller::command_sets(Member& member) {
   Slot& slot = slot_of(member);
-  CommandSets sets = setting_.guard.step(*slot.use, [&] {
-    return slot.object->command_sets(now_->with_random(slot.random), slot.response);
+  CommandSets sets = setting_.guard.step(slot, [&] {
+    return slot.object().command_sets(now_->with_random(slot.random), slot.response);
   });
-  if (const char* fault = fault_of(sets)) {
-    setting_.guard.fail(*slot.use, fault);
-  }
+  require_sets(sets, *slot.use, setting_.guard);
   return sets;
 }
 
@@ -324,29 +273,27 @@ void Controller::check(const Slot& slot, const Response& response) const {
 }
 
 void Controller::check_trace() {
+  const auto fail = [&](const std::string& problem) {
+    setting_.guard.fail(*coordinator_->use, problem);
+  };
   for (Member& member : members_) {
-    if (member.trace.inhibited_by >= static_cast<int>(members_.size())) {
-      setting_.guard.fail(*description_->coordinator,
-                          "its trace says that member " +
-                              std::to_string(member.trace.inhibited_by) +
-                              " inhibits another, but there is none of that number");
+    const TraceRow& trace = member.trace;
+    if (trace.inhibited_by >= static_cast<int>(members_.size())) {
+      fail("its trace says that member " + std::to_string(trace.inhibited_by) +
+           " inhibits another, but there is none of that number");
     }
-    if (!std::isfinite(member.trace.weight) || !std::isfinite(member.trace.share)) {
-      setting_.guard.fail(*description_->coordinator,
-                          "a weight or share in its trace is not finite");
+    if (!std::isfinite(trace.weight) || !std::isfinite(trace.share)) {
+      fail("a weight or share in its trace is not finite");
     }
     constexpr double kRounding = 1e-9;
-    if (member.trace.share < -kRounding || member.trace.share > 1.0 + kRounding) {
-      setting_.guard.fail(*description_->coordinator,
-                          "the share of '" + std::string(member.name()) + "' in its trace is " +
-                              std::to_string(member.trace.share) +
-                              "; expected a part of the whole command, from 0 to 1");
+    if (trace.share < -kRounding || trace.share > 1.0 + kRounding) {
+      fail("the share of '" + std::string(member.name()) + "' in its trace is " +
+           std::to_string(trace.share) + "; expected a part of the whole command, from 0 to 1");
     }
-    if (member.trace.weight < 0.0 && member.priority() >= 0.0) {
-      setting_.guard.fail(*description_->coordinator,
-                          "the weight of '" + std::string(member.name()) + "' in its trace is " +
-                              std::to_string(member.trace.weight) +
-                              "; expected 0 or more, unless the user set a priority below 0");
+    if (trace.weight < 0.0 && member.priority() >= 0.0) {
+      fail("the weight of '" + std::string(member.name()) + "' in its trace is " +
+           std::to_string(trace.weight) +
+           "; expected 0 or more, unless the user set a priority below 0");
     }
     const char* const reason = member.trace.reason ? member.trace.reason : "";
     const char*& kept = reasons_[static_cast<std::size_t>(&member - members_.data())];
@@ -360,7 +307,7 @@ void Controller::check_trace() {
 void Controller::list_members(const std::string& path, int depth, int parent,
                               std::vector<TracedMember>& list) const {
   const std::string_view coordinator =
-      description_->coordinator ? std::string_view(description_->coordinator->plugin) : "";
+      coordinator_ ? std::string_view(coordinator_->use->plugin) : "";
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const std::string name = path + slots_[i]->use->id;
     list.push_back({name, slots_[i]->use->plugin, coordinator, depth, parent, &members_[i]});
@@ -372,38 +319,28 @@ void Controller::list_members(const std::string& path, int depth, int parent,
 }
 
 void Controller::list_inferences(const std::string& path, std::vector<MadeInference>& list) const {
-  const auto add = [&](const Component* object, const world::PluginUse& use) {
-    const auto* infers = dynamic_cast<const Infers*>(object);
+  const auto add = [&](const PluginObject& object) {
+    const auto* infers = dynamic_cast<const Infers*>(object.held.get());
     if (!infers) {
       return;
     }
     std::vector<Inference> made;
-    setting_.guard.run(use, [&] { infers->list_inferences(made); });
+    setting_.guard.run(*object.use, [&] { infers->list_inferences(made); });
     for (Inference& each : made) {
-      list.push_back({path + use.id, std::move(each)});
+      list.push_back({path + object.use->id, std::move(each)});
     }
   };
   if (coordinator_) {
-    add(coordinator_.get(), *description_->coordinator);
+    add(*coordinator_);
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     if (members_[i].trace.asked) {
-      add(slots_[i]->object.get(), *slots_[i]->use);
+      add(*slots_[i]);
       if (slots_[i]->inside) {
         slots_[i]->inside->list_inferences(path + slots_[i]->use->id + "/", list);
       }
     }
   }
-}
-
-const TracedMember* inhibitor_of(const TracedMember& member, std::span<const TracedMember> all) {
-  int place = member.member->trace.inhibited_by;
-  for (const TracedMember& other : all) {
-    if (other.parent == member.parent && place-- == 0) {
-      return &other;
-    }
-  }
-  return nullptr;
 }
 
 }  // namespace elsie::simulation

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -140,16 +139,11 @@ bool same_goal(const world::Goal& a, const world::Goal& b) {
   const auto what = [](const world::Goal& goal) {
     return std::visit(
         [](const auto& one) {
-          using Kind = std::decay_t<decltype(one)>;
-          if constexpr (std::is_same_v<Kind, world::TravelGoal>) {
-            return std::pair(one.robot, one.distance);
-          } else if constexpr (std::is_same_v<Kind, world::EndureGoal>) {
-            return std::pair(std::string(), one.time);
-          } else if constexpr (std::is_same_v<Kind, world::NoCollisionGoal>) {
-            return std::pair(one.robot, 0.0);
-          } else {
-            return std::pair(std::string(), 0.0);  // it does not matter when they came
-          }
+          std::pair<std::string, double> asked;
+          if constexpr (requires { one.robot; }) asked.first = one.robot;
+          if constexpr (requires { one.distance; }) asked.second = one.distance;
+          if constexpr (requires { one.time; }) asked.second = one.time;
+          return asked;
         },
         goal);
   };

@@ -26,7 +26,7 @@ struct GoalStart {
   }
 };
 
-/// Whether two goals ask for the same.
+/// Whether two goals ask for the same, as far as it matters when they came.
 bool same_goal(const world::Goal& a, const world::Goal& b);
 
 struct Verdict {

@@ -9,7 +9,6 @@
 #include "elsie/world/error.h"
 #include "elsie/world/parts.h"
 
-#include "plugins/make_plugin.h"
 #include "step/carrier.h"
 #include "step/teams.h"
 
@@ -30,91 +29,89 @@ Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) 
 
 }  // namespace
 
-Robot::Membership Robot::membership(const world::World& world, std::size_t robot) {
-  const world::Robot& description = world.robots[robot];
-  Membership membership;
-  for (std::size_t i = 0; i < robot; ++i) {
-    membership.index += world.robots[i].team == description.team ? 1 : 0;
-  }
-  membership.charger = nearest_charger(world, description.team, {description.x, description.y});
-  membership.resource_colours = simulation::resource_colours(world, description.team);
-  return membership;
-}
-
-Robot::Robot(const world::Robot& description, const Membership& membership,
-             const plugin::Host& host, const Options& options)
-    : description_(&description), guard_(description.id, options.budget) {
+Robot::Robot(const world::World& world, std::size_t index, const plugin::Host& host,
+             const Options& options)
+    : description_(&world.robots[index]), guard_(description_->id, options.budget) {
+  const world::Robot& description = *description_;
   const plugin::Call call({.robot = description.id.c_str()});
   std::vector<base::Problem> problems;
   for (const world::SensorUse& use : description.sensors) {
     sensors_.push_back(make_sensor(use, host, problems));
   }
   controller_ = std::make_unique<Controller>(
-      description, Controller::Setting{host, guard_, *this, names_, options.measure_time},
+      description, host, Controller::Setting{guard_, *this, names_, options.measure_time},
       problems);
-  controller_->list_members("", 0, -1, trace_);
+  list_members();
   make_drive(host, problems);
   throw_if_any(problems);
   group_readings();
 
-  take_membership(membership);
+  take_membership(world, index);
   take_description();
-  perception_.groups = groups_;
   perception_.self = &state_;
   perception_.team = &team_;
-  for (const auto& each : sensors_) {
-    SensorSlot& slot = *each;
-    blaming(*slot.use, problems, [&] {
-      slot.object->equipped({&slot.mounting, resource_colours_});
-    });
-  }
-  controller_->equip(Perception(perception_, unused_random_), problems);
+  for_each(Order::inner_first, [&](PluginObject& each, const auto&, const auto&) {
+    blaming(*each.use, problems, [&] { each.equip(*each.held, example()); });
+  });
   throw_if_any(problems);
+}
+
+void Robot::for_each(Order order, const Visit& visit) const {
+  for (const auto& slot : sensors_) {
+    visit(*slot, "sensor[" + slot->use->id + "]", "");
+  }
+  visit(*drive_, "drive", "");
+  controller_->for_each(order, "", "", visit);
+}
+
+void Robot::list_members() {
+  trace_.clear();
+  controller_->list_members("", 0, -1, trace_);
 }
 
 std::shared_ptr<Robot::SensorSlot> Robot::make_sensor(const world::SensorUse& use,
                                                       const plugin::Host& host,
                                                       std::vector<base::Problem>& problems) const {
-  auto made = std::make_shared<SensorSlot>();
-  SensorSlot& slot = *made;
-  slot.use = &use;
-  slot.energy_cost = use.energy_cost;
-  slot.declaration = host.find(PluginKind::sensor, use.plugin);
-  slot.object = make<Sensor>(host, PluginKind::sensor, use, problems);
-  slot.mounting = mounting_of(use, description_->body);
-  slot.frame =
-      Frame::turned(slot.mounting.position, slot.mounting.azimuth_rad, slot.mounting.pitch_rad);
-  if (slot.object) {
-    slot.camera = blaming(use, problems, [&] { return slot.object->camera(); });
+  auto slot = std::make_shared<SensorSlot>(use, host, *this);
+  slot->energy_cost = use.energy_cost;
+  slot->make(host, problems);
+  slot->mounting = mounting_of(use, description_->body);
+  slot->frame =
+      Frame::turned(slot->mounting.position, slot->mounting.azimuth_rad, slot->mounting.pitch_rad);
+  if (slot->held) {
+    slot->camera = blaming(use, problems, [&] { return slot->object().camera(); });
   }
-  return made;
+  return slot;
 }
 
-/// What is described and nobody changes but by an edit of it.
-void Robot::take_membership(const Membership& membership) {
-  state_.id = description_->id;
-  state_.length_m = description_->body.length;
-  state_.width_m = description_->body.width;
-  state_.team_index = membership.index;
-  state_.capacity = description_->battery;
-  team_.name = description_->team;
-  team_.charger = membership.charger;
-  resource_colours_ = membership.resource_colours;
+/// What is described and nobody changes but by an edit of it. What it has of its team: its place
+/// there, a charger, and what the resources look like that it may collect.
+void Robot::take_membership(const world::World& world, std::size_t index) {
+  const world::Robot& robot = *description_;
+  state_.id = robot.id;
+  state_.length_m = robot.body.length;
+  state_.width_m = robot.body.width;
+  state_.team_index = static_cast<int>(
+      std::count_if(world.robots.begin(), world.robots.begin() + static_cast<std::ptrdiff_t>(index),
+                    [&](const world::Robot& other) { return other.team == robot.team; }));
+  state_.capacity = robot.battery;
+  team_.name = robot.team;
+  team_.charger = nearest_charger(world, robot.team, {robot.x, robot.y});
+  resource_colours_ = simulation::resource_colours(world, robot.team);
 }
 
 void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& problems) {
   drive_use_.plugin = drive_use_.id = "differential";
   drive_use_.location = description_->location;
-  const world::PluginUse& use = drive_use();
-  drive_declaration_ = host.find(PluginKind::drive, use.plugin);
-  drive_ = make<Drive>(host, PluginKind::drive, use, problems);
-  if (!drive_) return;
-  blaming(use, problems, [&] {
+  drive_ = std::make_shared<DriveSlot>(drive_use(), host);
+  drive_->make(host, problems);
+  if (!drive_->held) return;
+  blaming(drive_use(), problems, [&] {
     const Chassis chassis = world::chassis_of(description_->body);
-    BodyPlan plan = world::plan_of(chassis, *drive_);
+    BodyPlan plan = world::plan_of(chassis, drive_->object());
     drive_check_ = world::DriveCheck(plan);
-    state_.wheels = drive_->wheels(chassis);
-    state_.channels = drive_->channels();
+    state_.wheels = drive_->object().wheels(chassis);
+    state_.channels = drive_->object().channels();
     joints_.assign(drive_check_.joints(), {});
     wanted_joints_ = joints_;
     if (description_->drive) driven_ = std::move(plan);
@@ -128,8 +125,8 @@ void Robot::command(const Motion& asked) {
 
 void Robot::carry_out(const Motion& motion) {
   const auto command = [&] {
-    state_.commanded =
-        drive_->command(motion, {joints_, state_.max_speed_m_s, period_s_}, wanted_joints_);
+    state_.commanded = drive_->object().command(motion, {joints_, state_.max_speed_m_s, period_s_},
+                                                wanted_joints_);
   };
   if (!description_->drive) {  // the core's own drive needs no guard
     command();
@@ -140,7 +137,8 @@ void Robot::carry_out(const Motion& motion) {
   }
   const std::string problem = guard_.run(drive_use(), [&] {
     command();
-    return drive_check_.problem(*drive_, state_.commanded, state_.max_speed_m_s, wanted_joints_);
+    return drive_check_.problem(drive_->object(), state_.commanded, state_.max_speed_m_s,
+                                wanted_joints_);
   });
   if (!problem.empty()) guard_.fail(drive_use(), problem);
 }
@@ -150,18 +148,8 @@ void Robot::take_description() {
   state_.max_speed_m_s = description_->max_speed;
   state_.coverage_m = description_->coverage;
   state_.is_leader = description_->leader;
-  for (const auto& each : sensors_) {
-    SensorSlot& slot = *each;
-    slot.energy_cost = slot.use->energy_cost;
-  }
-  sum_costs();
-}
-
-void Robot::sum_costs() {
-  sensor_cost_ = 0.0;
-  for (const auto& each : sensors_) {
-    const SensorSlot& slot = *each;
-    sensor_cost_ += slot.energy_cost;
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    sensors_[i]->energy_cost = description_->sensors[i].energy_cost;
   }
 }
 
@@ -169,50 +157,47 @@ void Robot::group_readings() {
   // Readings of one kind stand together, in file order, so that a behaviour gets them as one view.
   std::vector<ReadingKind> kinds;
   std::vector<ReadingKind> kind_of;
-  for (const auto& each : sensors_) {
-    const SensorSlot& slot = *each;
-    const ReadingKind kind = slot.object->kind();
-    kind_of.push_back(kind);
+  for (const auto& slot : sensors_) {
+    const ReadingKind kind = kind_of.emplace_back(slot->object().kind());
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
       kinds.push_back(kind);
     }
   }
+  sensed_.clear();
+  groups_.clear();
   sensed_.reserve(sensors_.size());
   for (const ReadingKind& kind : kinds) {
     const std::size_t first = sensed_.size();
     for (std::size_t i = 0; i < sensors_.size(); ++i) {
       if (kind_of[i] == kind) {
-        sensed_.push_back(
-            {sensors_[i]->object->reading(), &sensors_[i]->mounting, sensors_[i]->use->id});
+        const SensorSlot& slot = *sensors_[i];
+        sensed_.push_back({slot.object().reading(), &slot.mounting, slot.use->id});
       }
     }
     groups_.push_back({kind, std::span(sensed_).subspan(first)});
   }
+  perception_.groups = groups_;
 }
 
 void Robot::reset(std::uint64_t seed) {
   guard_.begin_run();
   guard_.begin_step(0);
   take_description();
-  if (const auto changed = tuning_.changed(); !changed.empty()) {
-    for (const world::PluginUse* use : changed) {
-      guard_.run(*use, [&] { tuning_.forget(object_of(*use), example()); });
+  for_each(Order::inner_first, [&](PluginObject& each, const auto&, const auto&) {
+    if (each.changed) {
+      guard_.run(*each.use, [&] { each.set(as_described(*each.use), example()); });
+      each.changed.reset();
     }
-    look_through_cameras();
+  });
+  for_each(Order::inner_first, [&](PluginObject& each, const std::string& path, const auto&) {
+    guard_.run(*each.use, [&] { each.reset(seed, "robot[" + description_->id + "]/" + path); });
+  });
+  for (const auto& slot : sensors_) {
+    slot->picture = {};
   }
-  const std::string path = "robot[" + description_->id + "]/";
-  for (const auto& each : sensors_) {
-    SensorSlot& slot = *each;
-    slot.random = Random(seed, path + "sensor[" + slot.use->id + "]");
-    slot.object->forget();
-    slot.picture = {};
-    guard_.run(*slot.use, [&] { slot.object->reset(slot.random); });
-  }
-  drive_random_ = Random(seed, path + "drive");
-  guard_.run(drive_use(), [&] { drive_->reset(drive_random_); });
   std::fill(joints_.begin(), joints_.end(), JointSetting{});
   wanted_joints_ = joints_;
-  controller_->reset(seed, path);
+  controller_->begin_run();
   state_.energy = description_->energy.value_or(description_->battery);
   state_.charging = false;
   command({});
@@ -221,10 +206,7 @@ void Robot::reset(std::uint64_t seed) {
   logged_ = 0;
   charge_asked_ = false;
   empty_ = false;
-  distance_m_ = 0.0;
-  energy_used_ = 0.0;
-  collected_ = 0;
-  collisions_ = 0;
+  tally_ = {};
   stop_when_empty();
 }
 
@@ -240,7 +222,7 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
     context.mounting = &slot.mounting;
     context.random = &slot.random;
     context.image = slot.camera ? &slot.picture : nullptr;
-    guard_.step(*slot.use, [&] { slot.object->update(context); });
+    guard_.step(slot, [&] { slot.object().update(context); });
     slot.volume = carrier.take_volume();
   }
 }
@@ -267,23 +249,27 @@ void Robot::decide(const Instant& now) {
 }
 
 void Robot::ask(Statements& said) {
-  for (const auto& each : sensors_) {
-    const SensorSlot& slot = *each;
-    said.ask(*slot.object, *slot.use, "", guard_);
-  }
-  controller_->ask("", said);
+  for_each(Order::outer_first, [&](PluginObject& each, const auto&, const std::string& within) {
+    if (each.kind != PluginKind::drive) {
+      said.ask(each, within, guard_);
+    }
+  });
 }
 
 void Robot::list_values(std::size_t sensor, std::vector<NamedValue>& values) const {
   const SensorSlot& slot = *sensors_[sensor];
-  guard_.run(*slot.use, [&] { slot.object->list_values(values); });
+  guard_.run(*slot.use, [&] { slot.object().list_values(values); });
 }
 
 void Robot::use_energy(double period_s) {
   if (!empty_) {
+    double cost = 0.0;
+    for (const auto& slot : sensors_) {
+      cost += slot->energy_cost;
+    }
     const double before = state_.energy;
-    state_.energy = std::max(0.0, before - sensor_cost_ * period_s);
-    energy_used_ += before - state_.energy;
+    state_.energy = std::max(0.0, before - cost * period_s);
+    tally_.energy_used += before - state_.energy;
     stop_when_empty();
   }
 }
@@ -313,41 +299,29 @@ void Robot::set_energy(double units) {
 }
 
 void Robot::set_energy_cost(const world::PluginUse& sensor, double cost) {
-  for (const auto& each : sensors_) {
-    SensorSlot& slot = *each;
-    if (slot.use == &sensor) {
-      slot.energy_cost = cost;
-    }
-  }
-  sum_costs();
-}
-
-std::optional<TunedObject> Robot::find_object(const world::PluginUse& use) {
   for (const auto& slot : sensors_) {
-    if (slot->use == &use) {
-      return own_object(*slot);
+    if (slot->use == &sensor) {
+      slot->energy_cost = cost;
     }
   }
-  if (&use == &drive_use()) {
-    return TunedObject{PluginKind::drive, &use, drive_declaration_, drive_.get(), {}, {}};
-  }
-  return controller_->object_of(use);
 }
 
-std::optional<Camera> Robot::try_out(const world::PluginUse& use, const Setup& setup) {
-  return Tuning::try_out(object_of(use), setup, example());
+PluginObject* Robot::find_object(const world::PluginUse& use) const {
+  PluginObject* found = nullptr;
+  for_each(Order::outer_first, [&](PluginObject& each, const auto&, const auto&) {
+    found = each.use == &use ? &each : found;
+  });
+  return found;
 }
 
-void Robot::set_up(const world::PluginUse& use, const Setup& setup) {
-  const TunedObject tuned = object_of(use);
-  const Setup before = tuning_.setup(use);
+void Robot::set_up(PluginObject& object, const Setup& setup) {
+  const Setup before = object.setup();
   try {
-    tuning_.set(tuned, setup, example());
+    object.set(setup, example());
   } catch (...) {
-    guard_.run(use, [&] { tuning_.set(tuned, before, example()); });
+    guard_.run(*object.use, [&] { object.set(before, example()); });
     throw;
   }
-  look_through_cameras();
 }
 
 /// The perception for plugins that get new parameters: what was perceived last.
@@ -355,15 +329,6 @@ Perception Robot::example() {
   team_.mates = mates_;
   perception_.events = perceived_events_;
   return {perception_, unused_random_};
-}
-
-void Robot::look_through_cameras() {
-  for (const auto& each : sensors_) {
-    SensorSlot& slot = *each;
-    if (slot.camera) {
-      slot.camera = guard_.run(*slot.use, [&] { return slot.object->camera(); });
-    }
-  }
 }
 
 void Robot::charge(double period_s, double rate) {
@@ -383,7 +348,7 @@ void Robot::charge(double period_s, double rate) {
 }
 
 void Robot::moved(const physics::RobotState& state, std::span<const JointSetting> joints) {
-  distance_m_ += distance(state_.pose, state.pose);
+  tally_.distance_m += distance(state_.pose, state.pose);
   set_body(state, joints);
 }
 
@@ -392,14 +357,14 @@ void Robot::set_body(const physics::RobotState& state, std::span<const JointSett
   Turret turret;
   if (description_->drive) {
     guard_.run(drive_use(), [&] {
-      turret = drive_->turret(joints_);
-      state_.odometry = drive_->odometry(joints_);
+      turret = drive_->object().turret(joints_);
+      state_.odometry = drive_->object().odometry(joints_);
     });
     if (!state_.odometry.is_finite() || !std::isfinite(turret.angle_rad + turret.turn_rad_s)) {
       guard_.fail(drive_use(), "odometry() or turret() gives numbers that are not finite");
     }
   } else {  // the core's own drive needs no guard
-    state_.odometry = drive_->odometry(joints_);
+    state_.odometry = drive_->object().odometry(joints_);
   }
   body_frame_ = state.frame;
   state_.pose = state.pose;
@@ -414,7 +379,7 @@ void Robot::set_body(const physics::RobotState& state, std::span<const JointSett
 }
 
 void Robot::collect(double energy) {
-  ++collected_;
+  ++tally_.collected;
   state_.energy = std::min(state_.capacity, state_.energy + energy);
   empty_ = empty_ && state_.energy <= 0.0;
 }
@@ -429,7 +394,7 @@ SensorView Robot::sensor(std::size_t index) const {
   const SensorSlot& slot = *sensors_[index];
   return {slot.use->id,
           slot.use->plugin,
-          slot.object.get(),
+          &slot.object(),
           &slot.mounting,
           slot.camera ? &*slot.camera : nullptr,
           slot.picture.empty() ? nullptr : &slot.picture,

@@ -19,9 +19,8 @@
 #include "elsie/world/description.h"
 #include "elsie/world/drive_check.h"
 
-#include "changes/tuning.h"
 #include "plugins/guard.h"
-#include "plugins/statements.h"
+#include "plugins/plugin_object.h"
 #include "step/controller.h"
 
 namespace elsie::simulation {
@@ -29,6 +28,7 @@ namespace elsie::simulation {
 class Becoming;
 class Cameras;
 class Carrier;
+class Swap;
 
 /// Time and identity of a control step, the same for all robots.
 struct Instant {
@@ -37,21 +37,18 @@ struct Instant {
   std::uint64_t step = 0;
 };
 
+/// What a robot has done since the run began.
+struct Tally {
+  double distance_m = 0.0;
+  double energy_used = 0.0;  // taken from the battery, units
+  int collected = 0;
+  int collisions = 0;
+};
+
 class Robot final : private Wishes {
  public:
-  /// What a robot's team gives it before a run: its place among the robots, a charger, and what the
-  /// resources look like that it may collect.
-  struct Membership {
-    int index = 0;
-    std::optional<Vector2> charger;
-    std::vector<Colour> resource_colours;
-  };
-
-  /// What the robot of this index has of its team before a run of the world.
-  static Membership membership(const world::World& world, std::size_t robot);
-
-  /// Makes the plugin objects. Throws world::WorldError.
-  Robot(const world::Robot& description, const Membership& membership, const plugin::Host& host,
+  /// Makes the plugin objects of a robot of the world. Throws world::WorldError.
+  Robot(const world::World& world, std::size_t index, const plugin::Host& host,
         const Options& options);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
@@ -90,25 +87,25 @@ class Robot final : private Wishes {
   void set_priority(const world::PluginUse& behavior, double priority) {
     controller_->set_priority(behavior, priority);
   }
-  /// The object that a sensor, behaviour or coordinator stands for; none when it is not of this
-  /// robot.
-  std::optional<TunedObject> find_object(const world::PluginUse& use);
-  /// What the parameters of a plugin object of this robot are.
-  Setup setup(const world::PluginUse& use) const { return tuning_.setup(use); }
+  /// Visits all its plugin objects: sensors, the drive, then behaviours and coordinators.
+  void for_each(Order order, const Visit& visit) const;
+  /// The object that a use of a plugin stands for; null when it is not of this robot.
+  PluginObject* find_object(const world::PluginUse& use) const;
   /// Whether the plugin takes these: throws what it throws, and touches nothing. Of a sensor: the
   /// camera that it would look through.
-  std::optional<Camera> try_out(const world::PluginUse& use, const Setup& setup);
+  std::optional<Camera> try_out(const PluginObject& object, const Setup& setup) {
+    return object.try_out(setup, example());
+  }
   /// Sets them. Throws what the plugin throws; the object is as before then, or, when it does not
   /// go back, PluginFault.
-  void set_up(const world::PluginUse& use, const Setup& setup);
+  void set_up(PluginObject& object, const Setup& setup);
 
   /// Puts new objects in the places of those whose plugins have changed. Throws ReplacementRefused.
   void replace(Swap& swap, const Cameras& cameras);
-  Tuning& tuning() { return tuning_; }
 
-  /// Becomes what `next` describes; `was` is what it is now, with all that was changed. What is
+  /// Becomes the robot of this index; `was` is what it is now, with all that was changed. What is
   /// described as before stays as it is. Problems are those of `becoming`.
-  void become(const world::Robot& was, const world::Robot& next, const Membership& membership,
+  void become(const world::Robot& was, const world::World& world, std::size_t index,
               Becoming& becoming);
 
   /// Gathers what the plugins say after a reset. Throws PluginFault.
@@ -120,6 +117,10 @@ class Robot final : private Wishes {
   void raise(Kind event) {
     static_assert(Kind::kFacts.is_perceived);
     raised_.emplace_back(std::move(event));
+  }
+  void collided(events::Collision collision) {
+    ++tally_.collisions;
+    raise(std::move(collision));
   }
   /// Appends the numbers of one sensor's reading. Throws PluginFault.
   void list_values(std::size_t sensor, std::vector<NamedValue>& values) const;
@@ -149,12 +150,7 @@ class Robot final : private Wishes {
   BodyPlan take_driven() { return std::move(driven_); }
   std::span<const Member> members() const { return controller_->members(); }
   std::span<const TracedMember> trace() const { return trace_; }
-  double distance_m() const { return distance_m_; }
-  /// Taken from the battery so far, units.
-  double energy_used() const { return energy_used_; }
-  int collected() const { return collected_; }
-  int collisions() const { return collisions_; }
-  void count_collision() { ++collisions_; }
+  const Tally& tally() const { return tally_; }
   std::size_t sensor_count() const { return sensors_.size(); }
   SensorView sensor(std::size_t index) const;
   Frame sensor_frame(std::size_t index) const { return body_frame_.frame(sensors_[index]->frame); }
@@ -164,46 +160,48 @@ class Robot final : private Wishes {
   Image& picture(std::size_t sensor) { return sensors_[sensor]->picture; }
 
  private:
-  struct SensorSlot {
-    const world::SensorUse* use = nullptr;
-    const Declaration* declaration = nullptr;
+  struct SensorSlot final : ObjectOf<Sensor, PluginKind::sensor> {
+    SensorSlot(const world::PluginUse& described, const plugin::Host& host, const Robot& its_robot)
+        : ObjectOf(described, host), robot(its_robot) {}
+    void equip(Component& object, const Perception&) const override {
+      static_cast<Sensor&>(object).equipped({&mounting, robot.resource_colours_});
+    }
+    std::optional<Camera> camera_of(const Component& object) const override {
+      return static_cast<const Sensor&>(object).camera();
+    }
+    void forget() override { object().forget(); }
+
+    const Robot& robot;
     double energy_cost = 0.0;  // units per second
-    plugin::Object<Sensor> object;
     Mounting mounting;
     Frame frame;  // in the robot's frame
-    Random random;
-    std::optional<Camera> camera;
     Image picture;
     std::optional<Pyramid> volume;  // that it asked about last
   };
+  using DriveSlot = ObjectOf<Drive, PluginKind::drive>;
+
   void raise(const Event& event) override {
     raised_.emplace_back(events::Raised{std::string(event.name)});
   }
   void ask_for_charge() override { charge_asked_ = true; }
-  void replace(Swap& swap, SensorSlot& slot, const Cameras& cameras);
+  void replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras);
+  void replace_drive(Swap& swap);
+  /// Throws ReplacementRefused when a behaviour needs readings that are not there.
+  void check_needs() const;
   std::shared_ptr<SensorSlot> make_sensor(const world::SensorUse& use, const plugin::Host& host,
                                           std::vector<base::Problem>& problems) const;
-  void take_membership(const Membership& membership);
+  void take_membership(const world::World& world, std::size_t index);
   void become_sensors(const world::Robot& was, Becoming& becoming);
-  void become_drive(Becoming& becoming);
   void take_live(bool has_new_drive, bool has_new_energy);
-  void regroup();
+  void list_members();
   void group_readings();
   void take_description();
-  void sum_costs();
-  void look_through_cameras();
-  TunedObject object_of(const world::PluginUse& use) { return find_object(use).value(); }
-  TunedObject own_object(const SensorSlot& slot) const {
-    return {PluginKind::sensor, slot.use, slot.declaration,
-            slot.object.get(),  {},       {&slot.mounting, resource_colours_}};
-  }
   Perception example();
   void stop_when_empty();
   void make_drive(const plugin::Host& host, std::vector<base::Problem>& problems);
   const world::PluginUse& drive_use() const {
     return description_->drive ? *description_->drive : drive_use_;
   }
-  void replace_drive(Swap& swap);
   void command(const Motion& asked);
   /// Hands a motion to the drive; what it can make of it is the command then.
   void carry_out(const Motion& motion);
@@ -211,12 +209,9 @@ class Robot final : private Wishes {
   const world::Robot* description_;
   mutable Guard guard_;  // looking at a plugin's numbers can fail, too
   Names names_;
-  double sensor_cost_ = 0.0;  // units per second, of all sensors together
 
   world::PluginUse drive_use_;  // of a world that names none
-  const Declaration* drive_declaration_ = nullptr;
-  plugin::Object<Drive> drive_;
-  Random drive_random_;
+  std::shared_ptr<DriveSlot> drive_;
   BodyPlan driven_;
   std::vector<JointSetting> joints_;         // measured
   std::vector<JointSetting> wanted_joints_;  // as many
@@ -225,7 +220,6 @@ class Robot final : private Wishes {
 
   std::vector<std::shared_ptr<SensorSlot>> sensors_;
   std::unique_ptr<Controller> controller_;
-  Tuning tuning_;
   std::vector<TracedMember> trace_;
   Random unused_random_;  // each plugin object draws from its own
 
@@ -244,10 +238,7 @@ class Robot final : private Wishes {
 
   bool charge_asked_ = false;
   bool empty_ = false;
-  double distance_m_ = 0.0;
-  double energy_used_ = 0.0;
-  int collected_ = 0;
-  int collisions_ = 0;
+  Tally tally_;
 };
 
 }  // namespace elsie::simulation

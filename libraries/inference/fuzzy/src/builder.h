@@ -7,6 +7,7 @@
 
 #include "ast.h"
 #include "model_data.h"
+#include "problems.h"
 
 namespace elsie::fuzzy {
 

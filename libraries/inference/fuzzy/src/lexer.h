@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "elsie/fuzzy/error.h"
+#include "problems.h"
 
 namespace elsie::fuzzy {
 

@@ -16,6 +16,7 @@
 #include "ast.h"
 #include "compile.h"
 #include "model_data.h"
+#include "problems.h"
 #include "text.h"
 #include "words.h"
 

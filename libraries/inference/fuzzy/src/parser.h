@@ -4,9 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "elsie/fuzzy/error.h"
-
 #include "ast.h"
+#include "problems.h"
 
 namespace elsie::fuzzy {
 

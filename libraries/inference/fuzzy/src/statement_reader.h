@@ -10,8 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/fuzzy/error.h"
-
 #include "ast.h"
 #include "lexer.h"
 #include "text.h"

@@ -43,7 +43,7 @@ Json members_json(const RobotView& robot) {
   Json members = Json::array();
   for (const TracedMember& member : robot.trace) {
     const TraceRow row = traces::kept(member.member->trace);
-    const TracedMember* inhibitor = simulation::inhibitor_of(member, robot.trace);
+    const TracedMember* inhibitor = traces::inhibitor_of(member, robot.trace);
     members.push_back({{"path", member.path},
                        {"plugin", member.plugin},
                        {"coordinator", member.coordinator},

@@ -8,7 +8,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "elsie/base/write_all.h"
+#include "elsie/base/write_whole.h"
 
 namespace elsie::output {
 

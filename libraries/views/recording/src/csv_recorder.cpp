@@ -12,6 +12,7 @@
 #include "elsie/output/record_file.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/sampling.h"
+#include "elsie/traces/trace_rows.h"
 
 namespace elsie::recording {
 namespace {
@@ -190,7 +191,7 @@ class CsvRecorder::Impl {
             trace->command.turn, trace->activation, trace->strength, trace->weight, trace->share}) {
         line_.number(value);
       }
-      const simulation::TracedMember* inhibitor = simulation::inhibitor_of(*member, robot.trace);
+      const simulation::TracedMember* inhibitor = traces::inhibitor_of(*member, robot.trace);
       inhibitor ? line_.text(inhibitor->path) : line_.empty();
       line_.text(trace->reason);
       if (with_times_) {

@@ -122,7 +122,7 @@ const std::string& TraceTexts::message(std::uint64_t decided_ns, const simulatio
     add("strength", row.strength);
     add("weight", row.weight);
     add("share", row.share);
-    const simulation::TracedMember* inhibitor = inhibitor_of(robot.trace[i], robot.trace);
+    const simulation::TracedMember* inhibitor = traces::inhibitor_of(robot.trace[i], robot.trace);
     text_ += ",\"inhibited_by\":" + text_of(inhibitor ? inhibitor->path : "");
     text_ += ",\"reason\":" + text_of(row.reason);
     if (with_times) {

@@ -123,7 +123,7 @@ class AccountRecorder::Impl {
         continue;
       }
       watch.rows[i] = row;
-      const simulation::TracedMember* by = simulation::inhibitor_of(view.trace[i], view.trace);
+      const simulation::TracedMember* by = inhibitor_of(view.trace[i], view.trace);
       const TraceNote note = note_of(row, now_s, place_of(row.reason),
                                      by ? static_cast<int>(by - view.trace.data()) : -1);
       if (watch.begun && same(note, watch.notes[i])) {

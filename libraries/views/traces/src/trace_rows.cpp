@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cstring>
 
-#include "elsie/base/number_text.h"
+#include "elsie/output/rounded.h"
 
 namespace elsie::traces {
 namespace {
@@ -16,9 +16,9 @@ constexpr int kWeightDigits = 4;
 }  // namespace
 
 Motion kept(const Motion& motion) {
-  return {base::rounded(motion.forward, kMotionDecimals),
-          base::rounded(motion.lateral, kMotionDecimals),
-          base::rounded(motion.turn, kMotionDecimals)};
+  return {output::rounded(motion.forward, kMotionDecimals),
+          output::rounded(motion.lateral, kMotionDecimals),
+          output::rounded(motion.turn, kMotionDecimals)};
 }
 
 double shortened(double value) {
@@ -43,10 +43,10 @@ std::string one_line(std::string_view text) {
 
 TraceRow kept(TraceRow row) {
   row.command = row.asked ? kept(row.command) : Motion{};
-  row.activation = row.asked ? base::rounded(row.activation, kDecimals) : 0.0;
-  row.strength = row.asked ? base::rounded(row.strength, kDecimals) : 0.0;
+  row.activation = row.asked ? output::rounded(row.activation, kDecimals) : 0.0;
+  row.strength = row.asked ? output::rounded(row.strength, kDecimals) : 0.0;
   row.weight = shortened(row.weight);
-  row.share = base::rounded(row.share, kDecimals);
+  row.share = output::rounded(row.share, kDecimals);
   return row;
 }
 
@@ -55,6 +55,17 @@ bool same(const TraceRow& a, const TraceRow& b) {
          a.strength == b.strength && a.weight == b.weight && a.share == b.share &&
          a.inhibited_by == b.inhibited_by &&
          (a.reason == b.reason || std::strcmp(a.reason, b.reason) == 0);
+}
+
+const simulation::TracedMember* inhibitor_of(const simulation::TracedMember& member,
+                                             std::span<const simulation::TracedMember> all) {
+  int place = member.member->trace.inhibited_by;
+  for (const simulation::TracedMember& other : all) {
+    if (other.parent == member.parent && place-- == 0) {
+      return &other;
+    }
+  }
+  return nullptr;
 }
 
 TraceNote note_of(const TraceRow& row, double time_s, std::uint32_t reason, int inhibited_by) {

@@ -13,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "elsie/build/private_copy.h"
 #include "elsie/build/source_build.h"
 #include "elsie/plugin/file_fingerprint.h"
 #include "elsie/plugin/kind_name.h"
@@ -218,7 +219,7 @@ class Watch::Impl {
       : places_(std::move(places)), period_(period) {
     seen_ = places_.look();  // first, so that changes while it is loaded are noticed
     places_.refresh();       // changes before that look
-    in_use_ = std::make_shared<const plugin::Host>(places_.directories(), plugin::Loading::copies);
+    in_use_ = std::make_shared<const plugin::Host>(places_.directories(), private_copy);
     const NoSignals for_the_thread;
     thread_ = std::thread([this] { follow(); });
   }

@@ -19,9 +19,9 @@
 
 #include "elsie/base/emergency.h"
 #include "elsie/plugin/call.h"
-#include "elsie/plugin/loaded_libraries.h"
 #include "elsie/process/process_end.h"
 
+#include "loaded_libraries.h"
 #include "reporting.h"
 #include "stack_trace.h"
 
@@ -29,7 +29,6 @@ namespace elsie::process {
 
 using plugin::Call;
 using plugin::CallFacts;
-using plugin::plugin_library_at;
 
 namespace {
 
@@ -295,6 +294,7 @@ void report_crashes(int exit_status) {
   status_of_crash = exit_status;
   own_process = getpid();
   Call::watch_for_copies(end_copy);
+  watch_libraries();
   prepare_stack_trace();
   alignas(16) static char stack[kStackSize];
   static const int once = std::atexit(left_by_exit);

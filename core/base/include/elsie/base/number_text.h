@@ -30,7 +30,4 @@ class NumberText {
   std::size_t size_;
 };
 
-/// The number rounded to `decimals` decimals, 0 to 9; never a negative zero.
-double rounded(double value, int decimals);
-
 }  // namespace elsie::base

@@ -65,15 +65,8 @@ class Problems {
     left_out_ += others.left_out_;
   }
 
-  /// Adds a remark on something that is allowed, but untidy.
-  void add_note(int line, std::string message);
-  /// Forgets the problems and notes of these lines.
-  void forget(int first_line, int last_line);
-
   bool empty() const { return problems_.empty() && left_out_ == 0; }
   std::size_t size() const { return problems_.size(); }
-  /// The notes, by line.
-  std::vector<Problem> notes() const;
   /// The problems by line: first those of the main file, then those of the other files in the order
   /// in which they were added. If there are too many, the last one says how many are left out.
   std::vector<Problem> sorted(const std::string& main_file) const;
@@ -90,6 +83,10 @@ class Problems {
     raise<FileErrorType>(file_);
   }
 
+ protected:
+  /// Forgets the problems of these lines.
+  void forget(int first_line, int last_line);
+
  private:
   static constexpr std::size_t kMostKept = 100'000;
 
@@ -97,7 +94,6 @@ class Problems {
   std::size_t most_;
   std::size_t left_out_ = 0;  // problems beyond kMostKept
   std::vector<Problem> problems_;
-  std::vector<Problem> notes_;
   std::set<std::tuple<std::string, int, std::string>> known_;
 };
 

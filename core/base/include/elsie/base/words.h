@@ -13,8 +13,6 @@ namespace elsie::base {
 std::string counted(std::uint64_t count, std::string_view what);
 /// "1 match", "2 matches".
 std::string counted(std::uint64_t count, std::string_view one, std::string_view several);
-/// "is" for one, "are" for any other number.
-const char* is_or_are(std::uint64_t count);
 
 /// The items with a separator between them.
 std::string joined(const std::vector<std::string>& items, std::string_view separator = ", ");

@@ -17,6 +17,10 @@ enum class Durable { no, yes };
 int write_whole(const std::filesystem::path& file, std::string_view content,
                 Durable durable = Durable::no);
 
+/// write(2), to the end: writes all bytes to a descriptor. Returns zero or errno. Signal handlers
+/// may use it.
+int write_all(int descriptor, std::string_view bytes) noexcept;
+
 /// The end of a chain of symbolic links, whether it exists or not. Returns `file` itself when it is
 /// no link, or when the links form a circle.
 std::filesystem::path end_of_links(std::filesystem::path file);

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -37,11 +38,10 @@ struct Release {
 template <class T>
 using Object = std::unique_ptr<T, Release>;
 
-/// How libraries are loaded.
-enum class Loading {
-  in_place,  // from their files, which must not change while they are in use
-  copies     // from private copies: the files may be replaced or overwritten
-};
+/// Copies a library, for a host whose files may be replaced or overwritten while they are in use:
+/// the copy is loaded, and let go once that is unloaded. Throws std::runtime_error with a sentence.
+using MakeCopy = std::function<std::shared_ptr<const std::filesystem::path>(
+    const std::filesystem::path& library)>;
 
 /// Hosts are independent of each other except after renewed(). One thread loads and adds plugins;
 /// several may call the const members.
@@ -51,8 +51,9 @@ class Host {
   Host();
   /// Loads every plugin library in the directories. Of several plugins of one kind and name the
   /// first is used, in the order of directories and of the file names in each; the report warns of
-  /// the others. Never throws because of a file; see report().
-  explicit Host(std::vector<SearchDirectory> directories, Loading loading = Loading::in_place);
+  /// the others. Never throws because of a file; see report(). Without `copy`, files must not
+  /// change while they are in use.
+  explicit Host(std::vector<SearchDirectory> directories, MakeCopy copy = {});
   Host(Host&&) noexcept;
   Host& operator=(Host&&) noexcept;
   ~Host();
@@ -61,8 +62,9 @@ class Host {
   /// since this host loaded them: find() gives the same declarations. A changed library is loaded
   /// again, and the old one stays loaded while this host or an object of it exists. If the new file
   /// is refused or missing, the new host uses the old library, and its report says so; a recompiled
-  /// source counts as the same library. Added plugins are shared, too. Needs Loading::copies:
-  /// without copies, the system takes a file of the same path for the old one.
+  /// source counts as the same library. Added plugins are shared, too. Needs copies
+  /// (build::private_copy()): without them, the system takes a file of the same path for the old
+  /// one.
   Host renewed(std::vector<SearchDirectory> directories) const;
 
   /// The declaration of a plugin, or null. Valid as long as this host, or one renewed from it that
@@ -91,8 +93,8 @@ class Host {
     return Object<T>(wanted, std::move(object.get_deleter()));
   }
 
-  /// Adds a plugin that is linked into the program; see also linked.h. Throws PluginError when its
-  /// declaration has faults or its name is taken.
+  /// Adds a plugin that is linked into the program; see also elsie/testing/linked.h. Throws
+  /// PluginError when its declaration has faults or its name is taken.
   void add(Declaration declaration);
 
   const Report& report() const;

@@ -100,9 +100,6 @@ struct MadeInference {
   Inference inference;
 };
 
-/// The member that silenced this one in the last decision, or null.
-const TracedMember* inhibitor_of(const TracedMember& member, std::span<const TracedMember> all);
-
 /// One robot at this instant, to look at.
 struct RobotView {
   const world::Robot* description;  // without what was put in place since

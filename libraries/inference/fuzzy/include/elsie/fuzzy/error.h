@@ -6,7 +6,6 @@
 namespace elsie::fuzzy {
 
 using base::Problem;
-using base::Problems;
 
 /// Thrown by read_fcl() and parse_fcl() with all errors of the file.
 class FclError : public base::FileError {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "elsie/base/number_text.h"
+#include "elsie/output/rounded.h"
 
 namespace elsie::output {
 
@@ -43,6 +44,6 @@ class CsvLine {
 };
 
 /// A time as files show it: 0.7, not 0.7000000000000001.
-inline double tidy_time(double time_s) { return base::rounded(time_s, 9); }
+inline double tidy_time(double time_s) { return rounded(time_s, 9); }
 
 }  // namespace elsie::output

@@ -2,6 +2,7 @@
 // changed. Whoever records, reads or adds up a trace uses these functions, so that all agree.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,10 @@ Motion kept(const Motion& motion);
 
 /// Whether two rows are equal, to the last bit. The time that the behaviour took does not count.
 bool same(const TraceRow& a, const TraceRow& b);
+
+/// The member that silenced this one in the last decision, or null. `all`: of the robot.
+const simulation::TracedMember* inhibitor_of(const simulation::TracedMember& member,
+                                             std::span<const simulation::TracedMember> all);
 
 /// The note of a row. `reason` and `inhibited_by` are places in the trace and in the robot.
 TraceNote note_of(const TraceRow& row, double time_s, std::uint32_t reason, int inhibited_by);

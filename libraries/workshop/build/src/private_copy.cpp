@@ -1,10 +1,11 @@
-#include "private_copy.h"
+#include "elsie/build/private_copy.h"
 
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -12,7 +13,9 @@
 #include <time.h>
 #include <unistd.h>
 
-namespace elsie::plugin {
+#include "elsie/base/emergency.h"
+
+namespace elsie::build {
 
 namespace fs = std::filesystem;
 
@@ -39,7 +42,7 @@ bool is_left_behind(const fs::path& folder) {
 }
 
 /// Removes what processes left behind that could not clean up themselves.
-bool sweep(const fs::path& temporary) {
+bool sweep_copies(const fs::path& temporary) {
   std::error_code error;
   for (fs::directory_iterator at(temporary, error), end; !error && at != end; at.increment(error)) {
     if (is_left_behind(at->path())) {
@@ -50,12 +53,25 @@ bool sweep(const fs::path& temporary) {
   return true;
 }
 
-}  // namespace
+class PrivateCopy final : private base::EmergencyWriter {
+ public:
+  explicit PrivateCopy(const fs::path& file);
+  ~PrivateCopy() override;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  void clean_up_now() noexcept override;
+
+  std::string folder_;
+  std::string file_;
+  fs::path path_;
+};
 
 PrivateCopy::PrivateCopy(const fs::path& file) {
   std::error_code error;
   const fs::path temporary = fs::temp_directory_path(error);
-  [[maybe_unused]] static const bool swept = sweep(temporary);
+  [[maybe_unused]] static const bool swept = sweep_copies(temporary);
   fs::path folder = temporary / (std::string(kBegin) + std::to_string(getpid()) + "-XXXXXX");
   folder_ = folder.string();
   if (!mkdtemp(folder_.data())) {
@@ -63,7 +79,8 @@ PrivateCopy::PrivateCopy(const fs::path& file) {
     folder_.clear();
   } else {
     file_ = folder_ + "/" + file.filename().string();
-    fs::copy_file(file, file_, error);
+    path_ = file_;
+    fs::copy_file(file, path_, error);
   }
   if (error) {
     const std::string problem = "could not be copied to " + folder.parent_path().string() +
@@ -88,4 +105,12 @@ void PrivateCopy::clean_up_now() noexcept {
   }
 }
 
-}  // namespace elsie::plugin
+}  // namespace
+
+std::shared_ptr<const fs::path> private_copy(const fs::path& library) {
+  auto copy = std::make_shared<PrivateCopy>(library);
+  const fs::path* const path = &copy->path();
+  return {std::move(copy), path};
+}
+
+}  // namespace elsie::build

@@ -7,11 +7,11 @@
 #include "elsie/api/registration.h"
 #include "elsie/plugin/host.h"
 
-namespace elsie::plugin {
+namespace elsie::testing {
 
 /// Adds the plugins that ELSIE_... macros register in the program or library with this call. Throws
-/// as Host::add() does.
-__attribute__((visibility("hidden"))) inline void add_linked(Host& host) {
+/// as plugin::Host::add() does.
+__attribute__((visibility("hidden"))) inline void add_linked(plugin::Host& host) {
   std::vector<Declaration> declarations;
   elsie::detail::declare_plugins(declarations);
   for (Declaration& declaration : declarations) {
@@ -19,4 +19,4 @@ __attribute__((visibility("hidden"))) inline void add_linked(Host& host) {
   }
 }
 
-}  // namespace elsie::plugin
+}  // namespace elsie::testing

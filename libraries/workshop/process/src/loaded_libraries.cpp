@@ -1,4 +1,4 @@
-#include "elsie/plugin/loaded_libraries.h"
+#include "loaded_libraries.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,9 @@
 
 #include <link.h>
 
-namespace elsie::plugin {
+#include "elsie/plugin/watch_libraries.h"
+
+namespace elsie::process {
 namespace {
 
 struct Range {
@@ -68,8 +70,6 @@ const char* kept(const char* file) {
   return names.emplace(file).first->c_str();
 }
 
-}  // namespace
-
 void note_loaded(const void* code, const char* file) noexcept {
   const Range range = range_of(code);
   for (Slot& slot : slots) {
@@ -89,6 +89,7 @@ void note_loaded(const void* code, const char* file) noexcept {
   }
 }
 
+/// Its addresses stay known: a thread that it left behind crashes there.
 void note_unloaded(const char* file) noexcept {
   for (Slot& slot : slots) {
     const char* const known = slot.file;
@@ -98,6 +99,10 @@ void note_unloaded(const char* file) noexcept {
     }
   }
 }
+
+}  // namespace
+
+void watch_libraries() noexcept { plugin::watch_libraries({note_loaded, note_unloaded}); }
 
 const char* plugin_library_at(const void* address) noexcept {
   const auto at = reinterpret_cast<std::uintptr_t>(address);
@@ -114,4 +119,4 @@ const char* plugin_library_at(const void* address) noexcept {
   return gone;
 }
 
-}  // namespace elsie::plugin
+}  // namespace elsie::process
