@@ -9,9 +9,9 @@
 #include "elsie/world/files.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/values.h"
+#include "elsie/world/world_tree.h"
 
 #include "path.h"
-#include "world_tree.h"
 
 namespace elsie::world {
 

@@ -1,5 +1,3 @@
-#include "checks.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -14,6 +12,8 @@
 #include "elsie/plugin/host.h"
 #include "elsie/world/parts.h"
 #include "elsie/world/train.h"
+
+#include "reading.h"
 
 namespace elsie::world {
 

@@ -1,5 +1,3 @@
-#include "drives.h"
-
 #include <algorithm>
 #include <exception>
 #include <stdexcept>
@@ -11,6 +9,8 @@
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/parts.h"
+
+#include "reading.h"
 
 namespace elsie::world {
 namespace {

@@ -131,14 +131,12 @@ std::string read_text(const std::string& file) {
   }
 }
 
-Element parse_markup(std::string_view text, const std::string& file, const std::string& kind) {
-  std::vector<ElementSpan> spans;
-  return parse_markup(text, file, kind, spans);
-}
-
 Element parse_markup(std::string_view text, const std::string& file, const std::string& kind,
-                     std::vector<ElementSpan>& spans) {
-  spans = check_text(text, file, kind);
+                     std::vector<ElementSpan>* spans) {
+  std::vector<ElementSpan> places = check_text(text, file, kind);
+  if (spans) {
+    *spans = std::move(places);
+  }
   tinyxml2::XMLDocument document;
   document.Parse(text.data(), text.size());
   const tinyxml2::XMLElement* root = document.RootElement();

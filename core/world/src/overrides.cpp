@@ -1,10 +1,12 @@
-#include "overrides.h"
+// --set PATH=VALUE: changes the tree of a world before it is checked.
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
 #include "elsie/base/near_name.h"
+#include "elsie/world/tree.h"
 
 #include "ids.h"
 #include "path.h"
@@ -157,30 +159,22 @@ void take_out(const std::vector<Place>& places, const std::string& attribute,
   }
 }
 
-// The attribute of a robot that an override is about; "": the robot itself, or all robots; none: it
-// is about something else.
-std::optional<std::string> attribute_of_robot(const std::string& override) {
+}  // namespace
+
+Concern concern_of(const std::string& override) {
   try {
     const Path path = parse_path(std::string_view(override).substr(0, override.find('=')));
     const std::string last = path.steps.empty() ? "" : path.steps.back().name;
-    return last == "robot" || last == "robots" ? std::optional(path.attribute) : std::nullopt;
+    if (last == "robot" || last == "robots") {
+      return path.attribute.empty()         ? Concern::robots
+             : path.attribute == "template" ? Concern::templates
+             : path.attribute == kRemove    ? Concern::removed_robots
+                                            : Concern::other;
+    }
   } catch (const std::invalid_argument&) {
-    return std::nullopt;  // apply_override() says why
+    // apply_override() says why.
   }
-}
-
-}  // namespace
-
-bool sets_template(const std::string& override) {
-  return attribute_of_robot(override) == "template";
-}
-
-bool concerns_templates(const std::string& override) {
-  return sets_template(override) || attribute_of_robot(override) == "";
-}
-
-bool concerns_robots(const std::string& override) {
-  return concerns_templates(override) || attribute_of_robot(override) == kRemove;
+  return Concern::other;
 }
 
 void apply_override(Element& world, const std::string& override, bool is_running,
@@ -204,7 +198,7 @@ void apply_override(Element& world, const std::string& override, bool is_running
     }
     if (path.attribute.empty()) {
       const Element given = element_of(value, where);
-      if (!concerns_templates(override)) {
+      if (concern_of(override) != Concern::robots) {
         require_without_removals(given);
       }
       if (path.adds()) {

@@ -9,7 +9,7 @@
 #include "elsie/world/footprint.h"
 #include "elsie/world/parts.h"
 
-#include "checks.h"
+#include "reading.h"
 
 namespace elsie::world {
 

@@ -11,14 +11,11 @@
 #include "elsie/world/files.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/object_reader.h"
+#include "elsie/world/tree.h"
 #include "elsie/world/vocabulary.h"
 
-#include "checks.h"
-#include "drives.h"
 #include "ids.h"
-#include "overrides.h"
 #include "reading.h"
-#include "templates.h"
 
 namespace elsie::world {
 
@@ -80,7 +77,7 @@ World read_world(const std::string& file, const plugin::Host& host, const ReadOp
 
 Element tree_of_world(std::string_view text, const std::string& file,
                       std::vector<ElementSpan>& spans) {
-  Element root = parse_markup(text, file, "world", spans);
+  Element root = parse_markup(text, file, "world", &spans);
   Problems problems;
   const std::string right = "expected <world format=\"" + std::to_string(kFormat) + "\">";
   check_root(root, "world", kFormat,
@@ -101,28 +98,30 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
                     options.found);
   std::vector<ElementSpan> spans;
   Element root = tree_of_world(text, file, spans);
-  Templates templates(host, files, problems);
-  for (const bool before_templates : {true, false}) {
-    if (!before_templates) {
-      templates.merge_all(root);
+  const auto apply = [&](const std::string& override) {
+    const Concern concern = concern_of(override);
+    if (options.is_running && concern == Concern::templates) {
+      problems.add({"--set " + override, 0},
+                   "what the template brings is in the robot since the start; replace the robot, "
+                   "or edit what is in it");
+      return;
     }
-    for (const std::string& override : options.overrides) {
-      // What runs has no templates any more: its edits are made in the order given.
-      const bool is_first = !options.is_running && concerns_templates(override);
-      if (is_first == before_templates) {
-        if (options.is_running && sets_template(override)) {
-          problems.add({"--set " + override, 0},
-                       "what the template brings is in the robot since the start; replace the "
-                       "robot, or edit what is in it");
-          continue;
-        }
-        apply_override(root, override, options.is_running, problems);
-        if (options.is_running) {
-          templates.merge_given(root);
-        }
-      }
+    apply_override(root, override, options.is_running, problems);
+    if (options.is_running && concern == Concern::robots) {
+      merge_templates(root, host, files, problems);
     }
-  }
+  };
+  // What runs has no templates any more: its edits are made in the order given.
+  std::vector<std::string> overrides = options.overrides;
+  const auto later =
+      options.is_running
+          ? overrides.begin()
+          : std::stable_partition(overrides.begin(), overrides.end(), [](const auto& override) {
+              return concern_of(override) >= Concern::robots;
+            });
+  std::for_each(overrides.begin(), later, apply);
+  merge_templates(root, host, files, problems);
+  std::for_each(later, overrides.end(), apply);
   return world_of_tree(std::move(root), file, host, files, options, problems);
 }
 
