@@ -25,13 +25,6 @@ namespace {
 
 using plugin::find_declared;
 
-template <class Declared>
-void append_names(const std::vector<Declared>& list, std::vector<std::string>& names) {
-  for (const Declared& declared : list) {
-    names.push_back(declared.name);
-  }
-}
-
 // Walks the tree and the vocabulary in parallel. What a plugin's element may hold is in the
 // plugin's declaration.
 class ObjectReader {
@@ -47,18 +40,15 @@ class ObjectReader {
   // Those that read something return whether the element had no mistakes.
   bool read_object(const ElementSpec& spec, const Element& element, void* object) {
     refuse_text(element);
-    bool sound = true;
-    for (const Attribute& attribute : element.attributes) {
-      sound &= read_attribute(spec, element, attribute, object);
-    }
-    sound &= has_required({spec.attributes.begin(), spec.attributes.end()}, element);
+    bool sound = read_attributes(element, &spec, object);
     return read_children(spec, element, object) && sound;
   }
 
  private:
-  // The declared parameters of an element; see PluginUse.
-  struct Values {
-    std::map<std::string, ParameterValue>& parameters;
+  // What a plugin declares for an element, and where it goes; see PluginUse.
+  struct Declared {
+    const std::vector<ParameterDeclaration>& parameters;
+    std::map<std::string, ParameterValue>& values;
     std::map<std::string, FileName>& file_names;
   };
 
@@ -140,52 +130,95 @@ class ObjectReader {
     return spec;
   }
 
-  bool has_required(const std::vector<Field>& fields, const Element& element) {
-    bool complete = true;
-    for (const Field& field : fields) {
-      if (field.required && !element.find(field.name)) {
-        problems_.add(element.where, "<" + element.name + "> lacks the attribute '" + field.name +
-                                         "'; expected " + expectation(field));
-        complete = false;
-      }
+  bool has_required(const Field& field, const Element& element) {
+    if (!field.required || element.find(field.name)) {
+      return true;
     }
-    return complete;
+    problems_.add(element.where, "<" + element.name + "> lacks the attribute '" + field.name +
+                                     "'; expected " + expectation(field));
+    return false;
   }
 
-  void refuse_attribute(const Element& element, const Attribute& attribute,
-                        const std::vector<std::string>& names) {
+  // Either of what describes the element may be null.
+  bool read_attributes(const Element& element, const ElementSpec* spec, void* object,
+                       const Declared* declared = nullptr) {
+    bool sound = true;
+    for (const Attribute& attribute : element.attributes) {
+      const AttributeSpec* known = spec ? spec->attribute(attribute.name) : nullptr;
+      const ParameterDeclaration* parameter =
+          declared ? find_declared(declared->parameters, attribute.name) : nullptr;
+      // Editors associate the schema through these.
+      const bool is_of_schema =
+          spec && spec->root &&
+          (attribute.name == "xmlns:xsi" || attribute.name == "xsi:noNamespaceSchemaLocation");
+      if (known) {
+        sound &= read_attribute(*known, element, attribute, object);
+      } else if (parameter) {
+        sound &= read_parameter(*parameter, element, attribute, *declared);
+      } else if (!is_of_schema) {
+        refuse_attribute(element, attribute, spec, declared);
+        sound = false;
+      }
+    }
+    if (spec) {
+      for (const AttributeSpec& attribute : spec->attributes) {
+        sound &= has_required(attribute, element);
+      }
+    }
+    if (declared) {
+      for (const ParameterDeclaration& parameter : declared->parameters) {
+        sound &= has_required(field_of(parameter), element);
+        sound &= has_default(parameter, element, *declared);
+      }
+    }
+    return sound;
+  }
+
+  void refuse_attribute(const Element& element, const Attribute& attribute, const ElementSpec* spec,
+                        const Declared* declared) {
+    std::vector<std::string> names;
+    if (declared) {
+      for (const ParameterDeclaration& parameter : declared->parameters) {
+        names.push_back(parameter.name);
+      }
+    }
+    if (spec) {
+      for (const AttributeSpec& known : spec->attributes) {
+        names.push_back(known.name);
+      }
+    }
     problems_.add(attribute.where, "<" + element.name + "> has no attribute '" + attribute.name +
                                        "'" +
                                        base::near_or_all(attribute.name, names, "it may have"));
   }
 
-  bool read_attribute(const ElementSpec& spec, const Element& element, const Attribute& attribute,
-                      void* object) {
-    const AttributeSpec* known = spec.attribute(attribute.name);
-    if (!known) {
-      // Editors associate the schema through these.
-      if (spec.root &&
-          (attribute.name == "xmlns:xsi" || attribute.name == "xsi:noNamespaceSchemaLocation")) {
-        return true;
-      }
-      std::vector<std::string> names;
-      for (const AttributeSpec& each : spec.attributes) {
-        names.push_back(each.name);
-      }
-      refuse_attribute(element, attribute, names);
-      return false;
-    }
-    const Parsed parsed = parse_value(*known, attribute.value);
+  // None, and a problem, if the text is no such value.
+  std::optional<ParameterValue> value_of(const Field& field, const Element& element,
+                                         const Attribute& attribute) {
+    Parsed parsed = parse_value(field, attribute.value);
     if (!parsed.value) {
-      problems_.add(attribute.where, in_words(attribute, element) + ": " + parsed.problem);
+      refuse_value(element, attribute, parsed.problem);
+    }
+    return std::move(parsed.value);
+  }
+
+  void refuse_value(const Element& element, const Attribute& attribute,
+                    const std::string& problem) {
+    problems_.add(attribute.where, in_words(attribute, element) + ": " + problem);
+  }
+
+  bool read_attribute(const AttributeSpec& known, const Element& element,
+                      const Attribute& attribute, void* object) {
+    const auto value = value_of(known, element, attribute);
+    if (!value) {
       return false;
     }
-    if (known->refers_to != Reference::none) {
+    if (known.refers_to != Reference::none) {
       reading_.mentions.push_back(
-          {known->refers_to, attribute.value, attribute.where, in_words(attribute, element)});
+          {known.refers_to, attribute.value, attribute.where, in_words(attribute, element)});
     }
-    if (known->set) {
-      known->set(object, *parsed.value);
+    if (known.set) {
+      known.set(object, *value);
     }
     return true;
   }
@@ -220,23 +253,8 @@ class ObjectReader {
         sound = false;
       }
     }
-    const Values values{use.parameters, use.file_names};
-    for (const Attribute& attribute : element.attributes) {
-      const ParameterDeclaration* parameter =
-          find_declared(declaration->parameters, attribute.name);
-      if (spec.attribute(attribute.name)) {
-        sound &= read_attribute(spec, element, attribute, object);
-      } else if (parameter) {
-        sound &= read_parameter(*parameter, element, attribute, values);
-      } else {
-        std::vector<std::string> names;
-        append_names(declaration->parameters, names);
-        append_names(spec.attributes, names);
-        refuse_attribute(element, attribute, names);
-        sound = false;
-      }
-    }
-    sound &= complete(declaration->parameters, element, values);
+    const Declared declared{declaration->parameters, use.parameters, use.file_names};
+    sound &= read_attributes(element, &spec, object, &declared);
     sound &= read_inside(spec, *declaration, element, object);
     if (sound && check_plugins_) {
       sound = try_out(*declaration, element, use);
@@ -283,82 +301,55 @@ class ObjectReader {
                                           : "expected nothing in it"));
       sound = false;
     }
-    const Values values{use.parameters, use.file_names};
-    for (const Attribute& attribute : element.attributes) {
-      if (const ParameterDeclaration* parameter =
-              find_declared(declared.parameters, attribute.name)) {
-        sound &= read_parameter(*parameter, element, attribute, values);
-      } else {
-        std::vector<std::string> names;
-        append_names(declared.parameters, names);
-        refuse_attribute(element, attribute, names);
-        sound = false;
-      }
-    }
-    return complete(declared.parameters, element, values) && sound;
+    const Declared content{declared.parameters, use.parameters, use.file_names};
+    return read_attributes(element, nullptr, nullptr, &content) && sound;
   }
 
   bool read_parameter(const ParameterDeclaration& parameter, const Element& element,
-                      const Attribute& attribute, Values values) {
-    Parsed parsed = parse_value(field_of(parameter), attribute.value);
-    if (!parsed.value) {
-      problems_.add(attribute.where, in_words(attribute, element) + ": " + parsed.problem);
+                      const Attribute& attribute, const Declared& declared) {
+    auto value = value_of(field_of(parameter), element, attribute);
+    if (!value) {
       return false;
     }
-    if (parameter.type == ParameterType::file &&
-        (!attribute.value.empty() || parameter.facts.required)) {
-      return read_file(parameter, element, attribute, values);
+    if (parameter.type != ParameterType::file ||
+        (attribute.value.empty() && !parameter.facts.required)) {
+      declared.values[parameter.name] = std::move(*value);
+      return true;
     }
-    values.parameters[parameter.name] = std::move(*parsed.value);
-    return true;
-  }
-
-  bool read_file(const ParameterDeclaration& parameter, const Element& element,
-                 const Attribute& attribute, Values values) {
     if (attribute.value.empty()) {
-      problems_.add(attribute.where,
-                    in_words(attribute, element) + ": expected the path of a file");
+      refuse_value(element, attribute, "expected the path of a file");
       return false;
     }
     const auto file = files_->find(attribute.value, attribute.where);
     if (!file) {
-      problems_.add(attribute.where,
-                    in_words(attribute, element) + ": " +
-                        files_->why_not(attribute.where, attribute.name, attribute.value));
+      refuse_value(element, attribute,
+                   files_->why_not(attribute.where, attribute.name, attribute.value));
       return false;
     }
-    const std::string path = Files::absolute(*file);
-    values.file_names[parameter.name] = {path, files_->name_for_world(*file, attribute.value)};
-    values.parameters[parameter.name] = path;
+    set_file(parameter, *file, files_->name_for_world(*file, attribute.value), declared);
     return true;
   }
 
-  // Checks the parameters without an attribute: they must not be required, and default files must
-  // exist.
-  bool complete(const std::vector<ParameterDeclaration>& parameters, const Element& element,
-                Values values) {
-    std::vector<Field> fields;
-    bool complete = true;
-    for (const ParameterDeclaration& parameter : parameters) {
-      fields.push_back(field_of(parameter));
-      if (parameter.type == ParameterType::file && !parameter.facts.required &&
-          !element.find(parameter.name)) {
-        complete &= find_default(parameter, element, values);
-      }
-    }
-    return has_required(fields, element) && complete;
+  static void set_file(const ParameterDeclaration& parameter, const std::string& file,
+                       const std::string& name, const Declared& declared) {
+    const std::string path = Files::absolute(file);
+    declared.file_names[parameter.name] = {path, name};
+    declared.values[parameter.name] = path;
   }
 
-  // A default file is looked for in the data directories.
-  bool find_default(const ParameterDeclaration& parameter, const Element& element, Values values) {
+  // A default file must exist where no other is given; it is looked for in the data directories.
+  bool has_default(const ParameterDeclaration& parameter, const Element& element,
+                   const Declared& declared) {
+    if (parameter.type != ParameterType::file || parameter.facts.required ||
+        element.find(parameter.name)) {
+      return true;
+    }
     const std::string& name = std::get<std::string>(parameter.default_value);
     if (name.empty()) {
       return true;
     }
     if (const auto file = files_->find_data(name)) {
-      const std::string path = Files::absolute(*file);
-      values.parameters[parameter.name] = path;
-      values.file_names[parameter.name] = {path, ""};
+      set_file(parameter, *file, "", declared);
       return true;
     }
     problems_.add(element.where, "<" + element.name + "> takes '" + name + "' for its parameter '" +

@@ -110,28 +110,40 @@ class Describe {
     return std::move(*this).attribute(name, type, std::move(facts), {}, nullptr, nullptr);
   }
 
+  /// A text of two choices, of which `yes` makes the member true.
+  template <class Owner>
+  Describe&& choice(const char* name, bool Owner::*member, ParameterFacts facts,
+                    const std::string& yes) && {
+    const std::string no = facts.choices[facts.choices[0] == yes ? 1 : 0];
+    const auto set = [member, yes](void* object, const ParameterValue& value) {
+      static_cast<Object*>(object)->*member = std::get<std::string>(value) == yes;
+    };
+    const auto get = [member, yes, no](const void* object) -> std::optional<ParameterValue> {
+      return static_cast<const Object*>(object)->*member ? yes : no;
+    };
+    return std::move(*this).attribute(name, ParameterType::text, std::move(facts), {}, set, get);
+  }
+
   /// At most one element. It describes a member that always exists.
   template <class Child>
   Describe&& one(ElementSpec child, Child Object::*member) && {
-    child.make = [member](void* parent, const Location& where) -> void* {
-      Child& made = static_cast<Object*>(parent)->*member;
-      note(made, where);
-      return &made;
-    };
-    child.parts = [member](const void* parent) {
-      return std::vector<DescribedObject>{{0, &(static_cast<const Object*>(parent)->*member)}};
-    };
-    spec_.children.push_back(std::move(child));
-    return std::move(*this);
+    return std::move(*this).child(
+        std::move(child), [member](Object& parent) { return &(parent.*member); },
+        [member](const Object& parent) {
+          return std::vector<DescribedObject>{{0, &(parent.*member)}};
+        });
   }
 
   /// At most one element that only holds others, which describe parts of this object or of its base
-  /// class.
+  /// class. In paths, its members are called as the first of them, unless members() says otherwise.
   template <class Base>
   Describe&& group(Describe<Base> child) && {
     static_assert(std::is_base_of_v<Base, Object>, "a group describes parts of the object itself");
     ElementSpec spec = std::move(child);
     spec.group = true;
+    if (spec.members.empty()) {
+      spec.members = spec.children.front().name;
+    }
     spec.make = [](void* parent, const Location&) -> void* {
       return static_cast<Base*>(static_cast<Object*>(parent));
     };
@@ -152,64 +164,44 @@ class Describe {
           [](const Child&) { return true; },
       const std::type_identity_t<std::function<void(Child&)>>& begin = [](Child&) {}) && {
     child.at_most = ElementSpec::kAnyNumber;
-    child.make = [list, begin](void* parent, const Location& where) -> void* {
-      Child& made = (static_cast<Object*>(parent)->*list).emplace_back();
-      note(made, where);
-      begin(made);
-      return &made;
-    };
-    child.parts = [list, is](const void* parent) {
-      const auto& objects = static_cast<const Object*>(parent)->*list;
-      std::vector<DescribedObject> parts;
-      for (std::size_t i = 0; i < objects.size(); ++i) {
-        if (is(objects[i])) {
-          parts.push_back({i, &objects[i]});
-        }
-      }
-      return parts;
-    };
-    spec_.children.push_back(std::move(child));
-    return std::move(*this);
+    return std::move(*this).child(
+        std::move(child),
+        [list, begin](Object& parent) {
+          Child* made = &(parent.*list).emplace_back();
+          begin(*made);
+          return made;
+        },
+        [list, is](const Object& parent) {
+          return listed(parent.*list,
+                        [&](const Child& each) { return is(each) ? &each : nullptr; });
+        });
   }
 
   /// Elements that each describe one alternative in a list of variants.
   template <class Alternative, class Variant>
-  Describe&& each_of(ElementSpec child, std::vector<Variant> Object::*list) && {
+  Describe&& each_of(Describe<Alternative> alternative, std::vector<Variant> Object::*list) && {
+    ElementSpec child = std::move(alternative);
     child.at_most = ElementSpec::kAnyNumber;
-    child.make = [list](void* parent, const Location& where) -> void* {
-      auto& objects = static_cast<Object*>(parent)->*list;
-      auto& made = std::get<Alternative>(objects.emplace_back(Alternative{}));
-      note(made, where);
-      return &made;
-    };
-    child.parts = [list](const void* parent) {
-      const auto& objects = static_cast<const Object*>(parent)->*list;
-      std::vector<DescribedObject> parts;
-      for (std::size_t i = 0; i < objects.size(); ++i) {
-        if (const auto* object = std::get_if<Alternative>(&objects[i])) {
-          parts.push_back({i, object});
-        }
-      }
-      return parts;
-    };
-    spec_.children.push_back(std::move(child));
-    return std::move(*this);
+    return std::move(*this).child(
+        std::move(child),
+        [list](Object& parent) {
+          return &std::get<Alternative>((parent.*list).emplace_back(Alternative{}));
+        },
+        [list](const Object& parent) {
+          return listed(parent.*list,
+                        [](const Variant& each) { return std::get_if<Alternative>(&each); });
+        });
   }
 
   /// At most one element. It describes a member that may be empty.
   template <class Child>
   Describe&& optional(ElementSpec child, std::optional<Child> Object::*member) && {
-    child.make = [member](void* parent, const Location& where) -> void* {
-      Child& made = (static_cast<Object*>(parent)->*member).emplace();
-      note(made, where);
-      return &made;
-    };
-    child.parts = [member](const void* parent) {
-      const auto& held = static_cast<const Object*>(parent)->*member;
-      return held ? std::vector<DescribedObject>{{0, &*held}} : std::vector<DescribedObject>{};
-    };
-    spec_.children.push_back(std::move(child));
-    return std::move(*this);
+    return std::move(*this).child(
+        std::move(child), [member](Object& parent) { return &(parent.*member).emplace(); },
+        [member](const Object& parent) {
+          const auto& held = parent.*member;
+          return held ? std::vector<DescribedObject>{{0, &*held}} : std::vector<DescribedObject>{};
+        });
   }
 
   /// The element has the name of a plugin of this kind.
@@ -270,11 +262,33 @@ class Describe {
   operator ElementSpec() && { return std::move(spec_); }  // NOLINT(google-explicit-constructor)
 
  private:
-  template <class Made>
-  static void note(Made& made, const Location& where) {
-    if constexpr (requires { made.location; }) {
-      made.location = where;
+  /// A child whose objects `make` makes in its parent and `parts` lists.
+  template <class Make, class Parts>
+  Describe&& child(ElementSpec child, Make make, Parts parts) && {
+    child.make = [make](void* parent, const Location& where) -> void* {
+      auto* const made = make(*static_cast<Object*>(parent));
+      if constexpr (requires { made->location; }) {
+        made->location = where;
+      }
+      return made;
+    };
+    child.parts = [parts](const void* parent) {
+      return parts(*static_cast<const Object*>(parent));
+    };
+    spec_.children.push_back(std::move(child));
+    return std::move(*this);
+  }
+
+  /// The objects of a list for which `described` is not null.
+  template <class List, class Function>
+  static std::vector<DescribedObject> listed(const List& objects, const Function& described) {
+    std::vector<DescribedObject> parts;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (const void* object = described(objects[i])) {
+        parts.push_back({i, object});
+      }
     }
+    return parts;
   }
 
   template <class Value>
