@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elsie/world/engine_facts.h"
-
 namespace elsie::world {
 
 void Differential::build(const Chassis& chassis, BodyPlan& plan) {
@@ -19,13 +17,16 @@ void Differential::build(const Chassis& chassis, BodyPlan& plan) {
          0,
          WheelJoint{.torque = chassis.wheel_torque}});
   }
-  const double radius = caster_radius(chassis);
+  // Two balls, in front and at the rear; light, so that their spin has no effect.
+  const double radius =
+      std::min({0.5 * chassis.clearance, 0.125 * chassis.length, chassis.wheel_radius});
+  const double half_base = 0.5 * chassis.length - 1.2 * radius;
   for (const bool front : {true, false}) {
     plan.parts.push_back({front ? "front_caster" : "rear_caster",
                           PartRole::caster,
                           Shape::sphere(radius),
-                          {.origin = {(front ? 1.0 : -1.0) * half_base(chassis), 0.0, radius}},
-                          kCasterMass * chassis.mass,
+                          {.origin = {(front ? 1.0 : -1.0) * half_base, 0.0, radius}},
+                          0.02 * chassis.mass,
                           0,
                           CasterJoint{}});
   }

@@ -10,6 +10,7 @@
 
 #include "ids.h"
 #include "path.h"
+#include "refusals.h"
 
 namespace elsie::world {
 
@@ -150,12 +151,9 @@ void take_out(const std::vector<Place>& places, const std::string& attribute,
   }
   const bool has_default = is_running && places.front().spec->attribute(attribute);
   if (found == 0 && !has_default) {
-    std::vector<std::string> given;
-    for (const Attribute& each : places.front().element->attributes) {
-      given.push_back(each.name);
-    }
-    fail("<" + places.front().element->name + "> is given no '" + attribute + "'" +
-         base::near_or_all(attribute, given, "it is given"));
+    const Element& first = *places.front().element;
+    fail("<" + first.name + "> is given no '" + attribute + "'" +
+         base::near_or_all(attribute, names_of(first.attributes), "it is given"));
   }
 }
 
@@ -187,16 +185,13 @@ void apply_override(Element& world, const std::string& override, bool is_running
     }
     const Path path = parse_path(std::string_view(override).substr(0, equals));
     const std::string value = override.substr(equals + 1);
-    if (path.from_attribute) {
-      take_out(find_places(world, path), path.attribute, value, is_running);
-      yield_ids(world, vocabulary());
-      return;
-    }
-    if (path.attribute == kRemove) {
+    if (path.attribute == kRemove && !path.from_attribute) {
       mark(find_places(world, path), value, where);
       return;
     }
-    if (path.attribute.empty()) {
+    if (path.from_attribute) {
+      take_out(find_places(world, path), path.attribute, value, is_running);
+    } else if (path.attribute.empty()) {
       const Element given = element_of(value, where);
       if (concern_of(override) != Concern::robots) {
         require_without_removals(given);
@@ -208,14 +203,13 @@ void apply_override(Element& world, const std::string& override, bool is_running
           replace(*place.element, given);
         }
       }
-      yield_ids(world, vocabulary());  // completed are those of what stands in the new element
-      return;
+    } else {
+      for (const Place& place : find_places(world, path)) {
+        place.element->set(path.attribute, value, where);
+      }
     }
-    for (const Place& place : find_places(world, path)) {
-      place.element->set(path.attribute, value, where);
-    }
-    if (path.attribute == "id") {
-      yield_ids(world, vocabulary());
+    if (path.from_attribute || path.attribute.empty() || path.attribute == "id") {
+      yield_ids(world, vocabulary());  // completed are those of what stands in a new element
     }
   } catch (const WorldError& error) {
     problems.add(where, error.problems().front().message);

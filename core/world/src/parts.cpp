@@ -37,10 +37,9 @@ BodyPlan unchecked_plan(const Chassis& chassis, Drive& drive) {
 void add_segments(BodyPlan& plan, std::span<const Segment> segments) {
   const std::vector<Coupling> chain = couplings(plan, segments);
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    const Coupling& c = chain[i];
     const std::size_t vehicle = plan.vehicles();
     std::vector<Part> parts = parts_of(segments[i]);
-    parts[0].joint = HitchJoint{c.behind, c.ahead, c.height, c.max_yaw_rad, c.max_pitch_rad};
+    parts[0].joint = HitchJoint(chain[i]);
     for (Part& part : parts) {
       part.name = segments[i].id + "/" + part.name;
       part.vehicle = vehicle;
@@ -74,17 +73,6 @@ Fixture fixture_of(const Charger& charger, std::size_t index) {
   return upright(Fixture::Kind::charger, index, {charger.x, charger.y, 0.0}, 0.0,
                  charger.seen_by_range_sensors ? Shape::box({edge, edge, edge})
                                                : Shape::pillar(charger.radius, 0.0));
-}
-
-std::vector<Fixture> fixtures_of(const World& world) {
-  std::vector<Fixture> all = walls_of(world.arena);
-  for (std::size_t i = 0; i < world.boxes.size(); ++i) {
-    all.push_back(fixture_of(world.boxes[i], i));
-  }
-  for (std::size_t i = 0; i < world.chargers.size(); ++i) {
-    all.push_back(fixture_of(world.chargers[i], i));
-  }
-  return all;
 }
 
 Chassis chassis_of(const RobotBody& body) {

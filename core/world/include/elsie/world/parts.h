@@ -28,8 +28,6 @@ struct Fixture {
 std::vector<Fixture> walls_of(const Arena& arena);
 Fixture fixture_of(const Box& box, std::size_t index = 0);
 Fixture fixture_of(const Charger& charger, std::size_t index = 0);
-/// All of them: walls, then boxes (resources among them), then chargers, each in file order.
-std::vector<Fixture> fixtures_of(const World& world);
 
 /// What a drive gets to know of a body.
 Chassis chassis_of(const RobotBody& body);

@@ -8,16 +8,9 @@
 
 namespace elsie::world {
 
-/// The joint between a segment and the body in front, the robot or another segment. It has two
-/// degrees of freedom: yaw about the front body's vertical axis and pitch about the segment's
-/// transverse axis.
-struct Coupling {
-  double behind = 0.0;         // m, of the joint behind the middle of the body in front
-  double ahead = 0.0;          // m, of the joint ahead of the segment's middle
-  double height = 0.0;         // m, of the joint above the floor
-  double max_yaw_rad = 0.0;    // to either side
-  double max_pitch_rad = 0.0;  // upwards and downwards
-  double place = 0.0;          // m, of the segment's middle behind the robot's, in a straight train
+/// The joint between a segment and the body in front, the robot or another segment.
+struct Coupling : HitchJoint {
+  double place = 0.0;  // m, of the segment's middle behind the robot's, in a straight train
 };
 
 /// One for each segment behind the last vehicle of a body. By default the joint is in the middle of
