@@ -22,16 +22,11 @@ struct AttributeExtras {
   std::optional<Cost> cost = std::nullopt;  // that of its element
 };
 
+// What a member holds, if it holds something.
 template <class Value>
-struct OptionalOf {
-  using type = Value;
-  static constexpr bool value = false;
-};
+Value held_by(const std::optional<Value>&);
 template <class Value>
-struct OptionalOf<std::optional<Value>> {
-  using type = Value;
-  static constexpr bool value = true;
-};
+Value held_by(const Value&);
 
 template <class Object>
 class Describe {
@@ -52,23 +47,31 @@ class Describe {
   template <class Owner, class Member>
   Describe&& attribute(const char* name, Member Owner::*member, ParameterFacts facts,
                        AttributeExtras extras = {}) && {
-    using Value = typename OptionalOf<Member>::type;
+    using Value = decltype(held_by(std::declval<Member>()));
     const auto set = [member](void* object, const ParameterValue& value) {
-      static_cast<Object*>(object)->*member = from_parameter<Value>(value);
+      Value read{};
+      if constexpr (std::is_same_v<Value, Colour>) {
+        read = colour_of(std::get<std::string>(value));
+      } else {
+        detail::from_value(value, read);
+      }
+      static_cast<Object*>(object)->*member = std::move(read);
     };
     const auto get = [member](const void* object) -> std::optional<ParameterValue> {
-      const Member& held = static_cast<const Object*>(object)->*member;
-      if constexpr (OptionalOf<Member>::value) {
-        return held ? std::optional(to_parameter(*held)) : std::nullopt;
+      const std::optional<Value> held = static_cast<const Object*>(object)->*member;
+      if constexpr (std::is_same_v<Value, Colour>) {
+        return held ? std::optional(format_colour(*held)) : std::nullopt;
       } else {
-        return to_parameter(held);
+        return held ? std::optional(detail::to_value(*held)) : std::nullopt;
       }
     };
+    ParameterType type = ParameterType::text;
     if constexpr (std::is_same_v<Value, Colour>) {
       extras.form = TextForm::colour;
+    } else {
+      type = detail::type_of<Value>();
     }
-    auto&& described = std::move(*this).attribute(name, parameter_type<Value>(), std::move(facts),
-                                                  extras, set, get);
+    auto&& described = std::move(*this).attribute(name, type, std::move(facts), extras, set, get);
     if constexpr (std::is_same_v<Value, std::int64_t>) {
       AttributeSpec& attribute = spec_.attributes.back();
       attribute.lowest = static_cast<double>(std::numeric_limits<std::int64_t>::min());
@@ -289,35 +292,6 @@ class Describe {
       }
     }
     return parts;
-  }
-
-  template <class Value>
-  static constexpr ParameterType parameter_type() {
-    if constexpr (std::is_same_v<Value, Colour>) {
-      return ParameterType::text;
-    } else {
-      return detail::type_of<Value>();
-    }
-  }
-
-  template <class Value>
-  static Value from_parameter(const ParameterValue& value) {
-    if constexpr (std::is_same_v<Value, Colour>) {
-      return colour_of(std::get<std::string>(value));
-    } else {
-      Value result{};
-      detail::from_value(value, result);
-      return result;
-    }
-  }
-
-  template <class Value>
-  static ParameterValue to_parameter(const Value& value) {
-    if constexpr (std::is_same_v<Value, Colour>) {
-      return format_colour(value);
-    } else {
-      return detail::to_value(value);
-    }
   }
 
   ElementSpec spec_;
