@@ -9,6 +9,7 @@
 #include <tinyxml2.h>
 
 #include "elsie/base/read_whole.h"
+#include "elsie/plugin/parameters.h"
 #include "elsie/world/error.h"
 #include "elsie/world/escaped.h"
 #include "elsie/world/files.h"
@@ -68,9 +69,7 @@ Element element_of(const tinyxml2::XMLElement& source, const std::string& file) 
 }  // namespace
 
 const Attribute* Element::find(std::string_view attribute) const {
-  const auto found = std::find_if(attributes.begin(), attributes.end(),
-                                  [&](const Attribute& a) { return a.name == attribute; });
-  return found == attributes.end() ? nullptr : &*found;
+  return plugin::find_declared(attributes, attribute);
 }
 
 std::string Element::value(std::string_view attribute) const {
@@ -79,15 +78,12 @@ std::string Element::value(std::string_view attribute) const {
 }
 
 void Element::set(std::string_view attribute, std::string value, const Location& place) {
-  for (Attribute& a : attributes) {
-    if (a.name == attribute) {
-      a.value = std::move(value);
-      a.where = place;
-      a.completed = false;
-      return;
-    }
+  if (const Attribute* known = find(attribute)) {
+    attributes[static_cast<std::size_t>(known - attributes.data())] = {known->name,
+                                                                       std::move(value), place};
+  } else {
+    attributes.push_back({std::string(attribute), std::move(value), place});
   }
-  attributes.push_back({std::string(attribute), std::move(value), place});
 }
 
 void Element::erase(std::string_view attribute) {
@@ -99,9 +95,7 @@ Element* Element::child(std::string_view child_name) {
 }
 
 const Element* Element::child(std::string_view child_name) const {
-  const auto found = std::find_if(children.begin(), children.end(),
-                                  [&](const Element& e) { return e.name == child_name; });
-  return found == children.end() ? nullptr : &*found;
+  return plugin::find_declared(children, child_name);
 }
 
 std::string read_text(const std::string& file) {

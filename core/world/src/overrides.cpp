@@ -1,5 +1,4 @@
 // --set PATH=VALUE: changes the tree of a world before it is checked.
-
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
@@ -16,20 +15,7 @@ namespace elsie::world {
 
 namespace {
 
-constexpr std::string_view kRemove = "remove";
-
 [[noreturn]] void fail(const std::string& message) { throw std::invalid_argument(message); }
-
-void place(Element& element, const Location& where) {
-  element.where = where;
-  element.text_line = where.line;
-  for (Attribute& attribute : element.attributes) {
-    attribute.where = where;
-  }
-  for (Element& child : element.children) {
-    place(child, where);
-  }
-}
 
 Element element_of(const std::string& text, const Location& where) {
   if (!text.starts_with('<')) {
@@ -39,38 +25,40 @@ Element element_of(const std::string& text, const Location& where) {
         "robot[r1]/coordinator=<arbiter_suppression/>");
   }
   Element element = parse_markup(text, where.file);
-  place(element, where);
+  for_each_element(element, [&](Element& each) {
+    each.where = where;
+    each.text_line = where.line;
+    for (Attribute& attribute : each.attributes) {
+      attribute.where = where;
+    }
+  });
   return element;
 }
 
-bool is_from_set(const Location& where) { return where.file.starts_with("--set "); }
-
 // An override in the element that did not come with the element itself; or null.
-const Location* set_in(const Element& element, const Location& own) {
-  const auto foreign = [&](const Location& where) {
-    return is_from_set(where) && where.file != own.file;
+const Location* set_in(const Element& root) {
+  const Location* found = nullptr;
+  const auto note = [&](const Location& where) {
+    if (!found && where.file.starts_with("--set ") && where.file != root.where.file) {
+      found = &where;
+    }
   };
-  if (element.removed_by) {
-    return &*element.removed_by;
-  }
-  for (const Attribute& attribute : element.attributes) {
-    if (foreign(attribute.where)) {
-      return &attribute.where;
+  for_each_element(root, [&](const Element& element) {
+    note(element.where);
+    if (element.removed_by) {
+      note(*element.removed_by);
     }
-  }
-  for (const Element& child : element.children) {
-    const Location* found = foreign(child.where) ? &child.where : set_in(child, own);
-    if (found) {
-      return found;
+    for (const Attribute& attribute : element.attributes) {
+      note(attribute.where);
     }
-  }
-  return nullptr;
+  });
+  return found;
 }
 
 // It keeps its id, unless the new one brings another or the old one was only its name: then ids are
 // completed as in a file.
 void replace(Element& element, const Element& given) {
-  if (const Location* lost = set_in(element, element.where)) {
+  if (const Location* lost = set_in(element)) {
     fail("this replaces the element in which '" + lost->file.substr(6) +
          "' is set before; set that afterwards, or in the new element");
   }
@@ -87,14 +75,13 @@ void replace(Element& element, const Element& given) {
 
 // `remove` in an element means what a template has under the same id; here there is no template.
 void require_without_removals(const Element& given) {
-  if (given.find(kRemove)) {
-    fail("nothing stands under <" + given.name +
-         " remove=\"...\"> that could be taken away; to remove an element, end its path with @" +
-         std::string(kRemove) + "=true");
-  }
-  for (const Element& child : given.children) {
-    require_without_removals(child);
-  }
+  for_each_element(given, [](const Element& element) {
+    if (element.find("remove")) {
+      fail("nothing stands under <" + element.name +
+           " remove=\"...\"> that could be taken away; to remove an element, end its path with "
+           "@remove=true");
+    }
+  });
 }
 
 // Members of lists can be removed, coordinators, and what a plugin declares; what every world or
@@ -105,12 +92,11 @@ void require_removable(const Place& place) {
   if (spec.root) {
     fail(
         "the world itself cannot be removed; expected the path of something in it, as in "
-        "robot[r1]/@" +
-        std::string(kRemove));
+        "robot[r1]/@remove");
   }
   if (spec.group) {
     fail(tag + " is a list and cannot be removed; to empty it, remove what stands in it: " +
-         spec.members + "[*]/@" + std::string(kRemove));
+         spec.members + "[*]/@remove");
   }
   const bool is_listed = spec.at_most > 1 || spec.plugins || &spec == &nested_element();
   if (!is_listed) {
@@ -122,7 +108,7 @@ void require_removable(const Place& place) {
 
 void require_true_or_false(const std::vector<Place>& places, const std::string& value) {
   if (value != "true" && value != "false") {
-    fail(std::string(kRemove) + "=\"" + value + "\" of <" +
+    fail("remove=\"" + value + "\" of <" +
          (places.empty() ? "robot" : places.front().element->name) + ">: expected true or false");
   }
 }
@@ -166,7 +152,7 @@ Concern concern_of(const std::string& override) {
     if (last == "robot" || last == "robots") {
       return path.attribute.empty()         ? Concern::robots
              : path.attribute == "template" ? Concern::templates
-             : path.attribute == kRemove    ? Concern::removed_robots
+             : path.attribute == "remove"   ? Concern::removed_robots
                                             : Concern::other;
     }
   } catch (const std::invalid_argument&) {
@@ -185,7 +171,7 @@ void apply_override(Element& world, const std::string& override, bool is_running
     }
     const Path path = parse_path(std::string_view(override).substr(0, equals));
     const std::string value = override.substr(equals + 1);
-    if (path.attribute == kRemove && !path.from_attribute) {
+    if (path.attribute == "remove" && !path.from_attribute) {
       mark(find_places(world, path), value, where);
       return;
     }

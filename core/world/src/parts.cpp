@@ -92,15 +92,7 @@ Chassis chassis_of(const RobotBody& body) {
 std::vector<Part> parts_of(const Segment& d) {
   std::vector<Part> parts{
       chassis_part(Shape::box({d.length, d.width, d.height}), d.clearance, d.mass)};
-  for (const bool left : {true, false}) {
-    parts.push_back({left ? "left_wheel" : "right_wheel",
-                     PartRole::wheel,
-                     Shape::wheel(d.wheel_radius, d.wheel_width),
-                     {.origin = {0.0, (left ? 1.0 : -1.0) * d.half_axle(), d.wheel_radius}},
-                     0.0,
-                     0,
-                     WheelJoint{}});
-  }
+  add_wheels(parts, Shape::wheel(d.wheel_radius, d.wheel_width), d.half_axle(), 0.0, {});
   return parts;
 }
 

@@ -4,10 +4,12 @@
 #include <charconv>
 #include <functional>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
+#include "elsie/plugin/parameters.h"
 #include "elsie/world/error.h"
 #include "elsie/world/vocabulary.h"
 
@@ -22,11 +24,6 @@ const ElementSpec& nested_element() {
 namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
-
-bool is_among(const std::vector<ElementSpec>& specs, const std::string& name) {
-  return std::any_of(specs.begin(), specs.end(),
-                     [&](const ElementSpec& spec) { return spec.name == name; });
-}
 
 // The children that a step of this name means: those of groups, too.
 std::vector<Place> children(const Place& place, const std::string& name) {
@@ -54,9 +51,9 @@ std::vector<Place> children(const Place& place, const std::string& name) {
       }
     }
   }
-  if (place.spec->plugins) {
+  if (place.spec->plugins && !plugin::find_declared(place.spec->below(), name)) {
     for (Element& child : place.element->children) {
-      if (child.name == name && !is_among(place.spec->below(), name)) {
+      if (child.name == name) {
         found.push_back({&child, &nested_element()});
       }
     }
@@ -70,28 +67,26 @@ std::vector<Place> children(const Place& place, const std::string& name) {
 
 // The names that a step may have here.
 std::vector<std::string> names_at(const Place& place) {
-  std::vector<std::string> names;
+  std::set<std::string> names;
   for (const ElementSpec& spec : place.spec->below()) {
     // What a plugin's element may hold is known by what is there.
     if (place.spec->plugins && !place.element->child(spec.name)) {
       continue;
     }
-    names.push_back(spec.name);
-    if (spec.group && spec.members != spec.name) {
-      names.push_back(spec.members);
+    names.insert(spec.name);
+    if (spec.group) {
+      names.insert(spec.members);
     }
   }
   for (const Element& child : place.element->children) {
     if (place.spec->plugins) {
-      names.push_back(child.name);
+      names.insert(child.name);
     }
     for (const Element& member : child.children) {
-      names.push_back(member.name);
+      names.insert(member.name);
     }
   }
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  return names;
+  return {names.begin(), names.end()};
 }
 
 // None if the whole text is no number.

@@ -60,14 +60,6 @@ void leave_bodies_only(Element& root, const plugin::Host& host) {
   }
 }
 
-// Element::object: the number of the element's start tag in the text.
-void number(Element& element, std::size_t& count) {
-  element.object = count++;
-  for (Element& child : element.children) {
-    number(child, count);
-  }
-}
-
 }  // namespace
 
 World read_world(const std::string& file, const plugin::Host& host, const ReadOptions& options) {
@@ -86,7 +78,7 @@ Element tree_of_world(std::string_view text, const std::string& file,
               {"experiment", "this file is an experiment, which names worlds; " + right}},
              problems);
   std::size_t count = 0;
-  number(root, count);
+  for_each_element(root, [&](Element& element) { element.object = count++; });
   complete_ids(root, vocabulary());
   return root;
 }

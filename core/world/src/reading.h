@@ -11,10 +11,6 @@
 #include "elsie/world/object_reader.h"
 #include "elsie/world/reader.h"
 
-namespace elsie::plugin {
-class Host;
-}
-
 namespace elsie::world {
 
 class Files;

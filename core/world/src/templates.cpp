@@ -21,12 +21,8 @@ namespace {
 
 // The list of this name in a robot, or in a behaviour that holds others; null if there is none.
 const ElementSpec* list_in(const ElementSpec& holder, const std::string& name) {
-  for (const ElementSpec& each : holder.below()) {
-    if (each.group && each.name == name) {
-      return &each;
-    }
-  }
-  return nullptr;
+  const ElementSpec* found = plugin::find_declared(holder.below(), name);
+  return found && found->group ? found : nullptr;
 }
 
 // The plugin's list that an element belongs to; an unknown element has a list of its own.

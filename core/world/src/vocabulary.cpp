@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "elsie/plugin/parameters.h"
 #include "elsie/world/facts.h"
 
 #include "robot_vocabulary.h"
@@ -242,15 +243,11 @@ ElementSpec world() {
 }  // namespace
 
 const AttributeSpec* ElementSpec::attribute(const std::string& attribute_name) const {
-  const auto found = std::find_if(attributes.begin(), attributes.end(),
-                                  [&](const AttributeSpec& a) { return a.name == attribute_name; });
-  return found == attributes.end() ? nullptr : &*found;
+  return plugin::find_declared(attributes, attribute_name);
 }
 
 const ElementSpec* ElementSpec::child(const std::string& child_name) const {
-  const auto found = std::find_if(children.begin(), children.end(),
-                                  [&](const ElementSpec& e) { return e.name == child_name; });
-  return found == children.end() ? nullptr : &*found;
+  return plugin::find_declared(children, child_name);
 }
 
 const std::vector<ElementSpec>& ElementSpec::below() const {

@@ -39,15 +39,6 @@ constexpr int kMostAttempts = 8;
   throw WorldError({{"--set " + edit, 0, message}});
 }
 
-void number_rest(Element& element, std::size_t& count) {
-  if (!element.object) {
-    element.object = count++;
-  }
-  for (Element& child : element.children) {
-    number_rest(child, count);
-  }
-}
-
 // Puts what an element holds once into the order of the vocabulary: in a file, any order will do.
 void put_in_order(Element& element, const ElementSpec& spec = world::vocabulary()) {
   const bool of_plugins = spec.group && spec.children.front().plugins;
@@ -88,7 +79,14 @@ class Comparison {
   Comparison(Element& wanted, Additions& additions, const std::string& edit,
              const plugin::Host& host)
       : additions_(additions), edit_(edit), host_(host) {
-    note_values(wanted);
+    // What may be a use of a name, or another thing with that name.
+    world::for_each_element(wanted, [&](const Element& element) {
+      for (const Attribute& attribute : element.attributes) {
+        if (!attribute.completed) {
+          used_.insert(attribute.value);
+        }
+      }
+    });
   }
 
   // If they differ, notes what the text must say besides, in the additions or as attributes of
@@ -189,18 +187,6 @@ class Comparison {
     wanted.set(attribute, world::format_value(*field->default_value), {edit_, 0});
   }
 
-  // What may be a use of a name, or another thing with that name.
-  void note_values(const Element& element) {
-    for (const Attribute& attribute : element.attributes) {
-      if (!attribute.completed) {
-        used_.insert(attribute.value);
-      }
-    }
-    for (const Element& child : element.children) {
-      note_values(child);
-    }
-  }
-
   Additions& additions_;
   const std::string& edit_;
   const plugin::Host& host_;
@@ -293,7 +279,11 @@ class Document::Impl {
     put_in_order(result.raw);
     put_in_order(result.merged);
     std::size_t count = result.spans.size();
-    number_rest(result.merged, count);
+    world::for_each_element(result.merged, [&](Element& element) {
+      if (!element.object) {
+        element.object = count++;
+      }
+    });
     return result;
   }
 

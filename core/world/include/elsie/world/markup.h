@@ -38,6 +38,15 @@ struct Element {
   const Element* child(std::string_view child_name) const;
 };
 
+/// Calls `visit` with an element and all in it, each before those that it holds.
+template <class AnyElement, class Function>
+void for_each_element(AnyElement& root, const Function& visit) {
+  visit(root);
+  for (auto& child : root.children) {
+    for_each_element(child, visit);
+  }
+}
+
 /// Where an element stands in a text; all places are counted in bytes.
 struct ElementSpan {
   struct Attribute {
