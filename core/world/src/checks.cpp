@@ -12,7 +12,6 @@
 #include "elsie/base/words.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/parts.h"
-#include "elsie/world/train.h"
 
 #include "reading.h"
 

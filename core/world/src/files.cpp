@@ -36,35 +36,27 @@ bool Files::given_by_hand(const Location& from) const {
 }
 
 std::optional<std::string> Files::find(const std::string& name, const Location& from) const {
-  if (known_.contains(name)) {
-    return find_data(name);
-  }
-  if (auto beside = file_in(folder(from), name)) {
-    return noted(name, *beside);
-  }
+  std::vector<std::string> folders{folder(from)};
   if (given_by_hand(from)) {
-    if (auto here = file_in(".", name)) {
-      return noted(name, *here);
-    }
+    folders.emplace_back(".");
   }
-  return find_data(name);
+  return search(name, std::move(folders));
 }
 
 std::optional<std::string> Files::find_data(const std::string& name) const {
-  if (const auto known = known_.find(name); known != known_.end()) {
-    return noted(name, known->second);
-  }
-  for (const std::string& directory : data_directories_) {
-    if (auto found = file_in(directory, name)) {
-      return noted(name, *found);
-    }
-  }
-  return std::nullopt;
+  return search(name, {});
 }
 
-std::optional<std::string> Files::noted(const std::string& name, std::string path) const {
-  if (found_) {
-    found_->try_emplace(name, absolute(path));
+std::optional<std::string> Files::search(const std::string& name,
+                                         std::vector<std::string> folders) const {
+  const auto known = known_.find(name);
+  auto path = known == known_.end() ? std::nullopt : std::optional(known->second);
+  folders.insert(folders.end(), data_directories_.begin(), data_directories_.end());
+  for (auto folder = folders.begin(); !path && folder != folders.end(); ++folder) {
+    path = file_in(*folder, name);
+  }
+  if (path && found_) {
+    found_->try_emplace(name, absolute(*path));
   }
   return path;
 }

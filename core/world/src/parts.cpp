@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "elsie/world/train.h"
-
 #include "differential.h"
 
 namespace elsie::world {

@@ -36,30 +36,6 @@ void add_default_teams(std::vector<Team>& teams) {
   teams = std::move(all);
 }
 
-// Leaves only what a picture of the arena shows, goals at places included.
-// A drive whose plugin is not there is drawn as the default one.
-void leave_bodies_only(Element& root, const plugin::Host& host) {
-  const auto drop = [](Element& from, std::initializer_list<std::string_view> parts) {
-    std::erase_if(from.children, [&](const Element& part) {
-      return std::find(parts.begin(), parts.end(), part.name) != parts.end();
-    });
-  };
-  drop(root, {"limits", "measures", "changes"});
-  if (Element* goals = root.child("goals")) {
-    drop(*goals, {"endure"});
-  }
-  if (Element* robots = root.child("robots")) {
-    for (Element& robot : robots->children) {
-      drop(robot, {"sensors", "behaviors", "coordinator"});
-      const Element* drive = robot.child("drive");
-      if (drive && !drive->children.empty() &&
-          !host.find(PluginKind::drive, drive->children.front().name)) {
-        drop(robot, {"drive"});
-      }
-    }
-  }
-}
-
 }  // namespace
 
 World read_world(const std::string& file, const plugin::Host& host, const ReadOptions& options) {
@@ -68,8 +44,8 @@ World read_world(const std::string& file, const plugin::Host& host, const ReadOp
 }
 
 Element tree_of_world(std::string_view text, const std::string& file,
-                      std::vector<ElementSpan>& spans) {
-  Element root = parse_markup(text, file, "world", &spans);
+                      std::vector<ElementSpan>* spans) {
+  Element root = parse_markup(text, file, "world", spans);
   Problems problems;
   const std::string right = "expected <world format=\"" + std::to_string(kFormat) + "\">";
   check_root(root, "world", kFormat,
@@ -88,8 +64,7 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
   Problems problems;
   const Files files(file, options.data_directories, options.overrides_from, options.files,
                     options.found);
-  std::vector<ElementSpan> spans;
-  Element root = tree_of_world(text, file, spans);
+  Element root = tree_of_world(text, file);
   const auto apply = [&](const std::string& override) {
     const Concern concern = concern_of(override);
     if (options.is_running && concern == Concern::templates) {
@@ -120,10 +95,6 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
 World world_of_tree(Element root, const std::string& file, const plugin::Host& host,
                     const Files& files, const ReadOptions& options, Problems& problems) {
   remove_overridden(root);
-  if (options.bodies_only) {
-    leave_bodies_only(root, host);
-  }
-
   Reading reading = read_tree(root, host, files, options.check_plugins, problems);
   World& world = reading.world;
   world.file = file;

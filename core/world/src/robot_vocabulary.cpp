@@ -1,5 +1,4 @@
-#include "robot_vocabulary.h"
-
+// The part of the vocabulary about robots.
 #include "elsie/world/facts.h"
 
 namespace elsie::world {
@@ -155,11 +154,12 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
 
 }  // namespace
 
-ElementSpec robot_element() {
-  return with_robot_content(
+const ElementSpec& robot_spec() {
+  static const ElementSpec table = with_robot_content(
       Describe<Robot>("robot", "A chassis on a drive, with sensors and behaviours")
           .costs(Cost::engine)
           .attribute("id", &Robot::id, fact("its name"), kRequiredId));
+  return table;
 }
 
 const ElementSpec& template_vocabulary() {

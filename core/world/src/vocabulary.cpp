@@ -5,8 +5,6 @@
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/facts.h"
 
-#include "robot_vocabulary.h"
-
 namespace elsie::world {
 
 namespace {
@@ -231,7 +229,7 @@ ElementSpec world() {
       .group(obstacles())
       .group(boxes({"resources", "Boxes to be collected"}, resource(), BoxKind::resource))
       .group(Describe<World>("chargers", "Where robots charge").each(charger(), &World::chargers))
-      .group(Describe<World>("robots", "The robots").each(robot_element(), &World::robots))
+      .group(Describe<World>("robots", "The robots").each(robot_spec(), &World::robots))
       .group(goals())
       .group(Describe<World>("measures", "What is measured in a run, beside what every run tells")
                  .each(measure(), &World::measures))

@@ -6,6 +6,7 @@
 
 #include "elsie/base/number_text.h"
 #include "elsie/world/engine_facts.h"
+#include "elsie/world/error.h"
 #include "elsie/world/footprint.h"
 
 namespace elsie::world {
@@ -269,11 +270,8 @@ class Search {
 }  // namespace
 
 std::string Warning::text() const {
-  const std::string place =
-      location.file.empty()
-          ? ""
-          : location.file + (location.line > 0 ? ":" + std::to_string(location.line) : "") + ": ";
-  return place + "warning: " + message;
+  const std::string sentence = "warning: " + message;
+  return location.file.empty() ? sentence : Problem{location.file, location.line, sentence}.text();
 }
 
 std::vector<Warning> warnings(const World& world) { return Search(world).find(); }

@@ -271,7 +271,7 @@ class Document::Impl {
   WorldText read(std::string text) const {
     WorldText result;
     result.text = std::move(text);
-    result.raw = world::tree_of_world(result.text, file_, result.spans);
+    result.raw = world::tree_of_world(result.text, file_, &result.spans);
     result.merged = result.raw;
     Problems problems;
     world::merge_templates(result.merged, host_, files_, problems);

@@ -50,7 +50,9 @@ class Files {
   static std::string absolute(const std::string& file);
 
  private:
-  std::optional<std::string> noted(const std::string& name, std::string path) const;
+  /// In these folders, then in the data directories.
+  std::optional<std::string> search(const std::string& name,
+                                    std::vector<std::string> folders) const;
   std::string folder(const Location& from) const;
   std::string advice(const std::string& attribute, const std::string& value) const;
   bool given_by_hand(const Location& from) const;

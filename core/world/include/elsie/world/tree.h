@@ -22,10 +22,10 @@ namespace elsie::world {
 class Files;
 
 /// The tree of the text of a world: its root element is checked, and its ids are complete. `spans`
-/// are the places of its elements, whose Element::object is their place in this list. Throws
+/// gets the places of its elements, whose Element::object is their place in this list. Throws
 /// WorldError if the text is not well-formed or has another root element.
 Element tree_of_world(std::string_view text, const std::string& file,
-                      std::vector<ElementSpan>& spans);
+                      std::vector<ElementSpan>* spans = nullptr);
 
 /// Merges templates into all robots of a world.
 ///
