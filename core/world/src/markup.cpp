@@ -113,10 +113,10 @@ std::string read_text(const std::string& file) {
                : "this is a link to '" + fs::read_symlink(file, ignored).string() +
                      "', but there is no such file");
     }
-    const std::string near = near_file(file);
+    const fs::path path(file);
     fail(file, 0,
          "there is no such file" +
-             (near.empty() ? "" : "; did you mean '" + fs::path(near).filename().string() + "'?"));
+             did_you_mean_file(path.filename().string(), {path.parent_path().string()}));
   }
   try {
     return base::read_whole(file, 32'000'000);

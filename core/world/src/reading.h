@@ -31,11 +31,13 @@ struct Reading {
   /// Robots, by their places in World::robots, with a template or a plugin that could not be found.
   std::set<std::size_t> incomplete_robots;
 
-  bool sound(const Location& where) const {
-    return std::none_of(flawed.begin(), flawed.end(), [&](const Flawed& each) {
-      return !each.spec->plugins && each.where.file == where.file && each.where.line == where.line;
+  bool has_flaw(const Location& where, bool of_plugins = true) const {
+    return std::any_of(flawed.begin(), flawed.end(), [&](const Flawed& each) {
+      return (of_plugins || !each.spec->plugins) && each.where.file == where.file &&
+             each.where.line == where.line;
     });
   }
+  bool sound(const Location& where) const { return !has_flaw(where, false); }
   bool sound_with_segments(const Robot& robot) const {
     return sound(robot.location) &&
            std::all_of(robot.segments.begin(), robot.segments.end(),

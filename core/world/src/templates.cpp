@@ -1,5 +1,6 @@
 // Robot templates: files whose content a robot element takes over and overrides.
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -7,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/base/words.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/files.h"
@@ -34,11 +36,8 @@ std::string declared_list(const Declaration* declaration, const std::string& ele
 
 void inherit_attributes(Element& over, const Element& base) {
   std::vector<Attribute> inherited;
-  for (const Attribute& attribute : base.attributes) {
-    if (!over.find(attribute.name)) {
-      inherited.push_back(attribute);
-    }
-  }
+  std::copy_if(base.attributes.begin(), base.attributes.end(), std::back_inserter(inherited),
+               [&](const Attribute& attribute) { return !over.find(attribute.name); });
   over.attributes.insert(over.attributes.end(), inherited.begin(), inherited.end());
 }
 
@@ -56,10 +55,8 @@ class Templates {
     const Attribute from = *reference;
     robot.erase("template");
     const auto file = files_.find(from.value, from.where);
-    const Element* base = nullptr;
-    if (file) {
-      base = load(*file, from.where);
-    } else {
+    const Element* base = file ? load(*file, from.where) : nullptr;
+    if (!file) {
       problems_.add(from.where, "the template '" + from.value + "' is not there; looked " +
                                     files_.places(from.where, from.name, from.value));
     }
@@ -73,15 +70,13 @@ class Templates {
  private:
   const Element* load(const std::string& file, const Location& from) {
     const std::string key = Files::absolute(file);
-    if (const auto cycle =
-            std::find_if(open_.begin(), open_.end(),
-                         [&](const std::string& open) { return Files::absolute(open) == key; });
-        cycle != open_.end()) {
-      std::string chain;
-      for (auto i = cycle; i != open_.end(); ++i) {
-        chain += *i + " -> ";
-      }
-      problems_.add(from, "a template includes itself: " + chain + file);
+    const auto cycle = std::find_if(open_.begin(), open_.end(), [&](const std::string& open) {
+      return Files::absolute(open) == key;
+    });
+    if (cycle != open_.end()) {
+      std::vector<std::string> chain(cycle, open_.end());
+      chain.push_back(file);
+      problems_.add(from, "a template includes itself: " + base::joined(chain, " -> "));
       return nullptr;
     }
     if (const auto known = loaded_.find(key); known != loaded_.end()) {
@@ -171,7 +166,6 @@ class Templates {
     std::vector<Element> merged = base.children;
     std::vector<bool> used(merged.size(), false);
     std::vector<Element> added;
-    std::vector<std::size_t> removed;
     for (Element& entry : list.children) {
       const std::string id = entry.value("id");
       const auto found = std::find_if(merged.begin(), merged.end(),
@@ -189,16 +183,14 @@ class Templates {
                           "> here; use another id, and remove=\"true\" to take away the "
                           "template's");
       } else if (entry.value("remove") == "true") {
-        removed.push_back(index);
+        found->removed_by = entry.where;
       } else {
         overlay(group.children.front(), entry, *found);
         entry.erase("remove");
         *found = std::move(entry);
       }
     }
-    for (auto index = removed.rbegin(); index != removed.rend(); ++index) {
-      merged.erase(merged.begin() + static_cast<long>(*index));
-    }
+    std::erase_if(merged, [](const Element& each) { return each.removed_by.has_value(); });
     list.children = std::move(added);
     drop_removals(group, list);
     list.children.insert(list.children.begin(), std::make_move_iterator(merged.begin()),

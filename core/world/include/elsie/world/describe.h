@@ -132,9 +132,7 @@ class Describe {
   Describe&& one(ElementSpec child, Child Object::*member) && {
     return std::move(*this).child(
         std::move(child), [member](Object& parent) { return &(parent.*member); },
-        [member](const Object& parent) {
-          return std::vector<DescribedObject>{{0, &(parent.*member)}};
-        });
+        [member](const Object& parent) { return only(&(parent.*member)); });
   }
 
   /// At most one element that only holds others, which describe parts of this object or of its base
@@ -147,15 +145,9 @@ class Describe {
     if (spec.members.empty()) {
       spec.members = spec.children.front().name;
     }
-    spec.make = [](void* parent, const Location&) -> void* {
-      return static_cast<Base*>(static_cast<Object*>(parent));
-    };
-    spec.parts = [](const void* parent) {
-      return std::vector<DescribedObject>{
-          {0, static_cast<const Base*>(static_cast<const Object*>(parent))}};
-    };
-    spec_.children.push_back(std::move(spec));
-    return std::move(*this);
+    return std::move(*this).child(
+        std::move(spec), [](Object& parent) -> Base* { return &parent; },
+        [](const Object& parent) { return only(static_cast<const Base*>(&parent)); });
   }
 
   /// Elements that each describe one object in a list. `is` recognizes these objects if the list
@@ -202,8 +194,7 @@ class Describe {
     return std::move(*this).child(
         std::move(child), [member](Object& parent) { return &(parent.*member).emplace(); },
         [member](const Object& parent) {
-          const auto& held = parent.*member;
-          return held ? std::vector<DescribedObject>{{0, &*held}} : std::vector<DescribedObject>{};
+          return only(parent.*member ? &*(parent.*member) : nullptr);
         });
   }
 
@@ -265,12 +256,13 @@ class Describe {
   operator ElementSpec() && { return std::move(spec_); }  // NOLINT(google-explicit-constructor)
 
  private:
-  /// A child whose objects `make` makes in its parent and `parts` lists.
+  /// A child whose objects `make` makes in its parent and `parts` lists. A group's is its parent.
   template <class Make, class Parts>
   Describe&& child(ElementSpec child, Make make, Parts parts) && {
     child.make = [make](void* parent, const Location& where) -> void* {
       auto* const made = make(*static_cast<Object*>(parent));
-      if constexpr (requires { made->location; }) {
+      if constexpr (requires { made->location; } &&
+                    !std::is_same_v<decltype(made), Object* const>) {
         made->location = where;
       }
       return made;
@@ -280,6 +272,10 @@ class Describe {
     };
     spec_.children.push_back(std::move(child));
     return std::move(*this);
+  }
+
+  static std::vector<DescribedObject> only(const void* object) {
+    return object ? std::vector<DescribedObject>{{0, object}} : std::vector<DescribedObject>{};
   }
 
   /// The objects of a list for which `described` is not null.

@@ -64,7 +64,8 @@ class Files {
   std::map<std::string, std::string>* found_;
 };
 
-/// The regular file in the same folder with the name nearest to that of a missing file; or "".
-std::string near_file(const std::string& missing);
+/// "; did you mean 'worlds/maze.xml'?" for a file that is missing in these folders: the regular
+/// file with the nearest name, from the first folder that has one; or "".
+std::string did_you_mean_file(const std::string& missing, const std::vector<std::string>& folders);
 
 }  // namespace elsie::world
