@@ -9,8 +9,8 @@ import sys
 import tempfile
 
 ELSIE, WORLD, WORLD_WITH_CAMERAS = sys.argv[1:]
-UNWANTED = ("libelsie-views", "libelsie-studies", "libelsie-testing", "elsie-commands", "libepoxy", "libEGL", "libGL", "libOpenGL", "libcairo",
-            "libsqlite3", "libcrypto", "libzstd", "libelsie-vision", "libopencv")
+UNWANTED = ("libelsie-editing", "libelsie-views", "libelsie-studies", "libelsie-testing", "elsie-commands", "libepoxy", "libEGL", "libGL",
+            "libOpenGL", "libcairo", "libsqlite3", "libcrypto", "libzstd", "libelsie-vision", "libopencv")
 
 
 def loaded_by(*words):

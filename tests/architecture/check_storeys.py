@@ -20,8 +20,9 @@ STOREYS = {
     "libelsie-inference": {"libelsie-base"},
     "libelsie-workshop": {"libelsie-base", "libelsie", "libelsie-inference"},
     "libelsie-views": {"libelsie-base", "libelsie", "libcairo", "libepoxy", "libzstd", "libz"},
+    "libelsie-editing": {"libelsie-base", "libelsie"},
     "libelsie-session": {"libelsie-base"},
-    "libelsie-server": {"libelsie-base", "libelsie", "libelsie-session", "libelsie-views", "libelsie-workshop"},
+    "libelsie-server": {"libelsie-base", "libelsie", "libelsie-editing", "libelsie-session", "libelsie-views", "libelsie-workshop"},
     "libelsie-studies": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop", "libsqlite3", "libcrypto"},
     "libelsie-vision": {"libelsie-base", "libelsie", "libopencv_core", "libopencv_imgproc"},
     "libelsie-testing": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop"},
@@ -34,6 +35,7 @@ ENGINES = {"ode": {"libelsie-base", "libelsie", "libode"}}
 FORBIDDEN = {
     "libelsie": {"libode", "libcairo", "libepoxy", "libGL", "libEGL", "libsqlite3", "libcrypto", "libzstd"},
     "libelsie-workshop": {"libcairo", "libepoxy", "libGL", "libEGL", "libsqlite3", "libcrypto", "libzstd"},
+    "libelsie-editing": {"libcairo", "libepoxy", "libGL", "libEGL", "libsqlite3", "libcrypto", "libzstd"},
     "libelsie-inference": {"libelsie", "libode", "libtinyxml2", "libcairo", "libepoxy", "libsqlite3", "libcrypto", "libzstd"},
 }
 

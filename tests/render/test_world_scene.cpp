@@ -6,7 +6,6 @@
 #include "elsie/render/world_scene.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/parts.h"
-#include "elsie/world/train.h"
 
 #include "darkroom.h"
 

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <thread>
 
-#include "elsie/world/document.h"
+#include "elsie/editing/document.h"
 
-#include "../world/random_edits.h"
+#include "../editing/random_edits.h"
 #include "session.h"
 #include "shipped.h"
 
@@ -74,7 +74,7 @@ class Visitor {
         }
         break;
       case 7: {
-        world::Document typed(text_, file_, shipped(), reading());
+        editing::Document typed(text_, file_, shipped(), reading());
         try {
           typed.apply(random_.next(typed.world()));
         } catch (const world::WorldError&) {
@@ -85,7 +85,7 @@ class Visitor {
         break;
       }
       default: {
-        const world::Document now(text_, file_, shipped(), reading());
+        const editing::Document now(text_, file_, shipped(), reading());
         take({{"do", "edit"}, {"edits", {random_.next(now.world())}}});
       }
     }
@@ -121,7 +121,7 @@ TEST_CASE("Whatever is ordered is answered, and the command line repeats the run
     const std::string& world = worlds[seed % worlds.size()];
     CAPTURE(seed, world);
     const Workplace place;
-    world::Document document(text_of(world), source_path(world), shipped(), reading());
+    editing::Document document(text_of(world), source_path(world), shipped(), reading());
     if (!document.world().goals.empty()) {
       document.apply("goal[*]/@remove=true");
     }

@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/world/parts.h"
-#include "elsie/world/train.h"
 
 #include "change_support.h"
 #include "wheels.h"

@@ -11,13 +11,13 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/base/number_text.h"
+#include "elsie/editing/document.h"
 #include "elsie/world/data_directories.h"
-#include "elsie/world/document.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/same.h"
 #include "elsie/world/writer.h"
 
-#include "../world/random_edits.h"
+#include "../editing/random_edits.h"
 #include "change_support.h"
 
 using namespace elsie;
@@ -309,7 +309,7 @@ TEST_CASE("Random edits of running worlds are what edits of their files are, or 
     if (needs_cameras(world)) {
       continue;
     }
-    world::Document document(world::write_world(world), world.file, shipped(), options);
+    editing::Document document(world::write_world(world), world.file, shipped(), options);
     RunningEdits random(seed++, shipped());
     Simulation simulation(document.world(), shipped(), run);
     Simulation twin(document.world(), shipped(), run);  // which is not asked for what is refused

@@ -8,7 +8,6 @@
 
 #include "elsie/world/footprint.h"
 #include "elsie/world/parts.h"
-#include "elsie/world/train.h"
 
 #include "fixture.h"
 

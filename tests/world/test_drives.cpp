@@ -130,15 +130,3 @@ TEST_CASE("A robot has its template's drive, other parameters of it, or another 
   CHECK(drive("<drive><differential/></drive>")->plugin == "differential");
   std::filesystem::remove(file);
 }
-
-TEST_CASE("A picture of bodies needs no drive") {
-  const plugin::Host none;
-  world::ReadOptions reading;
-  reading.bodies_only = true;
-  const std::string text = "<world format=\"1\">" + kCart + "</world>";
-  CHECK_THROWS_WITH(world::parse_world(text, "world.xml", none),
-                    Contains("there is no drive 'cart'"));
-  const world::World drawn = world::parse_world(text, "world.xml", none, reading);
-  CHECK_FALSE(drawn.robots[0].drive);
-  CHECK(wheels(world::plan_of(drawn.robots[0])) == 2);
-}

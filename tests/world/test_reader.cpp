@@ -305,21 +305,3 @@ TEST_CASE("Markup that is unusual but right is accepted") {
                          " name='&#x41;&lt;&gt;'><![CDATA[ ]]></world ><!-- b -->\n",
                          "world.xml", host()));
 }
-
-TEST_CASE("A world whose bodies alone are wanted needs no plugin, and keeps its places to reach") {
-  const plugin::Host none;
-  const std::string text = R"(<world format="1">
-    <robots><robot id="r1" x="1"><sensors><sonar/></sensors><behaviors><nowhere_to_be_found/></behaviors>
-      <coordinator><neither/></coordinator></robot></robots>
-    <goals><endure time="600"/><reach robot="r1" x="2" y="0"/></goals><limits time="5"/></world>)";
-  world::ReadOptions bodies;
-  CHECK_THROWS_AS(world::parse_world(text, "w.xml", none, bodies), world::WorldError);
-  bodies.bodies_only = true;
-  const world::World world = world::parse_world(text, "w.xml", none, bodies);
-  REQUIRE(world.robots.size() == 1);
-  CHECK(world.robots[0].x == 1.0);
-  CHECK(world.robots[0].sensors.empty());
-  CHECK(world.robots[0].behaviors.empty());
-  REQUIRE(world.goals.size() == 1);
-  CHECK(std::get<world::ReachGoal>(world.goals[0]).x == 2.0);
-}

@@ -6,7 +6,6 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/world/parts.h"
-#include "elsie/world/train.h"
 #include "elsie/world/writer.h"
 
 #include "equal.h"

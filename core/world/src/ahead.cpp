@@ -9,26 +9,6 @@
 #include "elsie/world/writer.h"
 
 namespace elsie::world {
-namespace {
-
-std::string in_words(const TimedEdit& edit) {
-  return "at " + base::number_text(edit.time) + " s, " + edit.text() + ": ";
-}
-
-/// Every problem at the edit that it is about, or at the first of them.
-void add_at_edits(std::span<const TimedEdit> edits, const std::string& file,
-                  const WorldError& error, Problems& problems) {
-  for (const Problem& problem : error.problems()) {
-    const auto own = std::find_if(edits.begin(), edits.end(), [&](const TimedEdit& edit) {
-      return problem.file == "--set " + edit.text();
-    });
-    const TimedEdit& edit = own == edits.end() ? edits.front() : *own;
-    problems.add(edit.location, in_words(edit) + without_lines(problem.message, file),
-                 problem.plugin_failed);
-  }
-}
-
-}  // namespace
 
 std::vector<World> worlds_ahead(const World& world, const plugin::Host& host,
                                 const ReadOptions& options) {
@@ -51,7 +31,17 @@ std::vector<World> worlds_ahead(const World& world, const plugin::Host& host,
       worlds.push_back(parse_world(write_world(worlds.empty() ? world : worlds.back()), world.file,
                                    host, reading));
     } catch (const WorldError& error) {
-      add_at_edits({first, last}, world.file, error, problems);
+      // Every problem at the edit that it is about, or at the first of them.
+      for (const Problem& problem : error.problems()) {
+        const auto own = std::find_if(first, last, [&](const TimedEdit& edit) {
+          return problem.file == "--set " + edit.text();
+        });
+        const TimedEdit& edit = own == last ? *first : *own;
+        problems.add(edit.location,
+                     "at " + base::number_text(edit.time) + " s, " + edit.text() + ": " +
+                         without_lines(problem.message, world.file),
+                     problem.plugin_failed);
+      }
     }
   }
   problems.raise<WorldError>(world.file);

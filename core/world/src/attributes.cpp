@@ -4,141 +4,102 @@
 #include <utility>
 
 #include "elsie/base/near_name.h"
-#include "elsie/plugin/host.h"
-#include "elsie/world/error.h"
-#include "elsie/world/files.h"
-#include "elsie/world/markup.h"
 #include "elsie/world/values.h"
 
 #include "path.h"
-#include "world_tree.h"
+#include "refusals.h"
 
 namespace elsie::world {
 
-class Attributes::Impl {
- public:
-  Impl(const World& world, const plugin::Host& host, std::vector<std::string> data_directories,
-       std::map<std::string, std::string> files)
-      : world_(world),
-        host_(host),
-        files_(world.file, std::move(data_directories), "", std::move(files)) {}
+namespace {
 
-  std::vector<AttributePlace> find(std::string_view text) {
-    const Path path = parse_path(text);
-    if (path.attribute.empty()) {
-      throw std::invalid_argument(
-          "the path leads to an element; expected an attribute at its end, as in "
-          "robot[r1]/@max_speed");
-    }
-    if (path.attribute == "remove" || path.from_attribute) {
-      throw std::invalid_argument(
-          "an element can be removed before a run only: by --set, or by <set> in an experiment");
-    }
-    if (!tree_) {
-      tree_.emplace(world_);
-    }
-    std::vector<AttributePlace> places;
-    for (const Place& found : find_places(tree_->root(), path)) {
-      if (!found.element->object) {  // find_places() made it
-        tree_.reset();
-        throw std::invalid_argument("there is no such element in this world");
-      }
-      places.push_back(place(*found.element, tree_->meaning(*found.element), path.attribute));
-    }
-    return places;
+// Those that the plugin declares for its element, or for one in it.
+std::vector<ParameterDeclaration> parameters(const WorldTree::Meaning& meaning,
+                                             const plugin::Host& host) {
+  const Declaration* plugin = meaning.use ? host.find(*meaning.kind, meaning.use->plugin) : nullptr;
+  if (!plugin || !meaning.nested) {
+    return plugin ? plugin->parameters : std::vector<ParameterDeclaration>();
   }
+  const auto* element =
+      plugin::find_declared(plugin->elements, meaning.use->elements[*meaning.nested].element);
+  return element ? element->parameters : std::vector<ParameterDeclaration>();
+}
 
-  ParameterValue read(const AttributePlace& place, std::string_view text) const {
-    Parsed parsed = parse_value(place.field, text);
-    if (!parsed.value) {
-      throw std::invalid_argument(parsed.problem);
-    }
-    if (place.field.type != ParameterType::file || (text.empty() && !place.field.required)) {
-      return std::move(*parsed.value);
-    }
-    const Location where{world_.file, 0};
-    const auto file = files_.find(std::string(text), where);
-    if (!file) {
-      throw std::invalid_argument(files_.why_not(where, place.field.name, std::string(text)));
-    }
-    return Files::absolute(*file);
+}  // namespace
+
+std::vector<AttributePlace> Attributes::find(std::string_view text) const {
+  const Path path = parse_path(text);
+  if (path.attribute.empty()) {
+    throw std::invalid_argument(
+        "the path leads to an element; expected an attribute at its end, as in "
+        "robot[r1]/@max_speed");
   }
-
- private:
-  AttributePlace place(const Element& element, const WorldTree::Meaning& meaning,
-                       const std::string& name) const {
-    AttributePlace place;
-    place.path = meaning.path + (meaning.path.empty() ? "@" : "/@") + name;
-    place.element = element.name;
-    place.robot = meaning.robot;
-    place.use = meaning.use;
-    place.nested = meaning.nested;
-    bool found = false;
-    std::vector<std::string> names;
-    const auto add = [&](const Field& field) {
-      names.push_back(field.name);
-      if (field.is_live()) {
-        place.live.push_back(field.name);
-      }
-      if (!found && field.name == name) {
-        found = true;
-        place.field = field;
-      }
-    };
-    for (const ParameterDeclaration& parameter : parameters(meaning)) {
-      Field field = field_of(parameter);
-      if (meaning.kind == PluginKind::measure || meaning.kind == PluginKind::drive) {
-        field.change = nullptr;
-      }
-      add(field);
-    }
-    if (meaning.spec) {
-      for (const AttributeSpec& attribute : meaning.spec->attributes) {
-        add(attribute);
-      }
-    }
-    if (!found) {
-      throw std::invalid_argument("<" + element.name + "> has no attribute '" + name + "'" +
-                                  base::near_or_all(name, names, "it may have"));
-    }
-    return place;
+  if (path.attribute == "remove" || path.from_attribute) {
+    throw std::invalid_argument(
+        "an element can be removed before a run only: by --set, or by <set> in an experiment");
   }
-
-  // Those that the plugin declares for its element, or for one in it.
-  std::vector<ParameterDeclaration> parameters(const WorldTree::Meaning& meaning) const {
-    const Declaration* plugin =
-        meaning.use ? host_.find(*meaning.kind, meaning.use->plugin) : nullptr;
-    if (!plugin) {
-      return {};
-    }
-    if (!meaning.nested) {
-      return plugin->parameters;
-    }
-    const auto* element =
-        plugin::find_declared(plugin->elements, meaning.use->elements[*meaning.nested].element);
-    return element ? element->parameters : std::vector<ParameterDeclaration>();
+  if (!tree_) {
+    tree_.emplace(world_);
   }
+  std::vector<AttributePlace> places;
+  for (const Place& found : find_places(tree_->root(), path)) {
+    if (!found.element->object) {  // find_places() made it
+      tree_.reset();
+      throw std::invalid_argument("there is no such element in this world");
+    }
+    places.push_back(place(*found.element, path.attribute));
+  }
+  return places;
+}
 
-  const World& world_;
-  const plugin::Host& host_;
-  Files files_;
-  std::optional<WorldTree> tree_;  // once it was needed
-};
-
-Attributes::Attributes(const World& world, const plugin::Host& host,
-                       std::vector<std::string> data_directories,
-                       std::map<std::string, std::string> files)
-    : impl_(std::make_unique<Impl>(world, host, std::move(data_directories), std::move(files))) {}
-Attributes::Attributes(Attributes&&) noexcept = default;
-Attributes& Attributes::operator=(Attributes&&) noexcept = default;
-Attributes::~Attributes() = default;
-
-std::vector<AttributePlace> Attributes::find(std::string_view path) const {
-  return impl_->find(path);
+AttributePlace Attributes::place(const Element& element, const std::string& name) const {
+  const WorldTree::Meaning& meaning = tree_->meaning(element);
+  std::vector<Field> fields;
+  for (const ParameterDeclaration& parameter : parameters(meaning, host_)) {
+    fields.push_back(field_of(parameter));
+    if (meaning.kind == PluginKind::measure || meaning.kind == PluginKind::drive) {
+      fields.back().change = nullptr;
+    }
+  }
+  if (meaning.spec) {
+    fields.insert(fields.end(), meaning.spec->attributes.begin(), meaning.spec->attributes.end());
+  }
+  AttributePlace place{.path = meaning.path + (meaning.path.empty() ? "@" : "/@") + name,
+                       .element = element.name,
+                       .field = {},
+                       .robot = meaning.robot,
+                       .use = meaning.use,
+                       .nested = meaning.nested,
+                       .live = {}};
+  for (const Field& field : fields) {
+    if (field.is_live()) {
+      place.live.push_back(field.name);
+    }
+    if (field.name == name && place.field.name.empty()) {
+      place.field = field;
+    }
+  }
+  if (place.field.name.empty()) {
+    throw std::invalid_argument("<" + element.name + "> has no attribute '" + name + "'" +
+                                base::near_or_all(name, names_of(fields), "it may have"));
+  }
+  return place;
 }
 
 ParameterValue Attributes::read(const AttributePlace& place, std::string_view text) const {
-  return impl_->read(place, text);
+  Parsed parsed = parse_value(place.field, text);
+  if (!parsed.value) {
+    throw std::invalid_argument(parsed.problem);
+  }
+  if (place.field.type != ParameterType::file || (text.empty() && !place.field.required)) {
+    return std::move(*parsed.value);
+  }
+  const Location where{world_.file, 0};
+  const auto file = files_.find(std::string(text), where);
+  if (!file) {
+    throw std::invalid_argument(files_.why_not(where, place.field.name, std::string(text)));
+  }
+  return Files::absolute(*file);
 }
 
 std::vector<std::string> robots_at(const World& world, std::string_view text) {

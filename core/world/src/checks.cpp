@@ -1,5 +1,3 @@
-#include "checks.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,9 +9,11 @@
 #include "elsie/api/simulator_events.h"
 #include "elsie/base/near_name.h"
 #include "elsie/base/number_text.h"
+#include "elsie/base/words.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/parts.h"
-#include "elsie/world/train.h"
+
+#include "reading.h"
 
 namespace elsie::world {
 
@@ -31,20 +31,26 @@ std::string on_line(const Location& where, const Location& from) {
                                    : " (" + where.file + ":" + std::to_string(where.line) + ")";
 }
 
-// No two of the elements in these lists have the same id.
-void check_unique(const std::vector<const Element*>& lists, const std::string& what,
-                  Problems& problems) {
-  std::map<std::string, Location> first;
-  for (const Element* list : lists) {
-    if (!list) {
+// No two members of a list have the same id, to any depth; `spec` is the holder's. All boxes count
+// as one list.
+void check_ids(const Element& holder, const ElementSpec& spec, const std::string& whose,
+               Problems& problems) {
+  std::map<std::string, std::map<std::string, Location>> first;  // by what it is of, and by id
+  for (const ElementSpec& group : spec.below()) {
+    const Element* list = group.group ? holder.child(group.name) : nullptr;
+    const ElementSpec* member = list ? &group.children.front() : nullptr;
+    if (!member || member->at_most == 1 || !member->attribute("id")) {
       continue;
     }
+    const bool of_boxes = group.name == "obstacles" || group.name == "resources";
+    const std::string what = (of_boxes ? "box" : group.members) + whose;
     for (const Element& child : list->children) {
+      check_ids(child, *member, " of this " + child.name, problems);
       const Attribute* id = child.find("id");
       if (!id) {
         continue;
       }
-      const auto [known, fresh] = first.emplace(id->value, id->where);
+      const auto [known, fresh] = first[what].emplace(id->value, id->where);
       if (!fresh) {
         problems.add(id->where, "a second " + what + " with the id '" + id->value +
                                     "'; the first is there already" +
@@ -54,54 +60,28 @@ void check_unique(const std::vector<const Element*>& lists, const std::string& w
   }
 }
 
-// Of a robot's behaviours and of those that they hold.
-void check_behavior_ids(const Element& holder, Problems& problems) {
-  const Element* behaviors = holder.child("behaviors");
-  check_unique({behaviors}, "behavior of this " + holder.name, problems);
-  if (behaviors) {
-    for (const Element& behavior : behaviors->children) {
-      check_behavior_ids(behavior, problems);
-    }
+template <class Object>
+std::vector<std::string> ids_of(const std::vector<Object>& objects) {
+  std::vector<std::string> ids;
+  for (const Object& object : objects) {
+    ids.push_back(object.id);
   }
-}
-
-void check_ids(const Element& root, Problems& problems) {
-  check_unique({root.child("teams")}, "team", problems);
-  check_unique({root.child("obstacles"), root.child("resources")}, "box", problems);
-  check_unique({root.child("chargers")}, "charger", problems);
-  check_unique({root.child("measures")}, "measure", problems);
-  const Element* robots = root.child("robots");
-  check_unique({robots}, "robot", problems);
-  if (robots) {
-    for (const Element& robot : robots->children) {
-      check_unique({robot.child("segments")}, "segment of this robot", problems);
-      check_unique({robot.child("sensors")}, "sensor of this robot", problems);
-      check_behavior_ids(robot, problems);
-    }
-  }
+  return ids;
 }
 
 void check_mentions(const Reading& reading, Problems& problems) {
-  std::vector<std::string> teams, robots, boxes;
-  for (const Team& team : reading.world.teams) {
-    teams.push_back(team.id);
-  }
-  for (const Robot& robot : reading.world.robots) {
-    robots.push_back(robot.id);
-  }
-  for (const Box& box : reading.world.boxes) {
-    boxes.push_back(box.id);
-  }
+  const World& world = reading.world;
   for (const Mention& mention : reading.mentions) {
-    const auto& [what, ids] = mention.kind == Reference::team    ? std::pair("team", &teams)
-                              : mention.kind == Reference::robot ? std::pair("robot", &robots)
-                                                                 : std::pair("box", &boxes);
-    if (std::find(ids->begin(), ids->end(), mention.id) == ids->end()) {
-      std::vector<std::string> valid = *ids;
+    const auto [what, ids] =
+        mention.kind == Reference::team    ? std::pair("team", ids_of(world.teams))
+        : mention.kind == Reference::robot ? std::pair("robot", ids_of(world.robots))
+                                           : std::pair("box", ids_of(world.boxes));
+    if (std::find(ids.begin(), ids.end(), mention.id) == ids.end()) {
+      std::vector<std::string> valid = ids;
       std::erase(valid, "");
       problems.add(mention.where,
                    mention.in_words + ": there is no such " + what +
-                       (ids->empty()    ? "; the world has none"
+                       (ids.empty()     ? "; the world has none"
                         : valid.empty() ? "; the world has none with a valid id"
                                         : base::near_or_all(mention.id, valid, "there are")));
     }
@@ -134,104 +114,126 @@ void check_physics(const Element& root, const Physics& physics, Problems& proble
   }
 }
 
-// Whether the robot's sensors make the readings that a behaviour or the coordinator needs.
-void check_needs(const Robot& robot, const PluginUse& use, PluginKind kind,
-                 const plugin::Host& host, Problems& problems) {
-  const Declaration* declaration = host.find(kind, use.plugin);
-  if (!declaration) {
-    return;
+// What the behaviours and coordinators of a robot need.
+class CoordinationCheck {
+ public:
+  CoordinationCheck(const Robot& robot, const plugin::Host& host, Problems& problems)
+      : robot_(robot), host_(host), problems_(problems) {}
+
+  void check() {
+    list_events(robot_);
+    for (const events::Facts& event : events::of_simulator()) {
+      if (event.is_perceived) {
+        raised_.emplace_back(event.name);
+      }
+    }
+    check(robot_, in_words(robot_), robot_.location);
   }
-  for (const ReadingDeclaration& need : declaration->needs) {
+
+ private:
+  // Events that behaviours may raise, at any depth.
+  void list_events(const Coordination& coordination) {
+    for (const BehaviorUse& use : coordination.behaviors) {
+      if (const Declaration* declaration = host_.find(PluginKind::behavior, use.plugin)) {
+        for (const EventDeclaration& event : declaration->events) {
+          raised_.push_back(event.name);
+        }
+      }
+      for (const Coordination& inside : use.inside) {
+        list_events(inside);
+      }
+    }
+  }
+
+  // That wishes are turned into a command, to any depth. `whose` and `where`: of what has them, the
+  // robot or a behaviour.
+  void check(const Coordination& coordination, const std::string& whose, const Location& where) {
+    if (!coordination.behaviors.empty() && !coordination.coordinator) {
+      problems_.add(where, whose + " has behaviours but no coordinator; add a <coordinator>");
+    }
+    for (const BehaviorUse& use : coordination.behaviors) {
+      check(use, PluginKind::behavior);
+      for (const Coordination& inside : use.inside) {
+        const std::string holder = "the behavior '" + use.id + "' of " + whose;
+        if (inside.behaviors.empty()) {
+          problems_.add(use.location, holder + " holds no behaviours; add <behaviors> with some");
+        }
+        check(inside, holder, use.location);
+      }
+    }
+    if (coordination.coordinator) {
+      check(*coordination.coordinator, PluginKind::coordinator);
+    }
+  }
+
+  void check(const PluginUse& use, PluginKind kind) {
+    const Declaration* declaration = host_.find(kind, use.plugin);
+    if (!declaration) {
+      return;
+    }
+    for (const ReadingDeclaration& need : declaration->needs) {
+      check_need(use, need);
+    }
+    for (const std::string& event : declaration->reacts_to) {
+      if (std::find(raised_.begin(), raised_.end(), event) == raised_.end()) {
+        problems_.add(use.location, "'" + use.plugin + "' reacts to the event '" + event +
+                                        "', which neither the simulator nor a behaviour of " +
+                                        in_words(robot_) + " raises" +
+                                        base::near_or_all(event, raised_, "there are"));
+      }
+    }
+  }
+
+  // That the robot's sensors make such readings.
+  void check_need(const PluginUse& use, const ReadingDeclaration& need) {
     bool met = false;
     const SensorUse* other_version = nullptr;
-    for (const SensorUse& sensor : robot.sensors) {
-      const Declaration* made = host.find(PluginKind::sensor, sensor.plugin);
-      if (!made) {
-        continue;
-      }
-      for (const ReadingDeclaration& reading : made->produces) {
-        if (reading.kind == need.kind) {
-          met |= reading.size == need.size;
-          other_version = reading.size == need.size ? other_version : &sensor;
-        }
+    for (const SensorUse& sensor : robot_.sensors) {
+      const Declaration* made = host_.find(PluginKind::sensor, sensor.plugin);
+      const ReadingDeclaration* reading = made ? reading_of(*made, need) : nullptr;
+      if (reading && reading->size == need.size) {
+        met = true;
+      } else if (reading) {
+        other_version = &sensor;
       }
     }
     const std::string what = "'" + use.plugin + "' needs readings of the kind '" + need.kind + "'";
     if (other_version) {
-      problems.add(use.location, what + " as it was built with, but those of the sensor '" +
-                                     other_version->plugin +
-                                     "' have another layout; build both plugins anew against the "
-                                     "same header");
+      problems_.add(use.location, what + " as it was built with, but those of the sensor '" +
+                                      other_version->plugin +
+                                      "' have another layout; build both plugins anew against the "
+                                      "same header");
     } else if (!met) {
-      std::string makers;
-      for (const Declaration* sensor : host.all(PluginKind::sensor)) {
-        for (const ReadingDeclaration& reading : sensor->produces) {
-          if (reading.kind == need.kind && reading.size == need.size) {
-            makers += (makers.empty() ? "" : " or ") + ("<" + sensor->name + ">");
-          }
+      std::vector<std::string> makers;
+      for (const Declaration* sensor : host_.all(PluginKind::sensor)) {
+        const ReadingDeclaration* reading = reading_of(*sensor, need);
+        if (reading && reading->size == need.size) {
+          makers.push_back("<" + sensor->name + ">");
         }
       }
-      problems.add(use.location,
-                   what + ", but " + in_words(robot) + " has no sensor that makes them" +
-                       (makers.empty() ? "; no plugin that was found does" : "; add " + makers));
+      problems_.add(use.location, what + ", but " + in_words(robot_) +
+                                      " has no sensor that makes them" +
+                                      (makers.empty() ? "; no plugin that was found does"
+                                                      : "; add " + base::joined(makers, " or ")));
     }
   }
-}
 
-// Appends the events that behaviours may raise, at any depth.
-void list_events(const Coordination& coordination, const plugin::Host& host,
-                 std::vector<std::string>& names) {
-  for (const BehaviorUse& use : coordination.behaviors) {
-    if (const Declaration* declaration = host.find(PluginKind::behavior, use.plugin)) {
-      for (const EventDeclaration& event : declaration->events) {
-        names.push_back(event.name);
-      }
-    }
-    for (const Coordination& inside : use.inside) {
-      list_events(inside, host, names);
-    }
+  static const ReadingDeclaration* reading_of(const Declaration& sensor,
+                                              const ReadingDeclaration& need) {
+    const auto found =
+        std::find_if(sensor.produces.begin(), sensor.produces.end(),
+                     [&](const ReadingDeclaration& each) { return each.kind == need.kind; });
+    return found == sensor.produces.end() ? nullptr : &*found;
   }
-}
 
-// Whether somebody raises the events that a behaviour or the coordinator reacts to.
-void check_events(const Robot& robot, const PluginUse& use, PluginKind kind,
-                  const plugin::Host& host, Problems& problems) {
-  const Declaration* declaration = host.find(kind, use.plugin);
-  if (!declaration || declaration->reacts_to.empty()) {
-    return;
-  }
-  std::vector<std::string> raised;
-  list_events(robot, host, raised);
-  for (const events::Facts& event : events::of_simulator()) {
-    if (event.is_perceived) {
-      raised.emplace_back(event.name);
-    }
-  }
-  for (const std::string& event : declaration->reacts_to) {
-    if (std::find(raised.begin(), raised.end(), event) == raised.end()) {
-      problems.add(use.location, "'" + use.plugin + "' reacts to the event '" + event +
-                                     "', which neither the simulator nor a behaviour of " +
-                                     in_words(robot) + " raises" +
-                                     base::near_or_all(event, raised, "there are"));
-    }
-  }
-}
-
-void check_body(const Robot& robot, Problems& problems) {
-  const RobotBody& body = robot.body;
-  if (body.round && body.length != body.width) {
-    problems.add(robot.location, in_words(robot) + " has a round body that is " +
-                                     number_text(body.length) + " m long and " +
-                                     number_text(body.width) +
-                                     " m wide; expected its diameter as both");
-  }
-}
+  const Robot& robot_;
+  const plugin::Host& host_;
+  Problems& problems_;
+  std::vector<std::string> raised_;  // events
+};
 
 // Whether there is room for the wheels of the segments, and for their joints ahead of their axles.
-void check_segments(const Reading& reading, const Robot& robot, Problems& problems) {
-  if (!reading.sound_with_segments(robot)) {
-    return;
-  }
+void check_segments(const Robot& robot, Problems& problems) {
   const std::vector<Coupling> chain = couplings(driven_plan(robot), robot.segments);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Segment& segment = robot.segments[i];
@@ -251,49 +253,30 @@ void check_segments(const Reading& reading, const Robot& robot, Problems& proble
   }
 }
 
-// That the wishes of behaviours are turned into a command, and that all have what they need; to any
-// depth. `whose` and `where`: of what has them, a robot or a behaviour.
-void check_coordination(const Robot& robot, const Coordination& coordination,
-                        const std::string& whose, const Location& where, const plugin::Host& host,
-                        Problems& problems) {
-  if (!coordination.behaviors.empty() && !coordination.coordinator) {
-    problems.add(where, whose + " has behaviours but no coordinator; add a <coordinator>");
-  }
-  for (const BehaviorUse& use : coordination.behaviors) {
-    check_needs(robot, use, PluginKind::behavior, host, problems);
-    check_events(robot, use, PluginKind::behavior, host, problems);
-    for (const Coordination& inside : use.inside) {
-      const std::string holder = "the behavior '" + use.id + "' of " + whose;
-      if (inside.behaviors.empty()) {
-        problems.add(use.location, holder + " holds no behaviours; add <behaviors> with some");
-      }
-      check_coordination(robot, inside, holder, use.location, host, problems);
-    }
-  }
-  if (coordination.coordinator) {
-    check_needs(robot, *coordination.coordinator, PluginKind::coordinator, host, problems);
-    check_events(robot, *coordination.coordinator, PluginKind::coordinator, host, problems);
-  }
-}
-
 void check_robot(const Reading& reading, std::size_t index, const plugin::Host& host,
                  bool is_running, Problems& problems) {
   const Robot& robot = reading.world.robots[index];
-  // A robot that runs began with its energy, whatever its battery holds now.
-  if (!is_running && robot.energy && *robot.energy > robot.battery &&
-      reading.sound(robot.location)) {
-    problems.add(robot.location, in_words(robot) + " starts with energy " +
-                                     number_text(*robot.energy) + ", but its battery holds " +
-                                     number_text(robot.battery));
-  }
+  const RobotBody& body = robot.body;
   if (reading.sound(robot.location)) {
-    check_body(robot, problems);
+    // A robot that runs began with its energy, whatever its battery holds now.
+    if (!is_running && robot.energy && *robot.energy > robot.battery) {
+      problems.add(robot.location, in_words(robot) + " starts with energy " +
+                                       number_text(*robot.energy) + ", but its battery holds " +
+                                       number_text(robot.battery));
+    }
+    if (body.round && body.length != body.width) {
+      problems.add(robot.location, in_words(robot) + " has a round body that is " +
+                                       number_text(body.length) + " m long and " +
+                                       number_text(body.width) +
+                                       " m wide; expected its diameter as both");
+    }
   }
-  check_segments(reading, robot, problems);
-  if (reading.incomplete_robots.contains(index)) {
-    return;
+  if (reading.sound_with_segments(robot)) {
+    check_segments(robot, problems);
   }
-  check_coordination(robot, robot, in_words(robot), robot.location, host, problems);
+  if (!reading.incomplete_robots.contains(index)) {
+    CoordinationCheck(robot, host, problems).check();
+  }
 }
 
 struct GoalCheck {
@@ -338,7 +321,6 @@ struct GoalCheck {
                                       "'; there " + (size == 1 ? "is 1" : "are none"));
     }
   }
-  void operator()(const TravelGoal&) const {}
   void operator()(const EndureGoal& goal) const {
     if (goal.time > world.limits.time) {
       problems.add(goal.location, "<endure> lasts " + number_text(goal.time) +
@@ -346,8 +328,8 @@ struct GoalCheck {
                                       number_text(world.limits.time) + " s; see <limits>");
     }
   }
-  void operator()(const NoCollisionGoal&) const {}
-  void operator()(const BatteryGoal&) const {}
+  template <class Other>
+  void operator()(const Other&) const {}
 
   void check_place(const std::string& what, double x, double y, const Location& where) const {
     if (std::abs(x) > 0.5 * world.arena.length || std::abs(y) > 0.5 * world.arena.width) {
@@ -375,7 +357,7 @@ void check_changes(const World& world, Problems& problems) {
 
 void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
                  bool is_running, Problems& problems) {
-  check_ids(root, problems);
+  check_ids(root, vocabulary(), "", problems);
   check_mentions(reading, problems);
   check_physics(root, reading.world.physics, problems);
   check_changes(reading.world, problems);
@@ -383,12 +365,11 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
     check_robot(reading, i, host, is_running, problems);
   }
   // With any mistake in the file's sizes, what follows would be about defaults.
-  if (const auto locate =
-          [&](const char* name) {
-            const Element* element = root.child(name);
-            return !element || reading.sound(element->where);
-          };
-      locate("arena") && locate("limits")) {
+  const auto is_sound = [&](const char* name) {
+    const Element* element = root.child(name);
+    return !element || reading.sound(element->where);
+  };
+  if (is_sound("arena") && is_sound("limits")) {
     for (const Goal& goal : reading.world.goals) {
       std::visit(
           [&](const auto& each) {

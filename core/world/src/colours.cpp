@@ -96,17 +96,12 @@ Colour resource_colour(const World& world, const Box& resource) {
 }
 
 Colour box_colour(const World& world, const Box& box, const BoxColours& otherwise) {
-  switch (box.kind) {
-    case BoxKind::fixed:
-      return box.colour.value_or(otherwise.fixed);
-    case BoxKind::dynamic:
-      return box.colour.value_or(otherwise.dynamic);
-    case BoxKind::moving:
-      return box.colour.value_or(otherwise.moving);
-    case BoxKind::resource:
-      break;
+  if (box.kind == BoxKind::resource) {
+    return resource_colour(world, box);
   }
-  return resource_colour(world, box);
+  return box.colour.value_or(box.kind == BoxKind::fixed     ? otherwise.fixed
+                             : box.kind == BoxKind::dynamic ? otherwise.dynamic
+                                                            : otherwise.moving);
 }
 
 }  // namespace elsie::world

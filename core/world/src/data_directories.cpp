@@ -56,19 +56,11 @@ std::string find_document(const std::string& name,
   if (auto found = files.find_data(name)) {
     return std::move(*found);
   }
-  std::string near = near_file(name);
-  for (const std::string& directory : data_directories) {
-    if (near.empty()) {
-      near = near_file((fs::path(directory) / name).string());
-    }
-  }
-  if (!near.empty()) {
-    near = fs::path(name).replace_filename(fs::path(near).filename()).string();
-  }
-  throw WorldError(
-      {{name, 0,
-        "there is no such file; looked in the current folder or " + files.data_places() +
-            (near.empty() ? "" : "; did you mean '" + near + "'?")}});
+  std::vector<std::string> folders{""};
+  folders.insert(folders.end(), data_directories.begin(), data_directories.end());
+  throw WorldError({{name, 0,
+                     "there is no such file; looked in the current folder or " +
+                         files.data_places() + did_you_mean_file(name, folders)}});
 }
 
 }  // namespace elsie::world

@@ -3,29 +3,35 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elsie/world/engine_facts.h"
-
 namespace elsie::world {
+
+void add_wheels(std::vector<Part>& parts, const Shape& wheel, double half_axle, double mass,
+                const WheelJoint& joint) {
+  for (const bool left : {true, false}) {
+    parts.push_back({left ? "left_wheel" : "right_wheel",
+                     PartRole::wheel,
+                     wheel,
+                     {.origin = {0.0, left ? half_axle : -half_axle, wheel.radius()}},
+                     mass,
+                     0,
+                     joint});
+  }
+}
 
 void Differential::build(const Chassis& chassis, BodyPlan& plan) {
   pair_ = wheels(chassis);
-  for (const bool left : {true, false}) {
-    plan.parts.push_back(
-        {left ? "left_wheel" : "right_wheel",
-         PartRole::wheel,
-         Shape::wheel(chassis.wheel_radius, chassis.wheel_width),
-         {.origin = {0.0, (left ? 1.0 : -1.0) * chassis.half_axle, chassis.wheel_radius}},
-         chassis.wheel_mass,
-         0,
-         WheelJoint{.torque = chassis.wheel_torque}});
-  }
-  const double radius = caster_radius(chassis);
+  add_wheels(plan.parts, Shape::wheel(chassis.wheel_radius, chassis.wheel_width), chassis.half_axle,
+             chassis.wheel_mass, {.torque = chassis.wheel_torque});
+  // Two balls, in front and at the rear; light, so that their spin has no effect.
+  const double radius =
+      std::min({0.5 * chassis.clearance, 0.125 * chassis.length, chassis.wheel_radius});
+  const double half_base = 0.5 * chassis.length - 1.2 * radius;
   for (const bool front : {true, false}) {
     plan.parts.push_back({front ? "front_caster" : "rear_caster",
                           PartRole::caster,
                           Shape::sphere(radius),
-                          {.origin = {(front ? 1.0 : -1.0) * half_base(chassis), 0.0, radius}},
-                          kCasterMass * chassis.mass,
+                          {.origin = {(front ? 1.0 : -1.0) * half_base, 0.0, radius}},
+                          0.02 * chassis.mass,
                           0,
                           CasterJoint{}});
   }

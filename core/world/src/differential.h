@@ -2,10 +2,15 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "elsie/api/drive.h"
 
 namespace elsie::world {
+
+/// Adds a pair of wheels on one axle, one to either side.
+void add_wheels(std::vector<Part>& parts, const Shape& wheel, double half_axle, double mass,
+                const WheelJoint& joint);
 
 /// Both wheels of a command are slowed by the same factor, so that an arc stays the arc it was.
 class Differential final : public Drive {

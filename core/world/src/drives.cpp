@@ -1,5 +1,3 @@
-#include "drives.h"
-
 #include <algorithm>
 #include <exception>
 #include <stdexcept>
@@ -12,17 +10,10 @@
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/parts.h"
 
+#include "reading.h"
+
 namespace elsie::world {
 namespace {
-
-bool is_sound(const Reading& reading, const Robot& robot) {
-  const auto is_flawed = [&](const Location& where) {
-    return std::any_of(reading.flawed.begin(), reading.flawed.end(), [&](const Flawed& each) {
-      return each.where.file == where.file && each.where.line == where.line;
-    });
-  };
-  return !is_flawed(robot.location) && !(robot.drive && is_flawed(robot.drive->location));
-}
 
 void build(Robot& robot, const plugin::Host& host, Problems& problems) {
   const PluginUse& use = *robot.drive;
@@ -65,7 +56,10 @@ void check_default(const Robot& robot, Problems& problems) {
 
 void build_bodies(Reading& reading, const plugin::Host& host, Problems& problems) {
   for (Robot& robot : reading.world.robots) {
-    if (!is_sound(reading, robot)) continue;
+    if (reading.has_flaw(robot.location) ||
+        (robot.drive && reading.has_flaw(robot.drive->location))) {
+      continue;
+    }
     if (robot.drive) {
       build(robot, host, problems);
     } else {

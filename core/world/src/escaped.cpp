@@ -4,34 +4,22 @@ namespace elsie::world {
 
 namespace {
 
-std::string replaced(std::string_view text, bool attribute) {
+// What characters become, by their place in the list.
+constexpr std::string_view kCharacters = "&<>\"\r\n\t";
+constexpr std::string_view kReplaced[] = {"&amp;", "&lt;", "&gt;", "&quot;",
+                                          "&#13;",  // a bare one would be read as a line feed
+                                          "&#10;", "&#9;"};
+constexpr std::size_t kBetweenTags = 5;  // the others stay between tags
+
+std::string replaced(std::string_view text, std::string_view characters) {
   std::string result;
   result.reserve(text.size());
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\r':
-        result += "&#13;";  // a bare one would be read as a line feed
-        break;
-      case '\n':
-        result += attribute ? "&#10;" : "\n";
-        break;
-      case '\t':
-        result += attribute ? "&#9;" : "\t";
-        break;
-      default:
-        result += c;
+    const std::size_t place = characters.find(c);
+    if (place == characters.npos) {
+      result += c;
+    } else {
+      result += kReplaced[place];
     }
   }
   return result;
@@ -39,8 +27,10 @@ std::string replaced(std::string_view text, bool attribute) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) { return replaced(text, false); }
+std::string escaped(std::string_view text) {
+  return replaced(text, kCharacters.substr(0, kBetweenTags));
+}
 
-std::string escaped_attribute(std::string_view text) { return replaced(text, true); }
+std::string escaped_attribute(std::string_view text) { return replaced(text, kCharacters); }
 
 }  // namespace elsie::world

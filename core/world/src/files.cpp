@@ -1,9 +1,10 @@
 #include "elsie/world/files.h"
 
-#include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "elsie/base/near_name.h"
+#include "elsie/base/words.h"
 
 namespace elsie::world {
 
@@ -36,35 +37,27 @@ bool Files::given_by_hand(const Location& from) const {
 }
 
 std::optional<std::string> Files::find(const std::string& name, const Location& from) const {
-  if (known_.contains(name)) {
-    return find_data(name);
-  }
-  if (auto beside = file_in(folder(from), name)) {
-    return noted(name, *beside);
-  }
+  std::vector<std::string> folders{folder(from)};
   if (given_by_hand(from)) {
-    if (auto here = file_in(".", name)) {
-      return noted(name, *here);
-    }
+    folders.emplace_back(".");
   }
-  return find_data(name);
+  return search(name, std::move(folders));
 }
 
 std::optional<std::string> Files::find_data(const std::string& name) const {
-  if (const auto known = known_.find(name); known != known_.end()) {
-    return noted(name, known->second);
-  }
-  for (const std::string& directory : data_directories_) {
-    if (auto found = file_in(directory, name)) {
-      return noted(name, *found);
-    }
-  }
-  return std::nullopt;
+  return search(name, {});
 }
 
-std::optional<std::string> Files::noted(const std::string& name, std::string path) const {
-  if (found_) {
-    found_->try_emplace(name, absolute(path));
+std::optional<std::string> Files::search(const std::string& name,
+                                         std::vector<std::string> folders) const {
+  const auto known = known_.find(name);
+  auto path = known == known_.end() ? std::nullopt : std::optional(known->second);
+  folders.insert(folders.end(), data_directories_.begin(), data_directories_.end());
+  for (auto folder = folders.begin(); !path && folder != folders.end(); ++folder) {
+    path = file_in(*folder, name);
+  }
+  if (path && found_) {
+    found_->try_emplace(name, absolute(*path));
   }
   return path;
 }
@@ -110,17 +103,11 @@ std::string Files::why_not(const Location& from, const std::string& attribute,
 std::string Files::places(const Location& from, const std::string& attribute,
                           const std::string& value) const {
   const std::string beside = folder(from);
-  std::string hint = advice(attribute, value);
-  if (hint.empty()) {
-    const std::string near = near_file((fs::path(beside) / value).string());
-    hint = near.empty()
-               ? ""
-               : "; did you mean '" +
-                     fs::path(value).replace_filename(fs::path(near).filename()).string() + "'?";
-  }
+  const std::string hint = advice(attribute, value);
   return "in the folder " + (beside.empty() ? "." : beside) +
          (given_by_hand(from) && !beside.empty() ? ", in the current folder" : "") +
-         (data_directories_.empty() ? "" : " or " + data_places()) + hint;
+         (data_directories_.empty() ? "" : " or " + data_places()) +
+         (hint.empty() ? did_you_mean_file(value, {beside}) : hint);
 }
 
 std::string Files::advice(const std::string& attribute, const std::string& value) const {
@@ -145,12 +132,8 @@ std::string Files::data_places() const {
   if (data_directories_.empty()) {
     return "in any data directory (none is given)";
   }
-  std::string list;
-  for (const std::string& directory : data_directories_) {
-    list += (list.empty() ? "" : ", ") + directory;
-  }
   return (data_directories_.size() == 1 ? "in the data directory " : "in the data directories ") +
-         list;
+         base::joined(data_directories_);
 }
 
 std::string Files::absolute(const std::string& file) {
@@ -159,22 +142,25 @@ std::string Files::absolute(const std::string& file) {
   return error ? fs::absolute(file).lexically_normal().string() : path.string();
 }
 
-std::string near_file(const std::string& missing) {
-  const fs::path folder = fs::path(missing).parent_path();
-  const std::string name = fs::path(missing).filename().string();
-  std::vector<std::string> names;
-  std::error_code error;
-  for (fs::directory_iterator i(folder.empty() ? "." : folder, error), end; !error && i != end;
-       i.increment(error)) {
-    std::error_code ignored;
-    if (i->is_regular_file(ignored)) {
-      names.push_back(i->path().filename().string());
+std::string did_you_mean_file(const std::string& missing, const std::vector<std::string>& folders) {
+  for (const std::string& folder : folders) {
+    const fs::path path = fs::path(folder) / missing;
+    std::set<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator i(path.has_parent_path() ? path.parent_path() : ".", error), end;
+         !error && i != end; i.increment(error)) {
+      std::error_code ignored;
+      if (i->is_regular_file(ignored)) {
+        names.insert(i->path().filename().string());
+      }
+    }
+    const auto near = base::nearest_name(path.filename().string(),
+                                         std::vector<std::string_view>(names.begin(), names.end()));
+    if (near) {
+      return "; did you mean '" + fs::path(missing).replace_filename(*near).string() + "'?";
     }
   }
-  std::sort(names.begin(), names.end());
-  const auto near =
-      base::nearest_name(name, std::vector<std::string_view>(names.begin(), names.end()));
-  return near ? (folder / *near).string() : "";
+  return "";
 }
 
 }  // namespace elsie::world

@@ -34,37 +34,28 @@ void number(Element& list, bool numbered) {
   }
 }
 
-// How often each value is given.
-void count_values(const Element& element, std::map<std::string, int>& count) {
-  for (const Attribute& attribute : element.attributes) {
-    count[attribute.value] += attribute.completed ? 0 : 1;
-  }
-  for (const Element& child : element.children) {
-    count_values(child, count);
-  }
-}
-
-void yield_doubles(Element& element, const std::map<std::string, int>& count) {
-  for (Element& child : element.children) {
-    const Attribute* id = child.find("id");
-    const auto is_given_it = [&](const Element& other) {
-      const Attribute* given = other.find("id");
-      return given && !given->completed && given->value == id->value;
-    };
-    if (id && id->completed && count.contains(id->value) && count.at(id->value) == 1 &&
-        std::any_of(element.children.begin(), element.children.end(), is_given_it)) {
-      child.erase("id");
-    }
-    yield_doubles(child, count);
-  }
-}
-
 }  // namespace
 
 void yield_ids(Element& world, const ElementSpec& spec) {
-  std::map<std::string, int> count;
-  count_values(world, count);
-  yield_doubles(world, count);
+  std::map<std::string, int> count;  // how often each value is given
+  for_each_element(world, [&](const Element& element) {
+    for (const Attribute& attribute : element.attributes) {
+      count[attribute.value] += attribute.completed ? 0 : 1;
+    }
+  });
+  for_each_element(world, [&](Element& list) {
+    for (Element& child : list.children) {
+      const Attribute* id = child.find("id");
+      const auto is_given_it = [&](const Element& other) {
+        const Attribute* given = other.find("id");
+        return given && !given->completed && given->value == id->value;
+      };
+      if (id && id->completed && count[id->value] == 1 &&
+          std::any_of(list.children.begin(), list.children.end(), is_given_it)) {
+        child.erase("id");
+      }
+    }
+  });
   complete_ids(world, spec);
 }
 

@@ -9,6 +9,7 @@
 #include <tinyxml2.h>
 
 #include "elsie/base/read_whole.h"
+#include "elsie/plugin/parameters.h"
 #include "elsie/world/error.h"
 #include "elsie/world/escaped.h"
 #include "elsie/world/files.h"
@@ -68,9 +69,7 @@ Element element_of(const tinyxml2::XMLElement& source, const std::string& file) 
 }  // namespace
 
 const Attribute* Element::find(std::string_view attribute) const {
-  const auto found = std::find_if(attributes.begin(), attributes.end(),
-                                  [&](const Attribute& a) { return a.name == attribute; });
-  return found == attributes.end() ? nullptr : &*found;
+  return plugin::find_declared(attributes, attribute);
 }
 
 std::string Element::value(std::string_view attribute) const {
@@ -79,15 +78,12 @@ std::string Element::value(std::string_view attribute) const {
 }
 
 void Element::set(std::string_view attribute, std::string value, const Location& place) {
-  for (Attribute& a : attributes) {
-    if (a.name == attribute) {
-      a.value = std::move(value);
-      a.where = place;
-      a.completed = false;
-      return;
-    }
+  if (const Attribute* known = find(attribute)) {
+    attributes[static_cast<std::size_t>(known - attributes.data())] = {known->name,
+                                                                       std::move(value), place};
+  } else {
+    attributes.push_back({std::string(attribute), std::move(value), place});
   }
-  attributes.push_back({std::string(attribute), std::move(value), place});
 }
 
 void Element::erase(std::string_view attribute) {
@@ -99,9 +95,7 @@ Element* Element::child(std::string_view child_name) {
 }
 
 const Element* Element::child(std::string_view child_name) const {
-  const auto found = std::find_if(children.begin(), children.end(),
-                                  [&](const Element& e) { return e.name == child_name; });
-  return found == children.end() ? nullptr : &*found;
+  return plugin::find_declared(children, child_name);
 }
 
 std::string read_text(const std::string& file) {
@@ -119,10 +113,10 @@ std::string read_text(const std::string& file) {
                : "this is a link to '" + fs::read_symlink(file, ignored).string() +
                      "', but there is no such file");
     }
-    const std::string near = near_file(file);
+    const fs::path path(file);
     fail(file, 0,
          "there is no such file" +
-             (near.empty() ? "" : "; did you mean '" + fs::path(near).filename().string() + "'?"));
+             did_you_mean_file(path.filename().string(), {path.parent_path().string()}));
   }
   try {
     return base::read_whole(file, 32'000'000);
@@ -131,14 +125,12 @@ std::string read_text(const std::string& file) {
   }
 }
 
-Element parse_markup(std::string_view text, const std::string& file, const std::string& kind) {
-  std::vector<ElementSpan> spans;
-  return parse_markup(text, file, kind, spans);
-}
-
 Element parse_markup(std::string_view text, const std::string& file, const std::string& kind,
-                     std::vector<ElementSpan>& spans) {
-  spans = check_text(text, file, kind);
+                     std::vector<ElementSpan>* spans) {
+  std::vector<ElementSpan> places = check_text(text, file, kind);
+  if (spans) {
+    *spans = std::move(places);
+  }
   tinyxml2::XMLDocument document;
   document.Parse(text.data(), text.size());
   const tinyxml2::XMLElement* root = document.RootElement();

@@ -25,13 +25,6 @@ namespace {
 
 using plugin::find_declared;
 
-template <class Declared>
-void append_names(const std::vector<Declared>& list, std::vector<std::string>& names) {
-  for (const Declared& declared : list) {
-    names.push_back(declared.name);
-  }
-}
-
 // Walks the tree and the vocabulary in parallel. What a plugin's element may hold is in the
 // plugin's declaration.
 class ObjectReader {
@@ -44,74 +37,35 @@ class ObjectReader {
         reading_(reading),
         problems_(problems) {}
 
-  // Those that read something return whether the element had no mistakes.
-  bool read_object(const ElementSpec& spec, const Element& element, void* object) {
+  // The root element of a file, or one in it, without plugins.
+  void read_object(const ElementSpec& spec, const Element& element, void* object) {
     refuse_text(element);
-    bool sound = true;
-    for (const Attribute& attribute : element.attributes) {
-      sound &= read_attribute(spec, element, attribute, object);
-    }
-    sound &= has_required({spec.attributes.begin(), spec.attributes.end()}, element);
-    return read_children(spec, element, object) && sound;
+    read_attributes(element, &spec, object);
+    read_children(spec, element, object);
   }
 
+  // Whether the element that is being read has no mistakes so far.
+  bool sound() const { return sound_; }
+
  private:
-  // The declared parameters of an element; see PluginUse.
-  struct Values {
-    std::map<std::string, ParameterValue>& parameters;
+  // What a plugin declares for an element, and where it goes; see PluginUse.
+  struct Declared {
+    const std::vector<ParameterDeclaration>& parameters;
+    std::map<std::string, ParameterValue>& values;
     std::map<std::string, FileName>& file_names;
   };
 
-  bool read_children(const ElementSpec& spec, const Element& element, void* object) {
-    bool sound = true;
-    std::map<const ElementSpec*, std::size_t> count;
-    for (const Element& child : element.children) {
-      if (spec.take && !spec.child(child.name)) {
-        if (++count[nullptr] > 1) {
-          problems_.add(child.where,
-                        "<" + element.name + "> holds more than one element of a world");
-          sound = false;
-        } else {
-          spec.take(object, markup_of(child));
-        }
-        continue;
-      }
-      const ElementSpec* child_spec = spec_of(spec, child);
-      if (!child_spec) {
-        sound = false;
-        continue;
-      }
-      if (++count[child_spec] > child_spec->at_most) {
-        problems_.add(child.where,
-                      "<" + element.name + "> holds more than one " +
-                          (child_spec->plugins ? child_spec->name : "<" + child_spec->name + ">"));
-        continue;
-      }
-      const bool child_sound = read_child(*child_spec, child, object);
-      sound &= child_sound || child_spec->group || spec.group;
-    }
-    for (const ElementSpec& child : spec.children) {
-      if (child.at_least > count[&child]) {
-        problems_.add(element.where, "<" + element.name + "> lacks a <" + child.name + ">");
-        sound = false;
-      }
-    }
-    return sound;
+  // A mistake of the element that is being read.
+  void refuse(const Location& where, std::string message, bool plugin_failed = false) {
+    problems_.add(where, std::move(message), plugin_failed);
+    sound_ = false;
+  }
+  void refuse_value(const Element& element, const Attribute& attribute,
+                    const std::string& problem) {
+    refuse(attribute.where, in_words(attribute, element) + ": " + problem);
   }
 
-  bool read_child(const ElementSpec& spec, const Element& element, void* parent) {
-    void* object = spec.make(parent, element.where);
-    if (element.incomplete) {
-      mark_robot_incomplete();
-    }
-    const bool sound =
-        spec.plugins ? read_use(spec, element, object) : read_object(spec, element, object);
-    if (!sound) {
-      reading_.flawed.push_back({&spec, element.where});
-    }
-    return sound;
-  }
-
+  // Such a text is no mistake in the element's object.
   void refuse_text(const Element& element) {
     if (!element.text.empty()) {
       const std::string line = element.text.substr(0, element.text.find_first_of("\r\n"));
@@ -121,6 +75,50 @@ class ObjectReader {
     }
   }
 
+  void read_children(const ElementSpec& spec, const Element& element, void* object) {
+    std::map<const ElementSpec*, std::size_t> count;
+    for (const Element& child : element.children) {
+      if (spec.take && !spec.child(child.name)) {
+        if (++count[nullptr] > 1) {
+          refuse(child.where, "<" + element.name + "> holds more than one element of a world");
+        } else {
+          spec.take(object, markup_of(child));
+        }
+      } else if (const ElementSpec* child_spec = spec_of(spec, child); !child_spec) {
+        sound_ = false;
+      } else if (++count[child_spec] > child_spec->at_most) {
+        problems_.add(child.where,
+                      "<" + element.name + "> holds more than one " +
+                          (child_spec->plugins ? child_spec->name : "<" + child_spec->name + ">"));
+      } else if (!read_child(*child_spec, child, object) && !child_spec->group && !spec.group) {
+        sound_ = false;
+      }
+    }
+    for (const ElementSpec& child : spec.children) {
+      if (child.at_least > count[&child]) {
+        refuse(element.where, "<" + element.name + "> lacks a <" + child.name + ">");
+      }
+    }
+  }
+
+  // Returns whether the element has no mistakes.
+  bool read_child(const ElementSpec& spec, const Element& element, void* parent) {
+    const bool parent_sound = std::exchange(sound_, true);
+    void* object = spec.make(parent, element.where);
+    if (element.incomplete) {
+      mark_robot_incomplete();
+    }
+    if (spec.plugins) {
+      read_use(spec, element, object);
+    } else {
+      read_object(spec, element, object);
+    }
+    if (!sound_) {
+      reading_.flawed.push_back({&spec, element.where});
+    }
+    return std::exchange(sound_, parent_sound);
+  }
+
   // The description of a child, or null and a problem when there may be no such child.
   const ElementSpec* spec_of(const ElementSpec& parent, const Element& child) {
     if (!parent.children.empty() && parent.children.front().plugins) {
@@ -128,10 +126,7 @@ class ObjectReader {
     }
     const ElementSpec* spec = parent.child(child.name);
     if (!spec) {
-      std::vector<std::string> names;
-      for (const ElementSpec& known : parent.children) {
-        names.push_back("<" + known.name + ">");
-      }
+      const auto names = tags_of(parent.children);
       problems_.add(child.where, "<" + parent.name + "> may not hold <" + child.name + ">" +
                                      (names.empty() ? "; expected nothing in it"
                                                     : base::near_or_all("<" + child.name + ">",
@@ -140,54 +135,64 @@ class ObjectReader {
     return spec;
   }
 
-  bool has_required(const std::vector<Field>& fields, const Element& element) {
-    bool complete = true;
-    for (const Field& field : fields) {
-      if (field.required && !element.find(field.name)) {
-        problems_.add(element.where, "<" + element.name + "> lacks the attribute '" + field.name +
-                                         "'; expected " + expectation(field));
-        complete = false;
-      }
-    }
-    return complete;
-  }
-
-  void refuse_attribute(const Element& element, const Attribute& attribute,
-                        const std::vector<std::string>& names) {
-    problems_.add(attribute.where, "<" + element.name + "> has no attribute '" + attribute.name +
-                                       "'" +
-                                       base::near_or_all(attribute.name, names, "it may have"));
-  }
-
-  bool read_attribute(const ElementSpec& spec, const Element& element, const Attribute& attribute,
-                      void* object) {
-    const AttributeSpec* known = spec.attribute(attribute.name);
-    if (!known) {
+  // Either of what describes the element may be missing.
+  void read_attributes(const Element& element, const ElementSpec* spec, void* object,
+                       const Declared* declared = nullptr) {
+    for (const Attribute& attribute : element.attributes) {
+      const AttributeSpec* known = spec ? spec->attribute(attribute.name) : nullptr;
+      const ParameterDeclaration* parameter =
+          declared ? find_declared(declared->parameters, attribute.name) : nullptr;
       // Editors associate the schema through these.
-      if (spec.root &&
-          (attribute.name == "xmlns:xsi" || attribute.name == "xsi:noNamespaceSchemaLocation")) {
-        return true;
+      const bool is_of_schema =
+          spec && spec->root &&
+          (attribute.name == "xmlns:xsi" || attribute.name == "xsi:noNamespaceSchemaLocation");
+      if (known) {
+        read_attribute(*known, element, attribute, object);
+      } else if (parameter) {
+        read_parameter(*parameter, element, attribute, *declared);
+      } else if (!is_of_schema) {
+        auto names = declared ? names_of(declared->parameters) : std::vector<std::string>();
+        for (std::string& name : spec ? names_of(spec->attributes) : std::vector<std::string>()) {
+          names.push_back(std::move(name));
+        }
+        refuse(attribute.where, "<" + element.name + "> has no attribute '" + attribute.name + "'" +
+                                    base::near_or_all(attribute.name, names, "it may have"));
       }
-      std::vector<std::string> names;
-      for (const AttributeSpec& each : spec.attributes) {
-        names.push_back(each.name);
-      }
-      refuse_attribute(element, attribute, names);
-      return false;
     }
-    const Parsed parsed = parse_value(*known, attribute.value);
+    if (spec) {
+      for (const AttributeSpec& attribute : spec->attributes) {
+        require(attribute, element);
+      }
+    }
+    if (declared) {
+      for (const ParameterDeclaration& parameter : declared->parameters) {
+        require(field_of(parameter), element);
+        set_default(parameter, element, *declared);
+      }
+    }
+  }
+
+  void require(const Field& field, const Element& element) {
+    if (field.required && !element.find(field.name)) {
+      refuse(element.where, "<" + element.name + "> lacks the attribute '" + field.name +
+                                "'; expected " + expectation(field));
+    }
+  }
+
+  void read_attribute(const AttributeSpec& known, const Element& element,
+                      const Attribute& attribute, void* object) {
+    const Parsed parsed = parse_value(known, attribute.value);
     if (!parsed.value) {
-      problems_.add(attribute.where, in_words(attribute, element) + ": " + parsed.problem);
-      return false;
+      refuse_value(element, attribute, parsed.problem);
+      return;
     }
-    if (known->refers_to != Reference::none) {
+    if (known.refers_to != Reference::none) {
       reading_.mentions.push_back(
-          {known->refers_to, attribute.value, attribute.where, in_words(attribute, element)});
+          {known.refers_to, attribute.value, attribute.where, in_words(attribute, element)});
     }
-    if (known->set) {
-      known->set(object, *parsed.value);
+    if (known.set) {
+      known.set(object, *parsed.value);
     }
-    return true;
   }
 
   // The robot that is being read.
@@ -195,7 +200,7 @@ class ObjectReader {
     reading_.incomplete_robots.insert(reading_.world.robots.size() - 1);
   }
 
-  bool read_use(const ElementSpec& spec, const Element& element, void* object) {
+  void read_use(const ElementSpec& spec, const Element& element, void* object) {
     if (!host_) {
       throw std::logic_error("this vocabulary has plugins (" + spec.name + "), its reader none");
     }
@@ -204,63 +209,42 @@ class ObjectReader {
     use.id = element.value("id");
     const Declaration* declaration = host_->find(*spec.plugins, element.name);
     if (!declaration) {
-      problems_.add(element.where, explain_missing(*host_, *spec.plugins, element.name));
+      refuse(element.where, explain_missing(*host_, *spec.plugins, element.name));
       if (*spec.plugins != PluginKind::measure) {
         mark_robot_incomplete();
       }
-      return false;
+      return;
     }
     refuse_text(element);
-    bool sound = true;
     for (const ParameterDeclaration& parameter : declaration->parameters) {
       if (spec.attribute(parameter.name)) {
-        problems_.add(element.where, "the plugin '" + element.name + "' declares a parameter '" +
-                                         parameter.name + "', which is an attribute of every " +
-                                         spec.name + "; rename the parameter in the plugin");
-        sound = false;
+        refuse(element.where, "the plugin '" + element.name + "' declares a parameter '" +
+                                  parameter.name + "', which is an attribute of every " +
+                                  spec.name + "; rename the parameter in the plugin");
       }
     }
-    const Values values{use.parameters, use.file_names};
-    for (const Attribute& attribute : element.attributes) {
-      const ParameterDeclaration* parameter =
-          find_declared(declaration->parameters, attribute.name);
-      if (spec.attribute(attribute.name)) {
-        sound &= read_attribute(spec, element, attribute, object);
-      } else if (parameter) {
-        sound &= read_parameter(*parameter, element, attribute, values);
-      } else {
-        std::vector<std::string> names;
-        append_names(declaration->parameters, names);
-        append_names(spec.attributes, names);
-        refuse_attribute(element, attribute, names);
-        sound = false;
-      }
+    const Declared declared{declaration->parameters, use.parameters, use.file_names};
+    read_attributes(element, &spec, object, &declared);
+    read_inside(spec, *declaration, element, object);
+    if (sound_ && check_plugins_) {
+      try_out(*declaration, element, use);
     }
-    sound &= complete(declaration->parameters, element, values);
-    sound &= read_inside(spec, *declaration, element, object);
-    if (sound && check_plugins_) {
-      sound = try_out(*declaration, element, use);
-    }
-    return sound;
   }
 
   // Reads the elements in a plugin's element. Mistakes in what a behaviour holds do not count as
   // its.
-  bool read_inside(const ElementSpec& spec, const Declaration& declaration, const Element& element,
+  void read_inside(const ElementSpec& spec, const Declaration& declaration, const Element& element,
                    void* object) {
     PluginUse& use = const_cast<PluginUse&>(*spec.use(object));
     Coordination* inside = declaration.hold ? &spec.make_inside(object) : nullptr;
-    bool sound = true;
     std::set<std::string> held;
     for (const Element& child : element.children) {
       const ElementSpec* group = inside ? coordination_vocabulary().child(child.name) : nullptr;
       if (const ElementDeclaration* declared = find_declared(declaration.elements, child.name)) {
-        ElementUse& nested = use.elements.emplace_back();
-        sound &= read_element(*declared, child, nested);
+        read_element(*declared, child, use.elements.emplace_back());
       } else if (!group) {
-        problems_.add(child.where, "<" + element.name + "> may not hold <" + child.name + ">" +
-                                       explain_child(*host_, declaration, child));
-        sound = false;
+        refuse(child.where, "<" + element.name + "> may not hold <" + child.name + ">" +
+                                explain_child(*host_, declaration, child));
       } else if (!held.insert(child.name).second) {
         problems_.add(child.where,
                       "<" + element.name + "> holds more than one <" + child.name + ">");
@@ -268,107 +252,67 @@ class ObjectReader {
         read_child(*group, child, inside);
       }
     }
-    return sound;
   }
 
-  bool read_element(const ElementDeclaration& declared, const Element& element, ElementUse& use) {
+  void read_element(const ElementDeclaration& declared, const Element& element, ElementUse& use) {
     use.element = element.name;
     use.location = element.where;
     refuse_text(element);
-    bool sound = true;
     for (const Element& child : element.children) {
-      problems_.add(child.where, "<" + element.name + "> may not hold <" + child.name + ">; " +
-                                     (find_declared(declared.parameters, child.name)
-                                          ? "its parameters are attributes"
-                                          : "expected nothing in it"));
-      sound = false;
+      refuse(child.where,
+             "<" + element.name + "> may not hold <" + child.name + ">; " +
+                 (find_declared(declared.parameters, child.name) ? "its parameters are attributes"
+                                                                 : "expected nothing in it"));
     }
-    const Values values{use.parameters, use.file_names};
-    for (const Attribute& attribute : element.attributes) {
-      if (const ParameterDeclaration* parameter =
-              find_declared(declared.parameters, attribute.name)) {
-        sound &= read_parameter(*parameter, element, attribute, values);
-      } else {
-        std::vector<std::string> names;
-        append_names(declared.parameters, names);
-        refuse_attribute(element, attribute, names);
-        sound = false;
-      }
-    }
-    return complete(declared.parameters, element, values) && sound;
+    const Declared content{declared.parameters, use.parameters, use.file_names};
+    read_attributes(element, nullptr, nullptr, &content);
   }
 
-  bool read_parameter(const ParameterDeclaration& parameter, const Element& element,
-                      const Attribute& attribute, Values values) {
+  void read_parameter(const ParameterDeclaration& parameter, const Element& element,
+                      const Attribute& attribute, const Declared& declared) {
     Parsed parsed = parse_value(field_of(parameter), attribute.value);
     if (!parsed.value) {
-      problems_.add(attribute.where, in_words(attribute, element) + ": " + parsed.problem);
-      return false;
+      refuse_value(element, attribute, parsed.problem);
+    } else if (parameter.type != ParameterType::file ||
+               (attribute.value.empty() && !parameter.facts.required)) {
+      declared.values[parameter.name] = std::move(*parsed.value);
+    } else if (attribute.value.empty()) {
+      refuse_value(element, attribute, "expected the path of a file");
+    } else if (const auto file = files_->find(attribute.value, attribute.where)) {
+      set_file(parameter, *file, files_->name_for_world(*file, attribute.value), declared);
+    } else {
+      refuse_value(element, attribute,
+                   files_->why_not(attribute.where, attribute.name, attribute.value));
     }
-    if (parameter.type == ParameterType::file &&
-        (!attribute.value.empty() || parameter.facts.required)) {
-      return read_file(parameter, element, attribute, values);
-    }
-    values.parameters[parameter.name] = std::move(*parsed.value);
-    return true;
   }
 
-  bool read_file(const ParameterDeclaration& parameter, const Element& element,
-                 const Attribute& attribute, Values values) {
-    if (attribute.value.empty()) {
-      problems_.add(attribute.where,
-                    in_words(attribute, element) + ": expected the path of a file");
-      return false;
-    }
-    const auto file = files_->find(attribute.value, attribute.where);
-    if (!file) {
-      problems_.add(attribute.where,
-                    in_words(attribute, element) + ": " +
-                        files_->why_not(attribute.where, attribute.name, attribute.value));
-      return false;
-    }
-    const std::string path = Files::absolute(*file);
-    values.file_names[parameter.name] = {path, files_->name_for_world(*file, attribute.value)};
-    values.parameters[parameter.name] = path;
-    return true;
-  }
-
-  // Checks the parameters without an attribute: they must not be required, and default files must
-  // exist.
-  bool complete(const std::vector<ParameterDeclaration>& parameters, const Element& element,
-                Values values) {
-    std::vector<Field> fields;
-    bool complete = true;
-    for (const ParameterDeclaration& parameter : parameters) {
-      fields.push_back(field_of(parameter));
-      if (parameter.type == ParameterType::file && !parameter.facts.required &&
-          !element.find(parameter.name)) {
-        complete &= find_default(parameter, element, values);
-      }
-    }
-    return has_required(fields, element) && complete;
+  static void set_file(const ParameterDeclaration& parameter, const std::string& file,
+                       const std::string& name, const Declared& declared) {
+    const std::string path = Files::absolute(file);
+    declared.file_names[parameter.name] = {path, name};
+    declared.values[parameter.name] = path;
   }
 
   // A default file is looked for in the data directories.
-  bool find_default(const ParameterDeclaration& parameter, const Element& element, Values values) {
+  void set_default(const ParameterDeclaration& parameter, const Element& element,
+                   const Declared& declared) {
+    if (parameter.type != ParameterType::file || parameter.facts.required ||
+        element.find(parameter.name)) {
+      return;
+    }
     const std::string& name = std::get<std::string>(parameter.default_value);
-    if (name.empty()) {
-      return true;
+    const auto file = name.empty() ? std::nullopt : files_->find_data(name);
+    if (file) {
+      set_file(parameter, *file, "", declared);
+    } else if (!name.empty()) {
+      refuse(element.where, "<" + element.name + "> takes '" + name + "' for its parameter '" +
+                                parameter.name + "', but there is no such file " +
+                                files_->data_places() + "; give the parameter another file");
     }
-    if (const auto file = files_->find_data(name)) {
-      const std::string path = Files::absolute(*file);
-      values.parameters[parameter.name] = path;
-      values.file_names[parameter.name] = {path, ""};
-      return true;
-    }
-    problems_.add(element.where, "<" + element.name + "> takes '" + name + "' for its parameter '" +
-                                     parameter.name + "', but there is no such file " +
-                                     files_->data_places() + "; give the parameter another file");
-    return false;
   }
 
   // Makes the plugin's object once, so that it checks its parameters.
-  bool try_out(const Declaration& declaration, const Element& element, const PluginUse& use) {
+  void try_out(const Declaration& declaration, const Element& element, const PluginUse& use) {
     plugin::Call call({.plugin = use.plugin.c_str(),
                        .id = use.id.c_str(),
                        .file = element.where.file.c_str(),
@@ -380,19 +324,16 @@ class ObjectReader {
       plugin::apply_parameters(declaration, *object, use.parameters,
                                {use.elements.begin(), use.elements.end()});
       if (const char* const changed = call.restore_arithmetic()) {
-        problems_.add(element.where,
-                      "plugin '" + use.plugin + "': it changed " + changed +
-                          " for the whole program while it was given its parameters",
-                      true);
-        return false;
+        refuse(element.where,
+               "plugin '" + use.plugin + "': it changed " + changed +
+                   " for the whole program while it was given its parameters",
+               true);
       }
-      return true;
     } catch (const plugin::CreateError& error) {
-      problems_.add(element.where, error.what(), true);
+      refuse(element.where, error.what(), true);
     } catch (const std::exception& error) {
-      problems_.add(element.where, error.what());
+      refuse(element.where, error.what());
     }
-    return false;
   }
 
   const plugin::Host* host_;  // null: the vocabulary has no plugins
@@ -400,6 +341,7 @@ class ObjectReader {
   const bool check_plugins_;
   Reading& reading_;
   Problems& problems_;
+  bool sound_ = true;  // whether the element that is being read has no mistakes so far
 };
 
 }  // namespace
@@ -407,7 +349,9 @@ class ObjectReader {
 std::vector<Flawed> read_object(const ElementSpec& spec, const Element& root, void* object,
                                 Problems& problems) {
   Reading reading;
-  if (!ObjectReader(nullptr, nullptr, false, reading, problems).read_object(spec, root, object)) {
+  ObjectReader reader(nullptr, nullptr, false, reading, problems);
+  reader.read_object(spec, root, object);
+  if (!reader.sound()) {
     reading.flawed.push_back({&spec, root.where});
   }
   return std::move(reading.flawed);

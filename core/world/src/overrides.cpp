@@ -1,32 +1,21 @@
-#include "overrides.h"
-
+// --set PATH=VALUE: changes the tree of a world before it is checked.
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
 #include "elsie/base/near_name.h"
+#include "elsie/world/tree.h"
 
 #include "ids.h"
 #include "path.h"
+#include "refusals.h"
 
 namespace elsie::world {
 
 namespace {
 
-constexpr std::string_view kRemove = "remove";
-
 [[noreturn]] void fail(const std::string& message) { throw std::invalid_argument(message); }
-
-void place(Element& element, const Location& where) {
-  element.where = where;
-  element.text_line = where.line;
-  for (Attribute& attribute : element.attributes) {
-    attribute.where = where;
-  }
-  for (Element& child : element.children) {
-    place(child, where);
-  }
-}
 
 Element element_of(const std::string& text, const Location& where) {
   if (!text.starts_with('<')) {
@@ -36,38 +25,40 @@ Element element_of(const std::string& text, const Location& where) {
         "robot[r1]/coordinator=<arbiter_suppression/>");
   }
   Element element = parse_markup(text, where.file);
-  place(element, where);
+  for_each_element(element, [&](Element& each) {
+    each.where = where;
+    each.text_line = where.line;
+    for (Attribute& attribute : each.attributes) {
+      attribute.where = where;
+    }
+  });
   return element;
 }
 
-bool is_from_set(const Location& where) { return where.file.starts_with("--set "); }
-
 // An override in the element that did not come with the element itself; or null.
-const Location* set_in(const Element& element, const Location& own) {
-  const auto foreign = [&](const Location& where) {
-    return is_from_set(where) && where.file != own.file;
+const Location* set_in(const Element& root) {
+  const Location* found = nullptr;
+  const auto note = [&](const Location& where) {
+    if (!found && where.file.starts_with("--set ") && where.file != root.where.file) {
+      found = &where;
+    }
   };
-  if (element.removed_by) {
-    return &*element.removed_by;
-  }
-  for (const Attribute& attribute : element.attributes) {
-    if (foreign(attribute.where)) {
-      return &attribute.where;
+  for_each_element(root, [&](const Element& element) {
+    note(element.where);
+    if (element.removed_by) {
+      note(*element.removed_by);
     }
-  }
-  for (const Element& child : element.children) {
-    const Location* found = foreign(child.where) ? &child.where : set_in(child, own);
-    if (found) {
-      return found;
+    for (const Attribute& attribute : element.attributes) {
+      note(attribute.where);
     }
-  }
-  return nullptr;
+  });
+  return found;
 }
 
 // It keeps its id, unless the new one brings another or the old one was only its name: then ids are
 // completed as in a file.
 void replace(Element& element, const Element& given) {
-  if (const Location* lost = set_in(element, element.where)) {
+  if (const Location* lost = set_in(element)) {
     fail("this replaces the element in which '" + lost->file.substr(6) +
          "' is set before; set that afterwards, or in the new element");
   }
@@ -84,14 +75,13 @@ void replace(Element& element, const Element& given) {
 
 // `remove` in an element means what a template has under the same id; here there is no template.
 void require_without_removals(const Element& given) {
-  if (given.find(kRemove)) {
-    fail("nothing stands under <" + given.name +
-         " remove=\"...\"> that could be taken away; to remove an element, end its path with @" +
-         std::string(kRemove) + "=true");
-  }
-  for (const Element& child : given.children) {
-    require_without_removals(child);
-  }
+  for_each_element(given, [](const Element& element) {
+    if (element.find("remove")) {
+      fail("nothing stands under <" + element.name +
+           " remove=\"...\"> that could be taken away; to remove an element, end its path with "
+           "@remove=true");
+    }
+  });
 }
 
 // Members of lists can be removed, coordinators, and what a plugin declares; what every world or
@@ -102,12 +92,11 @@ void require_removable(const Place& place) {
   if (spec.root) {
     fail(
         "the world itself cannot be removed; expected the path of something in it, as in "
-        "robot[r1]/@" +
-        std::string(kRemove));
+        "robot[r1]/@remove");
   }
   if (spec.group) {
     fail(tag + " is a list and cannot be removed; to empty it, remove what stands in it: " +
-         spec.members + "[*]/@" + std::string(kRemove));
+         spec.members + "[*]/@remove");
   }
   const bool is_listed = spec.at_most > 1 || spec.plugins || &spec == &nested_element();
   if (!is_listed) {
@@ -119,7 +108,7 @@ void require_removable(const Place& place) {
 
 void require_true_or_false(const std::vector<Place>& places, const std::string& value) {
   if (value != "true" && value != "false") {
-    fail(std::string(kRemove) + "=\"" + value + "\" of <" +
+    fail("remove=\"" + value + "\" of <" +
          (places.empty() ? "robot" : places.front().element->name) + ">: expected true or false");
   }
 }
@@ -148,39 +137,28 @@ void take_out(const std::vector<Place>& places, const std::string& attribute,
   }
   const bool has_default = is_running && places.front().spec->attribute(attribute);
   if (found == 0 && !has_default) {
-    std::vector<std::string> given;
-    for (const Attribute& each : places.front().element->attributes) {
-      given.push_back(each.name);
-    }
-    fail("<" + places.front().element->name + "> is given no '" + attribute + "'" +
-         base::near_or_all(attribute, given, "it is given"));
-  }
-}
-
-// The attribute of a robot that an override is about; "": the robot itself, or all robots; none: it
-// is about something else.
-std::optional<std::string> attribute_of_robot(const std::string& override) {
-  try {
-    const Path path = parse_path(std::string_view(override).substr(0, override.find('=')));
-    const std::string last = path.steps.empty() ? "" : path.steps.back().name;
-    return last == "robot" || last == "robots" ? std::optional(path.attribute) : std::nullopt;
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;  // apply_override() says why
+    const Element& first = *places.front().element;
+    fail("<" + first.name + "> is given no '" + attribute + "'" +
+         base::near_or_all(attribute, names_of(first.attributes), "it is given"));
   }
 }
 
 }  // namespace
 
-bool sets_template(const std::string& override) {
-  return attribute_of_robot(override) == "template";
-}
-
-bool concerns_templates(const std::string& override) {
-  return sets_template(override) || attribute_of_robot(override) == "";
-}
-
-bool concerns_robots(const std::string& override) {
-  return concerns_templates(override) || attribute_of_robot(override) == kRemove;
+Concern concern_of(const std::string& override) {
+  try {
+    const Path path = parse_path(std::string_view(override).substr(0, override.find('=')));
+    const std::string last = path.steps.empty() ? "" : path.steps.back().name;
+    if (last == "robot" || last == "robots") {
+      return path.attribute.empty()         ? Concern::robots
+             : path.attribute == "template" ? Concern::templates
+             : path.attribute == "remove"   ? Concern::removed_robots
+                                            : Concern::other;
+    }
+  } catch (const std::invalid_argument&) {
+    // apply_override() says why.
+  }
+  return Concern::other;
 }
 
 void apply_override(Element& world, const std::string& override, bool is_running,
@@ -193,18 +171,15 @@ void apply_override(Element& world, const std::string& override, bool is_running
     }
     const Path path = parse_path(std::string_view(override).substr(0, equals));
     const std::string value = override.substr(equals + 1);
-    if (path.from_attribute) {
-      take_out(find_places(world, path), path.attribute, value, is_running);
-      yield_ids(world, vocabulary());
-      return;
-    }
-    if (path.attribute == kRemove) {
+    if (path.attribute == "remove" && !path.from_attribute) {
       mark(find_places(world, path), value, where);
       return;
     }
-    if (path.attribute.empty()) {
+    if (path.from_attribute) {
+      take_out(find_places(world, path), path.attribute, value, is_running);
+    } else if (path.attribute.empty()) {
       const Element given = element_of(value, where);
-      if (!concerns_templates(override)) {
+      if (concern_of(override) != Concern::robots) {
         require_without_removals(given);
       }
       if (path.adds()) {
@@ -214,14 +189,13 @@ void apply_override(Element& world, const std::string& override, bool is_running
           replace(*place.element, given);
         }
       }
-      yield_ids(world, vocabulary());  // completed are those of what stands in the new element
-      return;
+    } else {
+      for (const Place& place : find_places(world, path)) {
+        place.element->set(path.attribute, value, where);
+      }
     }
-    for (const Place& place : find_places(world, path)) {
-      place.element->set(path.attribute, value, where);
-    }
-    if (path.attribute == "id") {
-      yield_ids(world, vocabulary());
+    if (path.from_attribute || path.attribute.empty() || path.attribute == "id") {
+      yield_ids(world, vocabulary());  // completed are those of what stands in a new element
     }
   } catch (const WorldError& error) {
     problems.add(where, error.problems().front().message);

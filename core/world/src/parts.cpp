@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "elsie/world/train.h"
-
 #include "differential.h"
 
 namespace elsie::world {
@@ -37,10 +35,9 @@ BodyPlan unchecked_plan(const Chassis& chassis, Drive& drive) {
 void add_segments(BodyPlan& plan, std::span<const Segment> segments) {
   const std::vector<Coupling> chain = couplings(plan, segments);
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    const Coupling& c = chain[i];
     const std::size_t vehicle = plan.vehicles();
     std::vector<Part> parts = parts_of(segments[i]);
-    parts[0].joint = HitchJoint{c.behind, c.ahead, c.height, c.max_yaw_rad, c.max_pitch_rad};
+    parts[0].joint = HitchJoint(chain[i]);
     for (Part& part : parts) {
       part.name = segments[i].id + "/" + part.name;
       part.vehicle = vehicle;
@@ -76,17 +73,6 @@ Fixture fixture_of(const Charger& charger, std::size_t index) {
                                                : Shape::pillar(charger.radius, 0.0));
 }
 
-std::vector<Fixture> fixtures_of(const World& world) {
-  std::vector<Fixture> all = walls_of(world.arena);
-  for (std::size_t i = 0; i < world.boxes.size(); ++i) {
-    all.push_back(fixture_of(world.boxes[i], i));
-  }
-  for (std::size_t i = 0; i < world.chargers.size(); ++i) {
-    all.push_back(fixture_of(world.chargers[i], i));
-  }
-  return all;
-}
-
 Chassis chassis_of(const RobotBody& body) {
   return {.round = body.round,
           .length = body.length,
@@ -104,15 +90,7 @@ Chassis chassis_of(const RobotBody& body) {
 std::vector<Part> parts_of(const Segment& d) {
   std::vector<Part> parts{
       chassis_part(Shape::box({d.length, d.width, d.height}), d.clearance, d.mass)};
-  for (const bool left : {true, false}) {
-    parts.push_back({left ? "left_wheel" : "right_wheel",
-                     PartRole::wheel,
-                     Shape::wheel(d.wheel_radius, d.wheel_width),
-                     {.origin = {0.0, (left ? 1.0 : -1.0) * d.half_axle(), d.wheel_radius}},
-                     0.0,
-                     0,
-                     WheelJoint{}});
-  }
+  add_wheels(parts, Shape::wheel(d.wheel_radius, d.wheel_width), d.half_axle(), 0.0, {});
   return parts;
 }
 

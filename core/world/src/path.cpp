@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
+#include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
+#include "elsie/plugin/parameters.h"
 #include "elsie/world/error.h"
 #include "elsie/world/vocabulary.h"
 
@@ -22,27 +25,17 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
-bool is_among(const std::vector<ElementSpec>& specs, const std::string& name) {
-  return std::any_of(specs.begin(), specs.end(),
-                     [&](const ElementSpec& spec) { return spec.name == name; });
-}
-
-// The children of a group that a step of this name means.
-void collect_members(Element& group, const ElementSpec& spec, const std::string& name,
-                     std::vector<Place>& found) {
-  for (Element& child : group.children) {
-    const ElementSpec* child_spec =
-        spec.children.front().plugins ? &spec.children.front() : spec.child(child.name);
-    if (child_spec && (name == spec.members || name == child.name)) {
-      found.push_back({&child, child_spec});
-    }
-  }
-}
-
+// The children that a step of this name means: those of groups, too.
 std::vector<Place> children(const Place& place, const std::string& name) {
   std::vector<Place> found;
   if (place.spec->group) {
-    collect_members(*place.element, *place.spec, name, found);
+    const ElementSpec& first = place.spec->children.front();
+    for (Element& child : place.element->children) {
+      const ElementSpec* spec = first.plugins ? &first : place.spec->child(child.name);
+      if (spec && (name == place.spec->members || name == child.name)) {
+        found.push_back({&child, spec});
+      }
+    }
     return found;
   }
   for (const ElementSpec& spec : place.spec->below()) {
@@ -53,13 +46,14 @@ std::vector<Place> children(const Place& place, const std::string& name) {
       if (name == spec.name && name != spec.members) {
         found.push_back({&child, &spec});
       } else if (spec.group) {
-        collect_members(child, spec, name, found);
+        const auto members = children({&child, &spec}, name);
+        found.insert(found.end(), members.begin(), members.end());
       }
     }
   }
-  if (place.spec->plugins) {
+  if (place.spec->plugins && !plugin::find_declared(place.spec->below(), name)) {
     for (Element& child : place.element->children) {
-      if (child.name == name && !is_among(place.spec->below(), name)) {
+      if (child.name == name) {
         found.push_back({&child, &nested_element()});
       }
     }
@@ -73,28 +67,34 @@ std::vector<Place> children(const Place& place, const std::string& name) {
 
 // The names that a step may have here.
 std::vector<std::string> names_at(const Place& place) {
-  std::vector<std::string> names;
+  std::set<std::string> names;
   for (const ElementSpec& spec : place.spec->below()) {
     // What a plugin's element may hold is known by what is there.
     if (place.spec->plugins && !place.element->child(spec.name)) {
       continue;
     }
-    names.push_back(spec.name);
-    if (spec.group && spec.members != spec.name) {
-      names.push_back(spec.members);
+    names.insert(spec.name);
+    if (spec.group) {
+      names.insert(spec.members);
     }
   }
   for (const Element& child : place.element->children) {
     if (place.spec->plugins) {
-      names.push_back(child.name);
+      names.insert(child.name);
     }
     for (const Element& member : child.children) {
-      names.push_back(member.name);
+      names.insert(member.name);
     }
   }
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  return names;
+  return {names.begin(), names.end()};
+}
+
+// None if the whole text is no number.
+std::optional<std::size_t> number_of(std::string_view text) {
+  std::size_t number = 0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
+  return parsed.ec == std::errc() && parsed.ptr == text.data() + text.size() ? std::optional(number)
+                                                                             : std::nullopt;
 }
 
 std::string text_of(const PathStep& step) {
@@ -122,14 +122,11 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
     refuse("'" + step.name + "' could be any of " + count + "; say which, as in " + step.name +
            "[" + (ids.empty() ? "1" : ids.front()) + "], or " + step.name + "[*] for all of them");
   }
-  std::size_t number = 0;
-  const char* end = step.key.data() + step.key.size();
-  const auto parsed = std::from_chars(step.key.data(), end, number);
-  const bool is_number = parsed.ec == std::errc() && parsed.ptr == end;
-  if (is_number && number >= 1 && number <= places.size()) {
-    return {places[number - 1]};
+  const auto number = number_of(step.key);
+  if (number && *number >= 1 && *number <= places.size()) {
+    return {places[*number - 1]};
   }
-  if (is_number || ids.empty()) {
+  if (number || ids.empty()) {
     refuse("there is no " + text_of(step) + "; they are numbered from 1 to " + count);
   }
   // Few ids are listed; of many, only the nearest.
@@ -151,13 +148,19 @@ std::vector<Place> step_from(const Place& place, const PathStep& step) {
     return chosen(found, step);
   }
   for (const ElementSpec& spec : place.spec->below()) {
-    if (spec.name != step.name || spec.name == spec.members || spec.plugins || spec.at_most > 1 ||
-        !step.key.empty()) {
-      continue;
+    if (spec.name == step.name && spec.name != spec.members && !spec.plugins && spec.at_most == 1 &&
+        step.key.empty()) {
+      return {{&add_in_order(place, empty_element(step.name, place)), &spec}};
     }
-    return {{&add_in_order(place, empty_element(step.name, place)), &spec}};
   }
   return {};
+}
+
+// How an element that is missing is added, if the path is that of an element.
+std::string way_to_add(const Path& path, const PathStep& step) {
+  return path.attribute.empty() && &step == &path.steps.back() && step.key.empty()
+             ? "; to add one, write " + step.name + "[+] in the path"
+             : "";
 }
 
 // A part of a robot, named without a robot: that of every robot.
@@ -199,17 +202,14 @@ void insert(Element& holder, const PathStep& step, const Element& given,
       counted.push_back(i);
     }
   }
-  std::size_t number = counted.size() + 1;
-  if (step.key != "+") {
-    const char* const end = step.key.data() + step.key.size();
-    const auto parsed = std::from_chars(step.key.data() + 1, end, number);
-    if (parsed.ec != std::errc() || parsed.ptr != end || number < 1 ||
-        number > counted.size() + 1) {
-      refuse("an element cannot be added as " + text_of(step) + "; expected " + step.name +
-             "[+] for the end, or a number from 1 to " + std::to_string(counted.size() + 1));
-    }
+  const std::size_t end = counted.size() + 1;
+  const std::size_t number =
+      step.key == "+" ? end : number_of(std::string_view(step.key).substr(1)).value_or(0);
+  if (number < 1 || number > end) {
+    refuse("an element cannot be added as " + text_of(step) + "; expected " + step.name +
+           "[+] for the end, or a number from 1 to " + std::to_string(end));
   }
-  const std::size_t at = number > counted.size() ? holder.children.size() : counted[number - 1];
+  const std::size_t at = number == end ? holder.children.size() : counted[number - 1];
   holder.children.insert(holder.children.begin() + static_cast<long>(at), given);
 }
 
@@ -224,39 +224,30 @@ void refuse_second(const Element& there, const std::string& held, const std::str
          "leave out the brackets: " + step + "=<...>");
 }
 
-void insert_member(Element& list, const ElementSpec& group, const PathStep& step,
-                   const Element& given) {
-  if (step.name != group.members) {
-    require_name(step, given);
-  }
-  if (group.children.front().at_most == 1 && !list.children.empty()) {
-    refuse_second(list, "element", group.members);
-  }
-  insert(list, step, given, [&](const Element& child) {
-    return step.name == group.members || child.name == step.name;
-  });
-}
-
 // Whether a place may hold what the step names; if so, it is added.
 bool add_to(const Place& place, const PathStep& step, const Element& given) {
-  const auto is_member = [&](const ElementSpec& group) {
-    return group.group && (step.name == group.members || group.child(step.name));
-  };
   const auto named_alike = [&](const Element& child) { return child.name == step.name; };
   if (place.spec->group) {
-    const bool plugins = place.spec->children.front().plugins.has_value();
-    if (!is_member(*place.spec) && !plugins) {
+    const ElementSpec& member = place.spec->children.front();
+    const bool is_any = step.name == place.spec->members;
+    if (!is_any && !member.plugins && !place.spec->child(step.name)) {
       return false;
     }
-    insert_member(*place.element, *place.spec, step, given);
+    if (!is_any) {
+      require_name(step, given);
+    }
+    if (member.at_most == 1 && !place.element->children.empty()) {
+      refuse_second(*place.element, "element", place.spec->members);
+    }
+    insert(*place.element, step, given,
+           [&](const Element& child) { return is_any || named_alike(child); });
     return true;
   }
   for (const ElementSpec& spec : place.spec->below()) {
-    if (is_member(spec)) {
+    if (spec.group && (step.name == spec.members || spec.child(step.name))) {
       Element* list = place.element->child(spec.name);
-      insert_member(list ? *list : add_in_order(place, empty_element(spec.name, place)), spec, step,
-                    given);
-      return true;
+      return add_to({list ? list : &add_in_order(place, empty_element(spec.name, place)), &spec},
+                    step, given);
     }
     if (spec.name == step.name) {
       require_name(step, given);
@@ -364,17 +355,6 @@ Path parse_path(std::string_view text) {
     text.remove_prefix(1);
   }
 }
-
-namespace {
-
-// How an element that is missing is added, if the path is that of an element.
-std::string way_to_add(const Path& path, const PathStep& step) {
-  return path.attribute.empty() && &step == &path.steps.back() && step.key.empty()
-             ? "; to add one, write " + step.name + "[+] in the path"
-             : "";
-}
-
-}  // namespace
 
 std::vector<Place> find_places(Element& world, const Path& path) {
   std::vector<Place> places{{&world, &vocabulary()}};

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -9,7 +10,7 @@
 #include "elsie/world/footprint.h"
 #include "elsie/world/parts.h"
 
-#include "checks.h"
+#include "reading.h"
 
 namespace elsie::world {
 
@@ -23,10 +24,6 @@ struct Block {
   std::string in_words;
   Location where;
 };
-
-Block block_of(const Box& box) {
-  return {footprint_of(box), "the box '" + box.id + "'", box.location};
-}
 
 // A robot, and its segments in line behind it if wanted.
 std::vector<Block> blocks_of(const Robot& robot, bool with_segments) {
@@ -52,17 +49,17 @@ class PlaceCheck {
   PlaceCheck(const Arena& arena, Problems& problems)
       : arena_(arena), problems_(problems), grid_(arena.length, arena.width) {}
 
-  void check_point(const std::string& what, double x, double y, const Location& where) {
-    if (auto problem = outside(arena_, what, x, y)) {
+  void report(std::optional<std::string> problem, const Location& where) {
+    if (problem) {
       problems_.add(where, std::move(*problem));
     }
   }
-
+  void check_point(const std::string& what, double x, double y, const Location& where) {
+    report(outside(arena_, what, x, y), where);
+  }
   // Not outside, and not in a wall.
   void check_free_of_walls(const Block& block) {
-    if (auto problem = outside(arena_, block.in_words, block.footprint)) {
-      problems_.add(block.where, std::move(*problem));
-    }
+    report(outside(arena_, block.in_words, block.footprint), block.where);
   }
 
   /// That the parts of a body overlap nothing that was put here before, in that order; then puts
@@ -137,7 +134,7 @@ void check_places(const Reading& reading, bool is_running, Problems& problems) {
     if (!reading.sound(box.location)) {
       continue;
     }
-    const Block block = block_of(box);
+    const Block block{footprint_of(box), "the box '" + box.id + "'", box.location};
     check.check_path(box);
     if (box.kind == BoxKind::fixed || box.kind == BoxKind::moving) {
       check.check_point(block.in_words, box.x, box.y, box.location);
@@ -157,8 +154,11 @@ void check_places(const Reading& reading, bool is_running, Problems& problems) {
       check.check_point("the charger '" + charger.id + "'", charger.x, charger.y, charger.location);
     }
   }
+  if (is_running) {
+    return;
+  }
   for (const Robot& robot : world.robots) {
-    if (is_running || !reading.sound(robot.location)) {
+    if (!reading.sound(robot.location)) {
       continue;
     }
     const std::vector<Block> parts = blocks_of(robot, reading.sound_with_segments(robot));

@@ -11,14 +11,11 @@
 #include "elsie/world/files.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/object_reader.h"
+#include "elsie/world/tree.h"
 #include "elsie/world/vocabulary.h"
 
-#include "checks.h"
-#include "drives.h"
 #include "ids.h"
-#include "overrides.h"
 #include "reading.h"
-#include "templates.h"
 
 namespace elsie::world {
 
@@ -39,38 +36,6 @@ void add_default_teams(std::vector<Team>& teams) {
   teams = std::move(all);
 }
 
-// Leaves only what a picture of the arena shows, goals at places included.
-// A drive whose plugin is not there is drawn as the default one.
-void leave_bodies_only(Element& root, const plugin::Host& host) {
-  const auto drop = [](Element& from, std::initializer_list<std::string_view> parts) {
-    std::erase_if(from.children, [&](const Element& part) {
-      return std::find(parts.begin(), parts.end(), part.name) != parts.end();
-    });
-  };
-  drop(root, {"limits", "measures", "changes"});
-  if (Element* goals = root.child("goals")) {
-    drop(*goals, {"endure"});
-  }
-  if (Element* robots = root.child("robots")) {
-    for (Element& robot : robots->children) {
-      drop(robot, {"sensors", "behaviors", "coordinator"});
-      const Element* drive = robot.child("drive");
-      if (drive && !drive->children.empty() &&
-          !host.find(PluginKind::drive, drive->children.front().name)) {
-        drop(robot, {"drive"});
-      }
-    }
-  }
-}
-
-// Element::object: the number of the element's start tag in the text.
-void number(Element& element, std::size_t& count) {
-  element.object = count++;
-  for (Element& child : element.children) {
-    number(child, count);
-  }
-}
-
 }  // namespace
 
 World read_world(const std::string& file, const plugin::Host& host, const ReadOptions& options) {
@@ -79,7 +44,7 @@ World read_world(const std::string& file, const plugin::Host& host, const ReadOp
 }
 
 Element tree_of_world(std::string_view text, const std::string& file,
-                      std::vector<ElementSpan>& spans) {
+                      std::vector<ElementSpan>* spans) {
   Element root = parse_markup(text, file, "world", spans);
   Problems problems;
   const std::string right = "expected <world format=\"" + std::to_string(kFormat) + "\">";
@@ -89,7 +54,7 @@ Element tree_of_world(std::string_view text, const std::string& file,
               {"experiment", "this file is an experiment, which names worlds; " + right}},
              problems);
   std::size_t count = 0;
-  number(root, count);
+  for_each_element(root, [&](Element& element) { element.object = count++; });
   complete_ids(root, vocabulary());
   return root;
 }
@@ -99,40 +64,37 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
   Problems problems;
   const Files files(file, options.data_directories, options.overrides_from, options.files,
                     options.found);
-  std::vector<ElementSpan> spans;
-  Element root = tree_of_world(text, file, spans);
-  Templates templates(host, files, problems);
-  for (const bool before_templates : {true, false}) {
-    if (!before_templates) {
-      templates.merge_all(root);
+  Element root = tree_of_world(text, file);
+  const auto apply = [&](const std::string& override) {
+    const Concern concern = concern_of(override);
+    if (options.is_running && concern == Concern::templates) {
+      problems.add({"--set " + override, 0},
+                   "what the template brings is in the robot since the start; replace the robot, "
+                   "or edit what is in it");
+      return;
     }
-    for (const std::string& override : options.overrides) {
-      // What runs has no templates any more: its edits are made in the order given.
-      const bool is_first = !options.is_running && concerns_templates(override);
-      if (is_first == before_templates) {
-        if (options.is_running && sets_template(override)) {
-          problems.add({"--set " + override, 0},
-                       "what the template brings is in the robot since the start; replace the "
-                       "robot, or edit what is in it");
-          continue;
-        }
-        apply_override(root, override, options.is_running, problems);
-        if (options.is_running) {
-          templates.merge_given(root);
-        }
-      }
+    apply_override(root, override, options.is_running, problems);
+    if (options.is_running && concern == Concern::robots) {
+      merge_templates(root, host, files, problems);
     }
-  }
+  };
+  // What runs has no templates any more: its edits are made in the order given.
+  std::vector<std::string> overrides = options.overrides;
+  const auto later =
+      options.is_running
+          ? overrides.begin()
+          : std::stable_partition(overrides.begin(), overrides.end(), [](const auto& override) {
+              return concern_of(override) >= Concern::robots;
+            });
+  std::for_each(overrides.begin(), later, apply);
+  merge_templates(root, host, files, problems);
+  std::for_each(later, overrides.end(), apply);
   return world_of_tree(std::move(root), file, host, files, options, problems);
 }
 
 World world_of_tree(Element root, const std::string& file, const plugin::Host& host,
                     const Files& files, const ReadOptions& options, Problems& problems) {
   remove_overridden(root);
-  if (options.bodies_only) {
-    leave_bodies_only(root, host);
-  }
-
   Reading reading = read_tree(root, host, files, options.check_plugins, problems);
   World& world = reading.world;
   world.file = file;

@@ -1,4 +1,4 @@
-// A world that was read from a tree, with what its checks need.
+// A world that was read from a tree, with what its checks need, and the steps of reading.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,6 @@
 
 #include "elsie/world/object_reader.h"
 #include "elsie/world/reader.h"
-
-#include "text_check.h"
-
-namespace elsie::plugin {
-class Host;
-}
 
 namespace elsie::world {
 
@@ -37,11 +31,13 @@ struct Reading {
   /// Robots, by their places in World::robots, with a template or a plugin that could not be found.
   std::set<std::size_t> incomplete_robots;
 
-  bool sound(const Location& where) const {
-    return std::none_of(flawed.begin(), flawed.end(), [&](const Flawed& each) {
-      return !each.spec->plugins && each.where.file == where.file && each.where.line == where.line;
+  bool has_flaw(const Location& where, bool of_plugins = true) const {
+    return std::any_of(flawed.begin(), flawed.end(), [&](const Flawed& each) {
+      return (of_plugins || !each.spec->plugins) && each.where.file == where.file &&
+             each.where.line == where.line;
     });
   }
+  bool sound(const Location& where) const { return !has_flaw(where, false); }
   bool sound_with_segments(const Robot& robot) const {
     return sound(robot.location) &&
            std::all_of(robot.segments.begin(), robot.segments.end(),
@@ -53,14 +49,18 @@ struct Reading {
 Reading read_tree(const Element& root, const plugin::Host& host, const Files& files,
                   bool check_plugins, Problems& problems);
 
-/// The tree of the text of a world: its root element is checked, and its ids are complete. `spans`
-/// are the places of its elements, whose Element::object is their place in this list.
-Element tree_of_world(std::string_view text, const std::string& file,
-                      std::vector<ElementSpan>& spans);
+/// Asks the drives for the parts of their robots and sets Robot::driven. A problem for each that
+/// does not fit its chassis or makes an impossible body.
+void build_bodies(Reading& reading, const plugin::Host& host, Problems& problems);
 
-/// The world of a tree that templates and overrides have been applied to. Throws WorldError with
-/// all problems, those that are there already included.
-World world_of_tree(Element root, const std::string& file, const plugin::Host& host,
-                    const Files& files, const ReadOptions& options, Problems& problems);
+/// Checks what concerns more than one attribute. `root` is the tree that the world was read from,
+/// after templates and overrides. `is_running`: ReadOptions::is_running.
+void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
+                 bool is_running, Problems& problems);
+
+/// The part about places. Static obstacles may overlap each other and the walls, as in mazes, and
+/// moving ones may pass through them; robots, dynamic boxes and resources must not overlap
+/// anything.
+void check_places(const Reading& reading, bool is_running, Problems& problems);
 
 }  // namespace elsie::world

@@ -20,17 +20,18 @@ std::string group_of(PluginKind kind) {
   return kind == PluginKind::coordinator || kind == PluginKind::drive ? name : name + "s";
 }
 
-// The plugins that declare an element of this name.
-std::vector<std::string> holders_of(const plugin::Host& host, const std::string& element) {
-  std::vector<std::string> holders;
+// The plugins for which `holds` is true, as tags.
+template <class Function>
+std::string holders(const plugin::Host& host, const Function& holds) {
+  std::vector<std::string> tags;
   for (const PluginKind kind : plugin::kPluginKinds) {
     for (const Declaration* plugin : host.all(kind)) {
-      if (plugin::find_declared(plugin->elements, element)) {
-        holders.push_back("<" + plugin->name + ">");
+      if (holds(*plugin)) {
+        tags.push_back("<" + plugin->name + ">");
       }
     }
   }
-  return holders;
+  return base::listed(tags);
 }
 
 }  // namespace
@@ -52,19 +53,11 @@ std::string explain_child(const plugin::Host& host, const Declaration& declarati
   }
   const ElementSpec& coordination = coordination_vocabulary();
   if (!declaration.hold && coordination.child(child.name)) {
-    std::vector<std::string> holders;
-    for (const Declaration* other : host.all(PluginKind::behavior)) {
-      if (other->hold) {
-        holders.push_back("<" + other->name + ">");
-      }
-    }
-    return holders.empty() ? "; no plugin that was found holds behaviours"
-                           : "; plugins that hold behaviours: " + base::listed(holders);
+    const std::string able = holders(host, [](const Declaration& each) { return !!each.hold; });
+    return able.empty() ? "; no plugin that was found holds behaviours"
+                        : "; plugins that hold behaviours: " + able;
   }
-  std::vector<std::string> names;
-  for (const ElementDeclaration& element : declaration.elements) {
-    names.push_back("<" + element.name + ">");
-  }
+  std::vector<std::string> names = tags_of(declaration.elements);
   if (declaration.hold) {
     for (const PluginKind kind : plugin::kPluginKinds) {
       if (host.find(kind, child.name)) {
@@ -75,12 +68,14 @@ std::string explain_child(const plugin::Host& host, const Declaration& declarati
                " <" + group_of(kind) + ">";
       }
     }
-    for (const ElementSpec& group : coordination.children) {
-      names.push_back("<" + group.name + ">");
+    for (std::string& group : tags_of(coordination.children)) {
+      names.push_back(std::move(group));
     }
   }
-  const std::vector<std::string> others = holders_of(host, child.name);
-  return !others.empty() ? "; it belongs in " + base::listed(others)
+  const std::string others = holders(host, [&](const Declaration& each) {
+    return plugin::find_declared(each.elements, child.name) != nullptr;
+  });
+  return !others.empty() ? "; it belongs in " + others
          : names.empty() ? kAttributesOfItsElement
                          : base::near_or_all("<" + child.name + ">", names, "it may hold");
 }

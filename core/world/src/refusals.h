@@ -1,7 +1,8 @@
-// Why an element of a plugin may not stand where it does, as the end of a sentence.
+// Why an element or attribute may not stand where it does, as the end of a sentence.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "elsie/api/declaration.h"
 #include "elsie/world/markup.h"
@@ -11,6 +12,25 @@ class Host;
 }
 
 namespace elsie::world {
+
+/// The names of attributes, parameters or elements.
+template <class List>
+std::vector<std::string> names_of(const List& list) {
+  std::vector<std::string> names;
+  for (const auto& each : list) {
+    names.push_back(each.name);
+  }
+  return names;
+}
+/// The same as tags: "<roam>".
+template <class List>
+std::vector<std::string> tags_of(const List& list) {
+  std::vector<std::string> tags = names_of(list);
+  for (std::string& tag : tags) {
+    tag = "<" + tag + ">";
+  }
+  return tags;
+}
 
 /// No plugin of this kind has this name: it is of another kind, or was not found.
 std::string explain_missing(const plugin::Host& host, PluginKind kind, const std::string& name);

@@ -1,5 +1,4 @@
-#include "robot_vocabulary.h"
-
+// The part of the vocabulary about robots.
 #include "elsie/world/facts.h"
 
 namespace elsie::world {
@@ -9,17 +8,10 @@ namespace {
 ElementSpec body() {
   return Describe<RobotBody>("body", "A chassis and the wheels that its drive puts below it")
       .costs(Cost::body)
-      .attribute(
-          "shape", ParameterType::text,
-          {.choices = {"box", "round"},
-           .meaning = "of the chassis; one that is round is as long as it is wide"},
-          {},
-          [](void* object, const ParameterValue& value) {
-            static_cast<RobotBody*>(object)->round = std::get<std::string>(value) == "round";
-          },
-          [](const void* object) -> std::optional<ParameterValue> {
-            return static_cast<const RobotBody*>(object)->round ? "round" : "box";
-          })
+      .choice("shape", &RobotBody::round,
+              {.choices = {"box", "round"},
+               .meaning = "of the chassis; one that is round is as long as it is wide"},
+              "round")
       .attribute("length", &RobotBody::length, size("chassis, along the heading", 10))
       .attribute("width", &RobotBody::width, size("chassis, across", 10))
       .attribute("height", &RobotBody::height, size("chassis", 10))
@@ -33,18 +25,19 @@ ElementSpec body() {
       .attribute("mass", &RobotBody::mass, mass("of the chassis"))
       .attribute("wheel_mass", &RobotBody::wheel_mass, mass("of each wheel"))
       .attribute("wheel_torque", &RobotBody::wheel_torque,
-                 {.unit = "N m",
-                  .above = 0,
-                  .max = 1e4,
-                  .meaning = "what the motor of each wheel can give"});
+                 positive("N m", 1e4, "what the motor of each wheel can give"));
 }
 
-ParameterFacts removal() {
-  return fact("takes away what the template has under this id; nothing else may be said then");
+// A member of a list that a robot has from its template can be removed.
+template <class Member>
+Describe<Member> removable(Describe<Member> member) {
+  return std::move(member).attribute_before_reading(
+      "remove", ParameterType::boolean,
+      fact("takes away what the template has under this id; nothing else may be said then"));
 }
 
-Describe<Robot> segments() {
-  ElementSpec segment =
+ElementSpec segment() {
+  return removable(
       Describe<Segment>("segment", "A box on two passive wheels that the robot pulls")
           .costs(Cost::body)
           .attribute("id", &Segment::id,
@@ -60,42 +53,24 @@ Describe<Robot> segments() {
           .attribute("gap", &Segment::gap,
                      size("from the body in front, when they stand in line", 10))
           .attribute("hitch", &Segment::hitch,
-                     {.unit = "m",
-                      .min = 0,
-                      .max = 20,
-                      .meaning = "from the middle of the body in front back to the joint; by "
-                                 "default the joint is in the middle of the gap"})
+                     range("m", 0, 20,
+                           "from the middle of the body in front back to the joint; by "
+                           "default the joint is in the middle of the gap"))
           .attribute("hitch_height", &Segment::hitch_height,
-                     {.unit = "m",
-                      .min = 0,
-                      .max = 20,
-                      .meaning = "of the joint above the floor; by default that of the axle"})
+                     range("m", 0, 20, "of the joint above the floor; by default that of the axle"))
           .attribute("max_yaw_deg", &Segment::max_yaw_deg,
-                     {.unit = "deg",
-                      .min = 1,
-                      .max = 170,
-                      .meaning = "how far the joint turns to either side; by default until the "
-                                 "two bodies would touch, at most 90"})
+                     range("deg", 1, 170,
+                           "how far the joint turns to either side; by default until the "
+                           "two bodies would touch, at most 90"))
           .attribute("max_pitch_deg", &Segment::max_pitch_deg,
-                     {.unit = "deg",
-                      .min = 1,
-                      .max = 80,
-                      .meaning = "how far the joint bends upwards and downwards"})
-          .attribute_before_reading("remove", ParameterType::boolean, removal());
-  return Describe<Robot>("segments", "What the robot pulls behind it, from the front backwards")
-      .members("segment")
-      .each(std::move(segment), &Robot::segments);
+                     range("deg", 1, 80, "how far the joint bends upwards and downwards")));
 }
 
-Describe<Robot> sensors() {
-  ElementSpec sensor =
-      Describe<SensorUse>("sensor", "A sensor: the element has the name of its plugin")
-          .plugins(PluginKind::sensor)
-          .costs(Cost::object)
-          .attribute("id", &SensorUse::id,
-                     fact("its name on this robot; by default the plugin's, with a number if there "
-                          "are several"),
-                     kId)
+ElementSpec sensor() {
+  return removable(
+      plugin_use<SensorUse>("sensor", "A sensor", PluginKind::sensor, Cost::object,
+                            "its name on this robot; by default the plugin's, with a number if "
+                            "there are several")
           .attribute("x", &SensorUse::x,
                      metres("where it is mounted, ahead; by default the chassis' front"))
           .attribute("y", &SensorUse::y,
@@ -105,58 +80,36 @@ Describe<Robot> sensors() {
           .attribute("yaw_deg", &SensorUse::yaw_deg, angle("where it looks, to the left"))
           .attribute("pitch_deg", &SensorUse::pitch_deg, angle("where it looks, upwards"))
           .attribute("energy_cost", &SensorUse::energy_cost,
-                     {.unit = "units/s", .min = 0, .max = 1e12, .meaning = "what it uses"},
-                     kLive<&LiveRobot::set_energy_cost>)
-          .attribute_before_reading("remove", ParameterType::boolean, removal());
-  return Describe<Robot>("sensors", "The robot's sensors")
-      .members("sensor")
-      .each(std::move(sensor), &Robot::sensors);
+                     range("units/s", 0, 1e12, "what it uses"),
+                     kLive<&LiveRobot::set_energy_cost>));
+}
+
+ElementSpec behavior() {
+  return removable(
+      plugin_use<BehaviorUse>("behavior", "A behaviour", PluginKind::behavior, Cost::object,
+                              "its name among those beside it; by default the plugin's, with a "
+                              "number if there are several")
+          .holds(&BehaviorUse::inside)
+          .attribute("priority", &BehaviorUse::priority,
+                     range("", -1e6, 1e6, "its weight or rank, as the coordinator takes it"),
+                     kLive<&LiveRobot::set_priority>));
+}
+
+// Of what there is one of.
+ElementSpec only_use(const char* name, const char* meaning, PluginKind kind, Cost cost) {
+  return removable(
+      plugin_use<PluginUse>(name, meaning, kind, cost, "its name; by default the plugin's"));
 }
 
 Describe<Coordination> behaviors() {
-  ElementSpec behavior =
-      Describe<BehaviorUse>("behavior", "A behaviour: the element has the name of its plugin")
-          .plugins(PluginKind::behavior)
-          .costs(Cost::object)
-          .holds(&BehaviorUse::inside)
-          .attribute("id", &BehaviorUse::id,
-                     fact("its name among those beside it; by default the plugin's, with a number "
-                          "if there are several"),
-                     kId)
-          .attribute("priority", &BehaviorUse::priority,
-                     {.min = -1e6,
-                      .max = 1e6,
-                      .meaning = "its weight or rank, as the coordinator takes it"},
-                     kLive<&LiveRobot::set_priority>)
-          .attribute_before_reading("remove", ParameterType::boolean, removal());
   return Describe<Coordination>("behaviors", "Behaviours, in the order of their rank in ties")
-      .members("behavior")
-      .each(std::move(behavior), &Coordination::behaviors);
+      .each(behavior(), &Coordination::behaviors);
 }
 
 Describe<Coordination> coordinator() {
-  ElementSpec use =
-      Describe<PluginUse>("coordinator", "A coordinator: the element has the name of its plugin")
-          .plugins(PluginKind::coordinator)
-          .costs(Cost::object)
-          .attribute("id", &PluginUse::id, fact("its name; by default the plugin's"), kId)
-          .attribute_before_reading("remove", ParameterType::boolean, removal());
   return Describe<Coordination>("coordinator", "What turns the behaviours' wishes into one command")
-      .members("coordinator")
-      .optional(std::move(use), &Coordination::coordinator);
-}
-
-Describe<Robot> drive() {
-  ElementSpec use =
-      Describe<PluginUse>("drive", "A drive: the element has the name of its plugin")
-          .plugins(PluginKind::drive)
-          .costs(Cost::body)
-          .attribute("id", &PluginUse::id, fact("its name; by default the plugin's"), kId)
-          .attribute_before_reading("remove", ParameterType::boolean, removal());
-  return Describe<Robot>("drive",
-                         "What moves the robot; by default two wheels on one axle (differential)")
-      .members("drive")
-      .optional(std::move(use), &Robot::drive);
+      .optional(only_use("coordinator", "A coordinator", PluginKind::coordinator, Cost::object),
+                &Coordination::coordinator);
 }
 
 // What robots and templates of robots have in common.
@@ -168,48 +121,45 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
       .attribute("team", &Robot::team, fact("the team that it belongs to"), kTeam)
       .attribute("x", &Robot::x, metres("east"), kLive<&LiveRobot::set_x>)
       .attribute("y", &Robot::y, metres("north"), kLive<&LiveRobot::set_y>)
-      .attribute("z", &Robot::z,
-                 {.unit = "m", .min = 0, .max = 100, .meaning = "the bottom of its wheels"},
+      .attribute("z", &Robot::z, range("m", 0, 100, "the bottom of its wheels"),
                  kLive<&LiveRobot::set_z>)
       .attribute("heading_deg", &Robot::heading_deg, angle("counter-clockwise from east"),
                  kLive<&LiveRobot::set_heading_deg>)
-      .attribute(
-          "max_speed", &Robot::max_speed,
-          {.unit = "m/s", .min = 0, .max = 100, .meaning = "no wheel rolls faster than this"},
-          kLive<&LiveRobot::set_max_speed>)
-      .attribute(
-          "coverage", &Robot::coverage,
-          {.unit = "m",
-           .min = 0,
-           .max = 1e4,
-           .meaning = "communication radius: robots of its team perceive it from as far off"},
-          kLive<&LiveRobot::set_coverage>)
+      .attribute("max_speed", &Robot::max_speed,
+                 range("m/s", 0, 100, "no wheel rolls faster than this"),
+                 kLive<&LiveRobot::set_max_speed>)
+      .attribute("coverage", &Robot::coverage,
+                 range("m", 0, 1e4,
+                       "communication radius: robots of its team perceive it from as far off"),
+                 kLive<&LiveRobot::set_coverage>)
       .attribute("leader", &Robot::leader, fact("whether it leads its team"),
                  kLive<&LiveRobot::set_leader>)
-      .attribute("battery", &Robot::battery,
-                 {.unit = "units", .above = 0, .max = 1e12, .meaning = "its battery when full"},
+      .attribute("battery", &Robot::battery, positive("units", 1e12, "its battery when full"),
                  kCheap)
       .attribute("energy", &Robot::energy,
-                 {.unit = "units",
-                  .min = 0,
-                  .max = 1e12,
-                  .meaning = "in the battery at the start; by default it is full"},
+                 range("units", 0, 1e12, "in the battery at the start; by default it is full"),
                  kLive<&LiveRobot::set_energy>)
       .one(body(), &Robot::body)
-      .group(drive())
-      .group(segments())
-      .group(sensors())
+      .group(
+          Describe<Robot>("drive",
+                          "What moves the robot; by default two wheels on one axle "
+                          "(differential)")
+              .optional(only_use("drive", "A drive", PluginKind::drive, Cost::body), &Robot::drive))
+      .group(Describe<Robot>("segments", "What the robot pulls behind it, from the front backwards")
+                 .each(segment(), &Robot::segments))
+      .group(Describe<Robot>("sensors", "The robot's sensors").each(sensor(), &Robot::sensors))
       .group(behaviors())
       .group(coordinator());
 }
 
 }  // namespace
 
-ElementSpec robot_element() {
-  return with_robot_content(
+const ElementSpec& robot_spec() {
+  static const ElementSpec table = with_robot_content(
       Describe<Robot>("robot", "A chassis on a drive, with sensors and behaviours")
           .costs(Cost::engine)
           .attribute("id", &Robot::id, fact("its name"), kRequiredId));
+  return table;
 }
 
 const ElementSpec& template_vocabulary() {

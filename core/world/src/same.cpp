@@ -67,11 +67,6 @@ bool same_part(const ElementSpec& spec, const char* part, const void* a, const v
                     });
 }
 
-const ElementSpec& robot_spec() {
-  static const ElementSpec& spec = member_of(*vocabulary().child("robots"));
-  return spec;
-}
-
 bool same(const Box& a, const Box& b, Cost least) {
   const char* const names[] = {"static_box", "dynamic_box", "moving_box"};
   const ElementSpec& spec =

@@ -1,11 +1,18 @@
-#include "templates.h"
-
+// Robot templates: files whose content a robot element takes over and overrides.
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <optional>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "elsie/base/words.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/parameters.h"
+#include "elsie/world/files.h"
+#include "elsie/world/tree.h"
 #include "elsie/world/vocabulary.h"
 
 #include "ids.h"
@@ -14,25 +21,14 @@ namespace elsie::world {
 
 namespace {
 
-bool is_list(const std::string& name) {
-  return name == "segments" || name == "sensors" || name == "behaviors" || name == "coordinator" ||
-         name == "drive";
-}
-
-// The lists in a behaviour that holds others.
-bool is_held(const std::string& name) { return name == "behaviors" || name == "coordinator"; }
-
-// The kind of the plugins in a list, if it has plugins.
-std::optional<PluginKind> kind_in(const std::string& list) {
-  return list == "sensors"       ? std::optional(PluginKind::sensor)
-         : list == "behaviors"   ? std::optional(PluginKind::behavior)
-         : list == "coordinator" ? std::optional(PluginKind::coordinator)
-         : list == "drive"       ? std::optional(PluginKind::drive)
-                                 : std::nullopt;
+// The list of this name in a robot, or in a behaviour that holds others; null if there is none.
+const ElementSpec* list_in(const ElementSpec& holder, const std::string& name) {
+  const ElementSpec* found = plugin::find_declared(holder.below(), name);
+  return found && found->group ? found : nullptr;
 }
 
 // The plugin's list that an element belongs to; an unknown element has a list of its own.
-std::string list_of(const Declaration* declaration, const std::string& element) {
+std::string declared_list(const Declaration* declaration, const std::string& element) {
   const auto* declared =
       declaration ? plugin::find_declared(declaration->elements, element) : nullptr;
   return declared ? std::to_string(declared->list) : element;
@@ -40,244 +36,213 @@ std::string list_of(const Declaration* declaration, const std::string& element) 
 
 void inherit_attributes(Element& over, const Element& base) {
   std::vector<Attribute> inherited;
-  for (const Attribute& attribute : base.attributes) {
-    if (!over.find(attribute.name)) {
-      inherited.push_back(attribute);
-    }
-  }
+  std::copy_if(base.attributes.begin(), base.attributes.end(), std::back_inserter(inherited),
+               [&](const Attribute& attribute) { return !over.find(attribute.name); });
   over.attributes.insert(over.attributes.end(), inherited.begin(), inherited.end());
 }
 
+class Templates {
+ public:
+  Templates(const plugin::Host& host, const Files& files, Problems& problems)
+      : host_(host), files_(files), problems_(problems) {}
+
+  void merge(Element& robot) {
+    const Attribute* reference = robot.find("template");
+    if (!reference) {
+      drop_removals_in(template_vocabulary(), robot);
+      return;
+    }
+    const Attribute from = *reference;
+    robot.erase("template");
+    const auto file = files_.find(from.value, from.where);
+    const Element* base = file ? load(*file, from.where) : nullptr;
+    if (!file) {
+      problems_.add(from.where, "the template '" + from.value + "' is not there; looked " +
+                                    files_.places(from.where, from.name, from.value));
+    }
+    if (base) {
+      overlay(template_vocabulary(), robot, *base);
+    } else {
+      robot.incomplete = true;
+    }
+  }
+
+ private:
+  const Element* load(const std::string& file, const Location& from) {
+    const std::string key = Files::absolute(file);
+    const auto cycle = std::find_if(open_.begin(), open_.end(), [&](const std::string& open) {
+      return Files::absolute(open) == key;
+    });
+    if (cycle != open_.end()) {
+      std::vector<std::string> chain(cycle, open_.end());
+      chain.push_back(file);
+      problems_.add(from, "a template includes itself: " + base::joined(chain, " -> "));
+      return nullptr;
+    }
+    if (const auto known = loaded_.find(key); known != loaded_.end()) {
+      return known->second ? &*known->second : nullptr;
+    }
+    std::optional<Element>& result = loaded_[key];
+    try {
+      Element root = parse_markup(read_text(file), file);
+      const std::string format = root.value("format");
+      const std::string right = "<robot_template format=\"" + std::to_string(kFormat) + "\">";
+      if (root.name != "robot_template") {
+        problems_.add(from, "the file '" + file + "' is no template: it begins with <" + root.name +
+                                ">; expected " + right);
+        return nullptr;
+      }
+      if (format != std::to_string(kFormat)) {
+        problems_.add(from, "the template '" + file + "' has the format \"" + format +
+                                "\"; expected " + right);
+        return nullptr;
+      }
+      root.erase("format");
+      if (const Attribute* id = root.find("id")) {
+        problems_.add(id->where, "a template has no id; the robots that use it have");
+        root.erase("id");
+      }
+      complete_ids(root, template_vocabulary());
+      open_.push_back(file);
+      merge(root);
+      open_.pop_back();
+      if (!root.incomplete) {
+        result = std::move(root);
+      }
+    } catch (const WorldError& error) {
+      problems_.add(error);
+    }
+    return result ? &*result : nullptr;
+  }
+
+  // What a template says below what the robot or the use of a plugin says, which `spec` describes.
+  void overlay(const ElementSpec& spec, Element& own, const Element& base) {
+    inherit_attributes(own, base);
+    const Declaration* declaration = spec.plugins ? host_.find(*spec.plugins, own.name) : nullptr;
+    std::set<std::string> replaced;
+    for (Element& child : own.children) {
+      replaced.insert(declared_list(declaration, child.name));
+      const ElementSpec* list = list_in(spec, child.name);
+      if (list && !base.child(child.name)) {
+        drop_removals(*list, child);
+      }
+    }
+    for (const Element& inherited : base.children) {
+      Element* child = own.child(inherited.name);
+      const ElementSpec* list = list_in(spec, inherited.name);
+      if (child && list) {
+        overlay_group(*list, *child, inherited);
+      } else if (child && !spec.plugins) {
+        inherit_attributes(*child, inherited);
+      } else if (list || !replaced.contains(declared_list(declaration, inherited.name))) {
+        own.children.push_back(inherited);
+      }
+    }
+  }
+
+  void overlay_group(const ElementSpec& group, Element& own, const Element& base) {
+    const bool has_one = group.children.front().at_most == 1;
+    if (!has_one || own.children.empty() || base.children.empty()) {
+      overlay_list(group, own, base);
+      return;
+    }
+    Element& only = own.children.front();
+    if (only.name != base.children.front().name) {
+      drop_removals(group, own);  // another plugin replaces the template's
+      return;
+    }
+    // There is one, whatever it is called: by default as in the template.
+    Element renamed = base;
+    Element& inherited = renamed.children.front();
+    if (only.value("id") == only.name) {
+      only.set("id", inherited.value("id"), only.where);
+    } else {
+      inherited.set("id", only.value("id"), only.where);
+    }
+    overlay_list(group, own, renamed);
+  }
+
+  void overlay_list(const ElementSpec& group, Element& list, const Element& base) {
+    std::vector<Element> merged = base.children;
+    std::vector<bool> used(merged.size(), false);
+    std::vector<Element> added;
+    for (Element& entry : list.children) {
+      const std::string id = entry.value("id");
+      const auto found = std::find_if(merged.begin(), merged.end(),
+                                      [&](const Element& e) { return e.value("id") == id; });
+      const auto index = static_cast<std::size_t>(found - merged.begin());
+      if (found == merged.end() || used[index]) {
+        added.push_back(std::move(entry));
+        continue;
+      }
+      used[index] = true;
+      if (entry.name != found->name) {
+        problems_.add(entry.where,
+                      "'" + id + "' is a <" + found->name + "> in the template and a <" +
+                          entry.name +
+                          "> here; use another id, and remove=\"true\" to take away the "
+                          "template's");
+      } else if (entry.value("remove") == "true") {
+        found->removed_by = entry.where;
+      } else {
+        overlay(group.children.front(), entry, *found);
+        entry.erase("remove");
+        *found = std::move(entry);
+      }
+    }
+    std::erase_if(merged, [](const Element& each) { return each.removed_by.has_value(); });
+    list.children = std::move(added);
+    drop_removals(group, list);
+    list.children.insert(list.children.begin(), std::make_move_iterator(merged.begin()),
+                         std::make_move_iterator(merged.end()));
+  }
+
+  // Takes out the entries of a list that have remove="true", to any depth, and all such attributes.
+  // Here there is nothing that they could remove.
+  void drop_removals(const ElementSpec& group, Element& list) {
+    std::erase_if(list.children, [&](Element& entry) {
+      drop_removals_in(group.children.front(), entry);
+      const Attribute* remove = entry.find("remove");
+      if (!remove) {
+        return false;
+      }
+      const Attribute found = *remove;
+      entry.erase("remove");
+      if (found.value == "true") {
+        problems_.add(found.where, "there is nothing to remove: the template has no '" +
+                                       entry.value("id") + "' in its <" + list.name + ">");
+      } else if (found.value != "false") {
+        problems_.add(found.where, in_words(found, entry) + ": expected true or false");
+      }
+      return found.value == "true";
+    });
+  }
+
+  void drop_removals_in(const ElementSpec& holder, Element& element) {
+    for (Element& child : element.children) {
+      if (const ElementSpec* list = list_in(holder, child.name)) {
+        drop_removals(*list, child);
+      }
+    }
+  }
+
+  const plugin::Host& host_;
+  const Files& files_;
+  Problems& problems_;
+  std::map<std::string, std::optional<Element>> loaded_;  // by absolute path; none: has problems
+  std::vector<std::string> open_;                         // being loaded, outermost first
+};
+
 }  // namespace
 
-void Templates::merge_all(Element& world) {
+void merge_templates(Element& world, const plugin::Host& host, const Files& files,
+                     Problems& problems) {
+  Templates templates(host, files, problems);
   if (Element* robots = world.child("robots")) {
     for (Element& robot : robots->children) {
-      complete_ids(robot, template_vocabulary());
-      merge(robot);
+      templates.merge(robot);
     }
   }
-}
-
-void Templates::merge_given(Element& world) {
-  Element* const robots = world.child("robots");
-  for (std::size_t i = 0; robots && i < robots->children.size(); ++i) {
-    if (Element& robot = robots->children[i]; robot.find("template")) {
-      complete_ids(robot, template_vocabulary());
-      merge(robot);
-    }
-  }
-}
-
-void Templates::merge(Element& robot) {
-  const Attribute* reference = robot.find("template");
-  if (!reference) {
-    for (Element& child : robot.children) {
-      if (is_list(child.name)) {
-        drop_removals(child);
-      }
-    }
-    return;
-  }
-  const Attribute from = *reference;
-  robot.erase("template");
-  const auto file = files_.find(from.value, from.where);
-  const Element* base = nullptr;
-  if (file) {
-    base = load(*file, from.where);
-  } else {
-    problems_.add(from.where, "the template '" + from.value + "' is not there; looked " +
-                                  files_.places(from.where, from.name, from.value));
-  }
-  if (base) {
-    overlay(robot, *base);
-  } else {
-    robot.incomplete = true;
-  }
-}
-
-const Element* Templates::load(const std::string& file, const Location& from) {
-  const std::string key = Files::absolute(file);
-  if (const auto cycle =
-          std::find_if(open_.begin(), open_.end(),
-                       [&](const std::string& open) { return Files::absolute(open) == key; });
-      cycle != open_.end()) {
-    std::string chain;
-    for (auto i = cycle; i != open_.end(); ++i) {
-      chain += *i + " -> ";
-    }
-    problems_.add(from, "a template includes itself: " + chain + file);
-    return nullptr;
-  }
-  if (const auto known = loaded_.find(key); known != loaded_.end()) {
-    return known->second ? &*known->second : nullptr;
-  }
-  std::optional<Element>& result = loaded_[key];
-  try {
-    Element root = parse_markup(read_text(file), file);
-    const std::string format = root.value("format");
-    const std::string right = "<robot_template format=\"" + std::to_string(kFormat) + "\">";
-    if (root.name != "robot_template") {
-      problems_.add(from, "the file '" + file + "' is no template: it begins with <" + root.name +
-                              ">; expected " + right);
-      return nullptr;
-    }
-    if (format != std::to_string(kFormat)) {
-      problems_.add(
-          from, "the template '" + file + "' has the format \"" + format + "\"; expected " + right);
-      return nullptr;
-    }
-    root.erase("format");
-    if (const Attribute* id = root.find("id")) {
-      problems_.add(id->where, "a template has no id; the robots that use it have");
-      root.erase("id");
-    }
-    complete_ids(root, template_vocabulary());
-    open_.push_back(file);
-    merge(root);
-    open_.pop_back();
-    if (!root.incomplete) {
-      result = std::move(root);
-    }
-  } catch (const WorldError& error) {
-    problems_.add(error);
-  }
-  return result ? &*result : nullptr;
-}
-
-void Templates::overlay(Element& robot, const Element& base) {
-  inherit_attributes(robot, base);
-  for (const Element& base_child : base.children) {
-    Element* child = robot.child(base_child.name);
-    if (is_list(base_child.name)) {
-      overlay_group(robot, base_child);
-    } else if (child) {
-      inherit_attributes(*child, base_child);
-    } else {
-      robot.children.push_back(base_child);
-    }
-  }
-  for (Element& child : robot.children) {
-    if (is_list(child.name) && !base.child(child.name)) {
-      drop_removals(child);
-    }
-  }
-}
-
-// <sensors>, <behaviors>, <coordinator>...: that of the template below the holder's own, if any.
-void Templates::overlay_group(Element& holder, const Element& base) {
-  Element* own = holder.child(base.name);
-  if (!own) {
-    holder.children.push_back(base);
-  } else if ((base.name == "coordinator" || base.name == "drive") && !own->children.empty() &&
-             !base.children.empty()) {
-    overlay_only(*own, base);
-  } else {
-    overlay_list(*own, base);
-  }
-}
-
-// Of a group with one element.
-void Templates::overlay_only(Element& group, const Element& base) {
-  Element& own = group.children.front();
-  if (own.name != base.children.front().name) {
-    drop_removals(group);  // another plugin replaces the template's
-    return;
-  }
-  // There is one, whatever it is called: by default as in the template.
-  Element renamed = base;
-  Element& inherited = renamed.children.front();
-  if (own.value("id") == own.name) {
-    own.set("id", inherited.value("id"), own.where);
-  } else {
-    inherited.set("id", own.value("id"), own.where);
-  }
-  overlay_list(group, renamed);
-}
-
-void Templates::overlay_use(PluginKind kind, Element& use, const Element& base) {
-  inherit_attributes(use, base);
-  const Declaration* declaration = host_.find(kind, use.name);
-  std::set<std::string> replaced;
-  for (Element& child : use.children) {
-    replaced.insert(list_of(declaration, child.name));
-    if (is_held(child.name) && !base.child(child.name)) {
-      drop_removals(child);
-    }
-  }
-  for (const Element& base_child : base.children) {
-    if (is_held(base_child.name)) {
-      overlay_group(use, base_child);
-    } else if (!replaced.contains(list_of(declaration, base_child.name))) {
-      use.children.push_back(base_child);
-    }
-  }
-}
-
-void Templates::overlay_list(Element& list, const Element& base) {
-  std::vector<Element> merged = base.children;
-  std::vector<bool> used(merged.size(), false);
-  std::vector<Element> added;
-  std::vector<std::size_t> removed;
-  for (Element& entry : list.children) {
-    const std::string id = entry.value("id");
-    const auto found = std::find_if(merged.begin(), merged.end(),
-                                    [&](const Element& e) { return e.value("id") == id; });
-    const auto index = static_cast<std::size_t>(found - merged.begin());
-    if (found == merged.end() || used[index]) {
-      added.push_back(std::move(entry));
-      continue;
-    }
-    used[index] = true;
-    if (entry.name != found->name) {
-      problems_.add(entry.where, "'" + id + "' is a <" + found->name + "> in the template and a <" +
-                                     entry.name +
-                                     "> here; use another id, and remove=\"true\" to take away the "
-                                     "template's");
-    } else if (entry.value("remove") == "true") {
-      removed.push_back(index);
-    } else {
-      if (const auto kind = kind_in(list.name)) {
-        overlay_use(*kind, entry, *found);
-      } else {
-        inherit_attributes(entry, *found);
-      }
-      entry.erase("remove");
-      *found = std::move(entry);
-    }
-  }
-  for (auto index = removed.rbegin(); index != removed.rend(); ++index) {
-    merged.erase(merged.begin() + static_cast<long>(*index));
-  }
-  list.children = std::move(added);
-  drop_removals(list);
-  list.children.insert(list.children.begin(), std::make_move_iterator(merged.begin()),
-                       std::make_move_iterator(merged.end()));
-}
-
-// Takes out the entries of a list that have remove="true", to any depth, and all such attributes.
-// Here there is nothing that they could remove.
-void Templates::drop_removals(Element& list) {
-  std::erase_if(list.children, [&](Element& entry) {
-    for (Element& child : entry.children) {
-      if (list.name == "behaviors" && is_held(child.name)) {
-        drop_removals(child);
-      }
-    }
-    const Attribute* remove = entry.find("remove");
-    if (!remove) {
-      return false;
-    }
-    const Attribute found = *remove;
-    entry.erase("remove");
-    if (found.value == "true") {
-      problems_.add(found.where, "there is nothing to remove: the template has no '" +
-                                     entry.value("id") + "' in its <" + list.name + ">");
-    } else if (found.value != "false") {
-      problems_.add(found.where, in_words(found, entry) + ": expected true or false");
-    }
-    return found.value == "true";
-  });
 }
 
 }  // namespace elsie::world

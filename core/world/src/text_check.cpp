@@ -39,20 +39,22 @@ class Scanner {
         fail("document type declarations and entities are not allowed in this file; take out '" +
              std::string(text_.substr(at_, word_length(at_ + 2) + 2)) + "'");
       } else {
-        tags_.push_back(tag());
+        tag();
       }
     }
-    return nested();
+    if (!open_.empty()) {
+      const std::string name = name_of(open_.back());
+      fail("<" + name + "> is never closed; expected </" + name + ">", spans_[open_.back()].begin);
+    }
+    if (spans_.empty()) {
+      throw WorldError({{file_, 0,
+                         "there is no element in the file; expected <" + kind_ +
+                             " format=\"1\"> ... </" + kind_ + ">"}});
+    }
+    return std::move(spans_);
   }
 
  private:
-  struct Tag {
-    enum class Kind { start, end, empty };
-    Kind kind = Kind::start;
-    std::string name;
-    ElementSpan span{};
-  };
-
   bool starts(std::string_view what) const { return text_.substr(at_).starts_with(what); }
 
   std::size_t word_length(std::size_t from) const {
@@ -82,11 +84,12 @@ class Scanner {
     if (const std::size_t bad = base::first_invalid(text_); bad < text_.size()) {
       fail("this is not UTF-8 text; save the file as UTF-8", bad);
     }
-    for (std::size_t i = 0; i < text_.size(); ++i) {
-      const auto c = static_cast<unsigned char>(text_[i]);
-      if (c < 0x20 && c != '\t' && c != '\n' && c != '\r') {
-        fail("this is not an XML file: it holds the control character " + std::to_string(c), i);
-      }
+    const auto control = std::find_if(text_.begin(), text_.end(), [](unsigned char c) {
+      return c < 0x20 && c != '\t' && c != '\n' && c != '\r';
+    });
+    if (control != text_.end()) {
+      fail("this is not an XML file: it holds the control character " + std::to_string(*control),
+           static_cast<std::size_t>(control - text_.begin()));
     }
   }
 
@@ -135,50 +138,47 @@ class Scanner {
     return found;
   }
 
-  Tag tag() {
-    Tag tag;
-    tag.span.begin = at_++;
-    if (at_ < text_.size() && text_[at_] == '/') {
-      ++at_;
-      tag.kind = Tag::Kind::end;
-    }
-    tag.name = name("the name of an element after \"<\"");
-    tag.span.name_end = at_;
+  // A tag, with which an element begins or ends.
+  void tag() {
+    ElementSpan span;
+    span.begin = at_++;
+    const bool is_end = starts("/");
+    at_ += is_end ? 1 : 0;
+    const std::string name(this->name("the name of an element after \"<\""));
+    span.name_end = at_;
     while (true) {
       const std::size_t before = at_;
       skip_blanks();
       if (at_ >= text_.size()) {
-        fail("the tag <" + tag.name + "> starts here and never ends", tag.span.begin);
+        fail("the tag <" + name + "> starts here and never ends", span.begin);
       }
-      if (text_[at_] == '>') {
-        ++at_;
+      span.empty = !is_end && starts("/>");
+      if (span.empty || text_[at_] == '>') {
+        at_ += span.empty ? 2 : 1;
         break;
       }
-      if (starts("/>") && tag.kind == Tag::Kind::start) {
-        at_ += 2;
-        tag.kind = Tag::Kind::empty;
-        break;
+      if (is_end || before == at_) {
+        fail("expected " + std::string(is_end ? "\">\"" : "a blank or \">\"") + " in the tag <" +
+             name + ">, found '" + text_[at_] + "'");
       }
-      if (tag.kind == Tag::Kind::end || before == at_) {
-        fail("expected " + std::string(tag.kind == Tag::Kind::end ? "\">\"" : "a blank or \">\"") +
-             " in the tag <" + tag.name + ">, found '" + text_[at_] + "'");
-      }
-      if (tag.span.attributes.size() == kMostAttributes) {
-        fail("<" + tag.name + "> has more than " + std::to_string(kMostAttributes) +
+      if (span.attributes.size() == kMostAttributes) {
+        fail("<" + name + "> has more than " + std::to_string(kMostAttributes) +
              " attributes; no element has so many");
       }
-      attribute(tag);
+      attribute(name, span.attributes);
     }
-    tag.span.open_end = tag.span.end = at_;
-    tag.span.empty = tag.kind == Tag::Kind::empty;
-    return tag;
+    span.open_end = span.end = at_;
+    if (is_end) {
+      close(name, span.begin);
+    } else {
+      open(name, std::move(span));
+    }
   }
 
-  void attribute(Tag& tag) {
+  void attribute(const std::string& element, std::vector<ElementSpan::Attribute>& known) {
     ElementSpan::Attribute span;
     span.begin = at_;
-    auto& known = tag.span.attributes;
-    const std::string of = " of <" + tag.name + ">";
+    const std::string of = " of <" + element + ">";
     const std::string_view name = this->name("the name of an attribute" + of);
     const std::string what = "the attribute '" + std::string(name) + "'" + of;
     if (std::any_of(known.begin(), known.end(), [&](const auto& other) {
@@ -213,60 +213,52 @@ class Scanner {
     known.push_back(span);
   }
 
-  // Every element is closed by its own tag, nothing is nested too deeply, and there is one root.
-  std::vector<ElementSpan> nested() {
-    std::vector<ElementSpan> spans;
-    std::vector<std::pair<std::size_t, std::string>> open;
-    for (Tag& tag : tags_) {
-      const std::size_t begin = tag.span.begin;
-      if (tag.kind == Tag::Kind::end) {
-        if (open.empty()) {
-          fail("</" + tag.name + "> closes nothing", begin);
-        }
-        const auto& [index, name] = open.back();
-        if (name != tag.name) {
-          fail("</" + tag.name + "> stands where </" + name + "> was expected: <" + name +
-                   "> starts on line " + std::to_string(line_of(spans[index].begin)),
-               begin);
-        }
-        spans[index].close = begin;
-        spans[index].end = tag.span.end;
-        open.pop_back();
-        continue;
-      }
-      if (open.empty() && !spans.empty()) {
-        fail("a second root element, <" + tag.name + ">; a file holds one", begin);
-      }
-      if (!open.empty()) {
-        tag.span.parent = open.back().first;
-      }
-      if (tag.kind == Tag::Kind::start) {
-        open.emplace_back(spans.size(), tag.name);
-      }
-      if (open.size() > kDeepest) {
-        fail("elements are nested deeper than " + std::to_string(kDeepest) + " levels; no " +
-                 kind_ + " needs that many",
-             begin);
-      }
-      spans.push_back(std::move(tag.span));
+  std::string name_of(std::size_t element) const {
+    const ElementSpan& span = spans_[element];
+    return std::string(text_.substr(span.begin + 1, span.name_end - span.begin - 1));
+  }
+
+  void open(const std::string& name, ElementSpan span) {
+    if (open_.empty() && !spans_.empty()) {
+      fail("a second root element, <" + name + ">; a file holds one", span.begin);
     }
-    if (!open.empty()) {
-      const auto& [index, name] = open.back();
-      fail("<" + name + "> is never closed; expected </" + name + ">", spans[index].begin);
+    if (!open_.empty()) {
+      span.parent = open_.back();
     }
-    if (spans.empty()) {
-      throw WorldError({{file_, 0,
-                         "there is no element in the file; expected <" + kind_ +
-                             " format=\"1\"> ... </" + kind_ + ">"}});
+    if (!span.empty) {
+      open_.push_back(spans_.size());
     }
-    return spans;
+    if (open_.size() > kDeepest) {
+      fail("elements are nested deeper than " + std::to_string(kDeepest) + " levels; no " + kind_ +
+               " needs that many",
+           span.begin);
+    }
+    spans_.push_back(std::move(span));
+  }
+
+  // Every element is closed by its own tag.
+  void close(const std::string& name, std::size_t begin) {
+    if (open_.empty()) {
+      fail("</" + name + "> closes nothing", begin);
+    }
+    const std::string expected = name_of(open_.back());
+    ElementSpan& span = spans_[open_.back()];
+    if (name != expected) {
+      fail("</" + name + "> stands where </" + expected + "> was expected: <" + expected +
+               "> starts on line " + std::to_string(line_of(span.begin)),
+           begin);
+    }
+    span.close = begin;
+    span.end = at_;
+    open_.pop_back();
   }
 
   std::string_view text_;
   const std::string& file_;
   const std::string& kind_;
   std::size_t at_ = 0;
-  std::vector<Tag> tags_;
+  std::vector<ElementSpan> spans_;
+  std::vector<std::size_t> open_;  // elements, outermost first
 };
 
 }  // namespace

@@ -1,10 +1,10 @@
-#include "elsie/world/train.h"
-
+// The joints between a robot and the segments that it pulls.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "elsie/world/footprint.h"
+#include "elsie/world/parts.h"
 
 namespace elsie::world {
 namespace {

@@ -32,10 +32,6 @@ bool in_range(const ParameterFacts& facts, double value) {
   return std::isfinite(value) && value >= facts.min && value > facts.above && value <= facts.max;
 }
 
-bool in_range(const Field& field, double value) {
-  return in_range(field.facts, value) && value >= field.lowest && value <= field.highest;
-}
-
 Parsed accepted(ParameterValue value) { return {std::move(value), ""}; }
 Parsed refused(std::string problem) { return {std::nullopt, std::move(problem)}; }
 
@@ -53,9 +49,10 @@ Parsed parse_number(const Field& field, std::string_view text) {
            : text.empty()                                            ? ""
            : text.find_first_of(" \t\n\r") != std::string_view::npos ? "; without blanks"
                                                                      : "";
-  } else if (in_range(field, static_cast<double>(number))) {
-    return accepted(number);
-  } else if (in_range(field.facts, static_cast<double>(number))) {
+  } else if (const auto value = static_cast<double>(number); in_range(field.facts, value)) {
+    if (value >= field.lowest && value <= field.highest) {
+      return accepted(number);
+    }
     hint = "; this number is beyond what can be stored";
   }
   return refused("expected " + expectation(field) + hint);

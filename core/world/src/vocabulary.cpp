@@ -3,9 +3,8 @@
 #include <algorithm>
 
 #include "elsie/plugin/engine_libraries.h"
+#include "elsie/plugin/parameters.h"
 #include "elsie/world/facts.h"
-
-#include "robot_vocabulary.h"
 
 namespace elsie::world {
 
@@ -27,40 +26,24 @@ ElementSpec physics() {
       .costs(Cost::engine)
       .attribute("engine", &Physics::engine,
                  {.choices = plugin::engine_names(), .meaning = "what moves the bodies"})
-      .attribute("step", &Physics::step,
-                 {.unit = "s", .min = 1e-6, .max = 0.1, .meaning = "length of a step"})
+      .attribute("step", &Physics::step, range("s", 1e-6, 0.1, "length of a step"))
       .attribute("control_steps", &Physics::control_steps,
-                 {.min = 1, .max = 1000, .meaning = "steps in one control period"}, kCheap)
-      .attribute("gravity", &Physics::gravity,
-                 {.unit = "m/s2", .min = -100, .max = 0, .meaning = "along z"})
+                 range("", 1, 1000, "steps in one control period"), kCheap)
+      .attribute("gravity", &Physics::gravity, range("m/s2", -100, 0, "along z"))
       .attribute("erp", &Physics::erp,
-                 {.above = 0,
-                  .max = 1,
-                  .meaning = "error reduction of joints and contacts; useful from 0.1 to 0.8"})
+                 positive("", 1, "error reduction of joints and contacts; useful from 0.1 to 0.8"))
       .attribute("cfm", &Physics::cfm,
-                 {.min = 0, .max = 1, .meaning = "constraint force mixing: how soft contacts are"})
+                 range("", 0, 1, "constraint force mixing: how soft contacts are"))
       .attribute("kp", &Physics::kp,
-                 {.unit = "N/m",
-                  .above = 0,
-                  .max = 1e12,
-                  .meaning = "spring constant, with kd, instead of erp and cfm"})
+                 positive("N/m", 1e12, "spring constant, with kd, instead of erp and cfm"))
       .attribute("kd", &Physics::kd,
-                 {.unit = "N s/m",
-                  .min = 0,
-                  .max = 1e12,
-                  .meaning = "damping constant, with kp, instead of erp and cfm"})
-      .attribute(
-          "friction", &Physics::friction,
-          {.min = 0,
-           .max = 1000,
-           .meaning = "Coulomb friction of contacts; tyres on the floor hold three times as well"})
+                 range("N s/m", 0, 1e12, "damping constant, with kp, instead of erp and cfm"))
+      .attribute("friction", &Physics::friction,
+                 range("", 0, 1000,
+                       "Coulomb friction of contacts; tyres on the floor hold three times as well"))
       .attribute("wheel_slip", &Physics::wheel_slip,
-                 {.unit = "m/(s N)",
-                  .min = 0,
-                  .max = 10,
-                  .meaning = "how fast a wheel slips sideways for each newton"})
-      .attribute("bounce", &Physics::bounce,
-                 {.min = 0, .max = 1, .meaning = "restitution of contacts"});
+                 range("m/(s N)", 0, 10, "how fast a wheel slips sideways for each newton"))
+      .attribute("bounce", &Physics::bounce, range("", 0, 1, "restitution of contacts"));
 }
 
 ElementSpec team() {
@@ -79,7 +62,7 @@ Describe<Box> box(const char* name, const char* meaning) {
       .attribute("id", &Box::id, fact("its name; by default its element's, with a number"), kId)
       .attribute("x", &Box::x, metres("its middle, east"))
       .attribute("y", &Box::y, metres("its middle, north"))
-      .attribute("z", &Box::z, {.unit = "m", .min = 0, .max = 100, .meaning = "its bottom"})
+      .attribute("z", &Box::z, range("m", 0, 100, "its bottom"))
       .attribute("heading_deg", &Box::heading_deg, angle("counter-clockwise from east"))
       .attribute("length", &Box::length, size("along its own x"))
       .attribute("width", &Box::width, size("along its own y"))
@@ -109,30 +92,21 @@ ElementSpec moving_box() {
   return box("moving_box",
              "An obstacle that follows a path of its own, whatever pushes it: from where it "
              "stands through its waypoints")
-      .attribute("speed", &Box::speed,
-                 {.unit = "m/s", .above = 0, .max = 100, .meaning = "along its path"})
-      .attribute(
-          "path", ParameterType::text,
+      .attribute("speed", &Box::speed, positive("m/s", 100, "along its path"))
+      .choice(
+          "path", &Box::round_trip,
           {.choices = {"round", "to_and_fro"},
            .meaning = "whether it goes from the last waypoint straight to its start or back the "
                       "way it came"},
-          {},
-          [](void* object, const ParameterValue& value) {
-            static_cast<Box*>(object)->round_trip = std::get<std::string>(value) == "round";
-          },
-          [](const void* object) -> std::optional<ParameterValue> {
-            return static_cast<const Box*>(object)->round_trip ? "round" : "to_and_fro";
-          })
+          "round")
       .each(waypoint(), &Box::waypoints);
 }
 
 ElementSpec resource() {
   return box("resource", "A box that a robot collects by touching it")
       .attribute("team", &Box::team, fact("whose robots may take it; by default any"), kTeam)
-      .attribute(
-          "energy", &Box::energy,
-          {.unit = "units", .min = 0, .max = 1e12, .meaning = "what the collector's battery gains"},
-          kCheap);
+      .attribute("energy", &Box::energy,
+                 range("units", 0, 1e12, "what the collector's battery gains"), kCheap);
 }
 
 ElementSpec charger() {
@@ -143,95 +117,74 @@ ElementSpec charger() {
       .attribute("x", &Charger::x, metres("its middle, east"))
       .attribute("y", &Charger::y, metres("its middle, north"))
       .attribute("radius", &Charger::radius, size("how near a robot must be"), kCheap)
-      .attribute(
-          "rate", &Charger::rate,
-          {.unit = "units/s", .above = 0, .max = 1e12, .meaning = "what a robot's battery gains"},
-          kCheap)
+      .attribute("rate", &Charger::rate, positive("units/s", 1e12, "what a robot's battery gains"),
+                 kCheap)
       .attribute("seen_by_range_sensors", &Charger::seen_by_range_sensors,
                  fact("then it is a box of 0.1 m edge instead of a mark"));
 }
 
 Describe<World> goals() {
   const auto radius = size("how near is near enough");
+  const auto robot = fact("which one; by default every robot");
   return Describe<World>("goals",
                          "What makes a run a success. All goals to reach must be met, no goal to "
                          "keep may be broken")
       .members("goal")
-      .each_of<CollectGoal>(
-          Describe<CollectGoal>("collect", "To reach: all resources are collected")
-              .attribute("team", &CollectGoal::team, fact("only those of this team"), kTeam),
+      .each_of(Describe<CollectGoal>("collect", "To reach: all resources are collected")
+                   .attribute("team", &CollectGoal::team, fact("only those of this team"), kTeam),
+               &World::goals)
+      .each_of(
+          Describe<ReachGoal>("reach", "To reach: a robot is at a place")
+              .attribute("robot", &ReachGoal::robot, fact("which one"),
+                         {TextForm::id, Reference::robot, true})
+              .attribute("x", &ReachGoal::x, metres("the place, east"), kRequired)
+              .attribute("y", &ReachGoal::y, metres("the place, north"), kRequired)
+              .attribute("radius", &ReachGoal::radius, radius)
+              .attribute("of", &ReachGoal::of,
+                         fact("the place is relative to this robot: x ahead of it, y to its left"),
+                         kRobot),
           &World::goals)
-      .each_of<ReachGoal>(Describe<ReachGoal>("reach", "To reach: a robot is at a place")
-                              .attribute("robot", &ReachGoal::robot, fact("which one"),
-                                         {TextForm::id, Reference::robot, true})
-                              .attribute("x", &ReachGoal::x, metres("the place, east"), kRequired)
-                              .attribute("y", &ReachGoal::y, metres("the place, north"), kRequired)
-                              .attribute("radius", &ReachGoal::radius, radius)
-                              .attribute("of", &ReachGoal::of,
-                                         fact("the place is relative to this robot: x ahead of "
-                                              "it, y to its left"),
-                                         kRobot),
-                          &World::goals)
-      .each_of<PushGoal>(Describe<PushGoal>("push", "To reach: a box is at a place")
-                             .attribute("box", &PushGoal::box, fact("which one"),
-                                        {TextForm::id, Reference::box, true})
-                             .attribute("x", &PushGoal::x, metres("the place, east"), kRequired)
-                             .attribute("y", &PushGoal::y, metres("the place, north"), kRequired)
-                             .attribute("radius", &PushGoal::radius, radius),
-                         &World::goals)
-      .each_of<GatherGoal>(
-          Describe<GatherGoal>("gather",
-                               "To reach: every robot of a team is near another one or its leader")
-              .attribute("team", &GatherGoal::team, fact("which one"),
-                         {TextForm::id, Reference::team, true})
-              .attribute("distance", &GatherGoal::distance, radius),
-          &World::goals)
-      .each_of<TravelGoal>(
-          Describe<TravelGoal>("travel", "To reach: a robot has driven this far")
-              .attribute("robot", &TravelGoal::robot, fact("which one; by default every robot"),
-                         kRobot)
-              .attribute("distance", &TravelGoal::distance, size("along its way", 1e9)),
-          &World::goals)
-      .each_of<EndureGoal>(
-          Describe<EndureGoal>("endure", "To reach: this much simulated time has passed")
-              .attribute("time", &EndureGoal::time,
-                         {.unit = "s", .above = 0, .max = 1e9, .meaning = "how much"}),
-          &World::goals)
-      .each_of<NoCollisionGoal>(
+      .each_of(Describe<PushGoal>("push", "To reach: a box is at a place")
+                   .attribute("box", &PushGoal::box, fact("which one"),
+                              {TextForm::id, Reference::box, true})
+                   .attribute("x", &PushGoal::x, metres("the place, east"), kRequired)
+                   .attribute("y", &PushGoal::y, metres("the place, north"), kRequired)
+                   .attribute("radius", &PushGoal::radius, radius),
+               &World::goals)
+      .each_of(Describe<GatherGoal>(
+                   "gather", "To reach: every robot of a team is near another one or its leader")
+                   .attribute("team", &GatherGoal::team, fact("which one"),
+                              {TextForm::id, Reference::team, true})
+                   .attribute("distance", &GatherGoal::distance, radius),
+               &World::goals)
+      .each_of(Describe<TravelGoal>("travel", "To reach: a robot has driven this far")
+                   .attribute("robot", &TravelGoal::robot, robot, kRobot)
+                   .attribute("distance", &TravelGoal::distance, size("along its way", 1e9)),
+               &World::goals)
+      .each_of(Describe<EndureGoal>("endure", "To reach: this much simulated time has passed")
+                   .attribute("time", &EndureGoal::time, positive("s", 1e9, "how much")),
+               &World::goals)
+      .each_of(
           Describe<NoCollisionGoal>(
               "no_collision", "To keep: a robot touches nothing but the floor and its resources")
-              .attribute("robot", &NoCollisionGoal::robot,
-                         fact("which one; by default every robot"), kRobot),
+              .attribute("robot", &NoCollisionGoal::robot, robot, kRobot),
           &World::goals)
-      .each_of<BatteryGoal>(
-          Describe<BatteryGoal>("battery", "To keep: a robot's battery is never empty")
-              .attribute("robot", &BatteryGoal::robot, fact("which one; by default every robot"),
-                         kRobot),
-          &World::goals);
+      .each_of(Describe<BatteryGoal>("battery", "To keep: a robot's battery is never empty")
+                   .attribute("robot", &BatteryGoal::robot, robot, kRobot),
+               &World::goals);
 }
 
-Describe<World> measures() {
-  ElementSpec measure =
-      Describe<PluginUse>("measure", "A measure: the element has the name of its plugin")
-          .plugins(PluginKind::measure)
-          .costs(Cost::object)
-          .attribute("id", &PluginUse::id,
-                     fact("what its values are called after; by default the plugin's name, with a "
-                          "number if there are several"),
-                     kId);
-  return Describe<World>("measures", "What is measured in a run, beside what every run tells")
-      .members("measure")
-      .each(std::move(measure), &World::measures);
+ElementSpec measure() {
+  return plugin_use<PluginUse>("measure", "A measure", PluginKind::measure, Cost::object,
+                               "what its values are called after; by default the plugin's name, "
+                               "with a number if there are several");
 }
 
 ElementSpec change() {
   return Describe<TimedEdit>("change", "An edit between two steps, as `elsie run --at` makes it")
       .takes_element(&TimedEdit::element)
       .attribute("time", &TimedEdit::time,
-                 {.unit = "s",
-                  .min = 0,
-                  .max = 1e9,
-                  .meaning = "before the first step that begins at this time or after it"},
+                 range("s", 0, 1e9, "before the first step that begins at this time or after it"),
                  kRequired)
       .attribute("path", &TimedEdit::path, fact("what is edited, as in `elsie run --set`"),
                  kRequired)
@@ -251,31 +204,22 @@ ElementSpec change() {
 
 ElementSpec limits() {
   return Describe<Limits>("limits", "What ends a run that has not ended by itself")
-      .attribute("time", &Limits::time,
-                 {.unit = "s", .above = 0, .max = 1e9, .meaning = "simulated time"})
-      .attribute("wall_time", &Limits::wall_time,
-                 {.unit = "s", .above = 0, .max = 1e9, .meaning = "time on the clock"});
+      .attribute("time", &Limits::time, positive("s", 1e9, "simulated time"))
+      .attribute("wall_time", &Limits::wall_time, positive("s", 1e9, "time on the clock"));
 }
 
-std::function<bool(const Box&)> is(BoxKind kind) {
-  return [kind](const Box& box) { return box.kind == kind; };
-}
-std::function<void(Box&)> becomes(BoxKind kind) {
-  return [kind](Box& box) { box.kind = kind; };
+// Adds the boxes of one kind to a list.
+Describe<World> boxes(Describe<World> list, ElementSpec box, BoxKind kind) {
+  return std::move(list).each(
+      std::move(box), &World::boxes, [kind](const Box& each) { return each.kind == kind; },
+      [kind](Box& made) { made.kind = kind; });
 }
 
 Describe<World> obstacles() {
-  return Describe<World>("obstacles", "Boxes that stand in the way")
-      .members("obstacle")
-      .each(static_box(), &World::boxes, is(BoxKind::fixed), becomes(BoxKind::fixed))
-      .each(dynamic_box(), &World::boxes, is(BoxKind::dynamic), becomes(BoxKind::dynamic))
-      .each(moving_box(), &World::boxes, is(BoxKind::moving), becomes(BoxKind::moving));
-}
-
-Describe<World> resources() {
-  return Describe<World>("resources", "Boxes to be collected")
-      .members("resource")
-      .each(resource(), &World::boxes, is(BoxKind::resource), becomes(BoxKind::resource));
+  auto list = Describe<World>("obstacles", "Boxes that stand in the way").members("obstacle");
+  list = boxes(std::move(list), static_box(), BoxKind::fixed);
+  list = boxes(std::move(list), dynamic_box(), BoxKind::dynamic);
+  return boxes(std::move(list), moving_box(), BoxKind::moving);
 }
 
 ElementSpec world() {
@@ -284,19 +228,15 @@ ElementSpec world() {
       .attribute("description", &World::description, fact("what it is for"))
       .one(arena(), &World::arena)
       .one(physics(), &World::physics)
-      .group(Describe<World>("teams", "The teams").members("team").each(team(), &World::teams))
+      .group(Describe<World>("teams", "The teams").each(team(), &World::teams))
       .group(obstacles())
-      .group(resources())
-      .group(Describe<World>("chargers", "Where robots charge")
-                 .members("charger")
-                 .each(charger(), &World::chargers))
-      .group(Describe<World>("robots", "The robots")
-                 .members("robot")
-                 .each(robot_element(), &World::robots))
+      .group(boxes({"resources", "Boxes to be collected"}, resource(), BoxKind::resource))
+      .group(Describe<World>("chargers", "Where robots charge").each(charger(), &World::chargers))
+      .group(Describe<World>("robots", "The robots").each(robot_spec(), &World::robots))
       .group(goals())
-      .group(measures())
+      .group(Describe<World>("measures", "What is measured in a run, beside what every run tells")
+                 .each(measure(), &World::measures))
       .group(Describe<World>("changes", "What changes in the world while it runs")
-                 .members("change")
                  .each(change(), &World::changes))
       .one(limits(), &World::limits);
 }
@@ -304,15 +244,11 @@ ElementSpec world() {
 }  // namespace
 
 const AttributeSpec* ElementSpec::attribute(const std::string& attribute_name) const {
-  const auto found = std::find_if(attributes.begin(), attributes.end(),
-                                  [&](const AttributeSpec& a) { return a.name == attribute_name; });
-  return found == attributes.end() ? nullptr : &*found;
+  return plugin::find_declared(attributes, attribute_name);
 }
 
 const ElementSpec* ElementSpec::child(const std::string& child_name) const {
-  const auto found = std::find_if(children.begin(), children.end(),
-                                  [&](const ElementSpec& e) { return e.name == child_name; });
-  return found == children.end() ? nullptr : &*found;
+  return plugin::find_declared(children, child_name);
 }
 
 const std::vector<ElementSpec>& ElementSpec::below() const {

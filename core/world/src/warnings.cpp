@@ -6,6 +6,7 @@
 
 #include "elsie/base/number_text.h"
 #include "elsie/world/engine_facts.h"
+#include "elsie/world/error.h"
 #include "elsie/world/footprint.h"
 
 namespace elsie::world {
@@ -51,11 +52,12 @@ Stance stance_of(const Robot& robot) {
   return stance;
 }
 
-/// The body that a warning is about.
+/// What a warning is about.
 struct Subject {
-  Warning::About about;
+  Warning::About about = Warning::About::physics;
+  std::size_t index = 0;
   const Location& location;
-  std::string name;
+  std::string name{};  // of a body
 };
 
 class Search {
@@ -67,19 +69,21 @@ class Search {
       stances_.push_back(stance_of(robot));
     }
     physics();
-    for (index_ = 0; index_ < world_.robots.size(); ++index_) {
-      robot(world_.robots[index_]);
+    for (std::size_t i = 0; i < world_.robots.size(); ++i) {
+      const Robot& robot = world_.robots[i];
+      this->robot(robot, stances_[i],
+                  {Warning::About::robot, i, robot.location, "the robot '" + robot.id + "'"});
     }
-    for (index_ = 0; index_ < world_.boxes.size(); ++index_) {
-      box(world_.boxes[index_]);
+    for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
+      const Box& box = world_.boxes[i];
+      this->box(box, {Warning::About::box, i, box.location, "the box '" + box.id + "'"});
     }
     return std::move(found_);
   }
 
  private:
-  void add(Warning::About what, const Location& location, std::string message) {
-    found_.push_back(
-        {what, what == Warning::About::physics ? 0 : index_, location, std::move(message)});
+  void add(const Subject& subject, std::string message) {
+    found_.push_back({subject.about, subject.index, subject.location, std::move(message)});
     if (found_.back().location.file.empty()) {
       found_.back().location.file = world_.file;
     }
@@ -88,7 +92,7 @@ class Search {
   void physics() {
     const Physics& p = world_.physics;
     const auto warn = [&](std::string message) {
-      add(Warning::About::physics, p.location, std::move(message));
+      add({.location = p.location}, std::move(message));
     };
     if (p.effective_cfm() < kLeastCfm) {
       warn("cfm is " + number_text(p.effective_cfm()) +
@@ -119,7 +123,7 @@ class Search {
       wheels = std::max(wheels, robot.body.wheel_radius);
     }
     if (arena.walls && arena.wall_height < wheels) {
-      add(Warning::About::physics, arena.location,
+      add({.location = arena.location},
           "the walls are " + number_text(arena.wall_height) +
               " m high, lower than the axles of wheels of " + number_text(wheels) +
               " m radius, which roll over them; expected more than " + number_text(wheels) + " m");
@@ -141,18 +145,17 @@ class Search {
     }
     const double most =
         std::min(deepest * erp / (p.step * force), 0.5 * kMaxCorrectingSpeed / force);
-    add(body.about, body.location,
-        body.name + " weighs " + about(mass) + " kg, under which it sinks " +
-            (speed < kMaxCorrectingSpeed ? about(depth) + " m into the floor"
-                                         : "through the floor") +
-            ": contacts are too soft, with a cfm of " + about(p.effective_cfm()) +
-            (p.kp && p.kd ? " from kp and kd" : "") + "; expected at most " + about(most));
+    add(body, body.name + " weighs " + about(mass) + " kg, under which it sinks " +
+                  (speed < kMaxCorrectingSpeed ? about(depth) + " m into the floor"
+                                               : "through the floor") +
+                  ": contacts are too soft, with a cfm of " + about(p.effective_cfm()) +
+                  (p.kp && p.kd ? " from kp and kd" : "") + "; expected at most " + about(most));
   }
 
   void crossing(const Subject& body, double speed, double size) {
     const double way = speed * world_.physics.step;
     if (way > kFarthest * size) {
-      add(body.about, body.location,
+      add(body,
           body.name + " moves up to " + about(way) + " m in a step at " + number_text(speed) +
               " m/s, more than half its size of " + number_text(size) +
               " m, and may pass into or through what stands in its way; expected a step of at "
@@ -161,15 +164,11 @@ class Search {
     }
   }
 
-  void robot(const Robot& robot) {
-    const std::string whose = "the robot '" + robot.id + "'";
-    const auto warn = [&](std::string message) {
-      add(Warning::About::robot, robot.location, std::move(message));
-    };
+  void robot(const Robot& robot, const Stance& stance, const Subject& subject) {
+    const std::string& whose = subject.name;
+    const auto warn = [&](std::string message) { add(subject, std::move(message)); };
     const RobotBody& body = robot.body;
-    const Stance& stance = stances_[index_];
     const double mass = stance.mass;
-    const Subject subject{Warning::About::robot, robot.location, whose};
     sinking(subject, mass, std::min(body.wheel_radius, body.clearance));
     crossing(subject, robot.max_speed, std::min(body.length, body.width));
     // What each motor may give.
@@ -191,12 +190,11 @@ class Search {
            "wheel_mass or a step of at most " +
            about(world_.physics.step * kSpinUp * top_rate / gained) + " s");
     }
-    ratio({Warning::About::robot, robot.location, "the chassis of " + whose}, body.mass,
-          "each wheel", body.wheel_mass);
+    ratio(subject, "the chassis of " + whose, body.mass, "each wheel", body.wheel_mass);
     for (const Segment& segment : robot.segments) {
-      const Subject pulled{Warning::About::robot, segment.location,
+      const Subject pulled{subject.about, subject.index, segment.location,
                            "the segment '" + segment.id + "' of " + whose};
-      ratio(pulled, segment.mass, "the robot", mass);
+      ratio(pulled, pulled.name, segment.mass, "the robot", mass);
       sinking(pulled, segment.mass, std::min(segment.wheel_radius, segment.clearance));
     }
     const double height = body.clearance + 0.5 * body.height;
@@ -209,18 +207,18 @@ class Search {
     }
   }
 
-  void ratio(const Subject& body, double mass, const std::string& other, double other_mass) {
+  void ratio(const Subject& body, const std::string& what, double mass, const std::string& other,
+             double other_mass) {
     if (std::max(mass, other_mass) > kMassRatio * std::min(mass, other_mass)) {
-      add(body.about, body.location,
-          body.name + " weighs " + about(mass) + " kg and " + other + " " + about(other_mass) +
+      add(body,
+          what + " weighs " + about(mass) + " kg and " + other + " " + about(other_mass) +
               " kg: masses so unlike are too much for the solver's precision where they touch; "
               "expected a ratio of at most " +
               number_text(kMassRatio));
     }
   }
 
-  void box(const Box& box) {
-    const Subject subject{Warning::About::box, box.location, "the box '" + box.id + "'"};
+  void box(const Box& box, const Subject& subject) {
     if (box.kind == BoxKind::dynamic) {
       sinking(subject, box.mass, box.height);
       const auto least =
@@ -229,7 +227,7 @@ class Search {
           });
       if (least != stances_.end()) {
         const Robot& robot = world_.robots[static_cast<std::size_t>(least - stances_.begin())];
-        ratio(subject, box.mass, "the robot '" + robot.id + "'", least->mass);
+        ratio(subject, subject.name, box.mass, "the robot '" + robot.id + "'", least->mass);
       }
     }
     if (box.kind == BoxKind::moving && !box.waypoints.empty()) {
@@ -253,7 +251,7 @@ class Search {
       footprint.y = place.y;
       if (std::abs(place.x) + footprint.reach(1.0, 0.0) > 0.5 * world_.arena.length ||
           std::abs(place.y) + footprint.reach(0.0, 1.0) > 0.5 * world_.arena.width) {
-        add(Warning::About::box, box.location,
+        add(subject,
             subject.name + " reaches into a wall at (" + number_text(place.x) + ", " +
                 number_text(place.y) +
                 "), and presses what stands between through it; expected a path that leaves room "
@@ -266,18 +264,14 @@ class Search {
   const World& world_;
   double gravity_;
   std::vector<Stance> stances_;  // of the robots
-  std::size_t index_ = 0;
   std::vector<Warning> found_;
 };
 
 }  // namespace
 
 std::string Warning::text() const {
-  const std::string place =
-      location.file.empty()
-          ? ""
-          : location.file + (location.line > 0 ? ":" + std::to_string(location.line) : "") + ": ";
-  return place + "warning: " + message;
+  const std::string sentence = "warning: " + message;
+  return location.file.empty() ? sentence : Problem{location.file, location.line, sentence}.text();
 }
 
 std::vector<Warning> warnings(const World& world) { return Search(world).find(); }

@@ -1,4 +1,4 @@
-#include "world_tree.h"
+#include "elsie/world/world_tree.h"
 
 #include <map>
 #include <utility>

@@ -15,7 +15,6 @@
 
 #include "elsie/base/random.h"
 #include "elsie/world/parts.h"
-#include "elsie/world/train.h"
 
 #include "physics_context.h"
 

@@ -10,7 +10,7 @@ namespace elsie::server {
 namespace {
 
 // With a document: what of it stands in templates.
-Json element_json(const world::Element& element, const world::Document* document) {
+Json element_json(const world::Element& element, const editing::Document* document) {
   Json attributes = Json::object(), children = Json::array();
   bool is_named_here = false;
   for (const world::Attribute& each : element.attributes) {
@@ -47,7 +47,9 @@ Json problems_json(std::span<const base::Problem> problems) {
   return all;
 }
 
-Json tree_json(const world::Document& document) { return element_json(document.tree(), &document); }
+Json tree_json(const editing::Document& document) {
+  return element_json(document.tree(), &document);
+}
 
 Json catalog_json(const plugin::Host& host) {
   return {{"elements", reference::world_json()},

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "elsie/base/problems.h"
+#include "elsie/editing/document.h"
 #include "elsie/plugin/host.h"
-#include "elsie/world/document.h"
 
 #include "link.h"
 
@@ -17,7 +17,7 @@ Json problems_json(std::span<const base::Problem> problems);
 
 /// The elements of the document's world; `inherited`: one stands in the template of a robot;
 /// `written`: a robot without what its template adds.
-Json tree_json(const world::Document& document);
+Json tree_json(const editing::Document& document);
 
 /// The vocabulary of worlds, the plugins and the events.
 Json catalog_json(const plugin::Host& host);

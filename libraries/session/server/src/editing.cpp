@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "elsie/base/error.h"
-#include "elsie/world/between.h"
+#include "elsie/editing/between.h"
 #include "elsie/world/error.h"
 
 #include "described.h"
@@ -33,8 +33,8 @@ world::ReadOptions Server::Impl::reading() const {
 
 void Server::Impl::open(const Json& message, Json& answer) {
   const std::uint64_t seed = message.value("seed", seed_);
-  world::Document document(message.at("text").get<std::string>(),
-                           message.value("file", std::string()), host(), reading());
+  editing::Document document(message.at("text").get<std::string>(),
+                             message.value("file", std::string()), host(), reading());
   auto simulation = simulation_of(document.world(), seed, host());
   document_ = std::move(document);
   inverses_.clear();
@@ -44,7 +44,7 @@ void Server::Impl::open(const Json& message, Json& answer) {
 }
 
 void Server::Impl::edit(const Json& message, Json& answer) {
-  const world::Edits edits(message.at("edits").get<std::vector<std::string>>());
+  const editing::Edits edits(message.at("edits").get<std::vector<std::string>>());
   change([&] { return document_->apply(edits); }, edits.texts(), answer);
 }
 
@@ -74,13 +74,13 @@ void Server::Impl::check(const Json& message, Json& answer) {
 
 void Server::Impl::catalog(const Json&, Json& answer) { answer.update(catalog_json(host())); }
 
-void Server::Impl::change(const std::function<world::Edits()>& make, std::vector<std::string> edits,
-                          Json& answer) {
+void Server::Impl::change(const std::function<editing::Edits()>& make,
+                          std::vector<std::string> edits, Json& answer) {
   std::optional<world::World> before;
   if (phase_ == Phase::under_way) {
     before = document_->world();
   }
-  world::Edits inverse = make();
+  editing::Edits inverse = make();
   try {
     if (phase_ != Phase::under_way) {
       restart(seed_);
@@ -88,7 +88,7 @@ void Server::Impl::change(const std::function<world::Edits()>& make, std::vector
       // In the document, edits are made one after the other, and what has no id is called by its
       // place; to the run, they may mean something else.
       const bool are_right =
-          !edits.empty() && world::lead_to(document_->world(), *before, edits, host(), reading());
+          !edits.empty() && editing::lead_to(document_->world(), *before, edits, host(), reading());
       change_run(are_right ? std::move(edits) : edits_from(*before));
     }
   } catch (...) {
@@ -102,7 +102,7 @@ void Server::Impl::change(const std::function<world::Edits()>& make, std::vector
 
 std::vector<std::string> Server::Impl::edits_from(const world::World& before) const {
   try {
-    return world::edits_between(before, document_->world(), host(), reading());
+    return editing::edits_between(before, document_->world(), host(), reading());
   } catch (const world::WorldError&) {
     throw base::BadInput(
         "no edits lead from the world that runs to this one; reset the run, and it begins with "

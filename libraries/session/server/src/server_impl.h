@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "elsie/build/watch.h"
+#include "elsie/editing/document.h"
 #include "elsie/server/server.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/snapshots/snapshots.h"
-#include "elsie/world/document.h"
 
 #include "history.h"
 #include "link.h"
@@ -84,7 +84,7 @@ class Server::Impl {
   world::ReadOptions reading() const;
   /// Changes the document; `make` returns the inverse. A run that is under way becomes what the
   /// document is then, by `edits` or, if there are none, those that lead there.
-  void change(const std::function<world::Edits()>& make, std::vector<std::string> edits,
+  void change(const std::function<editing::Edits()>& make, std::vector<std::string> edits,
               Json& answer);
   std::vector<std::string> edits_from(const world::World& before) const;
   void change_run(std::vector<std::string> edits);
@@ -129,8 +129,8 @@ class Server::Impl {
   snapshots::Writer writer_;
   Link link_;
 
-  std::optional<world::Document> document_;
-  std::map<std::uint64_t, world::Edits> inverses_;
+  std::optional<editing::Document> document_;
+  std::map<std::uint64_t, editing::Edits> inverses_;
   std::uint64_t last_inverse_ = 0;
 
   std::unique_ptr<Simulation> simulation_;

@@ -5,12 +5,12 @@
 #include <map>
 #include <set>
 
+#include "elsie/picture/bodies.h"
 #include "elsie/picture/polyline.h"
 #include "elsie/picture/svg.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/error.h"
-#include "elsie/world/reader.h"
 
 #include "figures.h"
 #include "markup.h"
@@ -299,9 +299,7 @@ std::string map_figure(const Findings& findings, std::size_t cell,
   const CellInfo& info = findings.results.cells[cell];
   world::World world;
   try {
-    world::ReadOptions options;
-    options.bodies_only = true;
-    world = world::parse_world(info.world_text, info.world_file, plugin::Host(), options);
+    world = picture::bodies_of(info.world_text, info.world_file, plugin::Host());
   } catch (const world::WorldError& error) {
     return "<p class=\"none\">The world of this cell cannot be drawn: " + escaped(error.what()) +
            "</p>";

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "elsie/api/simulator_events.h"
+#include "elsie/picture/bodies.h"
 #include "elsie/plugin/host.h"
 #include "elsie/traces/sampling.h"
-#include "elsie/world/reader.h"
 
 #include "format.h"
 #include "reading.h"
@@ -178,9 +178,7 @@ RecordedRun read_recorded_run(const std::filesystem::path& file, double until_s)
 void save_picture(const RecordedRun& run, const plugin::Host& drives,
                   const std::vector<std::string>& subtitles, const std::filesystem::path& file,
                   const picture::Size& size) {
-  world::ReadOptions options;
-  options.bodies_only = true;
-  const world::World world = world::parse_world(run.world_xml, run.world_file, drives, options);
+  const world::World world = picture::bodies_of(run.world_xml, run.world_file, drives);
   picture::TopView view{world};
   view.robots = run.robots;
   // A recording has them by name, a picture colours them in the order of the world.

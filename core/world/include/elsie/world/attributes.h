@@ -3,18 +3,15 @@
 
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "elsie/world/description.h"
+#include "elsie/plugin/host.h"
+#include "elsie/world/files.h"
 #include "elsie/world/vocabulary.h"
-
-namespace elsie::plugin {
-class Host;
-}
+#include "elsie/world/world_tree.h"
 
 namespace elsie::world {
 
@@ -41,10 +38,10 @@ class Attributes {
   /// `files` by their names there.
   Attributes(const World& world, const plugin::Host& host,
              std::vector<std::string> data_directories = {},
-             std::map<std::string, std::string> files = {});
-  Attributes(Attributes&&) noexcept;
-  Attributes& operator=(Attributes&&) noexcept;
-  ~Attributes();
+             std::map<std::string, std::string> files = {})
+      : world_(world),
+        host_(host),
+        files_(world.file, std::move(data_directories), "", std::move(files)) {}
 
   /// The attributes that a path leads to, at least one, in the order of the file. Paths are those
   /// of ReadOptions::overrides. Throws std::invalid_argument with a sentence that says what there
@@ -56,8 +53,12 @@ class Attributes {
   ParameterValue read(const AttributePlace& place, std::string_view text) const;
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  AttributePlace place(const Element& element, const std::string& name) const;
+
+  const World& world_;
+  const plugin::Host& host_;
+  Files files_;
+  mutable std::optional<WorldTree> tree_;  // once it was needed
 };
 
 /// The ids of the robots that a path leads to, or to a part of which. Empty for a path to something

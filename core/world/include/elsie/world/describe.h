@@ -22,16 +22,11 @@ struct AttributeExtras {
   std::optional<Cost> cost = std::nullopt;  // that of its element
 };
 
+// What a member holds, if it holds something.
 template <class Value>
-struct OptionalOf {
-  using type = Value;
-  static constexpr bool value = false;
-};
+Value held_by(const std::optional<Value>&);
 template <class Value>
-struct OptionalOf<std::optional<Value>> {
-  using type = Value;
-  static constexpr bool value = true;
-};
+Value held_by(const Value&);
 
 template <class Object>
 class Describe {
@@ -52,23 +47,31 @@ class Describe {
   template <class Owner, class Member>
   Describe&& attribute(const char* name, Member Owner::*member, ParameterFacts facts,
                        AttributeExtras extras = {}) && {
-    using Value = typename OptionalOf<Member>::type;
+    using Value = decltype(held_by(std::declval<Member>()));
     const auto set = [member](void* object, const ParameterValue& value) {
-      static_cast<Object*>(object)->*member = from_parameter<Value>(value);
+      Value read{};
+      if constexpr (std::is_same_v<Value, Colour>) {
+        read = colour_of(std::get<std::string>(value));
+      } else {
+        detail::from_value(value, read);
+      }
+      static_cast<Object*>(object)->*member = std::move(read);
     };
     const auto get = [member](const void* object) -> std::optional<ParameterValue> {
-      const Member& held = static_cast<const Object*>(object)->*member;
-      if constexpr (OptionalOf<Member>::value) {
-        return held ? std::optional(to_parameter(*held)) : std::nullopt;
+      const std::optional<Value> held = static_cast<const Object*>(object)->*member;
+      if constexpr (std::is_same_v<Value, Colour>) {
+        return held ? std::optional(format_colour(*held)) : std::nullopt;
       } else {
-        return to_parameter(held);
+        return held ? std::optional(detail::to_value(*held)) : std::nullopt;
       }
     };
+    ParameterType type = ParameterType::text;
     if constexpr (std::is_same_v<Value, Colour>) {
       extras.form = TextForm::colour;
+    } else {
+      type = detail::type_of<Value>();
     }
-    auto&& described = std::move(*this).attribute(name, parameter_type<Value>(), std::move(facts),
-                                                  extras, set, get);
+    auto&& described = std::move(*this).attribute(name, type, std::move(facts), extras, set, get);
     if constexpr (std::is_same_v<Value, std::int64_t>) {
       AttributeSpec& attribute = spec_.attributes.back();
       attribute.lowest = static_cast<double>(std::numeric_limits<std::int64_t>::min());
@@ -110,37 +113,41 @@ class Describe {
     return std::move(*this).attribute(name, type, std::move(facts), {}, nullptr, nullptr);
   }
 
+  /// A text of two choices, of which `yes` makes the member true.
+  template <class Owner>
+  Describe&& choice(const char* name, bool Owner::*member, ParameterFacts facts,
+                    const std::string& yes) && {
+    const std::string no = facts.choices[facts.choices[0] == yes ? 1 : 0];
+    const auto set = [member, yes](void* object, const ParameterValue& value) {
+      static_cast<Object*>(object)->*member = std::get<std::string>(value) == yes;
+    };
+    const auto get = [member, yes, no](const void* object) -> std::optional<ParameterValue> {
+      return static_cast<const Object*>(object)->*member ? yes : no;
+    };
+    return std::move(*this).attribute(name, ParameterType::text, std::move(facts), {}, set, get);
+  }
+
   /// At most one element. It describes a member that always exists.
   template <class Child>
   Describe&& one(ElementSpec child, Child Object::*member) && {
-    child.make = [member](void* parent, const Location& where) -> void* {
-      Child& made = static_cast<Object*>(parent)->*member;
-      note(made, where);
-      return &made;
-    };
-    child.parts = [member](const void* parent) {
-      return std::vector<DescribedObject>{{0, &(static_cast<const Object*>(parent)->*member)}};
-    };
-    spec_.children.push_back(std::move(child));
-    return std::move(*this);
+    return std::move(*this).child(
+        std::move(child), [member](Object& parent) { return &(parent.*member); },
+        [member](const Object& parent) { return only(&(parent.*member)); });
   }
 
   /// At most one element that only holds others, which describe parts of this object or of its base
-  /// class.
+  /// class. In paths, its members are called as the first of them, unless members() says otherwise.
   template <class Base>
   Describe&& group(Describe<Base> child) && {
     static_assert(std::is_base_of_v<Base, Object>, "a group describes parts of the object itself");
     ElementSpec spec = std::move(child);
     spec.group = true;
-    spec.make = [](void* parent, const Location&) -> void* {
-      return static_cast<Base*>(static_cast<Object*>(parent));
-    };
-    spec.parts = [](const void* parent) {
-      return std::vector<DescribedObject>{
-          {0, static_cast<const Base*>(static_cast<const Object*>(parent))}};
-    };
-    spec_.children.push_back(std::move(spec));
-    return std::move(*this);
+    if (spec.members.empty()) {
+      spec.members = spec.children.front().name;
+    }
+    return std::move(*this).child(
+        std::move(spec), [](Object& parent) -> Base* { return &parent; },
+        [](const Object& parent) { return only(static_cast<const Base*>(&parent)); });
   }
 
   /// Elements that each describe one object in a list. `is` recognizes these objects if the list
@@ -152,64 +159,43 @@ class Describe {
           [](const Child&) { return true; },
       const std::type_identity_t<std::function<void(Child&)>>& begin = [](Child&) {}) && {
     child.at_most = ElementSpec::kAnyNumber;
-    child.make = [list, begin](void* parent, const Location& where) -> void* {
-      Child& made = (static_cast<Object*>(parent)->*list).emplace_back();
-      note(made, where);
-      begin(made);
-      return &made;
-    };
-    child.parts = [list, is](const void* parent) {
-      const auto& objects = static_cast<const Object*>(parent)->*list;
-      std::vector<DescribedObject> parts;
-      for (std::size_t i = 0; i < objects.size(); ++i) {
-        if (is(objects[i])) {
-          parts.push_back({i, &objects[i]});
-        }
-      }
-      return parts;
-    };
-    spec_.children.push_back(std::move(child));
-    return std::move(*this);
+    return std::move(*this).child(
+        std::move(child),
+        [list, begin](Object& parent) {
+          Child* made = &(parent.*list).emplace_back();
+          begin(*made);
+          return made;
+        },
+        [list, is](const Object& parent) {
+          return listed(parent.*list,
+                        [&](const Child& each) { return is(each) ? &each : nullptr; });
+        });
   }
 
   /// Elements that each describe one alternative in a list of variants.
   template <class Alternative, class Variant>
-  Describe&& each_of(ElementSpec child, std::vector<Variant> Object::*list) && {
+  Describe&& each_of(Describe<Alternative> alternative, std::vector<Variant> Object::*list) && {
+    ElementSpec child = std::move(alternative);
     child.at_most = ElementSpec::kAnyNumber;
-    child.make = [list](void* parent, const Location& where) -> void* {
-      auto& objects = static_cast<Object*>(parent)->*list;
-      auto& made = std::get<Alternative>(objects.emplace_back(Alternative{}));
-      note(made, where);
-      return &made;
-    };
-    child.parts = [list](const void* parent) {
-      const auto& objects = static_cast<const Object*>(parent)->*list;
-      std::vector<DescribedObject> parts;
-      for (std::size_t i = 0; i < objects.size(); ++i) {
-        if (const auto* object = std::get_if<Alternative>(&objects[i])) {
-          parts.push_back({i, object});
-        }
-      }
-      return parts;
-    };
-    spec_.children.push_back(std::move(child));
-    return std::move(*this);
+    return std::move(*this).child(
+        std::move(child),
+        [list](Object& parent) {
+          return &std::get<Alternative>((parent.*list).emplace_back(Alternative{}));
+        },
+        [list](const Object& parent) {
+          return listed(parent.*list,
+                        [](const Variant& each) { return std::get_if<Alternative>(&each); });
+        });
   }
 
   /// At most one element. It describes a member that may be empty.
   template <class Child>
   Describe&& optional(ElementSpec child, std::optional<Child> Object::*member) && {
-    child.make = [member](void* parent, const Location& where) -> void* {
-      Child& made = (static_cast<Object*>(parent)->*member).emplace();
-      note(made, where);
-      return &made;
-    };
-    child.parts = [member](const void* parent) {
-      const auto& held = static_cast<const Object*>(parent)->*member;
-      return held ? std::vector<DescribedObject>{{0, &*held}} : std::vector<DescribedObject>{};
-    };
-    spec_.children.push_back(std::move(child));
-    return std::move(*this);
+    return std::move(*this).child(
+        std::move(child), [member](Object& parent) { return &(parent.*member).emplace(); },
+        [member](const Object& parent) {
+          return only(parent.*member ? &*(parent.*member) : nullptr);
+        });
   }
 
   /// The element has the name of a plugin of this kind.
@@ -270,40 +256,38 @@ class Describe {
   operator ElementSpec() && { return std::move(spec_); }  // NOLINT(google-explicit-constructor)
 
  private:
-  template <class Made>
-  static void note(Made& made, const Location& where) {
-    if constexpr (requires { made.location; }) {
-      made.location = where;
-    }
+  /// A child whose objects `make` makes in its parent and `parts` lists. A group's is its parent.
+  template <class Make, class Parts>
+  Describe&& child(ElementSpec child, Make make, Parts parts) && {
+    child.make = [make](void* parent, const Location& where) -> void* {
+      auto* const made = make(*static_cast<Object*>(parent));
+      if constexpr (requires { made->location; } &&
+                    !std::is_same_v<decltype(made), Object* const>) {
+        made->location = where;
+      }
+      return made;
+    };
+    child.parts = [parts](const void* parent) {
+      return parts(*static_cast<const Object*>(parent));
+    };
+    spec_.children.push_back(std::move(child));
+    return std::move(*this);
   }
 
-  template <class Value>
-  static constexpr ParameterType parameter_type() {
-    if constexpr (std::is_same_v<Value, Colour>) {
-      return ParameterType::text;
-    } else {
-      return detail::type_of<Value>();
-    }
+  static std::vector<DescribedObject> only(const void* object) {
+    return object ? std::vector<DescribedObject>{{0, object}} : std::vector<DescribedObject>{};
   }
 
-  template <class Value>
-  static Value from_parameter(const ParameterValue& value) {
-    if constexpr (std::is_same_v<Value, Colour>) {
-      return colour_of(std::get<std::string>(value));
-    } else {
-      Value result{};
-      detail::from_value(value, result);
-      return result;
+  /// The objects of a list for which `described` is not null.
+  template <class List, class Function>
+  static std::vector<DescribedObject> listed(const List& objects, const Function& described) {
+    std::vector<DescribedObject> parts;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (const void* object = described(objects[i])) {
+        parts.push_back({i, object});
+      }
     }
-  }
-
-  template <class Value>
-  static ParameterValue to_parameter(const Value& value) {
-    if constexpr (std::is_same_v<Value, Colour>) {
-      return format_colour(value);
-    } else {
-      return detail::to_value(value);
-    }
+    return parts;
   }
 
   ElementSpec spec_;

@@ -163,7 +163,7 @@ struct RobotBody {
 
 /// A box on two passive wheels that a robot pulls. The axle is below the box's middle, and the
 /// wheels are flush with its sides. A joint with two degrees of freedom, yaw and pitch, links it to
-/// the body in front: the robot or another segment. train.h says where the joint is.
+/// the body in front: the robot or another segment. parts.h says where the joint is.
 struct Segment {
   std::string id;               // unique within the robot
   double length = 0.08;         // m, along its heading

@@ -39,21 +39,38 @@ inline constexpr AttributeExtras kLive{
 inline constexpr AttributeExtras kCheap{.cost = Cost::nothing};
 
 inline ParameterFacts fact(std::string meaning) { return {.meaning = std::move(meaning)}; }
+inline ParameterFacts range(const char* unit, double min, double max, std::string meaning) {
+  return {.unit = unit, .min = min, .max = max, .meaning = std::move(meaning)};
+}
+/// Above 0.
+inline ParameterFacts positive(const char* unit, double max, std::string meaning) {
+  return {.unit = unit, .above = 0, .max = max, .meaning = std::move(meaning)};
+}
 /// A coordinate, or an offset.
 inline ParameterFacts metres(std::string meaning) {
-  return {.unit = "m", .min = -1e4, .max = 1e4, .meaning = std::move(meaning)};
+  return range("m", -1e4, 1e4, std::move(meaning));
 }
 /// The smallest length and mass: with less, moments of inertia are lost in rounding.
 inline constexpr double kLeastLength = 1e-4;  // m
 inline constexpr double kLeastMass = 1e-6;    // kg
 inline ParameterFacts mass(std::string meaning, double max = 1e4) {
-  return {.unit = "kg", .min = kLeastMass, .max = max, .meaning = std::move(meaning)};
+  return range("kg", kLeastMass, max, std::move(meaning));
 }
 inline ParameterFacts size(std::string meaning, double max = 1e3) {
-  return {.unit = "m", .min = kLeastLength, .max = max, .meaning = std::move(meaning)};
+  return range("m", kLeastLength, max, std::move(meaning));
 }
 inline ParameterFacts angle(std::string meaning) {
-  return {.unit = "deg", .min = -360, .max = 360, .meaning = std::move(meaning)};
+  return range("deg", -360, 360, std::move(meaning));
+}
+
+/// The use of a plugin of this kind. `id`: the meaning of its id.
+template <class Use>
+Describe<Use> plugin_use(const char* name, const std::string& meaning, PluginKind kind, Cost cost,
+                         const char* id) {
+  return Describe<Use>(name, meaning + ": the element has the name of its plugin")
+      .plugins(kind)
+      .costs(cost)
+      .attribute("id", &PluginUse::id, fact(id), kId);
 }
 
 /// A root element with the version of the vocabulary, which the reader checks first.

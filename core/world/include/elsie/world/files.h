@@ -50,7 +50,9 @@ class Files {
   static std::string absolute(const std::string& file);
 
  private:
-  std::optional<std::string> noted(const std::string& name, std::string path) const;
+  /// In these folders, then in the data directories.
+  std::optional<std::string> search(const std::string& name,
+                                    std::vector<std::string> folders) const;
   std::string folder(const Location& from) const;
   std::string advice(const std::string& attribute, const std::string& value) const;
   bool given_by_hand(const Location& from) const;
@@ -62,7 +64,8 @@ class Files {
   std::map<std::string, std::string>* found_;
 };
 
-/// The regular file in the same folder with the name nearest to that of a missing file; or "".
-std::string near_file(const std::string& missing);
+/// "; did you mean 'worlds/maze.xml'?" for a file that is missing in these folders: the regular
+/// file with the nearest name, from the first folder that has one; or "".
+std::string did_you_mean_file(const std::string& missing, const std::vector<std::string>& folders);
 
 }  // namespace elsie::world

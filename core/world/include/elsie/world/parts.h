@@ -28,14 +28,27 @@ struct Fixture {
 std::vector<Fixture> walls_of(const Arena& arena);
 Fixture fixture_of(const Box& box, std::size_t index = 0);
 Fixture fixture_of(const Charger& charger, std::size_t index = 0);
-/// All of them: walls, then boxes (resources among them), then chargers, each in file order.
-std::vector<Fixture> fixtures_of(const World& world);
 
 /// What a drive gets to know of a body.
 Chassis chassis_of(const RobotBody& body);
 /// The chassis on the parts of a drive, which is built by this. Throws what the drive throws, and
 /// as check() does.
 BodyPlan plan_of(const Chassis& chassis, Drive& drive);
+
+/// The joint between a segment and the body in front, the robot or another segment.
+struct Coupling : HitchJoint {
+  double place = 0.0;  // m, of the segment's middle behind the robot's, in a straight train
+};
+
+/// One for each segment behind the last vehicle of a body. By default the joint is in the middle of
+/// the gap, at the height of the segment's axle, and turns until a corner of one body would reach
+/// the face of the other. With the joint b m behind the front body's rear face and f m ahead of the
+/// segment's front face, and h half the width of the wider of the two, that is the smallest angle t
+/// > 0 for which
+///     h sin t - f cos t = b  or  h sin t - b cos t = f,
+/// but at most 90 degrees. Behind a round robot it turns until the segment would reach the disc
+/// around it.
+std::vector<Coupling> couplings(const BodyPlan& plan, std::span<const Segment> segments);
 
 /// The parts of a robot and of the segments that it pulls, which are its last vehicles. A robot
 /// whose drive has not been asked (Robot::driven) has the default one.

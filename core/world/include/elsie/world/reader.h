@@ -64,10 +64,6 @@ struct ReadOptions {
   /// Whether to make an object of every plugin, so that errors of Component::configured() are
   /// reported, too. Drives are made in any case: they say which parts a body has.
   bool check_plugins = false;
-  /// Whether to ignore sensors, behaviours, coordinators, measures, limits, and goals about time.
-  /// The rest needs no plugin and is enough for a picture; a robot whose drive is not there stands
-  /// on the default one.
-  bool bodies_only = false;
   /// Whether the world runs: its robots, and boxes that can be pushed or taken, are not where it
   /// says, so it is not checked whether bodies stand in each other's way or in a wall.
   bool is_running = false;

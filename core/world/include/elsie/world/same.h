@@ -13,8 +13,6 @@ bool same(const ElementSpec& spec, const void* a, const void* b, Cost least = Co
 /// The part of this name that an element of the vocabulary has: "body" of robots.
 bool same_part(const ElementSpec& spec, const char* part, const void* a, const void* b);
 
-/// The element that describes robots.
-const ElementSpec& robot_spec();
 bool same(const Box& a, const Box& b, Cost least);
 /// As far as the core knows sensors and behaviours: without the plugin's parameters, and without
 /// what behaviours hold.

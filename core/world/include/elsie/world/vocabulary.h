@@ -129,6 +129,8 @@ struct ElementSpec {
 
 /// <world> with all its elements.
 const ElementSpec& vocabulary();
+/// <robot>.
+const ElementSpec& robot_spec();
 /// <robot_template>: a robot without an id, in a file of its own.
 const ElementSpec& template_vocabulary();
 /// <behaviors> and <coordinator>, in a robot or in a behaviour that holds others.

@@ -9,7 +9,7 @@
 #include "elsie/world/markup.h"
 #include "elsie/world/reader.h"
 
-namespace elsie::world {
+namespace elsie::editing {
 
 /// One or several edits, which are made together or not at all.
 class Edits {
@@ -45,21 +45,23 @@ class Document {
   /// The file is `text`, whatever is on disk; its folder is where templates and data files are
   /// searched first. The host must outlive the document. Edits come from apply() only:
   /// ReadOptions::overrides are not used. Throws WorldError if the text is not a right world.
-  Document(std::string text, std::string file, const plugin::Host& host, ReadOptions options = {});
+  Document(std::string text, std::string file, const plugin::Host& host,
+           world::ReadOptions options = {});
   /// Reads the file; see read_world().
-  static Document open(const std::string& file, const plugin::Host& host, ReadOptions options = {});
+  static Document open(const std::string& file, const plugin::Host& host,
+                       world::ReadOptions options = {});
   Document(Document&&) noexcept;
   Document& operator=(Document&&) noexcept;
   ~Document();
 
   const std::string& file() const;
   const std::string& text() const;
-  const World& world() const;
+  const world::World& world() const;
   /// The elements of the world, those of templates among them; valid until the next edit.
-  const Element& tree() const;
+  const world::Element& tree() const;
   /// An element of the tree as the text has it: a robot with `template`, and without what the
   /// template adds. Null if it stands in a template only.
-  const Element* written(const Element& element) const;
+  const world::Element* written(const world::Element& element) const;
 
   /// Makes the edits, checks the result as a file is checked, and returns the edits that undo them.
   /// Applied next, these restore the text byte for byte; applied to any other text, they do what
@@ -81,4 +83,4 @@ class Document {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace elsie::world
+}  // namespace elsie::editing

@@ -9,15 +9,21 @@
 #include "elsie/world/markup.h"
 #include "elsie/world/vocabulary.h"
 
-namespace elsie::world {
+namespace elsie::editing {
+
+using world::Attribute;
+using world::AttributeSpec;
+using world::Element;
+using world::ElementSpec;
+using world::Field;
 
 class Meaning {
  public:
-  static Meaning of_world() { return {&vocabulary(), nullptr, nullptr}; }
+  static Meaning of_world() { return {&world::vocabulary(), nullptr, nullptr}; }
 
   /// Of an element that stands by itself, as in a <change>; empty if nothing has its name.
   static Meaning of_name(const std::string& name, const plugin::Host& host,
-                         const ElementSpec& among = vocabulary()) {
+                         const ElementSpec& among = world::vocabulary()) {
     for (const ElementSpec& each : among.children) {
       const Declaration* plugin = each.plugins ? host.find(*each.plugins, name) : nullptr;
       if (plugin || (!each.plugins && !each.group && each.name == name)) {
@@ -37,7 +43,7 @@ class Meaning {
     }
     if (spec_->plugins) {
       const ElementSpec* held =
-          plugin_ && plugin_->hold ? coordination_vocabulary().child(child.name) : nullptr;
+          plugin_ && plugin_->hold ? world::coordination_vocabulary().child(child.name) : nullptr;
       return held ? Meaning(held, nullptr, nullptr)
              : plugin_
                  ? Meaning(nullptr, nullptr, plugin::find_declared(plugin_->elements, child.name))
@@ -58,7 +64,7 @@ class Meaning {
         plugin_    ? plugin::find_declared(plugin_->parameters, attribute)
         : element_ ? plugin::find_declared(element_->parameters, attribute)
                    : nullptr;
-    return parameter ? std::optional(field_of(*parameter)) : std::nullopt;
+    return parameter ? std::optional(world::field_of(*parameter)) : std::nullopt;
   }
 
   /// None for what a plugin declares.
@@ -78,4 +84,4 @@ class Meaning {
   const ElementDeclaration* element_ = nullptr;
 };
 
-}  // namespace elsie::world
+}  // namespace elsie::editing

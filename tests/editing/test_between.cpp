@@ -1,11 +1,11 @@
 // The edits between two worlds: as few and as small as paths allow.
 #include <catch2/catch.hpp>
 
-#include "elsie/world/between.h"
-#include "elsie/world/document.h"
+#include "elsie/editing/between.h"
+#include "elsie/editing/document.h"
 #include "elsie/world/writer.h"
 
-#include "fixture.h"
+#include "../world/fixture.h"
 
 using namespace elsie;
 using namespace elsie::test;
@@ -14,7 +14,7 @@ using Several = std::vector<std::string>;
 namespace {
 
 Several between(const std::string& from, const std::string& to) {
-  return world::edits_between(read(from), read(to), host(), options());
+  return editing::edits_between(read(from), read(to), host(), options());
 }
 
 std::string robots(const std::string& content) { return "<robots>" + content + "</robots>"; }
@@ -72,16 +72,16 @@ TEST_CASE("A document becomes another text, and the inverse knows both ways") {
     return "<world format=\"1\">\n  " + content + "\n</world>\n";
   };
   const std::string first = text(robots("<robot id=\"r1\"/>"));
-  world::Document document(first, kFolder + "world.xml", host(), options());
+  editing::Document document(first, kFolder + "world.xml", host(), options());
   const std::string second = text("<!-- moved -->" + robots("<robot id=\"r1\" x=\"1\"/>"));
-  const world::Edits back = document.become(second);
+  const editing::Edits back = document.become(second);
   CHECK(document.text() == second);
   CHECK(document.world().robots[0].x == 1.0);
   CHECK_THROWS_AS(document.become(text("<robot/>")), world::WorldError);
   CHECK(document.text() == second);
 
   SECTION("at once") {
-    const world::Edits again = document.apply(back);
+    const editing::Edits again = document.apply(back);
     CHECK(document.text() == first);
     document.apply(again);
     CHECK(document.text() == second);
@@ -96,9 +96,9 @@ TEST_CASE("A document becomes another text, and the inverse knows both ways") {
 
 TEST_CASE("An edit of comments alone cannot be undone in another text") {
   const std::string first = "<world format=\"1\"/>\n";
-  world::Document document(first, kFolder + "world.xml", host(), options());
-  const world::Edits back = document.become("<!-- empty -->" + first);
-  const world::Edits named = document.apply("@name=mine");
+  editing::Document document(first, kFolder + "world.xml", host(), options());
+  const editing::Edits back = document.become("<!-- empty -->" + first);
+  const editing::Edits named = document.apply("@name=mine");
   CHECK_THROWS_AS(document.apply(back), world::WorldError);
   document.apply(named);
   document.apply(back);

@@ -1,4 +1,4 @@
-#include "elsie/world/document.h"
+#include "elsie/editing/document.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -7,22 +7,27 @@
 #include <set>
 #include <utility>
 
+#include "elsie/editing/between.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/attributes.h"
-#include "elsie/world/between.h"
 #include "elsie/world/data_directories.h"
 #include "elsie/world/error.h"
 #include "elsie/world/files.h"
+#include "elsie/world/tree.h"
 #include "elsie/world/values.h"
 
 #include "meaning.h"
-#include "overrides.h"
-#include "reading.h"
 #include "rewriting.h"
-#include "templates.h"
 #include "undo.h"
 
-namespace elsie::world {
+namespace elsie::editing {
+
+using world::Concern;
+using world::Files;
+using world::Problems;
+using world::ReadOptions;
+using world::World;
+using world::WorldError;
 
 namespace fs = std::filesystem;
 
@@ -34,17 +39,8 @@ constexpr int kMostAttempts = 8;
   throw WorldError({{"--set " + edit, 0, message}});
 }
 
-void number_rest(Element& element, std::size_t& count) {
-  if (!element.object) {
-    element.object = count++;
-  }
-  for (Element& child : element.children) {
-    number_rest(child, count);
-  }
-}
-
 // Puts what an element holds once into the order of the vocabulary: in a file, any order will do.
-void put_in_order(Element& element, const ElementSpec& spec = vocabulary()) {
+void put_in_order(Element& element, const ElementSpec& spec = world::vocabulary()) {
   const bool of_plugins = spec.group && spec.children.front().plugins;
   const auto& below = spec.below();
   const auto rank = [&](const Element& child) {
@@ -83,7 +79,14 @@ class Comparison {
   Comparison(Element& wanted, Additions& additions, const std::string& edit,
              const plugin::Host& host)
       : additions_(additions), edit_(edit), host_(host) {
-    note_values(wanted);
+    // What may be a use of a name, or another thing with that name.
+    world::for_each_element(wanted, [&](const Element& element) {
+      for (const Attribute& attribute : element.attributes) {
+        if (!attribute.completed) {
+          used_.insert(attribute.value);
+        }
+      }
+    });
   }
 
   // If they differ, notes what the text must say besides, in the additions or as attributes of
@@ -181,19 +184,7 @@ class Comparison {
                         "' from the robot's template, and a file has no word for its default; give "
                         "it a value instead");
     }
-    wanted.set(attribute, format_value(*field->default_value), {edit_, 0});
-  }
-
-  // What may be a use of a name, or another thing with that name.
-  void note_values(const Element& element) {
-    for (const Attribute& attribute : element.attributes) {
-      if (!attribute.completed) {
-        used_.insert(attribute.value);
-      }
-    }
-    for (const Element& child : element.children) {
-      note_values(child);
-    }
+    wanted.set(attribute, world::format_value(*field->default_value), {edit_, 0});
   }
 
   Additions& additions_;
@@ -280,21 +271,25 @@ class Document::Impl {
   WorldText read(std::string text) const {
     WorldText result;
     result.text = std::move(text);
-    result.raw = tree_of_world(result.text, file_, result.spans);
+    result.raw = world::tree_of_world(result.text, file_, &result.spans);
     result.merged = result.raw;
     Problems problems;
-    Templates(host_, files_, problems).merge_all(result.merged);
+    world::merge_templates(result.merged, host_, files_, problems);
     problems.raise<WorldError>(file_);
     put_in_order(result.raw);
     put_in_order(result.merged);
     std::size_t count = result.spans.size();
-    number_rest(result.merged, count);
+    world::for_each_element(result.merged, [&](Element& element) {
+      if (!element.object) {
+        element.object = count++;
+      }
+    });
     return result;
   }
 
   World world_of(const Element& merged) const {
     Problems problems;
-    return world_of_tree(merged, file_, host_, files_, options_, problems);
+    return world::world_of_tree(merged, file_, host_, files_, options_, problems);
   }
 
   void take(WorldText text) {
@@ -314,7 +309,7 @@ class Document::Impl {
   /// What the attribute at the end of a path may be; none if there is none in this world.
   std::optional<Field> field_at(const std::string& path) const {
     try {
-      return Attributes(world_, host_, options_.data_directories).find(path).front().field;
+      return world::Attributes(world_, host_, options_.data_directories).find(path).front().field;
     } catch (const std::invalid_argument&) {
       return std::nullopt;
     }
@@ -344,10 +339,10 @@ std::vector<std::string> Document::Impl::apply_texts(const std::vector<std::stri
     if (edits.size() == 1) {
       Problems problems;
       Element merged = wanted;
-      if (concerns_robots(edits.front())) {
-        Templates(host_, files_, problems).merge_all(merged);
+      if (world::concern_of(edits.front()) != Concern::other) {
+        world::merge_templates(merged, host_, files_, problems);
       }
-      world_of_tree(std::move(merged), file_, host_, files_, options_, problems);
+      world::world_of_tree(std::move(merged), file_, host_, files_, options_, problems);
     }
     throw;
   }
@@ -356,13 +351,13 @@ std::vector<std::string> Document::Impl::apply_texts(const std::vector<std::stri
 
 WorldText Document::Impl::edited(const WorldText& from, const std::string& edit, Element& wanted,
                                  std::vector<std::string>& inverse) const {
-  const bool is_raw = concerns_robots(edit);
+  const bool is_raw = world::concern_of(edit) != Concern::other;
   const Element& before = is_raw ? from.raw : from.merged;
   wanted = before;
   Problems problems;
-  apply_override(wanted, edit, options_.is_running, problems);
+  world::apply_override(wanted, edit, options_.is_running, problems);
   problems.raise<WorldError>(file_);
-  remove_overridden(wanted);
+  world::remove_overridden(wanted);
   put_in_order(wanted);
   Additions additions;
   Comparison comparison(wanted, additions, edit, host_);
@@ -388,8 +383,8 @@ Document& Document::operator=(Document&&) noexcept = default;
 Document::~Document() = default;
 
 Document Document::open(const std::string& file, const plugin::Host& host, ReadOptions options) {
-  const std::string found = find_document(file, options.data_directories);
-  return {read_text(found), found, host, std::move(options)};
+  const std::string found = world::find_document(file, options.data_directories);
+  return {world::read_text(found), found, host, std::move(options)};
 }
 
 const std::string& Document::file() const { return impl_->file(); }
@@ -446,7 +441,7 @@ std::string Document::Impl::text_for(const std::string& folder) const {
       const std::string value = element.value(name);
       auto other = renamed(element, name, meaning);
       if (element.name == "change" && name == "value" && value.starts_with('<')) {
-        Element given = parse_markup(value, file_);
+        Element given = world::parse_markup(value, file_);
         rename(given, Meaning::of_name(given.name, host_));
         other = markup_of(given);
       }
@@ -464,4 +459,4 @@ std::string Document::Impl::text_for(const std::string& folder) const {
   return spliced(now_.text, std::move(splices));
 }
 
-}  // namespace elsie::world
+}  // namespace elsie::editing

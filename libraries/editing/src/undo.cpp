@@ -6,7 +6,7 @@
 
 #include "meaning.h"
 
-namespace elsie::world {
+namespace elsie::editing {
 
 namespace {
 
@@ -180,4 +180,4 @@ std::vector<std::string> undoing(const Element& before, const Element& after, co
   return std::move(undoing.edits);
 }
 
-}  // namespace elsie::world
+}  // namespace elsie::editing

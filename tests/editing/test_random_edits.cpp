@@ -5,12 +5,12 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/world/between.h"
-#include "elsie/world/document.h"
+#include "elsie/editing/between.h"
+#include "elsie/editing/document.h"
 #include "elsie/world/writer.h"
 
-#include "equal.h"
-#include "fixture.h"
+#include "../world/equal.h"
+#include "../world/fixture.h"
 #include "random_edits.h"
 #include "shipped.h"
 
@@ -108,11 +108,11 @@ TEST_CASE("Random edits of a document are undone byte for byte") {
   for (const std::string& file : files) {
     CAPTURE(file);
     RandomEdits random(static_cast<unsigned>(made + refused), shipped());
-    world::Document document = world::Document::open(file, shipped(), shipped_options());
+    editing::Document document = editing::Document::open(file, shipped(), shipped_options());
     const std::string first = document.text();
     const world::World start = document.world();
     REQUIRE(first == text_of(file));
-    std::vector<world::Edits> inverses;
+    std::vector<editing::Edits> inverses;
     for (std::size_t i = 0; i < each;) {
       if (!inverses.empty() && random.happens(inverses.size() < 12 ? 0.2 : 0.8)) {
         document.apply(inverses.back());
@@ -142,7 +142,7 @@ TEST_CASE("Random edits of a document are undone byte for byte") {
       REQUIRE(same(reduced(document.world()),
                    reduced(world::parse_world(before, file, shipped(), shipped_options({edit})))));
       // As texts, the inverse leads to the old world, too.
-      world::Document other(document.text(), file, shipped(), shipped_options());
+      editing::Document other(document.text(), file, shipped(), shipped_options());
       const auto& texts = inverses.back().texts();
       std::string all;
       for (const std::string& text : texts) {
@@ -154,15 +154,15 @@ TEST_CASE("Random edits of a document are undone byte for byte") {
     }
     // Another way leads to the same world.
     const world::World end = document.world();
-    const auto way = world::edits_between(start, end, shipped(), shipped_options());
+    const auto way = editing::edits_between(start, end, shipped(), shipped_options());
     CAPTURE(way);
     const world::World there = world::parse_world(first, file, shipped(), shipped_options(way));
     CHECK(world::write_world(there) == world::write_world(end));
-    world::Document stepwise(first, file, shipped(), shipped_options());
+    editing::Document stepwise(first, file, shipped(), shipped_options());
     stepwise.apply(way);
     CHECK(world::write_world(stepwise.world()) == world::write_world(end));
     const std::string last = document.text();
-    const world::Edits back = stepwise.become(last);
+    const editing::Edits back = stepwise.become(last);
     CHECK(stepwise.text() == last);
     CHECK(stepwise.apply(back).texts().size() == 0);
     while (!inverses.empty()) {

@@ -7,7 +7,7 @@
 
 #include "meaning.h"
 
-namespace elsie::world {
+namespace elsie::editing {
 
 namespace {
 
@@ -349,7 +349,7 @@ class Rewriting {
     if (element.children.empty() && element.text.empty()) {
       return text + "/>";
     }
-    text += ">" + escaped(element.text);
+    text += ">" + world::escaped(element.text);
     for (const Element& child : element.children) {
       text += layout_.line_end() + indent + step + lines(child, indent + step, step);
     }
@@ -443,7 +443,7 @@ std::string spliced(std::string_view text, std::vector<Splice> splices) {
 }
 
 std::string quoted_value(const std::string& value, char quote) {
-  std::string text = escaped_attribute(value);
+  std::string text = world::escaped_attribute(value);
   for (std::size_t at = 0; quote == '\'' && (at = text.find('\'', at)) != text.npos;) {
     text.replace(at, 1, "&apos;");
   }
@@ -469,4 +469,4 @@ bool alike(const Element& a, const Element& b) {
                     alike);
 }
 
-}  // namespace elsie::world
+}  // namespace elsie::editing

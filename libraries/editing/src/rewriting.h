@@ -10,9 +10,10 @@
 #include "elsie/plugin/host.h"
 #include "elsie/world/markup.h"
 
-#include "text_check.h"
+namespace elsie::editing {
 
-namespace elsie::world {
+using world::Element;
+using world::ElementSpan;
 
 /// The text of a world and the trees that were read from it. Element::object is the number of an
 /// element's start tag in the text or, for an element of a template, a larger number.
@@ -54,4 +55,4 @@ std::string rewritten(const WorldText& text, const Element& before, const Elemen
 /// Whether two elements say the same.
 bool alike(const Element& a, const Element& b);
 
-}  // namespace elsie::world
+}  // namespace elsie::editing

@@ -1,4 +1,4 @@
-#include "elsie/world/between.h"
+#include "elsie/editing/between.h"
 
 #include <algorithm>
 #include <map>
@@ -6,12 +6,19 @@
 #include <set>
 #include <utility>
 
+#include "elsie/world/markup.h"
+#include "elsie/world/world_tree.h"
 #include "elsie/world/writer.h"
 
 #include "rewriting.h"
-#include "world_tree.h"
 
-namespace elsie::world {
+namespace elsie::editing {
+
+using world::Attribute;
+using world::ReadOptions;
+using world::World;
+using world::WorldError;
+using world::WorldTree;
 
 namespace {
 
@@ -272,8 +279,8 @@ bool lead_to(const World& to, const World& from, const std::vector<std::string>&
   options.is_running = true;  // there is no need to find again what is wrong with `to`
   options.overrides = edits;
   try {
-    const World there = parse_world(write_world(from), from.file, host, options);
-    return write_world(there) == write_world(to);
+    const World there = world::parse_world(world::write_world(from), from.file, host, options);
+    return world::write_world(there) == write_world(to);
   } catch (const WorldError&) {
     return false;
   }
@@ -291,4 +298,4 @@ std::vector<std::string> edits_between(const World& from, const World& to, const
   throw WorldError({{to.file, 0, "there are no edits that lead from the one world to the other"}});
 }
 
-}  // namespace elsie::world
+}  // namespace elsie::editing

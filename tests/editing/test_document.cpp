@@ -3,15 +3,15 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/world/document.h"
+#include "elsie/editing/document.h"
 
-#include "equal.h"
-#include "fixture.h"
+#include "../world/equal.h"
+#include "../world/fixture.h"
 #include "folder.h"
 
 using namespace elsie;
 using namespace elsie::test;
-using world::Document;
+using editing::Document;
 using Several = std::vector<std::string>;
 
 namespace {
@@ -103,7 +103,7 @@ std::string diff(const std::string& from, const std::string& to) {
 std::string change(Document document, const std::string& edit) {
   const std::string before = document.text();
   const world::World world = document.world();
-  const world::Edits inverse = document.apply(edit);
+  const editing::Edits inverse = document.apply(edit);
   const std::string after = document.text();
   {
     Document other(after, document.file(), host(), reading());
@@ -111,7 +111,7 @@ std::string change(Document document, const std::string& edit) {
     other.apply(inverse.texts());
     CHECK(same(other.world(), world));
   }
-  const world::Edits again = document.apply(inverse);
+  const editing::Edits again = document.apply(inverse);
   CHECK(document.text() == before);
   document.apply(again);
   CHECK(document.text() == after);
@@ -119,7 +119,7 @@ std::string change(Document document, const std::string& edit) {
 }
 std::string change(const std::string& edit) { return change(document(), edit); }
 
-std::string refusal(Document& document, const world::Edits& edits) {
+std::string refusal(Document& document, const editing::Edits& edits) {
   const std::string before = document.text();
   const world::World world = document.world();
   try {
@@ -131,7 +131,7 @@ std::string refusal(Document& document, const world::Edits& edits) {
   }
   return "";
 }
-std::string refusal(const world::Edits& edits) {
+std::string refusal(const editing::Edits& edits) {
   Document one = document();
   return refusal(one, edits);
 }
@@ -268,8 +268,8 @@ TEST_CASE("Several edits are made together or not at all") {
   CHECK_THAT(refusal(d, Several{"robot[r1]/@y=-2", "robot[r2]/@x=nowhere"}),
              Catch::Contains("expected a number"));
   // The world between them would be refused.
-  const world::Edits inverse = d.apply(Several{"goal[+]=<travel robot='r2' distance='1'/>",
-                                               "robot[r2]/@remove=true", "goal[1]/@robot=r1"});
+  const editing::Edits inverse = d.apply(Several{"goal[+]=<travel robot='r2' distance='1'/>",
+                                                 "robot[r2]/@remove=true", "goal[1]/@robot=r1"});
   CHECK(d.world().robots.size() == 1);
   Document other = document(d.text());
   other.apply(inverse.texts());
@@ -281,7 +281,7 @@ TEST_CASE("Several edits are made together or not at all") {
 
 TEST_CASE("An inverse that comes late does what its text says") {
   Document d = document();
-  const world::Edits inverse = d.apply("robot[r1]/@max_speed=0.5");
+  const editing::Edits inverse = d.apply("robot[r1]/@max_speed=0.5");
   d.apply("robot[r1]/@x=-2");
   d.apply(inverse);
   CHECK(d.world().robots[0].max_speed == 0.3);
@@ -300,7 +300,7 @@ TEST_CASE("A member that is named by its place yields its name to one that is gi
 )");
   const std::string before = d.text();
   CHECK(d.world().boxes[2].id == "static_box_3");
-  const world::Edits inverse = d.apply("obstacle[2]/@remove=true");
+  const editing::Edits inverse = d.apply("obstacle[2]/@remove=true");
   CHECK(d.world().boxes[1].id == "static_box_2");
   d.apply(inverse.texts());
   CHECK(d.text() == before);
@@ -323,7 +323,7 @@ TEST_CASE("A member that is named elsewhere keeps its name when its place change
 </world>
 )");
   const std::string before = d.text();
-  const world::Edits inverse = d.apply("obstacle[1]/@remove=true");
+  const editing::Edits inverse = d.apply("obstacle[1]/@remove=true");
   CHECK(diff(before, d.text()) ==
         "-    <dynamic_box x=\"1\"/>\n-    <dynamic_box x=\"2\"/>\n"
         "+    <dynamic_box x=\"2\" id=\"dynamic_box_2\"/>\n");

@@ -1,0 +1,18 @@
+// A world as far as a picture shows it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "elsie/plugin/host.h"
+#include "elsie/world/description.h"
+
+namespace elsie::picture {
+
+/// The world of a text without sensors, behaviours, coordinators, measures, changes, limits, and
+/// goals about time. The rest needs no plugin; a robot whose drive is not among `drives` stands on
+/// the default one. `file` is the text's name in messages. Throws world::WorldError with all
+/// mistakes in what is shown.
+world::World bodies_of(std::string_view text, const std::string& file, const plugin::Host& drives);
+
+}  // namespace elsie::picture

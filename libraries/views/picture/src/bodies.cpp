@@ -1,0 +1,50 @@
+#include "elsie/picture/bodies.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
+#include "elsie/world/files.h"
+#include "elsie/world/tree.h"
+
+namespace elsie::picture {
+
+namespace {
+
+using world::Element;
+
+// Leaves only what a picture of the arena shows, goals at places included.
+void leave_bodies_only(Element& root, const plugin::Host& drives) {
+  const auto drop = [](Element& from, std::initializer_list<std::string_view> parts) {
+    std::erase_if(from.children, [&](const Element& part) {
+      return std::find(parts.begin(), parts.end(), part.name) != parts.end();
+    });
+  };
+  drop(root, {"limits", "measures", "changes"});
+  if (Element* goals = root.child("goals")) {
+    drop(*goals, {"endure"});
+  }
+  if (Element* robots = root.child("robots")) {
+    for (Element& robot : robots->children) {
+      drop(robot, {"sensors", "behaviors", "coordinator"});
+      const Element* drive = robot.child("drive");
+      if (drive && !drive->children.empty() &&
+          !drives.find(PluginKind::drive, drive->children.front().name)) {
+        drop(robot, {"drive"});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+world::World bodies_of(std::string_view text, const std::string& file, const plugin::Host& drives) {
+  Element root = world::tree_of_world(text, file);
+  const world::Files files(file, {});
+  world::Problems problems;
+  world::merge_templates(root, drives, files, problems);
+  leave_bodies_only(root, drives);
+  return world::world_of_tree(std::move(root), file, drives, files, {}, problems);
+}
+
+}  // namespace elsie::picture
