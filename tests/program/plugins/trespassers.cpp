@@ -168,10 +168,17 @@ struct BlocksSignalsAndLoops {
 };
 struct CrashesInElsie {
   void operator()() {
-    // The heap is damaged here, and the damage shows elsewhere.
-    auto* const block = static_cast<char*>(std::malloc(64));
-    for (int i = -16; i < 4096; ++i) {
-      static_cast<volatile char*>(hidden(block))[i] = 0x41;
+    // The heap is damaged here, and the damage shows elsewhere: behind blocks of so many sizes lies
+    // what is in use.
+    void* blocks[16];
+    std::size_t size = 0;
+    for (void*& block : blocks) {
+      block = std::malloc(size += 64);
+    }
+    for (void* const block : blocks) {
+      for (int i = -16; i < 4096; ++i) {
+        static_cast<volatile char*>(hidden(static_cast<char*>(block)))[i] = 0x41;
+      }
     }
   }
 };
