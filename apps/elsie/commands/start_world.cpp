@@ -6,8 +6,8 @@
 
 #include "elsie/base/number_text.h"
 #include "elsie/base/write_whole.h"
-#include "elsie/process/shell_word.h"
 #include "elsie/editing/document.h"
+#include "elsie/process/shell_word.h"
 #include "elsie/world/error.h"
 #include "elsie/world/markup.h"
 
@@ -21,7 +21,8 @@ namespace {
 std::string text_from(const RunToWrite& run, const plugin::Host& host,
                       const world::ReadOptions& reading, const std::filesystem::path& folder) {
   try {
-    return editing::Document(run.world_text, run.world_file, host, reading).text_for(folder.string());
+    return editing::Document(run.world_text, run.world_file, host, reading)
+        .text_for(folder.string());
   } catch (const world::WorldError&) {
     return run.world_text;
   }
