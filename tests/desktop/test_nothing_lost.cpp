@@ -210,8 +210,7 @@ TEST_CASE("Unsaved work that cannot be kept is said once") {
 TEST_CASE("Unsaved work that was left behind is offered, and a damaged one is said") {
   const QDir kept(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");
   REQUIRE(kept.mkpath("."));
-  // Of a process that is not there any more.
-  const QString whole = kept.filePath("4194399-1.json"), damaged = kept.filePath("4194398-1.json");
+  const QString whole = kept.filePath("one.json"), damaged = kept.filePath("other.json");
   write(whole, QByteArray::fromStdString(Json{{"file", ""}, {"text", kRoom}}.dump()));
   write(damaged, "{\"file\": \"/tmp/x.xml\", \"te");
   Window window;
@@ -225,7 +224,7 @@ TEST_CASE("Unsaved work that was left behind is offered, and a damaged one is sa
   for (auto* box : window->findChildren<QMessageBox*>()) {
     said += box->text();
   }
-  CHECK(said.contains("4194398-1.json"));
+  CHECK(said.contains("other.json"));
   REQUIRE(wait_for([&] { return window.bench().is_right(); }));
   CHECK(window.bench().text() == kRoom);
   CHECK(window->isWindowModified());

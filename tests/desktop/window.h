@@ -52,7 +52,7 @@ inline constexpr const char* kRoom = R"(<world format="1">
 </world>
 )";
 
-/// A window with settings of its own, and a folder for files.
+/// A window, and a folder for files. All windows of a test program have the settings of main.cpp.
 class Window {
  public:
   /// `options`: for the engine, such as where plugins are.
@@ -69,7 +69,7 @@ class Window {
       open(file);
     }
   }
-  ~Window() { answer = MainWindow::Answer::discard; }
+  ~Window() { bench().give_up_unsaved(); }
 
   MainWindow* operator->() { return &window_; }
   MainWindow& window() { return window_; }
