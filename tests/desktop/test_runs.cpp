@@ -35,11 +35,9 @@ std::string content_of(const QString& file) {
 }
 
 void run_until(Window& window, double time_s) {
-  window.bench().set_speed(0.0);
-  window.bench().run();
-  REQUIRE(wait_for([&] { return window.bench().time_s() > time_s; }));
-  window.bench().pause();
+  window.bench().run_until(time_s);
   REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  REQUIRE(wait_for([&] { return window.bench().time_s() >= time_s; }));
 }
 
 }  // namespace
@@ -97,8 +95,7 @@ TEST_CASE("A run of a results database opens at its seed") {
 TEST_CASE("A file that only looks like a recording is said, while the window stays alive") {
   Window window;
   window.open(window.file(kRoom));
-  const QString broken = window.file("MCAP0
- and no more", "broken.mcap");
+  const QString broken = window.file("\x89MCAP0\r\n and no more", "broken.mcap");
   REQUIRE(window->open(broken));
   auto* box = window.dialog<QMessageBox>("warning");
   CHECK_FALSE(box->text().isEmpty());

@@ -8,6 +8,7 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -33,6 +34,19 @@ inline QString world_file(const QString& name) {
 
 inline bool wait_for(const std::function<bool()>& is_so) {
   return QTest::qWaitFor(is_so, kPatience_ms);
+}
+
+/// Does something with the modal dialog of that name, once it is there.
+inline void at_dialog(const QString& name, const std::function<void(QDialog*)>& answer) {
+  auto* waiting = new QTimer(qApp);
+  QObject::connect(waiting, &QTimer::timeout, waiting, [=] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (dialog && dialog->objectName() == name) {
+      waiting->deleteLater();
+      answer(dialog);
+    }
+  });
+  waiting->start(20);
 }
 
 inline constexpr const char* kRoom = R"(<world format="1">
