@@ -71,6 +71,7 @@ class MainWindow : public QMainWindow {
                     Qt::DockWidgetArea area);
   void bring_back(QDockWidget* dock);
   void keep_layout() const;
+  QDockWidget* new_dock(const char* name, const QString& title, QWidget* widget);
   void connect_tree(WorldTree* tree, const QString& team);
   QDockWidget* make_team(const QString& team);
   void make_actions();

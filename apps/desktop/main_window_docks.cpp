@@ -42,10 +42,15 @@ bool can_be_reached(const QRect& frame, int title_height) {
 
 QDockWidget* MainWindow::dock(const char* name, const QString& title, QWidget* widget,
                               Qt::DockWidgetArea area) {
+  QDockWidget* made = new_dock(name, title, widget);
+  addDockWidget(area, made);
+  return made;
+}
+
+QDockWidget* MainWindow::new_dock(const char* name, const QString& title, QWidget* widget) {
   auto* made = new QDockWidget(title, this);
   made->setObjectName(QString("dock_") + name);
   made->setWidget(widget);
-  addDockWidget(area, made);
   docks_[name] = made;
   return made;
 }
@@ -57,7 +62,7 @@ void MainWindow::make_docks() {
   dock("properties", tr("Properties"), properties_, Qt::RightDockWidgetArea);
   connect_tree(world_tree_, {});
   for (const QString& team : kUsualTeams) {
-    make_team(team);
+    addDockWidget(Qt::LeftDockWidgetArea, make_team(team));
   }
   coordination_ = new CoordinationPanel;
   plots_ = new PlotsPanel;
@@ -153,7 +158,7 @@ QDockWidget* MainWindow::make_team(const QString& team) {
   teams_[team] = tree;
   teams_shown_ << team;
   connect_tree(tree, team);
-  return dock(("team_" + team).toUtf8().constData(), team, tree, Qt::LeftDockWidgetArea);
+  return new_dock(("team_" + team).toUtf8().constData(), team, tree);
 }
 
 // The windows of the two usual teams stay; others come and go with the worlds that have them.
@@ -175,6 +180,7 @@ void MainWindow::show_teams() {
     if (!teams_.contains(team)) {
       QDockWidget* made = make_team(team);
       if (!restoreDockWidget(made)) {
+        addDockWidget(Qt::LeftDockWidgetArea, made);
         tabifyDockWidget(docks_["world"], made);
         docks_["world"]->raise();
       }

@@ -30,7 +30,7 @@ struct Outcome {
   bool is_lost = false;
 };
 
-Outcome run_with(Window& window, const QString& behavior) {
+Outcome run_world(Window& window, const QString& text) {
   constexpr int kStuck_ms = 2500;  // in the midst of a second: "dawdling" sleeps that long
   Outcome outcome;
   bool has_ended = false;
@@ -42,7 +42,7 @@ Outcome run_with(Window& window, const QString& behavior) {
     has_ended = true;
     outcome.named += QString::fromStdString(end.dump());
   });
-  window.bench().open_text(world_with(behavior), {}, false);
+  window.bench().open_text(text, {}, false);
   window.bench().set_speed(0.0);
   const auto is_over = [&] { return outcome.is_lost || has_ended; };
   const auto is_opened = [&] {
@@ -66,6 +66,10 @@ Outcome run_with(Window& window, const QString& behavior) {
     box->close();
   }
   return outcome;
+}
+
+Outcome run_with(Window& window, const QString& behavior) {
+  return run_world(window, world_with(behavior));
 }
 
 }  // namespace
@@ -101,7 +105,7 @@ TEST_CASE("With a fault that nobody can lay at a plugin's door the window goes o
   Window window({}, options());
   const auto name = GENERATE(
       as<std::string>(), "crashing_elsewhere", "leaving_elsewhere", "forgetting_handlers",
-      "blocking_and_looping", "leaving_by_system_call", "becoming_another", "killing",
+      "blocking_and_looping", "hoarding", "leaking", "thrifty", "gulping", "leaving_by_system_call", "becoming_another", "killing",
       "crashing_beside", "leaving_a_thread", "forking_and_crashing", "forking", "starting",
       "writing_to_a_broken_pipe", "printing", "blocking", "smashing_heap", "rounding_when_made",
       "leaving_when_destroyed", "crashes_when_destroyed", "leaving_at_the_end");
@@ -109,6 +113,25 @@ TEST_CASE("With a fault that nobody can lay at a plugin's door the window goes o
   CAPTURE(name);
   run_with(window, plugin);
   CHECK(window.bench().text() == world_with(plugin));
+  const QString file = window.file(kRoom);
+  window.open(file);
+  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+}
+
+TEST_CASE("A coordinator, a sensor or a measure that fails is named, too") {
+  Window window({}, options());
+  const auto [name, from, to] = GENERATE(table<std::string, std::string, std::string>(
+      {{"crashing_coordinator", "<arbiter_suppression/>", "<crashing_coordinator/>"},
+       {"crashing_sensor", "<beam_range id=\"ahead\"/>", "<crashing_sensor/>"},
+       {"unable_to_report", "<limits time=\"60\"/>",
+        "<measures><unable_to_report/></measures><limits time=\"2\"/>"}}));
+  CAPTURE(name);
+  const QString text =
+      QString(kRoom).replace(QString::fromStdString(from), QString::fromStdString(to));
+  const Outcome outcome = run_world(window, text);
+  CAPTURE(outcome.named.toStdString());
+  CHECK(outcome.named.contains(QString::fromStdString(name)));
+  CHECK(window.bench().text() == text);
   const QString file = window.file(kRoom);
   window.open(file);
   CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));

@@ -477,7 +477,7 @@ class Veer final : public elsie::Behavior {
   }
 };
 }  // namespace
-ELSIE_BEHAVIOR(Veer, "veer", "Veers")
+ELSIE_BEHAVIOR(Veer, "veer", "Veers");
 )";
   };
   write("3.0");
