@@ -121,19 +121,17 @@ void MainWindow::show_state() {
   time_label_->setText(tr("%1 s").arg(workbench_.time_s(), 0, 'f', 2));
   const QString wanted =
       workbench_.speed() > 0.0 ? QString::number(workbench_.speed()) + 'x' : tr("maximum");
-  pace_label_->setText(workbench_.run_state() == Workbench::Run::running
-                           ? tr("%1x of %2")
-                                 .arg(is_stuck_ ? 0.0 : workbench_.pace(), 0, 'f', 1)
-                                 .arg(wanted)
-                           : wanted);
+  pace_label_->setText(
+      workbench_.run_state() == Workbench::Run::running
+          ? tr("%1x of %2").arg(is_stuck_ ? 0.0 : workbench_.pace(), 0, 'f', 1).arg(wanted)
+          : wanted);
   seed_label_->setText(tr("seed %1").arg(workbench_.seed()));
   const QHash<Workbench::Run, QString> words{{Workbench::Run::none, tr("no world")},
                                              {Workbench::Run::ready, tr("ready")},
                                              {Workbench::Run::running, tr("running")},
                                              {Workbench::Run::paused, tr("paused")},
                                              {Workbench::Run::ended, tr("ended")}};
-  const QString word =
-      is_stuck_ ? tr("no answer") : words.value(workbench_.run_state());
+  const QString word = is_stuck_ ? tr("no answer") : words.value(workbench_.run_state());
   outcome_label_->setText(outcome_.isEmpty() ? word : word + ": " + outcome_);
 }
 

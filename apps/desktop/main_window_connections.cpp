@@ -201,8 +201,8 @@ void MainWindow::enter_what_is_typed() {
 // Problems
 
 bool MainWindow::is_of_world(const QString& file) const {
-  return file.isEmpty() || (!workbench_.file().isEmpty() &&
-                            QFileInfo(file) == QFileInfo(workbench_.file()));
+  return file.isEmpty() ||
+         (!workbench_.file().isEmpty() && QFileInfo(file) == QFileInfo(workbench_.file()));
 }
 
 void MainWindow::show_problems() {
@@ -214,8 +214,8 @@ void MainWindow::show_problems() {
     return;
   }
   const bool has_news = std::any_of(all.begin(), all.end(), [this](const Problem& each) {
-    return !each.is_warning && std::find(problems_shown_.begin(), problems_shown_.end(), each) ==
-                                   problems_shown_.end();
+    return !each.is_warning &&
+           std::find(problems_shown_.begin(), problems_shown_.end(), each) == problems_shown_.end();
   });
   problems_shown_ = all;
   problems_->set_problems(all);

@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTimer>
+#include <algorithm>
 
 #include "authoring/authoring.h"
 #include "control_bar.h"
@@ -148,11 +149,10 @@ bool MainWindow::is_agreed(const char* name, const QString& title, const QString
 bool MainWindow::save(bool elsewhere) {
   QString file = workbench_.file();
   if (elsewhere || file.isEmpty() || workbench_.is_borrowed()) {
-    QFileDialog dialog(this, tr("Save the world"),
-                       file.isEmpty() || workbench_.is_borrowed()
-                           ? QDir::currentPath() + "/world.xml"
-                           : file,
-                       tr("Worlds (*.xml)"));
+    QFileDialog dialog(
+        this, tr("Save the world"),
+        file.isEmpty() || workbench_.is_borrowed() ? QDir::currentPath() + "/world.xml" : file,
+        tr("Worlds (*.xml)"));
     dialog.setObjectName("save_dialog");
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix("xml");
@@ -240,14 +240,17 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::offer_recovered() {
-  for (const Recovered& each : Recovery::left_behind()) {
-    if (each.is_damaged) {
-      warn(tr("Unsaved work"),
-           tr("The unsaved work of a window that was not closed properly cannot be read. It is in "
-              "'%1', and stays there.")
-               .arg(each.kept_in));
-      continue;
-    }
+  std::vector<Recovered> left = Recovery::left_behind();
+  const auto damaged = std::stable_partition(
+      left.begin(), left.end(), [](const Recovered& each) { return !each.is_damaged; });
+  for (auto each = damaged; each != left.end(); ++each) {
+    warn(tr("Unsaved work"),
+         tr("The unsaved work of a window that was not closed properly cannot be read. It is in "
+            "'%1', and stays there.")
+             .arg(each->kept_in));
+  }
+  left.erase(damaged, left.end());
+  for (const Recovered& each : left) {
     QMessageBox box(QMessageBox::Question, tr("Unsaved work"),
                     tr("A window was not closed properly. Take up its unsaved work on %1?")
                         .arg(each.file.isEmpty() ? tr("a new world") : '\'' + each.file + '\''),

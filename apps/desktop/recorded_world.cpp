@@ -53,7 +53,8 @@ std::vector<StoredRun> runs_in(const QString& table) {
     const auto cell = [&](const char* name) { return cells.value(names.indexOf(name)); };
     if (const int number = cell("run").toInt(); number > 0) {
       const QString outcome = cell("outcome");
-      runs.push_back({number, cell("cell"), cell("seed"), outcome.isEmpty() ? cell("state") : outcome});
+      runs.push_back(
+          {number, cell("cell"), cell("seed"), outcome.isEmpty() ? cell("state") : outcome});
     }
   }
   return runs;
@@ -127,11 +128,11 @@ void RunReader::read_world(const QString& file, int run,
                            std::function<void(const RecordedWorld&)> done) {
   // Others may have put something beside the world, such as weights: that stays.
   const std::shared_ptr<QTemporaryDir> folder(new QTemporaryDir, [](QTemporaryDir* each) {
-    each->setAutoRemove(QDir(each->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size() <= 1);
+    each->setAutoRemove(
+        QDir(each->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size() <= 1);
     delete each;
   });
-  RecordedWorld world{folder->filePath(QFileInfo(file).completeBaseName() + ".xml"), 1,
-                            folder};
+  RecordedWorld world{folder->filePath(QFileInfo(file).completeBaseName() + ".xml"), 1, folder};
   QStringList words{"replay", file};
   if (run > 0) {
     words << QString::number(run);

@@ -27,7 +27,8 @@ while IFS= read -r line <&150; do
   [[ $line =~ \"id\":([0-9]+) ]] && id=${BASH_REMATCH[1]}
   [[ $line =~ \"do\":\"([a-z_]+)\" ]] && order=${BASH_REMATCH[1]}
   case $order in
-)" + cases.toUtf8() + R"(
+)" + cases.toUtf8() +
+               R"(
     catalog) say "{\"answer\":$id,\"elements\":{},\"plugins\":[]}" ;;
     *) say "{\"answer\":$id}" ;;
   esac
@@ -50,8 +51,7 @@ done
 };
 
 /// An answer to "open" that any window takes.
-inline constexpr const char* kOpens =
-    R"(open) say "{\"answer\":$id,$world,$scene,\"epoch\":1}" ;;)"
-    "\n";
+inline constexpr const char* kOpens = R"(open) say "{\"answer\":$id,$world,$scene,\"epoch\":1}" ;;)"
+                                      "\n";
 
 }  // namespace elsie::desktop

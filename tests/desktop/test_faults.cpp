@@ -105,10 +105,11 @@ TEST_CASE("With a fault that nobody can lay at a plugin's door the window goes o
   Window window({}, options());
   const auto name = GENERATE(
       as<std::string>(), "crashing_elsewhere", "leaving_elsewhere", "forgetting_handlers",
-      "blocking_and_looping", "hoarding", "leaking", "thrifty", "gulping", "leaving_by_system_call", "becoming_another", "killing",
-      "crashing_beside", "leaving_a_thread", "forking_and_crashing", "forking", "starting",
-      "writing_to_a_broken_pipe", "printing", "blocking", "smashing_heap", "rounding_when_made",
-      "leaving_when_destroyed", "crashes_when_destroyed", "leaving_at_the_end");
+      "blocking_and_looping", "hoarding", "leaking", "thrifty", "gulping", "leaving_by_system_call",
+      "becoming_another", "killing", "crashing_beside", "leaving_a_thread", "forking_and_crashing",
+      "forking", "starting", "writing_to_a_broken_pipe", "printing", "blocking", "smashing_heap",
+      "rounding_when_made", "leaving_when_destroyed", "crashes_when_destroyed",
+      "leaving_at_the_end");
   const QString plugin = QString::fromStdString(name);
   CAPTURE(name);
   run_with(window, plugin);
@@ -116,6 +117,31 @@ TEST_CASE("With a fault that nobody can lay at a plugin's door the window goes o
   const QString file = window.file(kRoom);
   window.open(file);
   CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+}
+
+// `forgetful` of tests/program is built from its source, as a user would do it.
+TEST_CASE("A measure that fails in a run is named") {
+  QTemporaryDir folder;
+  const QString source = folder.filePath("forgetful.cpp");
+  std::ofstream(source.toStdString()) << R"(#include <stdexcept>
+#include <elsie/api/measure.h>
+class Forgetful final : public elsie::Measure {
+ public:
+  std::vector<elsie::Quantity> quantities() const override { return {{"", "", "nothing"}}; }
+  void observe(const elsie::Observation& now) override {
+    if (now.time_s > 0.095) throw std::runtime_error("what was it again");
+  }
+  void report(const elsie::RunEnd&, std::span<std::optional<double>>) const override {}
+};
+ELSIE_MEASURE(Forgetful, "forgetful", "Forgets what it is about");
+)";
+  Window window({}, {"--plugin", source});
+  const QString text =
+      QString(kRoom).replace("<limits", "<measures><forgetful/></measures><limits");
+  const Outcome outcome = run_world(window, text);
+  CAPTURE(outcome.named.toStdString());
+  CHECK(outcome.named.contains("forgetful"));
+  CHECK(window.bench().text() == text);
 }
 
 TEST_CASE("A coordinator, a sensor or a measure that fails is named, too") {
@@ -170,6 +196,23 @@ TEST_CASE(
   REQUIRE(wait_for([&] { return window.workbench().is_right(); }));
 }
 
+TEST_CASE("A library that never finishes loading is named once the user ends the engine") {
+  qputenv("TRESPASS_WHILE_LOADED", "loop");
+  MainWindow window(build_file("elsie"), options());
+  window.show();
+  REQUIRE(wait_for(
+      [&] { return window.statusBar()->currentMessage().contains("Stop the engine now"); }));
+  qunsetenv("TRESPASS_WHILE_LOADED");
+  QString report;
+  QObject::connect(&window.workbench(), &Workbench::engine_lost, &window,
+                   [&](const QString& said) { report = said; });
+  window.findChild<QAction*>("stop_engine")->trigger();
+  REQUIRE(wait_for([&] { return !report.isEmpty(); }));
+  CHECK(report.contains("trespassers"));
+  window.workbench().open_text(kRoom, {}, true);
+  CHECK(wait_for([&] { return window.workbench().is_right(); }));
+}
+
 TEST_CASE("An engine that ends again and again is not started for ever, and is said once") {
   ScriptedEngine elsie(QString(kOpens).replace(";;", "; (sleep 0.3; kill -9 $$) & ;;"));
   MainWindow window(elsie.program(), {});
@@ -179,7 +222,7 @@ TEST_CASE("An engine that ends again and again is not started for ever, and is s
     const Problems& problems = window.workbench().problems();
     return !problems.empty() && problems.front().message.contains("3 times");
   }));
-  CHECK(elsie.starts() == 4);  // the last one has no world
+  CHECK(wait_for([&] { return elsie.starts() == 4; }));  // the last one has no world
   CHECK(window.findChildren<QMessageBox*>("engine_lost").size() == 1);
   CHECK(window.findChild<QMessageBox*>("engine_lost")->text().contains("as a text"));
   CHECK(window.workbench().text() == "<world/>");
@@ -201,8 +244,8 @@ TEST_CASE("A message that the window cannot use ends the engine, and not the win
   window.workbench().open_text("<world/>", {}, false);
   REQUIRE(wait_for([&] { return !window.workbench().problems().empty(); }));
   CHECK(window.workbench().text() == "<world/>");
-  CHECK(window.findChild<QMessageBox*>("engine_lost")->informativeText().contains(
-      "nobody can read"));
+  CHECK(
+      window.findChild<QMessageBox*>("engine_lost")->informativeText().contains("nobody can read"));
   window.workbench().give_up_unsaved();
 }
 

@@ -64,13 +64,16 @@ QString leave_behind(const QString& name, const Json& json) {
   return kept_work().filePath(name);
 }
 
-void press_yes(QDialog* box) { QTest::mouseClick(qobject_cast<QMessageBox*>(box)->button(QMessageBox::Yes), Qt::LeftButton); }
-void press_no(QDialog* box) { QTest::mouseClick(qobject_cast<QMessageBox*>(box)->button(QMessageBox::No), Qt::LeftButton); }
+void press_yes(QDialog* box) {
+  QTest::mouseClick(qobject_cast<QMessageBox*>(box)->button(QMessageBox::Yes), Qt::LeftButton);
+}
+void press_no(QDialog* box) {
+  QTest::mouseClick(qobject_cast<QMessageBox*>(box)->button(QMessageBox::No), Qt::LeftButton);
+}
 
 /// Types into a field of the chosen thing, and does not enter it.
 void type_into(Window& window, const char* field, const QString& text) {
-  auto* edit = qobject_cast<QLineEdit*>(
-      window.get<Properties>("properties")->form().editor(field));
+  auto* edit = qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor(field));
   REQUIRE(edit);
   edit->setFocus();
   edit->selectAll();

@@ -26,8 +26,9 @@ class Program {
   Program(const QStringList& arguments, const QStringList& environment = {}) {
     QFile script(folder_.filePath("elsie"));
     REQUIRE(script.open(QIODevice::WriteOnly));
-    script.write("#!/bin/sh\ncd \"$(dirname \"$0\")\"\n"
-                 "printf '%s\\n' \"$LP_NUM_THREADS\" \"$@\" > part\nmv part words\nexec sleep 600\n");
+    script.write(
+        "#!/bin/sh\ncd \"$(dirname \"$0\")\"\n"
+        "printf '%s\\n' \"$LP_NUM_THREADS\" \"$@\" > part\nmv part words\nexec sleep 600\n");
     script.close();
     REQUIRE(script.setPermissions(QFile::ReadOwner | QFile::ExeOwner | QFile::WriteOwner));
     QProcessEnvironment all = QProcessEnvironment::systemEnvironment();

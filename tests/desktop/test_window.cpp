@@ -389,8 +389,8 @@ TEST_CASE("What is dragged in the past does not change the present") {
 TEST_CASE("Errors of other files are listed, and not marked in the text of the world") {
   Window window;
   window.file("<robot_template format=\"1\"\n speed=\"0.2\"/>", "part.xml");
-  window.open(window.file(
-      QString(kRoom).replace("id=\"r1\"", "id=\"r1\" template=\"part.xml\"").toUtf8()));
+  window.open(
+      window.file(QString(kRoom).replace("id=\"r1\"", "id=\"r1\" template=\"part.xml\"").toUtf8()));
   REQUIRE(window.bench().problems().size() == 1);
   CHECK(window.bench().problems().front().file.endsWith("part.xml"));
   auto* list = window->findChild<ProblemsPanel*>()->findChild<QTreeWidget*>("problems");

@@ -232,8 +232,8 @@ TEST_CASE("A world that is saved elsewhere is the world of that file from then o
   CHECK(session.ask({{"do", "at"}})["time_s"].get<double>() > 0.0);
   // The old inverses are gone, but a text that was written for the old file leads back.
   CHECK(session.ask({{"do", "undo"}, {"edit", edited["undo"]}}).contains("refused"));
-  const Json back =
-      session.ask({{"do", "become"}, {"text", text}, {"file", place.file("old/room.xml").string()}});
+  const Json back = session.ask(
+      {{"do", "become"}, {"text", text}, {"file", place.file("old/room.xml").string()}});
   INFO(back.dump());
   REQUIRE(back.contains("text"));
   CHECK_THAT(back["text"].get<std::string>(), Catch::Contains("old/part.xml"));
@@ -242,7 +242,8 @@ TEST_CASE("A world that is saved elsewhere is the world of that file from then o
   place.write("new/other.xml", R"(<robot_template format="1" max_speed="0.1"/>)");
   CHECK_FALSE(session.edit({"robot[r1]/@template=other.xml"}).contains("refused"));
   // A folder that is not there changes nothing.
-  CHECK(session.ask({{"do", "move"}, {"file", place.file("no/room.xml").string()}}).contains("refused"));
+  CHECK(session.ask({{"do", "move"}, {"file", place.file("no/room.xml").string()}})
+            .contains("refused"));
 }
 
 TEST_CASE("What is described has the warnings of elsie check") {

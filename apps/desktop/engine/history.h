@@ -16,7 +16,7 @@ class History {
     QString merge;   // entries of the same sort that follow each other become one; "": never
     QString before;  // the text of the world
     QString after;
-    QString file;  // that the texts were written for: they name other files from there
+    QString file;               // that the texts were written for: they name other files from there
     std::uint64_t inverse = 0;  // the engine's number of what leads back, or again forward; 0: none
     int engine = 0;             // its generation
     qint64 at_ms = 0;

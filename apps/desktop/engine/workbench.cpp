@@ -60,8 +60,7 @@ Workbench::Workbench(QString elsie, QStringList options, QObject* parent)
       Q_EMIT snapshot(taken);
     }
   });
-  connect(on_disk_watcher_.get(), &QFileSystemWatcher::fileChanged, this,
-          &Workbench::look_at_disk);
+  connect(on_disk_watcher_.get(), &QFileSystemWatcher::fileChanged, this, &Workbench::look_at_disk);
   connect(on_disk_watcher_.get(), &QFileSystemWatcher::directoryChanged, this, [this] {
     if (on_disk_watcher_->files().isEmpty()) {  // the file was away
       look_at_disk();

@@ -184,7 +184,7 @@ class Workbench : public QObject {
   QString file_;
   bool is_borrowed_ = false;
   QString text_;
-  QString history_text_;  // the one to which the history leads
+  QString history_text_;                           // the one to which the history leads
   std::optional<QString> saved_text_ = QString();  // none: no file has it
   QByteArray on_disk_;
   TextForm form_;
