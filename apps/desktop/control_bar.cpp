@@ -154,7 +154,9 @@ TimeLine::TimeLine(Workbench& workbench, QWidget* parent) : QWidget(parent), wor
 void TimeLine::show_now() {
   is_showing_ = true;
   const double part = span_s() > 0.0 ? shown_s_ / span_s() : 1.0;
-  slider_->setValue(static_cast<int>(std::lround(kTicks * std::min(1.0, part))));
+  if (!slider_->isSliderDown()) {  // the run comes after the hand
+    slider_->setValue(static_cast<int>(std::lround(kTicks * std::min(1.0, part))));
+  }
   is_showing_ = false;
   label_->setText(is_in_the_past_
                       ? tr("%1 of %2 s").arg(shown_s_, 0, 'f', 2).arg(until_s_, 0, 'f', 2)

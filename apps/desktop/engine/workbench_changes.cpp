@@ -1,5 +1,5 @@
 #include <QDateTime>
-#include <QFileInfo>
+#include <QDir>
 
 #include "engine/workbench.h"
 
@@ -180,7 +180,11 @@ void Workbench::lead(const History::Entry& entry, const QString& text,
   }
   Json way{{"do", "undo"}, {"edit", entry.inverse}};
   if (entry.inverse == 0 || entry.engine != engine_.generation()) {
-    way = {{"do", "become"}, {"text", text.toStdString()}, {"file", entry.file.toStdString()}};
+    // A world without a file names others from the present folder.
+    const QString file = entry.file.isEmpty() && !file_.isEmpty()
+                             ? QDir::current().filePath("world.xml")
+                             : entry.file;
+    way = {{"do", "become"}, {"text", text.toStdString()}, {"file", file.toStdString()}};
   }
   order(way, [this, done = std::move(done), before = history_text_](const Json& answer) {
     if (answer.contains("refused")) {

@@ -20,7 +20,8 @@ void Workbench::go(Json order) {
   Q_EMIT about_to_change();
   deaths_ = 0;
   in_turn([this, order = std::move(order)] {
-    if (run_ == Run::ready || run_ == Run::paused) {
+    const bool may_go_on = run_ == Run::ready || run_ == Run::paused;
+    if (may_go_on || (run_ == Run::running && order.contains("until_s"))) {
       const bool is_step = order.value("do", std::string()) == "step";
       engine_.ask(order, [this, is_step, before = run_](const Json& answer) {
         if (answer.contains("refused")) {
