@@ -81,6 +81,9 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
       workbench_.reset(seed);
     }
   });
+  // One that the engine does not take is not shown any longer.
+  connect(&workbench_, &Workbench::refused, this,
+          [this] { seed_->setText(QString::number(workbench_.seed())); });
   row->addWidget(seed_);
   row->addStretch(1);
   connect(&workbench_, &Workbench::run_changed, this, &ControlBar::show_state);
@@ -125,7 +128,7 @@ TimeLine::TimeLine(Workbench& workbench, QWidget* parent) : QWidget(parent), wor
   row->addWidget(now_);
   connect(slider_, &QSlider::valueChanged, this, [this](int value) {
     if (!is_showing_) {
-      go_to(until_s_ * value / kTicks);
+      go_to(span_s() * value / kTicks);
     }
   });
   connect(now_, &QToolButton::clicked, this, &TimeLine::go_to_now);
@@ -137,18 +140,23 @@ TimeLine::TimeLine(Workbench& workbench, QWidget* parent) : QWidget(parent), wor
     show_now();
   });
   connect(&workbench_, &Workbench::run_changed, this, [this] {
-    if (workbench_.run_state() == Workbench::Run::running ||
-        workbench_.run_state() == Workbench::Run::ready) {
+    if (workbench_.run_state() == Workbench::Run::ready) {
       is_in_the_past_ = false;
     }
+    show_now();
+  });
+  connect(&workbench_, &Workbench::went_on, this, [this] {
+    is_in_the_past_ = false;
     show_now();
   });
 }
 
 void TimeLine::show_now() {
   is_showing_ = true;
-  const double part = until_s_ > 0.0 ? shown_s_ / until_s_ : 1.0;
-  slider_->setValue(static_cast<int>(std::lround(kTicks * std::min(1.0, part))));
+  const double part = span_s() > 0.0 ? shown_s_ / span_s() : 1.0;
+  if (!slider_->isSliderDown()) {  // the run comes after the hand
+    slider_->setValue(static_cast<int>(std::lround(kTicks * std::min(1.0, part))));
+  }
   is_showing_ = false;
   label_->setText(is_in_the_past_
                       ? tr("%1 of %2 s").arg(shown_s_, 0, 'f', 2).arg(until_s_, 0, 'f', 2)
@@ -158,8 +166,12 @@ void TimeLine::show_now() {
 }
 
 void TimeLine::go_to(double time_s) {
-  const double wanted = std::clamp(time_s, 0.0, until_s_);
+  const double wanted = std::clamp(time_s, 0.0, span_s());
   asked_s_ = wanted;
+  if (wanted > until_s_ + kAtOnce_s) {
+    workbench_.run_until(wanted);
+    return;
+  }
   if (workbench_.run_state() == Workbench::Run::running) {
     workbench_.pause();
   }
@@ -167,8 +179,10 @@ void TimeLine::go_to(double time_s) {
   workbench_.ask({{"do", "at"}, {"time_s", wanted}}, [this](const Json& answer) {
     if (answer.contains("refused")) {
       is_in_the_past_ = false;
-      show_now();
+    } else {
+      until_s_ = answer.value("to_s", until_s_);  // it ran on until it heard of the pause
     }
+    show_now();
   });
 }
 
@@ -183,8 +197,8 @@ void TimeLine::move_by(double by_s) { go_to((is_in_the_past_ ? asked_s_ : until_
 
 void TimeLine::go_to_event(bool next) {
   const double from_s = is_in_the_past_ ? asked_s_ : until_s_;
-  double found = next ? until_s_ : 0.0;
-  for (const auto& [time, what] : marks_) {
+  double found = next ? span_s() : 0.0;
+  for (const auto& [time, what] : all_marks()) {
     if (next ? time > from_s + kAtOnce_s && time < found
              : time < from_s - kAtOnce_s && time > found) {
       found = time;
@@ -194,9 +208,9 @@ void TimeLine::go_to_event(bool next) {
 }
 
 QString TimeLine::tip_at(double time_s) const {
-  const double near_s = std::max(kAtOnce_s, 4.0 * until_s_ / std::max(1, slider_->width()));
+  const double near_s = std::max(kAtOnce_s, 4.0 * span_s() / std::max(1, slider_->width()));
   QStringList lines;
-  for (const auto& [time, what] : marks_) {
+  for (const auto& [time, what] : all_marks()) {
     if (std::abs(time - time_s) <= near_s) {
       lines << tr("%1 s: %2").arg(time, 0, 'f', 2).arg(what);
     }
@@ -206,7 +220,7 @@ QString TimeLine::tip_at(double time_s) const {
 
 double TimeLine::time_at(double x) const {
   const QRect groove = slider_->geometry();
-  return until_s_ * (x - groove.left() - kHandle_px) / (groove.width() - 2.0 * kHandle_px);
+  return span_s() * (x - groove.left() - kHandle_px) / (groove.width() - 2.0 * kHandle_px);
 }
 
 bool TimeLine::event(QEvent* event) {
@@ -264,6 +278,22 @@ void TimeLine::mark(double time_s, const QString& what) {
   }
 }
 
+void TimeLine::expect(Marks events, double until_s) {
+  ahead_ = std::move(events);
+  ahead_until_s_ = ahead_.empty() ? 0.0 : until_s;
+  show_now();
+}
+
+TimeLine::Marks TimeLine::all_marks() const {
+  Marks all = marks_;
+  for (const auto& [time, what] : ahead_) {
+    if (time > until_s_) {
+      all.emplace_back(time, tr("%1, in the recording").arg(what));
+    }
+  }
+  return all;
+}
+
 void TimeLine::clear() {
   marks_.clear();
   until_s_ = shown_s_ = 0.0;
@@ -274,13 +304,13 @@ void TimeLine::clear() {
 void TimeLine::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
-  if (until_s_ <= 0.0) {
+  if (span_s() <= 0.0) {
     return;
   }
   const QRect groove = slider_->geometry();
-  for (const auto& [time, what] : marks_) {
+  for (const auto& [time, what] : all_marks()) {
     const double x =
-        groove.left() + kHandle_px + (groove.width() - 2.0 * kHandle_px) * time / until_s_;
+        groove.left() + kHandle_px + (groove.width() - 2.0 * kHandle_px) * time / span_s();
     painter.drawLine(QPointF(x, groove.bottom() - 2.0), QPointF(x, height() - 1.0));
   }
 }

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QWidget>
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 class QComboBox;
 class QLabel;
@@ -13,7 +16,7 @@ namespace elsie::desktop {
 
 class Workbench;
 
-/// Ten positions from a tenth of real time to ten times it, and as fast as it goes.
+/// Eight speeds from a tenth of real time to ten times it, and as fast as it goes.
 class ControlBar : public QWidget {
   Q_OBJECT
 
@@ -43,7 +46,12 @@ class TimeLine : public QWidget {
   /// Marks an event of the run.
   void mark(double time_s, const QString& what);
   void clear();
+  /// What a recording has of this run, which lasts until `until_s`: marked ahead of the run. An
+  /// empty list takes it away.
+  using Marks = std::vector<std::pair<double, QString>>;
+  void expect(Marks events, double until_s);
   bool is_in_the_past() const { return is_in_the_past_; }
+  /// Shows the past, or lets the run go on to that time.
   void go_to(double time_s);
   void go_to_now();
   /// The next or last event from the shown time.
@@ -61,6 +69,9 @@ class TimeLine : public QWidget {
  private:
   void show_now();
   double time_at(double x) const;  // s; `x` in the widget
+  double span_s() const { return std::max(until_s_, ahead_until_s_); }
+  /// The events of the run, and those ahead of it.
+  Marks all_marks() const;
 
   Workbench& workbench_;
   QSlider* slider_;
@@ -71,7 +82,8 @@ class TimeLine : public QWidget {
   double asked_s_ = 0.0;  // the past that was last asked for
   bool is_in_the_past_ = false;
   bool is_showing_ = false;
-  std::vector<std::pair<double, QString>> marks_;
+  Marks marks_, ahead_;
+  double ahead_until_s_ = 0.0;
 };
 
 }  // namespace elsie::desktop

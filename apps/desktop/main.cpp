@@ -4,7 +4,9 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <clocale>
+#include <cstring>
 #include <iostream>
+#include <vector>
 
 #include "elsie/base/error.h"
 
@@ -17,10 +19,40 @@ constexpr int kBadInput = 2;
 /// elsie lies beside this program, installed and in a build folder.
 QString program_beside() { return QCoreApplication::applicationDirPath() + "/elsie"; }
 
+/// Takes `--plugin FILE` and `--plugin=FILE` out of the arguments, because QApplication would keep
+/// them for itself: it has an option of that name.
+QStringList take_plugins(std::vector<char*>& arguments) {
+  constexpr const char* kOption = "--plugin";
+  const std::size_t length = std::strlen(kOption);
+  QStringList taken;
+  std::vector<char*> others;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const char* word = arguments[i];
+    const bool is_option = std::strncmp(word, kOption, length) == 0;
+    if (is_option && word[length] == '\0' && i + 1 < arguments.size()) {
+      taken << kOption << QString::fromLocal8Bit(arguments[++i]);
+    } else if (is_option && word[length] == '=') {
+      taken << QString::fromLocal8Bit(word);
+    } else {
+      others.push_back(arguments[i]);
+    }
+  }
+  arguments = std::move(others);
+  return taken;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  QApplication application(argc, argv);
+  std::vector<char*> arguments(argv, argv + argc);
+  const QStringList plugins = take_plugins(arguments);
+  int count = static_cast<int>(arguments.size());
+  arguments.push_back(nullptr);
+  // Before a renderer in software starts one thread for each processor: they are the simulation's.
+  if (!qEnvironmentVariableIsSet("LP_NUM_THREADS")) {
+    qputenv("LP_NUM_THREADS", "1");
+  }
+  QApplication application(count, arguments.data());
   std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's, in which 1.5 may be 15
   QApplication::setOrganizationName("elsie");
   QApplication::setApplicationName("elsie-desktop");
@@ -39,7 +71,9 @@ int main(int argc, char** argv) {
   const QCommandLineOption elsie("elsie", "The program elsie, if it is not beside this one",
                                  "FILE");
   parser.addOptions({plugin_path, plugin, elsie});
-  parser.process(application);
+  QStringList words = QApplication::arguments();
+  words = words.mid(0, 1) + plugins + words.mid(1);
+  parser.process(words);
 
   QStringList options;
   for (const QString& each : parser.values(plugin_path)) options << "--plugin-path" << each;

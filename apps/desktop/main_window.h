@@ -1,5 +1,6 @@
-// The window: its docks, its files and what it shows. main_window_actions.cpp has its actions and
-// menus.
+// The window: its docks, its files and what it shows. main_window.cpp has what it says of the run,
+// main_window_actions.cpp its actions and menus, main_window_docks.cpp the docks,
+// main_window_files.cpp files and unsaved work, main_window_connections.cpp what it hears.
 #pragma once
 
 #include <QHash>
@@ -9,6 +10,7 @@
 #include "engine/workbench.h"
 
 class QAction;
+class QTemporaryDir;
 class QLabel;
 class QStackedWidget;
 
@@ -21,6 +23,7 @@ class Exporter;
 class FuzzyPanel;
 class PlotsPanel;
 class ProblemsPanel;
+class RunReader;
 class SceneView;
 class SensorsPanel;
 class StartPage;
@@ -34,6 +37,9 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
+  static constexpr int kWide = 1900;  // px; has room for the text beside the view
+  static constexpr qint64 kStuck_ms = 3000;
+
   /// `elsie`: the program with the engine; `options`: of plugins, for it.
   MainWindow(const QString& elsie, const QStringList& options, QWidget* parent = nullptr);
   ~MainWindow() override;
@@ -41,16 +47,16 @@ class MainWindow : public QMainWindow {
   Workbench& workbench() { return workbench_; }
   SceneView& scene() { return *scene_; }
   /// A world, a recording or a results database, of which a run is asked for. Asks about unsaved
-  /// work first. False if the user stays with it, or the file cannot be read.
+  /// work first. False if the user stays with it, or the file cannot be read; a recording and a
+  /// database are read in the background.
   bool open(const QString& file);
   /// Layouts for three kinds of work: "author", "watch", "train".
   void arrange(const QString& layout);
   /// Offers what a window left behind that did not close properly.
   void offer_recovered();
-  /// The bodies of all dialogs are asked in this way; tests answer at once.
+  /// The question about unsaved work; tests answer it at once.
   enum class Answer { save, discard, cancel };
   std::function<Answer(const QString& question)> ask_about_unsaved;
-  std::function<std::optional<int>(const QString& database)> ask_for_run;
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -63,6 +69,9 @@ class MainWindow : public QMainWindow {
                   std::function<void()> does, const QString& tip = {});
   QDockWidget* dock(const char* name, const QString& title, QWidget* widget,
                     Qt::DockWidgetArea area);
+  void bring_back(QDockWidget* dock);
+  void keep_layout() const;
+  QDockWidget* new_dock(const char* name, const QString& title, QWidget* widget);
   void connect_tree(WorldTree* tree, const QString& team);
   QDockWidget* make_team(const QString& team);
   void make_actions();
@@ -73,6 +82,9 @@ class MainWindow : public QMainWindow {
 
   bool may_leave();
   bool save(bool elsewhere);
+  bool is_agreed(const char* name, const QString& title, const QString& question);
+  void read_run(const QString& file, int number);
+  void show_opened(const QString& file);
   void forget_world();
   void begin_world(const std::function<QString()>& text);
   void show_start();
@@ -84,6 +96,12 @@ class MainWindow : public QMainWindow {
   /// The engine sends only what a window shows.
   void watch();
   void watch_robot(const QString& id);
+  bool is_the_present();
+  void enter_what_is_typed();
+  /// Whether a problem's file is the text of the world.
+  bool is_of_world(const QString& file) const;
+  void show_problems();
+  void say_that_the_engine_ended(const QString& report);
   void go_to(const QString& file, int line);
   void say(const QString& text);
   void warn(const QString& title, const QString& sentence);
@@ -122,7 +140,10 @@ class MainWindow : public QMainWindow {
   QLabel* seed_label_;
   QLabel* outcome_label_;
   QString outcome_;
-  QString borrowed_;  // the file of a recording's world, which is saved elsewhere
+  RunReader* runs_;
+  std::shared_ptr<QTemporaryDir> borrowed_folder_;  // of a recording's world
+  Problems problems_shown_;
+  bool is_stuck_ = false;  // the engine does not answer
   QByteArray default_state_;
   QSet<QString> seen_;     // the docks in front
   QString watched_;        // what the engine was last asked to send

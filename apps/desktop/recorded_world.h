@@ -1,10 +1,18 @@
 // The worlds of runs that were recorded, or done in a batch.
 #pragma once
 
+#include <QObject>
+#include <QProcess>
 #include <QString>
 #include <QStringList>
+#include <QTemporaryDir>
 #include <cstdint>
-#include <optional>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+class QDialog;
 
 namespace elsie::desktop {
 
@@ -13,14 +21,54 @@ bool may_be_run(const QString& file);
 bool may_be_database(const QString& file);
 
 struct RecordedWorld {
-  QString file;  // a temporary one
+  QString file;  // in `folder`
   std::uint64_t seed = 1;
+  std::shared_ptr<QTemporaryDir> folder;  // goes with the last who uses the world
 };
 
-/// The world as it was when the run began, with the edits that the run was given: `elsie replay
-/// --world`. `run`: its number in a database. None, with a sentence, if there is none.
-std::optional<RecordedWorld> world_of_run(const QString& elsie, const QStringList& options,
-                                          const QString& file, std::optional<int> run,
-                                          QString& why);
+/// The events of a recording, with their times in s, and its end.
+struct RecordedEvents {
+  std::vector<std::pair<double, QString>> events;
+  double end_s = 0.0;
+};
+
+struct StoredRun {
+  int number = 0;
+  QString world, seed, outcome;
+};
+
+/// Reads recordings and databases with the program elsie, in the background: one at a time, the
+/// last that was asked for. Nothing is called back for one that another took the place of.
+class RunReader : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `options`: of plugins.
+  RunReader(QString elsie, QStringList options, QObject* parent = nullptr);
+  ~RunReader() override;
+
+  /// The world as it was when the run began, with the edits that the run was given. `run`: its
+  /// number in a database; 0 for a recording.
+  void read_world(const QString& file, int run, std::function<void(const RecordedWorld&)> done);
+  void read_events(const QString& recording, std::function<void(const RecordedEvents&)> done);
+  void list_runs(const QString& database, std::function<void(const std::vector<StoredRun>&)> done);
+  void stop();
+
+ Q_SIGNALS:
+  /// A sentence.
+  void failed(const QString& why);
+
+ private:
+  void start(const QStringList& words, std::function<void(QProcess& ended)> done);
+
+  QString elsie_;
+  QStringList options_;
+  std::unique_ptr<QProcess> process_;
+};
+
+/// Asks for one of the runs of a database, each with its world, seed and outcome. The dialog is
+/// shown, and deletes itself.
+QDialog* ask_for_run(const std::vector<StoredRun>& runs, QWidget* parent,
+                     std::function<void(int number)> done);
 
 }  // namespace elsie::desktop

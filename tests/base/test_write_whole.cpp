@@ -98,3 +98,23 @@ TEST_CASE("What cannot be written leaves the file as it was") {
   CHECK(base::write_whole(here / "folder", "one") == EISDIR);
   CHECK(here.files() == 1);
 }
+
+TEST_CASE("The permissions of a file that is replaced stay; the mask holds for a new one") {
+  const Folder here;
+  const auto mode_of = [](const fs::path& file) {
+    return static_cast<unsigned>(fs::status(file).permissions());
+  };
+  for (const unsigned mode : {0600U, 0444U, 0755U, 0640U}) {
+    const fs::path file = here / "a";
+    fs::remove(file);
+    write(file, "one");
+    REQUIRE(chmod(file.c_str(), mode) == 0);
+    CHECK(base::write_whole(file, "two") == 0);
+    CHECK(read(file) == "two");
+    CHECK(mode_of(file) == mode);
+  }
+  const mode_t mask = umask(027);
+  CHECK(base::write_whole(here / "new", "one") == 0);
+  umask(mask);
+  CHECK(mode_of(here / "new") == 0640U);
+}

@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QPalette>
 #include <QStyleFactory>
+#include <QTemporaryDir>
 #include <clocale>
 
 #include <catch2/catch.hpp>
@@ -18,11 +19,17 @@ QPalette dark() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const QTemporaryDir own;  // settings, kept work and pictures: not those of the user
+  for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) {
+    qputenv(name, own.path().toUtf8());
+  }
   QApplication application(argc, argv);
   if (qEnvironmentVariableIsSet("ELSIE_PICTURE_DARK")) {
     QApplication::setStyle(QStyleFactory::create("Fusion"));
     QApplication::setPalette(dark());
   }
+  QApplication::setOrganizationName("elsie");  // as the program does
+  QApplication::setApplicationName("elsie-desktop");
   std::setlocale(LC_NUMERIC, "C");
   return Catch::Session().run(argc, argv);
 }

@@ -1,11 +1,17 @@
 // Every fault of a plugin that the program knows, in the window: the window and what is unsaved
 // survive, and the plugin is named.
+#include <QElapsedTimer>
+#include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QStatusBar>
 
 #include <catch2/catch.hpp>
 
+#include "control_bar.h"
+#include "export/exporter.h"
+#include "scripted_engine.h"
 #include "window.h"
 
 using namespace elsie::desktop;
@@ -24,7 +30,7 @@ struct Outcome {
   bool is_lost = false;
 };
 
-Outcome run_with(Window& window, const QString& behavior) {
+Outcome run_world(Window& window, const QString& text) {
   constexpr int kStuck_ms = 2500;  // in the midst of a second: "dawdling" sleeps that long
   Outcome outcome;
   bool has_ended = false;
@@ -36,7 +42,7 @@ Outcome run_with(Window& window, const QString& behavior) {
     has_ended = true;
     outcome.named += QString::fromStdString(end.dump());
   });
-  window.bench().open_text(world_with(behavior), {}, false);
+  window.bench().open_text(text, {}, false);
   window.bench().set_speed(0.0);
   const auto is_over = [&] { return outcome.is_lost || has_ended; };
   const auto is_opened = [&] {
@@ -60,6 +66,10 @@ Outcome run_with(Window& window, const QString& behavior) {
     box->close();
   }
   return outcome;
+}
+
+Outcome run_with(Window& window, const QString& behavior) {
+  return run_world(window, world_with(behavior));
 }
 
 }  // namespace
@@ -95,14 +105,59 @@ TEST_CASE("With a fault that nobody can lay at a plugin's door the window goes o
   Window window({}, options());
   const auto name = GENERATE(
       as<std::string>(), "crashing_elsewhere", "leaving_elsewhere", "forgetting_handlers",
-      "blocking_and_looping", "leaving_by_system_call", "becoming_another", "killing",
-      "crashing_beside", "leaving_a_thread", "forking_and_crashing", "forking", "starting",
-      "writing_to_a_broken_pipe", "printing", "blocking", "smashing_heap", "rounding_when_made",
-      "leaving_when_destroyed", "crashes_when_destroyed", "leaving_at_the_end");
+      "blocking_and_looping", "hoarding", "leaking", "thrifty", "gulping", "leaving_by_system_call",
+      "becoming_another", "killing", "crashing_beside", "leaving_a_thread", "forking_and_crashing",
+      "forking", "starting", "writing_to_a_broken_pipe", "printing", "blocking", "smashing_heap",
+      "rounding_when_made", "leaving_when_destroyed", "crashes_when_destroyed",
+      "leaving_at_the_end");
   const QString plugin = QString::fromStdString(name);
   CAPTURE(name);
   run_with(window, plugin);
   CHECK(window.bench().text() == world_with(plugin));
+  const QString file = window.file(kRoom);
+  window.open(file);
+  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+}
+
+// `forgetful` of tests/program is built from its source, as a user would do it.
+TEST_CASE("A measure that fails in a run is named") {
+  QTemporaryDir folder;
+  const QString source = folder.filePath("forgetful.cpp");
+  std::ofstream(source.toStdString()) << R"(#include <stdexcept>
+#include <elsie/api/measure.h>
+class Forgetful final : public elsie::Measure {
+ public:
+  std::vector<elsie::Quantity> quantities() const override { return {{"", "", "nothing"}}; }
+  void observe(const elsie::Observation& now) override {
+    if (now.time_s > 0.095) throw std::runtime_error("what was it again");
+  }
+  void report(const elsie::RunEnd&, std::span<std::optional<double>>) const override {}
+};
+ELSIE_MEASURE(Forgetful, "forgetful", "Forgets what it is about");
+)";
+  Window window({}, {"--plugin", source});
+  const QString text =
+      QString(kRoom).replace("<limits", "<measures><forgetful/></measures><limits");
+  const Outcome outcome = run_world(window, text);
+  CAPTURE(outcome.named.toStdString());
+  CHECK(outcome.named.contains("forgetful"));
+  CHECK(window.bench().text() == text);
+}
+
+TEST_CASE("A coordinator, a sensor or a measure that fails is named, too") {
+  Window window({}, options());
+  const auto [name, from, to] = GENERATE(table<std::string, std::string, std::string>(
+      {{"crashing_coordinator", "<arbiter_suppression/>", "<crashing_coordinator/>"},
+       {"crashing_sensor", "<beam_range id=\"ahead\"/>", "<crashing_sensor/>"},
+       {"unable_to_report", "<limits time=\"60\"/>",
+        "<measures><unable_to_report/></measures><limits time=\"2\"/>"}}));
+  CAPTURE(name);
+  const QString text =
+      QString(kRoom).replace(QString::fromStdString(from), QString::fromStdString(to));
+  const Outcome outcome = run_world(window, text);
+  CAPTURE(outcome.named.toStdString());
+  CHECK(outcome.named.contains(QString::fromStdString(name)));
+  CHECK(window.bench().text() == text);
   const QString file = window.file(kRoom);
   window.open(file);
   CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
@@ -114,10 +169,10 @@ TEST_CASE("While a plugin does not return, the window says so") {
   REQUIRE(wait_for([&] { return window.bench().is_right(); }));
   window.bench().set_speed(0.0);
   window.bench().run();
-  QTest::qWait(300);
-  window.bench().pause();  // which nobody answers
   REQUIRE(wait_for(
       [&] { return window->statusBar()->currentMessage().contains("Stop the engine now"); }));
+  CHECK(window.get<QLabel>("pace")->text().startsWith("0.0x"));
+  CHECK(window.get<QLabel>("outcome")->text().contains("no answer"));
   QString report;
   QObject::connect(&window.bench(), &Workbench::engine_lost, &window.window(),
                    [&](const QString& said) { report = said; });
@@ -139,4 +194,146 @@ TEST_CASE(
   CHECK(report.contains("trespassers"));
   window.workbench().open_text(kRoom, {}, true);
   REQUIRE(wait_for([&] { return window.workbench().is_right(); }));
+}
+
+TEST_CASE("A library that never finishes loading is named once the user ends the engine") {
+  qputenv("TRESPASS_WHILE_LOADED", "loop");
+  MainWindow window(build_file("elsie"), options());
+  window.show();
+  REQUIRE(wait_for(
+      [&] { return window.statusBar()->currentMessage().contains("Stop the engine now"); }));
+  qunsetenv("TRESPASS_WHILE_LOADED");
+  QString report;
+  QObject::connect(&window.workbench(), &Workbench::engine_lost, &window,
+                   [&](const QString& said) { report = said; });
+  window.findChild<QAction*>("stop_engine")->trigger();
+  REQUIRE(wait_for([&] { return !report.isEmpty(); }));
+  CHECK(report.contains("trespassers"));
+  window.workbench().open_text(kRoom, {}, true);
+  CHECK(wait_for([&] { return window.workbench().is_right(); }));
+}
+
+TEST_CASE("An engine that ends again and again is not started for ever, and is said once") {
+  ScriptedEngine elsie(QString(kOpens).replace(";;", "; (sleep 0.3; kill -9 $$) & ;;"));
+  MainWindow window(elsie.program(), {});
+  window.show();
+  window.workbench().open_text("<world/>", {}, false);
+  REQUIRE(wait_for([&] {
+    const Problems& problems = window.workbench().problems();
+    return !problems.empty() && problems.front().message.contains("3 times");
+  }));
+  CHECK(wait_for([&] { return elsie.starts() == 4; }));  // the last one has no world
+  CHECK(window.findChildren<QMessageBox*>("engine_lost").size() == 1);
+  CHECK(window.findChild<QMessageBox*>("engine_lost")->text().contains("as a text"));
+  CHECK(window.workbench().text() == "<world/>");
+  CHECK(window.workbench().engine().is_there());
+
+  // What the user does next is tried.
+  window.workbench().type("<world />");
+  REQUIRE(wait_for([&] { return window.workbench().is_right(); }));
+  window.workbench().give_up_unsaved();
+}
+
+TEST_CASE("A message that the window cannot use ends the engine, and not the window") {
+  ScriptedEngine elsie(QString(kOpens).replace(
+      "$scene", R"(\"scene\":{\"arena\":[4,4],\"bodies\":[],\"views\":[],\"shapes\":[)"
+                R"({\"shape\":\"box\",\"axis\":\"up\",\"size\":[1,1,1],\"colour\":[1,2,3],)"
+                R"(\"frame\":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],\"body\":99}]})"));
+  MainWindow window(elsie.program(), {});
+  window.show();
+  window.workbench().open_text("<world/>", {}, false);
+  REQUIRE(wait_for([&] { return !window.workbench().problems().empty(); }));
+  CHECK(window.workbench().text() == "<world/>");
+  CHECK(
+      window.findChild<QMessageBox*>("engine_lost")->informativeText().contains("nobody can read"));
+  window.workbench().give_up_unsaved();
+}
+
+TEST_CASE("What an older scene has to say is not heard") {
+  ScriptedEngine elsie(
+      R"(open) say "{\"answer\":$id,$world,$scene,\"epoch\":5}"
+         say '{"event":"state","epoch":4,"time_s":99,"robots":[]}'
+         say '{"event":"state","epoch":5,"time_s":1,"robots":[]}' ;;
+)");
+  MainWindow window(elsie.program(), {});
+  std::vector<double> times;
+  QObject::connect(&window.workbench(), &Workbench::state, &window,
+                   [&](const Json& state) { times.push_back(state["time_s"].get<double>()); });
+  window.workbench().open_text("<world/>", {});
+  REQUIRE(wait_for([&] { return !times.empty(); }));
+  CHECK(times == std::vector{1.0});
+}
+
+TEST_CASE("A seed that the engine refuses is not shown as the one that runs") {
+  ScriptedEngine elsie(QString(kOpens) +
+                       R"(reset) say "{\"answer\":$id,\"refused\":[{\"message\":\"no\"}]}" ;;
+)");
+  MainWindow window(elsie.program(), {});
+  window.show();
+  window.workbench().open_text("<world/>", {});
+  REQUIRE(wait_for([&] { return window.workbench().is_right(); }));
+  auto* seed = window.findChild<QLineEdit*>("seed");
+  seed->setFocus();
+  seed->selectAll();
+  QTest::keyClicks(seed, "77");
+  QTest::keyClick(seed, Qt::Key_Return);
+  CHECK(wait_for([&] { return seed->text() == "1"; }));
+  CHECK(window.workbench().seed() == 1);
+  CHECK(window.findChild<QLabel*>("seed_shown")->text().contains("seed 1"));
+}
+
+TEST_CASE("A run that is refused is said, and the window does not show one") {
+  Window window;
+  window.open(window.file(kRoom));
+  window->findChild<Exporter*>()->record_into("/proc/run.csv");
+  auto* run = window.get<QToolButton>("run");
+  QString why;
+  QObject::connect(&window.bench(), &Workbench::refused, &window.window(),
+                   [&](const Problems& problems) { why = problems.front().message; });
+  QTest::mouseClick(run, Qt::LeftButton);
+  REQUIRE(wait_for([&] { return !why.isEmpty(); }));
+  CHECK(window->statusBar()->currentMessage() == why);
+  CHECK(window.bench().run_state() == Workbench::Run::ready);
+  CHECK(run->text().contains("Start"));
+  // The next run is not recorded, and starts.
+  QTest::mouseClick(run, Qt::LeftButton);
+  CHECK(wait_for([&] { return window.bench().time_s() > 0.0; }));
+}
+
+TEST_CASE("Without an engine a world can be saved, and the window does not say that there is one") {
+  ScriptedEngine elsie("*) exit 3 ;;\n");
+  QTemporaryDir folder;
+  MainWindow window(elsie.program(), {});
+  window.show();
+  REQUIRE(wait_for([&] { return !window.workbench().engine().is_there(); }));
+  window.workbench().open_text(kRoom, {}, false);
+  REQUIRE(wait_for([&] {
+    return !window.workbench().problems().empty() && !window.workbench().engine().is_there();
+  }));
+  CHECK(window.findChild<QMessageBox*>("engine_lost")->text().contains("does not start again"));
+  std::optional<QString> why;
+  const QString file = folder.filePath("saved.xml");
+  window.workbench().save_as(file, [&](const QString& said) { why = said; });
+  REQUIRE(wait_for([&] { return why.has_value(); }));
+  CHECK(why->isEmpty());
+  QFile saved(file);
+  REQUIRE(saved.open(QIODevice::ReadOnly));
+  CHECK(saved.readAll() == kRoom);
+  CHECK_FALSE(window.workbench().is_modified());
+}
+
+TEST_CASE("An engine that hangs does not hold the window up when another world is opened") {
+  Window window({}, options());
+  window.bench().open_text(world_with("looping"), {}, false);
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  window.bench().set_speed(0.0);
+  window.bench().run();
+  // It hangs once it does not answer.
+  REQUIRE(wait_for([&] { return window.bench().engine().waiting_ms() > 1000; }));
+  const QString file = window.file(kRoom);
+  QElapsedTimer clock;
+  clock.start();
+  REQUIRE(window->open(file));
+  CHECK(clock.elapsed() < 900);  // it takes a second to end
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
 }

@@ -1,6 +1,9 @@
 // What a user typed, changed or had on disk is there whatever happens.
+#include <QDir>
 #include <QFile>
+#include <QFileSystemWatcher>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QStandardPaths>
@@ -9,9 +12,14 @@
 
 #include <catch2/catch.hpp>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
+#include "engine/recovery.h"
+#include "text/problems_panel.h"
 #include "text/world_editor.h"
 #include "window.h"
+#include "world/form.h"
+#include "world/properties.h"
 
 using namespace elsie::desktop;
 
@@ -45,6 +53,32 @@ class FullDisk {
  private:
   rlimit before_{};
 };
+
+QDir kept_work() {
+  return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");
+}
+
+QString leave_behind(const QString& name, const Json& json) {
+  REQUIRE(kept_work().mkpath("."));
+  write(kept_work().filePath(name), QByteArray::fromStdString(json.dump()));
+  return kept_work().filePath(name);
+}
+
+void press_yes(QDialog* box) {
+  QTest::mouseClick(qobject_cast<QMessageBox*>(box)->button(QMessageBox::Yes), Qt::LeftButton);
+}
+void press_no(QDialog* box) {
+  QTest::mouseClick(qobject_cast<QMessageBox*>(box)->button(QMessageBox::No), Qt::LeftButton);
+}
+
+/// Types into a field of the chosen thing, and does not enter it.
+void type_into(Window& window, const char* field, const QString& text) {
+  auto* edit = qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor(field));
+  REQUIRE(edit);
+  edit->setFocus();
+  edit->selectAll();
+  QTest::keyClicks(edit, text);
+}
 
 /// What the window's own save says: "" if it is done.
 QString saved(Window& window, const QString& file) {
@@ -210,25 +244,282 @@ TEST_CASE("Unsaved work that cannot be kept is said once") {
 TEST_CASE("Unsaved work that was left behind is offered, and a damaged one is said") {
   const QDir kept(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");
   REQUIRE(kept.mkpath("."));
-  // Of a process that is not there any more.
-  const QString whole = kept.filePath("4194399-1.json"), damaged = kept.filePath("4194398-1.json");
+  const QString whole = kept.filePath("one.json"), damaged = kept.filePath("other.json");
   write(whole, QByteArray::fromStdString(Json{{"file", ""}, {"text", kRoom}}.dump()));
   write(damaged, "{\"file\": \"/tmp/x.xml\", \"te");
   Window window;
-  QTimer::singleShot(300, &window.window(), [&] {
-    auto* box = window->findChild<QMessageBox*>("recovered");
-    REQUIRE(box);
-    box->button(QMessageBox::Yes)->click();
-  });
+  at_dialog("recovered", press_yes);
   window->offer_recovered();
   QString said;
   for (auto* box : window->findChildren<QMessageBox*>()) {
     said += box->text();
   }
-  CHECK(said.contains("4194398-1.json"));
+  CHECK(said.contains("other.json"));
   REQUIRE(wait_for([&] { return window.bench().is_right(); }));
   CHECK(window.bench().text() == kRoom);
   CHECK(window->isWindowModified());
   CHECK_FALSE(QFile::exists(whole));
   CHECK(QFile::remove(damaged));
+}
+
+TEST_CASE("Two windows do not share what they keep, and what is kept outlives its window") {
+  const auto texts = [] {
+    QStringList all;
+    for (const Recovered& each : Recovery::left_behind()) all << each.text;
+    return all;
+  };
+  QString kept_in;
+  {
+    Recovery first, second;
+    REQUIRE(first.keep("/w/a.xml", "one", true));
+    REQUIRE(second.keep("/w/a.xml", "two", false));
+    CHECK_FALSE(texts().contains("one"));  // their windows are open
+    CHECK_FALSE(texts().contains("two"));
+    second.forget();
+  }
+  CHECK(texts().contains("one"));
+  CHECK_FALSE(texts().contains("two"));
+  for (const Recovered& each : Recovery::left_behind()) {
+    if (each.text == "one") {
+      CHECK(each.is_borrowed);
+      Recovery::discard(each);
+    }
+  }
+  CHECK_FALSE(texts().contains("one"));
+}
+
+TEST_CASE("Unsaved work that is taken up is discarded only once it is kept again") {
+  const QString file =
+      leave_behind("full.json", {{"file", "/nowhere/w.xml"}, {"text", kRoom}, {"borrowed", true}});
+  {
+    Window window;
+    at_dialog("recovered", press_yes);
+    const FullDisk full(64);
+    window->offer_recovered();
+    CHECK(QFile::exists(file));
+    CHECK(window.bench().is_borrowed());  // Save asks where
+    CHECK(window.bench().text() == kRoom);
+  }
+  CHECK(QFile::remove(file));
+}
+
+TEST_CASE("What was saved, given up or replaced is not offered again") {
+  const auto left = [] { return kept_work().entryList({"*.json"}, QDir::Files).size(); };
+  const auto before = left();
+  Window window;
+  const QString file = window.file(kRoom);
+  const auto change = [&] {
+    window.after([&] { window.bench().edit({"robot[r1]/@x=0.25"}, "move"); });
+    CHECK(left() == before + 1);
+  };
+  window.open(file);
+  change();
+  CHECK(saved(window, file).isEmpty());
+  CHECK(left() == before);
+  window.after([&] { window.bench().edit({"robot[r1]/@x=0.5"}, "move"); });
+  window.answer = MainWindow::Answer::discard;
+  window.after([&] { window.open(file); });
+  CHECK(left() == before);
+  window.after([&] { window.bench().edit({"robot[r1]/@x=0.75"}, "move"); });
+  CHECK(window->close());
+  CHECK(left() == before);
+}
+
+TEST_CASE("What is typed in a field and not entered is saved, too") {
+  Window window;
+  const QString file = window.file(kRoom);
+  window.open(file);
+  window.choose("robot[r1]");
+  type_into(window, "x", "0.5");
+  window.act("save");
+  CHECK(bytes_of(file).contains("x=\"0.5\""));
+
+  SECTION("and closing asks about it") {
+    type_into(window, "y", "0.25");
+    window.answer = MainWindow::Answer::cancel;
+    CHECK_FALSE(window->close());
+    CHECK(window.asked == 1);
+    window.answer = MainWindow::Answer::save;
+    CHECK(window->close());
+    CHECK(bytes_of(file).contains("y=\"0.25\""));
+  }
+}
+
+TEST_CASE("Closing asks about an edit that the engine has not made yet") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.bench().edit({"robot[r1]/@x=0.5"}, "move");
+  CHECK(window.bench().is_modified());
+  window.answer = MainWindow::Answer::cancel;
+  CHECK_FALSE(window->close());
+  CHECK(window.asked == 1);
+  // One that is refused was none.
+  window.after([&] { window.bench().undo(); });
+  bool is_refused = false;
+  window.bench().edit({"robot[r1]/@x=far"}, "move", {}, &window.window(),
+                      [&](const Problems& problems) { is_refused = !problems.empty(); });
+  REQUIRE(wait_for([&] { return is_refused; }));
+  CHECK_FALSE(window->isWindowModified());
+}
+
+TEST_CASE("A file whose lines end in two ways keeps each of them") {
+  QByteArray text(kRoom);
+  text.replace("-->\n", "-->\r\n");
+  text.replace("<robots>\n", "<robots>\r\n");
+  Window window;
+  const QString file = window.file("");
+  write(file, text);
+  window.open(file);
+  window.after([&] { window.bench().edit({"robot[r1]/@x=-1.5"}, "move"); });
+  window.after([&] { window.bench().edit({"limits/@time=61"}, "longer"); });
+  CHECK(saved(window, file).isEmpty());
+  text.replace("x=\"-1\"", "x=\"-1.5\"");
+  text.replace("time=\"60\"", "time=\"61\"");
+  CHECK(bytes_of(file) == text);
+}
+
+TEST_CASE("A write-protected file is asked about, and stays write-protected") {
+  Window window;
+  const QString file = window.file(kRoom);
+  REQUIRE(chmod(file.toUtf8().constData(), 0444) == 0);
+  window.open(file);
+  window.after([&] { window.bench().edit({"robot[r1]/@x=-1.5"}, "move"); });
+  at_dialog("write_protected", press_no);
+  window.act("save");
+  CHECK(bytes_of(file) == kRoom);
+  CHECK(window->isWindowModified());
+  at_dialog("write_protected", press_yes);
+  window.act("save");
+  CHECK(bytes_of(file).contains("-1.5"));
+  CHECK_FALSE(window->isWindowModified());
+  CHECK((QFile::permissions(file) & (QFile::WriteOwner | QFile::WriteGroup)) == 0);
+}
+
+TEST_CASE("Saving elsewhere keeps the run and what can be undone, and the engine knows the file") {
+  Window window;
+  REQUIRE(QDir(window.folder()).mkdir("other"));
+  window.file("<robot_template format=\"1\" max_speed=\"0.2\"/>", "part.xml");
+  const QString file =
+      window.file(QString(kRoom).replace("id=\"r1\"", "id=\"r1\" template=\"part.xml\"").toUtf8());
+  window.open(file);
+  REQUIRE(window.bench().is_right());
+  auto& bench = window.bench();
+  window.after([&] { bench.edit({"robot[r1]/@x=-1.5"}, "move"); });
+  bench.step();
+  REQUIRE(wait_for([&] { return bench.time_s() > 0.0; }));
+  REQUIRE(wait_for([&] { return bench.run_state() == Workbench::Run::paused; }));
+  const double time_s = bench.time_s();
+  const QString target = window.folder() + "/other/room.xml";
+  CHECK(saved(window, target).isEmpty());
+  CHECK(bench.time_s() == time_s);
+  CHECK(bench.run_state() == Workbench::Run::paused);
+  CHECK(bench.undo_name() == "move");
+  CHECK_FALSE(window->isWindowModified());
+  CHECK(bytes_of(target) == bench.text().toUtf8());
+  CHECK(bench.text().contains("../part.xml"));
+
+  Json command;
+  bench.ask({{"do", "command"}}, [&](const Json& answer) { command = answer; });
+  REQUIRE(wait_for([&] { return !command.is_null(); }));
+  CHECK(QString::fromStdString(command["text"].get<std::string>()).contains(target));
+
+  window.after([&] { bench.undo(); });
+  CHECK(bench.text().contains("x=\"-1\""));
+  CHECK(bench.text().contains("../part.xml"));
+  CHECK(window->isWindowModified());
+  window.after([&] { bench.redo(); });
+  CHECK_FALSE(window->isWindowModified());
+
+  // What is wrong in it is found in its own text, and files are searched beside it.
+  auto* editor = window.get<WorldEditor>("world_editor");
+  editor->setPlainText(QString(bench.text()).replace("<limits", "<limit"));
+  editor->commit();
+  REQUIRE(wait_for([&] { return !bench.problems().empty(); }));
+  CHECK(bench.problems().front().file == target);
+  window.after([&] { window.act("undo"); });
+  window.file("<robot_template format=\"1\" max_speed=\"0.1\"/>", "other/beside.xml");
+  window.after([&] { bench.edit({"robot[r1]/@template=beside.xml"}, "template"); });
+  CHECK(saved(window, target).isEmpty());
+  window.after([&] { bench.reset(1); });
+  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({target}));
+}
+
+TEST_CASE("A new world that was saved finds what lies beside it") {
+  Window window;
+  window.bench().open_text(kRoom, {}, false);
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  CHECK(saved(window, window.folder() + "/mine.xml").isEmpty());
+  window.file("<robot_template format=\"1\" max_speed=\"0.1\"/>", "beside.xml");
+  Problems refused{{}};
+  window.bench().edit({"robot[r1]/@template=beside.xml"}, "template", {}, &window.window(),
+                      [&](const Problems& problems) { refused = problems; });
+  REQUIRE(wait_for([&] { return refused.empty() || !refused.front().message.isEmpty(); }));
+  CHECK(refused.empty());
+}
+
+TEST_CASE("What is no file of a world is refused at once, and not waited for") {
+  Window window;
+  window.open(window.file(kRoom));
+  const QString pipe = window.folder() + "/pipe.xml";
+  REQUIRE(mkfifo(pipe.toUtf8().constData(), 0600) == 0);
+  for (const QString& file : {pipe, QString("/dev/zero"), window.folder()}) {
+    QString why;
+    CHECK_FALSE(window.bench().open(file, why));
+    CHECK(why.contains("device or a pipe"));
+  }
+  QFile large(window.folder() + "/large.xml");
+  REQUIRE((large.open(QIODevice::WriteOnly) && large.resize(40'000'000)));
+  QString why;
+  CHECK_FALSE(window.bench().open(large.fileName(), why));
+  CHECK(why.contains("32 MB"));
+  CHECK(window.bench().text() == kRoom);
+}
+
+TEST_CASE("A file that was taken away and comes back is watched, as before") {
+  Window window;
+  const QString file = window.file(kRoom);
+  window.open(file);
+  QFileSystemWatcher watcher({file});
+  bool is_seen = false;
+  QObject::connect(&watcher, &QFileSystemWatcher::fileChanged, &watcher, [&] { is_seen = true; });
+  REQUIRE(QFile::remove(file));
+  REQUIRE(wait_for([&] { return is_seen; }));
+  QApplication::processEvents();
+  write(file, QByteArray(kRoom).replace("a room", "their room"));
+  auto* box = window.dialog<QMessageBox>("changed_on_disk");
+  QTest::mouseClick(box->findChild<QPushButton*>("keep_mine"), Qt::LeftButton);
+  // And changes after that.
+  REQUIRE(wait_for([&] { return !window->findChild<QMessageBox*>("changed_on_disk"); }));
+  write(file, QByteArray(kRoom).replace("a room", "another room"));
+  CHECK(window.dialog<QMessageBox>("changed_on_disk"));
+}
+
+TEST_CASE("What makes a wrong world right can be undone, and no engine is started for each try") {
+  Window window;
+  const QByteArray wrong = "<world format=\"1\"><arena length=\"4\" width=\"4\"";
+  const QString file = window.file("");
+  write(file, wrong);
+  window.open(file);
+  REQUIRE_FALSE(window.bench().problems().empty());
+  const int generation = window.bench().engine().generation();
+  window.after([&] { window.bench().type(wrong + " "); });
+  window.after([&] { window.bench().type(wrong + " /"); });
+  CHECK(window.bench().engine().generation() == generation);
+  const QString right = wrong + "/></world>";
+  window.bench().type(right);
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  CHECK(window.bench().problems().empty());
+  CHECK(window.bench().undo_name() == "type");
+  const auto lead = [&](const char* way, const QString& text) {  // by as many steps as were typed
+    for (int i = 0; i < 3 && window.bench().text() != text; ++i) {
+      window.after([&] { window.act(way); });
+    }
+    CHECK(window.bench().text() == text);
+  };
+  lead("undo", wrong);
+  CHECK_FALSE(window.bench().problems().empty());
+  CHECK_FALSE(window->isWindowModified());
+  lead("redo", right);
+  CHECK(window.bench().is_right());
+  window.bench().give_up_unsaved();
 }

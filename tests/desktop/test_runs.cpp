@@ -1,8 +1,11 @@
 // Runs in the window: recordings and databases that it opens, films and recordings that it writes.
 #include <QClipboard>
+#include <QDir>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <fstream>
 #include <iterator>
 
@@ -32,11 +35,9 @@ std::string content_of(const QString& file) {
 }
 
 void run_until(Window& window, double time_s) {
-  window.bench().set_speed(0.0);
-  window.bench().run();
-  REQUIRE(wait_for([&] { return window.bench().time_s() > time_s; }));
-  window.bench().pause();
+  window.bench().run_until(time_s);
   REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  REQUIRE(wait_for([&] { return window.bench().time_s() >= time_s; }));
 }
 
 }  // namespace
@@ -48,6 +49,7 @@ TEST_CASE("A recording opens as the world that makes the same run, at its seed")
   run_elsie(
       {"run", room, "--seed", "7", "--record", recording, "--at", "1:robot[r1]/@max_speed=0.1"});
   window.open(recording);
+  CHECK(window.bench().is_borrowed());
   CHECK(window.bench().seed() == 7);
   CHECK(window.get<QLineEdit>("seed")->text() == "7");
   CHECK(window.run_to_the_end().at("state_hash").get<std::string>() ==
@@ -66,18 +68,72 @@ TEST_CASE("A run of a results database opens at its seed") {
                                     "study.xml");
   const QString database = window.folder() + "/study.sqlite";
   run_elsie({"batch", study, "--database", database});
-  int asked = 0;
-  window->ask_for_run = [&](const QString&) {
-    ++asked;
-    return std::optional(2);
-  };
-  window.open(database);
-  CHECK(asked == 1);
+  REQUIRE(window->open(database));
+  auto* dialog = window.dialog("run_dialog");
+  auto* runs = dialog->findChild<QTreeWidget*>("runs");
+  REQUIRE(runs->topLevelItemCount() == 2);
+  CHECK(runs->topLevelItem(0)->text(2) == "5");
+  CHECK(runs->topLevelItem(1)->text(2) == "6");
+  CHECK(runs->topLevelItem(1)->text(3) == "no_goals");
+  runs->setFocus();
+  QTest::keyClick(runs, Qt::Key_Down);
+  Window::press(dialog, QDialogButtonBox::Open);
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
   CHECK(window.bench().seed() == 6);
   CHECK(window.run_to_the_end().at("state_hash").get<std::string>() ==
         headless_hash({window.folder() + "/room.xml", "--seed", "6", "--duration", "3"}));
-  window->ask_for_run = [](const QString&) { return std::optional<int>(); };
-  CHECK_FALSE(window->open(database));
+
+  // Cancel opens nothing.
+  const QString text = window.bench().text();
+  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("run_dialog"); }));
+  REQUIRE(window->open(database));
+  Window::press(window.dialog("run_dialog"), QDialogButtonBox::Cancel);
+  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("run_dialog"); }));
+  CHECK(window.bench().text() == text);
+}
+
+TEST_CASE("A file that only looks like a recording is said, while the window stays alive") {
+  Window window;
+  window.open(window.file(kRoom));
+  const QString broken = window.file("\x89MCAP0\r\n and no more", "broken.mcap");
+  REQUIRE(window->open(broken));
+  auto* box = window.dialog<QMessageBox>("warning");
+  CHECK_FALSE(box->text().isEmpty());
+  CHECK(window.bench().text() == kRoom);
+}
+
+TEST_CASE("The world of a recording is in a folder that goes with it, and is saved elsewhere") {
+  Window window;
+  const QString recording = window.folder() + "/run.mcap";
+  run_elsie({"run", window.file(kRoom), "--record", recording, "--duration", "1"});
+  window.open(recording);
+  const QString borrowed = window.bench().file();
+  REQUIRE(QFile::exists(borrowed));
+  window.after([&] { window.open(window.file(kRoom)); });
+  CHECK_FALSE(QFileInfo(borrowed).dir().exists());
+  CHECK_FALSE(window.bench().is_borrowed());
+}
+
+TEST_CASE("The events of a recording are on the time line, and the run goes on to one of them") {
+  Window window;
+  const QString recording = window.folder() + "/run.mcap";
+  run_elsie({"run", world_file("find_resource"), "--record", recording, "--duration", "12"});
+  window.open(recording);
+  auto* line = window->findChild<TimeLine*>();
+  REQUIRE(wait_for([&] { return line->tip_at(7.25).contains("collected"); }));
+  CHECK(line->tip_at(7.25).contains("in the recording"));
+  CHECK(window.bench().time_s() == 0.0);
+  line->setFocus();
+  const auto next_at = [&](double time_s) {
+    QTest::keyClick(line, Qt::Key_Period);
+    return wait_for([&] {
+      return window.bench().run_state() == Workbench::Run::paused &&
+             std::abs(window.bench().time_s() - time_s) < 0.02;
+    });
+  };
+  CHECK(next_at(0.31));
+  CHECK(next_at(7.25));
+  CHECK(wait_for([&] { return !line->tip_at(7.25).contains("in the recording"); }));
 }
 
 TEST_CASE("A film has the pictures of the run, and replaces its file only when it is whole") {

@@ -208,3 +208,22 @@ TEST_CASE("problems lead to their lines by Enter, double click and F8") {
   QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, second);
   CHECK(go.last()[1].toInt() == 7);
 }
+
+TEST_CASE("a key stroke changes no other character, also not blanks that are no plain ones") {
+  WorldEditor editor;
+  const QString text = QStringLiteral("<!-- 10\u00A0m, 3\u202Fs -->\n<world/>\n");
+  editor.set_text(text);
+  CHECK(editor.whole_text() == text);
+  QSignalSpy edited(&editor, &WorldEditor::edited);
+  QTest::keyClicks(&editor, QStringLiteral("x"));
+  editor.commit();
+  REQUIRE(edited.count() == 1);
+  CHECK(edited[0][0].toString() == QStringLiteral("x") + text);
+}
+
+TEST_CASE("a warning says that it is one") {
+  ProblemsPanel panel;
+  panel.set_problems({{QStringLiteral("/w/a.xml"), 3, QStringLiteral("too soft"), true}});
+  auto* list = panel.findChild<QTreeWidget*>(QStringLiteral("problems"));
+  CHECK(list->topLevelItem(0)->text(0) == QStringLiteral("Warning: too soft"));
+}

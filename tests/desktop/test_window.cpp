@@ -5,14 +5,17 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScreen>
+#include <QStatusBar>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
 
 #include <catch2/catch.hpp>
 
-#include "engine/recovery.h"
+#include "control_bar.h"
 #include "scene/scene_view.h"
+#include "text/problems_panel.h"
 #include "text/world_editor.h"
 #include "watch/coordination_panel.h"
 #include "window.h"
@@ -46,7 +49,9 @@ TEST_CASE("Start, pause, step and reset") {
   QTest::mouseClick(run, Qt::LeftButton);
   REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
   const double paused_s = window.bench().time_s();
-  QTest::qWait(200);
+  bool is_answered = false;  // by an engine that has nothing else to say
+  window.bench().ask({{"do", "ping"}}, [&](const Json&) { is_answered = true; });
+  REQUIRE(wait_for([&] { return is_answered; }));
   CHECK(window.bench().time_s() == paused_s);
   QTest::mouseClick(window.get<QToolButton>("reset"), Qt::LeftButton);
   REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::ready; }));
@@ -312,4 +317,186 @@ TEST_CASE("The weight that a coordinator gives a behaviour now is shown beside i
   REQUIRE(live);
   CHECK(wait_for([&] { return live->text().startsWith("weight now "); }));
   CHECK(wait_for([&] { return tree->item(behavior)->text(1).startsWith("weight "); }));
+}
+
+namespace {
+
+void run_until(Window& window, double time_s) {
+  window.bench().run_until(time_s);
+  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  REQUIRE(wait_for([&] { return window.bench().time_s() >= time_s; }));
+}
+
+}  // namespace
+
+TEST_CASE("A step while the view shows the past is one of the present, and the time line says so") {
+  Window window;
+  window.open(window.file(kRoom));
+  run_until(window, 1.0);
+  auto* line = window->findChild<TimeLine*>();
+  auto* label = window.get<QLabel>("shown_time");
+  const double now_s = window.bench().time_s();
+  line->setFocus();
+  QTest::keyClick(line, Qt::Key_Home);
+  REQUIRE(wait_for([&] { return label->text().startsWith("0.00 of"); }));
+  QTest::mouseClick(window.get<QToolButton>("step"), Qt::LeftButton);
+  REQUIRE(wait_for([&] { return window.bench().time_s() > now_s; }));
+  CHECK_FALSE(line->is_in_the_past());
+  CHECK(label->text() == QString("%1 s").arg(window.bench().time_s(), 0, 'f', 2));
+}
+
+TEST_CASE("Looking back in a run that goes on shows how far it came") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.bench().set_speed(0.0);
+  window.bench().run();
+  auto* line = window->findChild<TimeLine*>();
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 0.5; }));
+  line->setFocus();
+  QTest::keyClick(line, Qt::Key_Home);
+  REQUIRE(wait_for([&] { return window->scene().stage().time_s() == 0.0; }));
+  Json span;
+  window.bench().ask({{"do", "at"}}, [&](const Json& answer) { span = answer; });
+  auto* label = window.get<QLabel>("shown_time");
+  const QString shown = label->text();
+  REQUIRE(wait_for([&] { return !span.is_null(); }));
+  CHECK(shown == QString("0.00 of %1 s").arg(span["to_s"].get<double>(), 0, 'f', 2));
+}
+
+TEST_CASE("What is dragged in the past does not change the present") {
+  Window window;
+  window.open(window.file(kRoom));
+  run_until(window, 1.0);
+  SceneView& scene = window->scene();
+  window.choose("obstacle[crate]");
+  auto* line = window->findChild<TimeLine*>();
+  line->setFocus();
+  QTest::keyClick(line, Qt::Key_Home);
+  REQUIRE(wait_for([&] { return scene.stage().time_s() == 0.0; }));
+  const auto foot = scene.handle(SceneView::Tool::move);
+  const auto goal = scene.pixel_of({-1.0, 1.0, 0.0});
+  REQUIRE((foot && goal));
+  QTest::mousePress(&scene, Qt::LeftButton, {}, foot->toPoint());
+  QTest::mouseMove(&scene, (0.5 * (*foot + *goal)).toPoint());
+  QTest::mouseMove(&scene, goal->toPoint());
+  QTest::mouseRelease(&scene, Qt::LeftButton, {}, goal->toPoint());
+  CHECK_FALSE(line->is_in_the_past());
+  REQUIRE(wait_for([&] { return scene.stage().time_s() > 0.5; }));
+  CHECK(window.bench().text() == kRoom);
+  CHECK(window->statusBar()->currentMessage().contains("past"));
+}
+
+TEST_CASE("Errors of other files are listed, and not marked in the text of the world") {
+  Window window;
+  window.file("<robot_template format=\"1\"\n speed=\"0.2\"/>", "part.xml");
+  window.open(
+      window.file(QString(kRoom).replace("id=\"r1\"", "id=\"r1\" template=\"part.xml\"").toUtf8()));
+  REQUIRE(window.bench().problems().size() == 1);
+  CHECK(window.bench().problems().front().file.endsWith("part.xml"));
+  auto* list = window->findChild<ProblemsPanel*>()->findChild<QTreeWidget*>("problems");
+  CHECK(list->topLevelItemCount() == 1);
+  CHECK(window.get<WorldEditor>("world_editor")->extraSelections().size() == 1);  // the cursor's
+}
+
+TEST_CASE("The errors panel has the warnings of elsie check") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* list = window->findChild<ProblemsPanel*>()->findChild<QTreeWidget*>("problems");
+  CHECK(list->topLevelItemCount() == 0);
+  window.after([&] { window.bench().edit({"physics/@cfm=0"}, "stiff"); });
+  REQUIRE(list->topLevelItemCount() == 1);
+  CHECK(list->topLevelItem(0)->text(0).startsWith("Warning"));
+  CHECK(list->topLevelItem(0)->text(0).contains("cfm"));
+  window.after([&] { window.act("undo"); });
+  CHECK(list->topLevelItemCount() == 0);
+}
+
+TEST_CASE("The windows of teams come back as they were left, and go with their world") {
+  const QString green = QString(kRoom)
+                            .replace("team=\"red\"", "team=\"green\"")
+                            .replace("<robots>", "<teams><team id=\"green\"/></teams><robots>");
+  const auto dock = [](Window& window) {
+    return window->findChild<QDockWidget*>("dock_team_green");
+  };
+  {
+    Window window;
+    window.open(window.file(green.toUtf8()));
+    REQUIRE(window.bench().is_right());
+    REQUIRE(dock(window));
+    dock(window)->setFloating(true);
+    dock(window)->resize(333, 222);
+    CHECK(window->close());
+  }
+  Window window;
+  window.open(window.file(green.toUtf8()));
+  REQUIRE(dock(window));
+  CHECK(dock(window)->isFloating());
+  window.after([&] { window.open(window.file(kRoom, "other.xml")); });
+  CHECK(wait_for([&] { return !dock(window); }));
+  CHECK(window->findChild<QDockWidget*>("dock_team_red"));
+  window.act("layout_reset");
+  window->close();
+}
+
+TEST_CASE("A floating window whose title is off the screen comes back") {
+  const QRect screen = QApplication::primaryScreen()->availableGeometry();
+  for (const QPoint place : {QPoint(screen.right(), 100), QPoint(100, screen.top() - 200),
+                             QPoint(100, screen.bottom())}) {
+    {
+      Window window;
+      auto* dock = window.get<QDockWidget>("dock_sensors");
+      dock->show();
+      dock->setFloating(true);
+      dock->resize(300, 200);
+      dock->move(place);
+      CHECK(window->close());
+    }
+    Window window;
+    auto* dock = window.get<QDockWidget>("dock_sensors");
+    REQUIRE(dock->isFloating());
+    const QRect title(dock->frameGeometry().topLeft(), QSize(dock->frameGeometry().width(), 20));
+    const QRect seen = title & screen;
+    CHECK(seen.width() > 50);
+    CHECK(seen.height() > 10);
+    window.act("layout_reset");
+    window->close();
+  }
+}
+
+TEST_CASE("A plugin that is reloaded is in the view at once, and its mistakes are errors") {
+  QTemporaryDir folder;
+  const QString source = folder.filePath("veer.cpp");
+  const auto write = [&](const QByteArray& rate) {
+    std::ofstream(source.toStdString()) << R"(#include <elsie/api/behavior.h>
+namespace {
+class Veer final : public elsie::Behavior {
+ public:
+  elsie::Response respond(const elsie::Perception& now) override {
+    return now.self().wheels.motion({)" << rate.toStdString()
+                                        << R"(, 3.0});
+  }
+};
+}  // namespace
+ELSIE_BEHAVIOR(Veer, "veer", "Veers");
+)";
+  };
+  write("3.0");
+  Window window({}, {"--plugin", source});
+  window.open(window.file(QString(kRoom).replace("<wander/>", "<veer/>").toUtf8()));
+  REQUIRE(window.bench().is_right());
+  const std::uint64_t epoch = window.bench().epoch();
+  write("2.0");
+  REQUIRE(wait_for([&] { return window.bench().epoch() > epoch; }));
+  const Stage& stage = window->scene().stage();
+  const double x = stage.body_of("robot[r1]")->frame.origin.x;
+  window.get<QToolButton>("run")->click();
+  CHECK(wait_for([&] { return stage.body_of("robot[r1]")->frame.origin.x != x; }));
+
+  write("no_such_rate");
+  auto* list = window->findChild<ProblemsPanel*>()->findChild<QTreeWidget*>("problems");
+  REQUIRE(wait_for([&] { return list->topLevelItemCount() == 1; }));
+  CHECK(list->topLevelItem(0)->text(0).contains("no_such_rate"));
+  CHECK(window.get<QDockWidget>("dock_problems")->isVisible());
+  write("1.0");
+  CHECK(wait_for([&] { return list->topLevelItemCount() == 0; }));
 }

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <fstream>
@@ -35,6 +36,19 @@ inline bool wait_for(const std::function<bool()>& is_so) {
   return QTest::qWaitFor(is_so, kPatience_ms);
 }
 
+/// Does something with the modal dialog of that name, once it is there.
+inline void at_dialog(const QString& name, const std::function<void(QDialog*)>& answer) {
+  auto* waiting = new QTimer(qApp);
+  QObject::connect(waiting, &QTimer::timeout, waiting, [=] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (dialog && dialog->objectName() == name) {
+      waiting->deleteLater();
+      answer(dialog);
+    }
+  });
+  waiting->start(20);
+}
+
 inline constexpr const char* kRoom = R"(<world format="1">
   <!-- a room -->
   <arena length="4" width="4"/>
@@ -52,7 +66,7 @@ inline constexpr const char* kRoom = R"(<world format="1">
 </world>
 )";
 
-/// A window with settings of its own, and a folder for files.
+/// A window, and a folder for files. All windows of a test program have the settings of main.cpp.
 class Window {
  public:
   /// `options`: for the engine, such as where plugins are.
@@ -69,7 +83,7 @@ class Window {
       open(file);
     }
   }
-  ~Window() { answer = MainWindow::Answer::discard; }
+  ~Window() { bench().give_up_unsaved(); }
 
   MainWindow* operator->() { return &window_; }
   MainWindow& window() { return window_; }

@@ -207,3 +207,56 @@ TEST_CASE("Any text can be checked, which changes nothing") {
   check("<world/>");
   CHECK(session.ask({{"do", "reset"}})["text"] == kRoom);
 }
+
+TEST_CASE("A world that is saved elsewhere is the world of that file from then on") {
+  const test::Workplace place;
+  std::filesystem::create_directories(place.file("old").string());
+  std::filesystem::create_directories(place.file("new").string());
+  place.write("old/part.xml", R"(<robot_template format="1" max_speed="0.2"/>)");
+  const std::string text = room("id=\"r1\"", "id=\"r1\" template=\"part.xml\"");
+  Session session;
+  REQUIRE_FALSE(session.open(text, place.file("old/room.xml").string()).contains("refused"));
+  session.ask({{"do", "step"}});
+  const Json edited = session.edit({"robot[r1]/@x=0.5"});
+  REQUIRE(edited.contains("undo"));
+  const std::string target = place.file("new/room.xml").string();
+  const Json moved = session.ask({{"do", "move"}, {"file", target}});
+  INFO(moved.dump());
+  const std::string now = moved["text"];
+  CHECK_THAT(now, Catch::Contains("old/part.xml"));
+  CHECK_THAT(now, Catch::Contains("x=\"0.5\""));
+  place.write("new/room.xml", now);
+
+  // The run goes on, and its command names the new file.
+  CHECK_THAT(session.ask({{"do", "command"}})["text"].get<std::string>(), Catch::Contains(target));
+  CHECK(session.ask({{"do", "at"}})["time_s"].get<double>() > 0.0);
+  // The old inverses are gone, but a text that was written for the old file leads back.
+  CHECK(session.ask({{"do", "undo"}, {"edit", edited["undo"]}}).contains("refused"));
+  const Json back = session.ask(
+      {{"do", "become"}, {"text", text}, {"file", place.file("old/room.xml").string()}});
+  INFO(back.dump());
+  REQUIRE(back.contains("text"));
+  CHECK_THAT(back["text"].get<std::string>(), Catch::Contains("old/part.xml"));
+  CHECK_THAT(back["text"].get<std::string>(), Catch::Contains("x=\"-1\""));
+  // What is named now is searched beside the new file.
+  place.write("new/other.xml", R"(<robot_template format="1" max_speed="0.1"/>)");
+  CHECK_FALSE(session.edit({"robot[r1]/@template=other.xml"}).contains("refused"));
+  // A folder that is not there changes nothing.
+  CHECK(session.ask({{"do", "move"}, {"file", place.file("no/room.xml").string()}})
+            .contains("refused"));
+}
+
+TEST_CASE("What is described has the warnings of elsie check") {
+  Session session;
+  CHECK(session.open(kRoom)["warnings"].empty());
+  const Json edited = session.edit({"physics/@cfm=0"});
+  REQUIRE(edited["warnings"].size() == 1);
+  CHECK_THAT(edited["warnings"][0]["message"].get<std::string>(), Catch::Contains("cfm"));
+}
+
+TEST_CASE("A world that is refused says whether plugins may have been made for it") {
+  Session session;
+  CHECK(session.open("<world format=\"1\"><arena")["made_plugins"] == false);
+  CHECK(session.open("<world format=\"1\"><arena lenght=\"4\"/></world>")["made_plugins"] == false);
+  CHECK(session.open(room("<limits", "<nonsense/><limits"))["made_plugins"] == true);
+}

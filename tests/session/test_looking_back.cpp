@@ -149,7 +149,7 @@ TEST_CASE("The run that starts next is recorded, whole, and that alone") {
   CHECK_FALSE(std::filesystem::exists(csv));
 }
 
-TEST_CASE("A recording that cannot be made refuses the start of the run") {
+TEST_CASE("A recording that cannot be made refuses the start of the run, once") {
   const test::Workplace place;
   Session session;
   session.open(kRoom);
@@ -157,7 +157,11 @@ TEST_CASE("A recording that cannot be made refuses the start of the run") {
   session.ask({{"do", "record"}, {"files", {file}}});
   std::filesystem::create_directory(file);
   CHECK(session.ask({{"do", "run"}}).contains("refused"));
+  CHECK_FALSE(session.ask({{"do", "run"}}).contains("refused"));  // without the recording
+  session.end_of_run();
   std::filesystem::remove(file);
+  session.ask({{"do", "reset"}});
+  session.ask({{"do", "record"}, {"files", {file}}});
   CHECK_FALSE(session.ask({{"do", "run"}}).contains("refused"));
   session.end_of_run();
   CHECK(std::filesystem::is_regular_file(file));
@@ -222,4 +226,24 @@ TEST_CASE("A plugin that changes on disk is taken, before, in and after a run") 
   CHECK_FALSE(kept["problems"].empty());
   session.ask({{"do", "step"}});
   CHECK(session.ask({{"do", "reset"}})["text"] == text);
+}
+
+TEST_CASE("A run goes on to a time as fast as it can, and says that it pauses there") {
+  Session session;
+  session.open(kRoom);
+  session.ask({{"do", "speed"}, {"factor", 0.001}});
+  session.ask({{"do", "run"}, {"until_s", 1.25}});
+  CHECK(session.event("paused")["time_s"] == Approx(1.25));
+  CHECK(session.ask({{"do", "at"}})["time_s"] == Approx(1.25));
+  CHECK(session.ask({{"do", "run"}, {"until_s", "soon"}}).contains("refused"));
+  session.ask({{"do", "speed"}, {"factor", 0.0}});
+  session.ask({{"do", "run"}});
+  const test::Workplace place;
+  place.write("room.xml", kRoom);
+  CHECK(session.end_of_run()["state_hash"] == hash_of_run(place, "room.xml"));
+}
+
+TEST_CASE("A ping is answered, also without a world") {
+  Session session;
+  CHECK_FALSE(session.ask({{"do", "ping"}}).contains("refused"));
 }

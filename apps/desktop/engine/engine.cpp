@@ -1,13 +1,14 @@
 #include "engine/engine.h"
 
-#include <QDateTime>
 #include <QSocketNotifier>
+#include <exception>
 
 namespace elsie::desktop {
 namespace {
 
 constexpr int kBetweenSnapshots_ms = 30;
 constexpr int kReport_ms = 500;  // that a report may take
+constexpr int kBetweenLooks_ms = 100;
 
 }  // namespace
 
@@ -16,13 +17,16 @@ Engine::Engine(QString program, QStringList options, QObject* parent)
   timer_.setTimerType(Qt::PreciseTimer);
   timer_.setInterval(kBetweenSnapshots_ms);
   connect(&timer_, &QTimer::timeout, this, &Engine::read);
+  ending_timer_.setInterval(kBetweenLooks_ms);
+  connect(&ending_timer_, &QTimer::timeout, this, &Engine::see_who_ended);
+  clock_.start();
 }
 
 Engine::~Engine() = default;
 
 void Engine::start() {
   notifier_.reset();
-  connection_.reset();
+  end_in_background(std::move(connection_));
   pending_.clear();
   std::vector<std::string> options;
   for (const QString& option : options_) {
@@ -39,7 +43,7 @@ void Engine::ask(Json order, Answer answer) {
     return;
   }
   order["id"] = ++last_id_;
-  pending_[last_id_] = {std::move(answer), QDateTime::currentMSecsSinceEpoch()};
+  pending_[last_id_] = {std::move(answer), clock_.elapsed()};
   connection_->send(order);
   pace();
 }
@@ -61,8 +65,7 @@ void Engine::stop() {
 }
 
 qint64 Engine::waiting_ms() const {
-  return pending_.empty() ? 0
-                          : QDateTime::currentMSecsSinceEpoch() - pending_.begin()->second.since_ms;
+  return pending_.empty() ? 0 : clock_.elapsed() - pending_.begin()->second.since_ms;
 }
 
 // While nothing moves and nobody waits, nothing here runs. While all moves, the time for the next
@@ -80,10 +83,25 @@ void Engine::pace() {
 
 void Engine::leave(int exit_code, const QString& report) {
   notifier_.reset();
-  connection_.reset();
+  end_in_background(std::move(connection_));
   pending_.clear();
   pace();
   Q_EMIT died(exit_code, report);
+}
+
+void Engine::end_in_background(std::unique_ptr<client::Connection> connection) {
+  if (connection) {
+    connection->close();
+    ending_.push_back(std::move(connection));
+    ending_timer_.start();
+  }
+}
+
+void Engine::see_who_ended() {
+  std::erase_if(ending_, [](const auto& each) { return each->ended().has_value(); });
+  if (ending_.empty()) {
+    ending_timer_.stop();
+  }
 }
 
 // An engine that sends what it should not is one that a plugin has damaged: it ends here, and
@@ -91,7 +109,7 @@ void Engine::leave(int exit_code, const QString& report) {
 void Engine::read() {
   try {
     read_messages();
-  } catch (const Json::exception& problem) {
+  } catch (const std::exception& problem) {
     if (connection_) {
       connection_->kill();
       leave(0, tr("The engine sent a message that nobody can read: %1").arg(problem.what()));

@@ -1,6 +1,7 @@
 // The process with the simulation and the plugins, for a program with an event loop.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QStringList>
 #include <QTimer>
@@ -8,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "elsie/client/connection.h"
 
@@ -32,7 +34,8 @@ class Engine : public QObject {
   const QString& program() const { return program_; }
   const QStringList& options() const { return options_; }
 
-  /// Throws base::Error if the program cannot be started.
+  /// Throws base::Error if the program cannot be started. A process that is there ends in the
+  /// background.
   void start();
   bool is_there() const { return connection_ != nullptr; }
   /// Counts the starts.
@@ -43,7 +46,8 @@ class Engine : public QObject {
   void set_live(bool live);
   /// Ends the process: for one that does not answer. Its report names the plugin that was at work.
   void stop();
-  /// How long the oldest order has been waiting for its answer, ms; 0: none waits.
+  /// How long the oldest order has been waiting for its answer, ms, whatever happens to the clock
+  /// on the wall; 0: none waits.
   qint64 waiting_ms() const;
 
  Q_SIGNALS:
@@ -61,6 +65,8 @@ class Engine : public QObject {
   void read();
   void read_messages();
   void leave(int exit_code, const QString& report);
+  void end_in_background(std::unique_ptr<client::Connection> connection);
+  void see_who_ended();
   void take_snapshot();
   void pace();
 
@@ -68,11 +74,14 @@ class Engine : public QObject {
   QStringList options_;
   std::unique_ptr<client::Connection> connection_;
   std::unique_ptr<QSocketNotifier> notifier_;
+  std::vector<std::unique_ptr<client::Connection>> ending_;
   std::map<std::int64_t, Pending> pending_;
   std::int64_t last_id_ = 0;
   int generation_ = 0;
   bool live_ = false;
+  QElapsedTimer clock_;
   QTimer timer_;
+  QTimer ending_timer_;
 };
 
 }  // namespace elsie::desktop

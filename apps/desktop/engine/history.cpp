@@ -10,18 +10,14 @@ constexpr qint64 kMerging_ms = 2000;
 void History::clear() {
   entries_.clear();
   place_ = 0;
-  clean_ = 0;
 }
 
 void History::push(Entry entry) {
-  if (clean_ && *clean_ > place_) {
-    clean_ = std::nullopt;
-  }
   entries_.resize(place_);
-  if (!entries_.empty() && clean_ != place_) {
+  if (!entries_.empty()) {
     Entry& last = entries_.back();
-    if (!entry.merge.isEmpty() && last.merge == entry.merge &&
-        entry.at_ms - last.at_ms < kMerging_ms) {
+    if (!entry.merge.isEmpty() && last.merge == entry.merge && last.file == entry.file &&
+        last.is_opened == entry.is_opened && entry.at_ms - last.at_ms < kMerging_ms) {
       last.after = entry.after;
       last.at_ms = entry.at_ms;
       last.inverse = 0;  // one text leads back
@@ -30,6 +26,18 @@ void History::push(Entry entry) {
   }
   entries_.push_back(std::move(entry));
   ++place_;
+}
+
+void History::stop_merging() {
+  if (place_ > 0) {
+    entries_[place_ - 1].merge.clear();
+  }
+}
+
+void History::drop_inverses() {
+  for (Entry& each : entries_) {
+    each.inverse = 0;
+  }
 }
 
 const History::Entry* History::next_undo() const {

@@ -3,7 +3,6 @@
 
 #include <QString>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace elsie::desktop {
@@ -17,14 +16,18 @@ class History {
     QString merge;   // entries of the same sort that follow each other become one; "": never
     QString before;  // the text of the world
     QString after;
+    QString file;               // that the texts were written for: they name other files from there
     std::uint64_t inverse = 0;  // the engine's number of what leads back, or again forward; 0: none
     int engine = 0;             // its generation
     qint64 at_ms = 0;
+    bool is_opened = false;  // at least one of the texts is no world: it is opened, as a file is
   };
 
   void clear();
   /// Forgets what was undone. Merges with the last entry if both may be one.
   void push(Entry entry);
+  /// The engine has no inverses any more.
+  void drop_inverses();
 
   const Entry* next_undo() const;
   const Entry* next_redo() const;
@@ -32,17 +35,12 @@ class History {
   void undone(std::uint64_t inverse, int engine);
   void redone(std::uint64_t inverse, int engine);
 
-  /// Whether the text is that which was saved last.
-  bool is_clean() const { return clean_ == place_; }
-  void set_clean() { clean_ = place_; }
-  void set_dirty() { clean_ = std::nullopt; }
-  std::size_t place() const { return place_; }
-  const std::vector<Entry>& entries() const { return entries_; }
+  /// What is pushed next does not become one with what is there: the text was saved in between.
+  void stop_merging();
 
  private:
   std::vector<Entry> entries_;
   std::size_t place_ = 0;  // entries before it are made
-  std::optional<std::size_t> clean_ = 0;
 };
 
 }  // namespace elsie::desktop

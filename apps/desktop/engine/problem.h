@@ -9,6 +9,9 @@ struct Problem {
   QString file;
   int line = 0;  // from 1; 0: of the whole file
   QString message;
+  bool is_warning = false;  // the world is right, but may not run well
+
+  bool operator==(const Problem&) const = default;
 };
 
 }  // namespace elsie::desktop

@@ -1,10 +1,14 @@
 #include "engine/recovery.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QStandardPaths>
-#include <csignal>
+#include <QUuid>
+#include <cerrno>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include "elsie/base/write_whole.h"
 
@@ -17,19 +21,52 @@ QDir folder() {
   return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");
 }
 
-}  // namespace
+QString lock_of(const QString& kept_in) { return kept_in + ".lock"; }
 
-Recovery::Recovery() {
-  static int windows = 0;
-  kept_in_ = folder().filePath(
-      QString("%1-%2.json").arg(QCoreApplication::applicationPid()).arg(++windows));
+/// A descriptor that holds the lock until it is closed; -1: somebody else does, or there is no such
+/// file.
+int locked(const QString& kept_in, int flags) {
+  const int descriptor =
+      ::open(QFile::encodeName(lock_of(kept_in)).constData(), O_RDWR | O_CLOEXEC | flags, 0600);
+  if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    const int error = errno;
+    ::close(descriptor);
+    errno = error;
+    return -1;
+  }
+  return descriptor;
 }
 
-Recovery::~Recovery() { forget(); }
+bool is_open_in_a_window(const QString& kept_in) {
+  const int lock = locked(kept_in, 0);
+  const bool is_held = lock < 0 && errno == EWOULDBLOCK;
+  if (lock >= 0) {
+    ::close(lock);
+  }
+  return is_held;
+}
 
-bool Recovery::keep(const QString& file, const QString& text) {
+}  // namespace
+
+Recovery::Recovery()
+    : kept_in_(folder().filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + ".json")) {}
+
+Recovery::~Recovery() {
+  if (lock_ >= 0) {
+    if (!QFile::exists(kept_in_)) {
+      QFile::remove(lock_of(kept_in_));
+    }
+    ::close(lock_);
+  }
+}
+
+bool Recovery::keep(const QString& file, const QString& text, bool is_borrowed) {
   folder().mkpath(".");
-  const Json json{{"file", file.toStdString()}, {"text", text.toStdString()}};
+  if (lock_ < 0) {
+    lock_ = locked(kept_in_, O_CREAT);
+  }
+  const Json json{
+      {"file", file.toStdString()}, {"text", text.toStdString()}, {"borrowed", is_borrowed}};
   return base::write_whole(kept_in_.toStdString(), json.dump()) == 0;
 }
 
@@ -38,29 +75,31 @@ void Recovery::forget() { QFile::remove(kept_in_); }
 std::vector<Recovered> Recovery::left_behind() {
   std::vector<Recovered> all;
   const QDir kept = folder();
-  for (const QString& name : kept.entryList({"*-*.json"}, QDir::Files, QDir::Time)) {
-    const int process = name.section('-', 0, 0).toInt();
-    if (process <= 0 || ::kill(process, 0) == 0) {
-      continue;  // its window is open
-    }
-    QFile file(kept.filePath(name));
-    if (!file.open(QIODevice::ReadOnly)) {
+  for (const QString& name : kept.entryList({"*.json"}, QDir::Files, QDir::Time)) {
+    const QString path = kept.filePath(name);
+    QFile file(path);
+    if (is_open_in_a_window(path) || !file.open(QIODevice::ReadOnly)) {
       continue;
     }
     const Json json = Json::parse(file.readAll().toStdString(), nullptr, false);
-    const auto member = [&json](const char* word) {
+    const auto member = [&json](const char* word) -> std::optional<QString> {
       const auto found = json.is_object() ? json.find(word) : json.end();
       return found != json.end() && found->is_string()
                  ? std::optional(QString::fromStdString(found->get<std::string>()))
                  : std::nullopt;
     };
     const auto text = member("text");
+    const bool is_borrowed = json.is_object() && json.contains("borrowed") &&
+                             json["borrowed"].is_boolean() && json["borrowed"].get<bool>();
     all.push_back(
-        {member("file").value_or(QString()), text.value_or(QString()), file.fileName(), !text});
+        {member("file").value_or(QString()), text.value_or(QString()), path, is_borrowed, !text});
   }
   return all;
 }
 
-void Recovery::discard(const Recovered& recovered) { QFile::remove(recovered.kept_in); }
+void Recovery::discard(const Recovered& recovered) {
+  QFile::remove(recovered.kept_in);
+  QFile::remove(lock_of(recovered.kept_in));
+}
 
 }  // namespace elsie::desktop

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QString>
-#include <optional>
 #include <vector>
 
 namespace elsie::desktop {
@@ -12,29 +11,33 @@ struct Recovered {
   QString file;  // that the world was opened from; may be empty
   QString text;
   QString kept_in;
-  bool is_damaged = false;  // then it has neither file nor text
+  bool is_borrowed = false;  // the file belongs to a recording: the world is saved elsewhere
+  bool is_damaged = false;   // then it has neither file nor text
 };
 
-/// Keeps the unsaved text of one window in a file of its own, below the user's data folder.
+/// Keeps the unsaved text of one window in a file of its own, below the user's data folder. The
+/// system holds a lock for as long as the window's process lives: numbers of processes are used
+/// again, and each container has its own.
 class Recovery {
  public:
   Recovery();
-  /// Takes the file away.
+  /// What is kept stays: only a user gives it up.
   ~Recovery();
   Recovery(const Recovery&) = delete;
   Recovery& operator=(const Recovery&) = delete;
 
   /// False if the disk is full or the folder cannot be written.
-  bool keep(const QString& file, const QString& text);
-  /// Everything is saved.
+  bool keep(const QString& file, const QString& text, bool is_borrowed);
+  /// Everything is saved, or given up.
   void forget();
 
-  /// What windows left behind whose process is not there any more.
+  /// What windows left behind that are not open any more.
   static std::vector<Recovered> left_behind();
   static void discard(const Recovered& recovered);
 
  private:
   QString kept_in_;
+  int lock_ = -1;  // a descriptor
 };
 
 }  // namespace elsie::desktop

@@ -1,7 +1,9 @@
 // What a window works on: a world in an engine, its run, and what can be undone.
 //
 // There is no world here, only what the engine said last about the one that it has. Every change is
-// an order; when the engine has carried it out, described() tells all views.
+// an order; when the engine has carried it out, described() tells all views. workbench.cpp has the
+// engine and what it says, workbench_files.cpp the files, workbench_changes.cpp the changes,
+// workbench_run.cpp the run.
 #pragma once
 
 #include <QObject>
@@ -14,6 +16,7 @@
 #include "engine/history.h"
 #include "engine/problem.h"
 #include "engine/recovery.h"
+#include "engine/text_form.h"
 
 class QFileSystemWatcher;
 
@@ -33,30 +36,42 @@ class Workbench : public QObject {
   /// @name The world
   /// @{
   QString file() const { return file_; }  // "" while it has none
+  /// Whether the file belongs to a recording: the world is saved elsewhere.
+  bool is_borrowed() const { return is_borrowed_; }
   /// The text as it is now, right or wrong.
   const QString& text() const { return text_; }
   /// Whether the text is one that the engine has; otherwise problems() says why not.
   bool is_right() const { return is_right_; }
   const Problems& problems() const { return problems_; }
+  /// What else there is to say of the world and its plugins, as `elsie check` does.
+  Problems remarks() const;
   const Json& tree() const { return tree_; }
   const Json& scene() const { return scene_; }
   std::uint64_t epoch() const { return epoch_; }
   const Catalog& catalog() const { return catalog_; }
-  bool is_modified() const { return !history_.is_clean() || text_ != history_text_; }
+  /// Whether something is not saved, edits that the engine has not made yet among it.
+  bool is_modified() const;
   /// @}
 
   /// @name Files
   /// @{
   /// Takes over this text as a new world; what was there is gone.
-  void open_text(const QString& text, const QString& file, bool is_saved = true);
+  void open_text(const QString& text, const QString& file, bool is_saved = true,
+                 bool is_borrowed = false);
   /// False, with a sentence, if the file cannot be read; then nothing has changed. `seed`: from now
   /// on; none: the one that it is.
-  bool open(const QString& file, QString& why, std::optional<std::uint64_t> seed = {});
+  bool open(const QString& file, QString& why, std::optional<std::uint64_t> seed = {},
+            bool is_borrowed = false);
   /// Asks the engine for the text as it reads there, writes it whole or not at all, and calls back
-  /// once with "" or a sentence.
+  /// once with "" or a sentence. Without an engine, or with mistakes, the text is written as it is.
+  /// Run and history stay.
   void save_as(const QString& file, std::function<void(const QString&)> done);
   /// Whether another program wrote the file since it was read or saved.
   bool is_changed_on_disk() const;
+  /// Whether unsaved work, if there is some, is where a crash does not reach it.
+  bool is_kept() const { return is_kept_; }
+  /// The user does without what is unsaved.
+  void give_up_unsaved();
   /// @}
 
   /// @name Changes
@@ -84,18 +99,22 @@ class Workbench : public QObject {
   std::uint64_t seed() const { return seed_; }
   double speed() const { return speed_; }
   void run();
+  /// As fast as it goes, and then a pause.
+  void run_until(double time_s);
   void pause();
   void step();
-  /// Back to the start, with this seed from now on.
+  /// Back to the start, with this seed from now on, if the engine accepts it.
   void reset(std::uint64_t seed);
   void set_speed(double factor);
   /// Any other order: watch, at, record, command.
   void ask(Json order, Engine::Answer answer) { engine_.ask(std::move(order), std::move(answer)); }
   Engine& engine() { return engine_; }
+  /// For a plugin that does not come back.
+  void stop_engine();
   /// @}
 
  Q_SIGNALS:
-  /// What is being typed elsewhere is to be given to type() now.
+  /// What is being typed elsewhere is to be given to type() or edit() now.
   void about_to_change();
   void described();  // the world changed: text, tree, scene
   void problems_changed();
@@ -103,13 +122,14 @@ class Workbench : public QObject {
   void refused(const elsie::desktop::Problems& problems);
   void history_changed();
   void run_changed();
+  void went_on();  // the run goes on, or a step of it is made
   void snapshot(const elsie::snapshots::Snapshot& snapshot);
   void state(const elsie::desktop::Json& state);
   void noted(const QString& note);
   void raised(const elsie::desktop::Json& event);
   void ended(const elsie::desktop::Json& end);
-  /// The engine ended and was started again, with the world as it was; the report says what its
-  /// plugin did.
+  /// The engine ended. It was started again with the world as it was, unless it is not there now;
+  /// the report says what its plugin did.
   void engine_lost(const QString& report);
   void changed_on_disk();
 
@@ -119,59 +139,73 @@ class Workbench : public QObject {
     QPointer<QObject> receiver;
     bool has_receiver = false;
     Done done;
+    bool is_edit = false;
   };
 
   void start_engine();
   void load_catalog();
   void heard(const Json& event);
   void lost(int exit_code, const QString& report);
+  void keep_as_text(const QString& why);
   void set_run(Run run);
   void set_problems(Problems problems);
+  bool is_current(std::uint64_t epoch) const { return epoch >= epoch_; }
 
-  void in_turn(std::function<void()> begin, QObject* receiver = nullptr, Done done = {});
+  void in_turn(std::function<void()> begin, bool is_edit = false, QObject* receiver = nullptr,
+               Done done = {});
   void next_change();
   void end_change(const Problems& problems = {});
   void drop_changes(const QString& why);
   void order(const Json& order, Engine::Answer answer);
 
+  void describe(const Json& answer, const QString& sent);
   void take(const Json& answer, const QString& sent);
   void remember(const QString& name, const QString& merge, const QString& before,
                 const Json& answer);
-  void lead(const QString& text, std::uint64_t inverse, int engine,
+  void lead(const History::Entry& entry, const QString& text,
             std::function<void(std::uint64_t)> done);
   void open_in_engine(const QString& text);
   void send_typed();
+  void type_what_is_no_world(const QString& text);
+
+  void save_in_turn(const QString& target);
+  void save_elsewhere(const QString& target);
+  void saved_as(const QString& target, const QString& text);
   QString write(const QString& file, const QString& text);
+  bool has_unsaved_text() const { return text_ != saved_text_; }
   void keep();
   void watch_file();
+  void look_at_disk();
+
+  void go(Json order);
 
   Engine engine_;
   Catalog catalog_;
   QString file_;
+  bool is_borrowed_ = false;
   QString text_;
-  QString history_text_;  // the last right one, to which the history leads
+  QString history_text_;                           // the one to which the history leads
+  std::optional<QString> saved_text_ = QString();  // none: no file has it
   QByteArray on_disk_;
-  bool has_mark_ = false;       // the file begins with the mark of UTF-8
-  bool has_carriages_ = false;  // its lines end as on Windows
+  TextForm form_;
   Json tree_, scene_;
-  Json asked_watch_;
   std::uint64_t epoch_ = 0;
   bool is_right_ = false;
-  Problems problems_;
+  Problems problems_, warnings_, plugin_problems_;
   History history_;
   std::deque<Change> changes_;  // the first is under way if is_changing_
   bool is_changing_ = false;
   int turn_ = 0;            // counts beginnings and ends of changes
   QString under_way_;       // the text that the engine is reading
-  bool had_world_ = false;  // the engine
+  bool had_world_ = false;  // the engine: it may have threads of plugins
   Run run_ = Run::none;
   double time_s_ = 0.0;
   double pace_ = 0.0;
   double speed_ = 1.0;
   std::uint64_t seed_ = 1;
-  int deaths_ = 0;  // of the engine since it last said what it has
+  int deaths_ = 0;  // of the engine since the user last did something
   Recovery recovery_;
-  bool is_kept_ = true;  // what is unsaved
+  bool is_kept_ = true;
   std::unique_ptr<QFileSystemWatcher> on_disk_watcher_;
 };
 
@@ -179,5 +213,8 @@ Problems problems_of(const Json& answer);
 
 /// The line of an engine's report that says what ended it: plugins may have printed before that.
 QString cause_in(const QString& report);
+
+/// "" if the object has no text of that name.
+QString text_at(const Json& object, const char* name);
 
 }  // namespace elsie::desktop

@@ -37,7 +37,8 @@ void ProblemsPanel::set_problems(const std::vector<Problem>& problems) {
   list_->clear();
   for (const Problem& problem : problems) {
     auto* item = new QTreeWidgetItem(
-        list_, {problem.message, problem.line > 0 ? QString::number(problem.line) : QString(),
+        list_, {problem.is_warning ? tr("Warning: %1").arg(problem.message) : problem.message,
+                problem.line > 0 ? QString::number(problem.line) : QString(),
                 QFileInfo(problem.file).fileName()});
     item->setData(0, Qt::UserRole, problem.file);
     item->setData(1, Qt::UserRole, problem.line);

@@ -69,7 +69,7 @@ WorldEditor::WorldEditor(QWidget* parent)
   completer_->popup()->setObjectName(QStringLiteral("completions"));
   typing_.setSingleShot(true);
   typing_.setInterval(400);
-  connect(&typing_, &QTimer::timeout, this, [this] { Q_EMIT edited(toPlainText()); });
+  connect(&typing_, &QTimer::timeout, this, [this] { Q_EMIT edited(whole_text()); });
   // Not textChanged(): highlighting raises that, too.
   connect(document(), &QTextDocument::contentsChange, this, [this](int, int removed, int added) {
     if (!from_outside_ && (removed > 0 || added > 0)) {
@@ -94,8 +94,16 @@ WorldEditor::WorldEditor(QWidget* parent)
 
 WorldEditor::~WorldEditor() = default;
 
+// Not toPlainText(), which makes plain blanks of all others.
+QString WorldEditor::whole_text() const {
+  QString text = document()->toRawText();
+  text.replace(QChar::ParagraphSeparator, u'\n');
+  text.replace(QChar::LineSeparator, u'\n');
+  return text;
+}
+
 void WorldEditor::set_text(const QString& text) {
-  const QString now = toPlainText();
+  const QString now = whole_text();
   if (text == now || typing_.isActive()) {
     return;
   }
@@ -133,7 +141,7 @@ void WorldEditor::set_text(const QString& text) {
 void WorldEditor::commit() {
   if (typing_.isActive()) {
     typing_.stop();
-    Q_EMIT edited(toPlainText());
+    Q_EMIT edited(whole_text());
   }
 }
 
@@ -300,7 +308,7 @@ void WorldEditor::keyPressEvent(QKeyEvent* event) {
 }
 
 void WorldEditor::offer_words(bool wished) {
-  const Completion found = complete(*catalog_, toPlainText().left(textCursor().position()));
+  const Completion found = complete(*catalog_, whole_text().left(textCursor().position()));
   words_->setStringList(found.words);
   completer_->setCompletionPrefix(found.prefix);
   const bool is_whole =

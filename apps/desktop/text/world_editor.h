@@ -31,9 +31,11 @@ class WorldEditor : public QPlainTextEdit {
   /// Changes only what differs, hence cursor and scroll position stay; edited() does not come.
   /// While typing waits for its edited(), the text stays as typed: edited() comes with it.
   void set_text(const QString& text);
+  /// The text as it is now, each character as it was typed or read.
+  QString whole_text() const;
   /// Sends edited() now if it waits.
   void commit();
-  /// Underlines these lines, with red numbers; the messages are tool tips.
+  /// Underlines these lines, with red numbers; the messages are tool tips. All are of this text.
   void set_problems(const std::vector<Problem>& problems);
   /// The answer to the order "catalog".
   void set_catalog(const nlohmann::ordered_json& catalog);

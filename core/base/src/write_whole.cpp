@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -40,6 +41,17 @@ int fill(int descriptor, std::string_view content, Durable durable) {
     error = errno;
   }
   return error;
+}
+
+/// The permissions of the file that is replaced; the error number. Where they cannot be set, as on
+/// some mounted disks, those of a new file stay.
+int keep_mode(const fs::path& file, int descriptor) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) {
+    return errno == ENOENT ? 0 : errno;
+  }
+  const mode_t mode = status.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
+  return ::fchmod(descriptor, mode) == 0 || errno == EPERM || errno == ENOTSUP ? 0 : errno;
 }
 
 int write_in_place(const fs::path& file, std::string_view content, Durable durable) {
@@ -89,7 +101,9 @@ int write_whole(const fs::path& file, std::string_view content, Durable durable)
     const bool closed_folder = error == EACCES || error == EPERM || error == EROFS;
     return exists && closed_folder ? write_in_place(file, content, durable) : error;
   }
+  const int mode_error = keep_mode(target, descriptor);
   int error = fill(descriptor, content, durable);
+  error = error != 0 ? error : mode_error;
   if (error == 0 && ::rename(part.c_str(), target.c_str()) != 0) {
     error = errno;
   }

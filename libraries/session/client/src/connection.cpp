@@ -146,6 +146,12 @@ class Connection::Impl {
     return SessionEnd{exit_code_, report_};
   }
 
+  void close() {
+    messages_ = Descriptor();
+    open_ = false;
+    closed_ = std::chrono::steady_clock::now();
+  }
+
   void end_by(int signal) {
     if (process_ > 0) {
       ::kill(process_, signal);
@@ -225,6 +231,7 @@ int Connection::descriptor() const { return impl_->descriptor(); }
 void Connection::send(const Json& message) { impl_->send(message); }
 std::vector<Json> Connection::receive() { return impl_->receive(); }
 std::optional<SessionEnd> Connection::ended() { return impl_->ended(); }
+void Connection::close() { impl_->close(); }
 void Connection::quit() { impl_->end_by(SIGQUIT); }
 void Connection::kill() { impl_->end_by(SIGKILL); }
 snapshots::Reader& Connection::snapshots() { return impl_->reader(); }

@@ -47,6 +47,14 @@ Json problems_json(std::span<const base::Problem> problems) {
   return all;
 }
 
+Json warnings_json(const world::World& world) {
+  std::vector<base::Problem> warnings;
+  for (const world::Warning& each : world::warnings(world)) {
+    warnings.push_back({each.location.file, each.location.line, each.message});
+  }
+  return problems_json(warnings);
+}
+
 Json tree_json(const editing::Document& document) {
   return element_json(document.tree(), &document);
 }
@@ -59,7 +67,8 @@ Json catalog_json(const plugin::Host& host) {
 
 Json check_json(const std::string& text, const std::string& file, const plugin::Host& host,
                 const std::vector<std::string>& data_directories) {
-  std::vector<base::Problem> problems, warnings;
+  std::vector<base::Problem> problems;
+  Json warnings = Json::array();
   const auto attempt = [&](const auto& check) {
     try {
       check();
@@ -79,11 +88,9 @@ Json check_json(const std::string& text, const std::string& file, const plugin::
       attempt([&] { const simulation::EquippedRobot robot(world, i, host); });
     }
     attempt([&] { simulation::measure_names(world, host); });
-    for (const world::Warning& warning : world::warnings(world)) {
-      warnings.push_back({warning.location.file, warning.location.line, warning.message});
-    }
+    warnings = warnings_json(world);
   });
-  return {{"problems", problems_json(problems)}, {"warnings", problems_json(warnings)}};
+  return {{"problems", problems_json(problems)}, {"warnings", std::move(warnings)}};
 }
 
 }  // namespace elsie::server

@@ -15,6 +15,9 @@ namespace elsie::server {
 
 Json problems_json(std::span<const base::Problem> problems);
 
+/// What the physics may not simulate well, as `elsie check` says it.
+Json warnings_json(const world::World& world);
+
 /// The elements of the document's world; `inherited`: one stands in the template of a robot;
 /// `written`: a robot without what its template adds.
 Json tree_json(const editing::Document& document);

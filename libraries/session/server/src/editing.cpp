@@ -4,6 +4,7 @@
 #include "elsie/base/error.h"
 #include "elsie/editing/between.h"
 #include "elsie/world/error.h"
+#include "elsie/world/markup.h"
 
 #include "described.h"
 #include "scene.h"
@@ -22,6 +23,16 @@ std::vector<simulation::Change> changes_of(const std::vector<std::string>& edits
   return changes;
 }
 
+/// Whether plugins may have been made while this text was read: they leave threads behind.
+bool may_make_plugins(const std::string& text) {
+  try {
+    const world::Element root = world::parse_markup(text, "");
+    return root.child("robots") || root.child("measures") || root.child("changes");
+  } catch (const world::WorldError&) {
+    return false;  // nothing is made of what cannot be read
+  }
+}
+
 }  // namespace
 
 world::ReadOptions Server::Impl::reading() const {
@@ -33,8 +44,9 @@ world::ReadOptions Server::Impl::reading() const {
 
 void Server::Impl::open(const Json& message, Json& answer) {
   const std::uint64_t seed = message.value("seed", seed_);
-  editing::Document document(message.at("text").get<std::string>(),
-                             message.value("file", std::string()), host(), reading());
+  const auto text = message.at("text").get<std::string>();
+  answer["made_plugins"] = may_make_plugins(text);
+  editing::Document document(text, message.value("file", std::string()), host(), reading());
   auto simulation = simulation_of(document.world(), seed, host());
   document_ = std::move(document);
   inverses_.clear();
@@ -49,7 +61,8 @@ void Server::Impl::edit(const Json& message, Json& answer) {
 }
 
 void Server::Impl::become(const Json& message, Json& answer) {
-  const auto text = message.at("text").get<std::string>();
+  const std::string text =
+      from_elsewhere(message.at("text").get<std::string>(), message.value("file", std::string()));
   change([&] { return document_->become(text); }, {}, answer);
 }
 
@@ -66,11 +79,36 @@ void Server::Impl::text_for(const Json& message, Json& answer) {
   answer["text"] = document_->text_for(file.parent_path().string());
 }
 
+// The run goes on: nothing that it has read changes.
+void Server::Impl::move(const Json& message, Json& answer) {
+  const auto file = message.at("file").get<std::string>();
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  const std::string before = document_->text(), begun = repetition_.text();
+  const std::string old_file = document_->file();
+  editing::Document moved(document_->text_for(folder), file, host(), reading());
+  document_ = std::move(moved);
+  repetition_.move(file, begun == before ? document_->text() : from_elsewhere(begun, old_file));
+  inverses_.clear();  // they name other files as the old text did
+  describe(answer);
+}
+
+std::string Server::Impl::from_elsewhere(const std::string& text, const std::string& file) const {
+  const auto folder_of = [](const std::string& name) {
+    return std::filesystem::path(name).parent_path();
+  };
+  const std::filesystem::path here = folder_of(document_->file());
+  return file.empty() || folder_of(file) == here
+             ? text
+             : editing::Document(text, file, host(), reading()).text_for(here.string());
+}
+
 void Server::Impl::check(const Json& message, Json& answer) {
   const std::string file = message.value("file", document_ ? document_->file() : "");
   answer.update(
       check_json(message.at("text").get<std::string>(), file, host(), options_.data_directories));
 }
+
+void Server::Impl::ping(const Json&, Json&) {}
 
 void Server::Impl::catalog(const Json&, Json& answer) { answer.update(catalog_json(host())); }
 
@@ -128,6 +166,7 @@ void Server::Impl::describe(Json& answer) {
   answer["text"] = document_->text();
   answer["tree"] = tree_json(*document_);
   answer["scene"] = scene_json(next_ ? *next_ : *simulation_);
+  answer["warnings"] = warnings_json(document_->world());
 }
 
 }  // namespace elsie::server

@@ -40,10 +40,9 @@ void Recording::choose(const Json& order) {
 
 void Recording::start() {
   std::vector<std::unique_ptr<simulation::Observer>> recorders;
-  for (const fs::path& file : files_) {
+  for (const fs::path& file : std::exchange(files_, {})) {  // one that cannot be made is tried once
     recorders.push_back(recording::format_of(file)->recorder(file, options_));
   }
-  files_.clear();
   for (auto& recorder : recorders) {
     observers_.push_back(recorder.get());
     recorders_.push_back(std::move(recorder));

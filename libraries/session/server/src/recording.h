@@ -16,7 +16,7 @@ class Recording {
  public:
   /// From an order: `files`, `rate`, `images`. Throws base::BadInput for what no recording can be.
   void choose(const Json& order);
-  /// Creates the files, once. Throws when one cannot be made.
+  /// Creates the files, once. Throws when one cannot be made; the next run is then not recorded.
   void start();
   /// Who watches the run.
   const std::vector<simulation::Observer*>& observers() const { return observers_; }

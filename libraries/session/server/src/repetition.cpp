@@ -14,6 +14,11 @@ void Repetition::begin(std::string file, std::string text, std::uint64_t seed) {
   edits_.clear();
 }
 
+void Repetition::move(std::string file, std::string text) {
+  file_ = std::move(file);
+  text_ = std::move(text);
+}
+
 void Repetition::add(double time_s, double step_s, std::vector<std::string> edits) {
   edits_.push_back({time_s, step_s, std::move(edits)});
 }

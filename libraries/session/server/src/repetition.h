@@ -14,6 +14,9 @@ class Repetition {
  public:
   /// Of a run of this text from the beginning.
   void begin(std::string file, std::string text, std::uint64_t seed);
+  /// The world is in this file from now on, and the run began with this text of it.
+  void move(std::string file, std::string text);
+  const std::string& text() const { return text_; }
   /// Edits made together, between two steps; `step_s`: the length of a step.
   void add(double time_s, double step_s, std::vector<std::string> edits);
 

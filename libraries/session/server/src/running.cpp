@@ -44,6 +44,7 @@ void Server::Impl::begin(std::unique_ptr<Simulation> simulation) {
   phase_ = Phase::ready;
   running_ = false;
   pause_at_.reset();
+  is_pause_told_ = false;
   answer_later();
   ++epoch_;
   next_ = std::move(simulation);
@@ -62,10 +63,17 @@ void Server::Impl::take_next() {
   show();
 }
 
-void Server::Impl::start(const Json&, Json&) {
+void Server::Impl::start(const Json& message, Json&) {
+  const auto until_s = message.find("until_s");
+  const double until = until_s == message.end() ? -1.0 : until_s->get<double>();
   get_ready();
   start_clock();
   hold();
+  if (until_s != message.end()) {
+    const double steps = std::ceil(until / simulation_->world().physics.step - 1e-6);
+    pause_at_ = static_cast<std::uint64_t>(std::clamp(steps, 0.0, 1e15));
+    is_pause_told_ = true;
+  }
   running_ = true;
 }
 
@@ -155,9 +163,13 @@ void Server::Impl::between_decisions() {
     keep();
   }
   if (pause_at_ && simulation_->steps() >= *pause_at_) {
+    const bool is_told = is_pause_told_;
     hold();
     report_news();
     report_state();
+    if (is_told) {
+      link_.send({{"event", "paused"}, {"time_s", simulation_->time_s()}});
+    }
   }
   const Clock::time_point now = Clock::now();
   if (now - shown_ >= kBetweenSnapshots && writer_.taken()) {
@@ -169,7 +181,7 @@ void Server::Impl::between_decisions() {
   if (now - heard_ >= kBetweenMessages) {
     hear();
   }
-  while (running_ && speed_ > 0.0 && !link_.closed()) {
+  while (running_ && speed_ > 0.0 && !pause_at_ && !link_.closed()) {
     const double early =
         (simulation_->time_s() - paced_from_s_) / speed_ - seconds(Clock::now() - paced_from_);
     if (early <= 0.0) {
@@ -187,6 +199,7 @@ void Server::Impl::between_decisions() {
 void Server::Impl::hold() {
   running_ = false;
   pause_at_.reset();
+  is_pause_told_ = false;
   show();
   answer_later();
 }

@@ -66,8 +66,10 @@ class Server::Impl {
   void become(const Json& message, Json& answer);
   void undo(const Json& message, Json& answer);
   void text_for(const Json& message, Json& answer);
+  void move(const Json& message, Json& answer);
   void check(const Json& message, Json& answer);
   void catalog(const Json& message, Json& answer);
+  void ping(const Json& message, Json& answer);
   void start(const Json& message, Json& answer);
   void pause(const Json& message, Json& answer);
   void step(const Json& message, Json& answer);
@@ -87,6 +89,8 @@ class Server::Impl {
   void change(const std::function<editing::Edits()>& make, std::vector<std::string> edits,
               Json& answer);
   std::vector<std::string> edits_from(const world::World& before) const;
+  /// A text that was written for another file, as it has to be in the document's.
+  std::string from_elsewhere(const std::string& text, const std::string& file) const;
   void change_run(std::vector<std::string> edits);
   void describe(Json& answer);
 
@@ -140,7 +144,8 @@ class Server::Impl {
   bool left_ = false;
   bool running_ = false;
   bool answers_later_ = false;             // to the order at hand
-  std::optional<std::uint64_t> pause_at_;  // steps
+  std::optional<std::uint64_t> pause_at_;  // steps; until there it goes as fast as it can
+  bool is_pause_told_ = false;             // by an event
   std::vector<Json> later_;                // answers that come later
   std::uint64_t seed_ = 1;
   std::uint64_t epoch_ = 0;

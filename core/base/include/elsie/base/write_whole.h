@@ -9,8 +9,10 @@ namespace elsie::base {
 enum class Durable { no, yes };
 
 /// Writes a new file in the same folder and then renames it, so that a reader sees the old content
-/// or all of the new one. A symbolic link stays: the file that it points to is written. A device or
-/// a pipe is written in place, and so is a file in a folder without write permission.
+/// or all of the new one. The permissions of a file that is there stay, also when they forbid
+/// writing; the user's mask holds for a new one. A symbolic link stays: the file that it points to
+/// is written. A device or a pipe is written in place, and so is a file in a folder without write
+/// permission.
 ///
 /// `durable`: the content is on the disk before the file is renamed. Returns zero or errno; after
 /// an error the file has its old content, and no other file is left.

@@ -46,6 +46,9 @@ class Connection {
   /// Once it has ended, and all its messages have been received. A process that has closed the
   /// connection but lives on for a second is ended.
   std::optional<SessionEnd> ended();
+  /// Closes the connection, at which the process ends by itself. Nothing is received after that;
+  /// ended() says when it has ended, and ends one that is still there a second later.
+  void close();
   /// Tells the process to report which plugin is at work, and to end.
   void quit();
   /// Ends the process at once.

@@ -1,0 +1,245 @@
+#include <QDateTime>
+#include <QDir>
+
+#include "engine/workbench.h"
+
+// Changes, one after another, and what leads back.
+
+namespace elsie::desktop {
+namespace {
+
+Json list_of(const QStringList& texts) {
+  Json list = Json::array();
+  for (const QString& each : texts) {
+    list.push_back(each.toStdString());
+  }
+  return list;
+}
+
+}  // namespace
+
+void Workbench::in_turn(std::function<void()> begin, bool is_edit, QObject* receiver, Done done) {
+  changes_.push_back({std::move(begin), receiver, receiver != nullptr, std::move(done), is_edit});
+  next_change();
+}
+
+void Workbench::next_change() {
+  if (!is_changing_ && !changes_.empty()) {
+    is_changing_ = true;
+    ++turn_;
+    const auto begin = changes_.front().begin;  // it may end, and be dropped, while it begins
+    begin();
+  }
+}
+
+void Workbench::end_change(const Problems& problems) {
+  const Change ended = std::move(changes_.front());
+  changes_.pop_front();
+  is_changing_ = false;
+  under_way_.clear();
+  ++turn_;
+  if (ended.is_edit) {
+    Q_EMIT history_changed();  // it is not pending any more
+  }
+  if (ended.done && (!ended.has_receiver || ended.receiver)) {
+    ended.done(problems);
+  }
+  if (!problems.empty()) {
+    Q_EMIT refused(problems);
+  }
+  next_change();
+}
+
+void Workbench::drop_changes(const QString& why) {
+  std::deque<Change> dropped;
+  dropped.swap(changes_);
+  is_changing_ = false;
+  under_way_.clear();
+  ++turn_;
+  for (const Change& each : dropped) {
+    if (each.done && (!each.has_receiver || each.receiver)) {
+      each.done({{{}, 0, why}});
+    }
+  }
+}
+
+/// An order of the change that is under way: the answer is not heard if that is over by then.
+void Workbench::order(const Json& order, Engine::Answer answer) {
+  if (!engine_.is_there()) {
+    end_change({{{}, 0, tr("There is no engine: it could not be started.")}});
+    return;
+  }
+  engine_.ask(order, [this, turn = turn_, answer = std::move(answer)](const Json& said) {
+    if (turn == turn_) {
+      answer(said);
+    }
+  });
+}
+
+void Workbench::remember(const QString& name, const QString& merge, const QString& before,
+                         const Json& answer) {
+  if (before != history_text_) {
+    history_.push({name, merge, before, history_text_, file_,
+                   answer.value("undo", std::uint64_t{0}), engine_.generation(),
+                   QDateTime::currentMSecsSinceEpoch()});
+  }
+  keep();
+  Q_EMIT history_changed();
+}
+
+void Workbench::edit(const QStringList& edits, const QString& name, const QString& merge,
+                     QObject* receiver, Done done) {
+  Q_EMIT about_to_change();
+  deaths_ = 0;
+  in_turn(
+      [this, edits, name, merge] {
+        if (engine_.is_there() && (!is_right_ || text_ != history_text_)) {
+          end_change({{{},
+                       0,
+                       tr("The text of the world has mistakes; mend them first, or undo what was "
+                          "typed.")}});
+          return;
+        }
+        order({{"do", "edit"}, {"edits", list_of(edits)}},
+              [this, name, merge, before = history_text_](const Json& answer) {
+                if (answer.contains("refused")) {
+                  end_change(problems_of(answer));
+                  return;
+                }
+                take(answer, before);
+                remember(name, merge, before, answer);
+                end_change();
+              });
+      },
+      true, receiver, std::move(done));
+  Q_EMIT history_changed();
+}
+
+void Workbench::type(const QString& text) {
+  if (text == text_) {
+    return;
+  }
+  deaths_ = 0;
+  text_ = text;
+  keep();
+  Q_EMIT history_changed();
+  in_turn([this] { send_typed(); }, true);
+}
+
+void Workbench::send_typed() {
+  const QString sent = text_;
+  if (tree_.is_null()) {
+    type_what_is_no_world(sent);
+    return;
+  }
+  under_way_ = sent;
+  order({{"do", "become"}, {"text", sent.toStdString()}},
+        [this, sent, before = history_text_](const Json& answer) {
+          if (!answer.contains("refused")) {
+            take(answer, sent);
+            remember(tr("type"), "type", before, answer);
+          } else if (text_ == sent) {  // otherwise more was typed, which is sent next
+            set_problems(problems_of(answer));
+          }
+          end_change();
+        });
+}
+
+// There is no world that could become another one: the text is opened, and leads back as a text.
+void Workbench::type_what_is_no_world(const QString& text) {
+  if (text != history_text_) {
+    history_.push({tr("type"), "type", history_text_, text, file_, 0, engine_.generation(),
+                   QDateTime::currentMSecsSinceEpoch(), true});
+    history_text_ = text;
+    keep();
+  }
+  open_in_engine(text);
+}
+
+QString Workbench::undo_name() const {
+  if (text_ != history_text_) {
+    return tr("type");
+  }
+  const History::Entry* entry = history_.next_undo();
+  return entry ? entry->name : QString();
+}
+
+QString Workbench::redo_name() const {
+  const History::Entry* entry = history_.next_redo();
+  return entry && text_ == history_text_ ? entry->name : QString();
+}
+
+void Workbench::lead(const History::Entry& entry, const QString& text,
+                     std::function<void(std::uint64_t)> done) {
+  if (entry.is_opened || tree_.is_null()) {
+    text_ = history_text_ = text;
+    done(0);
+    keep();
+    open_in_engine(text);
+    return;
+  }
+  Json way{{"do", "undo"}, {"edit", entry.inverse}};
+  if (entry.inverse == 0 || entry.engine != engine_.generation()) {
+    // A world without a file names others from the present folder.
+    const QString file = entry.file.isEmpty() && !file_.isEmpty()
+                             ? QDir::current().filePath("world.xml")
+                             : entry.file;
+    way = {{"do", "become"}, {"text", text.toStdString()}, {"file", file.toStdString()}};
+  }
+  order(way, [this, done = std::move(done), before = history_text_](const Json& answer) {
+    if (answer.contains("refused")) {
+      end_change(problems_of(answer));
+      return;
+    }
+    take(answer, before);
+    done(answer.value("undo", std::uint64_t{0}));
+    keep();
+    Q_EMIT history_changed();
+    end_change();
+  });
+}
+
+void Workbench::undo() {
+  Q_EMIT about_to_change();
+  deaths_ = 0;
+  in_turn(
+      [this] {
+        const History::Entry* entry = history_.next_undo();
+        if (text_ != history_text_) {  // what was typed is no world: it goes
+          text_ = history_text_;
+          keep();
+          Q_EMIT history_changed();
+          if (!is_right_) {
+            open_in_engine(text_);
+            return;
+          }
+          set_problems({});
+          Q_EMIT described();
+          end_change();
+        } else if (entry) {
+          lead(*entry, entry->before,
+               [this](std::uint64_t inverse) { history_.undone(inverse, engine_.generation()); });
+        } else {
+          end_change();
+        }
+      },
+      true);
+}
+
+void Workbench::redo() {
+  Q_EMIT about_to_change();
+  deaths_ = 0;
+  in_turn(
+      [this] {
+        const History::Entry* entry = history_.next_redo();
+        if (entry && text_ == history_text_) {
+          lead(*entry, entry->after,
+               [this](std::uint64_t inverse) { history_.redone(inverse, engine_.generation()); });
+        } else {
+          end_change();
+        }
+      },
+      true);
+}
+
+}  // namespace elsie::desktop

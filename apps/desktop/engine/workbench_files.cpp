@@ -1,0 +1,227 @@
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QFileSystemWatcher>
+#include <algorithm>
+#include <cerrno>
+
+#include "elsie/base/write_whole.h"
+
+#include "engine/workbench.h"
+
+// Files, and what is kept for after a crash.
+
+namespace elsie::desktop {
+namespace {
+
+constexpr qint64 kMost_MB = 32;  // as the engine has it
+
+/// None of what is no regular file: a pipe would not end, and a device is no text.
+std::optional<QByteArray> bytes_of(const QString& file) {
+  const QFileInfo info(file);
+  QFile opened(file);
+  if (!info.isFile() || info.size() > kMost_MB * 1'000'000 || !opened.open(QIODevice::ReadOnly)) {
+    return std::nullopt;
+  }
+  return opened.readAll();
+}
+
+QString folder_of(const QString& file) { return QFileInfo(file).absolutePath(); }
+
+}  // namespace
+
+void Workbench::open_text(const QString& text, const QString& file, bool is_saved,
+                          bool is_borrowed) {
+  drop_changes(tr("Another world was opened before this was done."));
+  deaths_ = 0;
+  file_ = file;
+  is_borrowed_ = is_borrowed;
+  text_ = text;
+  history_text_ = text;
+  history_.clear();
+  form_ = {};
+  on_disk_ = is_saved && !file.isEmpty() ? bytes_of(file).value_or(QByteArray()) : QByteArray();
+  saved_text_ = is_saved ? std::optional(text) : std::nullopt;
+  keep();
+  tree_ = scene_ = Json();
+  is_right_ = false;
+  plugin_problems_.clear();
+  watch_file();
+  in_turn([this] { open_in_engine(text_); });
+  Q_EMIT history_changed();
+}
+
+bool Workbench::open(const QString& file, QString& why, std::optional<std::uint64_t> seed,
+                     bool is_borrowed) {
+  const QFileInfo info(file);
+  if (info.exists() && !info.isFile()) {
+    why = tr("'%1' is a folder, a device or a pipe; expected the file of a world.").arg(file);
+    return false;
+  }
+  if (info.size() > kMost_MB * 1'000'000) {
+    why = tr("'%1' has more than %2 MB; expected the file of a world.").arg(file).arg(kMost_MB);
+    return false;
+  }
+  QFile opened(file);
+  if (!opened.open(QIODevice::ReadOnly)) {
+    why = tr("'%1' cannot be read: %2").arg(file, opened.errorString());
+    return false;
+  }
+  QByteArray bytes = opened.readAll();
+  if (const int line = line_without_utf8(bytes); line > 0) {
+    why = tr("'%1' is no text in UTF-8: line %2 has other bytes. Convert it first, for example "
+             "with: iconv -f latin1 -t utf-8")
+              .arg(file)
+              .arg(line);
+    return false;
+  }
+  const TextForm form = TextForm::take_from(bytes);
+  seed_ = seed.value_or(seed_);
+  open_text(QString::fromUtf8(bytes), info.absoluteFilePath(), true, is_borrowed);
+  form_ = form;
+  return true;
+}
+
+void Workbench::watch_file() {
+  const QStringList watched = on_disk_watcher_->files() + on_disk_watcher_->directories();
+  if (!watched.isEmpty()) {
+    on_disk_watcher_->removePaths(watched);
+  }
+  if (!file_.isEmpty() && QFileInfo(folder_of(file_)).isDir()) {
+    on_disk_watcher_->addPath(folder_of(file_));  // where a file that is away comes back
+  }
+  if (!file_.isEmpty() && QFileInfo::exists(file_)) {
+    on_disk_watcher_->addPath(file_);
+  }
+}
+
+void Workbench::look_at_disk() {
+  watch_file();  // a file that was replaced is not watched any more
+  if (is_changed_on_disk()) {
+    Q_EMIT changed_on_disk();
+  }
+}
+
+bool Workbench::is_changed_on_disk() const {
+  if (file_.isEmpty()) {
+    return false;
+  }
+  const auto now = bytes_of(file_);
+  return now && *now != on_disk_;
+}
+
+// Saving
+
+QString Workbench::write(const QString& file, const QString& text) {
+  QByteArray bytes = form_.bytes_of(text);
+  // Without a second file beside it, a full disk would take the one that is there.
+  const int error =
+      QFileInfo(folder_of(file)).isWritable()
+          ? base::write_whole(file.toStdString(), bytes.toStdString(), base::Durable::yes)
+          : EACCES;
+  if (error != 0) {
+    return tr("The world could not be saved as '%1': %2. What was there before is unchanged.")
+        .arg(file, qt_error_string(error));
+  }
+  on_disk_ = bytes;
+  form_ = TextForm::take_from(bytes);
+  return {};
+}
+
+void Workbench::save_as(const QString& file, std::function<void(const QString&)> done) {
+  Q_EMIT about_to_change();
+  const QString target = QFileInfo(file).absoluteFilePath();
+  in_turn([this, target] { save_in_turn(target); }, false, this,
+          [done = std::move(done)](const Problems& problems) {
+            done(problems.empty() ? QString() : problems.front().message);
+          });
+}
+
+void Workbench::save_in_turn(const QString& target) {
+  const bool is_in_engine = engine_.is_there() && tree_.is_object() && text_ == history_text_;
+  if (is_in_engine && target != file_) {
+    save_elsewhere(target);
+  } else if (const QString why = write(target, text_); !why.isEmpty()) {
+    end_change({{target, 0, why}});
+  } else if (target == file_ || !engine_.is_there() || text_.isEmpty()) {
+    saved_as(target, text_);
+    end_change();
+  } else {
+    // What the engine has is a world of another file, or none; it hears of the text again.
+    const bool has_world = tree_.is_object();
+    saved_as(target, text_);
+    if (!has_world) {
+      open_in_engine(text_);
+      return;
+    }
+    order({{"do", "move"}, {"file", target.toStdString()}}, [this](const Json& answer) {
+      if (!answer.contains("refused")) {
+        history_.drop_inverses();
+        describe(answer, history_text_);
+      }
+      in_turn([this] { send_typed(); });
+      end_change();
+    });
+  }
+}
+
+// The engine has the world of that file from then on, with the names of other files as they have to
+// be there.
+void Workbench::save_elsewhere(const QString& target) {
+  const auto moved = [this, sent = text_, target](const Json& answer) {
+    if (answer.contains("refused")) {
+      end_change(problems_of(answer));
+      return;
+    }
+    history_.drop_inverses();
+    describe(answer, sent);
+    saved_as(target, history_text_);
+    end_change();
+  };
+  order({{"do", "text_for"}, {"file", target.toStdString()}},
+        [this, target, moved](const Json& answer) {
+          if (answer.contains("refused")) {
+            end_change(problems_of(answer));
+          } else if (const QString why = write(target, text_at(answer, "text")); !why.isEmpty()) {
+            end_change({{target, 0, why}});
+          } else {
+            order({{"do", "move"}, {"file", target.toStdString()}}, moved);
+          }
+        });
+}
+
+void Workbench::saved_as(const QString& target, const QString& text) {
+  file_ = target;
+  is_borrowed_ = false;
+  saved_text_ = text;
+  history_.stop_merging();
+  keep();
+  watch_file();
+  Q_EMIT history_changed();
+}
+
+// For after a crash
+
+bool Workbench::is_modified() const {
+  return has_unsaved_text() || std::any_of(changes_.begin(), changes_.end(),
+                                           [](const Change& each) { return each.is_edit; });
+}
+
+void Workbench::keep() {
+  if (!has_unsaved_text()) {
+    recovery_.forget();
+    is_kept_ = true;
+    return;
+  }
+  const bool was_kept = is_kept_;
+  is_kept_ = recovery_.keep(file_, text_, is_borrowed_);
+  if (was_kept && !is_kept_) {
+    Q_EMIT noted(
+        tr("Unsaved work cannot be kept for after a crash: the folder of your data is full "
+           "or read-only. Save the world."));
+  }
+}
+
+void Workbench::give_up_unsaved() { recovery_.forget(); }
+
+}  // namespace elsie::desktop

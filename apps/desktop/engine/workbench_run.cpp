@@ -1,0 +1,91 @@
+#include "engine/workbench.h"
+
+// The run.
+
+namespace elsie::desktop {
+
+void Workbench::set_run(Run run) {
+  if (run_ != run) {
+    run_ = run;
+    engine_.set_live(run == Run::running);
+    if (run != Run::running) {
+      pace_ = 0.0;
+    }
+    Q_EMIT run_changed();
+  }
+}
+
+/// An order that makes the run go on. One that is refused leaves it as it is.
+void Workbench::go(Json order) {
+  Q_EMIT about_to_change();
+  deaths_ = 0;
+  in_turn([this, order = std::move(order)] {
+    const bool may_go_on = run_ == Run::ready || run_ == Run::paused;
+    if (may_go_on || (run_ == Run::running && order.contains("until_s"))) {
+      const bool is_step = order.value("do", std::string()) == "step";
+      engine_.ask(order, [this, is_step, before = run_](const Json& answer) {
+        if (answer.contains("refused")) {
+          if (run_ == Run::running) set_run(before);
+          Q_EMIT refused(problems_of(answer));
+        } else if (is_step && run_ == Run::ready) {
+          set_run(Run::paused);
+        }
+      });
+      Q_EMIT went_on();
+      if (!is_step) set_run(Run::running);
+    }
+    end_change();
+  });
+}
+
+void Workbench::run() { go({{"do", "run"}}); }
+
+void Workbench::run_until(double time_s) { go({{"do", "run"}, {"until_s", time_s}}); }
+
+void Workbench::step() { go({{"do", "step"}}); }
+
+void Workbench::pause() {
+  if (run_ == Run::running) {
+    engine_.ask({{"do", "pause"}}, [this](const Json&) {
+      if (run_ == Run::running) {
+        set_run(Run::paused);
+      }
+    });
+  }
+}
+
+void Workbench::reset(std::uint64_t seed) {
+  Q_EMIT about_to_change();
+  deaths_ = 0;
+  in_turn([this, seed] {
+    if (!is_right_) {  // it is opened with this seed once it is right
+      seed_ = seed;
+      Q_EMIT run_changed();
+      end_change();
+      return;
+    }
+    order({{"do", "reset"}, {"seed", seed}}, [this, seed](const Json& answer) {
+      if (answer.contains("refused")) {
+        Q_EMIT run_changed();  // the seed is the one before
+        end_change(problems_of(answer));
+        return;
+      }
+      seed_ = seed;
+      scene_ = answer.value("scene", Json());
+      epoch_ = answer.value("epoch", std::uint64_t{0});
+      time_s_ = 0.0;
+      set_run(Run::ready);
+      Q_EMIT described();
+      Q_EMIT run_changed();
+      end_change();
+    });
+  });
+}
+
+void Workbench::set_speed(double factor) {
+  speed_ = factor;
+  engine_.ask({{"do", "speed"}, {"factor", factor}});
+  Q_EMIT run_changed();
+}
+
+}  // namespace elsie::desktop

@@ -1,0 +1,312 @@
+#include <QAction>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMessageBox>
+#include <QStatusBar>
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+
+#include "authoring/authoring.h"
+#include "control_bar.h"
+#include "export/exporter.h"
+#include "main_window.h"
+#include "recorded_world.h"
+#include "scene/scene_view.h"
+#include "start_page.h"
+#include "text/problems_panel.h"
+#include "text/world_editor.h"
+#include "watch/coordination_panel.h"
+#include "watch/fuzzy_panel.h"
+#include "watch/plots_panel.h"
+#include "watch/sensors_panel.h"
+#include "watch/vision_panel.h"
+#include "world/form.h"
+#include "world/properties.h"
+#include "world/world_tree.h"
+
+// What the window hears from the workbench and the views, and what it asks the engine to send.
+
+namespace elsie::desktop {
+namespace {
+
+constexpr int kFewRobots = 16;  // that Plots shows all numbers of
+
+}  // namespace
+
+// Connections
+
+void MainWindow::connect_workbench() {
+  connect(&workbench_, &Workbench::described, this, [this] {
+    scene_->set_scene(workbench_.scene(), workbench_.epoch());
+    world_tree_->show_world();
+    show_teams();
+    for (WorldTree* each : std::as_const(teams_)) each->show_world();
+    QStringList still;
+    for (const QString& path : authoring_->selection()) {
+      if (place_of(workbench_.tree(), path).element || !path.contains('[')) still << path;
+    }
+    if (still != authoring_->selection()) authoring_->select(still);
+    editor_->set_text(workbench_.text());
+    if (watched_robot_.isEmpty() ||
+        !place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {
+      QString first;
+      for (const Stage::Body& body : scene_->stage().bodies()) {
+        if (first.isEmpty() && body.path.startsWith("robot[")) {
+          first = body.path.mid(6, body.path.size() - 7);
+        }
+      }
+      watch_robot(first);
+    }
+    watch();
+    show_title();
+  });
+  connect(&workbench_, &Workbench::problems_changed, this, &MainWindow::show_problems);
+  connect(&workbench_, &Workbench::state, this, [this](const Json& state) {
+    if (seen_.contains("coordination")) coordination_->add(state);
+    if (seen_.contains("plots") || !plots_->chosen().isEmpty()) plots_->add(state);
+    if (seen_.contains("vision")) vision_->add(state);
+    if (seen_.contains("fuzzy")) fuzzy_->add(state);
+    if (seen_.contains("sensors")) sensors_->add(state);
+    for (WorldTree* each : findChildren<WorldTree*>()) {
+      if (each->isVisible()) each->show_weights(state);
+    }
+    properties_->show_weight(state);
+  });
+  connect(&workbench_, &Workbench::snapshot, this, [this](const snapshots::Snapshot& snapshot) {
+    scene_->take(snapshot);
+    show_state();
+  });
+  connect(&workbench_, &Workbench::history_changed, this, [this] {
+    const QString undo = workbench_.undo_name(), redo = workbench_.redo_name();
+    actions_["undo"]->setText(undo.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undo));
+    actions_["undo"]->setToolTip(actions_["undo"]->text().remove('&'));
+    actions_["undo"]->setEnabled(!undo.isEmpty());
+    actions_["redo"]->setText(redo.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redo));
+    actions_["redo"]->setToolTip(actions_["redo"]->text().remove('&'));
+    actions_["redo"]->setEnabled(!redo.isEmpty());
+    show_title();
+  });
+  connect(&workbench_, &Workbench::run_changed, this, [this] {
+    if (workbench_.run_state() == Workbench::Run::ready) {
+      outcome_.clear();
+      scene_->clear_trails();
+      time_line_->clear();
+      coordination_->clear();
+      plots_->begin();
+    }
+    show_state();
+  });
+  connect(&workbench_, &Workbench::ended, this, [this](const Json& end) {
+    const QString reason = QString::fromStdString(end.value("reason", std::string()));
+    outcome_ = QString::fromStdString(end.value("outcome", std::string()));
+    outcome_label_->setToolTip(
+        tr("%1\nstate hash %2")
+            .arg(reason, QString::fromStdString(end.value("state_hash", std::string()))));
+    say(reason.isEmpty() ? tr("The run has ended: %1").arg(outcome_)
+                         : tr("The run has ended: %1, %2").arg(outcome_, reason));
+    show_state();
+  });
+  connect(&workbench_, &Workbench::raised, this, [this](const Json& event) {
+    time_line_->mark(event.value("time_s", 0.0),
+                     QString::fromStdString(event.value("name", std::string())));
+  });
+  connect(&workbench_, &Workbench::noted, this, &MainWindow::say);
+  connect(&workbench_, &Workbench::refused, this, [this](const Problems& problems) {
+    if (!problems.empty()) say(problems.front().message);
+  });
+  connect(&workbench_, &Workbench::engine_lost, this, &MainWindow::say_that_the_engine_ended);
+  connect(&workbench_, &Workbench::changed_on_disk, this, &MainWindow::ask_about_disk);
+  connect(&workbench_, &Workbench::catalog_changed, this, [this] {
+    world_tree_->show_world();
+    editor_->set_catalog(workbench_.catalog().json());
+    say(tr("%1 plugins are there")
+            .arg(workbench_.catalog().json().value("plugins", Json::array()).size()));
+  });
+  auto* watch_dog = new QTimer(this);
+  connect(watch_dog, &QTimer::timeout, this, [this] {
+    const qint64 waiting_ms = workbench_.engine().waiting_ms();
+    if (workbench_.run_state() == Workbench::Run::running && waiting_ms == 0) {
+      workbench_.ask({{"do", "ping"}}, {});  // a run that hangs answers nothing
+    }
+    if (const bool is_stuck = waiting_ms > kStuck_ms; is_stuck != is_stuck_) {
+      is_stuck_ = is_stuck;
+      show_state();
+    }
+    if (is_stuck_) {
+      statusBar()->showMessage(
+          tr("The engine does not answer: a plugin takes long. 'Stop the engine now' in the menu "
+             "Simulation names it, and begins anew."));
+    }
+  });
+  watch_dog->start(1000);
+}
+
+void MainWindow::connect_views() {
+  connect(scene_, &SceneView::selected, authoring_, &Authoring::select);
+  connect(scene_, &SceneView::edit_wished, authoring_, &Authoring::edit_element);
+  connect(scene_, &SceneView::menu_wished, authoring_, &Authoring::open_floor_menu);
+  connect(scene_, &SceneView::run_wished, actions_["run"], &QAction::trigger);
+  connect(scene_, &SceneView::moved, this, [this](const QStringList& paths, double x, double y) {
+    if (is_the_present()) authoring_->move(paths, x, y);
+  });
+  connect(scene_, &SceneView::turned, this, [this](const QString& path, double by_rad) {
+    if (is_the_present()) authoring_->turn(path, by_rad);
+  });
+  connect(scene_, &SceneView::resized, this,
+          [this](const QString& path, double length, double width) {
+            if (is_the_present()) authoring_->resize(path, length, width);
+          });
+  connect(authoring_, &Authoring::selected, this, &MainWindow::show_selection);
+  connect(authoring_, &Authoring::said, this, &MainWindow::say);
+  connect(authoring_, &Authoring::follow_wished, scene_, &SceneView::follow);
+  connect(exporter_, &Exporter::said, this, &MainWindow::say);
+  connect(scene_, &SceneView::measured, this, [this](double x, double y, double to_x, double to_y) {
+    say(tr("from (%1, %2) to (%3, %4): %5 m")
+            .arg(x, 0, 'f', 3)
+            .arg(y, 0, 'f', 3)
+            .arg(to_x, 0, 'f', 3)
+            .arg(to_y, 0, 'f', 3)
+            .arg(std::hypot(to_x - x, to_y - y), 0, 'f', 3));
+  });
+  connect(editor_, &WorldEditor::edited, &workbench_, &Workbench::type);
+  connect(&workbench_, &Workbench::about_to_change, this, &MainWindow::enter_what_is_typed);
+  connect(editor_, &WorldEditor::undo_wished, &workbench_, &Workbench::undo);
+  connect(editor_, &WorldEditor::redo_wished, &workbench_, &Workbench::redo);
+  connect(problems_, &ProblemsPanel::go_to, this, &MainWindow::go_to);
+  connect(start_, &StartPage::open_wished, this, [this](const QString& file) { open(file); });
+  connect(start_, &StartPage::new_wished, actions_["new"], &QAction::trigger);
+  connect(start_, &StartPage::empty_wished, this, [this] { begin_world(empty_world); });
+  connect(start_, &StartPage::browse_wished, this, [this] { actions_["open"]->trigger(); });
+  connect(runs_, &RunReader::failed, this,
+          [this](const QString& why) { warn(tr("The run cannot be opened"), why); });
+}
+
+/// False, with a sentence, while the view shows the past: what is dragged there is elsewhere now.
+bool MainWindow::is_the_present() {
+  if (!time_line_->is_in_the_past()) {
+    return true;
+  }
+  time_line_->go_to_now();
+  say(tr("The view showed the past, in which nothing can be changed. Now it shows the present."));
+  return false;
+}
+
+void MainWindow::enter_what_is_typed() {
+  editor_->commit();
+  properties_->form().finish();
+}
+
+// Problems
+
+bool MainWindow::is_of_world(const QString& file) const {
+  return file.isEmpty() ||
+         (!workbench_.file().isEmpty() && QFileInfo(file) == QFileInfo(workbench_.file()));
+}
+
+void MainWindow::show_problems() {
+  editor_->set_text(workbench_.text());
+  Problems all = workbench_.problems();
+  const Problems remarks = workbench_.remarks();
+  all.insert(all.end(), remarks.begin(), remarks.end());
+  if (all == problems_shown_) {
+    return;
+  }
+  const bool has_news = std::any_of(all.begin(), all.end(), [this](const Problem& each) {
+    return !each.is_warning &&
+           std::find(problems_shown_.begin(), problems_shown_.end(), each) == problems_shown_.end();
+  });
+  problems_shown_ = all;
+  problems_->set_problems(all);
+  std::erase_if(all, [this](const Problem& each) { return !is_of_world(each.file); });
+  editor_->set_problems(all);
+  if (has_news && !editor_->hasFocus()) {
+    docks_["problems"]->show();
+    docks_["problems"]->raise();
+  }
+}
+
+void MainWindow::go_to(const QString& file, int line) {
+  if (!is_of_world(file)) {
+    say(tr("That is in another file: %1, line %2").arg(file).arg(line));
+    return;
+  }
+  docks_["text"]->show();
+  docks_["text"]->raise();
+  editor_->go_to(line);
+}
+
+/// One box, however often it ends.
+void MainWindow::say_that_the_engine_ended(const QString& report) {
+  auto* box = findChild<QMessageBox*>("engine_lost");
+  if (!box) {
+    box = new QMessageBox(this);
+    box->setObjectName("engine_lost");
+    box->setIcon(QMessageBox::Warning);
+    box->setStandardButtons(QMessageBox::Ok);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  const bool is_there = workbench_.engine().is_there();
+  box->setWindowTitle(is_there ? tr("The engine was started again") : tr("There is no engine"));
+  box->setText(
+      !is_there
+          ? tr("A plugin ended the engine, and it does not start again. Your world and its unsaved "
+               "changes are here as a text, which you can save. The engine is tried again when you "
+               "change the text, or open a world.")
+      : workbench_.tree().is_null() && !workbench_.problems().empty()
+          ? tr("A plugin ended the engine. Your world and its unsaved changes are here as a text; "
+               "it is opened again when you change it.")
+          : tr("A plugin ended the engine. Your world and its unsaved changes are here; the run "
+               "begins anew."));
+  box->setInformativeText(cause_in(report));
+  box->setDetailedText(report);
+  box->open();
+}
+
+// What the engine sends
+
+void MainWindow::watch() {
+  Json what = Json::array();
+  const auto shows = [this](const char* name) { return seen_.contains(name); };
+  const bool plots = shows("plots") || !plots_->chosen().isEmpty();
+  const bool is_behavior =
+      !authoring_->selection().isEmpty() && authoring_->selection().front().contains("/behavior[");
+  if (shows("coordination") || plots || is_behavior) what.push_back("decisions");
+  if (shows("sensors") || plots) what.push_back("sensors");
+  if (plots) what.push_back("measures");
+  if (shows("vision")) what.push_back("cameras");
+  if (shows("fuzzy")) what.push_back("fuzzy");
+  Json robots = Json::array();  // none: all
+  const std::vector<Stage::Body>& bodies = scene_->stage().bodies();
+  const bool are_few = std::count_if(bodies.begin(), bodies.end(), [](const Stage::Body& body) {
+                         return body.is_robot();
+                       }) <= kFewRobots;
+  if (!shows("vision") && !(shows("plots") && are_few) && !watched_robot_.isEmpty()) {
+    QStringList wished = plots_->chosen_robots();
+    if (!wished.contains(watched_robot_)) wished << watched_robot_;
+    for (const QString& id : std::as_const(wished)) {
+      if (place_of(workbench_.tree(), "robot[" + id + ']').element) {
+        robots.push_back(id.toStdString());
+      }
+    }
+  }
+  const Json order{{"do", "watch"}, {"what", what}, {"robots", robots}};
+  const QString asked =
+      QString::fromStdString(order.dump()) + QString::number(workbench_.engine().generation());
+  if (asked != watched_ && workbench_.tree().is_object()) {
+    watched_ = asked;
+    workbench_.ask(order, {});
+  }
+}
+
+void MainWindow::watch_robot(const QString& id) {
+  if (id != watched_robot_) {
+    watched_robot_ = id;
+    coordination_->set_robot(id);
+    fuzzy_->set_robot(id);
+    sensors_->set_robot(id);
+  }
+}
+
+}  // namespace elsie::desktop

@@ -1,0 +1,308 @@
+#include <QAction>
+#include <QCloseEvent>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QTimer>
+#include <algorithm>
+
+#include "authoring/authoring.h"
+#include "control_bar.h"
+#include "main_window.h"
+#include "recorded_world.h"
+#include "scene/scene_view.h"
+#include "start_page.h"
+#include "watch/fuzzy_panel.h"
+#include "watch/plots_panel.h"
+#include "watch/sensors_panel.h"
+#include "watch/vision_panel.h"
+
+// Files that are opened and saved, and unsaved work.
+
+namespace elsie::desktop {
+namespace {
+
+constexpr int kMostRecent = 10;
+
+/// By its permissions: root may write everything.
+bool is_write_protected(const QString& file) {
+  const QFileInfo info(file);
+  constexpr auto kWriters = QFile::WriteOwner | QFile::WriteGroup | QFile::WriteOther;
+  return info.isFile() && (!info.isWritable() || !(info.permissions() & kWriters));
+}
+
+}  // namespace
+
+// Files
+
+bool MainWindow::may_leave() {
+  enter_what_is_typed();
+  if (!workbench_.is_modified()) {
+    return true;
+  }
+  const QString name = workbench_.file().isEmpty()
+                           ? tr("The new world")
+                           : '\'' + QFileInfo(workbench_.file()).fileName() + '\'';
+  switch (ask_about_unsaved(tr("%1 has changes that are not saved. Save them?").arg(name))) {
+    case Answer::save:
+      return save(false);
+    case Answer::discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool MainWindow::open(const QString& file) {
+  if (may_be_database(file)) {
+    say(tr("Reading '%1'...").arg(file));
+    runs_->list_runs(file, [this, file](const std::vector<StoredRun>& runs) {
+      ask_for_run(runs, this, [this, file](int number) { read_run(file, number); });
+    });
+    return true;
+  }
+  if (may_be_run(file)) {
+    read_run(file, 0);
+    return true;
+  }
+  if (!may_leave()) {
+    return false;
+  }
+  QString why;
+  if (!workbench_.open(file, why)) {
+    warn(tr("The world cannot be opened"), why);
+    return false;
+  }
+  show_opened(file);
+  return true;
+}
+
+void MainWindow::read_run(const QString& file, int number) {
+  say(tr("Reading '%1'...").arg(file));
+  runs_->read_world(file, number, [this, file, number](const RecordedWorld& world) {
+    QString why;
+    if (!may_leave()) {
+      return;
+    }
+    if (!workbench_.open(world.file, why, world.seed, true)) {
+      warn(tr("The run cannot be opened"), why);
+      return;
+    }
+    show_opened(file);
+    borrowed_folder_ = world.folder;
+    if (number == 0) {
+      runs_->read_events(file, [this](const RecordedEvents& recorded) {
+        time_line_->expect(recorded.events, recorded.end_s);
+      });
+    }
+  });
+}
+
+void MainWindow::show_opened(const QString& file) {
+  note_recent(file);
+  forget_world();
+  centre_->setCurrentIndex(1);
+  scene_->setFocus();
+  show_title();
+}
+
+// What is only true of the world that was there.
+void MainWindow::forget_world() {
+  outcome_.clear();
+  runs_->stop();
+  time_line_->expect({}, 0.0);
+  locked_.clear();
+  authoring_->select({});
+  plots_->clear();
+  vision_->clear();
+  fuzzy_->clear();
+  sensors_->clear();
+  borrowed_folder_.reset();
+}
+
+void MainWindow::begin_world(const std::function<QString()>& text) {
+  if (!may_leave()) {
+    return;
+  }
+  const QString begun = text();
+  if (!begun.isEmpty()) {
+    workbench_.open_text(begun, {}, false);
+    forget_world();
+    centre_->setCurrentIndex(1);
+    show_title();
+  }
+}
+
+bool MainWindow::is_agreed(const char* name, const QString& title, const QString& question) {
+  QMessageBox box(QMessageBox::Question, title, question, QMessageBox::Yes | QMessageBox::No, this);
+  box.setObjectName(name);
+  box.setDefaultButton(QMessageBox::No);
+  return box.exec() == QMessageBox::Yes;
+}
+
+bool MainWindow::save(bool elsewhere) {
+  QString file = workbench_.file();
+  if (elsewhere || file.isEmpty() || workbench_.is_borrowed()) {
+    QFileDialog dialog(
+        this, tr("Save the world"),
+        file.isEmpty() || workbench_.is_borrowed() ? QDir::currentPath() + "/world.xml" : file,
+        tr("Worlds (*.xml)"));
+    dialog.setObjectName("save_dialog");
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix("xml");
+    if (dialog.exec() != QDialog::Accepted) {
+      return false;
+    }
+    file = dialog.selectedFiles().front();
+  } else if (workbench_.is_changed_on_disk() &&
+             !is_agreed("write_over", tr("The file has changed"),
+                        tr("Another program has changed '%1' since it was opened. Write over it?")
+                            .arg(file))) {
+    return false;
+  }
+  if (is_write_protected(file) &&
+      !is_agreed("write_protected", tr("The file is write-protected"),
+                 tr("'%1' is write-protected. Write it all the same? It stays write-protected.")
+                     .arg(file))) {
+    return false;
+  }
+  // It may be saved after this has given up waiting.
+  struct Saving {
+    std::optional<QString> why;
+    QEventLoop waiting;
+  };
+  const auto saving = std::make_shared<Saving>();
+  workbench_.save_as(file, [this, saving](const QString& why) {
+    saving->why = why;
+    saving->waiting.quit();
+    if (why.isEmpty()) {
+      note_recent(workbench_.file());
+      say(tr("Saved as '%1'").arg(workbench_.file()));
+    }
+    show_title();
+  });
+  if (!saving->why) {
+    QTimer::singleShot(kStuck_ms, &saving->waiting, &QEventLoop::quit);
+    saving->waiting.exec(QEventLoop::ExcludeUserInputEvents);
+  }
+  if (saving->why && saving->why->isEmpty()) {
+    return true;
+  }
+  warn(tr("Not saved"), saving->why.value_or(tr(
+                            "The engine does not answer: a plugin takes long. The world is saved "
+                            "as soon as it does. 'Stop the engine now' in the menu Simulation "
+                            "begins it anew; then save again.")));
+  return false;
+}
+
+// Not modal to the event loop: a run goes on, and a file that changes again is asked about once.
+void MainWindow::ask_about_disk() {
+  if (findChild<QMessageBox*>("changed_on_disk")) {
+    return;
+  }
+  auto* box = new QMessageBox(
+      QMessageBox::Question, tr("The file has changed"),
+      workbench_.is_modified()
+          ? tr("Another program has changed '%1'. Read it again? What is unsaved here would be "
+               "lost.")
+                .arg(workbench_.file())
+          : tr("Another program has changed '%1'. Read it again?").arg(workbench_.file()),
+      QMessageBox::NoButton, this);
+  box->setObjectName("changed_on_disk");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* again = box->addButton(tr("&Read again"), QMessageBox::AcceptRole);
+  again->setObjectName("read_again");
+  QPushButton* keep = box->addButton(tr("&Keep mine"), QMessageBox::RejectRole);
+  keep->setObjectName("keep_mine");
+  box->setEscapeButton(keep);
+  const QString file = workbench_.file();
+  connect(again, &QPushButton::clicked, this, [this, file] {
+    QString why;
+    if (file == workbench_.file() && !workbench_.open(file, why)) warn(tr("Not read"), why);
+  });
+  box->open();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!may_leave()) {
+    event->ignore();
+    return;
+  }
+  workbench_.give_up_unsaved();
+  keep_layout();
+  event->accept();
+}
+
+void MainWindow::offer_recovered() {
+  std::vector<Recovered> left = Recovery::left_behind();
+  const auto damaged = std::stable_partition(
+      left.begin(), left.end(), [](const Recovered& each) { return !each.is_damaged; });
+  for (auto each = damaged; each != left.end(); ++each) {
+    warn(tr("Unsaved work"),
+         tr("The unsaved work of a window that was not closed properly cannot be read. It is in "
+            "'%1', and stays there.")
+             .arg(each->kept_in));
+  }
+  left.erase(damaged, left.end());
+  for (const Recovered& each : left) {
+    QMessageBox box(QMessageBox::Question, tr("Unsaved work"),
+                    tr("A window was not closed properly. Take up its unsaved work on %1?")
+                        .arg(each.file.isEmpty() ? tr("a new world") : '\'' + each.file + '\''),
+                    QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setObjectName("recovered");
+    const int answer = box.exec();
+    if (answer == QMessageBox::Yes) {
+      workbench_.open_text(each.text, each.file, false, each.is_borrowed);
+      if (workbench_.is_kept()) {
+        Recovery::discard(each);
+      }
+      forget_world();
+      centre_->setCurrentIndex(1);
+      show_title();
+      return;
+    }
+    if (answer == QMessageBox::Discard) {
+      Recovery::discard(each);
+    }
+  }
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  if (!event->mimeData()->urls().isEmpty()) open(event->mimeData()->urls().front().toLocalFile());
+}
+
+void MainWindow::note_recent(const QString& file) {
+  QSettings settings;
+  QStringList files = settings.value("recent").toStringList();
+  const QString absolute = QFileInfo(file).absoluteFilePath();
+  files.removeAll(absolute);
+  files.prepend(absolute);
+  settings.setValue("recent", files.mid(0, kMostRecent));
+  show_recent();
+}
+
+void MainWindow::show_recent() {
+  const QStringList files = QSettings().value("recent").toStringList();
+  start_->show_recent(files);
+  recent_->clear();
+  for (const QString& file : files) {
+    connect(recent_->addAction(file), &QAction::triggered, this, [this, file] { open(file); });
+  }
+  recent_->setEnabled(!files.isEmpty());
+}
+
+void MainWindow::show_start() {
+  centre_->setCurrentIndex(centre_->currentIndex() == 0 && workbench_.tree().is_object() ? 1 : 0);
+}
+
+}  // namespace elsie::desktop
