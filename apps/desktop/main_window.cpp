@@ -271,10 +271,13 @@ void MainWindow::connect_workbench() {
     for (WorldTree* each : findChildren<WorldTree*>()) {
       if (each->isVisible()) each->show_weights(state);
     }
-    properties_->show_weight(state);
+    properties_->show_state(state);
   });
   connect(&workbench_, &Workbench::snapshot, this, [this](const snapshots::Snapshot& snapshot) {
     scene_->take(snapshot);
+    if (const auto place = scene_->stage().place_of(properties_->path())) {
+      properties_->show_pose(place->origin.x, place->origin.y, degrees(heading_rad(*place)));
+    }
     show_state();
   });
   connect(&workbench_, &Workbench::history_changed, this, [this] {
@@ -348,6 +351,9 @@ void MainWindow::connect_views() {
   connect(scene_, &SceneView::selected, authoring_, &Authoring::select);
   connect(scene_, &SceneView::edit_wished, authoring_, &Authoring::edit_element);
   connect(scene_, &SceneView::menu_wished, authoring_, &Authoring::open_floor_menu);
+  connect(scene_, &SceneView::element_menu_wished, authoring_, &Authoring::open_menu);
+  connect(authoring_, &Authoring::called_otherwise, scene_, &SceneView::rename);
+  connect(authoring_, &Authoring::called_otherwise, properties_, &Properties::rename);
   connect(scene_, &SceneView::run_wished, actions_["run"], &QAction::trigger);
   connect(scene_, &SceneView::moved, authoring_, &Authoring::move);
   connect(scene_, &SceneView::turned, authoring_, &Authoring::turn);
@@ -475,6 +481,7 @@ bool MainWindow::open(const QString& file) {
     return false;
   }
   borrowed_ = world == file ? QString() : world;
+  workbench_.set_borrowed(QFileInfo(borrowed_).absoluteFilePath());
   note_recent(file);
   forget_world();
   centre_->setCurrentIndex(1);
@@ -486,7 +493,7 @@ bool MainWindow::open(const QString& file) {
 // What is only true of the world that was there.
 void MainWindow::forget_world() {
   outcome_.clear();
-  locked_.clear();
+  scene_->unlock_all();
   authoring_->select({});
   plots_->clear();
   vision_->clear();

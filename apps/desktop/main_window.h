@@ -128,7 +128,6 @@ class MainWindow : public QMainWindow {
   QString watched_;        // what the engine was last asked to send
   QString watched_robot_;  // of the panels that show one
   bool was_shown_ = false;
-  QSet<QString> locked_;
 };
 
 }  // namespace elsie::desktop

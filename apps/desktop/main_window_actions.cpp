@@ -86,12 +86,10 @@ void MainWindow::make_actions() {
     removeAction(actions_[name]);
     scene_->addAction(actions_[name]);
   }
-  action("lock", tr("Loc&k against the mouse"), key("Ctrl+L"), [this] {
-    for (const QString& path : authoring_->selection()) {
-      if (!locked_.remove(path)) locked_.insert(path);
-    }
-    scene_->set_locked(locked_);
-    scene_->update();
+  action("lock", tr("Loc&k against the mouse"), key("Ctrl+L"),
+         [this] { scene_->toggle_locked(authoring_->selection()); });
+  action("more", tr("&More for what is chosen..."), {}, [this] {
+    authoring_->open_menu(authoring_->selection().value(0), QCursor::pos());
   });
   action(
       "start_pose", tr("Make &start pose"), {}, [this] { authoring_->make_start_poses(); },
@@ -143,6 +141,10 @@ void MainWindow::make_actions() {
       tr("For a plugin that does not come back: the engine begins anew, the world stays"));
 
   action("view_all", tr("Show &all"), key("Home"), [this] { scene_->show_all(); });
+  // Home is the view's: in trees and lists it goes to the first row.
+  actions_["view_all"]->setShortcutContext(Qt::WidgetShortcut);
+  removeAction(actions_["view_all"]);
+  scene_->addAction(actions_["view_all"]);
   action("view_top", tr("From the &top"), {}, [this] { scene_->look_from_top(); });
   action("view_front", tr("From the &front"), {}, [this] { scene_->look_from_front(); });
   action("view_side", tr("From the &side"), {}, [this] { scene_->look_from_side(); });
@@ -259,7 +261,7 @@ void MainWindow::make_menus() {
               "copy_command", "", "quit"});
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   fill(edit, {"undo", "redo", "", "cut", "copy", "paste", "duplicate", "delete", "", "edit",
-              "rename", "start_pose", "lock", ""});
+              "rename", "more", "start_pose", "lock", ""});
   QMenu* add = edit->addMenu(tr("&Add"));
   add->setObjectName("add_menu");
   fill(add,

@@ -23,7 +23,8 @@ class History {
   };
 
   void clear();
-  /// Forgets what was undone. Merges with the last entry if both may be one.
+  /// Forgets what was undone. Merges with the last entry if both may be one; one that leads back to
+  /// where it began is none.
   void push(Entry entry);
 
   const Entry* next_undo() const;
@@ -36,8 +37,6 @@ class History {
   bool is_clean() const { return clean_ == place_; }
   void set_clean() { clean_ = place_; }
   void set_dirty() { clean_ = std::nullopt; }
-  std::size_t place() const { return place_; }
-  const std::vector<Entry>& entries() const { return entries_; }
 
  private:
   std::vector<Entry> entries_;

@@ -33,6 +33,9 @@ class Workbench : public QObject {
   /// @name The world
   /// @{
   QString file() const { return file_; }  // "" while it has none
+  /// A file that the window made, of a recording's world: nothing that stays is put beside it.
+  void set_borrowed(const QString& file) { borrowed_ = file; }
+  bool is_borrowed() const { return !borrowed_.isEmpty() && file_ == borrowed_; }
   /// The text as it is now, right or wrong.
   const QString& text() const { return text_; }
   /// Whether the text is one that the engine has; otherwise problems() says why not.
@@ -148,6 +151,7 @@ class Workbench : public QObject {
   Engine engine_;
   Catalog catalog_;
   QString file_;
+  QString borrowed_;
   QString text_;
   QString history_text_;  // the last right one, to which the history leads
   QByteArray on_disk_;

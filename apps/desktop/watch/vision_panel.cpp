@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "paint/save_picture.h"
 #include "watch/state.h"
 
 namespace elsie::desktop {
@@ -146,8 +147,9 @@ void VisionPanel::contextMenuEvent(QContextMenuEvent* event) {
       menu.addAction(tr("Save picture..."), this, [&] {
         const QString file =
             QFileDialog::getSaveFileName(this, tr("Save picture"), {}, tr("Pictures (*.png)"));
-        if (!file.isEmpty() && !image.save(file, "PNG")) {
-          QMessageBox::warning(this, tr("Save picture"), tr("Cannot write %1.").arg(file));
+        if (const QString why = file.isEmpty() ? QString() : save_picture(image, file);
+            !why.isEmpty()) {
+          QMessageBox::warning(this, tr("Save picture"), why);
         }
       });
       menu.exec(event->globalPos());

@@ -6,6 +6,8 @@
 #include <QSpinBox>
 #include <cmath>
 
+#include "paint/quiet_wheel.h"
+
 namespace elsie::desktop {
 namespace {
 
@@ -39,6 +41,8 @@ Fan::Fan(int count, QWidget* parent) : QWidget(parent) {
     row->addWidget(each);
   }
   row->addStretch(1);
+  quiet_wheel(count_);
+  quiet_wheel(spread_deg_);
   connect(count_, &QSpinBox::valueChanged, spread_deg_,
           [this](int value) { spread_deg_->setEnabled(value > 1); });
   count_->setValue(count);
