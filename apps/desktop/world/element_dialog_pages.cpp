@@ -63,6 +63,9 @@ void ElementDialog::offer_headings(const Kind& kind) {
   });
   fan_ = new Fan(has_some ? 1 : kFirstFan);
   tabs_->widget(0)->layout()->addWidget(fan_);
+  connect(form, &Form::committed, fan_, [fan = fan_](const QString& name) {
+    if (name == "id" || name == "yaw_deg") fan->become_one();
+  });
 }
 
 void ElementDialog::offer_drives(const QString& chosen) {

@@ -47,6 +47,13 @@ Fan::Fan(int count, QWidget* parent) : QWidget(parent) {
           [this](int value) { spread_deg_->setEnabled(value > 1); });
   count_->setValue(count);
   spread_deg_->setEnabled(count > 1);
+  connect(count_, &QSpinBox::valueChanged, this, [this] { is_chosen_ = true; });
+}
+
+void Fan::become_one() {
+  if (!is_chosen_) {
+    count_->setValue(1);
+  }
 }
 
 std::vector<double> Fan::headings_deg(double middle_deg) const {
