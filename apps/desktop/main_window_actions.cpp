@@ -18,6 +18,7 @@
 #include "export/exporter.h"
 #include "main_window.h"
 #include "scene/scene_view.h"
+#include "shortcuts.h"
 #include "start_page.h"
 #include "text/problems_panel.h"
 
@@ -245,7 +246,11 @@ void MainWindow::make_actions() {
     QMessageBox box(QMessageBox::NoIcon, tr("Keys"), text, QMessageBox::Close, this);
     box.exec();
   });
+  action(
+      "shortcuts", tr("Change &keys..."), {},
+      [this] { (new ShortcutsDialog(actions_, this))->show(); }, tr("The keys of all commands"));
   action("about", tr("&About"), {}, [this] { about(); });
+  load_shortcuts(actions_);
 }
 
 void MainWindow::make_menus() {
@@ -283,7 +288,7 @@ void MainWindow::make_menus() {
   fill(simulation, {"run", "step", "reset", "", "event_before", "event_after", "now", "", "physics",
                     "arena", "limits", "", "stop_engine"});
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  fill(help, {"commands", "keys", "about"});
+  fill(help, {"commands", "keys", "shortcuts", "about"});
 
   QToolBar* bar = addToolBar(tr("Tools"));
   bar->setObjectName("tools");

@@ -365,7 +365,12 @@ void Authoring::insert(const QString& markup, const QString& name) {
 }
 
 QString Authoring::insertion_of(Piece piece, QStringList& taken, QString& why) const {
+  const auto stand_aside = [&piece] {
+    piece.markup =
+        with_attribute(piece, "x", number(attribute_of(piece, "x").toDouble() + kAside_m));
+  };
   if (const auto holder = piece.list.isEmpty() ? holder_of_part(piece.name) : std::nullopt) {
+    if (piece.name == "waypoint") stand_aside();
     return *holder + '/' + piece.name + "[+]=" + piece.markup;
   }
   const QString list = piece.list.isEmpty() ? list_for(piece.name) : piece.list;
@@ -389,9 +394,7 @@ QString Authoring::insertion_of(Piece piece, QStringList& taken, QString& why) c
   const QString id = piece.name == "robot" ? free_id(workbench_.tree(), "r", taken) : QString();
   taken << id;
   piece.markup = with_attribute(piece, "id", id);
-  if (kPlaced.contains(list)) {
-    piece.markup = with_attribute(piece, "x", number(attribute_of(piece, "x").toDouble() + kAside_m));
-  }
+  if (kPlaced.contains(list)) stand_aside();
   return place + "[+]=" + piece.markup;
 }
 
