@@ -22,8 +22,12 @@ void choose_key(QDialog* dialog, const char* command, const char* filter, Qt::Ke
   QTest::keyClicks(names, filter);
   auto* edit = dialog->findChild<QKeySequenceEdit*>(QString("key_") + command);
   REQUIRE(edit);
+  bool is_finished = false;  // it waits whether a second key follows
+  QObject::connect(edit, &QKeySequenceEdit::editingFinished, dialog, [&] { is_finished = true; });
   QTest::keyClick(edit, key, keys);
-  REQUIRE(wait_for([&] { return edit->keySequence() == QKeySequence(keys | key); }));
+  REQUIRE(wait_for([&] { return is_finished; }));
+  edit->disconnect(dialog);
+  CHECK(edit->keySequence() == QKeySequence(keys | key));
 }
 
 struct KeptKeys {
