@@ -12,6 +12,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <algorithm>
 
 #include "authoring/authoring.h"
 #include "control_bar.h"
@@ -184,6 +185,10 @@ void MainWindow::make_actions() {
     for (QDockWidget* each : findChildren<QDockWidget*>()) {
       if (each->isVisible()) shown << each;
     }
+    // raise() changes the order of children.
+    std::sort(shown.begin(), shown.end(), [](const QDockWidget* a, const QDockWidget* b) {
+      return a->objectName() < b->objectName();
+    });
     if (!shown.isEmpty()) {
       QWidget* focus = QApplication::focusWidget();
       qsizetype now = -1;

@@ -54,6 +54,7 @@ void pick(Window& window, const char* menu_title, const char* action) {
     REQUIRE(wait_for([&] { return menu->isVisible(); }));
     QTest::mouseClick(menu, Qt::LeftButton, {},
                       menu->actionGeometry(window.get<QAction>(action)).center());
+    window->activateWindow();  // a bare X server does not do it
     return;
   }
   FAIL("there is no menu " << menu_title);
@@ -157,7 +158,7 @@ TEST_CASE("The views are in the menu, and F6 goes round the windows") {
       if (focus && dock->isAncestorOf(focus)) visited << dock;
     }
   }
-  CHECK(visited.size() >= 3);
+  CHECK(visited.size() >= 6);
 }
 
 TEST_CASE("F1 shows the keys, the commands dialog does what is typed, and About names Qt") {
@@ -189,6 +190,7 @@ TEST_CASE("F1 shows the keys, the commands dialog does what is typed, and About 
     QTest::mouseClick(
         dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
   });
+  window->activateWindow();
   press_key(&window.window(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
   CHECK(window->scene().camera().pitch < -1.5);
 }
@@ -212,6 +214,9 @@ TEST_CASE("A world is opened by dropping it, from the files opened last, and fro
   const QString file = window.file(kRoom);
   QMimeData held;
   held.setUrls({QUrl::fromLocalFile(file)});
+  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &held, Qt::LeftButton, {});
+  QApplication::sendEvent(&window.window(), &enter);
+  REQUIRE(enter.isAccepted());
   QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &held, Qt::LeftButton, {});
   QApplication::sendEvent(&window.window(), &drop);
   REQUIRE(wait_for([&] { return window.bench().is_right(); }));

@@ -112,11 +112,15 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != button_ || drag_ == Drag::none || typed_.is_on()) {
     return;
   }
-  if (drag_ != Drag::pressed) {
+  const bool is_at_handle =
+      drag_ == Drag::move || drag_ == Drag::turn || drag_ == Drag::resize;
+  const bool is_click = drag_ == Drag::pressed ||
+                        (is_at_handle && QLineF(event->position(), pressed_).length() < kClick);
+  if (!is_click) {
     end_drag();
     return;
   }
-  drag_ = Drag::none;
+  stop_drag();
   const QString path = stage_.at(camera_.frame().origin, camera_.ray(event->position(), size()));
   if (button_ == Qt::LeftButton) {
     QStringList paths;

@@ -23,6 +23,8 @@ VisionPanel::VisionPanel(QWidget* parent)
   choose_->setPopupMode(QToolButton::InstantPopup);
   choose_->setMenu(choices_);
   choose_->adjustSize();
+  offer_figures(this);
+  setContextMenuPolicy(Qt::DefaultContextMenu);  // its own menu has the table, too
 }
 
 void VisionPanel::add(const Json& state) {
@@ -84,6 +86,18 @@ QStringList VisionPanel::shown() const {
 QImage VisionPanel::picture(const QString& name) const {
   const auto found = pictures_.find(name);
   return found == pictures_.end() ? QImage() : found->second.image;
+}
+
+// With the mean colour, for those who do not see the picture.
+Figures VisionPanel::figures() const {
+  Figures figures{{tr("picture"), tr("width [px]"), tr("height [px]"), tr("mean colour")}, {}};
+  for (const auto& [name, picture] : pictures_) {
+    const QImage& image = picture.image;
+    const QImage mean = image.scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    figures.rows.push_back({name, QString::number(image.width()), QString::number(image.height()),
+                            mean.isNull() ? QString() : mean.pixelColor(0, 0).name()});
+  }
+  return figures;
 }
 
 void VisionPanel::set_shown(const QString& name, bool shown) {
@@ -152,6 +166,7 @@ void VisionPanel::contextMenuEvent(QContextMenuEvent* event) {
           QMessageBox::warning(this, tr("Save picture"), why);
         }
       });
+      menu.addActions(actions());
       menu.exec(event->globalPos());
       return;
     }

@@ -65,6 +65,7 @@ Properties::Properties(Workbench& workbench, QWidget* parent)
   filter_->setAccessibleName(tr("Filter of the properties"));
   filter_->setClearButtonEnabled(true);
   column->addWidget(filter_);
+  setFocusProxy(filter_);
   form_ = new Form;
   form_->setObjectName("form");
   auto* scroll = new QScrollArea;

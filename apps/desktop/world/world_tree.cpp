@@ -69,6 +69,7 @@ WorldTree::WorldTree(Workbench& workbench, QString team, QWidget* parent)
   tree_->setHeaderLabels({tr("Element"), tr("Given")});
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   tree_->viewport()->installEventFilter(this);
+  setFocusProxy(tree_);
   tree_->setUniformRowHeights(true);
   tree_->setIndentation(fontMetrics().averageCharWidth() * 3 / 2);
   tree_->header()->setStretchLastSection(true);
