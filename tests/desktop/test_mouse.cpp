@@ -352,7 +352,8 @@ TEST_CASE("The view says when it shows the past") {
   press_key(&window->scene(), Qt::Key_Space);
   REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
   CHECK_FALSE(window->scene().stage().is_past());
-  click_on(window.get<QWidget>("time"));
+  window.get<QWidget>("time")->setFocus();
+  press_key(&window.window(), Qt::Key_Home);
   REQUIRE(wait_for([&] { return window->scene().stage().is_past(); }));
   click_on(window.get<QToolButton>("now"));
   CHECK(wait_for([&] { return !window->scene().stage().is_past(); }));

@@ -222,10 +222,10 @@ TEST_CASE("A training file is browsed for, and named as the world would name it"
   auto* dialog = school.new_network();
   answer_when_asked("browse_dialog", [&](QDialog* browse) {
     auto* name = browse->findChild<QLineEdit*>("fileNameEdit");
-    QTest::keyClicks(name, school.samples);
-    QTest::mouseClick(
-        browse->findChild<QDialogButtonBox*>("buttonBox")->button(QDialogButtonBox::Open),
-        Qt::LeftButton);
+    name->setText(school.samples);
+    auto* open = browse->findChild<QDialogButtonBox*>("buttonBox")->button(QDialogButtonBox::Open);
+    REQUIRE(wait_for([&] { return open->isEnabled(); }));  // the folder is read
+    QTest::mouseClick(open, Qt::LeftButton);
   });
   QTest::mouseClick(dialog->findChild<QToolButton*>("training_browse"), Qt::LeftButton);
   CHECK(dialog->findChild<QLineEdit*>("training")->text() == "samples.txt");
