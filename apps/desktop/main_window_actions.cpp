@@ -90,9 +90,8 @@ void MainWindow::make_actions() {
   }
   action("lock", tr("Loc&k against the mouse"), key("Ctrl+L"),
          [this] { scene_->toggle_locked(authoring_->selection()); });
-  action("more", tr("&More for what is chosen..."), {}, [this] {
-    authoring_->open_menu(authoring_->selection().value(0), QCursor::pos());
-  });
+  action("more", tr("&More for what is chosen..."), {},
+         [this] { authoring_->open_menu(authoring_->selection().value(0), QCursor::pos()); });
   action(
       "start_pose", tr("Make &start pose"), {}, [this] { authoring_->make_start_poses(); },
       tr("The world begins with the chosen robots where they are now"));

@@ -21,9 +21,7 @@ constexpr auto kOwn = "own_shortcut";  // the property of an action: the program
 
 QString title_of(const QAction& action) { return action.text().remove('&').remove("..."); }
 
-QKeySequence own_key(const QAction& action) {
-  return action.property(kOwn).value<QKeySequence>();
-}
+QKeySequence own_key(const QAction& action) { return action.property(kOwn).value<QKeySequence>(); }
 
 }  // namespace
 

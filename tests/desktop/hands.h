@@ -47,8 +47,8 @@ inline void click_row(WorldTree* tree, const QString& path, Qt::MouseButton butt
     above->setExpanded(true);
   }
   tree->tree()->scrollToItem(item);
-  click_at(tree->tree()->viewport(),
-           tree->tree()->visualItemRect(item).center() - QPoint(0, 0), button, keys);
+  click_at(tree->tree()->viewport(), tree->tree()->visualItemRect(item).center() - QPoint(0, 0),
+           button, keys);
 }
 
 /// Clicks on the entry of the menu that opens next whose text has `part`; "": closes it.

@@ -50,11 +50,13 @@ void add_with(Window& window, const char* action) {
 TEST_CASE("Menus: file, edit, view, simulation and help, each with what it names") {
   Window window;
   const QHash<QString, QStringList> named{
-      {"File", {"new", "open", "save", "save_as", "export_picture", "export_film", "record",
-                "copy_command", "quit"}},
+      {"File",
+       {"new", "open", "save", "save_as", "export_picture", "export_film", "record", "copy_command",
+        "quit"}},
       {"Edit", {"undo", "redo", "cut", "copy", "paste", "duplicate", "delete", "edit", "rename"}},
-      {"View", {"view_all", "view_top", "follow", "measure", "show_trails", "show_beams",
-                "layout_author", "layout_reset"}},
+      {"View",
+       {"view_all", "view_top", "follow", "measure", "show_trails", "show_beams", "layout_author",
+        "layout_reset"}},
       {"Simulation", {"run", "step", "reset", "physics", "arena", "limits", "stop_engine"}},
       {"Help", {"commands", "keys", "shortcuts", "about"}}};
   QStringList titles;

@@ -46,8 +46,7 @@ QPoint pixel(Window& window, const elsie::Vector3& point) {
 }
 
 QLineEdit* field(Window& window, const char* name) {
-  auto* edit =
-      qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor(name));
+  auto* edit = qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor(name));
   REQUIRE(edit);
   return edit;
 }
@@ -116,8 +115,7 @@ TEST_CASE("Ctrl+Z after Enter in a field undoes the edit; while something is typ
   window.after([&] { press_key(x, Qt::Key_Z, Qt::ControlModifier); });
   CHECK(window.bench().text() == kRoom);
   CHECK(x->text() == "-1");
-  window.after(
-      [&] { press_key(x, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); });
+  window.after([&] { press_key(x, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); });
   CHECK(window.bench().text().contains("x=\"0.5\""));
   press_key(x, Qt::Key_A, Qt::ControlModifier);
   type_text(x, "7");
@@ -384,8 +382,7 @@ TEST_CASE("OK of the behaviours waits for the engine: a second click adds nothin
   window.act("behaviors");
   QDialog* dialog = window.dialog("behaviors_dialog");
   click_on(dialog->findChild<QPushButton*>("add"));
-  QPushButton* ok =
-      dialog->findChild<QDialogButtonBox*>("buttons")->button(QDialogButtonBox::Ok);
+  QPushButton* ok = dialog->findChild<QDialogButtonBox*>("buttons")->button(QDialogButtonBox::Ok);
   window.after([&] {
     QTest::mouseClick(ok, Qt::LeftButton);  // hears nothing of the engine meanwhile
     CHECK_FALSE(ok->isEnabled());

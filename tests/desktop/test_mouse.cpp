@@ -103,8 +103,9 @@ TEST_CASE("A box is turned by its knob and resized by its corner") {
   window.after([&] { window.act("undo"); });
   REQUIRE(wait_for([&] { return scene.handle(SceneView::Tool::resize).has_value(); }));
   const QPoint corner = scene.handle(SceneView::Tool::resize)->toPoint();
-  window.after(
-      [&] { drag_by_hand(&scene, Qt::LeftButton, corner, pixel(window, {1.4, 1.3, 0.0})); });
+  window.after([&] {
+    drag_by_hand(&scene, Qt::LeftButton, corner, pixel(window, {1.4, 1.3, 0.0}));
+  });
   CHECK(number_in(window, "obstacle[crate]", "length") == Approx(0.8).margin(0.05));
   CHECK(number_in(window, "obstacle[crate]", "width") == Approx(0.6).margin(0.05));
   CHECK(window.bench().undo_name() == "resize crate");
@@ -127,8 +128,8 @@ TEST_CASE("Ctrl during a drag snaps to 0.1 m, Shift makes it finer") {
   window.after([&] { drag(pixel(window, {0.43, 0.68, 0.0}), Qt::ControlModifier); });
   CHECK(number_in(window, "obstacle[crate]", "x") == Approx(0.4).margin(1e-9));
   CHECK(number_in(window, "obstacle[crate]", "y") == Approx(0.7).margin(1e-9));
-  REQUIRE(wait_for(
-      [&] { return scene.stage().body_of("obstacle[crate]")->frame.origin.x < 0.41; }));
+  REQUIRE(
+      wait_for([&] { return scene.stage().body_of("obstacle[crate]")->frame.origin.x < 0.41; }));
   const double x = number_in(window, "obstacle[crate]", "x");
   window.after([&] { drag(pixel(window, {1.4, 0.7, 0.0}), Qt::ShiftModifier); });
   CHECK(number_in(window, "obstacle[crate]", "x") - x == Approx(0.2).margin(0.02));
@@ -187,8 +188,8 @@ TEST_CASE("F1 shows the keys, the commands dialog does what is typed, and About 
   answer_when_asked("commands_dialog", [](QDialog* dialog) {
     auto* choice = dialog->findChild<QComboBox*>();
     QTest::keyClicks(choice->lineEdit(), "From the top");
-    QTest::mouseClick(
-        dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+    QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok),
+                      Qt::LeftButton);
   });
   window->activateWindow();
   press_key(&window.window(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
@@ -197,8 +198,9 @@ TEST_CASE("F1 shows the keys, the commands dialog does what is typed, and About 
 
 TEST_CASE("F8 goes to the next error") {
   Window window;
-  window.open(window.file("<world format=\"1\">\n  <robots>\n    <robot id=\"a\" speed=\"1\"/>\n"
-                          "    <robot id=\"b\" speed=\"1\"/>\n  </robots>\n</world>\n"));
+  window.open(
+      window.file("<world format=\"1\">\n  <robots>\n    <robot id=\"a\" speed=\"1\"/>\n"
+                  "    <robot id=\"b\" speed=\"1\"/>\n  </robots>\n</world>\n"));
   REQUIRE(window.bench().problems().size() == 2);
   auto* editor = window->findChild<WorldEditor*>();
   QSet<int> lines;
@@ -255,9 +257,9 @@ TEST_CASE("A picture is exported whole or not at all") {
     answer_when_asked("export_dialog", [file](QDialog* dialog) {
       auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
       name->setText(file);
-      QTest::mouseClick(dialog->findChild<QDialogButtonBox*>("buttonBox")
-                            ->button(QDialogButtonBox::Save),
-                        Qt::LeftButton);
+      QTest::mouseClick(
+          dialog->findChild<QDialogButtonBox*>("buttonBox")->button(QDialogButtonBox::Save),
+          Qt::LeftButton);
     });
     pick(window, "File", "export_picture");
   };
@@ -308,15 +310,13 @@ TEST_CASE("A scene that is none leaves the stage empty, and the window alive") {
   SceneView view;
   view.resize(200, 150);
   const Json body = {{"path", "robot[r1]"}};
-  const Json shape = {{"shape", "box"},
-                      {"size", {1, 1, 1}},
-                      {"axis", "up"},
-                      {"frame", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
-                      {"colour", {1, 2, 3}},
-                      {"body", 7}};
+  const Json shape = {
+      {"shape", "box"},      {"size", {1, 1, 1}},
+      {"axis", "up"},        {"frame", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+      {"colour", {1, 2, 3}}, {"body", 7}};
   for (const Json& scene :
-       {Json{{"arena", {4, 4}}, {"bodies", {body}}, {"shapes", {shape}}},
-        Json{{"arena", "wide"}}, Json{{"arena", {4, 4}}, {"bodies", {body}}, {"shapes", {7}}},
+       {Json{{"arena", {4, 4}}, {"bodies", {body}}, {"shapes", {shape}}}, Json{{"arena", "wide"}},
+        Json{{"arena", {4, 4}}, {"bodies", {body}}, {"shapes", {7}}},
         Json{{"arena", {4, 4}},
              {"bodies", {body}},
              {"shapes", Json::array()},

@@ -247,8 +247,8 @@ TEST_CASE("A network of a recording's world has its weights where they stay") {
   school.ok(dialog);
   const QString folder = QFileInfo(window.bench().file()).absolutePath();
   CHECK(QDir(folder).entryList({"*.weights"}).isEmpty());
-  const QString weights = attribute(
-      *place_of(window.bench().tree(), "robot[r1]/coordinator").element, "weights");
+  const QString weights =
+      attribute(*place_of(window.bench().tree(), "robot[r1]/coordinator").element, "weights");
   CHECK(QFileInfo(weights).isAbsolute());
   CHECK(QFile::remove(weights));
 }

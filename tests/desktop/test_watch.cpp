@@ -264,8 +264,8 @@ END_FUNCTION_BLOCK
   CHECK(surface->grid().values[10] == Approx(0.1927083 / 0.5));
   CHECK(surface->figures().columns.size() == 10);
   CHECK(surface->figures().rows.size() == 1);
-  const auto* page = dynamic_cast<const ShowsFigures*>(
-      panel.findChild<QWidget*>(QStringLiteral("fuzzy_page")));
+  const auto* page =
+      dynamic_cast<const ShowsFigures*>(panel.findChild<QWidget*>(QStringLiteral("fuzzy_page")));
   REQUIRE(page);
   CHECK(page->figures().rows.size() == 4);  // an input, two rules, an output
   if (qEnvironmentVariableIsSet("ELSIE_SHOTS")) {

@@ -89,9 +89,7 @@ void Authoring::select(const QStringList& paths) {
   Q_EMIT selected(paths);
 }
 
-QString Authoring::robot() const {
-  return robot_path(selection_.value(0));
-}
+QString Authoring::robot() const { return robot_path(selection_.value(0)); }
 
 // Dialogs and menus
 
@@ -272,10 +270,9 @@ void Authoring::remove_selected() {
     edits << *path + "/@remove=true";
   }
   if (!edits.isEmpty()) {
-    workbench_.edit(edits,
-                    paths.size() == 1
-                        ? tr("delete %1").arg(title(paths.front()))
-                        : tr("delete %n things", nullptr, static_cast<int>(paths.size())));
+    workbench_.edit(edits, paths.size() == 1
+                               ? tr("delete %1").arg(title(paths.front()))
+                               : tr("delete %n things", nullptr, static_cast<int>(paths.size())));
   }
 }
 

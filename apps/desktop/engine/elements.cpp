@@ -106,9 +106,7 @@ QString free_id(const Json& world, const QString& letter, const QStringList& tak
   return letter + QString::number(number);
 }
 
-QString name_of(const Json& element) {
-  return text_of(element, "name");
-}
+QString name_of(const Json& element) { return text_of(element, "name"); }
 
 const Json& attributes_of(const Json& element) {
   static const Json none = Json::object();
@@ -134,7 +132,9 @@ QString robot_path(const QString& path) {
   return path.startsWith("robot[") ? path.section(']', 0, 0) + ']' : QString();
 }
 
-QString robot_id(const QString& path) { return robot_path(path).section('[', 1).section(']', 0, 0); }
+QString robot_id(const QString& path) {
+  return robot_path(path).section('[', 1).section(']', 0, 0);
+}
 
 QString attribute_path(const QString& element, const QString& attribute) {
   return element.isEmpty() ? '@' + attribute : element + "/@" + attribute;
@@ -161,8 +161,9 @@ Outline outline_of(const Json& world) {
 }
 
 QHash<QString, QString> renamed(const Outline& before, const Outline& after) {
-  const bool are_the_same = std::equal(before.begin(), before.end(), after.begin(), after.end(),
-                                       [](const auto& a, const auto& b) { return a.second == b.second; });
+  const bool are_the_same =
+      std::equal(before.begin(), before.end(), after.begin(), after.end(),
+                 [](const auto& a, const auto& b) { return a.second == b.second; });
   QHash<QString, QString> names;
   if (!are_the_same) {
     return names;

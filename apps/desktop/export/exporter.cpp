@@ -38,16 +38,16 @@ QString Exporter::ask_for_file(const QString& title, const QString& name, const 
 }
 
 void Exporter::warn(const QString& name, const QString& sentence) {
-  auto* box = new QMessageBox(QMessageBox::Warning, tr("Not exported"), sentence, QMessageBox::Ok,
-                              window_);
+  auto* box =
+      new QMessageBox(QMessageBox::Warning, tr("Not exported"), sentence, QMessageBox::Ok, window_);
   box->setObjectName(name);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->open();
 }
 
 void Exporter::export_picture() {
-  const QString file = ask_for_file(tr("Export the picture"), "world.png",
-                                    tr("Pictures (*.png *.jpg)"));
+  const QString file =
+      ask_for_file(tr("Export the picture"), "world.png", tr("Pictures (*.png *.jpg)"));
   if (file.isEmpty()) {
     return;
   }
@@ -133,8 +133,8 @@ void Exporter::end_film(bool is_wanted) {
 // Recordings and commands
 
 void Exporter::record() {
-  const QString file = ask_for_file(tr("Record the next run"), "run.mcap",
-                                    tr("Recordings (*.mcap *.csv)"));
+  const QString file =
+      ask_for_file(tr("Record the next run"), "run.mcap", tr("Recordings (*.mcap *.csv)"));
   if (!file.isEmpty()) {
     record_into(file);
   }

@@ -96,9 +96,10 @@ bool Film::add(const QImage& picture) {
   }
   const qint64 index = 16 * (static_cast<qint64>(places_.size()) + 1);
   if (file_.pos() + bytes.size() + index > most_) {
-    why_ = QCoreApplication::translate("Film", "after %1 s it has reached %2 MB, the most that an "
-                                               "AVI file can hold; make the window smaller, or the "
-                                               "run shorter")
+    why_ = QCoreApplication::translate("Film",
+                                       "after %1 s it has reached %2 MB, the most that an "
+                                       "AVI file can hold; make the window smaller, or the "
+                                       "run shorter")
                .arg(static_cast<double>(places_.size()) / rate_, 0, 'f', 1)
                .arg(most_ / 1'000'000);
     return false;

@@ -20,8 +20,8 @@ class ShowsFigures {
   virtual Figures figures() const = 0;
 };
 
-/// To be called in the constructor of a widget that is a ShowsFigures: the key for menus and a right
-/// click offer its figures as a table, and screen readers find them.
+/// To be called in the constructor of a widget that is a ShowsFigures: the key for menus and a
+/// right click offer its figures as a table, and screen readers find them.
 void offer_figures(QWidget* widget);
 /// Opens the table. It keeps the figures of this instant until "Again" is pressed.
 void show_figures(QWidget* widget);

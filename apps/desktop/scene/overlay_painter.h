@@ -12,7 +12,8 @@ namespace elsie::desktop {
 /// Draws points of the world as a camera sees them.
 class OverlayPainter {
  public:
-  OverlayPainter(QPainter& painter, const Stage& stage, const OrbitCamera& camera, const QSize& size)
+  OverlayPainter(QPainter& painter, const Stage& stage, const OrbitCamera& camera,
+                 const QSize& size)
       : painter_(painter), stage_(stage), camera_(camera), size_(size) {}
 
   /// A line that ends behind the camera is cut where it passes the camera's plane.

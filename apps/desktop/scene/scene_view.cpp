@@ -221,8 +221,9 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
       over.note({8.0, height() - line},
                 tr("%1   (Enter: do it, Esc: leave it)").arg(typed_.text()));
     } else if (stage_.is_past()) {
-      over.note({8.0, height() - line},
-                tr("Looking back at %1 s: places only, without beams").arg(stage_.time_s(), 0, 'f', 2));
+      over.note(
+          {8.0, height() - line},
+          tr("Looking back at %1 s: places only, without beams").arg(stage_.time_s(), 0, 'f', 2));
     }
   }
 }

@@ -1,5 +1,5 @@
-// The main view: the world in three dimensions, in real time. scene_view_input.cpp has its mouse and
-// keys.
+// The main view: the world in three dimensions, in real time. scene_view_input.cpp has its mouse
+// and keys.
 #pragma once
 
 #include <QImage>

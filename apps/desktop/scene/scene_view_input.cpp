@@ -112,8 +112,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != button_ || drag_ == Drag::none || typed_.is_on()) {
     return;
   }
-  const bool is_at_handle =
-      drag_ == Drag::move || drag_ == Drag::turn || drag_ == Drag::resize;
+  const bool is_at_handle = drag_ == Drag::move || drag_ == Drag::turn || drag_ == Drag::resize;
   const bool is_click = drag_ == Drag::pressed ||
                         (is_at_handle && QLineF(event->position(), pressed_).length() < kClick);
   if (!is_click) {

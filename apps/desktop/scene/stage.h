@@ -38,9 +38,9 @@ class Stage {
   /// What a camera sees: a pyramid.
   struct View {
     std::size_t body = 0;
-    Frame frame;  // in the body's
+    Frame frame;           // in the body's
     double fov_rad = 0.0;  // horizontal
-    double aspect = 1.0;  // height by width
+    double aspect = 1.0;   // height by width
   };
 
   /// A scene that is none leaves an empty stage; returns whether it was one.

@@ -105,11 +105,11 @@ void TrainingPage::show_report(const Json& report) {
   }
   const double presentations = number_of(report, "presentations");
   curve_->show_all(points, presentations > 1.0 ? presentations : 1.0);
-  progress_->setText(
-      tr("Mean error %1 after %2 samples")
-          .arg(number_text(number_of(report, "error")),
-               std::isfinite(presentations) ? QLocale::c().toString(presentations, 'f', 0)
-                                            : number_text(presentations)));
+  progress_->setText(tr("Mean error %1 after %2 samples")
+                         .arg(number_text(number_of(report, "error")),
+                              std::isfinite(presentations)
+                                  ? QLocale::c().toString(presentations, 'f', 0)
+                                  : number_text(presentations)));
 }
 
 void TrainingPage::remove_weights() {
@@ -213,8 +213,8 @@ bool TrainingPage::has_trained(const QStringList& edits, bool has_seed) const {
   return !trainer_.is_busy() && trained_ == lesson(edits, has_seed);
 }
 
-// Beside the world, or with the user's data while it has no file that stays; no file that is there is touched:
-// undo goes back to it.
+// Beside the world, or with the user's data while it has no file that stays; no file that is there
+// is touched: undo goes back to it.
 void TrainingPage::choose_weights() {
   const bool has_file = !workbench_.file().isEmpty() && !workbench_.is_borrowed();
   const QString folder =

@@ -351,9 +351,9 @@ Figures PlotsPanel::figures() const {
       figures.rows.push_back({title_of(name)});
       continue;
     }
-    const auto [least, most] = std::minmax_element(
-        curve.begin(), curve.end(),
-        [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); });
+    const auto [least, most] =
+        std::minmax_element(curve.begin(), curve.end(),
+                            [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); });
     figures.rows.push_back({title_of(name), number_text(curve.back().y()), number_text(least->y()),
                             number_text(most->y()), number_text(curve.front().x()),
                             number_text(curve.back().x())});

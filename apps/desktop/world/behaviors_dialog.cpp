@@ -157,8 +157,8 @@ void BehaviorsDialog::accept() {
   }
   refusal_->say({});
   buttons_->button(QDialogButtonBox::Ok)->setEnabled(false);
-  workbench_.edit(edits, tr("change behaviours of %1").arg(title_at(workbench_.tree(), holder_)), {},
-                  this, [this](const Problems& problems) {
+  workbench_.edit(edits, tr("change behaviours of %1").arg(title_at(workbench_.tree(), holder_)),
+                  {}, this, [this](const Problems& problems) {
                     buttons_->button(QDialogButtonBox::Ok)->setEnabled(true);
                     if (problems.empty()) {
                       QDialog::accept();

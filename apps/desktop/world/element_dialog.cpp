@@ -225,8 +225,8 @@ void ElementDialog::add_page(const QString& title, const QString& path, const Ki
       return;
     }
     const QString edit = attribute_path(path, name) + (taken_back ? "/@remove=true" : '=' + value);
-    workbench_.edit({edit}, tr("set %1 of %2").arg(name, title_at(workbench_.tree(), path)), edit.section('=', 0, 0), form,
-                    [form, name](const Problems& problems) {
+    workbench_.edit({edit}, tr("set %1 of %2").arg(name, title_at(workbench_.tree(), path)),
+                    edit.section('=', 0, 0), form, [form, name](const Problems& problems) {
                       form->show_problem(name,
                                          problems.empty() ? QString() : problems.front().message);
                     });

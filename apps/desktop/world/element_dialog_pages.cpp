@@ -1,5 +1,5 @@
-// The pages of the dialog that only some elements have: a first waypoint, headings, drives, and what
-// a coordinator learns.
+// The pages of the dialog that only some elements have: a first waypoint, headings, drives, and
+// what a coordinator learns.
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QListWidget>

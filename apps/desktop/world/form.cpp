@@ -66,8 +66,8 @@ class NumberEdit : public FieldEdit {
     bool is_right = false;
     if (is_integer_) {
       const qint64 value = QLocale::c().toLongLong(from, &is_right);
-      const qint64 last = way > 0 ? std::numeric_limits<qint64>::max()
-                                  : std::numeric_limits<qint64>::min();
+      const qint64 last =
+          way > 0 ? std::numeric_limits<qint64>::max() : std::numeric_limits<qint64>::min();
       return is_right && value != last ? QString::number(value + way) : QString();
     }
     const double value = QLocale::c().toDouble(from, &is_right);

@@ -90,8 +90,8 @@ Properties::Properties(Workbench& workbench, QWidget* parent)
 }
 
 void Properties::change(const QString& path, const QString& name, const QString& edit) {
-  workbench_.edit({edit}, tr("set %1 of %2").arg(name, title_at(workbench_.tree(), path)), attribute_path(path, name), this,
-                  [this, path, name](const Problems& problems) {
+  workbench_.edit({edit}, tr("set %1 of %2").arg(name, title_at(workbench_.tree(), path)),
+                  attribute_path(path, name), this, [this, path, name](const Problems& problems) {
                     if (path == path_) {
                       form_->show_problem(name,
                                           problems.empty() ? QString() : problems.front().message);

@@ -211,9 +211,9 @@ std::vector<WorldTree::Shown> WorldTree::places() const {
 void WorldTree::show_world() {
   is_showing_ = true;
   const std::vector<Shown> shown = places();
-  const bool is_same = std::equal(
-      shown.begin(), shown.end(), keys_.begin(), keys_.end(),
-      [](const Shown& place, const QString& key) { return place.key == key; });
+  const bool is_same =
+      std::equal(shown.begin(), shown.end(), keys_.begin(), keys_.end(),
+                 [](const Shown& place, const QString& key) { return place.key == key; });
   if (!is_same) {
     build(shown);
   }
@@ -274,9 +274,10 @@ void WorldTree::show_item(QTreeWidgetItem& item, const ElementPlace& place) {
   QFont font = tree_->font();
   font.setItalic(is_inherited);
   item.setFont(0, font);
-  item.setToolTip(0, is_inherited ? tr("It comes from the robot's template; what is changed here is "
-                                       "written into the robot's own element.")
-                                  : QString());
+  item.setToolTip(0, is_inherited
+                         ? tr("It comes from the robot's template; what is changed here is "
+                              "written into the robot's own element.")
+                         : QString());
 }
 
 void WorldTree::set_selection(const QStringList& paths) {

@@ -15,8 +15,8 @@ namespace elsie::desktop {
 
 class Workbench;
 
-/// The tree of the whole world, or of one team's robots. Rows stay open, chosen and in view when the
-/// world changes.
+/// The tree of the whole world, or of one team's robots. Rows stay open, chosen and in view when
+/// the world changes.
 class WorldTree : public QWidget {
   Q_OBJECT
 
