@@ -275,9 +275,7 @@ void MainWindow::connect_workbench() {
   });
   connect(&workbench_, &Workbench::snapshot, this, [this](const snapshots::Snapshot& snapshot) {
     scene_->take(snapshot);
-    if (const auto place = scene_->stage().place_of(properties_->path())) {
-      properties_->show_pose(place->origin.x, place->origin.y, degrees(heading_rad(*place)));
-    }
+    show_pose();
     show_state();
   });
   connect(&workbench_, &Workbench::history_changed, this, [this] {
@@ -744,11 +742,18 @@ void MainWindow::show_teams() {
 
 void MainWindow::say(const QString& text) { statusBar()->showMessage(text, kSaid_ms); }
 
+void MainWindow::show_pose() {
+  if (const auto place = scene_->stage().place_of(properties_->path())) {
+    properties_->show_pose(place->origin.x, place->origin.y, degrees(heading_rad(*place)));
+  }
+}
+
 void MainWindow::show_selection(const QStringList& paths) {
   scene_->set_selection(paths);
   world_tree_->set_selection(paths);
   for (WorldTree* each : std::as_const(teams_)) each->set_selection(paths);
   properties_->show_element(paths.isEmpty() ? QString() : paths.front());
+  show_pose();
   if (const QString robot = authoring_->robot(); !robot.isEmpty()) {
     watch_robot(robot.mid(6).chopped(1));
   }

@@ -77,6 +77,7 @@ class MainWindow : public QMainWindow {
   void begin_world(const std::function<QString()>& text);
   void show_start();
   void show_state();
+  void show_pose();
   void show_title();
   void show_teams();
   void show_recent();
