@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "engine/workbench.h"
+#include "paint/quiet_wheel.h"
 
 namespace elsie::desktop {
 namespace {
@@ -54,11 +55,13 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
   connect(step_, &QToolButton::clicked, &workbench_, &Workbench::step);
   connect(reset_, &QToolButton::clicked, this, [this] { workbench_.reset(workbench_.seed()); });
 
-  auto* speed_label = new QLabel(tr("Speed"));
+  auto* speed_label = new QLabel(tr("S&peed"));
   row->addWidget(speed_label);
   speed_ = new QComboBox;
   speed_->setObjectName("speed");
   speed_->setAccessibleName(tr("Speed"));
+  quiet_wheel(speed_);
+  speed_label->setBuddy(speed_);
   speed_->setToolTip(tr("Simulated seconds for each second on the clock"));
   for (const double speed : kSpeeds) {
     speed_->addItem(speed > 0.0 ? QString::number(speed) + "x" : tr("maximum"), speed);
@@ -68,8 +71,10 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
           [this](int index) { workbench_.set_speed(speed_->itemData(index).toDouble()); });
   row->addWidget(speed_);
 
-  row->addWidget(new QLabel(tr("Seed")));
+  auto* seed_label = new QLabel(tr("See&d"));
+  row->addWidget(seed_label);
   seed_ = new QLineEdit("1");
+  seed_label->setBuddy(seed_);
   seed_->setObjectName("seed");
   seed_->setAccessibleName(tr("Seed"));
   seed_->setToolTip(tr("Seed of all random numbers; a new one begins the run anew"));

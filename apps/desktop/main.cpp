@@ -3,6 +3,7 @@
 #include <QCommandLineParser>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QTranslator>
 #include <clocale>
 #include <cstring>
 #include <iostream>
@@ -57,6 +58,12 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName("elsie");
   QApplication::setApplicationName("elsie-desktop");
   QApplication::setApplicationDisplayName("Elsie");
+
+  QTranslator words;  // of the user's language, if somebody has made them
+  if (words.load(QLocale(), "elsie", "_",
+                 QCoreApplication::applicationDirPath() + "/../share/elsie/translations")) {
+    QCoreApplication::installTranslator(&words);
+  }
 
   QCommandLineParser parser;
   parser.setApplicationDescription(

@@ -137,11 +137,18 @@ void MainWindow::show_state() {
 
 void MainWindow::say(const QString& text) { statusBar()->showMessage(text, kSaid_ms); }
 
+void MainWindow::show_pose() {
+  if (const auto place = scene_->stage().place_of(properties_->path())) {
+    properties_->show_pose(place->origin.x, place->origin.y, degrees(heading_rad(*place)));
+  }
+}
+
 void MainWindow::show_selection(const QStringList& paths) {
   scene_->set_selection(paths);
   world_tree_->set_selection(paths);
   for (WorldTree* each : std::as_const(teams_)) each->set_selection(paths);
   properties_->show_element(paths.isEmpty() ? QString() : paths.front());
+  show_pose();
   if (const QString robot = authoring_->robot(); !robot.isEmpty()) {
     watch_robot(robot.mid(6).chopped(1));
   }

@@ -89,6 +89,7 @@ class MainWindow : public QMainWindow {
   void begin_world(const std::function<QString()>& text);
   void show_start();
   void show_state();
+  void show_pose();
   void show_title();
   void show_teams();
   void show_recent();
@@ -149,7 +150,6 @@ class MainWindow : public QMainWindow {
   QString watched_;        // what the engine was last asked to send
   QString watched_robot_;  // of the panels that show one
   bool was_shown_ = false;
-  QSet<QString> locked_;
 };
 
 }  // namespace elsie::desktop

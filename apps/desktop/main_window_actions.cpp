@@ -12,12 +12,14 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <algorithm>
 
 #include "authoring/authoring.h"
 #include "control_bar.h"
 #include "export/exporter.h"
 #include "main_window.h"
 #include "scene/scene_view.h"
+#include "shortcuts.h"
 #include "start_page.h"
 #include "text/problems_panel.h"
 
@@ -86,13 +88,10 @@ void MainWindow::make_actions() {
     removeAction(actions_[name]);
     scene_->addAction(actions_[name]);
   }
-  action("lock", tr("Loc&k against the mouse"), key("Ctrl+L"), [this] {
-    for (const QString& path : authoring_->selection()) {
-      if (!locked_.remove(path)) locked_.insert(path);
-    }
-    scene_->set_locked(locked_);
-    scene_->update();
-  });
+  action("lock", tr("Loc&k against the mouse"), key("Ctrl+L"),
+         [this] { scene_->toggle_locked(authoring_->selection()); });
+  action("more", tr("&More for what is chosen..."), {},
+         [this] { authoring_->open_menu(authoring_->selection().value(0), QCursor::pos()); });
   action(
       "start_pose", tr("Make &start pose"), {}, [this] { authoring_->make_start_poses(); },
       tr("The world begins with the chosen robots where they are now"));
@@ -143,6 +142,10 @@ void MainWindow::make_actions() {
       tr("For a plugin that does not come back: the engine begins anew, the world stays"));
 
   action("view_all", tr("Show &all"), key("Home"), [this] { scene_->show_all(); });
+  // Home is the view's: in trees and lists it goes to the first row.
+  actions_["view_all"]->setShortcutContext(Qt::WidgetShortcut);
+  removeAction(actions_["view_all"]);
+  scene_->addAction(actions_["view_all"]);
   action("view_top", tr("From the &top"), {}, [this] { scene_->look_from_top(); });
   action("view_front", tr("From the &front"), {}, [this] { scene_->look_from_front(); });
   action("view_side", tr("From the &side"), {}, [this] { scene_->look_from_side(); });
@@ -181,6 +184,10 @@ void MainWindow::make_actions() {
     for (QDockWidget* each : findChildren<QDockWidget*>()) {
       if (each->isVisible()) shown << each;
     }
+    // raise() changes the order of children.
+    std::sort(shown.begin(), shown.end(), [](const QDockWidget* a, const QDockWidget* b) {
+      return a->objectName() < b->objectName();
+    });
     if (!shown.isEmpty()) {
       QWidget* focus = QApplication::focusWidget();
       qsizetype now = -1;
@@ -243,7 +250,11 @@ void MainWindow::make_actions() {
     QMessageBox box(QMessageBox::NoIcon, tr("Keys"), text, QMessageBox::Close, this);
     box.exec();
   });
+  action(
+      "shortcuts", tr("Change &keys..."), {},
+      [this] { (new ShortcutsDialog(actions_, this))->show(); }, tr("The keys of all commands"));
   action("about", tr("&About"), {}, [this] { about(); });
+  load_shortcuts(actions_);
 }
 
 void MainWindow::make_menus() {
@@ -259,7 +270,7 @@ void MainWindow::make_menus() {
               "copy_command", "", "quit"});
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   fill(edit, {"undo", "redo", "", "cut", "copy", "paste", "duplicate", "delete", "", "edit",
-              "rename", "start_pose", "lock", ""});
+              "rename", "more", "start_pose", "lock", ""});
   QMenu* add = edit->addMenu(tr("&Add"));
   add->setObjectName("add_menu");
   fill(add,
@@ -281,7 +292,7 @@ void MainWindow::make_menus() {
   fill(simulation, {"run", "step", "reset", "", "event_before", "event_after", "now", "", "physics",
                     "arena", "limits", "", "stop_engine"});
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  fill(help, {"commands", "keys", "about"});
+  fill(help, {"commands", "keys", "shortcuts", "about"});
 
   QToolBar* bar = addToolBar(tr("Tools"));
   bar->setObjectName("tools");

@@ -72,10 +72,11 @@ void MainWindow::connect_workbench() {
     for (WorldTree* each : findChildren<WorldTree*>()) {
       if (each->isVisible()) each->show_weights(state);
     }
-    properties_->show_weight(state);
+    properties_->show_state(state);
   });
   connect(&workbench_, &Workbench::snapshot, this, [this](const snapshots::Snapshot& snapshot) {
     scene_->take(snapshot);
+    show_pose();
     show_state();
   });
   connect(&workbench_, &Workbench::history_changed, this, [this] {
@@ -147,6 +148,9 @@ void MainWindow::connect_views() {
   connect(scene_, &SceneView::selected, authoring_, &Authoring::select);
   connect(scene_, &SceneView::edit_wished, authoring_, &Authoring::edit_element);
   connect(scene_, &SceneView::menu_wished, authoring_, &Authoring::open_floor_menu);
+  connect(scene_, &SceneView::element_menu_wished, authoring_, &Authoring::open_menu);
+  connect(authoring_, &Authoring::called_otherwise, scene_, &SceneView::rename);
+  connect(authoring_, &Authoring::called_otherwise, properties_, &Properties::rename);
   connect(scene_, &SceneView::run_wished, actions_["run"], &QAction::trigger);
   connect(scene_, &SceneView::moved, this, [this](const QStringList& paths, double x, double y) {
     if (is_the_present()) authoring_->move(paths, x, y);

@@ -117,7 +117,7 @@ void MainWindow::forget_world() {
   outcome_.clear();
   runs_->stop();
   time_line_->expect({}, 0.0);
-  locked_.clear();
+  scene_->unlock_all();
   authoring_->select({});
   plots_->clear();
   vision_->clear();

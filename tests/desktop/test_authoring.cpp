@@ -1,5 +1,6 @@
 // What is done with the selection: clipboard, copies, menus, in a window with an engine.
 #include <QClipboard>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QStatusBar>
 #include <QTreeWidget>
@@ -7,8 +8,8 @@
 #include <catch2/catch.hpp>
 
 #include "authoring/pieces.h"
+#include "hands.h"
 #include "scene/scene_view.h"
-#include "window.h"
 #include "world/element_dialog.h"
 #include "world/form.h"
 #include "world/world_tree.h"
@@ -108,22 +109,15 @@ TEST_CASE("What cannot be pasted is named, and changes nothing") {
 TEST_CASE("A new robot of a team's window has a free id and the team") {
   Window window;
   window.open(window.file(kRoom));
-  Q_EMIT window.get<WorldTree>("team_tree_blue")->add_wished({}, "robots");
+  window.get<QDockWidget>("dock_team_blue")->raise();
+  auto* blue = window.get<WorldTree>("team_tree_blue");
+  REQUIRE(wait_for([&] { return !blue->visibleRegion().isEmpty(); }));
+  click_on(blue->findChild<QPushButton*>("add_robot"));
   auto* dialog = window.dialog("element_dialog");
   CHECK(qobject_cast<QLineEdit*>(dialog->findChild<Form*>("form_robot")->editor("id"))->text() ==
         "r2");
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
   CHECK(window.get<WorldTree>("team_tree_blue")->item("robot[r2]"));
-}
-
-TEST_CASE("An item without parameters opens no editor, and says why") {
-  Window window;
-  window.open(window.file(kRoom));
-  auto* tree = window.get<WorldTree>("world_tree");
-  CHECK(said(window, [&] {
-          Q_EMIT tree->edit_wished("robot[r1]/nothing[here]");
-        }).contains("nothing to edit"));
-  CHECK(window->findChild<QDialog*>("element_dialog") == nullptr);
 }
 
 TEST_CASE("A robot begins where it is now") {

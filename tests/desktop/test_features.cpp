@@ -2,12 +2,14 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSpinBox>
 #include <QStatusBar>
 #include <QTimer>
@@ -15,6 +17,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "hands.h"
 #include "scene/scene_view.h"
 #include "watch/control_surface.h"
 #include "watch/fuzzy_instant.h"
@@ -28,19 +31,6 @@
 using namespace elsie::desktop;
 
 namespace {
-
-/// Does something with the modal dialog of that name, once it is there.
-void when_asked(const char* name, const std::function<void(QDialog*)>& answer) {
-  auto* waiting = new QTimer(qApp);
-  QObject::connect(waiting, &QTimer::timeout, waiting, [=] {
-    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-    if (dialog && dialog->objectName() == name) {
-      waiting->deleteLater();
-      answer(dialog);
-    }
-  });
-  waiting->start(20);
-}
 
 void add_with(Window& window, const char* action) {
   window.act(action);
@@ -59,12 +49,26 @@ void add_with(Window& window, const char* action) {
 
 TEST_CASE("Menus: file, edit, view, simulation and help, each with what it names") {
   Window window;
+  const QHash<QString, QStringList> named{
+      {"File",
+       {"new", "open", "save", "save_as", "export_picture", "export_film", "record", "copy_command",
+        "quit"}},
+      {"Edit", {"undo", "redo", "cut", "copy", "paste", "duplicate", "delete", "edit", "rename"}},
+      {"View",
+       {"view_all", "view_top", "follow", "measure", "show_trails", "show_beams", "layout_author",
+        "layout_reset"}},
+      {"Simulation", {"run", "step", "reset", "physics", "arena", "limits", "stop_engine"}},
+      {"Help", {"commands", "keys", "shortcuts", "about"}}};
   QStringList titles;
   for (QAction* menu : window->menuBar()->actions()) {
-    titles << menu->text().remove('&');
-    INFO(menu->text().toStdString());
+    const QString title = menu->text().remove('&');
+    titles << title;
+    INFO(title.toStdString());
     REQUIRE(menu->menu());
-    CHECK(menu->menu()->actions().size() >= 3);
+    for (const QString& name : named[title]) {
+      INFO(name.toStdString());
+      CHECK(menu->menu()->actions().contains(window.get<QAction>(name.toUtf8().constData())));
+    }
   }
   CHECK(titles == QStringList{"File", "Edit", "View", "Simulation", "Help"});
 }
@@ -75,7 +79,11 @@ TEST_CASE("The status bar shows simulated time, real-time factor, seed and outco
   window.after([&] { window.bench().reset(7); });
   window.bench().set_speed(1.0);
   window.bench().run();
-  REQUIRE(wait_for([&] { return window.get<QLabel>("pace")->text().contains('x'); }));
+  const QRegularExpression pace("^[0-9]+\\.[0-9]x of 1x$");
+  REQUIRE(wait_for([&] {
+    const QString text = window.get<QLabel>("pace")->text();
+    return pace.match(text).hasMatch() && text != "0.0x of 1x";
+  }));
   CHECK(window.get<QLabel>("seed_shown")->text().contains("7"));
   REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::ended; }));
   CHECK(wait_for([&] { return window.get<QLabel>("time_s")->text() == "2.00 s"; }));
@@ -118,12 +126,10 @@ TEST_CASE("On a large screen the text stands beside the view, elsewhere below it
 
 TEST_CASE("Physics parameters are changed while it runs, and the run is that of --at") {
   Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
-  for (int i = 0; i < 30; ++i) {
-    window.bench().step();
-  }
-  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  window.open(window.file(QString(kRoom).replace("time=\"60\"", "time=\"8\"").toUtf8()));
+  window.bench().set_speed(1.0);
+  click_on(window.get<QToolButton>("run"));
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 0.2; }));
   window.act("physics");
   QDialog* dialog = window.dialog("element_dialog");
   auto* form = dialog->findChild<Form*>("form_physics");
@@ -132,13 +138,28 @@ TEST_CASE("Physics parameters are changed while it runs, and the run is that of 
     INFO(name);
     CHECK(form->editor(name));
   }
-  form->set_value("gravity", "-5");
-  form->set_value("erp", "0.4");
+  for (const auto& [name, value] : {std::pair("gravity", "-5"), {"erp", "0.4"}}) {
+    click_on(form->editor(name));
+    type_text(dialog, value);
+  }
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
   CHECK(window.bench().text().contains("gravity=\"-5\""));
-  CHECK(window.bench().run_state() == Workbench::Run::paused);
-  window.after([&] { window.act("undo"); });
-  CHECK(window.bench().text() == kRoom);
+  CHECK(window.bench().run_state() == Workbench::Run::running);
+  Json end;
+  QObject::connect(&window.bench(), &Workbench::ended, &window.window(),
+                   [&](const Json& event) { end = event; });
+  window.bench().set_speed(0.0);
+  REQUIRE(wait_for([&] { return !end.is_null(); }));
+
+  // The command that repeats it makes the same run; one without the changes another.
+  QApplication::clipboard()->clear();
+  window.act("copy_command");
+  REQUIRE(wait_for([&] { return !QApplication::clipboard()->text().isEmpty(); }));
+  const QStringList words = QProcess::splitCommand(QApplication::clipboard()->text());
+  CHECK(words.filter("physics/@gravity=-5").size() == 1);
+  const std::string hash = end.at("state_hash").get<std::string>();
+  CHECK(headless_hash(words.mid(2)) == hash);
+  CHECK(headless_hash({window.bench().file()}) != hash);
 }
 
 TEST_CASE("The control bar paces a run from 0.1 to as fast as possible") {
@@ -150,11 +171,11 @@ TEST_CASE("The control bar paces a run from 0.1 to as fast as possible") {
     QTest::keyClick(speed, Qt::Key_Up);
   }
   CHECK(window.bench().speed() == 0.1);
+  QElapsedTimer clock;
+  clock.start();
   QTest::mouseClick(window.get<QToolButton>("run"), Qt::LeftButton);
-  QTest::qWait(1500);
-  const double slow_s = window.bench().time_s();
-  CHECK(slow_s > 0.0);
-  CHECK(slow_s < 0.5);
+  REQUIRE(wait_for([&] { return window.bench().time_s() >= 0.1; }));
+  CHECK(clock.elapsed() >= 900);  // a tenth of real time
   QTest::keyClick(speed, Qt::Key_End);
   CHECK(window.bench().speed() == 0.0);
   CHECK(wait_for([&] { return window.bench().run_state() == Workbench::Run::ended; }));
@@ -224,7 +245,7 @@ TEST_CASE("A robot's dialog has the defaults, a drive, and the leader flag; a ru
 
   window.bench().run();
   REQUIRE(wait_for([&] { return window.bench().time_s() > 0.1; }));
-  Q_EMIT window.get<WorldTree>("world_tree")->edit_wished("robot[r1]");
+  click_row(window.get<WorldTree>("world_tree"), "robot[r1]", Qt::RightButton);
   dialog = nullptr;
   REQUIRE(wait_for([&] {
     for (auto* each : window->findChildren<QDialog*>("element_dialog")) {
@@ -375,11 +396,11 @@ TEST_CASE("Worlds are opened and saved elsewhere; the files opened last are list
   window.open(file);
   window.after([&] { window.bench().edit({"robot[r1]/@x=0"}, "move"); });
   const QString copy = window.folder() + "/copy.xml";
-  when_asked("save_dialog", [&](QDialog* dialog) {
+  answer_when_asked("save_dialog", [&](QDialog* dialog) {
     auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
     REQUIRE(wait_for([&] { return name->text() == "room.xml"; }));  // the folder is read
-    QTest::qWait(200);
-    name->setText(copy);
+    name->selectAll();
+    QTest::keyClicks(name, copy);
     auto* buttons = dialog->findChild<QDialogButtonBox*>("buttonBox");
     QTest::mouseClick(buttons->button(QDialogButtonBox::Save), Qt::LeftButton);
   });
@@ -410,7 +431,7 @@ TEST_CASE("The start page has examples with pictures, and New world asks and bui
     }
     return true;
   }));
-  when_asked("new_world_dialog", [](QDialog* dialog) {
+  answer_when_asked("new_world_dialog", [](QDialog* dialog) {
     dialog->findChild<QLineEdit*>("name")->setText("arena <1>");
     dialog->findChild<QSpinBox*>("boxes")->setValue(3);
     dialog->findChild<QSpinBox*>("resources")->setValue(2);
@@ -436,6 +457,7 @@ TEST_CASE("The title names the file, and a star the changes that are not saved")
 
 TEST_CASE("Every field says what it means; every number, its unit if it has one") {
   Window window;
+  int units = 0;
   for (const char* kind : {"sensor", "behavior", "coordinator", "drive", "measure"}) {
     for (const Kind& plugin : window.bench().catalog().plugins(kind)) {
       INFO(plugin.name.toStdString());
@@ -443,11 +465,25 @@ TEST_CASE("Every field says what it means; every number, its unit if it has one"
       form.show_fields(plugin.fields, Json::object());
       for (const Field& field : plugin.fields) {
         INFO(field.name.toStdString());
-        REQUIRE(form.editor(field.name));
-        CHECK_FALSE(form.editor(field.name)->toolTip().isEmpty());
+        QWidget* editor = form.editor(field.name);
+        REQUIRE(editor);
+        CHECK_FALSE(field.meaning.isEmpty());
+        CHECK(editor->toolTip().contains(field.meaning.toHtmlEscaped()));
+        CHECK(editor->accessibleDescription() == field.meaning);
+        if (!field.unit.isEmpty()) {
+          ++units;
+          CHECK(editor->toolTip().contains('(' + field.unit.toHtmlEscaped() + ')'));
+          CHECK(editor->accessibleName() == field.name + ", " + field.unit);
+          QStringList shown;
+          for (QLabel* label : editor->parentWidget()->findChildren<QLabel*>()) {
+            shown << label->text();
+          }
+          CHECK(shown.contains(field.unit));
+        }
       }
     }
   }
+  CHECK(units > 30);
 }
 
 TEST_CASE("A plugin that changes while the window is open has its new form, without a restart") {

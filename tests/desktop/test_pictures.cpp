@@ -3,17 +3,18 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QTabWidget>
 #include <QTreeWidget>
 
 #include <catch2/catch.hpp>
 
+#include "hands.h"
 #include "scene/scene_view.h"
 #include "watch/fuzzy_instant.h"
 #include "watch/fuzzy_panel.h"
 #include "watch/plots_panel.h"
 #include "watch/vision_panel.h"
-#include "window.h"
 #include "world/form.h"
 
 using namespace elsie::desktop;
@@ -21,7 +22,7 @@ using namespace elsie::desktop;
 namespace {
 
 void keep(QWidget& widget, const QString& name) {
-  QTest::qWait(300);
+  QTest::qWait(300);  // for animations of docks
   const QString folder = qEnvironmentVariable("ELSIE_PICTURES", ".");
   CHECK(widget.grab().save(folder + '/' + name + ".png"));
 }
@@ -39,7 +40,7 @@ void run_until(Window& window, double time_s) {
     return window.bench().time_s() > time_s || window.bench().run_state() == Workbench::Run::ended;
   }));
   window.bench().pause();
-  QTest::qWait(200);
+  wait_for([&] { return window.bench().run_state() != Workbench::Run::running; });
 }
 
 void keep_dialog(Window& window, const char* action, const QString& name) {
@@ -57,9 +58,7 @@ void keep_dialog(Window& window, const char* action, const QString& name) {
     keep(*dialog, name + "_last_page");
   }
   dialog->reject();
-  REQUIRE(
-      wait_for([&] { return !dialog->isVisible() || window->findChildren<QDialog*>().isEmpty(); }));
-  QTest::qWait(50);
+  REQUIRE(wait_for([&] { return window->findChildren<QDialog*>().isEmpty(); }));
 }
 
 }  // namespace
@@ -117,4 +116,46 @@ TEST_CASE("Pictures: dialogs", "[.pictures]") {
   keep_dialog(window, "coordinator", "dialog_coordinator");
   keep_dialog(window, "physics", "dialog_physics");
   keep_dialog(window, "add_moving", "dialog_moving_box");
+}
+
+TEST_CASE("Pictures: errors, teams, keys and the wizard", "[.pictures]") {
+  Window window;
+  resize(window);
+  answer_when_asked("new_world_dialog", [](QDialog* dialog) {
+    keep(*dialog, "dialog_new_world");
+    dialog->reject();
+  });
+  window.act("new");
+  keep_dialog(window, "shortcuts", "dialog_keys");
+  window.open(
+      window.file("<world format=\"1\">\n  <robots>\n    <robot id=\"a\" speed=\"1\"/>\n"
+                  "    <robot id=\"b\" x=\"left\"/>\n  </robots>\n</world>\n"));
+  resize(window);
+  window.get<QDockWidget>("dock_problems")->raise();
+  keep(window.window(), "errors");
+  window.open(world_file("ten_robots"));
+  window.get<QDockWidget>("dock_team_red")->raise();
+  keep(window.window(), "team");
+}
+
+TEST_CASE("Pictures: behaviours in use, and the past", "[.pictures]") {
+  Window window(world_file("clutter"));
+  resize(window);
+  window.get<QDockWidget>("dock_coordination")->raise();
+  run_until(window, 10.0);
+  keep(window.window(), "behaviours");
+  window.get<QWidget>("time")->setFocus();
+  press_key(&window.window(), Qt::Key_Left, Qt::ShiftModifier);
+  REQUIRE(wait_for([&] { return window->scene().stage().is_past(); }));
+  keep(window.window(), "past");
+}
+
+TEST_CASE("Pictures: when a plugin ends the engine, and after a crash", "[.pictures]") {
+  Window window;
+  window.open(window.file(kRoom));
+  resize(window);
+  window.after([&] { window.bench().edit({"robot[r1]/@x=0.3"}, "move r1"); });
+  window.act("stop_engine");
+  keep(*window.dialog<QMessageBox>("engine_lost"), "engine_lost");
+  window.dialog<QMessageBox>("engine_lost")->close();
 }

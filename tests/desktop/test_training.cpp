@@ -11,8 +11,8 @@
 #include <catch2/catch.hpp>
 
 #include "authoring/authoring.h"
+#include "hands.h"
 #include "training/learning_curve.h"
-#include "window.h"
 #include "world/element_dialog.h"
 #include "world/form.h"
 
@@ -194,20 +194,61 @@ TEST_CASE("A right click on a trained network clears it") {
   auto* dialog = school.new_network();
   School::enter(dialog, "training", "samples.txt");
   school.ok(dialog);
-  bool is_offered = false;
-  QTimer::singleShot(200, &school.window.window(), [&] {
-    auto* menu = school.window->findChild<QMenu*>("element_menu");
-    for (QAction* action : menu->actions()) {
-      if (action->text().contains("lear the network")) {
-        is_offered = true;
-        action->trigger();
-      }
-    }
-    menu->close();
-  });
-  school.window.after([&] {
-    school.window->findChild<Authoring*>()->open_menu("robot[r1]/coordinator", QPoint(10, 10));
-  });
-  CHECK(is_offered);
+  auto* tree = school.window.get<WorldTree>("world_tree");
+  const auto is_picked = pick_when_open("element_menu", "Clear the network");
+  school.window.after([&] { click_row(tree, "robot[r1]/coordinator", Qt::RightButton); });
+  CHECK(*is_picked);
+  CHECK(school.window.bench().undo_name() == "clear the network");
   CHECK(!school.window.bench().text().contains("weights="));
+}
+
+TEST_CASE("Weights that nobody uses go with the dialog, also those of a network on the plateau") {
+  School school;
+  auto* dialog = school.new_network();
+  school.window.file("1 1 0 1\n1 1 1 0\n", "same.txt");
+  School::enter(dialog, "training", "same.txt");
+  School::enter(dialog, "presentations", "1000");
+  school.window.press(dialog, QDialogButtonBox::Ok);
+  REQUIRE(wait_for([&] { return !refusal(dialog).isEmpty(); }));
+  REQUIRE(school.weight_files() == QStringList{"r1.weights"});
+  Window::press(dialog, QDialogButtonBox::Cancel);
+  REQUIRE(wait_for([&] { return !school.window->findChild<ElementDialog*>(); }));
+  CHECK(school.weight_files().isEmpty());
+  CHECK(school.window.bench().text() == QString(kPupil));
+}
+
+TEST_CASE("A training file is browsed for, and named as the world would name it") {
+  School school;
+  auto* dialog = school.new_network();
+  answer_when_asked("browse_dialog", [&](QDialog* browse) {
+    auto* name = browse->findChild<QLineEdit*>("fileNameEdit");
+    name->setText(school.samples);
+    auto* open = browse->findChild<QDialogButtonBox*>("buttonBox")->button(QDialogButtonBox::Open);
+    REQUIRE(wait_for([&] { return open->isEnabled(); }));  // the folder is read
+    QTest::mouseClick(open, Qt::LeftButton);
+  });
+  QTest::mouseClick(dialog->findChild<QToolButton*>("training_browse"), Qt::LeftButton);
+  CHECK(dialog->findChild<QLineEdit*>("training")->text() == "samples.txt");
+}
+
+TEST_CASE("A network of a recording's world has its weights where they stay") {
+  School school;
+  Window& window = school.window;
+  const QString recording = window.folder() + "/run.mcap";
+  QProcess run;
+  run.start(build_file("elsie"),
+            {"run", window.bench().file(), "--duration", "1", "--record", recording});
+  REQUIRE(run.waitForFinished(kPatience_ms));
+  window.open(recording);
+  REQUIRE(window.bench().is_borrowed());
+  click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
+  auto* dialog = school.new_network();
+  School::enter(dialog, "training", school.samples);
+  school.ok(dialog);
+  const QString folder = QFileInfo(window.bench().file()).absolutePath();
+  CHECK(QDir(folder).entryList({"*.weights"}).isEmpty());
+  const QString weights =
+      attribute(*place_of(window.bench().tree(), "robot[r1]/coordinator").element, "weights");
+  CHECK(QFileInfo(weights).isAbsolute());
+  CHECK(QFile::remove(weights));
 }

@@ -1,10 +1,14 @@
 // The panels that show a run.
+#include <QAccessible>
 #include <QApplication>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QDir>
 #include <QLineEdit>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QTreeWidget>
 #include <cmath>
 #include <limits>
@@ -94,6 +98,51 @@ TEST_CASE("coordination: a row for each behaviour, with figures and the reason")
   CHECK(text.contains(QStringLiteral("box 0.3 m ahead")));
   CHECK(panel.row_text(2).contains(QStringLiteral("not asked")));
   CHECK(panel.row_text(2).contains(QStringLiteral("inhibited by explore")));
+}
+
+TEST_CASE("painted widgets have their figures for screen readers, and as a table for all") {
+  CoordinationPanel panel;
+  panel.resize(400, 200);
+  panel.set_robot(QStringLiteral("r1"));
+  panel.add(state(0.1, 0.5));
+  panel.show();
+  QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(&panel);
+  REQUIRE(accessible);
+  CHECK(accessible->text(QAccessible::Name) == QStringLiteral("Coordination"));
+  const QString said = accessible->text(QAccessible::Value);
+  CHECK(said.contains(QStringLiteral("behaviour explore/avoid")));
+  CHECK(said.contains(QStringLiteral("share [%] 50")));
+  CHECK(said.contains(QStringLiteral("reason box 0.3 m ahead")));
+  CHECK(said.contains(QStringLiteral("inhibited by explore")));
+
+  // By the key for menus, as a table.
+  QTimer::singleShot(0, &panel, [&] {
+    QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Down);
+    QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Return);
+  });
+  QContextMenuEvent wish(QContextMenuEvent::Keyboard, QPoint(5, 5),
+                         panel.mapToGlobal(QPoint(5, 5)));
+  QApplication::sendEvent(panel.viewport(), &wish);
+  REQUIRE(QTest::qWaitFor([&] { return panel.findChild<QTableWidget*>() != nullptr; }, 60'000));
+  auto* table = panel.findChild<QTableWidget*>();
+  CHECK(table->rowCount() == 3);
+  CHECK(table->item(1, 0)->text() == QStringLiteral("explore/avoid"));
+  CHECK(table->item(2, 3)->text() == QStringLiteral("not asked"));
+
+  PlotsPanel plots;
+  plots.add(state(0.1, 0.25));
+  plots.add(state(0.2, 0.75));
+  plots.choose(QStringLiteral("r1/explore/avoid/share"), true);
+  auto* plot = plots.findChild<QWidget*>(QStringLiteral("plot"));
+  REQUIRE(plot);
+  const QString plotted = QAccessible::queryAccessibleInterface(plot)->text(QAccessible::Value);
+  CHECK(plotted.contains(QStringLiteral("now 0.75, least 0.25, most 0.75")));
+
+  VisionPanel vision;
+  vision.add(state(0.1, 0.5));
+  CHECK(vision.figures().rows ==
+        std::vector<QStringList>{{QStringLiteral("r1/eye raw"), QStringLiteral("8"),
+                                  QStringLiteral("6"), QStringLiteral("#808080")}});
 }
 
 TEST_CASE("coordination: the bands keep the past until time goes back") {
@@ -213,6 +262,12 @@ END_FUNCTION_BLOCK
   REQUIRE(panel.now().centres[0]);
   CHECK(*panel.now().centres[0] == Approx(0.1927083 / 0.5));  // moment / area, by hand
   CHECK(surface->grid().values[10] == Approx(0.1927083 / 0.5));
+  CHECK(surface->figures().columns.size() == 10);
+  CHECK(surface->figures().rows.size() == 1);
+  const auto* page =
+      dynamic_cast<const ShowsFigures*>(panel.findChild<QWidget*>(QStringLiteral("fuzzy_page")));
+  REQUIRE(page);
+  CHECK(page->figures().rows.size() == 4);  // an input, two rules, an output
   if (qEnvironmentVariableIsSet("ELSIE_SHOTS")) {
     panel.grab().save(qEnvironmentVariable("ELSIE_SHOTS") + QStringLiteral("/fuzzy.png"));
   }

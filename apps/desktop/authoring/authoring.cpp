@@ -5,9 +5,9 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <QMimeData>
-#include <QSet>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "elsie/api/geometry.h"
 
@@ -28,8 +28,6 @@ QString number(double value, double step = 0.001) {
   const double rounded = std::round(value / step) * step;
   return QString::number(rounded == 0.0 ? 0.0 : rounded, 'g', 9);
 }
-
-double heading_rad(const Frame& frame) { return std::atan2(frame.forward.y, frame.forward.x); }
 
 QString heading_deg(double rad) { return number(degrees(wrap_angle(rad)), 0.01); }
 
@@ -64,19 +62,34 @@ QPointF free_place(const Stage& stage) {
 }  // namespace
 
 Authoring::Authoring(Workbench& workbench, const Stage& stage, QWidget* window)
-    : QObject(window), workbench_(workbench), stage_(stage), window_(window) {}
+    : QObject(window), workbench_(workbench), stage_(stage), window_(window) {
+  connect(&workbench_, &Workbench::described, this, &Authoring::find_renamed);
+}
+
+// What is chosen stays so when it is called otherwise: by a form, by undo, in the text.
+void Authoring::find_renamed() {
+  const Outline before = std::exchange(outline_, outline_of(workbench_.tree()));
+  const QHash<QString, QString> names = renamed(before, outline_);
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    Q_EMIT called_otherwise(name.key(), name.value());
+  }
+  QStringList paths = selection_;
+  for (QString& path : paths) {
+    path = names.value(path, path);
+  }
+  if (paths != selection_) {
+    select(paths);
+  }
+}
+
+QString Authoring::title(const QString& path) const { return title_at(workbench_.tree(), path); }
 
 void Authoring::select(const QStringList& paths) {
   selection_ = paths;
   Q_EMIT selected(paths);
 }
 
-QString Authoring::robot() const {
-  if (selection_.isEmpty() || !selection_.front().startsWith("robot[")) {
-    return {};
-  }
-  return selection_.front().section(']', 0, 0) + ']';
-}
+QString Authoring::robot() const { return robot_path(selection_.value(0)); }
 
 // Dialogs and menus
 
@@ -180,8 +193,14 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
   }
   QMenu menu(window_);
   menu.setObjectName("element_menu");
-  menu.addAction(tr("&Edit..."), this, [this, path] { edit_element(path); });
   const ElementPlace place = place_of(workbench_.tree(), path);
+  if (place.element && !attribute(*place.element, "weights").isEmpty()) {
+    // As the original's right click on a trained network.
+    menu.setActiveAction(menu.addAction(tr("C&lear the network"), this, [this, path] {
+      workbench_.edit({path + "/@weights/@remove=true"}, tr("clear the network"));
+    }));
+  }
+  menu.addAction(tr("&Edit..."), this, [this, path] { edit_element(path); });
   const auto kind = workbench_.catalog().kind_of(place);
   const bool is_robot = kind && kind->name == "robot";
   if (is_robot) {
@@ -201,12 +220,6 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
   if (path.endsWith("/coordinator")) {
     menu.addAction(tr("&Replace..."), this,
                    [this, path] { add_element(holder_of(path), "coordinator"); });
-    if (place.element && !attribute(*place.element, "weights").isEmpty()) {
-      // As the original's right click on a trained network.
-      menu.addAction(tr("C&lear the network"), this, [this, path] {
-        workbench_.edit({path + "/@weights/@remove=true"}, tr("clear the network"));
-      });
-    }
   }
   menu.addSeparator();
   menu.addAction(tr("&Duplicate"), this, &Authoring::duplicate_selected);
@@ -236,26 +249,40 @@ void Authoring::open_floor_menu(const QPoint& global, double x, double y) {
 
 // Changes of what is chosen
 
+// In the order of the world, without those that are in others of them.
+QStringList Authoring::wholes() const {
+  QStringList paths;
+  visit(workbench_.tree(), [&](const ElementPlace& place) {
+    const bool is_chosen = place.list.isEmpty() && selection_.contains(place.path);
+    if (is_chosen) {
+      paths << place.path;
+    }
+    return !is_chosen;
+  });
+  return paths;
+}
+
 void Authoring::remove_selected() {
+  const QStringList paths = wholes();
   QStringList edits;
   // From the back: an edit may change how those after it are called.
-  for (auto path = selection_.rbegin(); path != selection_.rend(); ++path) {
+  for (auto path = paths.rbegin(); path != paths.rend(); ++path) {
     edits << *path + "/@remove=true";
   }
   if (!edits.isEmpty()) {
-    workbench_.edit(edits, selection_.size() == 1 ? tr("delete %1").arg(selection_.front())
-                                                  : tr("delete %n things", nullptr,
-                                                       static_cast<int>(selection_.size())));
+    workbench_.edit(edits, paths.size() == 1
+                               ? tr("delete %1").arg(title(paths.front()))
+                               : tr("delete %n things", nullptr, static_cast<int>(paths.size())));
   }
 }
 
 QString Authoring::markup_of_selected() const {
   QString text;
-  for (const QString& path : selection_) {
+  for (const QString& path : wholes()) {
     const ElementPlace place = place_of(workbench_.tree(), path);
-    if (place.element) {
-      text += markup_of(*place.element) + '\n';
-    }
+    const QString holder = place.parent ? name_of(*place.parent) : QString();
+    text += listed(markup_of(*place.element), member_word(holder).isEmpty() ? QString() : holder) +
+            '\n';
   }
   return text;
 }
@@ -283,9 +310,10 @@ void Authoring::paste() {
 
 void Authoring::duplicate_selected() { insert(markup_of_selected(), tr("duplicate")); }
 
+// Of a piece that does not say in which list it is.
 QString Authoring::list_for(const QString& name) const {
   for (const char* list : {"robots", "obstacles", "resources", "chargers", "teams", "goals",
-                           "measures", "sensors", "behaviors"}) {
+                           "measures", "sensors", "behaviors", "coordinator"}) {
     for (const Kind& each : workbench_.catalog().members(list)) {
       if (each.name == name) {
         return list;
@@ -295,6 +323,25 @@ QString Authoring::list_for(const QString& name) const {
   return {};
 }
 
+// The chosen thing if it may hold elements of that name, or the one in which it is; none: neither.
+std::optional<QString> Authoring::holder_of_part(const QString& name) const {
+  for (QString path = selection_.value(0); !path.isEmpty(); path = holder_of(path)) {
+    const auto kind = workbench_.catalog().kind_of(place_of(workbench_.tree(), path));
+    if (kind && kind->elements.contains(name) && member_word(name).isEmpty()) {
+      return path;
+    }
+  }
+  return std::nullopt;
+}
+
+// The chosen behaviour if it holds others, or the chosen robot; "": none is chosen.
+QString Authoring::carrier(const QString& list) const {
+  const QString chosen = selection_.value(0);
+  const auto kind = workbench_.catalog().kind_of(place_of(workbench_.tree(), chosen));
+  const bool holds = kind && kind->holds_behaviors && chosen.contains("/behavior[");
+  return holds && (list == "behaviors" || list == "coordinator") ? chosen : robot();
+}
+
 void Authoring::insert(const QString& markup, const QString& name) {
   const std::vector<Piece> pieces = pieces_of(markup);
   if (pieces.empty()) {
@@ -302,28 +349,50 @@ void Authoring::insert(const QString& markup, const QString& name) {
     return;
   }
   QStringList edits, taken;
-  for (Piece piece : pieces) {
-    const QString list = list_for(piece.name);
-    if (list.isEmpty()) {
-      Q_EMIT said(tr("'%1' is no element that can be pasted into a world.").arg(piece.name));
+  for (const Piece& piece : pieces) {
+    QString why;
+    const QString edit = insertion_of(piece, taken, why);
+    if (edit.isEmpty()) {
+      Q_EMIT said(why);
       return;
     }
-    const bool is_carried = list == "sensors" || list == "behaviors";
-    if (is_carried && robot().isEmpty()) {
-      Q_EMIT said(tr("Choose the robot that '%1' is for.").arg(piece.name));
-      return;
-    }
-    // Its id is in use and its place is taken: it gets a new id and stands aside.
-    const QString id = piece.name == "robot" ? free_id(workbench_.tree(), "r", taken) : QString();
-    taken << id;
-    piece.markup = with_attribute(piece, "id", id);
-    if (list == "robots" || list == "obstacles" || list == "resources" || list == "chargers") {
-      piece.markup =
-          with_attribute(piece, "x", number(attribute_of(piece, "x").toDouble() + kAside_m));
-    }
-    edits << (is_carried ? robot() + '/' : QString()) + member_word(list) + "[+]=" + piece.markup;
+    edits << edit;
   }
   workbench_.edit(edits, name);
+}
+
+QString Authoring::insertion_of(Piece piece, QStringList& taken, QString& why) const {
+  const auto stand_aside = [&piece] {
+    piece.markup =
+        with_attribute(piece, "x", number(attribute_of(piece, "x").toDouble() + kAside_m));
+  };
+  if (const auto holder = piece.list.isEmpty() ? holder_of_part(piece.name) : std::nullopt) {
+    if (piece.name == "waypoint") stand_aside();
+    return *holder + '/' + piece.name + "[+]=" + piece.markup;
+  }
+  const QString list = piece.list.isEmpty() ? list_for(piece.name) : piece.list;
+  if (list.isEmpty()) {
+    why = tr("'%1' is no element that can be pasted into a world.").arg(piece.name);
+    return {};
+  }
+  const bool is_carried =
+      list == "sensors" || list == "behaviors" || list == "coordinator" || list == "drive";
+  const QString holder = is_carried ? carrier(list) : QString();
+  if (is_carried && holder.isEmpty()) {
+    why = tr("Choose the robot that '%1' is for.").arg(piece.name);
+    return {};
+  }
+  const QString place = (is_carried ? holder + '/' : QString()) + member_word(list);
+  if (list == "coordinator" || list == "drive") {  // there is one: it is replaced
+    const bool is_there = place_of(workbench_.tree(), place).element != nullptr;
+    return place + (is_there ? "=" : "[+]=") + piece.markup;
+  }
+  // Its id is in use and its place is taken: it gets a new id and stands aside.
+  const QString id = piece.name == "robot" ? free_id(workbench_.tree(), "r", taken) : QString();
+  taken << id;
+  piece.markup = with_attribute(piece, "id", id);
+  if (kPlaced.contains(list)) stand_aside();
+  return place + "[+]=" + piece.markup;
 }
 
 void Authoring::rename_selected() {
@@ -332,12 +401,21 @@ void Authoring::rename_selected() {
   }
   const QString path = selection_.front();
   const ElementPlace place = place_of(workbench_.tree(), path);
-  bool is_given = false;
-  const QString name =
-      QInputDialog::getText(window_, tr("Rename"), tr("Name of %1").arg(path), QLineEdit::Normal,
-                            place.element ? title_of(*place.element) : QString(), &is_given);
-  if (is_given && !name.isEmpty()) {
-    workbench_.edit({attribute_path(path, "id") + '=' + name}, tr("rename %1").arg(path));
+  const auto kind = workbench_.catalog().kind_of(place);
+  const bool has_name = kind && std::any_of(kind->fields.begin(), kind->fields.end(),
+                                            [](const Field& field) { return field.name == "id"; });
+  if (!has_name) {
+    Q_EMIT said(tr("'%1' has no name of its own.").arg(title(path)));
+    return;
+  }
+  QInputDialog dialog(window_);
+  dialog.setObjectName("rename_dialog");
+  dialog.setWindowTitle(tr("Rename"));
+  dialog.setLabelText(tr("Name of %1").arg(title(path)));
+  dialog.setTextValue(title(path));
+  if (dialog.exec() == QDialog::Accepted && !dialog.textValue().isEmpty()) {
+    workbench_.edit({attribute_path(path, "id") + '=' + dialog.textValue()},
+                    tr("rename %1").arg(title(path)));
   }
 }
 
@@ -345,7 +423,7 @@ void Authoring::make_start_poses() {
   QStringList edits;
   for (const QString& path : std::as_const(selection_)) {
     const Stage::Body* body = stage_.body_of(path);
-    if (body && path.startsWith("robot[")) {
+    if (body && body->is_robot()) {
       edits << path + "/@x=" + number(body->frame.origin.x)
             << path + "/@y=" + number(body->frame.origin.y)
             << path + "/@heading_deg=" + heading_deg(heading_rad(body->frame));
@@ -373,7 +451,7 @@ void Authoring::move(const QStringList& paths, double by_x, double by_y) {
   if (!edits.isEmpty()) {
     workbench_.edit(edits,
                     paths.size() == 1
-                        ? tr("move %1").arg(paths.front())
+                        ? tr("move %1").arg(title(paths.front()))
                         : tr("move %n things", nullptr, static_cast<int>(paths.size())),
                     "move " + paths.join(' '));
   }
@@ -382,13 +460,13 @@ void Authoring::move(const QStringList& paths, double by_x, double by_y) {
 void Authoring::turn(const QString& path, double by_rad) {
   if (const Stage::Body* body = stage_.body_of(path)) {
     workbench_.edit({path + "/@heading_deg=" + heading_deg(heading_rad(body->frame) + by_rad)},
-                    tr("turn %1").arg(path), "turn " + path);
+                    tr("turn %1").arg(title(path)), "turn " + path);
   }
 }
 
 void Authoring::resize(const QString& path, double length, double width) {
   workbench_.edit({path + "/@length=" + number(length), path + "/@width=" + number(width)},
-                  tr("resize %1").arg(path), "resize " + path);
+                  tr("resize %1").arg(title(path)), "resize " + path);
 }
 
 }  // namespace elsie::desktop

@@ -6,11 +6,14 @@
 #include <QStringList>
 #include <optional>
 
+#include "engine/elements.h"
+
 class QPoint;
 class QWidget;
 
 namespace elsie::desktop {
 
+struct Piece;
 class Stage;
 class Workbench;
 
@@ -66,17 +69,27 @@ class Authoring : public QObject {
   void selected(const QStringList& paths);
   void said(const QString& sentence);
   void follow_wished(const QString& path);
+  /// An element, chosen or not, has another path from now on.
+  void called_otherwise(const QString& from, const QString& to);
 
  private:
+  void find_renamed();
+  QString title(const QString& path) const;
+  QStringList wholes() const;
   QString markup_of_selected() const;
-  /// The list that has elements of that name; "": none.
   QString list_for(const QString& name) const;
+  std::optional<QString> holder_of_part(const QString& name) const;
+  QString carrier(const QString& list) const;
   void insert(const QString& markup, const QString& name);
+  /// The edit that puts a piece into the world; "", with a sentence, if it has no place. Notes the
+  /// id that it gives.
+  QString insertion_of(Piece piece, QStringList& taken, QString& why) const;
 
   Workbench& workbench_;
   const Stage& stage_;
   QWidget* window_;
   QStringList selection_;
+  Outline outline_;  // of the world
 };
 
 }  // namespace elsie::desktop

@@ -22,18 +22,24 @@ std::vector<Piece> pieces_of(const QString& text) {
   QXmlStreamReader reader(whole);
   std::vector<Piece> pieces;
   int depth = 0;
+  QString list;
   // Where the token before this one ended; the reader may have looked one character ahead.
   qint64 last = 0;
   qint64 start = 0;
+  const auto is_piece = [&](int at) { return at == (list.isEmpty() ? 2 : 3); };
   while (!reader.atEnd()) {
     const auto token = reader.readNext();
     if (token == QXmlStreamReader::StartElement) {
+      const QString name = reader.name().toString();
       if (++depth == 2) {
+        list = member_word(name).isEmpty() ? QString() : name;
+      }
+      if (is_piece(depth)) {
         start = whole.indexOf('<', last - 1);
-        pieces.push_back({reader.name().toString(), {}});
+        pieces.push_back({name, {}, list});
       }
     } else if (token == QXmlStreamReader::EndElement) {
-      if (depth-- == 2) {
+      if (is_piece(depth--)) {
         const qint64 end = whole.indexOf('>', reader.characterOffset() - 1) + 1;
         pieces.back().markup = whole.mid(start, end - start);
       }
@@ -41,6 +47,10 @@ std::vector<Piece> pieces_of(const QString& text) {
     last = reader.characterOffset();
   }
   return reader.hasError() ? std::vector<Piece>() : pieces;
+}
+
+QString listed(const QString& markup, const QString& list) {
+  return list.isEmpty() ? markup : '<' + list + '>' + markup + "</" + list + '>';
 }
 
 QString with_attribute(const Piece& piece, const QString& attribute, const QString& value) {

@@ -9,10 +9,14 @@ namespace elsie::desktop {
 struct Piece {
   QString name;
   QString markup;
+  QString list = {};  // in which it is: "sensors"; "" if the text does not say
 };
 
-/// The elements of a text, one after the other. Empty if it is no XML.
+/// The elements of a text, one after the other; of those that are lists, the elements in them.
+/// Empty if it is no XML.
 std::vector<Piece> pieces_of(const QString& text);
+/// A text that pieces_of() reads, of an element in this list; "": in none.
+QString listed(const QString& markup, const QString& list);
 
 /// The piece with this attribute in its first tag instead of the one that it has. A null value
 /// takes the attribute away.

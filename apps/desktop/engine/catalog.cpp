@@ -1,39 +1,33 @@
 #include "engine/catalog.h"
 
+#include <QCoreApplication>
 #include <QHash>
-#include <QLocale>
 
 namespace elsie::desktop {
 namespace {
 
-QString text_of(const Json& value) {
-  if (value.is_string()) {
-    return QString::fromStdString(value.get<std::string>());
-  }
-  if (value.is_array()) {
-    QStringList parts;
-    for (const Json& each : value) {
-      parts << text_of(each);
-    }
-    return parts.join(' ');
-  }
-  return value.is_null() ? QString() : QString::fromStdString(value.dump());
-}
+QString tr(const char* text) { return QCoreApplication::translate("Catalog", text); }
 
-QString text_at(const Json& object, const char* name) {
-  const auto found = object.find(name);
-  return found == object.end() ? QString() : text_of(*found);
+/// A value, or a list of them, as a file has it.
+QString words_of(const Json& value) {
+  if (!value.is_array()) {
+    return written(value);
+  }
+  QStringList parts;
+  for (const Json& each : value) {
+    parts << words_of(each);
+  }
+  return parts.join(' ');
 }
 
 Field field_of(const Json& json) {
   Field field;
-  field.name = text_at(json, "name");
-  field.type = text_at(json, "type");
-  field.unit = text_at(json, "unit");
-  field.default_text = text_at(json, "default");
-  field.meaning = text_at(json, "meaning");
+  field.name = text_of(json, "name");
+  field.type = text_of(json, "type");
+  field.unit = text_of(json, "unit");
+  field.default_text = words_of(member(json, "default"));
+  field.meaning = text_of(json, "meaning");
   field.is_required = json.value("required", false);
-  field.is_live = json.value("live", true);
   const auto number = [&](const char* name) -> std::optional<double> {
     const auto found = json.find(name);
     return found != json.end() && found->is_number() ? std::optional(found->get<double>())
@@ -42,18 +36,18 @@ Field field_of(const Json& json) {
   QStringList bounds;
   const auto bound = [&](const char* name, const QString& words) {
     if (const auto value = number(name)) {
-      bounds << words + ' ' + QString::number(*value, 'g', 6);
+      bounds << words.arg(QString::number(*value, 'g', 6));
     }
   };
-  bound("min", "at least");
-  bound("above", "above");
-  bound("max", "at most");
-  field.range = bounds.join(" and ");
+  bound("min", tr("at least %1"));
+  bound("above", tr("above %1"));
+  bound("max", tr("at most %1"));
+  field.range = bounds.join(tr(" and "));
   field.least = number("min");
   field.most = number("max");
   if (const auto choices = json.find("choices"); choices != json.end()) {
     for (const Json& each : *choices) {
-      field.choices << text_of(each);
+      field.choices << words_of(each);
     }
   }
   return field;
@@ -65,7 +59,7 @@ void add_fields(Kind& kind, const Json& json, const char* list) {
     return;
   }
   for (const Json& each : *found) {
-    if (text_at(each, "name") != "remove") {  // what is inherited is removed in the tree
+    if (text_of(each, "name") != "remove") {  // what is inherited is removed in the tree
       kind.fields.push_back(field_of(each));
     }
   }
@@ -73,16 +67,16 @@ void add_fields(Kind& kind, const Json& json, const char* list) {
 
 Kind plugin_of(const Json& json) {
   Kind kind;
-  kind.name = text_at(json, "name");
-  kind.description = text_at(json, "description");
+  kind.name = text_of(json, "name");
+  kind.description = text_of(json, "description");
   kind.holds_behaviors = json.value("holds_behaviors", false);
   add_fields(kind, json, "parameters");
   for (const Json& each : json.value("elements", Json::array())) {
-    kind.elements << text_at(each, "name");
+    kind.elements << text_of(each, "name");
   }
   for (const auto& [name, list] : {std::pair("needs", &kind.needs), {"produces", &kind.produces}}) {
     for (const Json& each : json.value(name, Json::array())) {
-      *list << text_of(each);
+      *list << words_of(each);
     }
   }
   return kind;
@@ -93,8 +87,8 @@ Kind plugin_of(const Json& json) {
 std::vector<Kind> Catalog::plugins(const QString& kind) const {
   std::vector<Kind> kinds;
   for (const Json& each : answer_.value("plugins", Json::array())) {
-    if (text_at(each, "kind") == kind) {
-      kinds.push_back(*plugin(kind, text_at(each, "name")));
+    if (text_of(each, "kind") == kind) {
+      kinds.push_back(*plugin(kind, text_of(each, "name")));
     }
   }
   return kinds;
@@ -104,7 +98,7 @@ std::vector<Kind> Catalog::plugins(const QString& kind) const {
 // priority of a behaviour.
 std::optional<Kind> Catalog::plugin(const QString& kind, const QString& name) const {
   for (const Json& each : answer_.value("plugins", Json::array())) {
-    if (text_at(each, "kind") == kind && text_at(each, "name") == name) {
+    if (text_of(each, "kind") == kind && text_of(each, "name") == name) {
       Kind found = plugin_of(each);
       if (const auto common = element(kind)) {
         found.fields.insert(found.fields.begin(), common->fields.begin(), common->fields.end());
@@ -123,10 +117,10 @@ std::optional<Kind> Catalog::element(const QString& name) const {
   }
   Kind kind;
   kind.name = name;
-  kind.description = text_at(*found, "meaning");
+  kind.description = text_of(*found, "meaning");
   add_fields(kind, *found, "attributes");
   for (const Json& each : found->value("children", Json::array())) {
-    kind.elements << text_of(each);
+    kind.elements << words_of(each);
   }
   return kind;
 }
@@ -164,10 +158,10 @@ std::optional<Kind> Catalog::kind_of(const ElementPlace& place) const {
   }
   for (const Json& plugin : answer_.value("plugins", Json::array())) {
     for (const Json& each : plugin.value("elements", Json::array())) {
-      if (text_at(each, "name") == name && text_at(plugin, "name") == holder) {
+      if (text_of(each, "name") == name && text_of(plugin, "name") == holder) {
         Kind kind;
         kind.name = name;
-        kind.description = text_at(each, "meaning");
+        kind.description = text_of(each, "meaning");
         add_fields(kind, each, "parameters");
         return kind;
       }

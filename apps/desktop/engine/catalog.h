@@ -22,7 +22,6 @@ struct Field {
   QStringList choices;  // if not empty, the only values
   std::optional<double> least, most;
   bool is_required = false;
-  bool is_live = true;
 };
 
 /// A plugin, or an element of the vocabulary.

@@ -1,6 +1,8 @@
 #include "engine/elements.h"
 
-#include <QHash>
+#include <QSet>
+#include <algorithm>
+#include <cmath>
 
 namespace elsie::desktop {
 namespace {
@@ -104,23 +106,34 @@ QString free_id(const Json& world, const QString& letter, const QStringList& tak
   return letter + QString::number(number);
 }
 
-QString name_of(const Json& element) {
-  return QString::fromStdString(element.value("name", std::string()));
-}
+QString name_of(const Json& element) { return text_of(element, "name"); }
 
 const Json& attributes_of(const Json& element) {
   static const Json none = Json::object();
-  const auto found = element.find("attributes");
-  return found == element.end() ? none : *found;
+  const Json& attributes = member(element, "attributes");
+  return attributes.is_object() ? attributes : none;
 }
 
 QString attribute(const Json& element, const char* name) {
-  return QString::fromStdString(attributes_of(element).value(name, std::string()));
+  return text_of(attributes_of(element), name);
 }
 
 QString title_of(const Json& element) {
   const QString id = attribute(element, "id");
   return id.isEmpty() ? name_of(element) : id;
+}
+
+QString title_at(const Json& world, const QString& path) {
+  const ElementPlace place = place_of(world, path);
+  return place.element ? title_of(*place.element) : path;
+}
+
+QString robot_path(const QString& path) {
+  return path.startsWith("robot[") ? path.section(']', 0, 0) + ']' : QString();
+}
+
+QString robot_id(const QString& path) {
+  return robot_path(path).section('[', 1).section(']', 0, 0);
 }
 
 QString attribute_path(const QString& element, const QString& attribute) {
@@ -138,19 +151,46 @@ QString holder_of(const QString& path) {
   return {};
 }
 
+Outline outline_of(const Json& world) {
+  Outline outline;
+  visit(world, [&](const ElementPlace& place) {
+    outline.emplace_back(place.path, name_of(*place.element));
+    return true;
+  });
+  return outline;
+}
+
+QHash<QString, QString> renamed(const Outline& before, const Outline& after) {
+  const bool are_the_same =
+      std::equal(before.begin(), before.end(), after.begin(), after.end(),
+                 [](const auto& a, const auto& b) { return a.second == b.second; });
+  QHash<QString, QString> names;
+  if (!are_the_same) {
+    return names;
+  }
+  QSet<QString> still;
+  for (const auto& [path, name] : after) {
+    still << path;
+  }
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!still.contains(before[i].first)) {
+      names.insert(before[i].first, after[i].first);
+    }
+  }
+  return names;
+}
+
 void visit_weights(const Json& state,
                    const std::function<void(const QString& path, double weight)>& see) {
-  for (const Json& robot : state.value("robots", Json::array())) {
-    const QString path = "robot[" + QString::fromStdString(robot.value("id", std::string())) + ']';
-    for (const Json& member : robot.value("members", Json::array())) {
-      QString below = path;
-      for (const QString& id :
-           QString::fromStdString(member.value("path", std::string())).split('/')) {
+  for (const Json& robot : member(state, "robots")) {
+    for (const Json& each : member(robot, "members")) {
+      QString below = "robot[" + text_of(robot, "id") + ']';
+      for (const QString& id : text_of(each, "path").split('/')) {
         below += "/behavior[" + id + ']';
       }
-      const auto weight = member.find("weight");
-      if (member.value("asked", false) && weight != member.end() && weight->is_number()) {
-        see(below, weight->get<double>());
+      const double weight = number_of(each, "weight");
+      if (member(each, "asked") == true && !std::isnan(weight)) {
+        see(below, weight);
       }
     }
   }
@@ -166,13 +206,12 @@ QString markup_of(const Json& merged, const QStringList& but) {
   QString text = '<' + name_of(element);
   for (const auto& [name, value] : attributes_of(element).items()) {
     const QString attribute = QString::fromStdString(name);
-    const bool is_given = attribute != "id" || !element.value("named", false);
+    const bool is_given = attribute != "id" || !(member(element, "named") == true);
     if (is_given && !but.contains(attribute)) {
-      text +=
-          ' ' + attribute + "=\"" + escaped(QString::fromStdString(value.get<std::string>())) + '"';
+      text += ' ' + attribute + "=\"" + escaped(written(value)) + '"';
     }
   }
-  QString content = QString::fromStdString(element.value("text", std::string())).toHtmlEscaped();
+  QString content = text_of(element, "text").toHtmlEscaped();
   for (const Json& child : children_of(element)) {
     content += markup_of(child);
   }

@@ -1,15 +1,15 @@
 // The elements of a world, as the engine describes them, and the paths that edits call them by.
 #pragma once
 
+#include <QHash>
 #include <QString>
 #include <QStringList>
 #include <functional>
+#include <vector>
 
-#include "elsie/client/connection.h"
+#include "engine/json.h"
 
 namespace elsie::desktop {
-
-using client::Json;
 
 /// One element of a world.
 struct ElementPlace {
@@ -41,10 +41,24 @@ QString attribute(const Json& element, const char* name);
 /// What a user calls it: its id, or its element's name.
 QString title_of(const Json& element);
 
+/// The same of the element at a path; the path itself if there is none.
+QString title_at(const Json& world, const QString& path);
+
+/// "robot[r1]" of "robot[r1]/sensor[ahead]" and of itself; "" if it is in no robot.
+QString robot_path(const QString& path);
+/// "r1" of those; "" if it is in no robot.
+QString robot_id(const QString& path);
 /// "robot[r1]/@x" and "@name" of the world.
 QString attribute_path(const QString& element, const QString& attribute);
 /// The path of the element in which another one is; "" for those directly in the world.
 QString holder_of(const QString& path);
+
+/// The paths and the names of all elements, in their order: finds them again when they are called
+/// otherwise.
+using Outline = std::vector<std::pair<QString, QString>>;
+Outline outline_of(const Json& world);
+/// New paths by those that are no more, if the same elements are in the same places.
+QHash<QString, QString> renamed(const Outline& before, const Outline& after);
 
 /// Calls `see` for every behaviour that was asked at the instant of a `state` event, with its path
 /// and the weight that its coordinator gave it: a network's is the priority that it has learned.

@@ -21,6 +21,10 @@ void History::push(Entry entry) {
       last.after = entry.after;
       last.at_ms = entry.at_ms;
       last.inverse = 0;  // one text leads back
+      if (last.after == last.before) {
+        entries_.pop_back();
+        --place_;
+      }
       return;
     }
   }

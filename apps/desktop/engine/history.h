@@ -24,7 +24,8 @@ class History {
   };
 
   void clear();
-  /// Forgets what was undone. Merges with the last entry if both may be one.
+  /// Forgets what was undone. Merges with the last entry if both may be one; one that leads back to
+  /// where it began is none.
   void push(Entry entry);
   /// The engine has no inverses any more.
   void drop_inverses();

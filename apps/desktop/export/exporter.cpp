@@ -10,6 +10,7 @@
 #include "control_bar.h"
 #include "engine/workbench.h"
 #include "export/film.h"
+#include "paint/save_picture.h"
 #include "scene/scene_view.h"
 
 namespace elsie::desktop {
@@ -28,15 +29,30 @@ Exporter::Exporter(Workbench& workbench, SceneView& scene, TimeLine& time_line, 
 
 Exporter::~Exporter() = default;
 
+QString Exporter::ask_for_file(const QString& title, const QString& name, const QString& kinds) {
+  QFileDialog dialog(window_, title, {}, kinds);
+  dialog.setObjectName("export_dialog");
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.selectFile(name);
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().front() : QString();
+}
+
+void Exporter::warn(const QString& name, const QString& sentence) {
+  auto* box =
+      new QMessageBox(QMessageBox::Warning, tr("Not exported"), sentence, QMessageBox::Ok, window_);
+  box->setObjectName(name);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
+}
+
 void Exporter::export_picture() {
-  const QString file = QFileDialog::getSaveFileName(window_, tr("Export the picture"), "world.png",
-                                                    tr("Pictures (*.png *.jpg)"));
-  if (!file.isEmpty() && !scene_.picture().save(file)) {
-    QMessageBox::warning(window_, tr("Not exported"),
-                         tr("The picture could not be written to '%1': is the folder there, may "
-                            "you write in it, and does the name end with .png or .jpg?")
-                             .arg(file));
+  const QString file =
+      ask_for_file(tr("Export the picture"), "world.png", tr("Pictures (*.png *.jpg)"));
+  if (file.isEmpty()) {
+    return;
   }
+  const QString why = save_picture(scene_.picture(), file);
+  why.isEmpty() ? Q_EMIT said(tr("The picture is in '%1'").arg(file)) : warn("picture_failed", why);
 }
 
 // The film
@@ -46,8 +62,7 @@ void Exporter::export_film() {
     Q_EMIT said(tr("There is no run to show: run the world first."));
     return;
   }
-  const QString file =
-      QFileDialog::getSaveFileName(window_, tr("Export the film"), "run.avi", tr("Films (*.avi)"));
+  const QString file = ask_for_file(tr("Export the film"), "run.avi", tr("Films (*.avi)"));
   if (!file.isEmpty()) {
     write_film(file);
   }
@@ -73,6 +88,9 @@ void Exporter::write_film(const QString& file) {
 }
 
 void Exporter::add_frame(int number) {
+  if (!film_) {
+    return;  // cancelled meanwhile
+  }
   const double time_s = number / kFilmRate;
   if (time_s > film_until_s_ + 1e-9) {
     end_film(true);
@@ -87,12 +105,15 @@ void Exporter::add_frame(int number) {
       end_film(true);
       return;
     }
-    progress_->setValue(number);
+    progress_->setValue(number);  // hears Cancel
     add_frame(number + 1);
   });
 }
 
 void Exporter::end_film(bool is_wanted) {
+  if (!film_) {
+    return;
+  }
   const bool is_whole = is_wanted && film_->end();
   const QString why = film_->error();
   const int frames = film_->frames();
@@ -102,14 +123,9 @@ void Exporter::end_film(bool is_wanted) {
   if (is_whole) {
     Q_EMIT said(tr("%1 pictures in '%2'").arg(frames).arg(film_file_));
   } else if (is_wanted) {
-    auto* box = new QMessageBox(QMessageBox::Warning, tr("Not exported"),
-                                tr("The film could not be written to '%1': %2. What was there "
-                                   "before is unchanged.")
-                                    .arg(film_file_, why),
-                                QMessageBox::Ok, window_);
-    box->setObjectName("film_failed");
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
+    warn("film_failed", tr("The film could not be written to '%1': %2. What was there before is "
+                           "unchanged.")
+                            .arg(film_file_, why));
   }
   Q_EMIT film_ended(is_whole);
 }
@@ -117,8 +133,8 @@ void Exporter::end_film(bool is_wanted) {
 // Recordings and commands
 
 void Exporter::record() {
-  const QString file = QFileDialog::getSaveFileName(window_, tr("Record the next run"), "run.mcap",
-                                                    tr("Recordings (*.mcap *.csv)"));
+  const QString file =
+      ask_for_file(tr("Record the next run"), "run.mcap", tr("Recordings (*.mcap *.csv)"));
   if (!file.isEmpty()) {
     record_into(file);
   }

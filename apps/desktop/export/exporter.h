@@ -42,6 +42,9 @@ class Exporter : public QObject {
   void film_ended(bool is_whole);
 
  private:
+  /// "" if the user stays with it.
+  QString ask_for_file(const QString& title, const QString& name, const QString& kinds);
+  void warn(const QString& name, const QString& sentence);
   void add_frame(int number);
   void end_film(bool is_wanted);
 

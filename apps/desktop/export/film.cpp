@@ -1,6 +1,7 @@
 #include "export/film.h"
 
 #include <QBuffer>
+#include <QCoreApplication>
 #include <QImage>
 #include <cmath>
 
@@ -14,7 +15,8 @@ constexpr int kQuality = 90;
 
 }  // namespace
 
-Film::Film(const QString& file, double frames_per_second) : file_(file), rate_(frames_per_second) {
+Film::Film(const QString& file, double frames_per_second, qint64 most)
+    : file_(file), rate_(frames_per_second), most_(most) {
   file_.setDirectWriteFallback(false);
   file_.open(QIODevice::WriteOnly);
 }
@@ -92,6 +94,16 @@ bool Film::add(const QImage& picture) {
   if (!picture.scaled(width_, height_).save(&buffer, "JPG", kQuality)) {
     return false;
   }
+  const qint64 index = 16 * (static_cast<qint64>(places_.size()) + 1);
+  if (file_.pos() + bytes.size() + index > most_) {
+    why_ = QCoreApplication::translate("Film",
+                                       "after %1 s it has reached %2 MB, the most that an "
+                                       "AVI file can hold; make the window smaller, or the "
+                                       "run shorter")
+               .arg(static_cast<double>(places_.size()) / rate_, 0, 'f', 1)
+               .arg(most_ / 1'000'000);
+    return false;
+  }
   const auto size = static_cast<quint32>(bytes.size());
   places_.emplace_back(static_cast<quint32>(file_.pos()) - kHead + 4, size);
   largest_ = std::max(largest_, size);
@@ -103,7 +115,7 @@ bool Film::add(const QImage& picture) {
 }
 
 bool Film::end() {
-  if (!file_.isOpen() || places_.empty()) {
+  if (!file_.isOpen() || places_.empty() || !why_.isEmpty()) {
     return false;
   }
   const auto bytes = static_cast<quint32>(file_.pos()) - kHead + 4;

@@ -14,12 +14,16 @@ namespace elsie::desktop {
 /// browsers' converters read. The layout of the file: "AVI RIFF File Reference" (Microsoft).
 class Film {
  public:
-  Film(const QString& file, double frames_per_second);
+  /// What players can find in a file of this format: all places are numbers of 31 bits.
+  static constexpr qint64 kMostBytes = 0x7fff'0000;
+
+  /// `most`: of bytes; a frame that would make the film longer is refused.
+  Film(const QString& file, double frames_per_second, qint64 most = kMostBytes);
   /// False when the file cannot be written: error() says why.
   bool add(const QImage& picture);
   /// Puts the whole film in the place of what the file was. Without a call the file is untouched.
   bool end();
-  QString error() const { return file_.errorString(); }
+  QString error() const { return why_.isEmpty() ? file_.errorString() : why_; }
   int frames() const { return static_cast<int>(places_.size()); }
 
  private:
@@ -30,6 +34,8 @@ class Film {
 
   QSaveFile file_;
   double rate_;
+  qint64 most_;
+  QString why_;  // a frame was refused
   int width_ = 0, height_ = 0;
   std::vector<std::pair<quint32, quint32>>
       places_;  // of the frames from the list's start, and their lengths

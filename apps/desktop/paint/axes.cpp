@@ -41,6 +41,11 @@ QColor curve_colour(int n, const QPalette& palette) {
   return QColor((dark ? kDark : kLight)[static_cast<std::size_t>(n) % kLight.size()]);
 }
 
+QColor red(const QPalette& palette) {
+  const bool dark = palette.color(QPalette::Window).lightnessF() < 0.5F;
+  return dark ? QColor(0xff, 0x9a, 0x90) : QColor(0xb0, 0x20, 0x20);
+}
+
 Qt::PenStyle pen_style(int n) {
   static constexpr std::array kStyles{Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
   return kStyles[static_cast<std::size_t>(n) % kStyles.size()];

@@ -28,6 +28,8 @@ QString number_text(double value);
 /// (Okabe and Ito, 2008). Curves differ in their dashes, too: pen_style().
 QColor curve_colour(int n, const QPalette& palette);
 Qt::PenStyle pen_style(int n);
+/// Of what is wrong: readable on the palette's window.
+QColor red(const QPalette& palette);
 /// A pattern besides the colour, for areas.
 Qt::BrushStyle hatch(int n);
 

@@ -1,4 +1,5 @@
-// The main view: the world in three dimensions, in real time.
+// The main view: the world in three dimensions, in real time. scene_view_input.cpp has its mouse
+// and keys.
 #pragma once
 
 #include <QImage>
@@ -18,6 +19,8 @@ class Renderer;
 }
 
 namespace elsie::desktop {
+
+class OverlayPainter;
 
 /// Draws the solids off screen, where Mesa's software is faster than in a window, and lines,
 /// handles and words over them.
@@ -48,8 +51,11 @@ class SceneView : public QWidget {
   /// Forgets the lines behind the robots.
   void clear_trails();
   void set_selection(const QStringList& paths);
-  /// The things whose mouse handles are off.
-  void set_locked(const QSet<QString>& paths) { locked_ = paths; }
+  /// Mouse and keys move what is locked no more; others are locked, those that are, unlocked.
+  void toggle_locked(const QStringList& paths);
+  void unlock_all() { locked_.clear(); }
+  /// Something is called otherwise now.
+  void rename(const QString& from, const QString& to);
 
   const Stage& stage() const { return stage_; }
   OrbitCamera& camera() { return camera_; }
@@ -80,14 +86,15 @@ class SceneView : public QWidget {
  Q_SIGNALS:
   void selected(const QStringList& paths);
   void edit_wished(const QString& path, const QPoint& global);
+  /// Of the floor at that point, m.
   void menu_wished(const QPoint& global, double x, double y);
+  /// By the key for menus, of what is chosen.
+  void element_menu_wished(const QString& path, const QPoint& global);
   /// A drag has ended: by this much, m and rad.
   void moved(const QStringList& paths, double by_x, double by_y);
   void turned(const QString& path, double by_rad);
   void resized(const QString& path, double length, double width);
   void measured(double from_x, double from_y, double to_x, double to_y);
-  void pointed_at(double x, double y);
-  void camera_changed();
   void run_wished();
 
  protected:
@@ -100,6 +107,7 @@ class SceneView : public QWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
   QSize sizeHint() const override { return {640, 480}; }
 
  private:
@@ -111,16 +119,11 @@ class SceneView : public QWidget {
 
   void draw_solids();
   void paint(QPainter& painter, bool with_handles);
-  void paint_outlines(QPainter& painter);
-  void paint_grid(QPainter& painter) const;
-  void paint_beams(QPainter& painter) const;
-  void paint_views(QPainter& painter) const;
-  void paint_names(QPainter& painter) const;
-  void paint_selection(QPainter& painter) const;
-  void paint_tape(QPainter& painter) const;
-  void paint_typed(QPainter& painter) const;
-  void line(QPainter& painter, const Vector3& from, const Vector3& to) const;
+  void paint_selection(QPainter& painter, const OverlayPainter& over) const;
+  void paint_ghost(QPainter& painter, const OverlayPainter& over, const Stage::Solid& solid) const;
+  void paint_tape(QPainter& painter, const OverlayPainter& over) const;
   void camera_moved();
+  QStringList movable() const;
   std::optional<Tool> handle_at(const QPointF& pixel) const;
   std::optional<Frame> frame_of_selected() const;
   std::optional<Vector3> size_of_selected() const;
@@ -131,7 +134,6 @@ class SceneView : public QWidget {
   void stop_drag();
 
   Stage stage_;
-  Json views_;
   OrbitCamera camera_;
   Overlays overlays_;
   std::unique_ptr<render::Renderer> renderer_;

@@ -18,6 +18,11 @@ Vector3 vector_of(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
+Frame frame_from(const Json& json) {
+  return {vector_of(json.at(0)), vector_of(json.at(1)), vector_of(json.at(2)),
+          vector_of(json.at(3))};
+}
+
 Shape::Kind kind_of(const std::string& name) {
   return name == "box"       ? Shape::Kind::box
          : name == "sphere"  ? Shape::Kind::sphere
@@ -85,48 +90,69 @@ double way_to(const Shape& shape, const Frame& frame, const Vector3& from,
 
 }  // namespace
 
-void Stage::clear() { *this = Stage(); }
+double heading_rad(const Frame& frame) { return std::atan2(frame.forward.y, frame.forward.x); }
 
-void Stage::set_scene(const Json& scene, std::uint64_t epoch) {
+bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   epoch_ = epoch;
   bodies_.clear();
   solids_.clear();
+  views_.clear();
   beams_.clear();
   if (!scene.is_object()) {
-    return;
+    return false;
   }
+  Stage whole;
+  try {
+    whole.read(scene);
+  } catch (const std::exception&) {  // a plugin may have written into the engine's words
+    return false;
+  }
+  length_ = whole.length_;
+  width_ = whole.width_;
+  bodies_ = std::move(whole.bodies_);
+  solids_ = std::move(whole.solids_);
+  views_ = std::move(whole.views_);
+  latest_s_ = 0.0;
+  place();
+  return true;
+}
+
+void Stage::read(const Json& scene) {
   length_ = scene.at("arena").at(0).get<double>();
   width_ = scene.at("arena").at(1).get<double>();
   for (const Json& each : scene.at("bodies")) {
-    bodies_.push_back({QString::fromStdString(each.value("path", std::string())),
-                       each.value("vehicle", 0),
-                       {},
-                       {},
-                       true});
+    bodies_.push_back({text_of(each, "path"), integer_of(each, "vehicle", 0), {}, {}, true});
   }
-  std::set<int> has_colour;
+  std::set<std::size_t> has_colour;
   for (const Json& each : scene.at("shapes")) {
-    const Json& frame = each.at("frame");
     Solid solid;
     solid.shape = {kind_of(each.at("shape").get<std::string>()), vector_of(each.at("size")),
                    axis_of(each.at("axis").get<std::string>())};
-    solid.frame = {vector_of(frame.at(0)), vector_of(frame.at(1)), vector_of(frame.at(2)),
-                   vector_of(frame.at(3))};
+    solid.frame = frame_from(each.at("frame"));
     const Json& colour = each.at("colour");
     solid.colour = {colour.at(0).get<std::uint8_t>(), colour.at(1).get<std::uint8_t>(),
                     colour.at(2).get<std::uint8_t>()};
     solid.body = each.at("body").get<int>();
-    solid.path = QString::fromStdString(each.value("path", std::string()));
+    solid.path = text_of(each, "path");
     if (solid.body >= 0) {
-      Body& body = bodies_.at(static_cast<std::size_t>(solid.body));
+      const auto number = static_cast<std::size_t>(solid.body);
+      Body& body = bodies_.at(number);
       solid.path = body.path;
-      if (has_colour.insert(solid.body).second) {
+      if (has_colour.insert(number).second) {
         body.colour = solid.colour;
       }
     }
     solids_.push_back(std::move(solid));
   }
-  place();
+  for (const Json& each : member(scene, "views")) {
+    View view;
+    view.body = each.at("body").get<std::size_t>();
+    view.frame = frame_from(each.at("frame"));
+    view.fov_rad = each.at("fov_rad").get<double>();
+    view.aspect = each.at("height").get<double>() / each.at("width").get<double>();
+    static_cast<void>(bodies_.at(view.body));
+    views_.push_back(view);
+  }
 }
 
 bool Stage::take(const snapshots::Snapshot& snapshot) {
@@ -150,6 +176,7 @@ void Stage::place() {
   }
   beams_ = states_of_beams_;
   time_s_ = facts_.time_s;
+  latest_s_ = std::max(latest_s_, time_s_);
 }
 
 Frame Stage::frame_of(const Solid& solid) const {
@@ -165,6 +192,20 @@ const Stage::Body* Stage::body_of(const QString& path) const {
   const auto found = std::find_if(bodies_.begin(), bodies_.end(),
                                   [&](const Body& body) { return body.path == path; });
   return found == bodies_.end() ? nullptr : &*found;
+}
+
+std::optional<Frame> Stage::place_of(const QString& path) const {
+  if (const Body* body = body_of(path)) {
+    return body->is_present ? std::optional(body->frame) : std::nullopt;
+  }
+  for (const Solid& solid : solids_) {
+    if (solid.path == path && !path.isEmpty()) {
+      Frame frame = frame_of(solid);
+      frame.origin.z = 0.0;
+      return frame;
+    }
+  }
+  return std::nullopt;
 }
 
 render::Scene Stage::drawn() const {

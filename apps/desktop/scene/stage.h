@@ -7,13 +7,12 @@
 #include <vector>
 
 #include "elsie/api/body.h"
-#include "elsie/client/connection.h"
 #include "elsie/render/scene.h"
 #include "elsie/snapshots/snapshots.h"
 
-namespace elsie::desktop {
+#include "engine/json.h"
 
-using client::Json;
+namespace elsie::desktop {
 
 class Stage {
  public:
@@ -36,8 +35,16 @@ class Stage {
     QString path;
   };
 
-  void clear();
-  void set_scene(const Json& scene, std::uint64_t epoch);
+  /// What a camera sees: a pyramid.
+  struct View {
+    std::size_t body = 0;
+    Frame frame;           // in the body's
+    double fov_rad = 0.0;  // horizontal
+    double aspect = 1.0;   // height by width
+  };
+
+  /// A scene that is none leaves an empty stage; returns whether it was one.
+  bool set_scene(const Json& scene, std::uint64_t epoch);
   /// Kept until its scene is there. Returns whether the bodies moved.
   bool take(const snapshots::Snapshot& snapshot);
 
@@ -45,13 +52,18 @@ class Stage {
   double length() const { return length_; }  // of the arena, m
   double width() const { return width_; }
   double time_s() const { return time_s_; }
+  /// Whether the run has been further than what is shown.
+  bool is_past() const { return time_s_ < latest_s_; }
   const std::vector<Body>& bodies() const { return bodies_; }
   const std::vector<snapshots::BeamState>& beams() const { return beams_; }
   const std::vector<Solid>& solids() const { return solids_; }
+  const std::vector<View>& views() const { return views_; }
   /// In the world.
   Frame frame_of(const Solid& solid) const;
   /// The first body of the element; null: it has none.
   const Body* body_of(const QString& path) const;
+  /// Where the element stands, on the floor; none: it has no place of its own, or is not there.
+  std::optional<Frame> place_of(const QString& path) const;
   bool is_present(const Solid& solid) const;
 
   /// All that is to be drawn.
@@ -60,19 +72,24 @@ class Stage {
   QString at(const Vector3& from, const Vector3& direction) const;
 
  private:
+  void read(const Json& scene);
   void place();
 
   std::uint64_t epoch_ = 0;
   double length_ = 0.0, width_ = 0.0;
   double time_s_ = 0.0;
+  double latest_s_ = 0.0;  // that was shown
   std::vector<Body> bodies_;
   std::vector<Solid> solids_;
+  std::vector<View> views_;
   std::vector<snapshots::BeamState> beams_;
   // The last snapshot, which may be that of the next scene.
   snapshots::SnapshotFacts facts_;
   std::vector<snapshots::BodyState> states_;
   std::vector<snapshots::BeamState> states_of_beams_;
 };
+
+double heading_rad(const Frame& frame);
 
 /// The twelve edges of a solid's box, as pairs of points.
 std::vector<std::pair<Vector3, Vector3>> edges_of(const Shape& shape, const Frame& frame);

@@ -18,7 +18,16 @@ double exponent(double error) { return std::log10(std::max(error, kLeastError));
 LearningCurve::LearningCurve(QWidget* parent) : QWidget(parent) {
   setObjectName("learning_curve");
   setAccessibleName(tr("Learning curve"));
+  offer_figures(this);
   setMinimumSize(12 * fontMetrics().height(), 8 * fontMetrics().height());
+}
+
+Figures LearningCurve::figures() const {
+  Figures figures{{tr("samples presented"), tr("mean error")}, {}};
+  for (const QPointF& point : points_) {
+    figures.rows.push_back({number_text(point.x()), number_text(point.y())});
+  }
+  return figures;
 }
 
 QSize LearningCurve::sizeHint() const { return minimumSize() * 2; }

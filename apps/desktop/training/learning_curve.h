@@ -4,9 +4,11 @@
 #include <QPolygonF>
 #include <QWidget>
 
+#include "paint/figures.h"
+
 namespace elsie::desktop {
 
-class LearningCurve : public QWidget {
+class LearningCurve : public QWidget, public ShowsFigures {
   Q_OBJECT
 
  public:
@@ -20,6 +22,7 @@ class LearningCurve : public QWidget {
   /// Presentations and errors.
   const QPolygonF& points() const { return points_; }
 
+  Figures figures() const override;
   QSize sizeHint() const override;
 
  protected:

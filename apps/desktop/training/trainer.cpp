@@ -2,7 +2,6 @@
 
 #include <QProcess>
 #include <QTimer>
-#include <cmath>
 
 namespace elsie::desktop {
 namespace {
@@ -21,15 +20,6 @@ QString behavior_of(const QString& coordinator) {
   return ids.join('/');
 }
 
-double number_at(const Json& line, const char* name) {
-  const auto found = line.find(name);
-  return found != line.end() && found->is_number() ? found->get<double>() : std::nan("");
-}
-
-QString robot_of(const QString& coordinator) {
-  return coordinator.section('[', 1).section(']', 0, 0);
-}
-
 }  // namespace
 
 Trainer::Trainer(QString elsie, QStringList options, QObject* parent)
@@ -44,7 +34,7 @@ void Trainer::train(const Lesson& lesson, const QString& weights) {
                         "--json",
                         "--progress",
                         "--robot",
-                        robot_of(lesson.coordinator),
+                        robot_id(lesson.coordinator),
                         "--weights",
                         weights};
   if (const QString behavior = behavior_of(lesson.coordinator); !behavior.isEmpty()) {
@@ -68,6 +58,9 @@ void Trainer::train(const Lesson& lesson, const QString& weights) {
     }
   });
   process_->start(elsie_, arguments + options_);
+  if (!process_) {
+    return;  // it has failed already
+  }
   process_->write(lesson.world.toUtf8());
   process_->closeWriteChannel();
 }
@@ -93,8 +86,8 @@ void Trainer::read() {
     if (line.contains("curve")) {
       report_ = std::move(line);
     } else {
-      Q_EMIT progressed(number_at(line, "presentations"), number_at(line, "of"),
-                        number_at(line, "error"));
+      Q_EMIT progressed(number_of(line, "presentations"), number_of(line, "of"),
+                        number_of(line, "error"));
     }
   }
 }

@@ -9,9 +9,11 @@
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <algorithm>
+#include <cmath>
 
 #include "engine/workbench.h"
 #include "paint/axes.h"
+#include "paint/quiet_wheel.h"
 #include "training/learning_curve.h"
 
 namespace elsie::desktop {
@@ -45,7 +47,7 @@ TrainingPage::TrainingPage(Workbench& workbench, const Kind& kind, QString coord
   count_->setObjectName("hidden_count");
   count_->setRange(0, kMostLayers);
   count_->setKeyboardTracking(false);
-  count_->setFocusPolicy(Qt::StrongFocus);
+  quiet_wheel(count_);
   column->addRow(tr("Hidden &layers"), count_);
   layers_ = new QHBoxLayout;
   column->addRow(tr("Their sizes"), layers_);
@@ -83,25 +85,45 @@ TrainingPage::TrainingPage(Workbench& workbench, const Kind& kind, QString coord
     Q_EMIT failed(sentence);
   });
   connect(&trainer_, &Trainer::trained, this, [this](const Json& report) {
-    QPolygonF points;
-    for (const Json& point : report.at("curve")) {
-      points << QPointF(point.at(0).get<double>(), point.at(1).get<double>());
-    }
-    const double presentations = report.value("presentations", 0.0);
-    curve_->show_all(points, std::max(presentations, 1.0));
-    progress_->setText(tr("Mean error %1 after %2 samples")
-                           .arg(number_text(report.value("error", 0.0)),
-                                QLocale::c().toString(presentations, 'f', 0)));
+    show_report(report);
     set_busy(false);
-    Q_EMIT trained(QString::fromStdString(report.value("warning", "")));
+    Q_EMIT trained(text_of(report, "warning"));
   });
+}
+
+TrainingPage::~TrainingPage() {
+  trainer_.cancel();
+  remove_weights();
+}
+
+void TrainingPage::show_report(const Json& report) {
+  QPolygonF points;
+  for (const Json& point : member(report, "curve")) {
+    if (point.is_array() && point.size() == 2 && point[0].is_number() && point[1].is_number()) {
+      points << QPointF(point[0].get<double>(), point[1].get<double>());
+    }
+  }
+  const double presentations = number_of(report, "presentations");
+  curve_->show_all(points, presentations > 1.0 ? presentations : 1.0);
+  progress_->setText(tr("Mean error %1 after %2 samples")
+                         .arg(number_text(number_of(report, "error")),
+                              std::isfinite(presentations)
+                                  ? QLocale::c().toString(presentations, 'f', 0)
+                                  : number_text(presentations)));
+}
+
+void TrainingPage::remove_weights() {
+  if (!weights_file_.isEmpty()) {
+    QFile::remove(weights_file_);
+    weights_file_.clear();
+  }
 }
 
 // They follow from the robot: nobody enters them.
 void TrainingPage::show_sizes(const Kind& kind) {
   QStringList inputs, outputs;
   const QString holder = holder_of(coordinator_);
-  const QString robot = coordinator_.section('/', 0, 0);
+  const QString robot = robot_path(coordinator_);
   visit(workbench_.tree(), [&](const ElementPlace& place) {
     if (!place.parent || !place.list.isEmpty()) {
       return true;
@@ -162,7 +184,7 @@ void TrainingPage::show_layers(const QStringList& sizes) {
       box->setAccessibleName(tr("Neurons in hidden layer %1").arg(i + 1));
       box->setRange(1, kMostNeurons);
       box->setKeyboardTracking(false);
-      box->setFocusPolicy(Qt::StrongFocus);
+      quiet_wheel(box);
       box->setValue(sizes[i].toInt());
       connect(box, &QSpinBox::valueChanged, this,
               [this] { Q_EMIT hidden_wished(layers().join(' ')); });
@@ -182,7 +204,7 @@ bool TrainingPage::is_wished() const { return wished_->isChecked(); }
 void TrainingPage::wish(bool training) { wished_->setChecked(training); }
 
 Lesson TrainingPage::lesson(const QStringList& edits, bool has_seed) const {
-  const QString file = workbench_.file().isEmpty() ? tr("world") + ".xml" : workbench_.file();
+  const QString file = workbench_.file().isEmpty() ? QString("world.xml") : workbench_.file();
   return {workbench_.text(), file, edits, coordinator_,
           has_seed ? std::nullopt : std::optional(workbench_.seed())};
 }
@@ -191,17 +213,17 @@ bool TrainingPage::has_trained(const QStringList& edits, bool has_seed) const {
   return !trainer_.is_busy() && trained_ == lesson(edits, has_seed);
 }
 
-// Beside the world, or with the user's data while it has no file; no file that is there is touched:
-// undo goes back to it.
+// Beside the world, or with the user's data while it has no file that stays; no file that is there
+// is touched: undo goes back to it.
 void TrainingPage::choose_weights() {
-  const bool has_file = !workbench_.file().isEmpty();
+  const bool has_file = !workbench_.file().isEmpty() && !workbench_.is_borrowed();
   const QString folder =
       has_file ? QFileInfo(workbench_.file()).absolutePath()
                : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/weights";
   if (!has_file) {
     QDir().mkpath(folder);
   }
-  const QString robot = coordinator_.section('[', 1).section(']', 0, 0);
+  const QString robot = robot_id(coordinator_);
   for (int i = 1;; ++i) {
     const QString name = robot + (i == 1 ? QString() : '-' + QString::number(i)) + ".weights";
     weights_file_ = folder + '/' + name;
@@ -213,6 +235,7 @@ void TrainingPage::choose_weights() {
 }
 
 void TrainingPage::train(const QStringList& edits, bool has_seed) {
+  remove_weights();  // of a training that nobody wanted
   choose_weights();
   curve_->clear();
   progress_->setText(tr("Training..."));

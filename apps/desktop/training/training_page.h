@@ -24,6 +24,7 @@ class TrainingPage : public QWidget {
   /// `coordinator`: its path, also if it is not in the world yet.
   TrainingPage(Workbench& workbench, const Kind& kind, QString coordinator,
                QWidget* parent = nullptr);
+  ~TrainingPage() override;
 
   /// Whether coordinators of this kind learn: all that do have the same parameters.
   static bool learns(const Kind& kind);
@@ -42,6 +43,8 @@ class TrainingPage : public QWidget {
   bool cancel();
   /// The file that was written, as the world calls it.
   QString weights() const { return weights_; }
+  /// A world uses the weights now; otherwise their file goes with this page.
+  void keep_weights() { weights_file_.clear(); }
 
  Q_SIGNALS:
   void hidden_wished(const QString& hidden);
@@ -51,6 +54,8 @@ class TrainingPage : public QWidget {
 
  private:
   void show_sizes(const Kind& kind);
+  void show_report(const Json& report);
+  void remove_weights();
   void show_layers(const QStringList& sizes);
   QStringList layers() const;
   Lesson lesson(const QStringList& edits, bool has_seed) const;
@@ -62,7 +67,7 @@ class TrainingPage : public QWidget {
   Trainer trainer_;
   std::optional<Lesson> trained_;
   QString weights_;       // as the world calls it
-  QString weights_file_;  // its path
+  QString weights_file_;  // its path, until a world uses it
   QLabel* sizes_;
   QSpinBox* count_;
   QHBoxLayout* layers_;

@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include "paint/quiet_wheel.h"
+
 namespace elsie::desktop {
 namespace {
 
@@ -44,6 +46,7 @@ ControlSurface::ControlSurface(QWidget* parent)
       choices_(new QWidget(this)) {
   setObjectName(QStringLiteral("control_surface"));
   setAccessibleName(tr("Control surface"));
+  offer_figures(this);
   output_->setObjectName(QStringLiteral("surface_output"));
   output_->setAccessibleName(tr("Output"));
   across_->setObjectName(QStringLiteral("surface_across"));
@@ -66,6 +69,7 @@ ControlSurface::ControlSurface(QWidget* parent)
   later_.setInterval(kBetween_ms);
   connect(&later_, &QTimer::timeout, this, &ControlSurface::compute);
   for (QComboBox* each : {output_, across_, up_}) {
+    quiet_wheel(each);
     each->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     each->setMinimumContentsLength(2);
     connect(each, &QComboBox::activated, this, &ControlSurface::choose);
@@ -159,6 +163,36 @@ void ControlSurface::compute() {
     }
   }
   update();
+}
+
+Figures ControlSurface::figures() const {
+  Figures figures;
+  if (!model_) {
+    return figures;
+  }
+  constexpr std::size_t kEvery = 5;
+  const auto at = [](const Span& span, std::size_t place, std::size_t count) {
+    return number_text(span.low + span.length() * static_cast<double>(place) /
+                                      static_cast<double>(std::max<std::size_t>(1, count - 1)));
+  };
+  const Span x = span_of(model_->inputs()[static_cast<std::size_t>(across_->currentIndex())].range);
+  const bool has_two = grid_.rows > 1;
+  figures.columns << (has_two ? up_->currentText() + " \\ " + across_->currentText()
+                              : output_->currentText());
+  for (std::size_t i = 0; i < FuzzyGrid::kAcross; i += kEvery) {
+    figures.columns << at(x, i, FuzzyGrid::kAcross);
+  }
+  for (std::size_t row = 0; row < grid_.rows; row += kEvery) {
+    QStringList cells{
+        has_two ? at(span_of(model_->inputs()[static_cast<std::size_t>(up_->currentIndex())].range),
+                     row, grid_.rows)
+                : output_->currentText()};
+    for (std::size_t i = 0; i < FuzzyGrid::kAcross; i += kEvery) {
+      cells << number_text(grid_.values[row * FuzzyGrid::kAcross + i]);
+    }
+    figures.rows.push_back(cells);
+  }
+  return figures;
 }
 
 void ControlSurface::paintEvent(QPaintEvent*) {

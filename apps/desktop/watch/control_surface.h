@@ -9,6 +9,7 @@
 #include "elsie/fuzzy/model.h"
 
 #include "paint/axes.h"
+#include "paint/figures.h"
 #include "watch/fuzzy_instant.h"
 
 class QComboBox;
@@ -18,7 +19,7 @@ namespace elsie::desktop {
 
 /// One output over two inputs that can be chosen, as colours with a scale; over the only input, as
 /// a curve. The other inputs have the values of the instant, or the middle of their ranges.
-class ControlSurface : public QWidget {
+class ControlSurface : public QWidget, public ShowsFigures {
   Q_OBJECT
 
  public:
@@ -29,6 +30,8 @@ class ControlSurface : public QWidget {
   void set_inputs(const std::vector<double>& inputs);
 
   const FuzzyGrid& grid() const { return grid_; }
+  /// Every fifth point across and up.
+  Figures figures() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

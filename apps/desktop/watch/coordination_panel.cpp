@@ -36,6 +36,7 @@ CoordinationPanel::CoordinationPanel(QWidget* parent) : QAbstractScrollArea(pare
   setObjectName(QStringLiteral("coordination"));
   setAccessibleName(tr("Coordination"));
   viewport()->setBackgroundRole(QPalette::Base);
+  offer_figures(this);
 }
 
 CoordinationPanel::~CoordinationPanel() = default;
@@ -101,6 +102,18 @@ void CoordinationPanel::add(const Json& state) {
     past_.pop_front();
   }
   lay_out();
+}
+
+Figures CoordinationPanel::figures() const {
+  Figures figures{{tr("behaviour"), tr("activation"), tr("priority"), tr("share [%]"),
+                   tr("command [m/s, m/s, rad/s]"), tr("inhibited by"), tr("reason")},
+                  {}};
+  for (const Row& row : rows_) {
+    figures.rows.push_back({row.path, number_text(row.activation), number_text(row.priority),
+                            row.asked ? number_text(100.0 * row.share) : tr("not asked"),
+                            row.command, row.inhibited_by, row.reason});
+  }
+  return figures;
 }
 
 int CoordinationPanel::rows() const { return static_cast<int>(rows_.size()); }

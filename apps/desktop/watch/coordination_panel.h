@@ -8,12 +8,14 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "paint/figures.h"
+
 namespace elsie::desktop {
 
 /// A row for each behaviour of a robot, indented by its depth: a band over time as high as its
 /// share (grey where it was not asked), a bar of its activation, its priority, share and command,
 /// and the reason of this instant.
-class CoordinationPanel : public QAbstractScrollArea {
+class CoordinationPanel : public QAbstractScrollArea, public ShowsFigures {
   Q_OBJECT
 
  public:
@@ -27,6 +29,7 @@ class CoordinationPanel : public QAbstractScrollArea {
   void add(const nlohmann::ordered_json& state);
   void clear();
 
+  Figures figures() const override;
   int rows() const;
   /// All of a row that is not drawn as a band, for tool tips and screen readers.
   QString row_text(int row) const;

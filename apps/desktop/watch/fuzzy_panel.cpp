@@ -13,6 +13,8 @@
 #include "elsie/fuzzy/sets.h"
 
 #include "paint/axes.h"
+#include "paint/figures.h"
+#include "paint/quiet_wheel.h"
 #include "watch/control_surface.h"
 #include "watch/fuzzy_instant.h"
 #include "watch/state.h"
@@ -33,7 +35,7 @@ QPolygonF polygon(const FuzzySet& set) {
 }  // namespace
 
 /// Draws one model.
-class FuzzyPanel::Page : public QWidget {
+class FuzzyPanel::Page : public QWidget, public ShowsFigures {
  public:
   std::optional<fuzzy::Model> model;
   QString problem;
@@ -52,6 +54,22 @@ class FuzzyPanel::Page : public QWidget {
       all.push_back(found->second);
     }
     return all;
+  }
+
+  Figures figures() const override {
+    Figures figures{{tr("what"), tr("value")}, {}};
+    if (!model) {
+      return figures;
+    }
+    const auto add = [&](const std::string& name, double value) {
+      figures.rows.push_back({QString::fromStdString(name), number_text(value)});
+    };
+    for (const auto& [name, value] : inputs) add(name, value);
+    for (std::size_t i = 0; i < model->rules().size() && i < now.degrees.size(); ++i) {
+      add(model->rules()[i].text, now.degrees[i]);
+    }
+    for (const auto& [name, value] : outputs) add(name, value);
+    return figures;
   }
 
   /// Computes what is drawn.
@@ -191,7 +209,10 @@ FuzzyPanel::FuzzyPanel(QWidget* parent)
   setObjectName(QStringLiteral("fuzzy"));
   models_->setObjectName(QStringLiteral("fuzzy_models"));
   models_->setAccessibleName(tr("Fuzzy model"));
+  quiet_wheel(models_);
   page_->setObjectName(QStringLiteral("fuzzy_page"));
+  page_->setAccessibleName(tr("Inputs, rules and outputs of the fuzzy model"));
+  offer_figures(page_);
   page_->setBackgroundRole(QPalette::Base);
   auto* whole = new QWidget;
   whole->setBackgroundRole(QPalette::Base);

@@ -27,13 +27,17 @@ namespace {
 constexpr std::size_t kMost = 6000;  // samples of a number: 200 s at 30 a second
 constexpr int kName = Qt::UserRole;
 
-class Plot : public QWidget {
+class Plot : public QWidget, public ShowsFigures {
  public:
   explicit Plot(const PlotsPanel* panel) : panel_(panel) {
     setObjectName(QStringLiteral("plot"));
     setBackgroundRole(QPalette::Base);
     setAutoFillBackground(true);
+    setAccessibleName(PlotsPanel::tr("Plot of the chosen numbers over time in s"));
+    offer_figures(this);
   }
+
+  Figures figures() const override { return panel_->figures(); }
 
  protected:
   void paintEvent(QPaintEvent*) override {
@@ -72,7 +76,7 @@ PlotsPanel::PlotsPanel(QWidget* parent)
   tree_->setAccessibleName(tr("Numbers to plot"));
   tree_->setToolTip(tr("Space or a click on the box plots a number"));
   tree_->setHeaderHidden(true);
-  plot_->setAccessibleName(tr("Plot of the chosen numbers over time in s"));
+  setFocusProxy(tree_);
   auto* save_button = new QToolButton(this);
   save_button->setObjectName(QStringLiteral("plots_save"));
   save_button->setText(tr("Save..."));
@@ -336,6 +340,25 @@ picture::LineChart PlotsPanel::chart() const {
     chart.y.unit = units.begin()->toStdString();
   }
   return chart;
+}
+
+Figures PlotsPanel::figures() const {
+  Figures figures{{tr("number"), tr("now"), tr("least"), tr("most"), tr("from [s]"), tr("to [s]")},
+                  {}};
+  for (const QString& name : chosen()) {
+    const Curve& curve = curves_.at(name);
+    if (curve.empty()) {
+      figures.rows.push_back({title_of(name)});
+      continue;
+    }
+    const auto [least, most] =
+        std::minmax_element(curve.begin(), curve.end(),
+                            [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); });
+    figures.rows.push_back({title_of(name), number_text(curve.back().y()), number_text(least->y()),
+                            number_text(most->y()), number_text(curve.front().x()),
+                            number_text(curve.back().x())});
+  }
+  return figures;
 }
 
 std::string PlotsPanel::table() const {

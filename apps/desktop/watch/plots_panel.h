@@ -10,6 +10,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "paint/figures.h"
+
 class QPainter;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -42,6 +44,8 @@ class PlotsPanel : public QWidget {
   /// The robots of those, also of those that are not known yet.
   QStringList chosen_robots() const;
   void choose(const QString& name, bool on);
+  /// The chosen numbers: now, and between which values they were.
+  Figures figures() const;
   /// Draws axes, curves and legend, as on the screen.
   void draw(QPainter& painter, const QRectF& area) const;
   /// Writes the chosen curves by the file's ending: .png, .svg or .csv. Returns why not, or "".

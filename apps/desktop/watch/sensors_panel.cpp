@@ -16,6 +16,7 @@ SensorsPanel::SensorsPanel(QWidget* parent)
   filter_->setPlaceholderText(tr("Filter"));
   filter_->setAccessibleName(tr("Filter of the sensors"));
   filter_->setClearButtonEnabled(true);
+  setFocusProxy(filter_);
   table_->setObjectName(QStringLiteral("sensors_table"));
   table_->setAccessibleName(tr("Sensors and their readings"));
   table_->setToolTip(tr("Readings are in SI units: m, m/s, rad, rad/s"));

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "paint/save_picture.h"
 #include "watch/state.h"
 
 namespace elsie::desktop {
@@ -22,6 +23,8 @@ VisionPanel::VisionPanel(QWidget* parent)
   choose_->setPopupMode(QToolButton::InstantPopup);
   choose_->setMenu(choices_);
   choose_->adjustSize();
+  offer_figures(this);
+  setContextMenuPolicy(Qt::DefaultContextMenu);  // its own menu has the table, too
 }
 
 void VisionPanel::add(const Json& state) {
@@ -85,6 +88,18 @@ QImage VisionPanel::picture(const QString& name) const {
   return found == pictures_.end() ? QImage() : found->second.image;
 }
 
+// With the mean colour, for those who do not see the picture.
+Figures VisionPanel::figures() const {
+  Figures figures{{tr("picture"), tr("width [px]"), tr("height [px]"), tr("mean colour")}, {}};
+  for (const auto& [name, picture] : pictures_) {
+    const QImage& image = picture.image;
+    const QImage mean = image.scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    figures.rows.push_back({name, QString::number(image.width()), QString::number(image.height()),
+                            mean.isNull() ? QString() : mean.pixelColor(0, 0).name()});
+  }
+  return figures;
+}
+
 void VisionPanel::set_shown(const QString& name, bool shown) {
   for (QAction* action : choices_->actions()) {
     if (action->text() == name) {
@@ -146,10 +161,12 @@ void VisionPanel::contextMenuEvent(QContextMenuEvent* event) {
       menu.addAction(tr("Save picture..."), this, [&] {
         const QString file =
             QFileDialog::getSaveFileName(this, tr("Save picture"), {}, tr("Pictures (*.png)"));
-        if (!file.isEmpty() && !image.save(file, "PNG")) {
-          QMessageBox::warning(this, tr("Save picture"), tr("Cannot write %1.").arg(file));
+        if (const QString why = file.isEmpty() ? QString() : save_picture(image, file);
+            !why.isEmpty()) {
+          QMessageBox::warning(this, tr("Save picture"), why);
         }
       });
+      menu.addActions(actions());
       menu.exec(event->globalPos());
       return;
     }

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "paint/figures.h"
+
 class QMenu;
 class QToolButton;
 
@@ -14,7 +16,7 @@ namespace elsie::desktop {
 
 /// Pictures side by side, as they are and as processed, without smoothing. A menu with check boxes
 /// chooses; the context menu of a picture saves it.
-class VisionPanel : public QWidget {
+class VisionPanel : public QWidget, public ShowsFigures {
   Q_OBJECT
 
  public:
@@ -27,6 +29,7 @@ class VisionPanel : public QWidget {
   /// The pictures known, "robot/camera raw" and "robot/camera processed", and whether each shows.
   QStringList pictures() const;
   QImage picture(const QString& name) const;
+  Figures figures() const override;
   void set_shown(const QString& name, bool shown);
 
  protected:

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "engine/workbench.h"
+#include "paint/warning_label.h"
 
 namespace elsie::desktop {
 namespace {
@@ -21,8 +22,7 @@ BehaviorsDialog::BehaviorsDialog(Workbench& workbench, QString holder, QWidget* 
     : QDialog(parent), workbench_(workbench), holder_(std::move(holder)) {
   setObjectName("behaviors_dialog");
   setAttribute(Qt::WA_DeleteOnClose);
-  const ElementPlace place = place_of(workbench_.tree(), holder_);
-  setWindowTitle(tr("Behaviours of %1").arg(place.element ? title_of(*place.element) : holder_));
+  setWindowTitle(tr("Behaviours of %1").arg(title_at(workbench_.tree(), holder_)));
   auto* grid = new QGridLayout(this);
   pool_ = new QListWidget;
   pool_->setObjectName("pool");
@@ -42,15 +42,13 @@ BehaviorsDialog::BehaviorsDialog(Workbench& workbench, QString holder, QWidget* 
   take_away_->setToolTip(tr("Carry the chosen behaviour no more"));
   about_ = new QLabel;
   about_->setWordWrap(true);
-  refusal_ = new QLabel;
+  refusal_ = new WarningLabel;
   refusal_->setObjectName("refusal");
-  refusal_->setWordWrap(true);
-  refusal_->setStyleSheet("color: #c03030");
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-  buttons->setObjectName("buttons");
+  buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  buttons_->setObjectName("buttons");
   add_->setAutoDefault(false);
   take_away_->setAutoDefault(false);
-  buttons->button(QDialogButtonBox::Ok)->setDefault(true);
+  buttons_->button(QDialogButtonBox::Ok)->setDefault(true);
   grid->addWidget(pool_label, 0, 0);
   grid->addWidget(carried_label, 0, 2);
   grid->addWidget(pool_, 1, 0, 4, 1);
@@ -59,7 +57,7 @@ BehaviorsDialog::BehaviorsDialog(Workbench& workbench, QString holder, QWidget* 
   grid->addWidget(carried_, 1, 2, 4, 1);
   grid->addWidget(about_, 5, 0, 1, 3);
   grid->addWidget(refusal_, 6, 0, 1, 3);
-  grid->addWidget(buttons, 7, 0, 1, 3);
+  grid->addWidget(buttons_, 7, 0, 1, 3);
 
   visit(workbench_.tree(), [&](const ElementPlace& each) {
     if (each.list.isEmpty() && each.parent && name_of(*each.parent) == "behaviors" &&
@@ -80,8 +78,8 @@ BehaviorsDialog::BehaviorsDialog(Workbench& workbench, QString holder, QWidget* 
     enable();
   });
   connect(carried_, &QListWidget::currentItemChanged, this, &BehaviorsDialog::enable);
-  connect(buttons, &QDialogButtonBox::accepted, this, &BehaviorsDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &BehaviorsDialog::reject);
+  connect(buttons_, &QDialogButtonBox::accepted, this, &BehaviorsDialog::accept);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &BehaviorsDialog::reject);
   enable();
 }
 
@@ -157,12 +155,15 @@ void BehaviorsDialog::accept() {
   } else if (!has_some && has_coordinator) {
     edits << holder_ + "/coordinator/@remove=true";
   }
-  workbench_.edit(edits, tr("change behaviours of %1").arg(holder_), {}, this,
-                  [this](const Problems& problems) {
+  refusal_->say({});
+  buttons_->button(QDialogButtonBox::Ok)->setEnabled(false);
+  workbench_.edit(edits, tr("change behaviours of %1").arg(title_at(workbench_.tree(), holder_)),
+                  {}, this, [this](const Problems& problems) {
+                    buttons_->button(QDialogButtonBox::Ok)->setEnabled(true);
                     if (problems.empty()) {
                       QDialog::accept();
                     } else {
-                      refusal_->setText(problems.front().message);
+                      refusal_->say(problems.front().message);
                     }
                   });
 }

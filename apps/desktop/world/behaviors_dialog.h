@@ -5,12 +5,14 @@
 
 #include "engine/catalog.h"
 
+class QDialogButtonBox;
 class QLabel;
 class QListWidget;
 class QPushButton;
 
 namespace elsie::desktop {
 
+class WarningLabel;
 class Workbench;
 
 /// The pool of all behaviours on the left, those carried on the right; ">>" and "<<" move one at a
@@ -36,7 +38,8 @@ class BehaviorsDialog : public QDialog {
   QPushButton* add_;
   QPushButton* take_away_;
   QLabel* about_;
-  QLabel* refusal_;
+  WarningLabel* refusal_;
+  QDialogButtonBox* buttons_;
 };
 
 }  // namespace elsie::desktop

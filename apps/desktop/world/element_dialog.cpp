@@ -1,19 +1,19 @@
 #include "world/element_dialog.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <QRandomGenerator>
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "engine/workbench.h"
+#include "paint/warning_label.h"
 #include "training/training_page.h"
 #include "world/fan.h"
 #include "world/form.h"
@@ -21,9 +21,6 @@
 
 namespace elsie::desktop {
 namespace {
-
-constexpr int kMostRandomHeading_deg = 90;  // that the original offers for a new sensor
-constexpr int kFirstFan = 5;                // range sensors that a robot without any is offered
 
 QString attributes_text(const std::map<QString, QString>& values) {
   QString text;
@@ -57,12 +54,8 @@ ElementDialog::ElementDialog(Workbench& workbench, QWidget* parent)
   tabs_->setObjectName("pages");
   right->addWidget(tabs_, 1);
 
-  refusal_ = new QLabel;
+  refusal_ = new WarningLabel;
   refusal_->setObjectName("refusal");
-  refusal_->setWordWrap(true);
-  refusal_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  refusal_->setStyleSheet("color: #c03030");
-  refusal_->hide();
   column->addWidget(refusal_);
   at_once_ = new QCheckBox(tr("Apply changes &immediately"));
   at_once_->setObjectName("apply_immediately");
@@ -81,7 +74,10 @@ ElementDialog* ElementDialog::make(Workbench& workbench, const QString& holder, 
   dialog->makes_ = true;
   dialog->holder_ = holder;
   dialog->list_ = list;
-  dialog->setWindowTitle(tr("New %1").arg(member_word(list)));
+  dialog->setWindowTitle(
+      holder.isEmpty()
+          ? tr("New %1").arg(member_word(list))
+          : tr("New %1 of %2").arg(member_word(list), title_at(workbench.tree(), holder)));
   dialog->kinds_ = workbench.catalog().members(list);
   for (const Kind& kind : dialog->kinds_) {
     auto* item = new QListWidgetItem(kind.name, dialog->choice_);
@@ -96,8 +92,7 @@ ElementDialog* ElementDialog::make(Workbench& workbench, const QString& holder, 
   const ElementPlace present = dialog->present();
   if (present.element) {
     dialog->setWindowTitle(
-        tr("%1 of %2")
-            .arg(member_word(list), title_of(*place_of(workbench.tree(), holder).element)));
+        tr("%1 of %2").arg(member_word(list), title_at(workbench.tree(), holder)));
   }
   if (!present.element || !dialog->choose(name_of(*present.element))) {
     dialog->choice_->setCurrentRow(0);
@@ -114,7 +109,10 @@ ElementDialog* ElementDialog::edit(Workbench& workbench, const QString& path, QW
   }
   const Kind& kind = found->kind;
   const bool is_robot = kind.name == "robot";
-  if (kind.fields.empty()) {
+  const bool has_some = std::any_of(kind.fields.begin(), kind.fields.end(), [](const Field& field) {
+    return field.name != "id";  // that is a name, and none of its parameters
+  });
+  if (!has_some) {
     why = tr("'%1' has no parameters: there is nothing to set.").arg(found->title);
     return nullptr;
   }
@@ -167,7 +165,7 @@ void ElementDialog::show_kind(const Kind& kind) {
   pages_.clear();
   fan_ = nullptr;
   training_ = nullptr;
-  refusal_->hide();
+  refusal_->say({});
   about_->setText(kind.description);
   changes_.clear();
   const ElementPlace there = present();
@@ -190,79 +188,6 @@ void ElementDialog::show_kind(const Kind& kind) {
   if (list_ == "sensors") {
     offer_headings(kind);
   }
-}
-
-// A box that moves needs a place to go to: the middle, or near it.
-void ElementDialog::add_waypoint(const Kind& kind) {
-  const auto waypoint = workbench_.catalog().element("waypoint");
-  if (waypoint && kind.elements.contains("waypoint")) {
-    const auto& given = pages_.front().form->values();
-    const bool is_aside = given.contains("x") || given.contains("y");
-    add_page(tr("waypoint"), "waypoint", *waypoint, {{"x", is_aside ? "0" : "0.5"}, {"y", "0"}});
-  }
-}
-
-// The original begins a new beam or proximity sensor with a heading drawn from 0 to 90 degrees. A
-// robot that measures no distances yet is offered several: with one of them, it sees no wall beside
-// its way.
-void ElementDialog::offer_headings(const Kind& kind) {
-  Form* form = pages_.front().form;
-  if (!form->editor("yaw_deg")) {
-    return;
-  }
-  auto* button = new QPushButton(tr("&Random heading"), tabs_->widget(0));
-  button->setObjectName("random_heading");
-  button->setToolTip(tr("Draws the heading from 0 to %1 degrees").arg(kMostRandomHeading_deg));
-  connect(button, &QPushButton::clicked, form, [form] {
-    form->set_value(
-        "yaw_deg",
-        QString::number(QRandomGenerator::global()->bounded(kMostRandomHeading_deg + 1)));
-  });
-  tabs_->widget(0)->layout()->addWidget(button);
-  bool has_some = !kind.produces.contains("range");
-  visit(workbench_.tree(), [&](const ElementPlace& place) {
-    const auto other =
-        place.parent && name_of(*place.parent) == "sensors" && holder_of(place.path) == holder_
-            ? workbench_.catalog().kind_of(place)
-            : std::nullopt;
-    has_some = has_some || (other && other->produces.contains("range"));
-    return !has_some;
-  });
-  fan_ = new Fan(has_some ? 1 : kFirstFan);
-  tabs_->widget(0)->layout()->addWidget(fan_);
-}
-
-void ElementDialog::offer_drives(const QString& chosen) {
-  const std::vector<Kind> drives = workbench_.catalog().plugins("drive");
-  if (drives.empty()) {
-    return;
-  }
-  auto* page = new QWidget;
-  auto* column = new QVBoxLayout(page);
-  auto* choice = new QComboBox;
-  choice->setObjectName("drive");
-  choice->setAccessibleName(tr("Drive"));
-  auto* form = new Form;
-  for (const Kind& drive : drives) {
-    choice->addItem(drive.name);
-    choice->setItemData(choice->count() - 1, drive.description, Qt::ToolTipRole);
-  }
-  const std::size_t place = pages_.size();
-  pages_.push_back({tr("drive"), "drive", {}, form});
-  const auto show = [this, drives, form, place](int index) {
-    pages_[place].kind = drives[static_cast<std::size_t>(index)];
-    form->show_fields(drives[static_cast<std::size_t>(index)].fields, Json::object());
-  };
-  connect(choice, &QComboBox::currentIndexChanged, this, show);
-  column->addWidget(choice);
-  column->addWidget(form);
-  column->addStretch(1);
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setWidget(page);
-  tabs_->addTab(scroll, tr("drive"));
-  choice->setCurrentText(chosen);
-  show(choice->currentIndex());
 }
 
 void ElementDialog::add_page(const QString& title, const QString& path, const Kind& kind,
@@ -300,8 +225,8 @@ void ElementDialog::add_page(const QString& title, const QString& path, const Ki
       return;
     }
     const QString edit = attribute_path(path, name) + (taken_back ? "/@remove=true" : '=' + value);
-    workbench_.edit({edit}, tr("set %1").arg(name), edit.section('=', 0, 0), form,
-                    [form, name](const Problems& problems) {
+    workbench_.edit({edit}, tr("set %1 of %2").arg(name, title_at(workbench_.tree(), path)),
+                    edit.section('=', 0, 0), form, [form, name](const Problems& problems) {
                       form->show_problem(name,
                                          problems.empty() ? QString() : problems.front().message);
                     });
@@ -329,11 +254,6 @@ QString ElementDialog::markup(const std::map<QString, QString>& changed) const {
   }
   return '<' + main.kind.name + attributes_text(values) +
          (content.isEmpty() ? "/>" : '>' + content + "</" + main.kind.name + '>');
-}
-
-void ElementDialog::show_refusal(const QString& sentence) {
-  refusal_->setText(sentence);
-  refusal_->show();
 }
 
 QStringList ElementDialog::edits() const {
@@ -365,76 +285,6 @@ QStringList ElementDialog::edits() const {
   return edits;
 }
 
-// A coordinator that learns has a page for that, and OK trains it first.
-void ElementDialog::offer_training(const Kind& kind, Form* form, const QString& coordinator) {
-  training_ = new TrainingPage(workbench_, kind, coordinator);
-  tabs_->addTab(training_, tr("Training"));
-  const auto value = [form](const QString& name) {
-    const auto given = form->values().find(name);
-    return given == form->values().end() ? QString() : given->second;
-  };
-  const auto show = [this, value](const QString& changed) {
-    training_->show_hidden(value("hidden"));
-    if (changed == "weights") {
-      training_->wish(value("weights").isEmpty());
-    } else if (changed != "id" && changed != "weighted") {
-      training_->wish(true);
-    }
-  };
-  training_->show_hidden(value("hidden"));
-  training_->wish(value("weights").isEmpty());
-  connect(form, &Form::committed, training_, show);
-  connect(form, &Form::taken_back, training_, show);
-  connect(training_, &TrainingPage::hidden_wished, form,
-          [form](const QString& hidden) { form->set_value("hidden", hidden); });
-  connect(training_, &TrainingPage::failed, this, [this](const QString& sentence) {
-    set_busy(false);
-    show_refusal(sentence);
-  });
-  connect(training_, &TrainingPage::trained, this, [this](const QString& warning) {
-    set_busy(false);
-    if (warning.isEmpty()) {
-      accept();
-    } else {
-      show_refusal(tr("%1 OK uses it nevertheless.").arg(warning));
-    }
-  });
-}
-
-// True while the network has to learn before this dialog can end.
-bool ElementDialog::trains_first() {
-  if (!training_ || !training_->is_wished()) {
-    return false;
-  }
-  Form* form = pages_.front().form;
-  const auto seed = form->values().find("seed");
-  const bool has_seed = seed != form->values().end() && seed->second.toLongLong() >= 0;
-  const QStringList before = edits();
-  if (!training_->has_trained(before, has_seed)) {
-    refusal_->hide();
-    tabs_->setCurrentWidget(training_);
-    set_busy(true);
-    training_->train(before, has_seed);
-    return true;
-  }
-  const QSignalBlocker blocker(form);
-  form->set_value("weights", training_->weights());
-  if (!makes_) {
-    changes_[path_]["weights"] = training_->weights();
-  }
-  return false;
-}
-
-void ElementDialog::set_busy(bool is_busy) {
-  buttons_->button(QDialogButtonBox::Ok)->setEnabled(!is_busy);
-  for (int i = 0; i < tabs_->count(); ++i) {
-    if (tabs_->widget(i) != training_) {
-      tabs_->widget(i)->setEnabled(!is_busy);
-    }
-  }
-  choice_->setEnabled(!is_busy);
-}
-
 void ElementDialog::reject() {
   if (training_ && training_->cancel()) {
     set_busy(false);
@@ -448,7 +298,7 @@ bool ElementDialog::has_all() {
   for (const Page& page : pages_) {
     for (const Field& field : page.kind.fields) {
       if (field.is_required && !page.form->values().contains(field.name) && field.name != "id") {
-        show_refusal(tr("'%1' is needed: %2.").arg(field.name, field.meaning));
+        refusal_->say(tr("'%1' is needed: %2.").arg(field.name, field.meaning));
         return false;
       }
     }
@@ -473,7 +323,7 @@ void ElementDialog::accept() {
     QDialog::accept();
     return;
   }
-  const QString name = !makes_ ? tr("edit %1").arg(path_.isEmpty() ? tr("world") : path_)
+  const QString name = !makes_ ? tr("edit %1").arg(title_at(workbench_.tree(), path_))
                        : made.front().section('=', 0, 0).endsWith("[+]")
                            ? tr("add %1").arg(member_word(list_))
                            : tr("replace %1").arg(member_word(list_));
@@ -481,9 +331,12 @@ void ElementDialog::accept() {
   workbench_.edit(made, name, {}, this, [this](const Problems& problems) {
     buttons_->setEnabled(true);
     if (problems.empty()) {
+      if (training_) {
+        training_->keep_weights();
+      }
       QDialog::accept();
     } else {
-      show_refusal(problems.front().message);
+      refusal_->say(problems.front().message);
     }
   });
 }

@@ -1,4 +1,5 @@
-// The dialog of one thing in the world: to make it and to edit it.
+// The dialog of one thing in the world: to make it and to edit it. element_dialog_pages.cpp has the
+// pages that only some things have.
 #pragma once
 
 #include <QDialog>
@@ -17,6 +18,7 @@ namespace elsie::desktop {
 class Fan;
 class Form;
 class TrainingPage;
+class WarningLabel;
 class Workbench;
 
 /// Makes an element of a list, such as a sensor or a robot, or edits one.
@@ -57,7 +59,6 @@ class ElementDialog : public QDialog {
   ElementPlace present() const;
   void show_kind(const Kind& kind);
   void add_page(const QString& title, const QString& path, const Kind& kind, const Json& values);
-  void show_refusal(const QString& sentence);
   /// `changed`: attributes that are not those of the form.
   QString markup(const std::map<QString, QString>& changed = {}) const;
   QStringList edits() const;
@@ -83,7 +84,7 @@ class ElementDialog : public QDialog {
   Fan* fan_ = nullptr;                // of a new sensor with a heading
   TrainingPage* training_ = nullptr;  // of a coordinator that learns
   QCheckBox* at_once_;
-  QLabel* refusal_;
+  WarningLabel* refusal_;
   QDialogButtonBox* buttons_;
 };
 

@@ -6,6 +6,8 @@
 #include <QSpinBox>
 #include <cmath>
 
+#include "paint/quiet_wheel.h"
+
 namespace elsie::desktop {
 namespace {
 
@@ -39,10 +41,19 @@ Fan::Fan(int count, QWidget* parent) : QWidget(parent) {
     row->addWidget(each);
   }
   row->addStretch(1);
+  quiet_wheel(count_);
+  quiet_wheel(spread_deg_);
   connect(count_, &QSpinBox::valueChanged, spread_deg_,
           [this](int value) { spread_deg_->setEnabled(value > 1); });
   count_->setValue(count);
   spread_deg_->setEnabled(count > 1);
+  connect(count_, &QSpinBox::valueChanged, this, [this] { is_chosen_ = true; });
+}
+
+void Fan::become_one() {
+  if (!is_chosen_) {
+    count_->setValue(1);
+  }
 }
 
 std::vector<double> Fan::headings_deg(double middle_deg) const {

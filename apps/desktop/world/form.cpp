@@ -15,14 +15,33 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "paint/quiet_wheel.h"
+#include "paint/warning_label.h"
 
 namespace elsie::desktop {
 namespace {
 
 bool is_number(const Field& field) { return field.type == "number" || field.type == "integer"; }
 
-/// Steps a number by the arrow keys: by one in its first digit.
-class NumberEdit : public QLineEdit {
+/// Leaves Ctrl+Z to the window when nothing is being typed, which QLineEdit does not.
+class FieldEdit : public QLineEdit {
+ protected:
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
+      const auto* key = static_cast<QKeyEvent*>(event);
+      if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+        event->ignore();
+        return false;
+      }
+    }
+    return QLineEdit::event(event);
+  }
+};
+
+/// Steps a number by the arrow keys: a whole one by one, others by one in their second digit.
+class NumberEdit : public FieldEdit {
  public:
   explicit NumberEdit(bool is_integer) : is_integer_(is_integer) {}
 
@@ -33,20 +52,32 @@ class NumberEdit : public QLineEdit {
       QLineEdit::keyPressEvent(event);
       return;
     }
-    bool is_right = false;
-    const QString shown = text().isEmpty() ? placeholderText() : text();
-    const double value = QLocale::c().toDouble(shown, &is_right);
-    if (is_right) {
-      const double size =
-          value == 0.0 ? 1.0 : std::pow(10.0, std::floor(std::log10(std::abs(value))));
-      const double step = is_integer_ ? 1.0 : 0.1 * size;
-      setText(QLocale::c().toString(value + way * step, 'g', 6));
+    const QString next = stepped(text().isEmpty() ? placeholderText() : text(), way);
+    if (!next.isEmpty()) {
+      setText(next);
       setModified(true);
       Q_EMIT editingFinished();
     }
   }
 
  private:
+  /// "" if the text is no number, or the next one has no place.
+  QString stepped(const QString& from, int way) const {
+    bool is_right = false;
+    if (is_integer_) {
+      const qint64 value = QLocale::c().toLongLong(from, &is_right);
+      const qint64 last =
+          way > 0 ? std::numeric_limits<qint64>::max() : std::numeric_limits<qint64>::min();
+      return is_right && value != last ? QString::number(value + way) : QString();
+    }
+    const double value = QLocale::c().toDouble(from, &is_right);
+    const double size =
+        value == 0.0 ? 1.0 : std::pow(10.0, std::floor(std::log10(std::abs(value))));
+    const double next = value + way * 0.1 * size;
+    return is_right && std::isfinite(next) ? QLocale::c().toString(next, 'g', kDigits) : QString();
+  }
+
+  static constexpr int kDigits = 15;  // that a double has for certain
   bool is_integer_;
 };
 
@@ -125,13 +156,68 @@ void Form::show_fields(const std::vector<Field>& fields, const Json& values) {
   values_.clear();
   if (values.is_object()) {
     for (const auto& [name, value] : values.items()) {
-      values_[QString::fromStdString(name)] = QString::fromStdString(value.get<std::string>());
+      values_[QString::fromStdString(name)] = written(value);
     }
   }
   for (Row& row : rows_) {
     show_value(row);
-    row.problem->hide();
+    row.problem->say({});
   }
+}
+
+QWidget* Form::make_editor(const Field& field) {
+  const QString name = field.name;
+  QWidget* editor = nullptr;
+  if (!field.choices.isEmpty() || field.type == "boolean") {
+    auto* box = new QComboBox;
+    box->addItems(field.choices.isEmpty() ? QStringList{"true", "false"} : field.choices);
+    quiet_wheel(box);
+    connect(box, &QComboBox::textActivated, this,
+            [this, name](const QString& text) { commit(name, text); });
+    editor = box;
+  } else {
+    QLineEdit* edit = is_number(field) ? new NumberEdit(field.type == "integer") : new FieldEdit;
+    edit->setPlaceholderText(field.default_text);
+    connect(edit, &QLineEdit::editingFinished, this,
+            [this, edit, name] { take_typed(name, edit); });
+    editor = edit;
+  }
+  editor->setObjectName(name);
+  editor->setAccessibleName(field.unit.isEmpty() ? name : name + ", " + field.unit);
+  editor->setAccessibleDescription(field.meaning);
+  editor->setToolTip(tip_of(field));
+  return editor;
+}
+
+void Form::add_browse(QHBoxLayout* line, const QString& name) {
+  auto* browse = new QToolButton;
+  browse->setText(tr("..."));
+  browse->setToolTip(tr("Browse for the file"));
+  browse->setAccessibleName(browse->toolTip());
+  browse->setObjectName(name + "_browse");
+  connect(browse, &QToolButton::clicked, this, [this, name] {
+    QFileDialog dialog(this, tr("File for '%1'").arg(name), folder_);
+    dialog.setObjectName("browse_dialog");
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    if (dialog.exec() == QDialog::Accepted) {
+      const QString file = dialog.selectedFiles().front();
+      set_value(name, folder_.isEmpty() ? file : QDir(folder_).relativeFilePath(file));
+    }
+  });
+  line->addWidget(browse);
+}
+
+void Form::add_picker(QHBoxLayout* line, const QString& name) {
+  auto* pick = new QPushButton(tr("Pick..."));
+  connect(pick, &QPushButton::clicked, this, [this, name] {
+    const auto given = values_.find(name);
+    const QColor colour =
+        QColorDialog::getColor(QColor(given == values_.end() ? "#808080" : given->second), this);
+    if (colour.isValid()) {
+      set_value(name, colour.name());
+    }
+  });
+  line->addWidget(pick);
 }
 
 Form::Row Form::make_row(const Field& field) {
@@ -145,55 +231,16 @@ Form::Row Form::make_row(const Field& field) {
   auto* line = new QHBoxLayout;
   column->addLayout(line);
 
-  if (!field.choices.isEmpty() || field.type == "boolean") {
-    auto* box = new QComboBox;
-    box->addItems(field.choices.isEmpty() ? QStringList{"true", "false"} : field.choices);
-    box->setFocusPolicy(Qt::StrongFocus);
-    box->installEventFilter(this);
-    connect(box, &QComboBox::textActivated, this,
-            [this, name](const QString& text) { commit(name, text); });
-    row.editor = box;
-  } else {
-    auto* edit = is_number(field) ? new NumberEdit(field.type == "integer") : new QLineEdit;
-    edit->setPlaceholderText(field.default_text);
-    connect(edit, &QLineEdit::editingFinished, this,
-            [this, edit, name] { take_typed(name, edit); });
-    row.editor = edit;
-  }
-  row.editor->setObjectName(name);
-  row.editor->setAccessibleName(field.unit.isEmpty() ? name : name + ", " + field.unit);
-  row.editor->setAccessibleDescription(field.meaning);
-  row.editor->setToolTip(tip_of(field));
+  row.editor = make_editor(field);
   line->addWidget(row.editor, 1);
   if (!field.unit.isEmpty()) {
     line->addWidget(new QLabel(field.unit));
   }
   if (field.type == "file") {
-    auto* browse = new QToolButton;
-    browse->setText(tr("..."));
-    browse->setToolTip(tr("Browse for the file"));
-    browse->setAccessibleName(browse->toolTip());
-    browse->setObjectName(name + "_browse");
-    connect(browse, &QToolButton::clicked, this, [this, name] {
-      const QString file =
-          QFileDialog::getOpenFileName(this, tr("File for '%1'").arg(name), folder_);
-      if (!file.isEmpty()) {
-        set_value(name, folder_.isEmpty() ? file : QDir(folder_).relativeFilePath(file));
-      }
-    });
-    line->addWidget(browse);
+    add_browse(line, name);
   }
   if (field.type == "colour" || name == "colour") {
-    auto* pick = new QPushButton(tr("Pick..."));
-    connect(pick, &QPushButton::clicked, this, [this, name] {
-      const auto given = values_.find(name);
-      const QColor colour =
-          QColorDialog::getColor(QColor(given == values_.end() ? "#808080" : given->second), this);
-      if (colour.isValid()) {
-        set_value(name, colour.name());
-      }
-    });
-    line->addWidget(pick);
+    add_picker(line, name);
   }
   row.live = new QLabel;
   row.live->setObjectName(name + "_live");
@@ -215,12 +262,8 @@ Form::Row Form::make_row(const Field& field) {
   });
   line->addWidget(row.reset);
 
-  row.problem = new QLabel;
+  row.problem = new WarningLabel;
   row.problem->setObjectName(name + "_problem");
-  row.problem->setWordWrap(true);
-  row.problem->setForegroundRole(QPalette::BrightText);
-  row.problem->setStyleSheet("color: #c03030");
-  row.problem->hide();
   column->addWidget(row.problem);
 
   row.label = new QLabel(name + (field.is_required ? " *" : ""));
@@ -277,6 +320,17 @@ bool Form::finish() {
   return is_right;
 }
 
+void Form::drop_typed() {
+  for (Row& row : rows_) {
+    if (auto* edit = qobject_cast<QLineEdit*>(row.editor)) {
+      edit->setModified(false);
+      show_value(row);
+    }
+    row.problem->say({});
+    row.live->hide();
+  }
+}
+
 bool Form::commit(const QString& name, const QString& value) {
   Row* row = row_of(name);
   const QString mistake = mistake_in(row->field, value);
@@ -298,8 +352,7 @@ bool Form::commit(const QString& name, const QString& value) {
 
 void Form::show_problem(const QString& name, const QString& sentence) {
   if (Row* row = row_of(name)) {
-    row->problem->setText(sentence);
-    row->problem->setVisible(!sentence.isEmpty());
+    row->problem->say(sentence);
   }
 }
 

@@ -8,11 +8,14 @@
 #include "engine/catalog.h"
 
 class QFormLayout;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QToolButton;
 
 namespace elsie::desktop {
+
+class WarningLabel;
 
 /// A row for each field. A value that is given is bold and can be taken back, to its default;
 /// committed() comes with Enter or when the row is left, with a text as it stands in a file.
@@ -34,6 +37,8 @@ class Form : public QWidget {
   void set_value(const QString& name, const QString& value);
   /// What is being typed is entered. False if some of it is no value.
   bool finish();
+  /// What is no value goes, and with it all that is said about values.
+  void drop_typed();
   /// A sentence below the row, until its next change; "" takes it away.
   void show_problem(const QString& name, const QString& sentence);
   /// What the value is in the run, behind the row; "" takes it away.
@@ -54,12 +59,15 @@ class Form : public QWidget {
     QWidget* editor = nullptr;
     QWidget* whole = nullptr;
     QLabel* label = nullptr;
-    QLabel* problem = nullptr;
+    WarningLabel* problem = nullptr;
     QLabel* live = nullptr;
     QToolButton* reset = nullptr;
   };
 
   Row make_row(const Field& field);
+  QWidget* make_editor(const Field& field);
+  void add_browse(QHBoxLayout* line, const QString& name);
+  void add_picker(QHBoxLayout* line, const QString& name);
   void show_value(Row& row);
   bool take_typed(const QString& name, QLineEdit* edit);
   bool commit(const QString& name, const QString& value);

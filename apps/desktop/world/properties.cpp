@@ -4,18 +4,24 @@
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "engine/workbench.h"
 #include "world/form.h"
 
 namespace elsie::desktop {
+namespace {
+
+constexpr int kPose_ms = 100;  // between two poses: a form that changes is laid out again
+
+}  // namespace
 
 std::optional<Described> described_at(const Workbench& workbench, const QString& path) {
   const ElementPlace place = place_of(workbench.tree(), path);
   if (place.element) {
     if (auto kind = workbench.catalog().kind_of(place)) {
       Json values = attributes_of(*place.element);
-      if (place.element->value("named", false)) {  // by the reader, not by the text
+      if (member(*place.element, "named") == true) {  // by the reader, not by the text
         for (Field& field : kind->fields) {
           if (field.name == "id") field.default_text = attribute(*place.element, "id");
         }
@@ -49,11 +55,17 @@ Properties::Properties(Workbench& workbench, QWidget* parent)
   about_ = new QLabel;
   about_->setWordWrap(true);
   column->addWidget(about_);
+  now_label_ = new QLabel;
+  now_label_->setObjectName("now_shown");
+  now_label_->setWordWrap(true);
+  now_label_->hide();
+  column->addWidget(now_label_);
   filter_ = new QLineEdit;
   filter_->setPlaceholderText(tr("Filter"));
   filter_->setAccessibleName(tr("Filter of the properties"));
   filter_->setClearButtonEnabled(true);
   column->addWidget(filter_);
+  setFocusProxy(filter_);
   form_ = new Form;
   form_->setObjectName("form");
   auto* scroll = new QScrollArea;
@@ -62,6 +74,8 @@ Properties::Properties(Workbench& workbench, QWidget* parent)
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(form_);
   column->addWidget(scroll, 1);
+  pose_timer_.setSingleShot(true);
+  connect(&pose_timer_, &QTimer::timeout, this, &Properties::show_last_pose);
   connect(filter_, &QLineEdit::textChanged, form_, &Form::filter);
   connect(&workbench_, &Workbench::described, this, &Properties::refresh);
   connect(&workbench_, &Workbench::catalog_changed, this, &Properties::refresh);
@@ -76,31 +90,32 @@ Properties::Properties(Workbench& workbench, QWidget* parent)
 }
 
 void Properties::change(const QString& path, const QString& name, const QString& edit) {
-  const ElementPlace place = place_of(workbench_.tree(), path);
-  const QString title = place.element ? title_of(*place.element) : path;
-  workbench_.edit({edit}, tr("set %1 of %2").arg(name, title), attribute_path(path, name), this,
-                  [this, path, name](const Problems& problems) {
+  workbench_.edit({edit}, tr("set %1 of %2").arg(name, title_at(workbench_.tree(), path)),
+                  attribute_path(path, name), this, [this, path, name](const Problems& problems) {
                     if (path == path_) {
                       form_->show_problem(name,
                                           problems.empty() ? QString() : problems.front().message);
                     }
                   });
-  if (name == "id" && edit.contains("/@id=") && path.endsWith(']')) {
-    // It is called otherwise from now on.
-    const qsizetype bracket = path.lastIndexOf('[');
-    path_ = path.left(bracket + 1) + edit.section("/@id=", 1) + ']';
-  }
 }
 
 void Properties::show_element(const QString& path) {
   if (path != path_) {
-    form_->setFocus();  // commits what is being typed
+    form_->finish();  // for the thing that it was typed for
+    form_->drop_typed();
     path_ = path;
+    pose_timer_.stop();
     refresh();
   }
 }
 
-void Properties::show_weight(const Json& state) {
+void Properties::rename(const QString& from, const QString& to) {
+  if (path_ == from) {
+    path_ = to;
+  }
+}
+
+void Properties::show_state(const Json& state) {
   if (path_.contains("/behavior[")) {
     visit_weights(state, [this](const QString& path, double weight) {
       if (path == path_) {
@@ -108,10 +123,46 @@ void Properties::show_weight(const Json& state) {
       }
     });
   }
+  for (const Json& robot : member(state, "robots")) {
+    if ("robot[" + text_of(robot, "id") + ']' == robot_path(path_)) {
+      show_number("speed", number_of(robot, "speed"), tr("speed %1 m/s"), 2);
+      show_number("energy", number_of(robot, "energy"), tr("energy %1"), 3);
+    }
+  }
+}
+
+// What is not known has no line.
+void Properties::show_number(const QString& name, double value, const QString& words, int digits) {
+  std::isfinite(value) ? void(now_[name] = words.arg(value, 0, 'f', digits))
+                       : void(now_.remove(name));
+  QStringList shown;
+  for (const char* each : {"speed", "energy"}) {
+    if (now_.contains(each)) shown << now_[each];
+  }
+  now_label_->setText(shown.isEmpty() ? QString() : tr("Now: %1").arg(shown.join(", ")));
+  now_label_->setVisible(!shown.isEmpty());
+}
+
+void Properties::show_pose(double x, double y, double heading_deg) {
+  pose_ = {x, y, heading_deg};
+  if (!pose_timer_.isActive()) {
+    pose_timer_.start(kPose_ms);
+  }
+}
+
+void Properties::show_last_pose() {
+  const auto show = [this](const char* name, double value, int digits) {
+    form_->show_live(name, tr("now %1").arg(value, 0, 'f', digits));
+  };
+  show("x", pose_[0], 2);
+  show("y", pose_[1], 2);
+  show("heading_deg", pose_[2], 0);
 }
 
 void Properties::refresh() {
   const auto described = described_at(workbench_, path_);
+  now_.clear();
+  now_label_->hide();
   if (!described) {
     title_->setText(workbench_.tree().is_object() ? tr("Nothing is chosen") : tr("No world"));
     about_->clear();

@@ -1,7 +1,9 @@
 // What the chosen thing is given, as a form; every entry is an edit.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
+#include <array>
 
 #include "engine/catalog.h"
 
@@ -21,20 +23,30 @@ class Properties : public QWidget {
 
   /// Of the element at the path; "" is the world.
   void show_element(const QString& path);
-  /// The priority that the chosen behaviour has now, from a `state` event, beside the one that it
-  /// was given.
-  void show_weight(const Json& state);
+  /// What is shown is called otherwise now.
+  void rename(const QString& from, const QString& to);
+  /// What the chosen thing has now, from a `state` event: a behaviour the weight that its
+  /// coordinator gives it, beside its priority; a robot its speed and energy.
+  void show_state(const Json& state);
+  /// Where the chosen thing is now, beside where it was put; m and degrees.
+  void show_pose(double x, double y, double heading_deg);
   const QString& path() const { return path_; }
   Form& form() { return *form_; }
 
  private:
   void refresh();
   void change(const QString& path, const QString& name, const QString& edit);
+  void show_last_pose();
+  void show_number(const QString& name, double value, const QString& words, int digits);
 
   Workbench& workbench_;
   QString path_;
   QLabel* title_;
   QLabel* about_;
+  QLabel* now_label_;
+  QHash<QString, QString> now_;  // what is shown in it
+  std::array<double, 3> pose_{};
+  QTimer pose_timer_;
   QLineEdit* filter_;
   Form* form_;
 };

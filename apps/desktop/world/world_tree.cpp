@@ -1,11 +1,14 @@
 #include "world/world_tree.h"
 
+#include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <functional>
 
 #include "engine/workbench.h"
@@ -20,8 +23,7 @@ QString detail_of(const Json& element) {
   QStringList parts;
   for (const auto& [name, value] : attributes_of(element).items()) {
     if (name != "id" && parts.size() < 4) {
-      parts << QString::fromStdString(name) + '=' +
-                   QString::fromStdString(value.get<std::string>());
+      parts << QString::fromStdString(name) + '=' + written(value);
     }
   }
   return parts.join("  ");
@@ -66,7 +68,8 @@ WorldTree::WorldTree(Workbench& workbench, QString team, QWidget* parent)
   tree_->setAccessibleName(team_.isEmpty() ? tr("World") : tr("Team %1").arg(team_));
   tree_->setHeaderLabels({tr("Element"), tr("Given")});
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  tree_->setContextMenuPolicy(Qt::CustomContextMenu);
+  tree_->viewport()->installEventFilter(this);
+  setFocusProxy(tree_);
   tree_->setUniformRowHeights(true);
   tree_->setIndentation(fontMetrics().averageCharWidth() * 3 / 2);
   tree_->header()->setStretchLastSection(true);
@@ -77,7 +80,8 @@ WorldTree::WorldTree(Workbench& workbench, QString team, QWidget* parent)
   connect(filter_, &QLineEdit::textChanged, this, &WorldTree::filter);
   connect(tree_, &QTreeWidget::itemSelectionChanged, this, [this] {
     if (!is_showing_) {
-      Q_EMIT selected(selection());
+      chosen_ = selection();
+      Q_EMIT selected(chosen_);
     }
   });
   connect(tree_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
@@ -85,13 +89,31 @@ WorldTree::WorldTree(Workbench& workbench, QString team, QWidget* parent)
       Q_EMIT edit_wished(item->data(0, kPath).toString());
     }
   });
-  // A right click opens the editor of a thing; on a list and on nothing it opens the menu.
-  connect(tree_, &QTreeWidget::customContextMenuRequested, this, [this](const QPoint& at) {
-    const QTreeWidgetItem* item = tree_->itemAt(at);
-    Q_EMIT menu_wished(
-        item && !item->data(0, kIsList).toBool() ? item->data(0, kPath).toString() : QString(),
-        tree_->viewport()->mapToGlobal(at));
-  });
+}
+
+// A right click on a thing opens its editor; on a list and on nothing the menu of the floor, and on
+// a network that has learned its own, which clears it. The menu key opens the menu of what is
+// chosen.
+bool WorldTree::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != tree_->viewport() || event->type() != QEvent::ContextMenu) {
+    return QWidget::eventFilter(watched, event);
+  }
+  const auto* wish = static_cast<QContextMenuEvent*>(event);
+  const bool is_by_mouse = wish->reason() == QContextMenuEvent::Mouse;
+  const QTreeWidgetItem* item = is_by_mouse ? tree_->itemAt(wish->pos()) : tree_->currentItem();
+  const bool is_thing = item && !item->data(0, kIsList).toBool();
+  const QString path = is_thing ? item->data(0, kPath).toString() : QString();
+  const QPoint at = is_by_mouse || !item
+                        ? wish->globalPos()
+                        : tree_->viewport()->mapToGlobal(tree_->visualItemRect(item).center());
+  const ElementPlace place = place_of(workbench_.tree(), path);
+  const bool has_learned = place.element && !attribute(*place.element, "weights").isEmpty();
+  if (is_thing && is_by_mouse && !has_learned) {
+    Q_EMIT edit_wished(path);
+  } else {
+    Q_EMIT menu_wished(path, at);
+  }
+  return true;
 }
 
 void WorldTree::make_team_buttons() {
@@ -116,14 +138,8 @@ void WorldTree::make_team_buttons() {
           [this] { Q_EMIT behaviors_wished(holder_for("behaviors")); });
   connect(button(1, 1, "coordinator", tr("Coordinator..."),
                  tr("Choose or edit the coordinator of the chosen robot")),
-          &QPushButton::clicked, this, [this] {
-            const QString holder = holder_for("coordinator");
-            if (!holder.isEmpty() && place_of(workbench_.tree(), holder + "/coordinator").element) {
-              Q_EMIT edit_wished(holder + "/coordinator");
-            } else {
-              Q_EMIT add_wished(holder, "coordinator");
-            }
-          });
+          &QPushButton::clicked, this,
+          [this] { Q_EMIT add_wished(holder_for("coordinator"), "coordinator"); });
   static_cast<QVBoxLayout*>(layout())->addLayout(grid);
 }
 
@@ -142,12 +158,9 @@ QString WorldTree::holder_for(const QString& list) const {
 
 QString WorldTree::robot() const {
   for (const QString& path : selection()) {
-    if (path.startsWith("robot[")) {
-      return path.section(']', 0, 0) + ']';
+    if (const QString robot = robot_path(path); !robot.isEmpty()) {
+      return robot;
     }
-  }
-  for (int i = 0; i < tree_->topLevelItemCount() && !team_.isEmpty(); ++i) {
-    return tree_->topLevelItem(i)->data(0, kPath).toString();  // the first of the team
   }
   return {};
 }
@@ -164,70 +177,111 @@ QStringList WorldTree::selection() const {
 
 QTreeWidgetItem* WorldTree::item(const QString& path) const { return items_.value(path); }
 
-void WorldTree::show_world() {
-  is_showing_ = true;
-  const auto key = [](const QTreeWidgetItem* item) {
-    return item->data(0, kPath).toString() +
-           (item->data(0, kIsList).toBool() ? '/' + item->text(0) : QString());
+// The places that the tree shows, in its order, with those in which they are.
+std::vector<WorldTree::Shown> WorldTree::places() const {
+  std::vector<Shown> all;
+  const std::function<void(const ElementPlace&, int)> add = [&](const ElementPlace& place,
+                                                                int parent) {
+    const auto number = static_cast<int>(all.size());
+    const QString list = place.list.isEmpty() ? QString() : '/' + name_of(*place.element);
+    all.push_back({place, place.path + list, parent});
+    visit_children(place, [&](const ElementPlace& child) { add(child, number); });
   };
-  QSet<QString> open, chosen, known;
-  for (QTreeWidgetItemIterator it(tree_); *it; ++it) {
-    known << key(*it);
-    if ((*it)->isExpanded()) open << key(*it);
-    if ((*it)->isSelected()) chosen << key(*it);
-  }
-  tree_->setUpdatesEnabled(false);
-  tree_->clear();
-  items_.clear();
-  with_weight_.clear();
-  const std::function<void(const ElementPlace&, QTreeWidgetItem*)> add =
-      [&](const ElementPlace& place, QTreeWidgetItem* parent) {
-        auto* item = parent ? new QTreeWidgetItem(parent) : new QTreeWidgetItem(tree_);
-        item->setText(0, label_of(*place.element));
-        item->setText(1, detail_of(*place.element));
-        item->setToolTip(1, detail_of(*place.element));
-        item->setData(0, kPath, place.path);
-        item->setData(0, kIsList, !place.list.isEmpty());
-        if (place.list.isEmpty()) {
-          items_.insert(place.path, item);
-        }
-        if (place.element->value("inherited", false)) {
-          QFont font = item->font(0);
-          font.setItalic(true);
-          item->setFont(0, font);
-          item->setToolTip(0, tr("It comes from the robot's template; what is changed here is "
-                                 "written into the robot's own element."));
-        }
-        visit_children(place, [&](const ElementPlace& child) { add(child, item); });
-        item->setExpanded(known.contains(key(item))
-                              ? open.contains(key(item))
-                              : !place.path.contains('/') || !place.list.isEmpty());
-        item->setSelected(chosen.contains(key(item)));
-      };
   const auto is_of_team = [&](const ElementPlace& place) {
     const QString team = attribute(*place.element, "team");
     return (team.isEmpty() ? QString("red") : team) == team_;
   };
-  if (workbench_.tree().is_object()) {
-    if (team_.isEmpty()) {
-      add({&workbench_.tree(), nullptr, {}, {}}, nullptr);
-    } else {
-      visit(workbench_.tree(), [&](const ElementPlace& place) {
-        const bool is_robot = name_of(*place.element) == "robot" && place.path.startsWith("robot[");
-        if (is_robot && is_of_team(place)) {
-          add(place, nullptr);
-        }
-        return !is_robot;
-      });
+  const Json& world = workbench_.tree();
+  if (team_.isEmpty()) {
+    if (world.is_object()) {
+      add({&world, nullptr, {}, {}}, -1);
     }
+    return all;
   }
-  tree_->setColumnWidth(0, std::max(tree_->columnWidth(0), 150));
-  tree_->setUpdatesEnabled(true);
+  visit(world, [&](const ElementPlace& place) {
+    const bool is_robot = name_of(*place.element) == "robot" && place.path.startsWith("robot[");
+    if (is_robot && is_of_team(place)) {
+      add(place, -1);
+    }
+    return !is_robot;
+  });
+  return all;
+}
+
+void WorldTree::show_world() {
+  is_showing_ = true;
+  const std::vector<Shown> shown = places();
+  const bool is_same =
+      std::equal(shown.begin(), shown.end(), keys_.begin(), keys_.end(),
+                 [](const Shown& place, const QString& key) { return place.key == key; });
+  if (!is_same) {
+    build(shown);
+  }
+  int number = 0;
+  for (QTreeWidgetItemIterator it(tree_); *it; ++it) {
+    show_item(**it, shown[static_cast<std::size_t>(number++)].place);
+  }
+  with_weight_.clear();
   is_showing_ = false;
   filter(filter_->text());
 }
 
+// What was open stays open; the rows in view, the chosen ones and the current one stay so.
+void WorldTree::build(const std::vector<Shown>& shown) {
+  QSet<QString> open;
+  std::optional<QString> current;
+  int number = 0;
+  for (QTreeWidgetItemIterator it(tree_); *it; ++it) {
+    const QString& key = keys_[static_cast<std::size_t>(number++)];
+    if ((*it)->isExpanded()) open << key;
+    if (*it == tree_->currentItem()) current = key;
+  }
+  const QSet<QString> known(keys_.begin(), keys_.end());
+  const int top = tree_->verticalScrollBar()->value();
+  tree_->setUpdatesEnabled(false);
+  tree_->clear();
+  items_.clear();
+  keys_.clear();
+  std::vector<QTreeWidgetItem*> made;
+  for (const auto& [place, key, parent] : shown) {
+    auto* item = parent < 0 ? new QTreeWidgetItem(tree_)
+                            : new QTreeWidgetItem(made[static_cast<std::size_t>(parent)]);
+    made.push_back(item);
+    keys_.push_back(key);
+    item->setData(0, kPath, place.path);
+    item->setData(0, kIsList, !place.list.isEmpty());
+    if (place.list.isEmpty()) {
+      items_.insert(place.path, item);
+    }
+    item->setExpanded(known.contains(key) ? open.contains(key)
+                                          : !place.path.contains('/') || !place.list.isEmpty());
+    if (key == current) {
+      tree_->setCurrentItem(item, 0, QItemSelectionModel::NoUpdate);
+    }
+    item->setSelected(place.list.isEmpty() && chosen_.contains(place.path));
+  }
+  tree_->setColumnWidth(0, std::max(tree_->columnWidth(0), 150));
+  tree_->doItemsLayout();
+  tree_->verticalScrollBar()->setValue(top);
+  tree_->setUpdatesEnabled(true);
+}
+
+void WorldTree::show_item(QTreeWidgetItem& item, const ElementPlace& place) {
+  const bool is_inherited = member(*place.element, "inherited") == true;
+  item.setText(0, label_of(*place.element));
+  item.setText(1, detail_of(*place.element));
+  item.setToolTip(1, detail_of(*place.element));
+  QFont font = tree_->font();
+  font.setItalic(is_inherited);
+  item.setFont(0, font);
+  item.setToolTip(0, is_inherited
+                         ? tr("It comes from the robot's template; what is changed here is "
+                              "written into the robot's own element.")
+                         : QString());
+}
+
 void WorldTree::set_selection(const QStringList& paths) {
+  chosen_ = paths;  // some may not be shown yet
   if (paths == selection()) {
     return;
   }

@@ -15,7 +15,7 @@ namespace elsie::desktop {
 
 class Workbench;
 
-/// The tree of the whole world, or of one team's robots. Items stay open, chosen and in view when
+/// The tree of the whole world, or of one team's robots. Rows stay open, chosen and in view when
 /// the world changes.
 class WorldTree : public QWidget {
   Q_OBJECT
@@ -43,8 +43,20 @@ class WorldTree : public QWidget {
   void behaviors_wished(const QString& holder);
   void menu_wished(const QString& path, const QPoint& global);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  struct Shown {
+    ElementPlace place;
+    QString key;  // its path; of a list also its name
+    int parent;   // the number of the row in which it is; -1: none
+  };
+
   void make_team_buttons();
+  std::vector<Shown> places() const;
+  void build(const std::vector<Shown>& shown);
+  void show_item(QTreeWidgetItem& item, const ElementPlace& place);
   void filter(const QString& text);
   QString holder_for(const QString& list) const;
 
@@ -52,6 +64,8 @@ class WorldTree : public QWidget {
   QString team_;
   QLineEdit* filter_;
   QTreeWidget* tree_;
+  std::vector<QString> keys_;               // of the rows, in their order
+  QStringList chosen_;                      // in the window; the tree may have none of them
   QHash<QString, QTreeWidgetItem*> items_;  // of elements, by path
   QSet<QString> with_weight_;               // paths
   bool is_showing_ = false;

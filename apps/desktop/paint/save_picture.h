@@ -1,0 +1,14 @@
+// Pictures that are written whole or not at all.
+#pragma once
+
+#include <QString>
+
+class QImage;
+
+namespace elsie::desktop {
+
+/// Writes the picture in the format of the file's ending. Returns "", or why it was not written;
+/// then the file is what it was.
+QString save_picture(const QImage& picture, const QString& file);
+
+}  // namespace elsie::desktop

@@ -1,0 +1,35 @@
+#include "paint/warning_label.h"
+
+#include <QApplication>
+#include <QEvent>
+
+#include "paint/axes.h"
+
+namespace elsie::desktop {
+
+WarningLabel::WarningLabel(QWidget* parent) : QLabel(parent) {
+  setWordWrap(true);
+  setTextInteractionFlags(Qt::TextSelectableByMouse);
+  colour();
+  hide();
+}
+
+void WarningLabel::say(const QString& sentence) {
+  setText(sentence);
+  setVisible(!sentence.isEmpty());
+}
+
+void WarningLabel::changeEvent(QEvent* event) {
+  QLabel::changeEvent(event);
+  if (event->type() == QEvent::ApplicationPaletteChange || event->type() == QEvent::StyleChange) {
+    colour();
+  }
+}
+
+void WarningLabel::colour() {
+  QPalette own = QApplication::palette(this);
+  own.setColor(QPalette::WindowText, red(own));
+  setPalette(own);
+}
+
+}  // namespace elsie::desktop

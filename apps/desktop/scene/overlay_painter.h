@@ -1,0 +1,39 @@
+// What is drawn over the solids: grid, beams, fields of view, names.
+#pragma once
+
+#include <QPainter>
+#include <QSize>
+
+#include "scene/camera.h"
+#include "scene/stage.h"
+
+namespace elsie::desktop {
+
+/// Draws points of the world as a camera sees them.
+class OverlayPainter {
+ public:
+  OverlayPainter(QPainter& painter, const Stage& stage, const OrbitCamera& camera,
+                 const QSize& size)
+      : painter_(painter), stage_(stage), camera_(camera), size_(size) {}
+
+  /// A line that ends behind the camera is cut where it passes the camera's plane.
+  void line(const Vector3& from, const Vector3& to) const;
+  /// Instead of solids, where there is no OpenGL.
+  void outlines() const;
+  void grid() const;
+  /// Beams that meet something are dashed.
+  void beams() const;
+  /// The pyramids that cameras see.
+  void views() const;
+  void names() const;
+  /// A box with a text; `at`: its lower left corner.
+  void note(const QPointF& at, const QString& text) const;
+
+ private:
+  QPainter& painter_;
+  const Stage& stage_;
+  const OrbitCamera& camera_;
+  QSize size_;
+};
+
+}  // namespace elsie::desktop

@@ -1,0 +1,42 @@
+// The keys of the window's actions, which each user may change.
+#pragma once
+
+#include <QDialog>
+#include <QHash>
+#include <QKeySequence>
+
+class QAction;
+class QDialogButtonBox;
+class QTableWidget;
+
+namespace elsie::desktop {
+
+class WarningLabel;
+using Actions = QHash<QString, QAction*>;  // by their object names
+
+/// Gives the actions the keys that the user has chosen. To be called once, with the program's own
+/// keys; those stay known to the dialog.
+void load_shortcuts(const Actions& actions);
+
+/// All actions with their keys. OK takes them over and keeps them for this user; a key that two
+/// actions would have is refused. Keys that the view or the time line have for themselves, such as
+/// G and R, belong to no action.
+class ShortcutsDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit ShortcutsDialog(const Actions& actions, QWidget* parent = nullptr);
+
+  void accept() override;
+
+ private:
+  QKeySequence key_in(int row) const;
+  void set_key(int row, const QKeySequence& key);
+
+  Actions actions_;
+  QStringList names_;  // by row
+  QTableWidget* table_;
+  WarningLabel* refusal_;
+};
+
+}  // namespace elsie::desktop

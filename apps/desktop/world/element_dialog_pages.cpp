@@ -1,0 +1,175 @@
+// The pages of the dialog that only some elements have: a first waypoint, headings, drives, and
+// what a coordinator learns.
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QListWidget>
+#include <QPushButton>
+#include <QRandomGenerator>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "engine/workbench.h"
+#include "paint/quiet_wheel.h"
+#include "paint/warning_label.h"
+#include "training/training_page.h"
+#include "world/element_dialog.h"
+#include "world/fan.h"
+#include "world/form.h"
+
+namespace elsie::desktop {
+namespace {
+
+constexpr int kMostRandomHeading_deg = 90;  // that the original offers for a new sensor
+constexpr int kFirstFan = 5;                // range sensors that a robot without any is offered
+
+}  // namespace
+
+// A box that moves needs a place to go to: the middle, or near it.
+void ElementDialog::add_waypoint(const Kind& kind) {
+  const auto waypoint = workbench_.catalog().element("waypoint");
+  if (waypoint && kind.elements.contains("waypoint")) {
+    const auto& given = pages_.front().form->values();
+    const bool is_aside = given.contains("x") || given.contains("y");
+    add_page(tr("waypoint"), "waypoint", *waypoint, {{"x", is_aside ? "0" : "0.5"}, {"y", "0"}});
+  }
+}
+
+// The original begins a new beam or proximity sensor with a heading drawn from 0 to 90 degrees. A
+// robot that measures no distances yet is offered several: with one of them, it sees no wall beside
+// its way.
+void ElementDialog::offer_headings(const Kind& kind) {
+  Form* form = pages_.front().form;
+  if (!form->editor("yaw_deg")) {
+    return;
+  }
+  auto* button = new QPushButton(tr("&Random heading"), tabs_->widget(0));
+  button->setObjectName("random_heading");
+  button->setToolTip(tr("Draws the heading from 0 to %1 degrees").arg(kMostRandomHeading_deg));
+  connect(button, &QPushButton::clicked, form, [form] {
+    form->set_value(
+        "yaw_deg",
+        QString::number(QRandomGenerator::global()->bounded(kMostRandomHeading_deg + 1)));
+  });
+  tabs_->widget(0)->layout()->addWidget(button);
+  bool has_some = !kind.produces.contains("range");
+  visit(workbench_.tree(), [&](const ElementPlace& place) {
+    const auto other =
+        place.parent && name_of(*place.parent) == "sensors" && holder_of(place.path) == holder_
+            ? workbench_.catalog().kind_of(place)
+            : std::nullopt;
+    has_some = has_some || (other && other->produces.contains("range"));
+    return !has_some;
+  });
+  fan_ = new Fan(has_some ? 1 : kFirstFan);
+  tabs_->widget(0)->layout()->addWidget(fan_);
+  connect(form, &Form::committed, fan_, [fan = fan_](const QString& name) {
+    if (name == "id" || name == "yaw_deg") fan->become_one();
+  });
+}
+
+void ElementDialog::offer_drives(const QString& chosen) {
+  const std::vector<Kind> drives = workbench_.catalog().plugins("drive");
+  if (drives.empty()) {
+    return;
+  }
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  auto* choice = new QComboBox;
+  choice->setObjectName("drive");
+  choice->setAccessibleName(tr("Drive"));
+  quiet_wheel(choice);
+  auto* form = new Form;
+  for (const Kind& drive : drives) {
+    choice->addItem(drive.name);
+    choice->setItemData(choice->count() - 1, drive.description, Qt::ToolTipRole);
+  }
+  const std::size_t place = pages_.size();
+  pages_.push_back({tr("drive"), "drive", {}, form});
+  const auto show = [this, drives, form, place](int index) {
+    pages_[place].kind = drives[static_cast<std::size_t>(index)];
+    form->show_fields(drives[static_cast<std::size_t>(index)].fields, Json::object());
+  };
+  connect(choice, &QComboBox::currentIndexChanged, this, show);
+  column->addWidget(choice);
+  column->addWidget(form);
+  column->addStretch(1);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(page);
+  tabs_->addTab(scroll, tr("drive"));
+  choice->setCurrentText(chosen);
+  show(choice->currentIndex());
+}
+
+// A coordinator that learns has a page for that, and OK trains it first.
+void ElementDialog::offer_training(const Kind& kind, Form* form, const QString& coordinator) {
+  training_ = new TrainingPage(workbench_, kind, coordinator);
+  tabs_->addTab(training_, tr("Training"));
+  const auto value = [form](const QString& name) {
+    const auto given = form->values().find(name);
+    return given == form->values().end() ? QString() : given->second;
+  };
+  const auto show = [this, value](const QString& changed) {
+    training_->show_hidden(value("hidden"));
+    if (changed == "weights") {
+      training_->wish(value("weights").isEmpty());
+    } else if (changed != "id" && changed != "weighted") {
+      training_->wish(true);
+    }
+  };
+  training_->show_hidden(value("hidden"));
+  training_->wish(value("weights").isEmpty());
+  connect(form, &Form::committed, training_, show);
+  connect(form, &Form::taken_back, training_, show);
+  connect(training_, &TrainingPage::hidden_wished, form,
+          [form](const QString& hidden) { form->set_value("hidden", hidden); });
+  connect(training_, &TrainingPage::failed, this, [this](const QString& sentence) {
+    set_busy(false);
+    refusal_->say(sentence);
+  });
+  connect(training_, &TrainingPage::trained, this, [this](const QString& warning) {
+    set_busy(false);
+    if (warning.isEmpty()) {
+      accept();
+    } else {
+      refusal_->say(tr("%1 OK uses it nevertheless.").arg(warning));
+    }
+  });
+}
+
+// True while the network has to learn before this dialog can end.
+bool ElementDialog::trains_first() {
+  if (!training_ || !training_->is_wished()) {
+    return false;
+  }
+  Form* form = pages_.front().form;
+  const auto seed = form->values().find("seed");
+  const bool has_seed = seed != form->values().end() && seed->second.toLongLong() >= 0;
+  const QStringList before = edits();
+  if (!training_->has_trained(before, has_seed)) {
+    refusal_->say({});
+    tabs_->setCurrentWidget(training_);
+    set_busy(true);
+    training_->train(before, has_seed);
+    return true;
+  }
+  const QSignalBlocker blocker(form);
+  form->set_value("weights", training_->weights());
+  if (!makes_) {
+    changes_[path_]["weights"] = training_->weights();
+  }
+  return false;
+}
+
+void ElementDialog::set_busy(bool is_busy) {
+  buttons_->button(QDialogButtonBox::Ok)->setEnabled(!is_busy);
+  for (int i = 0; i < tabs_->count(); ++i) {
+    if (tabs_->widget(i) != training_) {
+      tabs_->widget(i)->setEnabled(!is_busy);
+    }
+  }
+  choice_->setEnabled(!is_busy);
+}
+
+}  // namespace elsie::desktop

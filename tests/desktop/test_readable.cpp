@@ -1,0 +1,122 @@
+// What can be read on small screens, at 200 %, on dark windows and in other languages. These run in
+// all of them: see CMakeLists.txt.
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "hands.h"
+#include "paint/axes.h"
+#include "paint/warning_label.h"
+#include "world/form.h"
+#include "world/properties.h"
+
+using namespace elsie::desktop;
+
+namespace {
+
+constexpr QSize kScreen(1280, 720);  // of 2560 x 1440 at 200 %
+
+/// WCAG 2.1, "relative luminance" and "contrast ratio".
+double luminance(const QColor& colour) {
+  const auto part = [](double value) {
+    return value <= 0.03928 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * part(colour.redF()) + 0.7152 * part(colour.greenF()) +
+         0.0722 * part(colour.blueF());
+}
+double contrast(const QColor& a, const QColor& b) {
+  const double first = luminance(a), second = luminance(b);
+  return (std::max(first, second) + 0.05) / (std::min(first, second) + 0.05);
+}
+
+/// Labels and buttons whose text has less room than it needs.
+QStringList cut_off(const QWidget& whole) {
+  QStringList texts;
+  for (const QWidget* each : whole.findChildren<QWidget*>()) {
+    const auto* label = qobject_cast<const QLabel*>(each);
+    const auto* button = qobject_cast<const QAbstractButton*>(each);
+    if (!each->isVisible() || (!label && !button) || (label && label->wordWrap())) {
+      continue;
+    }
+    const QString text = label ? label->text() : button->text();
+    const int needed = each->fontMetrics().size(Qt::TextShowMnemonic, text).width();
+    if (!text.isEmpty() && each->width() + 1 < needed) {
+      texts << text;
+    }
+  }
+  return texts;
+}
+
+}  // namespace
+
+TEST_CASE("Readable: the window fits on a small screen, and no word of a dialog is cut off",
+          "[readable]") {
+  Window window;
+  window.open(window.file(kRoom));
+  window->resize(kScreen);
+  window.act("layout_author");
+  CHECK(window->minimumSizeHint().width() <= kScreen.width());
+  CHECK(window->minimumSizeHint().height() <= kScreen.height());
+  click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
+  for (const char* action :
+       {"add_robot", "add_sensor", "coordinator", "behaviors", "physics", "shortcuts"}) {
+    INFO(action);
+    window.act(action);
+    QDialog* dialog = nullptr;
+    REQUIRE(wait_for([&] {
+      for (QDialog* each : window->findChildren<QDialog*>()) {
+        if (each->isVisible()) dialog = each;
+      }
+      return dialog != nullptr;
+    }));
+    CHECK(dialog->width() <= kScreen.width());
+    CHECK(dialog->height() <= kScreen.height());
+    CHECK(cut_off(*dialog).join(" | ").toStdString().empty());
+    dialog->reject();
+    REQUIRE(wait_for([&] { return window->findChildren<QDialog*>().isEmpty(); }));
+  }
+}
+
+TEST_CASE("Readable: words, warnings and curves stand out from what is behind them", "[readable]") {
+  Window window;
+  window.open(window.file(kRoom));
+  const QPalette palette = window->palette();
+  const QColor behind = palette.color(QPalette::Window);
+  CHECK(contrast(palette.color(QPalette::WindowText), behind) >= 4.5);
+  CHECK(contrast(palette.color(QPalette::Text), palette.color(QPalette::Base)) >= 4.5);
+  for (int i = 0; i < 7; ++i) {
+    CHECK(contrast(curve_colour(i, palette), palette.color(QPalette::Base)) >= 3.0);
+  }
+  click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
+  auto& form = window.get<Properties>("properties")->form();
+  QWidget* x = form.editor("x");
+  click_on(x);
+  press_key(x, Qt::Key_A, Qt::ControlModifier);
+  type_text(x, "1,5");
+  press_key(x, Qt::Key_Return);
+  auto* problem = form.findChild<WarningLabel*>("x_problem");
+  REQUIRE(problem->isVisible());
+  CHECK(contrast(problem->palette().color(problem->foregroundRole()), behind) >= 4.5);
+}
+
+TEST_CASE("Readable: numbers have a point in every language", "[readable]") {
+  Window window;
+  window.open(window.file(kRoom));
+  click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
+  QWidget* x = window.get<Properties>("properties")->form().editor("x");
+  click_on(x);
+  press_key(x, Qt::Key_A, Qt::ControlModifier);
+  type_text(x, "1.5");
+  window.after([&] { press_key(x, Qt::Key_Return); });
+  CHECK(window.bench().text().contains("x=\"1.5\""));
+  window.act("add_sensor");
+  QDialog* dialog = window.dialog("element_dialog");
+  auto* spread = dialog->findChild<QDoubleSpinBox*>("spread_deg");
+  REQUIRE(spread);
+  CHECK(spread->cleanText() == "120.0");
+  Window::press(dialog, QDialogButtonBox::Cancel);
+  CHECK(wait_for([&] { return window.get<QLabel>("time_s")->text() == "0.00 s"; }));
+}
