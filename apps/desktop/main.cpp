@@ -59,10 +59,10 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName("elsie-desktop");
   QApplication::setApplicationDisplayName("Elsie");
 
-  QTranslator words;  // of the user's language, if somebody has made them
-  if (words.load(QLocale(), "elsie", "_",
-                 QCoreApplication::applicationDirPath() + "/../share/elsie/translations")) {
-    QCoreApplication::installTranslator(&words);
+  QTranslator translator;  // of the user's language, if somebody has made them
+  if (translator.load(QLocale(), "elsie", "_",
+                      QCoreApplication::applicationDirPath() + "/../share/elsie/translations")) {
+    QCoreApplication::installTranslator(&translator);
   }
 
   QCommandLineParser parser;
