@@ -335,11 +335,13 @@ TEST_CASE("Where a robot is now, and how fast, is shown beside what it was given
   press_key(&window->scene(), Qt::Key_Space);
   auto* properties = window.get<Properties>("properties");
   auto* x = properties->form().findChild<QLabel*>("x_live");
-  auto* now = properties->findChild<QLabel*>("now_shown");
-  REQUIRE((x && now));
+  auto* speed = properties->form().findChild<QLabel*>("max_speed_live");
+  auto* energy = properties->form().findChild<QLabel*>("energy_live");
+  REQUIRE((x && speed && energy));
   CHECK(wait_for([&] { return x->text().startsWith("now -0."); }));
   CHECK(x->isVisible());
-  CHECK(wait_for([&] { return now->text().contains("m/s") && now->isVisible(); }));
+  CHECK(wait_for([&] { return speed->text().startsWith("now 0.") && speed->isVisible(); }));
+  CHECK(wait_for([&] { return energy->text().startsWith("now ") && energy->isVisible(); }));
   CHECK(window.bench().text() == kRoom);
 }
 

@@ -1,4 +1,5 @@
-// What a user chooses in the world and does with it.
+// What a user chooses in the world and does with it. clipboard.cpp has deleting, copying and
+// pasting.
 #pragma once
 
 #include <QObject>

@@ -2,6 +2,7 @@
 
 #include <QRegularExpression>
 #include <QXmlStreamReader>
+#include <cmath>
 
 namespace elsie::desktop {
 namespace {
@@ -15,6 +16,11 @@ QRegularExpressionMatch match_of(const Piece& piece, const QString& attribute) {
 }
 
 }  // namespace
+
+QString number(double value, double step) {
+  const double rounded = std::round(value / step) * step;
+  return QString::number(rounded == 0.0 ? 0.0 : rounded, 'g', 9);
+}
 
 std::vector<Piece> pieces_of(const QString& text) {
   const QString before = "<pieces>";

@@ -5,6 +5,12 @@
 
 namespace elsie::desktop {
 
+/// Lists of things that stand in the arena.
+inline const QStringList kPlaced{"robots", "obstacles", "resources", "chargers"};
+
+/// As a file has it, to the millimetre or another step: what a hand can do.
+QString number(double value, double step = 0.001);
+
 /// One element of a text that holds several.
 struct Piece {
   QString name;

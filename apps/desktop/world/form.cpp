@@ -244,6 +244,7 @@ Form::Row Form::make_row(const Field& field) {
   }
   row.live = new QLabel;
   row.live->setObjectName(name + "_live");
+  row.live->setIndent(fontMetrics().averageCharWidth());
   row.live->hide();
   line->addWidget(row.live);
   row.reset = new QToolButton;

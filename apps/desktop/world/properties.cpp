@@ -55,11 +55,6 @@ Properties::Properties(Workbench& workbench, QWidget* parent)
   about_ = new QLabel;
   about_->setWordWrap(true);
   column->addWidget(about_);
-  now_label_ = new QLabel;
-  now_label_->setObjectName("now_shown");
-  now_label_->setWordWrap(true);
-  now_label_->hide();
-  column->addWidget(now_label_);
   filter_ = new QLineEdit;
   filter_->setPlaceholderText(tr("Filter"));
   filter_->setAccessibleName(tr("Filter of the properties"));
@@ -125,22 +120,10 @@ void Properties::show_state(const Json& state) {
   }
   for (const Json& robot : member(state, "robots")) {
     if ("robot[" + text_of(robot, "id") + ']' == robot_path(path_)) {
-      show_number("speed", number_of(robot, "speed"), tr("speed %1 m/s"), 2);
-      show_number("energy", number_of(robot, "energy"), tr("energy %1"), 3);
+      show_number("max_speed", number_of(robot, "speed"), 2);
+      show_number("energy", number_of(robot, "energy"), 0);
     }
   }
-}
-
-// What is not known has no line.
-void Properties::show_number(const QString& name, double value, const QString& words, int digits) {
-  std::isfinite(value) ? void(now_[name] = words.arg(value, 0, 'f', digits))
-                       : void(now_.remove(name));
-  QStringList shown;
-  for (const char* each : {"speed", "energy"}) {
-    if (now_.contains(each)) shown << now_[each];
-  }
-  now_label_->setText(shown.isEmpty() ? QString() : tr("Now: %1").arg(shown.join(", ")));
-  now_label_->setVisible(!shown.isEmpty());
 }
 
 void Properties::show_pose(double x, double y, double heading_deg) {
@@ -151,18 +134,19 @@ void Properties::show_pose(double x, double y, double heading_deg) {
 }
 
 void Properties::show_last_pose() {
-  const auto show = [this](const char* name, double value, int digits) {
-    form_->show_live(name, tr("now %1").arg(value, 0, 'f', digits));
-  };
-  show("x", pose_[0], 2);
-  show("y", pose_[1], 2);
-  show("heading_deg", pose_[2], 0);
+  show_number("x", pose_[0], 2);
+  show_number("y", pose_[1], 2);
+  show_number("heading_deg", pose_[2], 0);
+}
+
+// What is not known is not shown.
+void Properties::show_number(const QString& name, double value, int digits) {
+  form_->show_live(name,
+                   std::isfinite(value) ? tr("now %1").arg(value, 0, 'f', digits) : QString());
 }
 
 void Properties::refresh() {
   const auto described = described_at(workbench_, path_);
-  now_.clear();
-  now_label_->hide();
   if (!described) {
     title_->setText(workbench_.tree().is_object() ? tr("Nothing is chosen") : tr("No world"));
     about_->clear();

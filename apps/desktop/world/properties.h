@@ -26,7 +26,7 @@ class Properties : public QWidget {
   /// What is shown is called otherwise now.
   void rename(const QString& from, const QString& to);
   /// What the chosen thing has now, from a `state` event: a behaviour the weight that its
-  /// coordinator gives it, beside its priority; a robot its speed and energy.
+  /// coordinator gives it; a robot its speed and energy.
   void show_state(const Json& state);
   /// Where the chosen thing is now, beside where it was put; m and degrees.
   void show_pose(double x, double y, double heading_deg);
@@ -37,14 +37,12 @@ class Properties : public QWidget {
   void refresh();
   void change(const QString& path, const QString& name, const QString& edit);
   void show_last_pose();
-  void show_number(const QString& name, double value, const QString& words, int digits);
+  void show_number(const QString& name, double value, int digits);
 
   Workbench& workbench_;
   QString path_;
   QLabel* title_;
   QLabel* about_;
-  QLabel* now_label_;
-  QHash<QString, QString> now_;  // what is shown in it
   std::array<double, 3> pose_{};
   QTimer pose_timer_;
   QLineEdit* filter_;
