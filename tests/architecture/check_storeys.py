@@ -75,9 +75,13 @@ def problems():
         allowed = PLUGINS | EXCEPTIONS.get(file.stem, set())
         for extra in sorted(needed(file) - allowed):
             yield f"the plugin {file.stem} needs {extra}; plugins may need {', '.join(sorted(allowed))}"
-    for name, allowed in ENGINES.items():
-        for extra in sorted(needed(LIBRARIES / "elsie" / "engines" / f"{name}.so") - allowed):
-            yield f"the engine {name} needs {extra}; it may need {', '.join(sorted(allowed))}"
+    engines = sorted((LIBRARIES / "elsie" / "engines").glob("*.so"))
+    if {file.stem for file in engines} != set(ENGINES):
+        yield f"the engines are {', '.join(file.stem for file in engines) or 'none'}; expected {', '.join(ENGINES)}"
+    for file in engines:
+        allowed = ENGINES.get(file.stem, set())
+        for extra in sorted(needed(file) - allowed):
+            yield f"the engine {file.stem} needs {extra}; it may need {', '.join(sorted(allowed))}"
     for place, module in enumerate(CORE):
         for file in sorted((SOURCES / "core" / module).rglob("*.*")):
             if file.suffix in (".h", ".cpp"):

@@ -1,5 +1,6 @@
 // The cases are those of RFC 3629 and of table 3-7 of the
 // Unicode standard.
+#include <iterator>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -45,4 +46,14 @@ TEST_CASE("What is no UTF-8 is no character") {
 
 TEST_CASE("Characters are counted, not bytes") {
   CHECK(base::characters("\xc3\xa4\xf0\x9f\x90\xa2z") == 3);
+}
+
+TEST_CASE("A text is cut before a character, not within one") {
+  const std::string text = "a\u00e9\u20ac";  // of 1, 2 and 3 bytes
+  const std::size_t places[] = {0, 1, 1, 3, 3, 3, 6, 6};
+  for (std::size_t at = 0; at < std::size(places); ++at) {
+    CAPTURE(at);
+    CHECK(base::cut_before(text, at) == places[at]);
+  }
+  CHECK(base::cut_before("", 3) == 0);
 }

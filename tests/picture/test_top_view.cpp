@@ -7,6 +7,7 @@
 #include "elsie/world/description.h"
 
 #include "support.h"
+#include "top_view_map.h"
 
 using namespace elsie;
 using namespace elsie::picture;

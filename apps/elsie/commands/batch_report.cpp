@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "elsie/base/number_text.h"
+#include "elsie/base/utf8.h"
 #include "elsie/base/words.h"
 #include "elsie/process/shell_word.h"
 #include "elsie/process/text_table.h"
@@ -74,11 +75,7 @@ std::string shortened(const std::string& message) {
   constexpr std::size_t kMost = 160;
   std::string line = message.substr(0, message.find('\n'));
   if (line.size() > kMost) {
-    std::size_t end = kMost;
-    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0U) == 0x80U) {
-      --end;
-    }
-    line = line.substr(0, end) + "...";
+    line = line.substr(0, base::cut_before(line, kMost)) + "...";
   }
   return line;
 }

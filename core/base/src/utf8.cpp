@@ -53,6 +53,14 @@ std::size_t first_invalid(std::string_view text) {
   return at;
 }
 
+std::size_t cut_before(std::string_view text, std::size_t at) {
+  at = std::min(at, text.size());
+  while (at > 0 && at < text.size() && continues(text[at])) {
+    --at;
+  }
+  return at;
+}
+
 std::size_t characters(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return !continues(c); }));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "elsie/base/utf8.h"
+
 namespace elsie::base {
 
 std::string counted(std::uint64_t count, std::string_view one, std::string_view several) {
@@ -41,11 +43,7 @@ std::string enumerated(const std::vector<std::string>& items, std::string_view l
 }
 
 std::string in_quotes(std::string_view word, std::size_t most) {
-  std::size_t shown = std::min(most, word.size());
-  while (shown < word.size() && shown > 0 &&
-         (static_cast<unsigned char>(word[shown]) & 0xc0U) == 0x80U) {
-    --shown;  // not in the middle of a character of UTF-8
-  }
+  const std::size_t shown = cut_before(word, most);
   std::string text(word.substr(0, shown));
   std::replace_if(
       text.begin(), text.end(),

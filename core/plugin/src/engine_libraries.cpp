@@ -47,7 +47,8 @@ void* engine_symbol(const std::string& name, const char* symbol) {
   const fs::path file = engine_file(name);
   const auto refuse = [&](const std::string& why) {
     throw PluginError("the library of the physics engine '" + name + "', " + file.string() + ", " +
-                      why + "; install Elsie anew, or build it again");
+                          why + "; install Elsie anew, or build it again",
+                      base::kOtherFailure);
   };
   // One that is loaded was inspected.
   void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD);

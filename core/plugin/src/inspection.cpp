@@ -33,14 +33,14 @@ constexpr std::size_t kMostSegments = 1024;
 constexpr std::size_t kMostNoteBytes = 65'536;
 
 /// Ends the inspection: thrown by the steps below, caught by inspect_file().
-struct Verdict {
+struct Refusal {
   FileKind kind;
   std::string sentence;
 };
 
-[[noreturn]] void other(const char* sentence) { throw Verdict{FileKind::other, sentence}; }
+[[noreturn]] void other(const char* sentence) { throw Refusal{FileKind::other, sentence}; }
 [[noreturn]] void damaged(const std::string& sentence) {
-  throw Verdict{FileKind::damaged, sentence};
+  throw Refusal{FileKind::damaged, sentence};
 }
 
 /// Random access to the bytes of a file. It is not mapped into memory: a file that shrinks
@@ -250,12 +250,12 @@ Inspection inspect_file(const std::filesystem::path& path) {
     }
     result.abi_word = *word;
     if (header.e_machine != kMachine) {
-      throw Verdict{FileKind::foreign, "is a plugin library for another processor; rebuild it"};
+      throw Refusal{FileKind::foreign, "is a plugin library for another processor; rebuild it"};
     }
     result.kind = FileKind::plugin_library;
-  } catch (const Verdict& verdict) {
-    result.kind = verdict.kind;
-    result.sentence = verdict.sentence;
+  } catch (const Refusal& refusal) {
+    result.kind = refusal.kind;
+    result.sentence = refusal.sentence;
   }
   return result;
 }

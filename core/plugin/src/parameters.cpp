@@ -220,7 +220,8 @@ std::optional<std::string> check_value(const ParameterDeclaration& parameter,
     sentence += refusal_of(parameter, value);
   }
   sentence += ", but must be " + allowed_values(parameter);
-  if (const auto* const text = std::get_if<std::string>(&value); right_type && text) {
+  if (const auto* const text = std::get_if<std::string>(&value);
+      right_type && text && parameter.facts.choices.size() > 1) {
     sentence += base::did_you_mean(*text, parameter.facts.choices);
   }
   return sentence;

@@ -344,6 +344,10 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
                                                          Becoming& becoming) {
   std::vector<std::size_t> new_robots;
   std::map<physics::Body, physics::Body> now;  // by what they were
+  if (was.physics.engine != world_.physics.engine) {
+    throw std::invalid_argument(
+        "one engine cannot take over the bodies of another; set physics/@engine before the run");
+  }
   const auto before = engine_;
   const auto moving = std::exchange(moving_, {});
   engine_ = physics::make_engine(world_.arena, world_.physics);
@@ -476,7 +480,7 @@ void Simulation::Impl::settle(Becoming& becoming) {
   const Statements& said = becoming.said();
   said_.notes.insert(said_.notes.end(), said.notes.begin(), said.notes.end());
   said_.curves.insert(said_.curves.end(), said.curves.begin(), said.curves.end());
-  note_new_warnings(pending_.empty() ? world_ : present(), time_s(), said_.notes);
+  note_new_warnings(world_, time_s(), said_.notes);
   ++renewals_;
   becoming.undo().settle();
 }

@@ -87,7 +87,7 @@ RunResult Simulation::run(std::span<Observer* const> observers,
         observer->stepped(*this);
       }
       if (limits.wall_time && wall() >= *limits.wall_time && outcome() == Outcome::running) {
-        impl_->verdict_ = {Outcome::time_limit, "the limit of time on the clock was met"};
+        impl_->judgement_ = {Outcome::time_limit, "the limit of time on the clock was met"};
       }
     }
   } catch (...) {
@@ -125,7 +125,7 @@ Replacement Simulation::replace_plugins(const plugin::Host& host) {
 
 RunResult Simulation::result() const {
   RunResult result = impl_->figures();
-  result.reason = impl_->verdict_.reason;
+  result.reason = impl_->judgement_.reason;
   result.seed = impl_->seed_;
   result.wall_s = impl_->wall_s_;
   result.steps = steps();
@@ -149,7 +149,7 @@ std::vector<MeasuredValue> Simulation::measures() const { return impl_->figures(
 /// What can be said of a run by numbers.
 RunResult Simulation::Impl::figures() const {
   RunResult result;
-  result.outcome = verdict_.outcome;
+  result.outcome = judgement_.outcome;
   result.simulated_s = time_s();
   for (const auto& robot : robots_) {
     result.robots.push_back({robot->description().id, robot->description().team,
@@ -179,7 +179,7 @@ double Simulation::time_limit_s() const { return impl_->time_limit_s_; }
 std::uint64_t Simulation::steps() const { return impl_->steps_; }
 bool Simulation::decided() const { return impl_->decided_; }
 double Simulation::step_began_s() const { return impl_->step_began_s_; }
-Outcome Simulation::outcome() const { return impl_->verdict_.outcome; }
+Outcome Simulation::outcome() const { return impl_->judgement_.outcome; }
 std::uint64_t Simulation::state_hash() const {
   base::Fnv1a hash(impl_->engine_->hash_state());
   for (const auto& robot : impl_->robots_) {

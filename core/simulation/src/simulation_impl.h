@@ -82,7 +82,7 @@ class Simulation::Impl {
       robots_[i]->set_body(engine_->robot(i), engine_->joints(i));
     }
     wall_s_ = 0.0;
-    verdict_ = {};
+    judgement_ = {};
     touches_ = {};
     events_.clear();
     given_.clear();
@@ -123,8 +123,8 @@ class Simulation::Impl {
       }
     }
     log_events();
-    if (verdict_.outcome == Outcome::running) {
-      verdict_ = judge(self, goal_starts_);
+    if (judgement_.outcome == Outcome::running) {
+      judgement_ = judge(self, goal_starts_);
     }
     if (!measuring_->empty()) {
       observe(decides, false);
@@ -183,7 +183,7 @@ class Simulation::Impl {
   bool decided_ = false;  // in the last step
   double step_began_s_ = 0.0;
   double wall_s_ = 0.0;
-  Verdict verdict_;
+  Judgement judgement_;
   std::vector<EventRecord> events_;
   std::vector<TimedChange> given_;  // to run()
   Statements said_;                 // before the first step

@@ -88,7 +88,8 @@ Parsed parse_text(const Field& field, std::string_view text) {
   if (good) {
     return accepted(std::string(text));
   }
-  return refused("expected " + expectation(field) + base::did_you_mean(std::string(text), choices));
+  return refused("expected " + expectation(field) +
+                 (choices.size() > 1 ? base::did_you_mean(std::string(text), choices) : ""));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // is the left edge. For the original camera of 100 x 100 pixels these are pixels.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <elsie/api/behavior.h>
@@ -24,7 +25,7 @@ class FindResource final : public elsie::Behavior, public elsie::Remembers {
 
   void reset(elsie::Random&) override {
     in_view_ = false;
-    last_column_ = search_column;
+    last_column_.reset();
   }
   void remember(elsie::Memory& memory) override {
     memory("in_view", in_view_);
@@ -67,10 +68,10 @@ class FindResource final : public elsie::Behavior, public elsie::Remembers {
 
   /// Where it acts as if a resource were, while it sees none.
   double column_to_search() const {
-    if (search == "column") {
+    if (search == "column" || !last_column_) {
       return search_column;
     }
-    return search == "last_column" ? last_column_ : std::copysign(search_column, last_column_);
+    return search == "last_column" ? *last_column_ : std::copysign(search_column, *last_column_);
   }
 
   struct Target {
@@ -108,7 +109,7 @@ class FindResource final : public elsie::Behavior, public elsie::Remembers {
 
   bool in_view_ = false;  // as reported by events
   double last_seen_s_ = 0.0;
-  double last_column_ = 0.0;  // where a resource was seen last
+  std::optional<double> last_column_;  // where a resource was seen last
 };
 
 }  // namespace

@@ -117,7 +117,8 @@ class WithPriorityNetwork : public Base, public PriorityNetwork {
                         .live = false}),                                                          \
       elsie::parameter("threshold", &PriorityNetwork::threshold,                                  \
                        {.min = 0,                                                                 \
-                        .meaning = "training ends when the mean error of an epoch is below it",   \
+                        .meaning = "training ends when the mean error of an epoch is below it, "  \
+                                   "or with rule='original' that of one sample",                  \
                         .live = false}),                                                          \
       elsie::parameter("presentations", &PriorityNetwork::presentations,                          \
                        {.min = 1,                                                                 \

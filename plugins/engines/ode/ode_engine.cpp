@@ -561,4 +561,9 @@ extern "C" __attribute__((visibility("default"))) elsie::physics::Engine* elsie_
   return new elsie::physics::OdeEngine(arena, physics);
 }
 
+extern "C" {
+__attribute__((
+    visibility("default"))) extern const elsie::physics::EngineInterface elsie_engine_interface{};
+}
+
 ELSIE_EMIT_ABI_NOTE_(ELSIE_ABI_WORD);

@@ -150,7 +150,7 @@ bool same_goal(const world::Goal& a, const world::Goal& b) {
   return a.index() == b.index() && what(a) == what(b);
 }
 
-Verdict judge(const Simulation& simulation, std::span<const GoalStart> starts) {
+Judgement judge(const Simulation& simulation, std::span<const GoalStart> starts) {
   bool any_to_reach = false;
   bool all_reached = true;
   auto start = starts.begin();

@@ -29,7 +29,7 @@ struct GoalStart {
 /// Whether two goals ask for the same, as far as it matters when they came.
 bool same_goal(const world::Goal& a, const world::Goal& b);
 
-struct Verdict {
+struct Judgement {
   Outcome outcome = Outcome::running;
   std::string reason;
 };
@@ -37,6 +37,6 @@ struct Verdict {
 /// Failure when a goal to keep is broken; success when all goals to reach are met, or at the time
 /// limit when there are only goals to keep; else time_limit at the world's limit of simulated time.
 /// `starts`: of the goals, in their order.
-Verdict judge(const Simulation& simulation, std::span<const GoalStart> starts);
+Judgement judge(const Simulation& simulation, std::span<const GoalStart> starts);
 
 }  // namespace elsie::simulation

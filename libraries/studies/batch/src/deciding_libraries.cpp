@@ -7,6 +7,7 @@
 
 #include "elsie/batch/plan.h"
 #include "elsie/plugin/engine_libraries.h"
+#include "elsie/plugin/error.h"
 #include "elsie/plugin/own_library.h"
 
 namespace elsie::batch {
@@ -25,7 +26,11 @@ std::vector<fs::path> deciding_libraries() {
     }
   }
   for (const std::string& engine : plugin::engine_names()) {
-    plugin::engine_symbol(engine, "elsie_make_engine");  // loads what it needs, too
+    try {
+      plugin::engine_symbol(engine, "elsie_make_engine");  // loads what it needs, too
+    } catch (const plugin::PluginError&) {
+      continue;  // one that cannot be loaded decides no run
+    }
     files["engine " + engine] = plugin::engine_file(engine);
   }
   dl_iterate_phdr(

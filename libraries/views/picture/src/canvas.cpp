@@ -8,6 +8,7 @@
 
 #include <cairo.h>
 
+#include "elsie/base/utf8.h"
 #include "elsie/picture/svg.h"
 
 #include "svg_painter.h"
@@ -236,8 +237,8 @@ void Canvas::text(const std::string& text, const Vector2& at, const TextStyle& s
 std::string Canvas::fitted(const std::string& text, const TextStyle& style, double width) const {
   const std::string whole = clean_text(text);
   if (text_width(whole, style) <= width) return whole;
-  for (std::size_t end = whole.size(); end-- > 0;) {
-    if ((static_cast<unsigned char>(whole[end]) & 0xc0U) == 0x80U) continue;  // in a character
+  for (std::size_t end = whole.size(); end > 0;) {
+    end = base::cut_before(whole, end - 1);
     const std::string shorter = whole.substr(0, end) + "\xE2\x80\xA6";
     if (text_width(shorter, style) <= width) return shorter;
   }

@@ -9,6 +9,7 @@
 #include "elsie/world/colours.h"
 
 #include "text.h"
+#include "top_view_map.h"
 #include "top_view_parts.h"
 
 namespace elsie::picture {

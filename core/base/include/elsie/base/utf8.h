@@ -20,6 +20,10 @@ Character character_at(std::string_view text, std::size_t at);
 /// The place of the first byte that is not UTF-8; the text's size when there is none.
 std::size_t first_invalid(std::string_view text);
 
+/// The last place, `at` or before, at which a character of UTF-8 begins or the text ends: to cut a
+/// text there leaves its characters whole.
+std::size_t cut_before(std::string_view text, std::size_t at);
+
 /// The number of characters of UTF-8.
 std::size_t characters(std::string_view text);
 

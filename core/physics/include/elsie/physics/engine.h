@@ -90,8 +90,8 @@ class Engine {
   /// Adds a box; returns its index. Resources are fixed boxes until they are removed. Fixed and
   /// moving boxes float where z is positive, dynamic ones fall. Throws as add_robot() does.
   virtual std::size_t add_box(const world::Box& box) = 0;
-  /// Adds a robot that another engine has, in its state there: at its place, with all velocities,
-  /// what its joints hold and are to hold.
+  /// Adds a robot that another engine of the same library has, in its state there: at its place,
+  /// with all velocities, what its joints hold and are to hold.
   virtual std::size_t add_robot_of(const Engine& other, std::size_t robot) = 0;
   /// The same with another body: it stands upright at this pose, its joints as in a new one, and
   /// keeps its velocity. Throws as add_robot() does.
@@ -166,5 +166,18 @@ std::unique_ptr<Engine> make_engine(const world::Arena& arena, const world::Phys
 /// What the library of an engine exports by the name `elsie_make_engine`. The caller owns the
 /// engine. Throws std::invalid_argument as make_engine() does.
 using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics& physics);
+
+/// What it exports by the name `elsie_engine_interface`: the version of this header, which whoever
+/// changes it raises, and the sizes of what passes through. The plugin interface has other
+/// versions.
+struct EngineInterface {
+  std::uint32_t version = 1;
+  std::size_t arena = sizeof(world::Arena);
+  std::size_t physics = sizeof(world::Physics);
+  std::size_t box = sizeof(world::Box);
+  std::size_t plan = sizeof(BodyPlan);
+
+  friend bool operator==(const EngineInterface&, const EngineInterface&) = default;
+};
 
 }  // namespace elsie::physics

@@ -11,7 +11,7 @@ namespace elsie::plugin {
 /// The names of the engines that are installed, sorted.
 std::vector<std::string> engine_names();
 
-/// The library of an engine; it may not exist.
+/// The library of an engine; it may not exist. `name` may also be a path without the suffix.
 std::filesystem::path engine_file(const std::string& name);
 
 /// The address of a symbol of an engine's library. The library is loaded at the first call for it

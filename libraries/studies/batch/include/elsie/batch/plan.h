@@ -124,7 +124,7 @@ Plan make_plan(const experiment::Experiment& experiment, const plugin::Host& hos
 
 /// The libraries that decide the result of a run, besides those of its plugins: libelsie, which is
 /// the first, and those that it and its plugins compute with (the base, inference, the views, which
-/// take the pictures of cameras, libelsie-vision, which works on them, and ODE).
+/// take the pictures of cameras, libelsie-vision, which works on them, the engines, and ODE).
 std::vector<std::filesystem::path> deciding_libraries();
 
 /// Looks whether a cell's files are still what they were when the plan was made.

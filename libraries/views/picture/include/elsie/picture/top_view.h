@@ -78,8 +78,4 @@ struct TopView {
 /// the file cannot be written; an existing file is then unchanged.
 void save_top_view(const TopView& view, const std::filesystem::path& file, const Size& size = {});
 
-/// Maps points of the world (m) to the picture of save_top_view(), in pixels from its upper left
-/// corner, for marks and texts over it.
-PlaneMap top_view_map(const TopView& view, const Size& size = {});
-
 }  // namespace elsie::picture
