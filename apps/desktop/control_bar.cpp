@@ -6,8 +6,8 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QPainter>
-#include <QRegularExpressionValidator>
 #include <QSet>
 #include <QSlider>
 #include <QStyleOptionSlider>
@@ -46,6 +46,12 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
     return made;
   };
   run_ = button("run", tr("\u25b6 Start"), tr("Start the run, or let it go on (F5)"));
+  const QString wider = tr("\u2759\u2759 Pause");  // what is beside it stays where it is
+  const QString start = run_->text();
+  run_->setText(wider);
+  const int width = run_->sizeHint().width();
+  run_->setText(start);
+  run_->setMinimumWidth(std::max(width, run_->sizeHint().width()));
   step_ = button("step", tr("\u2758\u25b6 Step"), tr("One control period (F10)"));
   reset_ = button("reset", tr("\u21ba Reset"),
                   tr("Back to the start, with the world as it is now (Ctrl+R)"));
@@ -79,10 +85,14 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
   seed_->setAccessibleName(tr("Seed"));
   seed_->setToolTip(tr("Seed of all random numbers; a new one begins the run anew"));
   seed_->setMaximumWidth(10 * fontMetrics().averageCharWidth() + 20);
-  seed_->setValidator(new QRegularExpressionValidator(QRegularExpression("[0-9]{1,19}"), seed_));
   connect(seed_, &QLineEdit::editingFinished, this, [this] {
-    const std::uint64_t seed = seed_->text().toULongLong();
-    if (seed != workbench_.seed()) {
+    bool is_right = false;
+    const std::uint64_t seed = seed_->text().toULongLong(&is_right);
+    if (!is_right) {
+      Q_EMIT workbench_.noted(
+          tr("'%1' is no seed: expected a whole number of at most 19 digits.").arg(seed_->text()));
+      seed_->setText(QString::number(workbench_.seed()));
+    } else if (seed != workbench_.seed()) {
       workbench_.reset(seed);
     }
   });
@@ -244,6 +254,16 @@ bool TimeLine::event(QEvent* event) {
 
 // The slider has neither keys nor tips of its own.
 bool TimeLine::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == slider_ && event->type() == QEvent::MouseButtonPress) {
+    const auto* press = static_cast<QMouseEvent*>(event);
+    const double part =
+        (press->position().x() - kHandle_px) / std::max(1.0, slider_->width() - 2.0 * kHandle_px);
+    const int ticks = static_cast<int>(std::lround(kTicks * std::clamp(part, 0.0, 1.0)));
+    const double away_px = std::abs(ticks - slider_->value()) * slider_->width() / double(kTicks);
+    if (press->button() == Qt::LeftButton && away_px > 2.0 * kHandle_px) {
+      slider_->setValue(ticks);  // now its handle is under the pointer, and the slider takes that
+    }
+  }
   const bool is_ours = event->type() == QEvent::KeyPress || event->type() == QEvent::ToolTip ||
                        event->type() == QEvent::ShortcutOverride;
   return watched == slider_ && is_ours ? this->event(event) : QWidget::eventFilter(watched, event);

@@ -11,6 +11,7 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QStyle>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -29,12 +30,12 @@ namespace elsie::desktop {
 namespace {
 
 constexpr int kSaid_ms = 8000;
-constexpr QSize kSmallest(1280, 800);
+constexpr QSize kUsual(1280, 800);
 
-/// Most of a large screen, and 1280 x 800 on others.
-QSize first_size() {
-  const QSize room = QApplication::primaryScreen()->availableSize();
-  return room.width() >= MainWindow::kWide ? (0.95 * room).expandedTo(kSmallest) : kSmallest;
+/// The title and the borders, as window managers have them at most.
+QSize usual_frame(const QStyle& style) {
+  constexpr int kBorder = 8;
+  return {2 * kBorder, style.pixelMetric(QStyle::PM_TitleBarHeight) + 2 * kBorder};
 }
 
 /// The folder with the shipped worlds, of an installed program and of a build.
@@ -83,17 +84,24 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
   connect_workbench();
   connect_views();
 
-  resize(first_size());
+  const QSize first =
+      first_size(QApplication::primaryScreen()->availableSize(), usual_frame(*style()));
+  resize(first);
   arrange("author");
   default_state_ = saveState();
   QSettings settings;
   if (!restoreGeometry(settings.value("geometry").toByteArray())) {
-    resize(first_size());
+    resize(first);
   }
   restoreState(settings.value("layout").toByteArray());
   show_recent();
   show_state();
   show_title();
+}
+
+QSize MainWindow::first_size(const QSize& room, const QSize& frame) {
+  const QSize wished = room.width() >= kWide ? (0.95 * room).expandedTo(kUsual) : kUsual;
+  return wished.boundedTo(room - frame);
 }
 
 // The views go before what they show.
@@ -113,8 +121,23 @@ MainWindow::~MainWindow() {
 void MainWindow::show_title() {
   const QString name =
       workbench_.file().isEmpty() ? tr("new world") : QFileInfo(workbench_.file()).fileName();
-  setWindowTitle((workbench_.text().isEmpty() ? QString() : name + "[*] - ") + "Elsie");
+  setWindowTitle(
+      (workbench_.text().isEmpty() && workbench_.file().isEmpty() ? QString() : name + "[*] - ") +
+      "Elsie");
   setWindowModified(workbench_.is_modified() && !workbench_.text().isEmpty());
+  offer_actions();
+}
+
+void MainWindow::offer_actions() {
+  const bool has_world = workbench_.tree().is_object();
+  for (const char* name :
+       {"add_robot", "add_sensor", "behaviors", "coordinator", "add_static", "add_dynamic",
+        "add_moving", "add_resource", "add_charger", "add_goal", "add_measure", "add_team",
+        "physics", "arena", "limits", "measure", "follow", "start_pose"}) {
+    actions_[name]->setEnabled(has_world);
+  }
+  actions_["undo"]->setEnabled(!workbench_.undo_name().isEmpty());
+  actions_["redo"]->setEnabled(!workbench_.redo_name().isEmpty());
 }
 
 void MainWindow::show_state() {
@@ -144,7 +167,9 @@ void MainWindow::show_pose() {
 }
 
 void MainWindow::show_selection(const QStringList& paths) {
-  scene_->set_selection(paths);
+  QStringList in_view = paths;
+  in_view.removeAll(QString());  // the world has no place
+  scene_->set_selection(in_view);
   world_tree_->set_selection(paths);
   for (WorldTree* each : std::as_const(teams_)) each->set_selection(paths);
   properties_->show_element(paths.isEmpty() ? QString() : paths.front());
@@ -165,10 +190,11 @@ void MainWindow::warn(const QString& title, const QString& sentence) {
 void MainWindow::about() {
   QMessageBox::about(
       this, tr("About Elsie"),
-      tr("<p><b>Elsie</b>: behaviour-based mobile robot control.</p><p>Apache License 2.0. This "
+      tr("<p><b>Elsie %3</b>: behaviour-based mobile robot control.</p><p>Apache License 2.0. This "
          "window uses Qt %1 (LGPL).</p>"
          "<p>The view is drawn by %2.</p>")
-          .arg(qVersion(), scene_->device().isEmpty() ? tr("Qt, as outlines") : scene_->device()));
+          .arg(qVersion(), scene_->device().isEmpty() ? tr("Qt, as outlines") : scene_->device(),
+               ELSIE_VERSION));
 }
 
 }  // namespace elsie::desktop

@@ -50,6 +50,9 @@ class MainWindow : public QMainWindow {
   /// work first. False if the user stays with it, or the file cannot be read; a recording and a
   /// database are read in the background.
   bool open(const QString& file);
+  /// The size of a new window: most of a large screen, 1280 x 800 on others that have room for it
+  /// and its `frame`.
+  static QSize first_size(const QSize& room, const QSize& frame);
   /// Layouts for three kinds of work: "author", "watch", "train".
   void arrange(const QString& layout);
   /// Offers what a window left behind that did not close properly.
@@ -82,6 +85,7 @@ class MainWindow : public QMainWindow {
 
   bool may_leave();
   bool save(bool elsewhere);
+  bool may_have_mistakes();
   bool is_agreed(const char* name, const QString& title, const QString& question);
   void read_run(const QString& file, int number);
   void show_opened(const QString& file);
@@ -91,6 +95,8 @@ class MainWindow : public QMainWindow {
   void show_state();
   void show_pose();
   void show_title();
+  /// What needs a world is offered only where there is one.
+  void offer_actions();
   void show_teams();
   void show_recent();
   void note_recent(const QString& file);

@@ -83,7 +83,7 @@ void MainWindow::make_actions() {
   action("rename", tr("Re&name..."), key("F2"), [this] { authoring_->rename_selected(); });
   action("edit", tr("&Edit..."), key("Return"), [this] { authoring_->edit_selected(); });
   // In trees and the view; a text keeps its keys.
-  for (const char* name : {"edit", "delete", "cut", "copy", "paste", "duplicate"}) {
+  for (const char* name : {"edit", "delete", "cut", "copy", "paste"}) {
     actions_[name]->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     removeAction(actions_[name]);
     scene_->addAction(actions_[name]);
@@ -108,7 +108,7 @@ void MainWindow::make_actions() {
       "coordinator", tr("Coor&dinator..."), {},
       [this] { authoring_->edit_coordinator(authoring_->robot()); },
       tr("Choose or edit the coordinator of the chosen robot"));
-  action("add_static", tr("&Standing box..."), {}, [this] {
+  action("add_static", tr("&Static box..."), {}, [this] {
     authoring_->add_element({}, "obstacles", {"static_box", {}, {}});
   });
   action("add_dynamic", tr("&Dynamic box..."), {}, [this] {
@@ -246,7 +246,9 @@ void MainWindow::make_actions() {
                "snaps, Shift refines. "
                "7, 1, 3: from the top, the front, the side. F frames, Shift+F follows, M measures, "
                "arrows move what is chosen. Space runs and pauses. G moves, R turns, S resizes: "
-               "then X or Y, a number (m, degrees, a factor), and Enter; or the mouse.</p>");
+               "then X or Y, a number (m, degrees, a factor), and Enter; or the mouse.</p>"
+               "<p>On the time line: Left and Right by 0.1 s, with Shift by 1 s; comma and period "
+               "to the event before and after; Home and End.</p>");
     QMessageBox box(QMessageBox::NoIcon, tr("Keys"), text, QMessageBox::Close, this);
     box.exec();
   });

@@ -99,6 +99,11 @@ void MainWindow::connect_workbench() {
     }
     show_state();
   });
+  connect(&workbench_, &Workbench::went_on, this, [this] {
+    if (workbench_.has_mistakes()) {
+      say(tr("The text has mistakes: the world that runs is the one from before them."));
+    }
+  });
   connect(&workbench_, &Workbench::ended, this, [this](const Json& end) {
     const QString reason = QString::fromStdString(end.value("reason", std::string()));
     outcome_ = QString::fromStdString(end.value("outcome", std::string()));
@@ -138,16 +143,20 @@ void MainWindow::connect_workbench() {
     if (is_stuck_) {
       statusBar()->showMessage(
           tr("The engine does not answer: a plugin takes long. 'Stop the engine now' in the menu "
-             "Simulation names it, and begins anew."));
+             "Simulation begins it anew, and the world stays."));
     }
   });
   watch_dog->start(1000);
 }
 
 void MainWindow::connect_views() {
+  connect(scene_, &SceneView::said, this, &MainWindow::say);
   connect(scene_, &SceneView::selected, authoring_, &Authoring::select);
   connect(scene_, &SceneView::edit_wished, authoring_, &Authoring::edit_element);
-  connect(scene_, &SceneView::menu_wished, authoring_, &Authoring::open_floor_menu);
+  connect(scene_, &SceneView::menu_wished, authoring_,
+          [this](const QPoint& global, double x, double y) {
+            authoring_->open_floor_menu(global, QPointF(x, y));
+          });
   connect(scene_, &SceneView::element_menu_wished, authoring_, &Authoring::open_menu);
   connect(authoring_, &Authoring::called_otherwise, scene_, &SceneView::rename);
   connect(authoring_, &Authoring::called_otherwise, properties_, &Properties::rename);
@@ -163,6 +172,8 @@ void MainWindow::connect_views() {
             if (is_the_present()) authoring_->resize(path, length, width);
           });
   connect(authoring_, &Authoring::selected, this, &MainWindow::show_selection);
+  // So that keys act on what was added.
+  connect(authoring_, &Authoring::added, scene_, qOverload<>(&QWidget::setFocus));
   connect(authoring_, &Authoring::said, this, &MainWindow::say);
   connect(authoring_, &Authoring::follow_wished, scene_, &SceneView::follow);
   connect(exporter_, &Exporter::said, this, &MainWindow::say);
@@ -223,6 +234,8 @@ void MainWindow::show_problems() {
   });
   problems_shown_ = all;
   problems_->set_problems(all);
+  docks_["problems"]->setWindowTitle(all.empty() ? tr("Errors")
+                                                 : tr("Errors (%1)").arg(all.size()));
   std::erase_if(all, [this](const Problem& each) { return !is_of_world(each.file); });
   editor_->set_problems(all);
   if (has_news && !editor_->hasFocus()) {
@@ -307,6 +320,8 @@ void MainWindow::watch() {
 void MainWindow::watch_robot(const QString& id) {
   if (id != watched_robot_) {
     watched_robot_ = id;
+    docks_["coordination"]->setWindowTitle(id.isEmpty() ? tr("Coordination")
+                                                        : tr("Coordination of %1").arg(id));
     coordination_->set_robot(id);
     fuzzy_->set_robot(id);
     sensors_->set_robot(id);

@@ -52,6 +52,9 @@ QDockWidget* MainWindow::new_dock(const char* name, const QString& title, QWidge
   made->setObjectName(QString("dock_") + name);
   made->setWidget(widget);
   docks_[name] = made;
+  connect(made->toggleViewAction(), &QAction::triggered, made, [made](bool is_shown) {
+    if (is_shown) made->raise();
+  });
   return made;
 }
 
@@ -120,6 +123,14 @@ void MainWindow::arrange(const QString& layout) {
     put(Qt::RightDockWidgetArea, {"properties"});
     put(Qt::BottomDockWidgetArea, {"coordination", "plots", "text", "problems"});
   }
+  // What is shown later lies behind the form, not in a strip below it.
+  for (const char* name : {"vision", "fuzzy", "sensors"}) {
+    if (layout != "watch") {
+      addDockWidget(Qt::RightDockWidgetArea, docks_[name]);
+      tabifyDockWidget(docks_["properties"], docks_[name]);
+      docks_[name]->hide();
+    }
+  }
   QList<QDockWidget*> columns{docks_.value("world")};
   QList<int> widths{220};
   if (layout == "author" && width() >= kWide) {
@@ -148,7 +159,7 @@ void MainWindow::connect_tree(WorldTree* tree, const QString& team) {
           });
   connect(tree, &WorldTree::behaviors_wished, authoring_, &Authoring::edit_behaviors);
   connect(tree, &WorldTree::menu_wished, authoring_, &Authoring::open_menu);
-  for (const char* name : {"delete", "cut", "copy", "paste", "duplicate"}) {
+  for (const char* name : {"delete", "cut", "copy", "paste"}) {
     tree->addAction(actions_[name]);
   }
 }

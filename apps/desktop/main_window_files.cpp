@@ -132,7 +132,7 @@ void MainWindow::begin_world(const std::function<QString()>& text) {
   }
   const QString begun = text();
   if (!begun.isEmpty()) {
-    workbench_.open_text(begun, {}, false);
+    workbench_.open_text(begun, {});  // nothing is lost with it
     forget_world();
     centre_->setCurrentIndex(1);
     show_title();
@@ -146,7 +146,27 @@ bool MainWindow::is_agreed(const char* name, const QString& title, const QString
   return box.exec() == QMessageBox::Yes;
 }
 
+/// Asks before a text that is no world replaces one.
+bool MainWindow::may_have_mistakes() {
+  enter_what_is_typed();
+  if (workbench_.engine().is_there() && workbench_.has_mistakes()) {  // or is not read yet
+    const auto waiting = std::make_shared<QEventLoop>();
+    workbench_.when_settled(this, [waiting] { waiting->quit(); });
+    if (workbench_.has_mistakes()) {
+      QTimer::singleShot(kStuck_ms, waiting.get(), &QEventLoop::quit);
+      waiting->exec(QEventLoop::ExcludeUserInputEvents);
+    }
+  }
+  return !workbench_.has_mistakes() || workbench_.problems().empty() ||
+         is_agreed("save_mistakes", tr("The text has mistakes"),
+                   tr("The text of the world has mistakes: %1\nSave it all the same?")
+                       .arg(workbench_.problems().front().message));
+}
+
 bool MainWindow::save(bool elsewhere) {
+  if (!may_have_mistakes()) {
+    return false;
+  }
   QString file = workbench_.file();
   if (elsewhere || file.isEmpty() || workbench_.is_borrowed()) {
     QFileDialog dialog(

@@ -26,20 +26,12 @@ QPointF free_place(const Stage& stage) {
   constexpr double kRoom = 0.3;   // m, around it
   constexpr double kStep = 0.25;  // m, between rings
   const double half = 0.5 * std::min(stage.length(), stage.width()) - kRoom;
-  const auto is_free = [&](const QPointF& at) {
-    return std::none_of(stage.solids().begin(), stage.solids().end(), [&](const auto& solid) {
-      const Vector3 middle = stage.frame_of(solid).origin;
-      return !solid.path.isEmpty() && stage.is_present(solid) &&
-             std::hypot(at.x() - middle.x, at.y() - middle.y) <
-                 kRoom + 0.5 * std::hypot(solid.shape.size.x, solid.shape.size.y);
-    });
-  };
   for (int ring = 0; ring * kStep <= std::max(0.0, half); ++ring) {
     const int places = ring == 0 ? 1 : 8 * ring;
     for (int i = 0; i < places; ++i) {
       const double angle = 2.0 * M_PI * i / places;
       const QPointF at(ring * kStep * std::cos(angle), ring * kStep * std::sin(angle));
-      if (is_free(at)) {
+      if (stage.is_free(at, kRoom)) {
         return at;
       }
     }
@@ -136,6 +128,7 @@ void Authoring::add_element(const QString& holder, const QString& list,
     });
     if (!last.isEmpty()) {
       select({last});
+      Q_EMIT added();
     }
   });
   dialog->show();
@@ -173,7 +166,7 @@ void Authoring::edit_behaviors(const QString& holder) {
 
 void Authoring::open_menu(const QString& path, const QPoint& global) {
   if (path.isEmpty()) {
-    open_floor_menu(global, 0.0, 0.0);
+    open_floor_menu(global);
     return;
   }
   if (!selection_.contains(path)) {
@@ -215,20 +208,29 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
   menu.exec(global);
 }
 
-void Authoring::open_floor_menu(const QPoint& global, double x, double y) {
+void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at) {
   QMenu menu(window_);
   menu.setObjectName("floor_menu");
   const auto offer = [&](const QString& text, const QString& list, const QString& kind = {}) {
-    menu.addAction(text, this, [this, list, beginning = Beginning{kind, {}, QPointF(x, y)}] {
+    menu.addAction(text, this, [this, list, beginning = Beginning{kind, {}, at}] {
       add_element({}, list, beginning);
     });
   };
-  offer(tr("Add &robot here..."), "robots");
-  offer(tr("Add &standing box here..."), "obstacles", "static_box");
-  offer(tr("Add &dynamic box here..."), "obstacles", "dynamic_box");
-  offer(tr("Add &moving box here..."), "obstacles", "moving_box");
-  offer(tr("Add r&esource here..."), "resources");
-  offer(tr("Add &charger here..."), "chargers");
+  const bool is_here = at.has_value();
+  offer(is_here ? tr("Add &robot here...") : tr("Add &robot..."), "robots");
+  offer(is_here ? tr("Add &static box here...") : tr("Add &static box..."), "obstacles",
+        "static_box");
+  offer(is_here ? tr("Add &dynamic box here...") : tr("Add &dynamic box..."), "obstacles",
+        "dynamic_box");
+  offer(is_here ? tr("Add &moving box here...") : tr("Add &moving box..."), "obstacles",
+        "moving_box");
+  offer(is_here ? tr("Add r&esource here...") : tr("Add r&esource..."), "resources");
+  offer(is_here ? tr("Add &charger here...") : tr("Add &charger..."), "chargers");
+  if (!is_here) {
+    offer(tr("Add &goal..."), "goals");
+    offer(tr("Add meas&ure..."), "measures");
+    offer(tr("Add &team..."), "teams");
+  }
   menu.addSeparator();
   QAction* paste = menu.addAction(tr("&Paste"), this, &Authoring::paste);
   paste->setEnabled(!pieces_of(QApplication::clipboard()->text()).empty());

@@ -48,9 +48,10 @@ class Authoring : public QObject {
   void edit_behaviors(const QString& holder);
   /// Opens the editor of its coordinator, or the dialog of a new one.
   void edit_coordinator(const QString& holder);
-  /// The menu of the element, or of the floor at the origin for "".
+  /// The menu of the element, or of the world for "".
   void open_menu(const QString& path, const QPoint& global);
-  void open_floor_menu(const QPoint& global, double x, double y);
+  /// What can be put `at` that place of the floor, in m; none: into the world.
+  void open_floor_menu(const QPoint& global, std::optional<QPointF> at = {});
 
   void remove_selected();
   void copy_selected();
@@ -68,6 +69,8 @@ class Authoring : public QObject {
 
  Q_SIGNALS:
   void selected(const QStringList& paths);
+  /// Something is there that was not, and it is chosen.
+  void added();
   void said(const QString& sentence);
   void follow_wished(const QString& path);
   /// An element, chosen or not, has another path from now on.
@@ -84,7 +87,12 @@ class Authoring : public QObject {
   void insert(const QString& markup, const QString& name);
   /// The edit that puts a piece into the world; "", with a sentence, if it has no place. Notes the
   /// id that it gives.
-  QString insertion_of(Piece piece, QStringList& taken, QString& why) const;
+  QString insertion_of(Piece piece, const QPointF& aside, QStringList& taken, QString& why) const;
+  /// How far from their originals copies stand, so that all of them are where nothing is.
+  QPointF way_aside(const std::vector<Piece>& pieces) const;
+  /// The last elements of the world that an edit of that path adds to, one for each time that the
+  /// path is in the list.
+  QStringList last_of(const QStringList& places) const;
 
   Workbench& workbench_;
   const Stage& stage_;

@@ -2,16 +2,21 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QMimeData>
+#include <algorithm>
+#include <cmath>
 
 #include "authoring/authoring.h"
 #include "authoring/pieces.h"
 #include "engine/workbench.h"
+#include "scene/stage.h"
 
 namespace elsie::desktop {
 namespace {
 
 constexpr auto kMime = "application/x-elsie-element";
-constexpr double kAside_m = 0.3;  // how far from its original a copy stands
+constexpr double kAside_m = 0.3;  // between the places that are tried for a copy
+constexpr double kLeast_m = 0.2;  // the size of a thing that does not say it
+constexpr int kMostRings = 12;
 
 }  // namespace
 
@@ -19,7 +24,8 @@ constexpr double kAside_m = 0.3;  // how far from its original a copy stands
 QStringList Authoring::wholes() const {
   QStringList paths;
   visit(workbench_.tree(), [&](const ElementPlace& place) {
-    const bool is_chosen = place.list.isEmpty() && selection_.contains(place.path);
+    const bool is_chosen =
+        place.list.isEmpty() && !place.path.isEmpty() && selection_.contains(place.path);
     if (is_chosen) {
       paths << place.path;
     }
@@ -36,9 +42,15 @@ void Authoring::remove_selected() {
     edits << *path + "/@remove=true";
   }
   if (!edits.isEmpty()) {
-    workbench_.edit(edits, paths.size() == 1
-                               ? tr("delete %1").arg(title(paths.front()))
-                               : tr("delete %n things", nullptr, static_cast<int>(paths.size())));
+    workbench_.edit(edits,
+                    paths.size() == 1
+                        ? tr("delete %1").arg(title(paths.front()))
+                        : tr("delete %n things", nullptr, static_cast<int>(paths.size())),
+                    {}, this, [this](const Problems& problems) {
+                      if (problems.empty()) select({});  // not the next, which has its name now
+                    });
+  } else {
+    Q_EMIT said(tr("Nothing is chosen that can be deleted."));
   }
 }
 
@@ -114,23 +126,79 @@ void Authoring::insert(const QString& markup, const QString& name) {
     Q_EMIT said(tr("There is nothing to paste: copy elements of a world first."));
     return;
   }
-  QStringList edits, taken;
+  const QPointF aside = way_aside(pieces);
+  QStringList edits, taken, places;
   for (const Piece& piece : pieces) {
     QString why;
-    const QString edit = insertion_of(piece, taken, why);
+    const QString edit = insertion_of(piece, aside, taken, why);
     if (edit.isEmpty()) {
       Q_EMIT said(why);
       return;
     }
     edits << edit;
+    places << edit.section('=', 0, 0);
   }
-  workbench_.edit(edits, name);
+  workbench_.edit(edits, name, {}, this, [this, places](const Problems& problems) {
+    if (const QStringList made = last_of(places); problems.empty() && !made.isEmpty()) {
+      select(made);
+    }
+  });
 }
 
-QString Authoring::insertion_of(Piece piece, QStringList& taken, QString& why) const {
-  const auto stand_aside = [&piece] {
+QStringList Authoring::last_of(const QStringList& places) const {
+  QHash<QString, QStringList> members;
+  visit(workbench_.tree(), [&](const ElementPlace& place) {
+    if (place.list.isEmpty() && place.parent) {
+      const QString word = member_word(name_of(*place.parent));
+      const QString holder = holder_of(place.path);
+      members[(holder.isEmpty() ? QString() : holder + '/') +
+              (word.isEmpty() ? name_of(*place.element) : word)]
+          << place.path;
+    }
+    return true;
+  });
+  QStringList last;
+  for (auto place = places.rbegin(); place != places.rend(); ++place) {
+    QStringList& all = members[QString(*place).remove("[+]")];
+    if (!all.isEmpty()) last.prepend(all.takeLast());
+  }
+  return last;
+}
+
+QPointF Authoring::way_aside(const std::vector<Piece>& pieces) const {
+  const auto is_free = [&](const Piece& piece, const QPointF& by) {
+    const QPointF at(attribute_of(piece, "x").toDouble() + by.x(),
+                     attribute_of(piece, "y").toDouble() + by.y());
+    const double room =
+        0.5 * std::hypot(std::max(attribute_of(piece, "length").toDouble(), kLeast_m),
+                         std::max(attribute_of(piece, "width").toDouble(), kLeast_m));
+    return std::abs(at.x()) + room < 0.5 * stage_.length() &&
+           std::abs(at.y()) + room < 0.5 * stage_.width() && stage_.is_free(at, room);
+  };
+  for (int ring = 0; ring <= kMostRings; ++ring) {
+    for (int i = 0; i < (ring == 0 ? 1 : 8); ++i) {
+      const double angle = 2.0 * M_PI * i / 8;
+      const QPointF by(std::round(1e3 * ring * kAside_m * std::cos(angle)) / 1e3,
+                       std::round(1e3 * ring * kAside_m * std::sin(angle)) / 1e3);
+      if (std::all_of(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+            return attribute_of(piece, "x").isEmpty() || is_free(piece, by);
+          })) {
+        return by;
+      }
+    }
+  }
+  return {kAside_m, 0.0};
+}
+
+QString Authoring::insertion_of(Piece piece, const QPointF& aside, QStringList& taken,
+                                QString& why) const {
+  const auto stand_aside = [&] {
     piece.markup =
-        with_attribute(piece, "x", number(attribute_of(piece, "x").toDouble() + kAside_m));
+        with_attribute(piece, "x", number(attribute_of(piece, "x").toDouble() + aside.x()));
+    if (aside.y() != 0.0) {
+      piece.markup =
+          with_attribute(piece, "y", number(attribute_of(piece, "y").toDouble() + aside.y()));
+    }
   };
   if (const auto holder = piece.list.isEmpty() ? holder_of_part(piece.name) : std::nullopt) {
     if (piece.name == "waypoint") stand_aside();

@@ -10,10 +10,17 @@ namespace elsie::desktop {
 namespace {
 
 constexpr int kMostDeaths = 3;
+constexpr std::size_t kMostListed = 200;  // a user mends the first ones first
 
 Problems listed(const Json& object, const char* list, bool are_warnings) {
   Problems problems;
-  for (const Json& each : object.value(list, Json::array())) {
+  const Json& all = member(object, list);
+  for (const Json& each : all) {
+    if (problems.size() == kMostListed) {
+      problems.push_back(
+          {{}, 0, Workbench::tr("And %1 more.").arg(all.size() - kMostListed), are_warnings});
+      break;
+    }
     problems.push_back(
         {text_at(each, "file"), each.value("line", 0), text_at(each, "message"), are_warnings});
   }

@@ -68,6 +68,10 @@ class Workbench : public QObject {
   void save_as(const QString& file, std::function<void(const QString&)> done);
   /// Whether another program wrote the file since it was read or saved.
   bool is_changed_on_disk() const;
+  /// Calls back when all changes that are ordered now are made or refused.
+  void when_settled(QObject* receiver, std::function<void()> done);
+  /// Whether the text is none that the engine takes, while it has a world.
+  bool has_mistakes() const { return tree_.is_object() && text_ != history_text_; }
   /// Whether unsaved work, if there is some, is where a crash does not reach it.
   bool is_kept() const { return is_kept_; }
   /// The user does without what is unsaved.

@@ -137,6 +137,11 @@ void Workbench::save_as(const QString& file, std::function<void(const QString&)>
           });
 }
 
+void Workbench::when_settled(QObject* receiver, std::function<void()> done) {
+  in_turn([this] { end_change(); }, false, receiver,
+          [done = std::move(done)](const Problems&) { done(); });
+}
+
 void Workbench::save_in_turn(const QString& target) {
   const bool is_in_engine = engine_.is_there() && tree_.is_object() && text_ == history_text_;
   if (is_in_engine && target != file_) {

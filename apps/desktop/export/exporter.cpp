@@ -157,7 +157,11 @@ void Exporter::copy_command() {
       return;
     }
     QApplication::clipboard()->setText(text);
-    Q_EMIT said(tr("Copied: %1").arg(text));
+    Q_EMIT said(answer.value("saved", true)
+                    ? tr("Copied: %1").arg(text)
+                    : tr("Copied, but it makes another run: its file is not as it was when this "
+                         "run began. %1")
+                          .arg(text));
   });
 }
 

@@ -85,6 +85,7 @@ class SceneView : public QWidget {
 
  Q_SIGNALS:
   void selected(const QStringList& paths);
+  void said(const QString& sentence);
   void edit_wished(const QString& path, const QPoint& global);
   /// Of the floor at that point, m.
   void menu_wished(const QPoint& global, double x, double y);

@@ -184,6 +184,10 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 
 void SceneView::begin_typed(TypedDrag::Kind kind) {
   const auto frame = frame_of_selected();
+  if (frame && drag_ == Drag::none && !locked_.contains(selection_.front()) &&
+      kind == TypedDrag::Kind::resize && !handle(Tool::resize)) {
+    Q_EMIT said(tr("This has no size that the view changes; its numbers are in Properties."));
+  }
   if (!frame || drag_ != Drag::none || locked_.contains(selection_.front()) ||
       (kind == TypedDrag::Kind::resize && !handle(Tool::resize))) {
     return;

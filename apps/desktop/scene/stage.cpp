@@ -184,6 +184,15 @@ Frame Stage::frame_of(const Solid& solid) const {
                         : bodies_[static_cast<std::size_t>(solid.body)].frame.frame(solid.frame);
 }
 
+bool Stage::is_free(const QPointF& at, double room) const {
+  return std::none_of(solids_.begin(), solids_.end(), [&](const Solid& solid) {
+    const Vector3 middle = frame_of(solid).origin;
+    return !solid.path.isEmpty() && is_present(solid) &&
+           std::hypot(at.x() - middle.x, at.y() - middle.y) <
+               room + 0.5 * std::hypot(solid.shape.size.x, solid.shape.size.y);
+  });
+}
+
 bool Stage::is_present(const Solid& solid) const {
   return solid.body < 0 || bodies_[static_cast<std::size_t>(solid.body)].is_present;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QHash>
+#include <QPointF>
 #include <QString>
 #include <optional>
 #include <vector>
@@ -65,6 +66,8 @@ class Stage {
   /// Where the element stands, on the floor; none: it has no place of its own, or is not there.
   std::optional<Frame> place_of(const QString& path) const;
   bool is_present(const Solid& solid) const;
+  /// Whether nothing stands nearer to that place of the floor than `room`, in m.
+  bool is_free(const QPointF& at, double room) const;
 
   /// All that is to be drawn.
   render::Scene drawn() const;

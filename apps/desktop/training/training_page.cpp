@@ -57,6 +57,14 @@ TrainingPage::TrainingPage(Workbench& workbench, const Kind& kind, QString coord
       tr("The network that a run with this seed would train; its weights are written to a file "
          "beside the world. Otherwise each run trains its own."));
   column->addRow(wished_);
+  if (workbench.file().isEmpty() || workbench.is_borrowed()) {
+    auto* where =
+        new QLabel(tr("The world has no file of its own yet: its weights go to the "
+                      "folder of your data. Save it first to have them beside it."));
+    where->setObjectName("where_weights_go");
+    where->setWordWrap(true);
+    column->addRow(where);
+  }
   progress_ = new QLabel;
   progress_->setObjectName("training_progress");
   column->addRow(progress_);

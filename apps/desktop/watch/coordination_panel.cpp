@@ -171,9 +171,12 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
   const QColor ink = palette().color(QPalette::Text);
   if (rows_.empty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(viewport()->rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                     robot_.isEmpty() ? tr("Choose a robot to see who decides")
-                                      : tr("Nothing from %1 yet").arg(robot_));
+    painter.drawText(
+        viewport()->rect(), Qt::AlignCenter | Qt::TextWordWrap,
+        robot_.isEmpty()
+            ? tr("Choose a robot to see who decides")
+            : tr("Nothing from %1 yet: this window hears of a run while it is in front")
+                  .arg(robot_));
     return;
   }
   int names = em * 8;
@@ -181,7 +184,7 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
     names = std::max(names, font.horizontalAdvance(row.name) + (2 * row.depth + 2) * em);
   }
   names = std::min(names, viewport()->width() / 3);
-  const int figures = std::min(em * 24, viewport()->width() / 3);
+  const int figures = std::min(em * 32, viewport()->width() / 2);
   const QRect bands(names, 0, viewport()->width() - names - figures - em, viewport()->height());
   const double end = past_.back().time_s;
   const double start = std::max(0.0, end - kSpan);
@@ -237,10 +240,10 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
     painter.setPen(ink);
     painter.drawRect(bar);
     const QString numbers = row.asked
-                                ? tr("p %1  %2 %  (%3)")
+                                ? tr("priority %1  share %2 %  (%3)")
                                       .arg(number_text(row.priority),
                                            number_text(std::round(100.0 * row.share)), row.command)
-                                : tr("p %1  not asked").arg(number_text(row.priority));
+                                : tr("priority %1  not asked").arg(number_text(row.priority));
     const int beside = em * 5;
     painter.drawText(text.adjusted(beside, 1, 0, 0), Qt::AlignTop,
                      font.elidedText(numbers, Qt::ElideRight, text.width() - beside));
@@ -250,6 +253,9 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
   painter.setClipping(false);
   painter.setPen(ink);
   painter.drawLine(bands.left(), axis, bands.right(), axis);
+  painter.drawText(QRect(bands.right() + em, axis + 3, figures - em / 2, line + 2), Qt::AlignRight,
+                   font.elidedText(tr("command: forward, lateral [m/s], turn [rad/s]"),
+                                   Qt::ElideRight, figures - em / 2));
   for (const double tick :
        ticks({start, start + length}, std::max(2, bands.width() / (line * 4)))) {
     const int x = static_cast<int>(x_of(tick));

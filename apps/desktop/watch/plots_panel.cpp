@@ -285,6 +285,8 @@ void PlotsPanel::draw(QPainter& painter, const QRectF& area) const {
   y = {y.low - room, y.high + room};
   const double line = painter.fontMetrics().height();
   const double legend = line * 1.2 * static_cast<double>(shown.size());
+  painter.setPen(palette().color(QPalette::PlaceholderText));
+  painter.drawText(area.adjusted(0, 0, -line, 0), Qt::AlignTop | Qt::AlignRight, sampling());
   const Axes axes(painter, area.adjusted(0, legend, 0, 0), x, y);
   axes.draw(painter, palette(), tr("time [s]"),
             units.size() == 1 && !units.begin()->isEmpty()
@@ -303,6 +305,19 @@ void PlotsPanel::draw(QPainter& painter, const QRectF& area) const {
         QRectF(left + 3 * line, middle - line, area.right() - left - 3 * line, 2 * line),
         Qt::AlignVCenter, title_of(shown[n]));
   }
+}
+
+QString PlotsPanel::sampling() const {
+  qsizetype count = 0;
+  double widest_s = 0.0;
+  for (const QString& name : chosen()) {
+    const Curve& curve = curves_.at(name);
+    count = std::max(count, static_cast<qsizetype>(curve.size()));
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      widest_s = std::max(widest_s, curve[i].x() - curve[i - 1].x());
+    }
+  }
+  return tr("%1 samples, up to %2 s apart").arg(count).arg(number_text(widest_s));
 }
 
 QString PlotsPanel::save(const QString& file) const {

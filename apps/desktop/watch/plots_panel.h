@@ -48,6 +48,8 @@ class PlotsPanel : public QWidget {
   Figures figures() const;
   /// Draws axes, curves and legend, as on the screen.
   void draw(QPainter& painter, const QRectF& area) const;
+  /// How far the samples lie apart: a fast run sends fewer of them.
+  QString sampling() const;
   /// Writes the chosen curves by the file's ending: .png, .svg or .csv. Returns why not, or "".
   QString save(const QString& file) const;
 

@@ -22,7 +22,8 @@ SensorsPanel::SensorsPanel(QWidget* parent)
   table_->setToolTip(tr("Readings are in SI units: m, m/s, rad, rad/s"));
   table_->setHeaderLabels({tr("Sensor"), tr("Kind"), tr("Reading"), tr("Value")});
   table_->setRootIsDecorated(false);
-  table_->header()->setSectionResizeMode(3, QHeaderView::Stretch);
+  table_->header()->moveSection(1, 3);  // what is cut off first
+  table_->header()->setStretchLastSection(true);
   table_->setAlternatingRowColors(true);
   table_->setUniformRowHeights(true);
   auto* column = new QVBoxLayout(this);
@@ -76,7 +77,7 @@ void SensorsPanel::add(const Json& state) {
     delete table_->topLevelItem(row);
   }
   if (is_new) {
-    for (int cell = 0; cell < 3; ++cell) {
+    for (int cell = 0; cell < 4; ++cell) {
       table_->resizeColumnToContents(cell);
     }
     filter();

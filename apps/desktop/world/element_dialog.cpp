@@ -172,6 +172,7 @@ void ElementDialog::show_kind(const Kind& kind) {
   makes_ = !there.element || name_of(*there.element) != kind.name;
   path_ = makes_ ? QString() : there.path;
   at_once_->setVisible(!makes_);
+  if (list_ == "obstacles") setWindowTitle(tr("New %1").arg(kind.name));
   add_page(kind.name, path_, kind, makes_ ? Json::object() : attributes_of(*there.element));
   for (const auto& [name, value] : begin_with_) {
     pages_.front().form->set_value(name, value);

@@ -62,7 +62,7 @@ std::vector<double> Fan::headings_deg(double middle_deg) const {
   const double step = spread / (spread < kCircle_deg ? std::max(1, count - 1) : count);
   std::vector<double> headings;
   for (int i = 0; i < count; ++i) {
-    const double heading = middle_deg + step * (i - 0.5 * (count - 1));
+    const double heading = middle_deg + step * (0.5 * (count - 1) - i);  // the left one first
     headings.push_back(std::round(1e6 * heading) / 1e6);
   }
   return headings;

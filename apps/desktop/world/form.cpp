@@ -81,6 +81,15 @@ class NumberEdit : public FieldEdit {
   bool is_integer_;
 };
 
+/// What files a field of that name takes, usually.
+QStringList kinds_of_file(const QString& name) {
+  const QString all = Form::tr("All files (*)");
+  const QHash<QString, QString> kinds{{"model", Form::tr("Fuzzy models (*.fcl)")},
+                                      {"weights", Form::tr("Weights of networks (*.weights)")},
+                                      {"template", Form::tr("Robots (*.xml)")}};
+  return kinds.contains(name) ? QStringList{kinds[name], all} : QStringList{all};
+}
+
 QString tip_of(const Field& field) {
   QString tip = "<p><b>" + field.name.toHtmlEscaped() + "</b>";
   if (!field.unit.isEmpty()) tip += " (" + field.unit.toHtmlEscaped() + ')';
@@ -199,6 +208,7 @@ void Form::add_browse(QHBoxLayout* line, const QString& name) {
     QFileDialog dialog(this, tr("File for '%1'").arg(name), folder_);
     dialog.setObjectName("browse_dialog");
     dialog.setFileMode(QFileDialog::ExistingFile);
+    dialog.setNameFilters(kinds_of_file(name));
     if (dialog.exec() == QDialog::Accepted) {
       const QString file = dialog.selectedFiles().front();
       set_value(name, folder_.isEmpty() ? file : QDir(folder_).relativeFilePath(file));

@@ -3,6 +3,7 @@
 #include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollBar>
@@ -84,17 +85,23 @@ WorldTree::WorldTree(Workbench& workbench, QString team, QWidget* parent)
       Q_EMIT selected(chosen_);
     }
   });
-  connect(tree_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
-    if (!item->data(0, kIsList).toBool()) {
-      Q_EMIT edit_wished(item->data(0, kPath).toString());
-    }
-  });
+  // Not itemActivated: on some desktops that comes with a single click.
+  connect(tree_, &QTreeWidget::itemDoubleClicked, this, &WorldTree::wish_edit);
+  tree_->installEventFilter(this);
 }
 
 // A right click on a thing opens its editor; on a list and on nothing the menu of the floor, and on
 // a network that has learned its own, which clears it. The menu key opens the menu of what is
 // chosen.
 bool WorldTree::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == tree_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const bool is_enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (is_enter && tree_->currentItem()) {
+      wish_edit(tree_->currentItem());
+      return true;
+    }
+  }
   if (watched != tree_->viewport() || event->type() != QEvent::ContextMenu) {
     return QWidget::eventFilter(watched, event);
   }
@@ -114,6 +121,12 @@ bool WorldTree::eventFilter(QObject* watched, QEvent* event) {
     Q_EMIT menu_wished(path, at);
   }
   return true;
+}
+
+void WorldTree::wish_edit(const QTreeWidgetItem* item) {
+  if (!item->data(0, kIsList).toBool()) {
+    Q_EMIT edit_wished(item->data(0, kPath).toString());
+  }
 }
 
 void WorldTree::make_team_buttons() {

@@ -53,6 +53,7 @@ class WorldTree : public QWidget {
     int parent;   // the number of the row in which it is; -1: none
   };
 
+  void wish_edit(const QTreeWidgetItem* item);
   void make_team_buttons();
   std::vector<Shown> places() const;
   void build(const std::vector<Shown>& shown);

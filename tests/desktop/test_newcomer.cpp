@@ -1,0 +1,272 @@
+// What a newcomer met who had only the docs.
+#include <QClipboard>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QSlider>
+#include <QStatusBar>
+#include <QStyle>
+
+#include "authoring/authoring.h"
+#include "control_bar.h"
+#include "export/exporter.h"
+#include "hands.h"
+#include "scene/scene_view.h"
+#include "text/world_editor.h"
+#include "world/fan.h"
+#include "world/properties.h"
+
+using namespace elsie::desktop;
+
+namespace {
+
+QByteArray bytes_of(const QString& file) {
+  QFile opened(file);
+  REQUIRE(opened.open(QIODevice::ReadOnly));
+  return opened.readAll();
+}
+
+QString said(Window& window) { return window->statusBar()->currentMessage(); }
+
+}  // namespace
+
+TEST_CASE("A text with mistakes is saved only when that is agreed, and the star stays right") {
+  Window window;
+  const QString file = window.file(kRoom);
+  window.open(file);
+  window->arrange("author");
+  window.get<QDockWidget>("dock_text")->raise();
+  auto* editor = window.get<WorldEditor>("world_editor");
+  editor->setFocus();
+  editor->go_to(4);
+  type_text(editor, "<foo/>");
+
+  bool is_asked = false;
+  SECTION("No leaves the file as it is") {
+    answer_when_asked("save_mistakes", [&](QDialog* box) {
+      is_asked = true;
+      press_key(box, Qt::Key_Escape);
+    });
+    press_key(editor, Qt::Key_S, Qt::ControlModifier);
+    CHECK(is_asked);
+    CHECK(bytes_of(file) == kRoom);
+    CHECK(window->isWindowModified());
+  }
+  SECTION("after Yes and undo the star says that the file has something else") {
+    answer_when_asked("save_mistakes", [&](QDialog* box) {
+      is_asked = true;
+      QTest::mouseClick(static_cast<QMessageBox*>(box)->button(QMessageBox::Yes), Qt::LeftButton);
+    });
+    press_key(editor, Qt::Key_S, Qt::ControlModifier);
+    CHECK(is_asked);
+    CHECK(bytes_of(file).contains("<foo/>"));
+    window.after([&] { press_key(editor, Qt::Key_Z, Qt::ControlModifier); });
+    CHECK(window.bench().text() == kRoom);
+    CHECK(window->isWindowModified());
+    window.answer = MainWindow::Answer::cancel;
+    CHECK_FALSE(window->close());
+    CHECK(window.asked == 1);
+  }
+}
+
+TEST_CASE("Of thousands of mistakes the first are listed, and how many more there are") {
+  Window window;
+  QByteArray text = "<world format=\"1\"><arena length=\"4\" width=\"4\"/><obstacles>\n";
+  for (int i = 0; i < 1000; ++i) {
+    text += "<static_box x=\"99\"/>\n";
+  }
+  window.open(window.file((text + "</obstacles></world>\n").constData()));
+  auto* list = window.get<QTreeWidget>("problems");
+  REQUIRE(list->topLevelItemCount() == 201);
+  CHECK(list->topLevelItem(200)->text(0) == "And 800 more.");
+  CHECK(window.get<QDockWidget>("dock_problems")->windowTitle() == "Errors (201)");
+}
+
+TEST_CASE("A command line that does not repeat the run any more says so") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.run_to_the_end();
+  window.after([&] { window.bench().edit({"robot[r1]/@max_speed=0.1"}, "slower"); });
+  QString why = "waiting";
+  window.bench().save_as(window.bench().file(), [&](const QString& said) { why = said; });
+  REQUIRE(wait_for([&] { return why != "waiting"; }));
+  REQUIRE(why.isEmpty());
+  window.act("copy_command");
+  REQUIRE(wait_for([&] { return said(window).startsWith("Copied"); }));
+  INFO(said(window).toStdString());
+  const bool repeats = !said(window).contains("another run");
+  CHECK(repeats == (window.bench().run_state() == Workbench::Run::ready));
+}
+
+TEST_CASE("Copies stand where nothing is, and are chosen; keys go on with them") {
+  Window window;
+  window.open(window.file(kRoom));
+  window->scene().setFocus();
+  auto* authoring = window->findChild<Authoring*>();
+  authoring->select({"obstacle[crate]"});
+  window.after([&] { press_key(&window->scene(), Qt::Key_D, Qt::ControlModifier); });
+  const QStringList first = authoring->selection();
+  REQUIRE(first.size() == 1);
+  CHECK(first != QStringList{"obstacle[crate]"});
+  window.after([&] { press_key(&window->scene(), Qt::Key_D, Qt::ControlModifier); });
+  const QStringList second = authoring->selection();
+  REQUIRE(second.size() == 1);
+  CHECK(second != first);
+  const auto at = [&](const QString& path) {
+    const auto frame = window->scene().stage().place_of(path);
+    REQUIRE(frame);
+    return frame->origin;
+  };
+  const auto a = at("obstacle[crate]"), b = at(first.front()), c = at(second.front());
+  CHECK(std::hypot(a.x - b.x, a.y - b.y) > 0.25);
+  CHECK(std::hypot(a.x - c.x, a.y - c.y) > 0.25);
+  CHECK(std::hypot(c.x - b.x, c.y - b.y) > 0.25);
+
+  // The neighbour, which has another name from then on, is not chosen instead.
+  window.after([&] {
+    authoring->select(first);
+    press_key(&window->scene(), Qt::Key_Delete);
+  });
+  CHECK(wait_for([&] { return authoring->selection().isEmpty(); }));
+  window.bench().undo();
+}
+
+TEST_CASE("What was added from the tool bar is deleted by the key") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.get<QLineEdit>("filter")->setFocus();
+  window.act("add_static");
+  auto* dialog = window.dialog("element_dialog");
+  window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
+  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
+  window->activateWindow();
+  REQUIRE(wait_for([&] { return window->scene().hasFocus(); }));
+  CHECK(window.bench().text() != kRoom);
+  window.after([&] { press_key(&window->scene(), Qt::Key_Delete); });
+  CHECK(window.bench().text().count("static_box") == 1);
+}
+
+TEST_CASE("A film that is cancelled gives the run back, also one that has ended") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.bench().reset(1);
+  window.after([&] { window.bench().edit({"limits/@time=20"}, "shorter"); });
+  window.run_to_the_end();
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 19.9; }));
+  const double until_s = window.bench().time_s();
+  auto* exporter = window->findChild<Exporter*>();
+  bool has_ended = false;
+  QObject::connect(exporter, &Exporter::film_ended, &window.window(),
+                   [&](bool) { has_ended = true; });
+  exporter->write_film(window.folder() + "/run.avi");
+  auto* progress = window.dialog<QProgressDialog>("film_progress");
+  REQUIRE(wait_for([&] { return progress->value() > 3; }));
+  QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);
+  REQUIRE(wait_for([&] { return has_ended; }));
+  CHECK(wait_for([&] { return window->scene().stage().time_s() == until_s; }));
+  CHECK(window.bench().time_s() == until_s);
+  CHECK(window.bench().run_state() == Workbench::Run::ended);
+}
+
+TEST_CASE("A click in the tree chooses; Enter and a double click edit") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* tree = window.get<WorldTree>("world_tree");
+  int wishes = 0;
+  QObject::connect(tree, &WorldTree::edit_wished, tree, [&] { ++wishes; });
+  window.choose("robot[r1]");
+  Q_EMIT tree->tree()->itemActivated(tree->item("robot[r1]"), 0);  // as KDE does at one click
+  CHECK(wishes == 0);
+  QTest::keyClick(tree->tree(), Qt::Key_Return);
+  CHECK(wishes == 1);
+  const QPoint at = tree->tree()->visualItemRect(tree->item("robot[r1]")).center();
+  QTest::mouseDClick(tree->tree()->viewport(), Qt::LeftButton, {}, at);
+  CHECK(wishes == 2);
+}
+
+TEST_CASE("A fan goes from left to right") {
+  Fan fan(2);
+  fan.findChild<QDoubleSpinBox*>("spread_deg")->setValue(30.0);
+  CHECK(fan.headings_deg(0.0) == std::vector<double>{15.0, -15.0});
+}
+
+TEST_CASE("A new window has room on the screen with its frame") {
+  const QSize frame(16, 40);
+  CHECK(MainWindow::first_size({1280, 800}, frame) == QSize(1264, 760));
+  CHECK(MainWindow::first_size({1600, 1000}, frame) == QSize(1280, 800));
+  CHECK(MainWindow::first_size({2000, 1000}, frame) == QSize(1900, 950));
+}
+
+TEST_CASE("A click in the groove of the time line goes there") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.run_to_the_end();
+  auto* slider = window.get<QSlider>("time");
+  QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 4, slider->height() / 2));
+  CHECK(wait_for([&] { return std::abs(window->scene().stage().time_s() - 15.0) < 0.5; }));
+}
+
+TEST_CASE("What is no seed is said") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* seed = window.get<QLineEdit>("seed");
+  seed->setFocus();
+  for (const char* wrong : {"abc", "12345678901234567890123"}) {
+    seed->selectAll();
+    QTest::keyClicks(seed, wrong);
+    QTest::keyClick(seed, Qt::Key_Return);
+    CHECK(said(window).contains(QString(wrong)));
+    CHECK(seed->text() == "1");
+  }
+}
+
+TEST_CASE("Without a world nothing can be added; a world just made has nothing to save") {
+  Window window;
+  CHECK_FALSE(window.get<QAction>("add_robot")->isEnabled());
+  CHECK_FALSE(window.get<QAction>("undo")->isEnabled());
+  window.after([&] { click_on(window.get<QPushButton>("empty_world")); });
+  CHECK(window.get<QAction>("add_robot")->isEnabled());
+  CHECK_FALSE(window->isWindowModified());
+  CHECK(window->close());
+  CHECK(window.asked == 0);
+  window->show();
+  window.after([&] { window.open(window.file("", "empty.xml")); });
+  CHECK(window->windowTitle().contains("empty.xml"));
+}
+
+TEST_CASE("The window says what it shows: whose coordination, and that the text has mistakes") {
+  Window window;
+  window.open(window.file(kRoom));
+  CHECK(window.get<QDockWidget>("dock_coordination")->windowTitle() == "Coordination of r1");
+  window.bench().type(QString(kRoom).replace("<limits", "<foo/><limits"));
+  REQUIRE(wait_for([&] { return !window.bench().problems().empty(); }));
+  window.bench().run();
+  CHECK(wait_for([&] { return said(window).contains("has mistakes"); }));
+  window.bench().pause();
+}
+
+TEST_CASE("S on a robot says that it has no size, Delete of the world that nothing is chosen") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.choose("robot[r1]");
+  window->scene().setFocus();
+  press_key(&window->scene(), Qt::Key_S);
+  CHECK(said(window).contains("Properties"));
+  window.choose("");
+  window.act("delete");
+  CHECK(said(window).contains("Nothing is chosen"));
+  CHECK(window.bench().text() == kRoom);
+}
+
+TEST_CASE("The menu of the world in the tree offers what has no place, too") {
+  Window window;
+  window.open(window.file(kRoom));
+  const auto is_picked = pick_when_open("floor_menu", "Add goal");
+  window->findChild<Authoring*>()->open_menu({}, window->mapToGlobal(QPoint(50, 50)));
+  CHECK(*is_picked);
+  auto* dialog = window.dialog("element_dialog");
+  CHECK(dialog->windowTitle() == "New goal");
+}
