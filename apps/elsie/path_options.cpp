@@ -16,16 +16,16 @@ namespace elsie::program {
 void PathOptions::add_to(CLI::App& command) {
   command
       .add_option("--picture-robots", choice_.robots,
-                  "Draw the ways of these robots only: ids, separated by commas")
+                  "Draw only these robots' paths: ids, separated by commas")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->needs("--picture")
       ->type_name("IDS");
-  command.add_option("--picture-from", choice_.from_s, "Draw the ways from this time on")
+  command.add_option("--picture-from", choice_.from_s, "Draw the paths from this time on")
       ->needs("--picture")
       ->check(non_negative_number())
       ->type_name("SECONDS");
-  command.add_option("--picture-to", choice_.to_s, "Draw the ways up to this time")
+  command.add_option("--picture-to", choice_.to_s, "Draw the paths up to this time")
       ->needs("--picture")
       ->check(positive_number())
       ->type_name("SECONDS");

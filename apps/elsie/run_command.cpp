@@ -278,8 +278,8 @@ void add_run_command(CLI::App& program, Job& job) {
       ->type_name("MS");
   command
       ->add_option("--memory-budget", options->memory_budget_mb,
-                   "End the run when a plugin comes to hold more memory than this above what it "
-                   "had at the start, as one that leaks does, and name it")
+                   "End the run when the memory of a plugin grows by more than this, and name the "
+                   "plugin")
       ->check(positive_number())
       ->type_name("MB");
   command->add_flag("--json", options->json,

@@ -38,7 +38,7 @@ Pose pose_of(const world::Robot& robot) {
   return {robot.x, robot.y, wrap_angle(radians(robot.heading_deg))};
 }
 
-/// What of a robot's place an edit asks for.
+/// The coordinates of a robot that an edit sets.
 struct NewPlace {
   bool x, y, z, heading;
 
@@ -286,7 +286,7 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
   cameras_ = std::make_shared<Cameras>(world_, robots_, options_.cameras, becoming.problems());
 }
 
-/// What the world says of later times counts from now on.
+/// Schedules the world's own changes that are still due.
 void Simulation::Impl::become_changes(const world::World& was) {
   if (same_part("changes", was, world_)) {
     return;
@@ -455,7 +455,7 @@ void Simulation::Impl::become_measures(const world::World& was, Becoming& becomi
   measuring_->reset_new(seed_, becoming.time(), becoming.said());
 }
 
-/// One that was there before counts on.
+/// Goals that existed before keep their start.
 void Simulation::Impl::become_goals(const world::World& was) {
   GoalStart now{time_s(), {}};
   for (const auto& robot : robots_) {

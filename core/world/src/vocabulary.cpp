@@ -25,7 +25,7 @@ ElementSpec physics() {
   return Describe<Physics>("physics", "Parameters of the physics engine")
       .costs(Cost::engine)
       .attribute("engine", &Physics::engine,
-                 {.choices = plugin::engine_names(), .meaning = "what moves the bodies"})
+                 {.choices = plugin::engine_names(), .meaning = "the physics engine"})
       .attribute("step", &Physics::step, range("s", 1e-6, 0.1, "length of a step"))
       .attribute("control_steps", &Physics::control_steps,
                  range("", 1, 1000, "steps in one control period"), kCheap)

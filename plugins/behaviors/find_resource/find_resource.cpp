@@ -66,7 +66,7 @@ class FindResource final : public elsie::Behavior, public elsie::Remembers {
     }
   }
 
-  /// Where it acts as if a resource were, while it sees none.
+  /// The column to which it steers while it sees no resource.
   double column_to_search() const {
     if (search == "column" || !last_column_) {
       return search_column;

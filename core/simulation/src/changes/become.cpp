@@ -184,7 +184,7 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   const bool had_charger = team_.charger.has_value();
   const std::vector<Colour> colours = resource_colours_;
   take_membership(world, index);
-  // What stays is equipped anew where it may see a difference.
+  // Objects that stay are equipped again if they could see a difference.
   const bool equips_all = !same_drive || !same_sensors || was.team != next.team ||
                           had_charger != team_.charger.has_value() || colours != resource_colours_;
   state_.energy = std::min(state_.energy, state_.capacity);

@@ -64,15 +64,15 @@ class Becoming {
   bool asks(const world::Robot& robot, const char* attribute) const {
     return asked_.contains({robot.id, attribute});
   }
-  /// Whether an object stays that was described as `was`: it does if only parameters differ that
-  /// an edit puts in place. It is described as `next` then, and gets them when it is equipped
-  /// again.
+  /// Returns whether the object stays: `was` and `next` differ only in parameters that an edit puts
+  /// in place. If it stays, `next` becomes its description, and it gets the new parameters when it
+  /// is equipped again.
   bool keeps(PluginObject& object, const world::PluginUse& was, const world::PluginUse& next);
-  /// All its parameters are those that `next` describes.
+  /// Makes `next` its description and drops the parameters set since.
   void describe(PluginObject& object, const world::PluginUse& next);
-  /// What it is equipped with is not what it was.
+  /// Notes that the object must be equipped again.
   void note_other_equipment(const PluginObject& object) { again_with_.try_emplace(&object); }
-  /// Whether it has to be equipped again for itself.
+  /// Returns whether the object itself must be equipped again.
   bool has_other(const PluginObject& object) const { return again_with_.contains(&object); }
 
   /// From here on, objects of one robot are equipped again. Returns how that is undone once all

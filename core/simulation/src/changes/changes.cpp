@@ -55,11 +55,11 @@ using Setups = std::map<const PluginObject*, Setup>;
 /// itself stays as it is.
 class Plan final : public world::LiveRobot {
  public:
-  /// `setups`: those that differ by then from what they are now.
+  /// `setups`: parameters that earlier changes of the schedule will have set.
   Plan(const world::World& world, const Changes::Stage& stage, const Setups& setups)
       : world_(world), stage_(stage), setups_(setups) {}
 
-  /// What it is about from now on: "robot[r1]/@x=3".
+  /// Starts planning the next attribute; `text` is for messages: "robot[r1]/@x=3".
   void begin(const world::Robot& robot, std::string text) {
     index_ = static_cast<std::size_t>(&robot - world_.robots.data());
     text_ = std::move(text);
@@ -309,7 +309,7 @@ std::vector<world::AttributePlace> Changes::places(const Change& change) const {
     return edits_element(change) ? std::vector<world::AttributePlace>()
                                  : attributes_.find(change.path);
   } catch (const std::invalid_argument&) {
-    return {};  // whoever makes it says why not
+    return {};  // make() reports the error
   }
 }
 

@@ -60,7 +60,7 @@ class Changes {
   /// as the options say.
   Changes(const world::World& world, const plugin::Host& host, const Options& options);
 
-  /// Whether it is put in place, or cannot be made at all: the world becomes no other one.
+  /// Returns whether the change needs no new world: it is made in place or refused.
   bool is_live(const Change& change) const;
   /// The attributes that it sets; none if it edits an element, or if there are none.
   std::vector<world::AttributePlace> places(const Change& change) const;

@@ -12,7 +12,7 @@
 
 namespace elsie::simulation {
 
-/// The height at which a body stands, m: that it sinks in by a hair is nothing.
+/// The height at which a body stands, m. Small penetration of the floor is ignored.
 double height(const Frame& frame);
 
 class Room {
@@ -23,8 +23,8 @@ class Room {
   void place(std::size_t robot, const Pose& pose, double z);
   /// A sentence when a robot is not where it could be: "the robot 'r1' overlaps the box 'b2'".
   std::optional<std::string> problem_of(std::size_t robot) const;
-  /// The same of a box, that of this place in World::boxes or, behind them, a charger's. What may
-  /// overlap in a file may do so here.
+  /// Returns the problem of a box, by its place in World::boxes, or behind them a charger's.
+  /// Overlaps that a file allows are allowed here.
   std::optional<std::string> problem_of_box(std::size_t box) const;
   /// A sentence when a body that moves is outside of the arena by more than it gives way at a wall.
   std::optional<std::string> problem_of_arena() const;

@@ -46,9 +46,9 @@ class PluginObject {
   /// The same for another object, with these parameters. Throws what the plugin throws.
   plugin::Object<Component> made(const plugin::Host& host, const Setup& setup);
 
-  /// What its parameters are.
+  /// Returns its present parameters.
   Setup setup() const { return changed ? *changed : as_described(*use); }
-  /// `setup` with the defaults of what it says nothing of, but `now` does.
+  /// Returns `setup` plus the default of every parameter that only `now` sets.
   Setup completed(Setup setup, const Setup& now) const;
   /// Sets the parameters, and keeps what the object remembers. Throws what the plugin throws; they
   /// must be set back then.
@@ -64,7 +64,7 @@ class PluginObject {
   virtual std::optional<Camera> camera_of(const Component& /*object*/) const { return {}; }
   /// Resets the object, with the random stream of this path from its start.
   void reset(std::uint64_t seed, const std::string& path);
-  /// Forgets what an object has answered that is another one now.
+  /// Clears the last answer of an object that was replaced.
   virtual void forget_answers(Undo& /*undo*/) {}
 
   const PluginKind kind;

@@ -101,7 +101,7 @@ bool Swap::exchange(PluginObject& object, const std::string& path) {
   return true;
 }
 
-/// What is said of its parameters, by the world and since.
+/// Fits the parameters, the world's and later ones, to the new declaration.
 void Swap::fit(PluginObject& object, const std::string& path) {
   const Declaration& declaration = *object.declaration;
   const world::Files files("", data_directories_);

@@ -84,8 +84,8 @@ std::shared_ptr<Robot::SensorSlot> Robot::make_sensor(const world::SensorUse& us
   return slot;
 }
 
-/// What is described and nobody changes but by an edit of it. What it has of its team: its place
-/// there, a charger, and what the resources look like that it may collect.
+/// Takes over what only an edit of the description changes, and what the robot has of its team: its
+/// place there, whether there is a charger, and the colours of the resources that it may collect.
 void Robot::take_membership(const world::World& world, std::size_t index) {
   const world::Robot& robot = *description_;
   state_.id = robot.id;

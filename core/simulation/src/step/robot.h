@@ -64,12 +64,12 @@ class Robot final : private Wishes {
   void decide(const Instant& now);
   /// Discharges by what the sensors cost in a control period.
   void use_energy(double period_s);
-  /// Charges for a control period, once a behaviour asked for it, until full. `rate`: units per
-  /// second to be had where the robot is, or 0.
+  /// Charges for a control period, once a behaviour asked for it, until full. `rate`: of the
+  /// charger where the robot is, units per second; 0 without one.
   void charge(double period_s, double rate);
   /// Takes over the body's state.
   void set_body(const physics::RobotState& state, std::span<const JointSetting> joints);
-  /// The same after a step: counts the way too.
+  /// Takes over the body's state after a step, and counts the distance.
   void moved(const physics::RobotState& state, std::span<const JointSetting> joints);
   /// Adds energy of a collected resource, up to the capacity.
   void collect(double energy);

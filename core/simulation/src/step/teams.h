@@ -11,10 +11,10 @@
 
 namespace elsie::simulation {
 
-/// Where the nearest charger stands that serves the team.
+/// Returns the place of the nearest charger that serves the team.
 std::optional<Vector2> nearest_charger(const world::World& world, const std::string& team,
                                        const Vector2& place);
-/// Units per second to be had for the team at a place, or 0.
+/// Returns the charging rate for the team at a place, units per second, or 0.
 double charger_rate(const world::World& world, const std::string& team, const Vector2& place);
 /// Whether a robot of the team may collect the box.
 bool may_collect(const std::string& team, const world::Box& box);

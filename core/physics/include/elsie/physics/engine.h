@@ -64,7 +64,7 @@ struct Touch {
 struct GiveUps {
   std::uint64_t steps = 0;  // in which it gave up at least once
   /// Of them, those in which it gave up however soft the contacts were. The iterative solver, which
-  /// always comes to an answer, then moved all bodies.
+  /// always returns a result, then moved all bodies.
   std::uint64_t unsolved = 0;
   double first_s = 0.0;  // at the end of the first such step
 

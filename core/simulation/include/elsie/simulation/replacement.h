@@ -16,7 +16,7 @@
 
 namespace elsie::simulation {
 
-/// What came of it.
+/// The result of a replacement.
 struct Replacement {
   struct Object {
     std::string robot;

@@ -35,7 +35,7 @@ inline constexpr AttributeExtras kLive{
       world::change(kSet, robot, place, value);
     }};
 
-/// It is taken over, though its element is dear.
+/// A change of it costs nothing, although a change of its element does.
 inline constexpr AttributeExtras kCheap{.cost = Cost::nothing};
 
 inline ParameterFacts fact(std::string meaning) { return {.meaning = std::move(meaning)}; }
