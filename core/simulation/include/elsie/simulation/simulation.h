@@ -174,8 +174,8 @@ class Simulation {
   /// leaves the new objects where they are.
   Replacement replace_plugins(const plugin::Host& host);
 
-  /// Returns the result so far. Throws PluginFault when a measure fails to report; from then on that
-  /// measure has no values.
+  /// Returns the result so far. Throws PluginFault when a measure fails to report; from then on it
+  /// has no values.
   RunResult result() const;
 
   /// The measures so far, as in result(). Throws as that.
