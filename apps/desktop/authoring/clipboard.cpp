@@ -139,7 +139,11 @@ void Authoring::insert(const QString& markup, const QString& name) {
     places << edit.section('=', 0, 0);
   }
   workbench_.edit(edits, name, {}, this, [this, places](const Problems& problems) {
-    if (const QStringList made = last_of(places); problems.empty() && !made.isEmpty()) {
+    const bool is_carried = std::any_of(places.begin(), places.end(),
+                                        [](const QString& each) { return each.contains('/'); });
+    const QStringList made =
+        is_carried ? QStringList() : last_of(places);  // its robot stays chosen
+    if (problems.empty() && !made.isEmpty()) {
       select(made);
     }
   });
