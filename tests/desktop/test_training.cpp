@@ -240,7 +240,7 @@ TEST_CASE("A network of a recording's world has its weights where they stay") {
             {"run", window.bench().file(), "--duration", "1", "--record", recording});
   REQUIRE(run.waitForFinished(kPatience_ms));
   window.open(recording);
-  REQUIRE(window.bench().is_borrowed());
+  REQUIRE(wait_for([&] { return window.bench().is_borrowed() && window.bench().is_right(); }));
   click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
   auto* dialog = school.new_network();
   School::enter(dialog, "training", school.samples);

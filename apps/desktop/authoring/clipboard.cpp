@@ -139,7 +139,11 @@ void Authoring::insert(const QString& markup, const QString& name) {
     places << edit.section('=', 0, 0);
   }
   workbench_.edit(edits, name, {}, this, [this, places](const Problems& problems) {
-    if (const QStringList made = last_of(places); problems.empty() && !made.isEmpty()) {
+    const bool is_carried = std::any_of(places.begin(), places.end(),
+                                        [](const QString& each) { return each.contains('/'); });
+    const QStringList made =
+        is_carried ? QStringList() : last_of(places);  // its robot stays chosen
+    if (problems.empty() && !made.isEmpty()) {
       select(made);
     }
   });
@@ -175,7 +179,10 @@ QPointF Authoring::way_aside(const std::vector<Piece>& pieces) const {
     return std::abs(at.x()) + room < 0.5 * stage_.length() &&
            std::abs(at.y()) + room < 0.5 * stage_.width() && stage_.is_free(at, room);
   };
-  for (int ring = 0; ring <= kMostRings; ++ring) {
+  // Nothing stands at a waypoint, but another one is there.
+  const bool is_way = std::any_of(pieces.begin(), pieces.end(),
+                                  [](const Piece& each) { return each.name == "waypoint"; });
+  for (int ring = is_way ? 1 : 0; ring <= kMostRings; ++ring) {
     for (int i = 0; i < (ring == 0 ? 1 : 8); ++i) {
       const double angle = 2.0 * M_PI * i / 8;
       const QPointF by(std::round(1e3 * ring * kAside_m * std::cos(angle)) / 1e3,
