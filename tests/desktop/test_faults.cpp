@@ -235,10 +235,7 @@ TEST_CASE("An engine that ends again and again is not started for ever, and is s
 }
 
 TEST_CASE("A message that the window cannot use ends the engine, and not the window") {
-  ScriptedEngine elsie(QString(kOpens).replace(
-      "$scene", R"(\"scene\":{\"arena\":[4,4],\"bodies\":[],\"views\":[],\"shapes\":[)"
-                R"({\"shape\":\"box\",\"axis\":\"up\",\"size\":[1,1,1],\"colour\":[1,2,3],)"
-                R"(\"frame\":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],\"body\":99}]})"));
+  ScriptedEngine elsie(QString(kOpens).replace(R"(\"epoch\":1)", R"(\"epoch\":\"first\")"));
   MainWindow window(elsie.program(), {});
   window.show();
   window.workbench().open_text("<world/>", {}, false);
