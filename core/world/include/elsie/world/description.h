@@ -32,11 +32,11 @@ struct Arena {
 
 struct Physics {
   std::string engine = "ode";  // one of plugin::engine_names()
-  double gravity = -9.81;  // m/s2
-  double step = 0.01;      // s
-  int control_steps = 1;   // steps in one control period
-  double erp = 0.2;        // error reduction, in (0, 1]
-  double cfm = 1e-5;       // constraint force mixing
+  double gravity = -9.81;      // m/s2
+  double step = 0.01;          // s
+  int control_steps = 1;       // steps in one control period
+  double erp = 0.2;            // error reduction, in (0, 1]
+  double cfm = 1e-5;           // constraint force mixing
   /// Spring and damping constant instead of erp and cfm, which then follow from them and the step:
   /// erp = h kp / (h kp + kd), cfm = 1 / (h kp + kd) (ODE manual, "Spring and damper constants").
   std::optional<double> kp;
