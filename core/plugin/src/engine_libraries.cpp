@@ -54,11 +54,14 @@ void* engine_symbol(const std::string& name, const char* symbol) {
   void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD);
   if (!library) {
     if (const std::string fault = fault_of(file); !fault.empty()) refuse(fault);
-    library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+    library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   }
   if (!library) refuse(std::string("cannot be loaded: ") + dlerror());
   void* const found = dlsym(library, symbol);
-  if (!found) refuse(std::string("does not export '") + symbol + "'");
+  if (!found) {
+    dlclose(library);
+    refuse(std::string("does not export '") + symbol + "'");
+  }
   return found;
 }
 

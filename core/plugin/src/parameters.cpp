@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <ranges>
 #include <set>
 #include <string_view>
 #include <variant>
@@ -125,7 +124,11 @@ std::string refusal_of(const ParameterDeclaration& parameter, const ParameterVal
 
 template <class Declared>
 std::string did_you_mean(std::string_view name, const std::vector<Declared>& declared) {
-  return base::did_you_mean(name, declared | std::views::transform(&Declared::name));
+  std::vector<std::string_view> names;
+  for (const Declared& each : declared) {
+    names.push_back(each.name);
+  }
+  return base::did_you_mean(name, names);
 }
 
 /// Adds what is wrong with the names and values given to `whose` parameters.

@@ -22,14 +22,14 @@ constexpr double kTail = 1e-4;
 
 [[noreturn]] void refuse(const std::string& sentence) { throw std::invalid_argument(sentence); }
 
-double sigmoid(double x, double centre, double slope) {
+double sigmoid_at(double x, double centre, double slope) {
   return 1.0 / (1.0 + std::exp(-slope * (x - centre)));
 }
 
 /// Logistic curves end this far from their centres.
 double sigmoid_reach(double slope) { return std::log(1.0 / kTail) / std::abs(slope); }
 
-double gaussian(double x, double mean, double deviation) {
+double gaussian_at(double x, double mean, double deviation) {
   const double z = (x - mean) / deviation;
   return std::exp(-0.5 * z * z);
 }
@@ -258,14 +258,14 @@ FuzzySet Shape::make() {
     case Kind::gaussian: {
       require(v[1] > 0.0, "the deviation must be above 0");
       const double reach = gaussian_reach() * v[1];
-      curve([&](double x) { return gaussian(x, v[0], v[1]); },
+      curve([&](double x) { return gaussian_at(x, v[0], v[1]); },
             {v[0] - reach, v[0] - v[1], v[0], v[0] + v[1], v[0] + reach});
       break;
     }
     case Kind::gaussian_product: {
       require(v[1] > 0.0 && v[3] > 0.0, "the deviations must be above 0");
-      const auto rising = [&](double x) { return x < v[0] ? gaussian(x, v[0], v[1]) : 1.0; };
-      const auto falling = [&](double x) { return x > v[2] ? gaussian(x, v[2], v[3]) : 1.0; };
+      const auto rising = [&](double x) { return x < v[0] ? gaussian_at(x, v[0], v[1]) : 1.0; };
+      const auto falling = [&](double x) { return x > v[2] ? gaussian_at(x, v[2], v[3]) : 1.0; };
       curve([&](double x) { return rising(x) * falling(x); },
             {v[0] - gaussian_reach() * v[1], v[0] - v[1], v[0], v[2], v[2] + v[3],
              v[2] + gaussian_reach() * v[3]});
@@ -282,7 +282,8 @@ FuzzySet Shape::make() {
     case Kind::sigmoid: {
       require(v[1] != 0.0, "the slope must not be 0");
       const double reach = sigmoid_reach(v[1]);
-      curve([&](double x) { return sigmoid(x, v[0], v[1]); }, {v[0] - reach, v[0], v[0] + reach});
+      curve([&](double x) { return sigmoid_at(x, v[0], v[1]); },
+            {v[0] - reach, v[0], v[0] + reach});
       break;
     }
     case Kind::sigmoid_difference:
@@ -293,9 +294,9 @@ FuzzySet Shape::make() {
       const bool product = kind.form == Kind::sigmoid_product;
       curve(
           [&](double x) {
-            const double first = sigmoid(x, v[0], v[1]);
-            return product ? first * sigmoid(x, v[2], v[3])
-                           : std::abs(first - sigmoid(x, v[2], v[3]));
+            const double first = sigmoid_at(x, v[0], v[1]);
+            return product ? first * sigmoid_at(x, v[2], v[3])
+                           : std::abs(first - sigmoid_at(x, v[2], v[3]));
           },
           {v[0] - a, v[0], v[0] + a, v[2] - b, v[2], v[2] + b});
       break;
@@ -372,7 +373,7 @@ void draw_curve(const std::function<double(double)>& function, std::span<const d
   // most twice that in the middle. Stretches between knots are divided first, so that other points
   // of inflection fall into short pieces.
   constexpr int kPieces = 8;
-  constexpr int kDeepest = 40;
+  constexpr int kDeepestSplit = 40;
   struct Drawer {
     const std::function<double(double)>& function;
     std::vector<FuzzySet::Point>& points;
@@ -386,7 +387,7 @@ void draw_curve(const std::function<double(double)>& function, std::span<const d
         furthest =
             std::max(furthest, std::abs(middle.degree - (a.degree + t * (b.degree - a.degree))));
       }
-      if (furthest > 0.5 * kCurveTolerance && depth < kDeepest && a.x < middle.x &&
+      if (furthest > 0.5 * kCurveTolerance && depth < kDeepestSplit && a.x < middle.x &&
           middle.x < b.x) {
         draw(a, middle, depth + 1);
         draw(middle, b, depth + 1);

@@ -73,7 +73,8 @@ ELSIE_INLINE void answer_all(const double* weights, std::size_t inputs, std::siz
 double original_weight(Random& random) {
   constexpr std::uint64_t kMost = 32767;
   const std::uint64_t drawn = random.bits() >> 49;  // 15 bits
-  return static_cast<double>(2 * drawn / kMost) - 1.0;
+  const std::uint64_t quotient = 2 * drawn / kMost;
+  return static_cast<double>(quotient) - 1.0;
 }
 
 }  // namespace
