@@ -396,14 +396,7 @@ TEST_CASE("Worlds are opened and saved elsewhere; the files opened last are list
   window.open(file);
   window.after([&] { window.bench().edit({"robot[r1]/@x=0"}, "move"); });
   const QString copy = window.folder() + "/copy.xml";
-  answer_when_asked("save_dialog", [&](QDialog* dialog) {
-    auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
-    REQUIRE(wait_for([&] { return name->text() == "room.xml"; }));  // the folder is read
-    name->selectAll();
-    QTest::keyClicks(name, copy);
-    auto* buttons = dialog->findChild<QDialogButtonBox*>("buttonBox");
-    QTest::mouseClick(buttons->button(QDialogButtonBox::Save), Qt::LeftButton);
-  });
+  answer_when_asked("save_dialog", [&](QDialog* dialog) { accept_file(dialog, copy); });
   window.act("save_as");
   REQUIRE(wait_for([&] { return QFile::exists(copy) && !window->isWindowModified(); }));
   CHECK(window.bench().file() == copy);

@@ -254,13 +254,7 @@ TEST_CASE("A picture is exported whole or not at all") {
   Window window;
   open_room(window);
   const auto export_as = [&](const QString& file) {
-    answer_when_asked("export_dialog", [file](QDialog* dialog) {
-      auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
-      name->setText(file);
-      QTest::mouseClick(
-          dialog->findChild<QDialogButtonBox*>("buttonBox")->button(QDialogButtonBox::Save),
-          Qt::LeftButton);
-    });
+    answer_when_asked("export_dialog", [file](QDialog* dialog) { accept_file(dialog, file); });
     pick(window, "File", "export_picture");
   };
   const QString picture = window.folder() + "/view.png";

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -47,6 +48,13 @@ inline void at_dialog(const QString& name, const std::function<void(QDialog*)>& 
     }
   });
   waiting->start(20);
+}
+
+/// Names a file in Qt's own file dialog and accepts it at once: while it reads the folder, the
+/// dialog sets the name back, which a click on its button would take.
+inline void accept_file(QDialog* dialog, const QString& file) {
+  dialog->findChild<QLineEdit*>("fileNameEdit")->setText(file);
+  dialog->done(QDialog::Accepted);
 }
 
 inline constexpr const char* kRoom = R"(<world format="1">
