@@ -250,7 +250,7 @@ TEST_CASE("A world is opened by dropping it, from the files opened last, and fro
   CHECK(wait_for([&] { return window.bench().is_right(); }));
 }
 
-TEST_CASE("A picture is exported whole or not at all") {
+TEST_CASE("A picture is exported whole or not at all", "[.file-dialog]") {
   Window window;
   open_room(window);
   const auto export_as = [&](const QString& file) {
