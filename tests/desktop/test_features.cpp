@@ -390,7 +390,8 @@ TEST_CASE("Plots: what is chosen goes on while another window lies in front, als
   CHECK(plots->chosen() == QStringList{"r1/speed"});
 }
 
-TEST_CASE("Worlds are opened and saved elsewhere; the files opened last are listed", "[.file-dialog]") {
+TEST_CASE("Worlds are opened and saved elsewhere; the files opened last are listed",
+          "[.file-dialog]") {
   Window window;
   const QString file = window.file(kRoom);
   window.open(file);

@@ -217,7 +217,8 @@ TEST_CASE("Weights that nobody uses go with the dialog, also those of a network 
   CHECK(school.window.bench().text() == QString(kPupil));
 }
 
-TEST_CASE("A training file is browsed for, and named as the world would name it", "[.file-dialog]") {
+TEST_CASE("A training file is browsed for, and named as the world would name it",
+          "[.file-dialog]") {
   School school;
   auto* dialog = school.new_network();
   answer_when_asked("browse_dialog", [&](QDialog* browse) { accept_file(browse, school.samples); });
