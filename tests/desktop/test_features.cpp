@@ -390,14 +390,13 @@ TEST_CASE("Plots: what is chosen goes on while another window lies in front, als
   CHECK(plots->chosen() == QStringList{"r1/speed"});
 }
 
-TEST_CASE("Worlds are opened and saved elsewhere; the files opened last are listed",
-          "[.file-dialog]") {
+TEST_CASE("Worlds are opened and saved elsewhere; the files opened last are listed") {
   Window window;
   const QString file = window.file(kRoom);
   window.open(file);
   window.after([&] { window.bench().edit({"robot[r1]/@x=0"}, "move"); });
   const QString copy = window.folder() + "/copy.xml";
-  answer_when_asked("save_dialog", [&](QDialog* dialog) { accept_file(dialog, copy); });
+  answer_when_asked("save_dialog", [&](QDialog* dialog) { save_as_file(dialog, copy); });
   window.act("save_as");
   REQUIRE(wait_for([&] { return QFile::exists(copy) && !window->isWindowModified(); }));
   CHECK(window.bench().file() == copy);

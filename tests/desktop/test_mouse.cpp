@@ -250,11 +250,11 @@ TEST_CASE("A world is opened by dropping it, from the files opened last, and fro
   CHECK(wait_for([&] { return window.bench().is_right(); }));
 }
 
-TEST_CASE("A picture is exported whole or not at all", "[.file-dialog]") {
+TEST_CASE("A picture is exported whole or not at all") {
   Window window;
   open_room(window);
   const auto export_as = [&](const QString& file) {
-    answer_when_asked("export_dialog", [file](QDialog* dialog) { accept_file(dialog, file); });
+    answer_when_asked("export_dialog", [file](QDialog* dialog) { save_as_file(dialog, file); });
     pick(window, "File", "export_picture");
   };
   const QString picture = window.folder() + "/view.png";

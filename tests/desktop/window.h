@@ -1,10 +1,15 @@
 // A window with an engine of its own for a test, and what tests do with it.
 #pragma once
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
+#include <QCompleter>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QFile>
+#include <QFileSystemModel>
+#include <QItemSelectionModel>
 #include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
@@ -50,11 +55,27 @@ inline void at_dialog(const QString& name, const std::function<void(QDialog*)>& 
   waiting->start(20);
 }
 
-/// Names a file in Qt's own file dialog and accepts it at once: while it reads the folder, the
-/// dialog sets the name back, which a click on its button would take.
-inline void accept_file(QDialog* dialog, const QString& file) {
-  dialog->findChild<QLineEdit*>("fileNameEdit")->setText(file);
-  dialog->done(QDialog::Accepted);
+/// Types a file into Qt's own file dialog and presses Save. The dialog selects the file that
+/// it began with once it has read the folder, and takes what is selected before what is typed.
+inline void save_as_file(QDialog* dialog, const QString& file) {
+  auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+  auto* list = dialog->findChild<QAbstractItemView*>("listView");
+  auto* accept = dialog->findChild<QDialogButtonBox*>("buttonBox")->button(QDialogButtonBox::Save);
+  const bool was_named =
+      !name->text().isEmpty() &&
+      QFile::exists(list->rootIndex().data(QFileSystemModel::FilePathRole).toString() + '/' +
+                    name->text());
+  wait_for([&] {
+    return was_named ? list->selectionModel()->hasSelection()
+                     : list->model()->rowCount(list->rootIndex()) > 0;
+  });
+  wait_for([&] {
+    name->selectAll();
+    QTest::keyClicks(name, file);
+    if (name->completer()) name->completer()->popup()->hide();
+    return !list->selectionModel()->hasSelection() && accept->isEnabled();
+  });
+  QTest::mouseClick(accept, Qt::LeftButton);
 }
 
 inline constexpr const char* kRoom = R"(<world format="1">
