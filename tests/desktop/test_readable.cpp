@@ -82,6 +82,7 @@ TEST_CASE("Readable: the window fits on a small screen, and no word of a dialog 
 
 TEST_CASE("Readable: words, warnings and curves stand out from what is behind them", "[readable]") {
   Window window;
+  window->resize(kScreen);
   window.open(window.file(kRoom));
   const QPalette palette = window->palette();
   const QColor behind = palette.color(QPalette::Window);
@@ -104,6 +105,7 @@ TEST_CASE("Readable: words, warnings and curves stand out from what is behind th
 
 TEST_CASE("Readable: numbers have a point in every language", "[readable]") {
   Window window;
+  window->resize(kScreen);
   window.open(window.file(kRoom));
   click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
   QWidget* x = window.get<Properties>("properties")->form().editor("x");
