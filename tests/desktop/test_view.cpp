@@ -257,3 +257,31 @@ TEST_CASE("The measuring tape says how far apart two places are") {
   CHECK(window->statusBar()->currentMessage().contains(" m"));
   CHECK(window.bench().text() == kRoom);
 }
+
+TEST_CASE("The arena is whole in a view of any size until the camera is moved") {
+  Window window;
+  window.open(window.file(kSeeing));
+  SceneView& scene = window->scene();
+  const auto is_whole = [&] {
+    for (const double x : {-2.0, 2.0}) {
+      for (const double y : {-2.0, 2.0}) {
+        const auto at = scene.camera().project({x, y, 0.0}, scene.size());
+        if (!at || !QRectF(scene.rect()).contains(*at)) return false;
+      }
+    }
+    return true;
+  };
+  CHECK(is_whole());
+  for (const QSize size : {QSize(900, 500), QSize(1500, 600), QSize(1000, 1000)}) {
+    const QSize before = scene.size();
+    window->resize(size);
+    REQUIRE(wait_for([&] { return scene.size() != before; }));
+    CHECK(is_whole());
+  }
+  turn_wheel(scene, scene.rect().center(), 480);
+  const double near = scene.camera().distance;
+  const QSize before = scene.size();
+  window->resize(1200, 700);
+  REQUIRE(wait_for([&] { return scene.size() != before; }));
+  CHECK(scene.camera().distance == near);
+}

@@ -32,6 +32,8 @@ class OrbitCamera {
   /// Nearer to what is under the pointer if `factor` is below 1.
   void zoom(double factor, const QPointF& pointer, const QSizeF& size);
 
+  friend bool operator==(const OrbitCamera&, const OrbitCamera&) = default;
+
   Frame frame() const;
   /// None: behind the camera.
   std::optional<QPointF> project(const Vector3& point, const QSizeF& size) const;

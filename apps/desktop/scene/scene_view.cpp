@@ -111,6 +111,7 @@ void SceneView::camera_moved() {
 
 void SceneView::show_all() {
   camera_.show(std::max(0.1, stage_.length()), std::max(0.1, stage_.width()), size());
+  all_ = camera_;
   camera_moved();
 }
 
@@ -151,7 +152,7 @@ void SceneView::follow(const QString& path) {
 
 void SceneView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  if (!event->oldSize().isValid()) {
+  if (!event->oldSize().isValid() || camera_ == all_) {  // nobody has moved it since
     show_all();
   }
   is_stale_ = true;

@@ -136,6 +136,7 @@ class SceneView : public QWidget {
 
   Stage stage_;
   OrbitCamera camera_;
+  OrbitCamera all_;  // as show_all() left it
   Overlays overlays_;
   std::unique_ptr<render::Renderer> renderer_;
   bool has_no_renderer_ = false;
