@@ -50,6 +50,10 @@ Ticks nice_ticks(double low, double high, int about) {
 }
 
 std::string Ticks::label(double tick) const {
+  if (!names.empty()) {
+    const auto place = std::find(at.begin(), at.end(), tick) - at.begin();
+    return place < std::ssize(names) ? names[static_cast<std::size_t>(place)] : "";
+  }
   if (!powers) return tick_label(tick, step);
   static constexpr std::array<const char*, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
                                                           "⁵", "⁶", "⁷", "⁸", "⁹"};

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include <cairo-pdf.h>
 #include <cairo.h>
 
 #include "elsie/base/utf8.h"
@@ -30,13 +31,25 @@ void check(cairo_status_t status) {
                            cairo_status_to_string(status) + ".");
 }
 
+constexpr double kPointsPerPixel = 0.75;  // 72 points and 96 pixels are an inch
+
+// A PDF without the time of its making: the same picture gives the same bytes.
+cairo_surface_t* pdf_surface(std::string& bytes, int width, int height) {
+  cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(
+      append, &bytes, kPointsPerPixel * width, kPointsPerPixel * height);
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+  return surface;
+}
+
 // Within the range of cairo's 24.8 fixed-point numbers after zooming.
 double near(double coordinate) { return std::clamp(coordinate, -1e5, 1e5); }
 
 }  // namespace
 
 struct Canvas::Impl {
-  std::optional<SvgPainter> svg;  // none: a PNG
+  std::optional<SvgPainter> svg;  // none: a PNG or a PDF
+  bool is_pdf = false;
+  std::string pdf;  // its bytes so far
   int width = 0, height = 0;      // pixels
   cairo_surface_t* surface = nullptr;
   cairo_t* cr = nullptr;
@@ -79,13 +92,15 @@ struct Canvas::Impl {
 
 Canvas::Canvas(FileType type, int width, int height, double zoom)
     : impl_(std::make_unique<Impl>()), zoom_(zoom) {
-  if (type != FileType::png) impl_->svg.emplace(type == FileType::page);
+  if (type == FileType::svg || type == FileType::page) impl_->svg.emplace(type == FileType::page);
+  impl_->is_pdf = type == FileType::pdf;
   impl_->width = width;
   impl_->height = height;
   // An SVG needs the surface only to measure texts.
   const bool ruler = impl_->svg.has_value();
-  impl_->surface =
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, ruler ? 1 : width, ruler ? 1 : height);
+  impl_->surface = impl_->is_pdf ? pdf_surface(impl_->pdf, width, height)
+                                 : cairo_image_surface_create(CAIRO_FORMAT_RGB24, ruler ? 1 : width,
+                                                              ruler ? 1 : height);
   impl_->cr = cairo_create(impl_->surface);
   check(cairo_status(impl_->cr));
 
@@ -99,6 +114,7 @@ Canvas::Canvas(FileType type, int width, int height, double zoom)
 
   impl_->set(kPaper);
   cairo_paint(impl_->cr);
+  if (impl_->is_pdf) cairo_scale(impl_->cr, kPointsPerPixel, kPointsPerPixel);
   cairo_scale(impl_->cr, zoom, zoom);
   if (ruler) cairo_set_tolerance(impl_->cr, 0.03);  // pixels; circles of an SVG are polygons
 }
@@ -248,6 +264,11 @@ std::string Canvas::fitted(const std::string& text, const TextStyle& style, doub
 std::string Canvas::finish(const std::string& label) {
   check(cairo_status(impl_->cr));
   if (impl_->svg) return impl_->svg->finish(impl_->width, impl_->height, zoom_, label);
+  if (impl_->is_pdf) {
+    cairo_surface_finish(impl_->surface);
+    check(cairo_surface_status(impl_->surface));
+    return impl_->pdf;
+  }
   cairo_surface_flush(impl_->surface);
   std::string bytes;
   check(cairo_surface_write_to_png_stream(impl_->surface, append, &bytes));

@@ -1,8 +1,9 @@
 // A drawing surface over cairo, with the few operations that the pictures need.
 //
 // Coordinates are in units that the zoom scales to pixels; x goes right, y down. Points that are
-// not finite are skipped and far ones clamped, because they would break cairo's surface. In both
-// types cairo holds the current path and measures texts; it paints PNGs, and SvgPainter SVGs.
+// not finite are skipped and far ones clamped, because they would break cairo's surface. In all
+// types cairo holds the current path and measures texts; it paints PNGs and PDFs, and SvgPainter
+// SVGs.
 #pragma once
 
 #include <cmath>

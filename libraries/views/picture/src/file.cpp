@@ -28,9 +28,10 @@ FileType file_type(const std::filesystem::path& file) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (suffix == ".png") return FileType::png;
   if (suffix == ".svg") return FileType::svg;
+  if (suffix == ".pdf") return FileType::pdf;
   throw std::invalid_argument("The picture '" + file.string() + "' has " +
                               (suffix.empty() ? "no suffix" : "the suffix '" + suffix + "'") +
-                              ", but pictures are written as .png or .svg: end its name with one.");
+                              ", but pictures are written as .png, .svg or .pdf: end its name with one.");
 }
 
 void check_size(const Size& size) {

@@ -8,9 +8,10 @@
 
 namespace elsie::picture {
 
-enum class FileType { png, svg, page };  // page: an SVG inside of an HTML page
+enum class FileType { png, svg, pdf, page };  // page: an SVG inside of an HTML page
 
-/// Throws std::invalid_argument when the suffix is neither .png nor .svg, in any case of letters.
+/// Throws std::invalid_argument for a suffix other than .png, .svg and .pdf, in any case of
+/// letters.
 FileType file_type(const std::filesystem::path& file);
 
 /// Throws std::invalid_argument for a size out of range.

@@ -12,12 +12,6 @@ namespace {
 
 constexpr int kShades = 36;
 
-// Unknown values: grey with hatching.
-void draw_unknown(Canvas& canvas, const Rect& plot) {
-  canvas.rectangle(plot).fill(hex(0xf0f1f2));
-  hatch(canvas.rectangle(plot), plot, 8.0, hex(0xd5d8db));
-}
-
 void draw_field(Canvas& canvas, const Field& field, const Interval& range, const Rect& plot) {
   const Grid grid{field.columns, field.rows, field.values};
   const double cell_x = plot.width / static_cast<double>(field.columns - 1);
@@ -47,6 +41,14 @@ void draw_field(Canvas& canvas, const Field& field, const Interval& range, const
   }
 }
 
+}  // namespace
+
+// Grey with hatching.
+void draw_unknown(Canvas& canvas, const Rect& area) {
+  canvas.rectangle(area).fill(hex(0xf0f1f2, "panel"));
+  hatch(canvas.rectangle(area), area, 8.0, hex(0xd5d8db, "line"));
+}
+
 void draw_colour_bar(Canvas& canvas, const Axis& axis, const Interval& range, const Rect& bar) {
   for (int shade = 0; shade < kShades; ++shade) {
     // Each reaches down to the bottom; the next one covers it up to its own part.
@@ -67,8 +69,6 @@ void draw_colour_bar(Canvas& canvas, const Axis& axis, const Interval& range, co
   canvas.text(canvas.fitted(with_unit(axis.label, axis.unit), beside, bar.height),
               {bar.right() + 8 + widest + 18, bar.centre().y}, beside);
 }
-
-}  // namespace
 
 void draw(Canvas& canvas, const HeatMap& map, const Rect& area, double head) {
   const Field& field = map.field;

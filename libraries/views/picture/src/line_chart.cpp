@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kLegendRow = 20.0;
 constexpr double kNameRow = 16.0;
-constexpr double kSwatch = 26.0;
+constexpr double kNumberRow = 16.0;
+constexpr double kMostOfRow = 0.25;  // of the chart's width for the names of rows of numbers
 
 Interval data_range(const LineChart& chart, double Vector2::*coordinate, const Axis& axis,
                     bool margin) {
@@ -19,6 +20,10 @@ Interval data_range(const LineChart& chart, double Vector2::*coordinate, const A
   for (const Series& series : chart.series) {
     for (const Vector2& point : series.points) {
       if (finite(point)) range.include(point.*coordinate);
+    }
+    for (std::size_t i = 0; margin && i < std::min(series.spread.size(), series.points.size()); ++i) {
+      range.include(series.spread[i].low);
+      range.include(series.spread[i].high);
     }
   }
   if (range.empty()) return {0.0, 1.0};
@@ -28,24 +33,8 @@ Interval data_range(const LineChart& chart, double Vector2::*coordinate, const A
   }
   const double extra = margin ? 0.05 * range.span() : 0.0;
   range = range.widened();
+  if (!axis.names.empty()) return {axis.names.front().at - 0.5, axis.names.back().at + 0.5};
   return {range.low - extra, range.high + extra};
-}
-
-Ink ink_of(const LineChart& chart, std::size_t index) {
-  if (chart.naming != Naming::in_titles) return series_ink(index);
-  Ink ink = series_ink(0).with_alpha(0.5);
-  ink.role = "c";
-  return ink;
-}
-
-// After all colours, they repeat with dashed and then dotted lines.
-Pen pen_of(const LineChart& chart, std::size_t index) {
-  if (chart.naming == Naming::in_titles) return {.width = 1.2, .dash = {}, .round = true};
-  Pen pen{.width = 2.0, .dash = {}, .round = true};
-  const std::size_t round = index / kSeriesInks;
-  if (round % 3 == 1) pen.dash = {7, 5};
-  if (round % 3 == 2) pen.dash = {1, 4.5};
-  return pen;
 }
 
 // A name and its place: x is its left edge; rows count upwards for peaks, downwards in the legend.
@@ -121,46 +110,12 @@ int rows_of(const std::vector<Name>& names) {
   return rows;
 }
 
-// The parts of a curve, in units of the drawing.
-std::vector<std::vector<Vector2>> parts(const Series& series, const PlaneMap& map, double zoom) {
-  std::vector<Vector2> points;
-  for (const Vector2& point : series.points) points.push_back(map.pixel(point));
-  std::vector<std::vector<Vector2>> result = pieces(points);
-  for (auto& piece : result) piece = simplified(piece, 0.4 / zoom);
-  return result;
-}
-
-void draw_series(Canvas& canvas, const LineChart& chart, const PlaneMap& map, const Rect& plot) {
-  canvas.rectangle({plot.x, plot.y - 2, plot.width, plot.height + 4});
-  const Clip clip(canvas);
-  const double zero = chart.y.logarithmic ? plot.bottom() : map.pixel({0, 0}).y;
-  const double base = std::clamp(zero, plot.y, plot.bottom());
-  for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    if (!chart.series[i].filled) continue;
-    for (const auto& piece : parts(chart.series[i], map, canvas.zoom())) {
-      if (piece.size() < 2) continue;
-      canvas.polyline(piece).line_to({piece.back().x, base}).line_to({piece.front().x, base});
-      canvas.close().fill(ink_of(chart, i).with_alpha(0.13));
-    }
-  }
-  for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    canvas.open_mark(chart.series[i].name);
-    for (const auto& piece : parts(chart.series[i], map, canvas.zoom())) {
-      if (piece.size() == 1) {
-        canvas.circle(piece.front(), 2.5).fill(ink_of(chart, i));
-      } else {
-        canvas.polyline(piece).stroke(ink_of(chart, i), pen_of(chart, i));
-      }
-    }
-    canvas.close_mark();
-  }
-}
-
 // The space around the plot.
 struct Surroundings {
   Interval x_range, y_range;
   double left = 0.0, width = 0.0;  // of the plot
-  double below = 0.0;
+  double below = 0.0;  // of the axis: its labels
+  double rows = 0.0;   // of the rows of numbers below it
   std::vector<Name> names;
 };
 
@@ -170,14 +125,42 @@ Surroundings surroundings(const Canvas& canvas, const LineChart& chart, double w
   around.y_range = interval_of(chart.y, data_range(chart, &Vector2::y, chart.y, true));
   around.left = y_labels_width(canvas, chart.y, around.y_range, 0.5 * width) +
                 (chart.y.label.empty() ? 14 : 32);
+  if (!chart.rows.empty()) {
+    double widest = canvas.text_width(chart.rows_title, {.size = kTick});
+    for (const NumberRow& row : chart.rows) {
+      widest = std::max(widest, canvas.text_width(row.name, {.size = kTick}));
+    }
+    around.left = std::max(around.left, std::min(widest, kMostOfRow * width) + 26);
+    around.rows = kNumberRow * static_cast<double>(chart.rows.size() + 1) + 4;
+  }
   around.width = std::max(10.0, width - around.left - 10);
-  around.below = with_unit(chart.x.label, chart.x.unit).empty() ? 26 : 44;
+  around.below = (with_unit(chart.x.label, chart.x.unit).empty() ? 26 : 44) +
+                 (folds(canvas, chart.x, around.x_range, around.width) ? kFold : 0.0);
   const Rect plot{0.0, 0.0, around.width, 1.0};
   if (chart.naming == Naming::legend) around.names = legend(canvas, chart, around.width);
   if (chart.naming == Naming::at_peak) {
     around.names = peak_names(canvas, chart, plot, around.x_range);
   }
   return around;
+}
+
+// The numbers below the chart, each below its place on the axis.
+void draw_rows(Canvas& canvas, const LineChart& chart, const Surroundings& around, const Rect& plot,
+               double left) {
+  const double first = plot.bottom() + around.below + kNumberRow / 2;
+  const double room = plot.x - left - 20;
+  const TextStyle faint{.size = kTick, .ink = kFaintText, .down = Down::middle};
+  canvas.text(canvas.fitted(chart.rows_title, faint, room), {left, first}, faint);
+  const PlaneMap map = map_to(plot, around.x_range, around.y_range);
+  for (std::size_t i = 0; i < chart.rows.size(); ++i) {
+    const double y = first + kNumberRow * static_cast<double>(i + 1);
+    TextStyle style{.size = kTick, .down = Down::middle};
+    canvas.text(canvas.fitted(chart.rows[i].name, style, room), {left, y}, style);
+    style.across = Across::centre;
+    for (const Tick& tick : chart.rows[i].numbers) {
+      canvas.text(tick.text, {map.pixel({tick.at, 0}).x, y}, style);
+    }
+  }
 }
 
 double names_height(const LineChart& chart, const std::vector<Name>& names) {
@@ -211,9 +194,10 @@ void draw(Canvas& canvas, const LineChart& values, const Rect& area, double head
   const LineChart chart = in_exponents(values);
   const Surroundings around = surroundings(canvas, chart, area.width);
   const Rect plot{area.x + around.left, area.y + head, around.width,
-                  std::max(10.0, area.height - head - around.below)};
+                  std::max(10.0, area.height - head - around.below - around.rows)};
   draw_axes(canvas, plot, chart.x, around.x_range, chart.y, around.y_range);
   draw_series(canvas, chart, map_to(plot, around.x_range, around.y_range), plot);
+  if (!chart.rows.empty()) draw_rows(canvas, chart, around, plot, area.x);
 
   const TextStyle title{.size = kPanelTitle, .bold = true, .down = Down::top};
   canvas.text(canvas.fitted(chart.title, title, plot.width), {plot.x, area.y}, title);
@@ -223,7 +207,7 @@ void draw(Canvas& canvas, const LineChart& values, const Rect& area, double head
     const double x = plot.x + name.x;
     if (chart.naming == Naming::legend) {
       const double y = names_top + kLegendRow * name.row + kLegendRow / 2;
-      canvas.line({x, y}, {x + kSwatch, y}).stroke(colour, pen_of(chart, name.series));
+      draw_swatch(canvas, chart, name.series, {x, y});
       canvas.text(name.text, {x + kSwatch + 6, y}, {.size = kTick, .down = Down::middle});
     } else {
       canvas.text(name.text, {x, plot.y - 7 - kNameRow * name.row},

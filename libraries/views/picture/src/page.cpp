@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "elsie/picture/plot.h"
@@ -42,7 +41,9 @@ double row_height(const Row& row, double width) {
   if (row.panels.empty()) return 0.0;
   double aspect = row.aspect;
   if (aspect <= 0.0) {
-    for (const Panel& panel : row.panels) aspect = std::max(aspect, natural_aspect(panel));
+    for (const Panel& panel : row.panels) {
+      aspect = std::max(aspect, natural_aspect(panel, panel_width(row, width)));
+    }
   }
   return aspect * panel_width(row, width);
 }
@@ -69,6 +70,17 @@ void check_field(const Field& field) {
                                 std::to_string(field.values.size()) +
                                 " values: it needs at least 2 x 2, and one value for each.");
   }
+}
+
+void check_tiles(const Tiles& tiles) {
+  check_axis(tiles.z);
+  const std::size_t size = tiles.x.names.size() * tiles.y.names.size();
+  if (size > 0 && tiles.values.size() == size && tiles.texts.size() == size) return;
+  throw std::invalid_argument("Tiles of " + std::to_string(tiles.x.names.size()) + " columns and " +
+                              std::to_string(tiles.y.names.size()) +
+                              " rows cannot be drawn from " + std::to_string(tiles.values.size()) +
+                              " values and " + std::to_string(tiles.texts.size()) +
+                              " texts: expected one of each for each tile.");
 }
 
 }  // namespace
@@ -108,108 +120,32 @@ void check_panel(const Panel& panel) {
     check_axis(drawn.y);
   } else if (const auto* map = std::get_if<HeatMap>(&panel)) {
     check_field(map->field);
+  } else if (const auto* tiles = std::get_if<Tiles>(&panel)) {
+    check_tiles(*tiles);
+  } else if (const auto* rows = std::get_if<RowChart>(&panel)) {
+    check_axis(rows->x);
   } else {
     check_field(std::get<Mesh>(panel).field);
   }
 }
 
-double natural_aspect(const Panel& panel) {
-  if (std::holds_alternative<LineChart>(panel)) return 0.5;
+double natural_aspect(const Panel& panel, double width) {
+  if (const auto* chart = std::get_if<LineChart>(&panel)) {
+    return 0.5 + 16.0 * static_cast<double>(chart->rows.size()) / width;
+  }
+  if (const auto* tiles = std::get_if<Tiles>(&panel)) {
+    return std::min(0.85, 80.0 / width + 0.1 * static_cast<double>(tiles->y.names.size()));
+  }
+  if (const auto* chart = std::get_if<RowChart>(&panel)) {
+    return (50.0 + 30.0 * static_cast<double>(chart->rows.size())) / width;
+  }
   return 0.85;
-}
-
-Interval interval_of(const Axis& axis, const Interval& otherwise) {
-  Interval result{axis.low.value_or(otherwise.low), axis.high.value_or(otherwise.high)};
-  if (result.low < result.high) return result;
-  // Only one limit was given, and the data are beyond it.
-  const double span = std::max(1.0, std::abs(result.low) * 0.1);
-  if (axis.low) return {result.low, result.low + span};
-  return {result.high - span, result.high};
 }
 
 Interval interval_of(const Field& field) {
   Interval range;
   for (const double value : field.values) range.include(value);
   return interval_of(field.z, range.widened());
-}
-
-PlaneMap map_to(const Rect& plot, const Interval& x, const Interval& y) {
-  PlaneMap map;
-  map.scale_x = plot.width / x.span();
-  map.scale_y = -plot.height / y.span();
-  map.origin_x = plot.x - map.scale_x * x.low;
-  map.origin_y = plot.bottom() - map.scale_y * y.low;
-  return map;
-}
-
-Ticks ticks_of(const Axis& axis, const Interval& range, double length, double room) {
-  const auto about = [&](double every) { return std::max(2, static_cast<int>(length / every)); };
-  if (!axis.logarithmic) return nice_ticks(range.low, range.high, about(room));
-  const int powers = static_cast<int>(range.span());
-  Ticks ticks = nice_ticks(range.low, range.high, std::clamp(powers, 1, about(room / 2)));
-  std::erase_if(ticks.at, [](double tick) { return tick != std::round(tick); });
-  ticks.powers = true;
-  return ticks;
-}
-
-double y_labels_width(const Canvas& canvas, const Axis& axis, const Interval& range,
-                      double height) {
-  const Ticks ticks = ticks_of(axis, range, height);
-  double widest = 0.0;
-  for (const double tick : ticks.at) {
-    widest = std::max(widest, canvas.text_width(ticks.label(tick), {.size = kTick}));
-  }
-  return widest;
-}
-
-void draw_x_ticks(Canvas& canvas, const Ticks& ticks, const PlaneMap& map, double y) {
-  for (const double tick : ticks.at) {
-    const double x = canvas.crisp(map.pixel({tick, 0}).x);
-    canvas.line({x, canvas.crisp(y)}, {x, canvas.crisp(y) + 4}).stroke(kFrame, {.width = 1});
-    canvas.text(ticks.label(tick), {x, y + 8},
-                {.size = kTick, .across = Across::centre, .down = Down::top});
-  }
-}
-
-double draw_y_ticks(Canvas& canvas, const Ticks& ticks, const PlaneMap& map, double x,
-                    const Ink& ink) {
-  const TextStyle style{.size = kTick, .ink = ink, .across = Across::right, .down = Down::middle};
-  double widest = 0.0;
-  for (const double tick : ticks.at) {
-    const double y = canvas.crisp(map.pixel({0, tick}).y);
-    canvas.line({canvas.crisp(x) - 4, y}, {canvas.crisp(x), y}).stroke(kFrame, {.width = 1});
-    canvas.text(ticks.label(tick), {x - 8, y}, style);
-    widest = std::max(widest, canvas.text_width(ticks.label(tick), style));
-  }
-  return widest;
-}
-
-void draw_axes(Canvas& canvas, const Rect& plot, const Axis& x, const Interval& x_range,
-               const Axis& y, const Interval& y_range, bool grid) {
-  const PlaneMap map = map_to(plot, x_range, y_range);
-  const Ticks across = ticks_of(x, x_range, plot.width, 80.0);
-  const Ticks up = ticks_of(y, y_range, plot.height);
-  const double left = canvas.crisp(plot.x), bottom = canvas.crisp(plot.bottom());
-  const auto x_of = [&](double tick) { return canvas.crisp(map.pixel({tick, 0}).x); };
-  const auto y_of = [&](double tick) { return canvas.crisp(map.pixel({0, tick}).y); };
-  if (grid) {
-    for (const double tick : across.at) {
-      canvas.line({x_of(tick), plot.y}, {x_of(tick), plot.bottom()});
-    }
-    for (const double tick : up.at) canvas.line({plot.x, y_of(tick)}, {plot.right(), y_of(tick)});
-    canvas.stroke(kGrid, {.width = 1});
-  }
-  draw_x_ticks(canvas, across, map, plot.bottom());
-  const double widest = draw_y_ticks(canvas, up, map, plot.x, kText);
-  canvas.move_to({left, plot.y}).line_to({left, bottom}).line_to({plot.right(), bottom});
-  canvas.stroke(kFrame, {.width = 1});
-
-  const TextStyle below{.size = kLabel, .across = Across::centre, .down = Down::top};
-  canvas.text(canvas.fitted(with_unit(x.label, x.unit), below, plot.width),
-              {plot.centre().x, plot.bottom() + 27}, below);
-  const TextStyle beside{.size = kLabel, .across = Across::centre, .angle = -std::numbers::pi / 2};
-  canvas.text(canvas.fitted(with_unit(y.label, y.unit), beside, plot.height),
-              {plot.x - 16 - widest, plot.centre().y}, beside);
 }
 
 void save_page(const Page& page, const std::filesystem::path& file, const Size& size) {
@@ -258,11 +194,18 @@ void save_page(const Page& page, const std::filesystem::path& file, const Size& 
   write_whole(file, canvas.finish());
 }
 
-std::string page_chart(const LineChart& chart, const std::string& label, const Size& size) {
-  check_panel(chart);
-  Canvas canvas(FileType::page, size.width, size.height, 1.0);
-  const double width = size.width, height = size.height;
-  draw(canvas, chart, {0.0, 0.0, width, height}, head_height(canvas, chart, width));
+std::string page_chart(const Panel& panel, const std::string& label, const Size& size) {
+  check_panel(panel);
+  const double width = size.width;
+  const Canvas ruler(FileType::page, 1, 1, 1.0);
+  const double head =
+      std::visit([&](const auto& shown) { return head_height(ruler, shown, width); }, panel);
+  const int height = size.height > 0
+                         ? size.height
+                         : static_cast<int>(head + width * natural_aspect(panel, width));
+  Canvas canvas(FileType::page, size.width, height, 1.0);
+  const Rect area{0.0, 0.0, width, static_cast<double>(height)};
+  std::visit([&](const auto& shown) { draw(canvas, shown, area, head); }, panel);
   return canvas.finish(label);
 }
 

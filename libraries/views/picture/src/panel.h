@@ -18,12 +18,13 @@ inline constexpr double kPanelTitle = 15.0;
 inline constexpr double kLabel = 13.0;
 inline constexpr double kTick = 12.0;
 
-/// Throws std::invalid_argument for an axis or a field that cannot be drawn.
+/// Throws std::invalid_argument for an axis, a field or tiles that cannot be drawn.
 void check_panel(const Panel& panel);
-/// The ratio of height to width that suits the panel without its head.
-double natural_aspect(const Panel& panel);
+/// The ratio of height to width that suits the panel without its head, in a panel of this width.
+double natural_aspect(const Panel& panel, double width);
 /// The height that title and names above the plot need in a panel of this width.
 double head_height(const Canvas& canvas, const LineChart& chart, double width);
+double head_height(const Canvas& canvas, const RowChart& chart, double width);
 template <class FieldPanel>
 double head_height(const Canvas&, const FieldPanel& panel, double) {
   return panel.title.empty() ? 6 : kPanelTitle + 12;
@@ -33,6 +34,22 @@ double head_height(const Canvas&, const FieldPanel& panel, double) {
 void draw(Canvas& canvas, const LineChart& chart, const Rect& area, double head);
 void draw(Canvas& canvas, const HeatMap& map, const Rect& area, double head);
 void draw(Canvas& canvas, const Mesh& mesh, const Rect& area, double head);
+void draw(Canvas& canvas, const Tiles& tiles, const Rect& area, double head);
+void draw(Canvas& canvas, const RowChart& chart, const Rect& area, double head);
+
+/// The width of a sample of a line in a legend.
+inline constexpr double kSwatch = 26.0;
+/// The colour of a series.
+Ink ink_of(const LineChart& chart, std::size_t index);
+/// A sample of a series, kSwatch wide.
+void draw_swatch(Canvas& canvas, const LineChart& chart, std::size_t index, const Vector2& from);
+/// The curves with all that belongs to them.
+void draw_series(Canvas& canvas, const LineChart& chart, const PlaneMap& map, const Rect& plot);
+
+/// A bar with the colours of an interval, and its ticks and label on the right.
+void draw_colour_bar(Canvas& canvas, const Axis& axis, const Interval& range, const Rect& bar);
+/// Fills the rectangle as one in which nothing is known.
+void draw_unknown(Canvas& canvas, const Rect& area);
 
 /// The axis' own limits, or else those of the interval.
 Interval interval_of(const Axis& axis, const Interval& otherwise);
@@ -53,6 +70,10 @@ double draw_y_ticks(Canvas& canvas, const Ticks& ticks, const PlaneMap& map, dou
 
 /// The ticks of an axis that is so many units long, one for about each `room`.
 Ticks ticks_of(const Axis& axis, const Interval& range, double length, double room = 45.0);
+
+/// Whether some names of an x axis have a second row, because they are too long for one.
+bool folds(const Canvas& canvas, const Axis& axis, const Interval& range, double width);
+inline constexpr double kFold = 14.0;  // the height of that row
 
 /// The width of tick labels left of a y axis.
 double y_labels_width(const Canvas& canvas, const Axis& axis, const Interval& range, double height);

@@ -28,6 +28,7 @@ struct Ticks {
   std::vector<double> at;
   double step = 0.0;
   bool powers = false;  // whether they are exponents of ten
+  std::vector<std::string> names{};  // their texts, if they are no numbers
 
   std::string label(double tick) const;
 };

@@ -1,4 +1,5 @@
-// Plots: line charts, heat maps and surfaces over two axes, in rows on a page.
+// Plots: line charts, heat maps and surfaces over two axes, tiles and rows of things compared, in
+// rows on a page.
 //
 // A page is plain data: fill it in and save it. Colour-blind readers can distinguish the colours
 // and dashes, also in grey.
@@ -8,13 +9,21 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "elsie/api/geometry.h"
+#include "elsie/picture/axis.h"
 #include "elsie/picture/size.h"
 
 namespace elsie::picture {
+
+/// A text at a place on an axis.
+struct Tick {
+  double at = 0.0;
+  std::string text{};
+};
 
 struct Axis {
   std::string label{};
@@ -23,13 +32,34 @@ struct Axis {
   std::optional<double> low{};
   std::optional<double> high{};
   bool logarithmic = false;  // of a line chart: values that are not positive are not drawn
+  std::vector<Tick> names{};  // texts in place of numbers, ascending
 };
+
+/// Series::colour: shades of the text, told apart by their dashes.
+inline constexpr std::size_t kNeutral = static_cast<std::size_t>(-1);
+
+/// How the points of a curve are joined.
+enum class Joining { lines, steps, nothing };
 
 /// A curve. Points that are not finite interrupt it.
 struct Series {
   std::string name{};
   std::vector<Vector2> points{};  // x and y in the units of the axes
   bool filled = false;            // whether the area down to zero, or to the axis, is tinted
+  Joining joining = Joining::lines;
+  bool marked = false;  // a mark on every point; its shape follows from the place of the series
+  /// Around each point, along y: an area behind the curve, or bars. Empty: none.
+  std::vector<Interval> spread{};
+  bool bars = false;
+  std::vector<Vector2> strokes{};  // short upright strokes
+  /// Its number among the colours; none: its place in the chart.
+  std::optional<std::size_t> colour{};
+};
+
+/// Numbers in a row below a chart.
+struct NumberRow {
+  std::string name{};
+  std::vector<Tick> numbers{};
 };
 
 /// The position of the series' names.
@@ -47,6 +77,8 @@ struct LineChart {
   Axis y{};
   std::vector<Series> series{};
   Naming naming = Naming::legend;
+  std::string rows_title{};
+  std::vector<NumberRow> rows{};  // below the x axis
 };
 
 /// Numbers over a regular grid of two axes.
@@ -71,7 +103,49 @@ struct Mesh {
   Field field{};
 };
 
-using Panel = std::variant<LineChart, HeatMap, Mesh>;
+/// Two factors as a table of coloured tiles, each with its text.
+struct Tiles {
+  std::string title{};
+  Axis x{};  // names: of the columns
+  Axis y{};  // names: of the rows, from the lowest
+  Axis z{};
+  std::vector<double> values{};      // row by row from the lowest; NaN: unknown
+  std::vector<std::string> texts{};  // parallel to the values
+};
+
+/// A part of a row, of a colour.
+struct RowBar {
+  Interval from_to{};
+  std::size_t colour = 0;
+};
+
+/// A box plot.
+struct RowBox {
+  Interval whiskers{}, quartiles{};
+  double median = 0.0;
+};
+
+/// What is shown of one thing over the common axis. All parts are optional.
+struct ChartRow {
+  std::string name{};
+  std::size_t colour = 0;
+  std::optional<RowBox> box{};
+  std::vector<double> dots{};
+  std::vector<double> crosses{};
+  std::optional<Interval> interval{};
+  std::optional<double> mark{};  // a diamond
+  std::vector<RowBar> bars{};
+};
+
+/// Things below each other over one axis, as box plots, intervals or bars.
+struct RowChart {
+  std::string title{};
+  Axis x{};
+  std::vector<ChartRow> rows{};
+  std::vector<std::pair<std::string, std::size_t>> key{};  // names of colours
+};
+
+using Panel = std::variant<LineChart, HeatMap, Mesh, Tiles, RowChart>;
 
 struct Row {
   std::vector<Panel> panels{};  // side by side, with equal widths
@@ -87,8 +161,8 @@ struct Page {
   std::vector<Row> rows{};
 };
 
-/// Draws the page into a file of the type that the suffix names, .png or .svg. The same page gives
-/// the same bytes. With a height of 0 the picture is as high as its rows need; otherwise the rows
+/// Draws the page into a file of the type that the suffix names, .png, .svg or .pdf. The same page
+/// gives the same bytes. With a height of 0 the picture is as high as its rows need; otherwise the rows
 /// share the height.
 ///
 /// Throws std::invalid_argument for another suffix, a size out of range, an axis whose low is not
@@ -96,9 +170,10 @@ struct Page {
 /// cannot be written; an existing file is then unchanged.
 void save_page(const Page& page, const std::filesystem::path& file, const Size& size = {});
 
-/// The chart as an element of an HTML page. Its colours are those that the page's style names:
-/// --ink, --muted, --grid, --quiet and --c. `label`: for readers who do not see it. Throws as
+/// The panel as an element of an HTML page. Its colours are those that the page's style names:
+/// --ink, --muted, --grid, --quiet, --surface, --c, and --c0 to --c5 for the first six of a chart.
+/// `label`: for readers who do not see it. With a height of 0 it is as high as suits it. Throws as
 /// save_page() for an axis.
-std::string page_chart(const LineChart& chart, const std::string& label, const Size& size);
+std::string page_chart(const Panel& panel, const std::string& label, const Size& size);
 
 }  // namespace elsie::picture

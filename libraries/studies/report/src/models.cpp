@@ -1,0 +1,223 @@
+#include "elsie/report/models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <Eigen/Dense>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+#include "elsie/base/words.h"
+
+namespace elsie::report {
+
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kDependent = 1e-9;  // the part of a column that must be new
+
+struct Design {
+  MatrixXd columns;  // the constant first
+  std::vector<std::string> names;
+  std::vector<std::string> left_out;
+};
+
+// Keeps columns that are not combinations of earlier ones (Gram and Schmidt, twice for accuracy).
+Design design_of(std::span<const Term> terms, std::size_t rows) {
+  Design design;
+  std::vector<VectorXd> kept, basis;
+  const auto add = [&](const std::string& name, const VectorXd& column) {
+    VectorXd rest = column;
+    for (int pass = 0; pass < 2; ++pass) {
+      for (const VectorXd& direction : basis) {
+        rest -= direction.dot(rest) * direction;
+      }
+    }
+    if (rest.norm() <= kDependent * column.norm()) {
+      design.left_out.push_back(name);
+      return;
+    }
+    basis.push_back(rest.normalized());
+    kept.push_back(column);
+    design.names.push_back(name);
+  };
+  add("", VectorXd::Ones(static_cast<Eigen::Index>(rows)));
+  for (const Term& term : terms) {
+    add(term.name, Eigen::Map<const VectorXd>(term.values.data(), std::ssize(term.values)));
+  }
+  design.columns.resize(static_cast<Eigen::Index>(rows), std::ssize(kept));
+  for (Eigen::Index i = 0; i < std::ssize(kept); ++i) {
+    design.columns.col(i) = kept[static_cast<std::size_t>(i)];
+  }
+  return design;
+}
+
+void require_observations(const Design& design, std::size_t rows) {
+  const auto terms = static_cast<std::size_t>(design.columns.cols());
+  if (rows <= terms) {
+    throw std::invalid_argument("a model with " + base::counted(terms, "coefficient") +
+                                " needs more observations than that, and there are " +
+                                std::to_string(rows) +
+                                "; name fewer terms or do more runs");
+  }
+}
+
+// The inverse of X'X, from the triangle of X = QR.
+MatrixXd inverse_square(const Eigen::HouseholderQR<MatrixXd>& qr, Eigen::Index size) {
+  const MatrixXd triangle = qr.matrixQR().topLeftCorner(size, size);
+  const MatrixXd inverse = triangle.triangularView<Eigen::Upper>().solve(
+      MatrixXd::Identity(size, size));
+  return inverse * inverse.transpose();
+}
+
+// The inflation of a coefficient: its variance relative to that of its column alone.
+std::optional<double> inflation_of(const Design& design, const MatrixXd& inverse,
+                                   Eigen::Index index) {
+  if (index == 0) {
+    return std::nullopt;
+  }
+  const VectorXd column = design.columns.col(index);
+  return inverse(index, index) * (column.array() - column.mean()).square().sum();
+}
+
+}  // namespace
+
+LinearFit fit_linear(std::span<const Term> terms, std::span<const double> values,
+                     double confidence) {
+  const Design design = design_of(terms, values.size());
+  require_observations(design, values.size());
+  const VectorXd y = Eigen::Map<const VectorXd>(values.data(), std::ssize(values));
+  const double all = (y.array() - y.mean()).square().sum();
+  if (std::sqrt(all) <= 1e-12 * y.norm() || all == 0.0) {
+    throw std::invalid_argument("all " + std::to_string(values.size()) +
+                                " values are equal, so there is nothing that a model could "
+                                "explain; choose a measure that varies");
+  }
+  const Eigen::Index size = design.columns.cols();
+  const Eigen::HouseholderQR<MatrixXd> qr(design.columns);
+  const VectorXd found = qr.solve(y);
+  const VectorXd fitted = design.columns * found;
+  const VectorXd residuals = y - fitted;
+  const double rest = residuals.squaredNorm();
+
+  LinearFit fit;
+  fit.left_out = design.left_out;
+  fit.fitted.assign(fitted.begin(), fitted.end());
+  fit.residuals.assign(residuals.begin(), residuals.end());
+  fit.freedom = values.size() - static_cast<std::size_t>(size);
+  const auto freedom = static_cast<double>(fit.freedom);
+  const auto count = static_cast<double>(values.size());
+  fit.r_squared = 1.0 - rest / all;
+  fit.adjusted_r_squared = 1.0 - (rest / freedom) / (all / (count - 1.0));
+  fit.deviation = std::sqrt(rest / freedom);
+  const bool perfect = rest <= 1e-20 * all;
+  if (size > 1 && !perfect) {
+    const double explained = static_cast<double>(size - 1);
+    fit.f = (all - rest) / explained / (rest / freedom);
+    fit.p = boost::math::cdf(boost::math::complement(
+        boost::math::fisher_f(explained, freedom), std::max(0.0, *fit.f)));
+  } else if (perfect) {
+    fit.p = 0.0;
+  }
+  const MatrixXd inverse = inverse_square(qr, size);
+  const boost::math::students_t student(freedom);
+  const double reach = boost::math::quantile(student, 0.5 + 0.5 * confidence);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    Coefficient one;
+    one.name = design.names[static_cast<std::size_t>(i)];
+    one.estimate = found(i);
+    one.error = fit.deviation * std::sqrt(inverse(i, i));
+    one.interval = {one.estimate - reach * one.error, one.estimate + reach * one.error};
+    one.p = perfect ? 0.0
+                    : 2.0 * boost::math::cdf(boost::math::complement(
+                                student, std::abs(one.estimate / one.error)));
+    one.inflation = inflation_of(design, inverse, i);
+    fit.coefficients.push_back(std::move(one));
+  }
+  return fit;
+}
+
+LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& successes,
+                         double confidence) {
+  const Design design = design_of(terms, successes.size());
+  require_observations(design, successes.size());
+  const auto rows = std::ssize(successes);
+  VectorXd y(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    y(i) = successes[static_cast<std::size_t>(i)] ? 1.0 : 0.0;
+  }
+  if (y.sum() == 0.0 || y.sum() == static_cast<double>(rows)) {
+    throw std::invalid_argument("all " + std::to_string(rows) + " runs " +
+                                (y.sum() > 0.0 ? "succeeded" : "failed") +
+                                ", so there is nothing that a model could explain");
+  }
+  const Eigen::Index size = design.columns.cols();
+  const auto deviance_of = [&](const VectorXd& p) {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const double right = y(i) > 0.5 ? p(i) : 1.0 - p(i);
+      sum -= 2.0 * std::log(std::max(right, std::numeric_limits<double>::min()));
+    }
+    return sum;
+  };
+  // Ordinary fits need some ten steps. Of separated successes, each step moves coefficients by about
+  // one more, so after these many a coefficient that still moves has no limit.
+  constexpr int kSteps = 25;
+  constexpr double kMoves = 0.1;
+  VectorXd found = VectorXd::Zero(size), step = VectorXd::Zero(size), p;
+  MatrixXd inverse;
+  for (int i = 0; i < kSteps; ++i) {
+    const VectorXd line = design.columns * found;
+    p = (1.0 + (-line.array()).exp()).inverse().matrix();
+    const VectorXd roots = (p.array() * (1.0 - p.array())).max(1e-14).sqrt().matrix();
+    const MatrixXd weighted = roots.asDiagonal() * design.columns;
+    const VectorXd off = ((y - p).array() / roots.array()).matrix();
+    const Eigen::HouseholderQR<MatrixXd> qr(weighted);
+    step = qr.solve(off);
+    inverse = inverse_square(qr, size);
+    found += step;
+    if (step.norm() <= 1e-10 * (1.0 + found.norm())) {
+      break;
+    }
+  }
+  p = (1.0 + (-(design.columns * found).array()).exp()).inverse().matrix();
+
+  LogisticFit fit;
+  fit.left_out = design.left_out;
+  fit.fitted.assign(p.begin(), p.end());
+  fit.deviance = deviance_of(p);
+  fit.null_deviance = deviance_of(VectorXd::Constant(rows, y.mean()));
+  fit.freedom = successes.size() - static_cast<std::size_t>(size);
+  if (size > 1) {
+    fit.p = boost::math::cdf(
+        boost::math::complement(boost::math::chi_squared(static_cast<double>(size - 1)),
+                                std::max(0.0, fit.null_deviance - fit.deviance)));
+  }
+  const boost::math::normal normal;
+  const double reach = boost::math::quantile(normal, 0.5 + 0.5 * confidence);
+  const Eigen::HouseholderQR<MatrixXd> plain(design.columns);
+  const MatrixXd unweighted = inverse_square(plain, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    Coefficient one;
+    one.name = design.names[static_cast<std::size_t>(i)];
+    one.estimate = found(i);
+    one.error = std::sqrt(inverse(i, i));
+    one.interval = {one.estimate - reach * one.error, one.estimate + reach * one.error};
+    one.p = 2.0 * boost::math::cdf(
+                      boost::math::complement(normal, std::abs(one.estimate / one.error)));
+    one.inflation = inflation_of(design, unweighted, i);
+    if (std::abs(step(i)) * design.columns.col(i).cwiseAbs().maxCoeff() > kMoves) {
+      fit.separated.push_back(one.name);
+    }
+    fit.coefficients.push_back(std::move(one));
+  }
+  return fit;
+}
+
+}  // namespace elsie::report

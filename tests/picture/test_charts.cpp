@@ -1,0 +1,154 @@
+// Charts of what runs came to: bands, steps, numbers below the axis, tiles, rows.
+#include <cstdlib>
+#include <limits>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/picture/plot.h"
+
+#include "support.h"
+
+using namespace elsie;
+using namespace elsie::picture;
+using picture::test::bytes_of;
+using picture::test::Folder;
+
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+LineChart survival() {
+  LineChart chart;
+  chart.title = "Not there yet";
+  chart.x = {.label = "time", .unit = "s"};
+  chart.y = {.label = "part of the runs", .low = 0.0, .high = 1.0};
+  Series series{.name = "fusion", .points = {{0, 1}, {10, 0.5}, {20, 0.25}}};
+  series.joining = Joining::steps;
+  series.spread = {{1, 1}, {0.2, 0.8}, {0.1, 0.6}};
+  series.strokes = {{15, 0.5}};
+  chart.series = {series};
+  chart.rows_title = "at risk";
+  chart.rows = {{"fusion", {{0, "20"}, {10, "11"}, {20, "5"}}}};
+  return chart;
+}
+
+Tiles two_by_two() {
+  Tiles tiles;
+  tiles.x = {.label = "speed", .names = {{0, "slow"}, {0, "fast"}}};
+  tiles.y = {.label = "coordinator", .names = {{0, "fusion"}, {0, "arbitration"}}};
+  tiles.values = {1.0, 2.0, 3.0, kUnknown};
+  tiles.texts = {"1.0", "2.0", "3.0", "none"};
+  return tiles;
+}
+
+RowChart boxes() {
+  RowChart chart;
+  chart.x = {.label = "path length", .unit = "m"};
+  ChartRow row{.name = "fusion"};
+  row.box = {{1, 9}, {3, 6}, 5};
+  row.dots = {1, 3, 5, 6, 9};
+  row.crosses = {12};
+  row.mark = 5.2;
+  row.interval = Interval{4, 7};
+  chart.rows = {row, {.name = "arbitration", .bars = {{{0, 4}, 1}, {{4, 12}, 2}}}};
+  chart.key = {{"find_resource", 1}, {"avoid_obstacle", 2}};
+  return chart;
+}
+
+}  // namespace
+
+TEST_CASE("Every kind of panel is the same picture as PNG, SVG and PDF, with texts as texts") {
+  const Folder folder;
+  Page page;
+  page.rows = {{{survival(), two_by_two()}, {}, 0}, {{boxes()}, {}, 0}};
+  for (const std::string name : {"a.svg", "a.png", "a.pdf"}) save_page(page, folder / name);
+  for (const std::string text : {">fusion</text>", ">at risk</text>", ">11</text>", ">none</text>",
+                                 ">find_resource</text>", ">path length (m)</text>"}) {
+    CAPTURE(text);
+    CHECK(bytes_of(folder / "a.svg").find(text) != std::string::npos);
+  }
+  CHECK(bytes_of(folder / "a.png").starts_with("\x89PNG"));
+  CHECK(bytes_of(folder / "a.pdf").starts_with("%PDF-"));
+  CHECK(bytes_of(folder / "a.pdf").find("/FontFile") != std::string::npos);  // not outlines
+  CHECK(std::system(("xmllint --noout --nonet '" + (folder / "a.svg").string() + "'").c_str()) ==
+        0);
+}
+
+TEST_CASE("The same page gives the same bytes, also as a PDF") {
+  const Folder folder;
+  const Page page{"A page", {}, {{{survival()}, {}, 0}}};
+  save_page(page, folder / "a.pdf");
+  save_page(page, folder / "b.pdf");
+  CHECK(bytes_of(folder / "a.pdf") == bytes_of(folder / "b.pdf"));
+}
+
+TEST_CASE("Steps go across before they go down, and a band follows them") {
+  LineChart chart = survival();
+  chart.series[0].spread.clear();
+  const std::string steps = page_chart(chart, "", {400, 300});
+  chart.series[0].joining = Joining::lines;
+  const std::string lines = page_chart(chart, "", {400, 300});
+  CHECK(steps != lines);
+  CHECK(count(page_chart(survival(), "", {400, 300}), "fill-opacity=\"0.15\"") == 1);
+  CHECK(count(steps, "fill-opacity=\"0.15\"") == 0);
+}
+
+TEST_CASE("Names stand in place of numbers on an axis, in two rows when one is too narrow") {
+  LineChart chart;
+  chart.x.names = {{0, "vector summation of all"}, {1, "action selection by strength"}};
+  chart.series = {{.name = "", .points = {{0, 1}, {1, 2}}}};
+  const std::string narrow = page_chart(chart, "", {300, 200});
+  CHECK(narrow.find(">vector summation of all<") == std::string::npos);
+  CHECK(narrow.find(">vector<") + narrow.find(">vector summation<") != 2 * std::string::npos);
+  CHECK(page_chart(chart, "", {1000, 200}).find(">vector summation of all<") != std::string::npos);
+}
+
+TEST_CASE("Curves differ by their dashes where they have no colours, and marks by their shapes") {
+  LineChart chart;
+  for (std::size_t i = 0; i < 4; ++i) {
+    Series series{.name = std::to_string(i), .points = {{0, double(i)}, {1, double(i)}}};
+    series.colour = kNeutral;
+    chart.series.push_back(series);
+  }
+  const std::string text = page_chart(chart, "", {400, 200});
+  CHECK(count(text, "stroke-dasharray=\"7 5\"") == 2);  // the curve, and its sample
+  CHECK(count(text, "stroke-dasharray=\"1 4.5\"") == 2);
+  CHECK(count(text, "stroke-dasharray=\"9 4 1 4\"") == 2);
+}
+
+TEST_CASE("In a page, colours are those of its style") {
+  CHECK(page_chart(boxes(), "", {400, 0}).find("var(--c1)") != std::string::npos);
+  CHECK(page_chart(survival(), "", {400, 0}).find("var(--c0)") != std::string::npos);
+}
+
+TEST_CASE("Tiles without a value or a text for each are refused") {
+  Tiles tiles = two_by_two();
+  tiles.values.pop_back();
+  CHECK_THROWS_WITH(page_chart(tiles, "", {400, 0}),
+                    Catch::Contains("2 columns and 2 rows cannot be drawn from 3 values"));
+  CHECK_THROWS_AS(page_chart(Tiles{}, "", {400, 0}), std::invalid_argument);
+}
+
+TEST_CASE("Charts with nothing in them, equal values or infinite ones are drawn") {
+  const double infinite = std::numeric_limits<double>::infinity();
+  RowChart rows;
+  CHECK_NOTHROW(page_chart(rows, "", {400, 0}));
+  rows.rows = {{.name = "x", .dots = {2, 2, 2}}, {.name = "", .interval = Interval{1, infinite}}};
+  CHECK_NOTHROW(page_chart(rows, "", {400, 0}));
+  Tiles tiles = two_by_two();
+  tiles.values = {kUnknown, kUnknown, kUnknown, kUnknown};
+  CHECK_NOTHROW(page_chart(tiles, "", {400, 0}));
+  tiles.values = {2, 2, 2, 2};
+  CHECK_NOTHROW(page_chart(tiles, "", {400, 0}));
+  LineChart chart = survival();
+  chart.series[0].spread[1].high = infinite;
+  CHECK_NOTHROW(page_chart(chart, "", {400, 0}));
+}
